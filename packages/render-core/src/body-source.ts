@@ -1,0 +1,48 @@
+/** A column of real numbers as the world stores it: `Float32Array` in an f32 world, `Float64Array` in an f64 one. */
+export type RealColumn = Float32Array | Float64Array;
+
+/**
+ * What a renderer reads of a world: plain columns indexed by entity id, a dense list of the ids to draw, and three
+ * version counters that say when a column must be uploaded again. Lengths are `rows`, a multiple of 1024, so a column
+ * is a 1024-wide texture as it stands.
+ */
+export interface BodySource {
+  readonly dimensions: 2 | 3;
+  /** Length of every column; a multiple of 1024. */
+  readonly rows: number;
+  /** Centre of a body now and one step ago, metres. `z` stays zero in a 2D world. */
+  readonly position: { readonly x: RealColumn; readonly y: RealColumn; readonly z: RealColumn };
+  readonly previousPosition: { readonly x: RealColumn; readonly y: RealColumn; readonly z: RealColumn };
+  /** 2D: angle in radians, anticlockwise, now and one step ago. */
+  readonly angle: RealColumn;
+  readonly previousAngle: RealColumn;
+  /** 3D: unit quaternion now and one step ago; (0, 0, 0, 0) in a row means "not rotated". */
+  readonly orientation: { readonly x: RealColumn; readonly y: RealColumn; readonly z: RealColumn; readonly w: RealColumn };
+  readonly previousOrientation: {
+    readonly x: RealColumn;
+    readonly y: RealColumn;
+    readonly z: RealColumn;
+    readonly w: RealColumn;
+  };
+  /** Radius of the collider, metres; drawn where `size` is zero. */
+  readonly radius: RealColumn;
+  /** Drawn radius, metres; zero means "as large as the collider". */
+  readonly size: RealColumn;
+  /** Colour as RGBA bytes in memory order (`0xAABBGGRR` as a little-endian number); zero means the renderer's default. */
+  readonly color: Uint32Array;
+  /** Shape kind, see `SHAPES`. */
+  readonly shape: Uint32Array;
+  /** The ids to draw, ascending: `ids[0 … count)`. The array may be replaced; read it again when `membership` moved. */
+  readonly ids: Uint32Array;
+  readonly count: number;
+  /** Highest id in `ids` (zero when empty): rows above it need no upload. */
+  readonly lastId: number;
+  readonly versions: {
+    /** Grows when any position, angle or orientation may have changed. */
+    readonly pose: number;
+    /** Grows when any radius, size, colour or shape may have changed. */
+    readonly style: number;
+    /** Grows when `ids` changed. */
+    readonly membership: number;
+  };
+}
