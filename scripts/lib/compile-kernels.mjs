@@ -1,0 +1,102 @@
+/** Runs the AssemblyScript compiler over the kernels, once for each precision, and reads what it exports. */
+import { execFile } from 'node:child_process';
+import { mkdtempSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { promisify } from 'node:util';
+import { cacheFolder, resolveInstalled } from './paths.mjs';
+
+const run = promisify(execFile);
+
+/** No garbage collector, no checks, memory from outside; the comments in `docs/` say why. */
+export const compilerFlags = [
+  '--runtime stub',
+  '--importMemory',
+  '--enable simd',
+  '-O3',
+  '--noAssert',
+  '--use abort=',
+  '--bindings raw',
+].flatMap((flag) => flag.split(' '));
+
+/**
+ * @typedef {{ wasm: Uint8Array, declarations: string }} CompiledKernels
+ * @param {string} folder the folder of `index.ts`
+ * @returns {Promise<{ f32: CompiledKernels, f64: CompiledKernels }>}
+ */
+export async function compileKernels(folder) {
+  mkdirSync(cacheFolder, { recursive: true });
+  const output = mkdtempSync(`${cacheFolder}/kernels-`);
+  try {
+    const [f32, f64] = await Promise.all([compile(folder, 'f32', output), compile(folder, 'f64', output)]);
+    return { f32, f64 };
+  } finally {
+    rmSync(output, { recursive: true, force: true });
+  }
+}
+
+/**
+ * @param {string} folder
+ * @param {'f32' | 'f64'} real
+ * @param {string} output
+ * @returns {Promise<CompiledKernels>}
+ */
+async function compile(folder, real, output) {
+  const compiler = resolveInstalled('assemblyscript/bin/asc.js');
+  const file = `${output}/${real}.wasm`;
+  const args = [`${folder}/index.ts`, '--baseDir', folder, '--outFile', file, '--use', `real=${real}`, ...compilerFlags];
+  try {
+    // The compiler starts itself a second time unless source maps are already enabled.
+    await run(process.execPath, ['--enable-source-maps', compiler, ...args], { cwd: folder, maxBuffer: 1 << 26 });
+  } catch (error) {
+    throw new Error(describeFailure(/** @type {{ stderr?: string, message: string }} */ (error), folder, real));
+  }
+  return { wasm: readFileSync(file), declarations: readFileSync(`${output}/${real}.d.ts`, 'utf8') };
+}
+
+/**
+ * Turns `└─ in broad-phase/grid.ts(8,45)` into a path with line and column that editors and terminals can open.
+ * @param {{ stderr?: string, message: string }} error
+ * @param {string} folder
+ * @param {string} real
+ */
+function describeFailure(error, folder, real) {
+  const shown = folder.startsWith(process.cwd()) ? folder.slice(process.cwd().length + 1) : folder;
+  const report = (error.stderr || error.message).replace(/\bin (\S+\.ts)\((\d+),(\d+)\)/g, `in ${shown}/$1:$2:$3`).trim();
+  const places = [...report.matchAll(/\bin (\S+\.ts:\d+:\d+)/g)].map((match) => match[1]);
+  const where = places.length > 0 ? ` at ${[...new Set(places)].join(', ')}` : '';
+  return `The kernels did not compile for ${real}${where}.\n${report}`;
+}
+
+/**
+ * A TypeScript interface of the exported kernels, from the declarations the compiler writes. Addresses and reals are
+ * numbers, 64-bit integers are bigints, and booleans are what WebAssembly makes of them: the numbers 0 and 1.
+ * @param {{ f32: CompiledKernels, f64: CompiledKernels }} compiled
+ */
+export function kernelInterface({ f32, f64 }) {
+  const wide = exportedFunctions(f64.declarations);
+  const members = exportedFunctions(f32.declarations).map(({ place, name, parameters, result, types }, index) => {
+    if (parameters.includes('?')) {
+      throw new Error(
+        `The exported kernel ${place} has a default parameter, which callers outside WebAssembly cannot leave out ` +
+          `safely: give ${name} plain parameters and put the default in TypeScript.`,
+      );
+    }
+    const notes = types.map((type, i) => (type === wide[index]?.types[i] ? type : type.replace('f32', 'real')));
+    const signature = `${name}(${parameters}): ${result}`.replaceAll('boolean', 'number');
+    return `  /** ${place}(${notes.join(', ')}) */\n  ${signature};\n`;
+  });
+  return `export interface KernelExports {\n${members.join('')}}\n`;
+}
+
+/** @param {string} declarations */
+function exportedFunctions(declarations) {
+  const pattern = /\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\s*export function (\w+)\(([^)]*)\): (\w+);/g;
+  return [...declarations.matchAll(pattern)].map(([, comment, name, parameters, result]) => ({
+    place: comment.match(/\S*\/\w+/)?.[0] ?? name,
+    name,
+    parameters,
+    result,
+    types: [...comment.matchAll(/@(?:param (\w+)|returns) `([^`]+)`/g)].map(([, parameter, type]) =>
+      parameter ? `${parameter}: ${type}` : `returns ${type}`,
+    ),
+  }));
+}

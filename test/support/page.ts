@@ -1,0 +1,86 @@
+/** Serves one bundled TypeScript file as a page, so that a browser test runs the sources as they are. */
+import { createServer, type Server, type ServerResponse } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { extname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'esbuild';
+import type { Browser, Page } from 'playwright-core';
+import { buildKernels } from '../../scripts/build-kernels.mjs';
+import { bundleOptions } from '../../scripts/lib/bundle.mjs';
+
+export type ServedPage = { url: string; close(): Promise<void> };
+
+export type PageOptions = {
+  /** Markup for the body (`<canvas id="stage"></canvas>`), or a whole page that loads `./main.js` itself. */
+  html?: string;
+};
+
+const contentTypes: Record<string, string> = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.map': 'application/json',
+};
+
+/**
+ * Bundles `entry` (an absolute path, one from the repository root, or `new URL('./x.ts', import.meta.url)`) in
+ * memory and serves it on a free port. The page is cross-origin isolated: SharedArrayBuffer and 5 µs timers work.
+ */
+export async function servePage(entry: string | URL, { html = '' }: PageOptions = {}): Promise<ServedPage> {
+  await buildKernels({ quiet: true });
+  const entryPath = entry instanceof URL ? fileURLToPath(entry) : entry;
+  const { outputFiles } = await build({
+    ...bundleOptions({ sourcemap: 'inline' }),
+    entryPoints: { main: entryPath },
+    outdir: '/',
+    write: false,
+  });
+  const files = new Map<string, string | Uint8Array>([['/', wholePage(html)]]);
+  for (const file of outputFiles) files.set(`/${file.path.split(/[\\/]/).pop()}`, file.contents);
+  return listen(
+    createServer((request, response) => answer(response, files, new URL(request.url ?? '/', 'http://x').pathname)),
+  );
+}
+
+/** Opens `url` in a page of its own; `errors` fills with every uncaught error, so a test can expect it empty. */
+export async function openPage(browser: Browser, url: string): Promise<{ page: Page; errors: string[] }> {
+  const page = await browser.newPage();
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  await page.goto(url);
+  return { page, errors };
+}
+
+function wholePage(html: string): string {
+  if (/^\s*<!doctype/i.test(html)) return html;
+  return `<!doctype html>
+<html lang="en">
+<head><meta charset="utf-8"><title>Principia test page</title><link rel="icon" href="data:,">
+<style>body { margin: 0 }</style></head>
+<body>${html}<script type="module" src="./main.js"></script></body>
+</html>`;
+}
+
+function answer(response: ServerResponse, files: Map<string, string | Uint8Array>, path: string): void {
+  const content = files.get(path);
+  response.writeHead(content === undefined ? 404 : 200, {
+    'Content-Type': contentTypes[extname(path) || '.html'] ?? 'application/octet-stream',
+    'Cache-Control': 'no-store',
+    'Cross-Origin-Opener-Policy': 'same-origin',
+    'Cross-Origin-Embedder-Policy': 'require-corp',
+  });
+  response.end(content ?? `Nothing is served at ${path}`);
+}
+
+async function listen(server: Server): Promise<ServedPage> {
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address() as AddressInfo;
+  return {
+    url: `http://127.0.0.1:${port}/`,
+    close: () =>
+      new Promise((resolve, reject) => {
+        server.close((error) => (error ? reject(error) : resolve()));
+        server.closeAllConnections();
+      }),
+  };
+}

@@ -1,0 +1,34 @@
+import { defineConfig } from 'vitest/config';
+
+/** Workspace packages are read from their TypeScript sources; nothing has to be built first except the kernels. */
+const fromSource = {
+  resolve: { conditions: ['principia-source'] },
+  ssr: { resolve: { conditions: ['principia-source'], noExternal: [/^@principia\//] } },
+};
+
+export default defineConfig({
+  test: {
+    projects: [
+      {
+        ...fromSource,
+        test: {
+          name: 'unit',
+          include: ['{packages,games,bench,test}/**/*.test.ts'],
+          exclude: ['**/node_modules/**', '**/dist/**', 'test/browser/**'],
+          globalSetup: ['test/support/kernels-setup.ts'],
+        },
+      },
+      {
+        ...fromSource,
+        test: {
+          name: 'browser',
+          include: ['test/browser/**/*.test.ts'],
+          globalSetup: ['test/support/kernels-setup.ts', 'test/support/chromium-setup.ts'],
+          fileParallelism: false,
+          testTimeout: 120_000,
+          hookTimeout: 120_000,
+        },
+      },
+    ],
+  },
+});
