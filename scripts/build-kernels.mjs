@@ -8,7 +8,7 @@ import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { encodeModule } from './lib/encode-module.mjs';
+import { encodeModules } from './lib/encode-module.mjs';
 import { resolveInstalled, root } from './lib/paths.mjs';
 
 export const kernelFolder = `${root}/packages/physics/kernels`;
@@ -30,9 +30,11 @@ export async function buildKernels({ quiet = false, force = false, from = kernel
   const { f32, f64 } = await compileKernels(from);
   const text = [
     header,
-    `export const KERNELS_F32 =\n  '${encodeModule(f32.wasm)}';`,
-    `export const KERNELS_F64 =\n  '${encodeModule(f64.wasm)}';`,
-    '/** What both modules export; `real` parameters are numbers, addresses are byte offsets into the memory. */',
+    "import type { EmbeddedModule } from './decode.ts';\n",
+    `const chunks = [\n${encodeModules(f32.wasm, f64.wasm).map((chunk) => `  '${chunk}',\n`).join('')}];\n`,
+    'export const KERNELS_F32: EmbeddedModule = { chunks, turn: 0 };',
+    'export const KERNELS_F64: EmbeddedModule = { chunks, turn: 1 };\n',
+    '/** What both modules export. An address (`usize`) is a byte offset into the memory; u32 results need `>>> 0`. */',
     kernelInterface({ f32, f64 }),
   ].join('\n');
   mkdirSync(dirname(to), { recursive: true });

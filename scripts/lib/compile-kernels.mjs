@@ -80,9 +80,10 @@ export function kernelInterface({ f32, f64 }) {
           `safely: give ${name} plain parameters and put the default in TypeScript.`,
       );
     }
-    const notes = types.map((type, i) => (type === wide[index]?.types[i] ? type : type.replace('f32', 'real')));
+    const exact = types.map((type, i) => (type === wide[index]?.types[i] ? type : type.replace('f32', 'real')));
+    const returns = result === 'void' ? 'void' : exact.pop();
     const signature = `${name}(${parameters}): ${result}`.replaceAll('boolean', 'number');
-    return `  /** ${place}(${notes.join(', ')}) */\n  ${signature};\n`;
+    return `  /** ${place}(${exact.join(', ')}): ${returns} */\n  ${signature};\n`;
   });
   return `export interface KernelExports {\n${members.join('')}}\n`;
 }
@@ -96,7 +97,7 @@ function exportedFunctions(declarations) {
     parameters,
     result,
     types: [...comment.matchAll(/@(?:param (\w+)|returns) `([^`]+)`/g)].map(([, parameter, type]) =>
-      parameter ? `${parameter}: ${type}` : `returns ${type}`,
+      parameter ? `${parameter}: ${type}` : type,
     ),
   }));
 }
