@@ -17,7 +17,12 @@ export interface BodySource {
   readonly angle: RealColumn;
   readonly previousAngle: RealColumn;
   /** 3D: unit quaternion now and one step ago; (0, 0, 0, 0) in a row means "not rotated". */
-  readonly orientation: { readonly x: RealColumn; readonly y: RealColumn; readonly z: RealColumn; readonly w: RealColumn };
+  readonly orientation: {
+    readonly x: RealColumn;
+    readonly y: RealColumn;
+    readonly z: RealColumn;
+    readonly w: RealColumn;
+  };
   readonly previousOrientation: {
     readonly x: RealColumn;
     readonly y: RealColumn;

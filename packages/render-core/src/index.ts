@@ -1,0 +1,20 @@
+export type { BodySource, RealColumn } from './body-source.ts';
+export {
+  type Bounds2,
+  type Camera2D,
+  fit,
+  follow,
+  panBy,
+  toScreen,
+  toWorld,
+  type Vector2,
+  type ViewportSize,
+  type ZoomLimits,
+  zoomAt,
+} from './camera-2d.ts';
+export { ColumnUpload, TEXTURE_WIDTH, textureRows } from './column-upload.ts';
+export { listenToPointers, type PointerControl, type PointerOptions } from './pointer.ts';
+export { ReleaseVelocity } from './release-velocity.ts';
+export { SHAPES, type ShapeKind, type ShapeName } from './shapes.ts';
+export { TrailHistory, type TrailOptions } from './trails.ts';
+export { type Viewport, type ViewportOptions, watchViewport } from './viewport.ts';

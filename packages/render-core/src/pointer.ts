@@ -1,0 +1,187 @@
+import { type Camera2D, panBy, toWorld, type Vector2, type ZoomLimits, zoomAt } from './camera-2d.ts';
+import { ReleaseVelocity } from './release-velocity.ts';
+
+/** What a pointer on the canvas can do. All coordinates are world metres, all velocities metres per second. */
+export interface PointerOptions {
+  camera: Camera2D;
+  /** Which body lies under a world point: its id, or 0 for none. Left out, nothing can be grabbed. */
+  pick?(x: number, y: number): number;
+  /** A pointer went down on body `id`. */
+  onGrab?(id: number, x: number, y: number, pointerId: number): void;
+  /** A pointer that holds `id` moved. */
+  onDrag?(id: number, x: number, y: number, pointerId: number): void;
+  /** A pointer let go of `id`; (`vx`, `vy`) is how fast it moved, for throwing. */
+  onRelease?(id: number, x: number, y: number, vx: number, vy: number, pointerId: number): void;
+  /** A pointer went down on empty space. Return true to keep it from panning, as when a click adds a body. */
+  onPress?(x: number, y: number, pointerId: number): boolean;
+  /** A pointer moved while no button is down. */
+  onHover?(x: number, y: number): void;
+  /** The camera was moved or scaled by pan, wheel or pinch. */
+  onNavigate?(): void;
+  /** False switches panning and zooming off; default true. */
+  navigate?: boolean;
+  /** Limits of the scale, pixels per metre. */
+  zoomLimits?: ZoomLimits;
+}
+
+/** A canvas that listens to pointers until `destroy()`. */
+export interface PointerControl {
+  destroy(): void;
+}
+
+interface Pointer {
+  /** Body held, 0 for none. */
+  body: number;
+  /** Whether it moves the view. */
+  pans: boolean;
+  x: number;
+  y: number;
+  readonly velocity: ReleaseVelocity;
+}
+
+/** Scale change per wheel pixel: one notch of 100 pixels zooms by a factor of about 1.16. */
+const WHEEL_RATE = 0.0015;
+
+/** CSS pixels a wheel "line" stands for. */
+const WHEEL_LINE = 16;
+
+/**
+ * Listens to mouse, pen and touch on a canvas. A pointer that goes down on a body grabs it; any other pans the view,
+ * the wheel zooms about the pointer, and two panning fingers pinch. Several pointers work at once.
+ *
+ * Sets `touch-action: none` on the canvas, so that the browser does not scroll the page instead, and restores it on
+ * `destroy()`.
+ */
+export function listenToPointers(canvas: HTMLCanvasElement, options: PointerOptions): PointerControl {
+  const listener = new PointerListener(canvas, options);
+  const touchAction = canvas.style.touchAction;
+  canvas.style.touchAction = 'none';
+  const handlers = [
+    ['pointerdown', listener.down],
+    ['pointermove', listener.move],
+    ['pointerup', listener.up],
+    ['pointercancel', listener.up],
+  ] as const;
+  for (const [type, handler] of handlers) canvas.addEventListener(type, handler);
+  canvas.addEventListener('wheel', listener.wheel, { passive: false });
+  return {
+    destroy() {
+      for (const [type, handler] of handlers) canvas.removeEventListener(type, handler);
+      canvas.removeEventListener('wheel', listener.wheel);
+      canvas.style.touchAction = touchAction;
+      listener.releaseAll();
+    },
+  };
+}
+
+class PointerListener {
+  readonly #pointers = new Map<number, Pointer>();
+  readonly #screen: Vector2 = { x: 0, y: 0 };
+  readonly #world: Vector2 = { x: 0, y: 0 };
+  readonly #size = { width: 0, height: 0 };
+
+  readonly canvas: HTMLCanvasElement;
+  readonly options: PointerOptions;
+
+  constructor(canvas: HTMLCanvasElement, options: PointerOptions) {
+    this.canvas = canvas;
+    this.options = options;
+  }
+
+  readonly down = (event: PointerEvent): void => {
+    if (event.pointerType === 'mouse' && event.button > 2) return;
+    this.canvas.setPointerCapture(event.pointerId);
+    const world = this.#locate(event);
+    const { pick, onGrab, onPress, navigate = true } = this.options;
+    const body = event.button === 0 ? (pick?.(world.x, world.y) ?? 0) : 0;
+    const taken = body === 0 && event.button === 0 && onPress?.(world.x, world.y, event.pointerId) === true;
+    const velocity = new ReleaseVelocity();
+    velocity.add(event.timeStamp / 1000, world.x, world.y);
+    const pans = body === 0 && !taken && navigate;
+    this.#pointers.set(event.pointerId, { body, pans, x: this.#screen.x, y: this.#screen.y, velocity });
+    if (body !== 0) onGrab?.(body, world.x, world.y, event.pointerId);
+  };
+
+  readonly move = (event: PointerEvent): void => {
+    const world = this.#locate(event);
+    const pointer = this.#pointers.get(event.pointerId);
+    if (pointer === undefined) {
+      this.options.onHover?.(world.x, world.y);
+    } else if (pointer.body !== 0) {
+      pointer.velocity.add(event.timeStamp / 1000, world.x, world.y);
+      this.options.onDrag?.(pointer.body, world.x, world.y, event.pointerId);
+    } else if (pointer.pans) {
+      this.#navigate(pointer, event.pointerId);
+    }
+    if (pointer !== undefined) {
+      pointer.x = this.#screen.x;
+      pointer.y = this.#screen.y;
+    }
+  };
+
+  readonly up = (event: PointerEvent): void => {
+    const pointer = this.#pointers.get(event.pointerId);
+    if (pointer === undefined) return;
+    this.#pointers.delete(event.pointerId);
+    if (pointer.body === 0) return;
+    const world = this.#locate(event);
+    pointer.velocity.estimate(event.timeStamp / 1000);
+    const { x, y } = pointer.velocity;
+    this.options.onRelease?.(pointer.body, world.x, world.y, x, y, event.pointerId);
+  };
+
+  readonly wheel = (event: WheelEvent): void => {
+    if (this.options.navigate === false) return;
+    event.preventDefault();
+    this.#locate(event);
+    const pixels = event.deltaMode === 0 ? event.deltaY : event.deltaY * WHEEL_LINE;
+    this.#zoom(this.#screen.x, this.#screen.y, Math.exp(-pixels * WHEEL_RATE));
+    this.options.onNavigate?.();
+  };
+
+  /** Lets go of every body at rest, as when the canvas goes away under the pointers. */
+  releaseAll(): void {
+    for (const [pointerId, pointer] of this.#pointers) {
+      if (pointer.body === 0) continue;
+      const world = toWorld(this.options.camera, this.#size, pointer.x, pointer.y, this.#world);
+      this.options.onRelease?.(pointer.body, world.x, world.y, 0, 0, pointerId);
+    }
+    this.#pointers.clear();
+  }
+
+  /** One panning pointer moves the view; two scale it about the one that stays. */
+  #navigate(pointer: Pointer, pointerId: number): void {
+    const other = this.#otherPanning(pointerId);
+    if (other === undefined) {
+      panBy(this.options.camera, this.#screen.x - pointer.x, this.#screen.y - pointer.y);
+    } else {
+      const before = Math.hypot(pointer.x - other.x, pointer.y - other.y);
+      const after = Math.hypot(this.#screen.x - other.x, this.#screen.y - other.y);
+      // The midpoint moves half as far as the finger that moved.
+      panBy(this.options.camera, (this.#screen.x - pointer.x) / 2, (this.#screen.y - pointer.y) / 2);
+      const middleX = (this.#screen.x + other.x) / 2;
+      const middleY = (this.#screen.y + other.y) / 2;
+      if (before > 1 && after > 1) this.#zoom(middleX, middleY, after / before);
+    }
+    this.options.onNavigate?.();
+  }
+
+  #otherPanning(pointerId: number): Pointer | undefined {
+    for (const [id, pointer] of this.#pointers) if (id !== pointerId && pointer.pans) return pointer;
+    return undefined;
+  }
+
+  #zoom(x: number, y: number, factor: number): void {
+    zoomAt(this.options.camera, this.#size, x, y, factor, this.options.zoomLimits);
+  }
+
+  /** Writes the event's place into `#screen` (CSS pixels in the canvas) and returns it in world metres. */
+  #locate(event: MouseEvent): Vector2 {
+    const box = this.canvas.getBoundingClientRect();
+    this.#screen.x = event.clientX - box.left;
+    this.#screen.y = event.clientY - box.top;
+    this.#size.width = box.width;
+    this.#size.height = box.height;
+    return toWorld(this.options.camera, this.#size, this.#screen.x, this.#screen.y, this.#world);
+  }
+}

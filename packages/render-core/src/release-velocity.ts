@@ -1,0 +1,54 @@
+/** Samples kept; at 120 pointer events a second this reaches back further than `WINDOW`. */
+const SAMPLES = 16;
+
+/** How far back the estimate looks, seconds: long enough to average out jitter, short enough to feel immediate. */
+const WINDOW = 0.08;
+
+/**
+ * Estimates how fast a pointer moved just before it let go, from its latest positions. A pointer that rested before
+ * the release throws with no speed.
+ */
+export class ReleaseVelocity {
+  readonly #t = new Float64Array(SAMPLES);
+  readonly #x = new Float64Array(SAMPLES);
+  readonly #y = new Float64Array(SAMPLES);
+  #count = 0;
+  /** The estimate made by the latest `estimate`, in the unit of the samples per second. */
+  x = 0;
+  y = 0;
+
+  /** Forgets all samples. */
+  reset(): void {
+    this.#count = 0;
+    this.x = 0;
+    this.y = 0;
+  }
+
+  /** Notes a position. @param time seconds, not decreasing */
+  add(time: number, x: number, y: number): void {
+    const i = this.#count++ % SAMPLES;
+    this.#t[i] = time;
+    this.#x[i] = x;
+    this.#y[i] = y;
+  }
+
+  /** Computes the mean velocity over the last 80 ms before `time` (seconds) into `x` and `y`. */
+  estimate(time: number): void {
+    this.x = 0;
+    this.y = 0;
+    if (this.#count < 2) return;
+    const newest = (this.#count - 1) % SAMPLES;
+    if (time - this.#t[newest] > WINDOW) return;
+    let oldest = newest;
+    const reach = Math.min(this.#count, SAMPLES);
+    for (let back = 1; back < reach; back++) {
+      const i = (this.#count - 1 - back) % SAMPLES;
+      if (time - this.#t[i] > WINDOW) break;
+      oldest = i;
+    }
+    const dt = this.#t[newest] - this.#t[oldest];
+    if (dt <= 0) return;
+    this.x = (this.#x[newest] - this.#x[oldest]) / dt;
+    this.y = (this.#y[newest] - this.#y[oldest]) / dt;
+  }
+}

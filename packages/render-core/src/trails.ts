@@ -1,0 +1,171 @@
+import type { BodySource, RealColumn } from './body-source.ts';
+import { TEXTURE_WIDTH } from './column-upload.ts';
+
+/** Where a trail history gets its points and how many it keeps. */
+export interface TrailOptions {
+  source: BodySource;
+  /** Points kept per body, at least 2. */
+  length: number;
+  /**
+   * Ids of the bodies that leave trails, fixed for the life of the history. Left out, every body of the source has a
+   * trail, which takes `length * source.rows` points of memory.
+   */
+  bodies?: ArrayLike<number>;
+  /** Keep every n-th pose; default 1. */
+  interval?: number;
+  /** Point that recorded positions are relative to, metres; keeps precision in a large f64 world. Default zero. */
+  origin?: { readonly x: number; readonly y: number; readonly z?: number };
+}
+
+/**
+ * Ring of the last `length` positions of each body, laid out as data textures: `length` slices one below the other,
+ * each `rowsPerSlice` rows of `TEXTURE_WIDTH` texels, so the point of slot `s` in slice `k` is texel
+ * `k * rowsPerSlice * TEXTURE_WIDTH + s`. A step writes one slice, so it uploads one range of rows.
+ *
+ * A slot is the body's id, or its place in `bodies` when such a list was given.
+ */
+export class TrailHistory {
+  readonly source: BodySource;
+  readonly length: number;
+  readonly interval: number;
+  /** Ids that have trails, or undefined when every body has one and a slot is an id. */
+  readonly bodies: Uint32Array | undefined;
+  readonly rowsPerSlice: number;
+  /** Recorded coordinates, metres relative to `origin`; `z` is empty in a 2D world. */
+  readonly x: Float32Array;
+  readonly y: Float32Array;
+  readonly z: Float32Array;
+  /** Number of the first recording that belongs to the body now in each slot; older points are somebody else's. */
+  readonly birth: Uint32Array;
+  /** Point the recorded coordinates are relative to, metres. Change it with `setOrigin`. */
+  readonly origin: { x: number; y: number; z: number };
+  /** Recordings made so far; the newest has number `recordings - 1` and lies in slice `newestSlice`. */
+  recordings = 0;
+  newestSlice = 0;
+  /** True when the newest recording is the source's current pose, false when the interval skipped it. */
+  newestIsCurrent = false;
+  /** Grows when `birth` changed. */
+  birthVersion = 0;
+  /** Grows when all slices changed at once and have to be uploaded again. */
+  resetVersion = 0;
+  readonly #seen: Uint32Array;
+  #posesSinceRecording: number;
+
+  constructor(options: TrailOptions) {
+    const { source, length, bodies, interval = 1, origin } = options;
+    if (!Number.isInteger(length) || length < 2) {
+      throw new Error(`trail length must be a whole number of points, at least 2, got ${length}`);
+    }
+    if (!Number.isInteger(interval) || interval < 1) {
+      throw new Error(`trail interval must be a whole number of steps, at least 1, got ${interval}`);
+    }
+    this.source = source;
+    this.length = length;
+    this.interval = interval;
+    this.bodies = bodies === undefined ? undefined : checkedIds(bodies, source.rows);
+    this.rowsPerSlice = Math.max(1, Math.ceil((bodies === undefined ? source.rows : bodies.length) / TEXTURE_WIDTH));
+    const slots = this.rowsPerSlice * TEXTURE_WIDTH;
+    this.x = new Float32Array(slots * length);
+    this.y = new Float32Array(slots * length);
+    this.z = new Float32Array(source.dimensions === 3 ? slots * length : 0);
+    this.birth = new Uint32Array(slots);
+    this.origin = { x: origin?.x ?? 0, y: origin?.y ?? 0, z: origin?.z ?? 0 };
+    this.#seen = new Uint32Array(slots);
+    this.#posesSinceRecording = interval;
+  }
+
+  /**
+   * Notes the source's current pose. Call it once for every value of `source.versions.pose`.
+   *
+   * @returns true when a slice was written, false when the interval skips this pose
+   */
+  record(): boolean {
+    this.#posesSinceRecording++;
+    this.newestIsCurrent = this.#posesSinceRecording >= this.interval;
+    if (!this.newestIsCurrent) return false;
+    this.#posesSinceRecording = 0;
+    this.newestSlice = this.recordings % this.length;
+    const { position, dimensions } = this.source;
+    const start = this.newestSlice * this.rowsPerSlice * TEXTURE_WIDTH;
+    this.#copy(this.x, start, position.x, this.origin.x);
+    this.#copy(this.y, start, position.y, this.origin.y);
+    if (dimensions === 3) this.#copy(this.z, start, position.z, this.origin.z);
+    this.recordings++;
+    this.#noteBirths();
+    return true;
+  }
+
+  /** Starts the trail of body `id` afresh, as after a teleport. Does nothing for a body without a trail. */
+  restart(id: number): void {
+    const slot = this.bodies === undefined ? id : this.bodies.indexOf(id);
+    if (slot < 0 || slot >= this.#seen.length) return;
+    this.#seen[slot] = 0;
+  }
+
+  /** Forgets every point. */
+  clear(): void {
+    this.#seen.fill(0);
+    this.birth.fill(this.recordings);
+    this.birthVersion++;
+    this.#posesSinceRecording = this.interval;
+  }
+
+  /** Makes the recorded points relative to another origin, metres. Costs one pass over all of them. */
+  setOrigin(x: number, y: number, z = 0): void {
+    shift(this.x, this.origin.x - x);
+    shift(this.y, this.origin.y - y);
+    shift(this.z, this.origin.z - z);
+    this.origin.x = x;
+    this.origin.y = y;
+    this.origin.z = z;
+    this.resetVersion++;
+  }
+
+  /** Number of bodies whose trails are to be drawn now. */
+  get count(): number {
+    return this.bodies === undefined ? this.source.count : this.bodies.length;
+  }
+
+  #copy(target: Float32Array, start: number, column: RealColumn, origin: number): void {
+    const { bodies, source } = this;
+    if (bodies === undefined) {
+      const end = Math.min(source.lastId + 1, column.length);
+      for (let id = 0; id < end; id++) target[start + id] = column[id] - origin;
+    } else {
+      for (let slot = 0; slot < bodies.length; slot++) target[start + slot] = column[bodies[slot]] - origin;
+    }
+  }
+
+  /** A slot that was not recorded last time holds a new body: its trail begins at this recording. */
+  #noteBirths(): void {
+    const ids = this.bodies === undefined ? this.source.ids : undefined;
+    const count = this.count;
+    const now = this.recordings;
+    const seen = this.#seen;
+    let born = false;
+    for (let i = 0; i < count; i++) {
+      const slot = ids === undefined ? i : ids[i];
+      if (seen[slot] !== now - 1 || now === 1) {
+        this.birth[slot] = now - 1;
+        born = true;
+      }
+      seen[slot] = now;
+    }
+    if (born) this.birthVersion++;
+  }
+}
+
+function checkedIds(bodies: ArrayLike<number>, rows: number): Uint32Array {
+  for (let i = 0; i < bodies.length; i++) {
+    const id = bodies[i];
+    if (!Number.isInteger(id) || id < 0 || id >= rows) {
+      throw new Error(`trail bodies[${i}] must be an entity id from 0 to ${rows - 1}, got ${id}`);
+    }
+  }
+  return Uint32Array.from(bodies);
+}
+
+function shift(values: Float32Array, by: number): void {
+  if (by === 0) return;
+  for (let i = 0; i < values.length; i++) values[i] += by;
+}
