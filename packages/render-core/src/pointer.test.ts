@@ -1,0 +1,111 @@
+import { describe, expect, it } from 'vitest';
+import type { Camera2D } from './camera-2d.ts';
+import { listenToPointers, type PointerOptions } from './pointer.ts';
+
+/** An event target with the few members of a canvas that the listener uses: 200 by 100 pixels at (10, 20). */
+function fakeCanvas() {
+  const captured: number[] = [];
+  const canvas = Object.assign(new EventTarget(), {
+    style: { touchAction: 'auto' },
+    setPointerCapture: (id: number) => captured.push(id),
+    getBoundingClientRect: () => ({ left: 10, top: 20, width: 200, height: 100 }),
+  });
+  const fire = (type: string, x: number, y: number, more: object = {}) => {
+    const event = new Event(type, { cancelable: true });
+    const fields = { clientX: x + 10, clientY: y + 20, pointerId: 1, button: 0, pointerType: 'mouse', ...more };
+    for (const [name, value] of Object.entries(fields)) Object.defineProperty(event, name, { value });
+    canvas.dispatchEvent(event);
+    return event;
+  };
+  return { canvas: canvas as unknown as HTMLCanvasElement, captured, fire };
+}
+
+function setUp(options: Partial<PointerOptions> = {}) {
+  const camera: Camera2D = { x: 0, y: 0, pixelsPerMetre: 10 };
+  const log: unknown[][] = [];
+  const fake = fakeCanvas();
+  const control = listenToPointers(fake.canvas, {
+    camera,
+    pick: (x, y) => (Math.hypot(x, y) < 1 ? 7 : 0),
+    onGrab: (...args) => log.push(['grab', ...args]),
+    onDrag: (...args) => log.push(['drag', ...args]),
+    onRelease: (...args) => log.push(['release', ...args]),
+    ...options,
+  });
+  return { ...fake, camera, log, control };
+}
+
+describe('listenToPointers', () => {
+  it('grabs, drags and throws a body in world coordinates', () => {
+    const { fire, log, camera, captured } = setUp();
+    fire('pointerdown', 100, 50, { timeStamp: 0 });
+    fire('pointermove', 110, 40, { timeStamp: 20 });
+    fire('pointermove', 120, 30, { timeStamp: 40 });
+    fire('pointerup', 120, 30, { timeStamp: 45 });
+    expect(captured).toEqual([1]);
+    expect(log.slice(0, 3)).toEqual([
+      ['grab', 7, 0, 0, 1],
+      ['drag', 7, 1, 1, 1],
+      ['drag', 7, 2, 2, 1],
+    ]);
+    const [name, id, x, y, vx, vy] = log[3] as [string, number, number, number, number, number];
+    expect([name, id, x, y]).toEqual(['release', 7, 2, 2]);
+    expect(vx).toBeCloseTo(50, 6);
+    expect(vy).toBeCloseTo(50, 6);
+    expect(camera).toEqual({ x: 0, y: 0, pixelsPerMetre: 10 });
+  });
+
+  it('pans on empty space, unless the press was taken or navigation is off', () => {
+    const panned = setUp();
+    panned.fire('pointerdown', 20, 20);
+    panned.fire('pointermove', 30, 20);
+    expect(panned.camera.x).toBeCloseTo(-1, 9);
+    for (const options of [{ onPress: () => true }, { navigate: false }]) {
+      const still = setUp(options);
+      still.fire('pointerdown', 20, 20);
+      still.fire('pointermove', 30, 20);
+      still.fire('wheel', 20, 20, { deltaY: 100, deltaMode: 0 });
+      expect(still.camera.x === 0 || options.navigate === undefined).toBe(true);
+    }
+  });
+
+  it('pinches with two fingers about their middle', () => {
+    const { fire, camera } = setUp();
+    fire('pointerdown', 60, 80, { pointerId: 1, pointerType: 'touch' });
+    fire('pointerdown', 140, 80, { pointerId: 2, pointerType: 'touch' });
+    fire('pointermove', 40, 80, { pointerId: 1 });
+    fire('pointermove', 160, 80, { pointerId: 2 });
+    expect(camera.pixelsPerMetre).toBeCloseTo(15, 9);
+    expect(camera.x).toBeCloseTo(0, 9);
+    expect(camera.y - 30 / 15).toBeCloseTo(-3, 9);
+  });
+
+  it('drags with one finger while another pans', () => {
+    const { fire, log, camera } = setUp();
+    fire('pointerdown', 100, 50, { pointerId: 1 });
+    fire('pointerdown', 20, 20, { pointerId: 2 });
+    fire('pointermove', 30, 20, { pointerId: 2 });
+    fire('pointerup', 100, 50, { pointerId: 1, timeStamp: 1e6 });
+    expect(camera.x).toBeCloseTo(-1, 9);
+    expect(log.map(([name]) => name)).toEqual(['grab', 'release']);
+  });
+
+  it('zooms with the wheel and stops the page from scrolling', () => {
+    const { fire, camera } = setUp({ zoomLimits: { min: 5, max: 12 } });
+    expect(fire('wheel', 100, 50, { deltaY: -100, deltaMode: 0 }).defaultPrevented).toBe(true);
+    expect(camera.pixelsPerMetre).toBeCloseTo(10 * Math.exp(0.15), 9);
+    fire('wheel', 100, 50, { deltaY: -100, deltaMode: 1 });
+    expect(camera.pixelsPerMetre).toBe(12);
+  });
+
+  it('lets go of everything and listens no more after destroy', () => {
+    const { canvas, fire, log, control } = setUp();
+    expect(canvas.style.touchAction).toBe('none');
+    fire('pointerdown', 100, 50);
+    control.destroy();
+    expect(canvas.style.touchAction).toBe('auto');
+    expect(log[1]).toEqual(['release', 7, 0, 0, 0, 0, 1]);
+    fire('pointerdown', 100, 50);
+    expect(log.length).toBe(2);
+  });
+});

@@ -1,0 +1,95 @@
+import { describe, expect, it } from 'vitest';
+import { TEXTURE_WIDTH } from './column-upload.ts';
+import { createFakeSource } from './fake-source.ts';
+import { TrailHistory } from './trails.ts';
+
+function sourceWith(ids: number[], dimensions: 2 | 3 = 2) {
+  const source = createFakeSource(2048, dimensions, 'f64');
+  source.show(ids);
+  return source;
+}
+
+describe('TrailHistory', () => {
+  it('keeps one slice a recording, in a ring', () => {
+    const source = sourceWith([1, 1500]);
+    const history = new TrailHistory({ source, length: 3 });
+    expect(history.rowsPerSlice).toBe(2);
+    for (let step = 0; step < 5; step++) {
+      source.position.x[1] = step;
+      source.position.y[1500] = 10 * step;
+      expect(history.record()).toBe(true);
+    }
+    expect(history.newestSlice).toBe(1);
+    const slice = (k: number, slot: number) => k * 2 * TEXTURE_WIDTH + slot;
+    expect([0, 1, 2].map((k) => history.x[slice(k, 1)])).toEqual([3, 4, 2]);
+    expect([0, 1, 2].map((k) => history.y[slice(k, 1500)])).toEqual([30, 40, 20]);
+    expect(history.z.length).toBe(0);
+  });
+
+  it('gathers chosen bodies into consecutive slots', () => {
+    const source = sourceWith([2, 5, 9], 3);
+    source.position.z[9] = 4;
+    const history = new TrailHistory({ source, length: 2, bodies: [9, 2] });
+    history.record();
+    expect(history.rowsPerSlice).toBe(1);
+    expect(history.count).toBe(2);
+    expect([history.z[0], history.z[1]]).toEqual([4, 0]);
+  });
+
+  it('notes when a body came, so that a reused id does not inherit a trail', () => {
+    const source = sourceWith([1, 2]);
+    const history = new TrailHistory({ source, length: 4 });
+    history.record();
+    history.record();
+    source.show([1]);
+    history.record();
+    source.show([1, 2]);
+    const before = history.birthVersion;
+    history.record();
+    expect(history.birth[1]).toBe(0);
+    expect(history.birth[2]).toBe(3);
+    expect(history.birthVersion).toBe(before + 1);
+    history.record();
+    expect(history.birthVersion).toBe(before + 1);
+    history.restart(1);
+    history.record();
+    expect(history.birth[1]).toBe(5);
+  });
+
+  it('keeps every n-th pose and says whether the newest is the current one', () => {
+    const source = sourceWith([1]);
+    const history = new TrailHistory({ source, length: 4, interval: 3 });
+    const written = [0, 1, 2, 3, 4, 5, 6].map(() => [history.record(), history.newestIsCurrent]);
+    expect(written.map(([wrote]) => wrote)).toEqual([true, false, false, true, false, false, true]);
+    expect(written.every(([wrote, current]) => wrote === current)).toBe(true);
+  });
+
+  it('records relative to an origin and can move it', () => {
+    const source = sourceWith([1]);
+    source.position.x[1] = 1e9 + 0.25;
+    const history = new TrailHistory({ source, length: 2, origin: { x: 1e9, y: 0 } });
+    history.record();
+    expect(history.x[1]).toBe(0.25);
+    history.setOrigin(1e9 - 2, 0);
+    expect(history.x[1]).toBe(2.25);
+    expect(history.resetVersion).toBe(1);
+  });
+
+  it('forgets everything on clear', () => {
+    const source = sourceWith([1]);
+    const history = new TrailHistory({ source, length: 4 });
+    history.record();
+    history.record();
+    history.clear();
+    expect(history.birth[1]).toBe(2);
+    history.record();
+    expect(history.birth[1]).toBe(2);
+  });
+
+  it('says what is wrong with its options', () => {
+    const source = sourceWith([1]);
+    expect(() => new TrailHistory({ source, length: 1 })).toThrow(/at least 2, got 1/);
+    expect(() => new TrailHistory({ source, length: 3, interval: 0 })).toThrow(/interval.*got 0/);
+    expect(() => new TrailHistory({ source, length: 3, bodies: [1, 9999] })).toThrow(/bodies\[1\].*2047, got 9999/);
+  });
+});
