@@ -31,7 +31,9 @@ export async function buildKernels({ quiet = false, force = false, from = kernel
   const text = [
     header,
     "import type { EmbeddedModule } from './decode.ts';\n",
-    `const chunks = [\n${encodeModules(f32.wasm, f64.wasm).map((chunk) => `  '${chunk}',\n`).join('')}];\n`,
+    `const chunks = [\n${encodeModules(f32.wasm, f64.wasm)
+      .map((chunk) => `  '${chunk}',\n`)
+      .join('')}];\n`,
     'export const KERNELS_F32: EmbeddedModule = { chunks, turn: 0 };',
     'export const KERNELS_F64: EmbeddedModule = { chunks, turn: 1 };\n',
     '/** What both modules export. An address (`usize`) is a byte offset into the memory; u32 results need `>>> 0`. */',
@@ -43,7 +45,9 @@ export async function buildKernels({ quiet = false, force = false, from = kernel
   renameSync(draft, to); // another process never reads half a file
   if (!quiet) {
     const [a, b] = [f32, f64].map(({ wasm }) => `${(wasm.length / 1024).toFixed(1)} KB`);
-    process.stdout.write(`Kernels compiled in ${((performance.now() - start) / 1000).toFixed(1)} s: f32 ${a}, f64 ${b}\n`);
+    process.stdout.write(
+      `Kernels compiled in ${((performance.now() - start) / 1000).toFixed(1)} s: f32 ${a}, f64 ${b}\n`,
+    );
   }
   return true;
 }

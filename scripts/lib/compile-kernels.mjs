@@ -1,6 +1,6 @@
 /** Runs the AssemblyScript compiler over the kernels, once for each precision, and reads what it exports. */
 import { execFile } from 'node:child_process';
-import { mkdtempSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { promisify } from 'node:util';
 import { cacheFolder, resolveInstalled } from './paths.mjs';
 
@@ -42,7 +42,16 @@ export async function compileKernels(folder) {
 async function compile(folder, real, output) {
   const compiler = resolveInstalled('assemblyscript/bin/asc.js');
   const file = `${output}/${real}.wasm`;
-  const args = [`${folder}/index.ts`, '--baseDir', folder, '--outFile', file, '--use', `real=${real}`, ...compilerFlags];
+  const args = [
+    `${folder}/index.ts`,
+    '--baseDir',
+    folder,
+    '--outFile',
+    file,
+    '--use',
+    `real=${real}`,
+    ...compilerFlags,
+  ];
   try {
     // The compiler starts itself a second time unless source maps are already enabled.
     await run(process.execPath, ['--enable-source-maps', compiler, ...args], { cwd: folder, maxBuffer: 1 << 26 });
@@ -60,7 +69,9 @@ async function compile(folder, real, output) {
  */
 function describeFailure(error, folder, real) {
   const shown = folder.startsWith(process.cwd()) ? folder.slice(process.cwd().length + 1) : folder;
-  const report = (error.stderr || error.message).replace(/\bin (\S+\.ts)\((\d+),(\d+)\)/g, `in ${shown}/$1:$2:$3`).trim();
+  const report = (error.stderr || error.message)
+    .replace(/\bin (\S+\.ts)\((\d+),(\d+)\)/g, `in ${shown}/$1:$2:$3`)
+    .trim();
   const places = [...report.matchAll(/\bin (\S+\.ts:\d+:\d+)/g)].map((match) => match[1]);
   const where = places.length > 0 ? ` at ${[...new Set(places)].join(', ')}` : '';
   return `The kernels did not compile for ${real}${where}.\n${report}`;

@@ -38,7 +38,7 @@ export type ChromiumSearch = {
 
 /** The path of a Chromium: `CHROMIUM` or `PRINCIPIA_CHROMIUM`, then the system's, then Playwright's, then apt's. */
 export function findChromium({ install = true, env = process.env }: ChromiumSearch = {}): string {
-  const named = env['CHROMIUM'] || env['PRINCIPIA_CHROMIUM'];
+  const named = env.CHROMIUM || env.PRINCIPIA_CHROMIUM;
   if (named) {
     if (isExecutable(named)) return named;
     throw new Error(`CHROMIUM names ${named}, which is not a program that can be run: correct or unset the variable.`);
@@ -67,7 +67,7 @@ export async function launchChromium(options: { args?: readonly string[] } = {})
 }
 
 function findOnSystem(env: NodeJS.ProcessEnv): string | undefined {
-  const folders = (env['PATH'] ?? '').split(delimiter).filter(Boolean);
+  const folders = (env.PATH ?? '').split(delimiter).filter(Boolean);
   const commands = commandNames.flatMap((name) => folders.map((folder) => join(folder, name)));
   return [...commands, ...applicationPaths].find(isExecutable);
 }
@@ -75,7 +75,7 @@ function findOnSystem(env: NodeJS.ProcessEnv): string | undefined {
 function findInPlaywrightCache(env: NodeJS.ProcessEnv): string | undefined {
   const own = chromium.executablePath();
   if (own && isExecutable(own)) return own;
-  const cache = env['PLAYWRIGHT_BROWSERS_PATH'] ?? join(homedir(), '.cache', 'ms-playwright');
+  const cache = env.PLAYWRIGHT_BROWSERS_PATH ?? join(homedir(), '.cache', 'ms-playwright');
   if (!existsSync(cache)) return undefined;
   const revisions = readdirSync(cache).filter((name) => /^chromium-\d+$/.test(name));
   return revisions
@@ -102,7 +102,10 @@ function canInstallWithApt(): boolean {
 function installWithApt(): void {
   process.stderr.write('Installing Chromium with apt-get for the browser tests (once, about a minute)…\n');
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
-  for (const args of [['update', '-q'], ['install', '-q', '-y', '--no-install-recommends', 'chromium']]) {
+  for (const args of [
+    ['update', '-q'],
+    ['install', '-q', '-y', '--no-install-recommends', 'chromium'],
+  ]) {
     const { status, stdout, stderr } = spawnSync('apt-get', args, { env, encoding: 'utf8', timeout: 300_000 });
     if (status !== 0) process.stderr.write(`apt-get ${args[0]} failed:\n${stdout}${stderr}\n`);
   }

@@ -5,7 +5,12 @@ import { KERNELS_F32, KERNELS_F64 } from './modules.gen.ts';
 
 const bytes = (length: number, step: number) => Uint8Array.from({ length }, (_, i) => (i * step) & 255);
 
-test.each([[0, 0], [1, 5000], [4096, 4097], [9000, 3]])('modules of %i and %i bytes survive the round trip', (a, b) => {
+test.each([
+  [0, 0],
+  [1, 5000],
+  [4096, 4097],
+  [9000, 3],
+])('modules of %i and %i bytes survive the round trip', (a, b) => {
   const [first, second] = [bytes(a, 7), bytes(b, 11)];
   const chunks = encodeModules(first, second);
   expect(decodeModule({ chunks, turn: 0 })).toEqual(first);

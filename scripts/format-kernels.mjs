@@ -1,0 +1,47 @@
+/**
+ * Formats the AssemblyScript kernels with the project's formatter, which does not parse decorators on functions
+ * (`@inline export function …`): they travel as comments. Without `--write` it only reports, as `npm run lint` does.
+ */
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, relative } from 'node:path';
+import { kernelFolder } from './build-kernels.mjs';
+import { resolveInstalled, root } from './lib/paths.mjs';
+
+const hidden = (/** @type {string} */ source) => source.replace(/^(@\w+(?:\([^)]*\))?)(\s)/gm, '/*$1*/$2');
+const shown = (/** @type {string} */ source) => source.replace(/^\/\*(@\w+(?:\([^)]*\))?)\*\//gm, '$1');
+
+const names = readdirSync(kernelFolder, { recursive: true, encoding: 'utf8' }).filter(
+  (name) => name.endsWith('.ts') && !name.endsWith('.test.ts'),
+);
+const copy = mkdtempSync(join(tmpdir(), 'principia-kernels-'));
+try {
+  for (const name of names) {
+    mkdirSync(dirname(join(copy, name)), { recursive: true });
+    writeFileSync(join(copy, name), hidden(readFileSync(join(kernelFolder, name), 'utf8')));
+  }
+  const config = { ...JSON.parse(readFileSync(`${root}/biome.json`, 'utf8')), vcs: { enabled: false }, overrides: [] };
+  writeFileSync(join(copy, 'biome.json'), JSON.stringify(config));
+  const biome = resolveInstalled('@biomejs/biome/bin/biome');
+  const result = spawnSync(process.execPath, [biome, 'format', '--write', '.'], { cwd: copy, encoding: 'utf8' });
+  if (result.status !== 0) throw new Error(result.stderr);
+  finish(names.filter((name) => formatted(name) !== readFileSync(join(kernelFolder, name), 'utf8')));
+} finally {
+  rmSync(copy, { recursive: true, force: true });
+}
+
+/** @param {string} name */
+function formatted(name) {
+  return shown(readFileSync(join(copy, name), 'utf8'));
+}
+
+/** @param {string[]} different */
+function finish(different) {
+  for (const name of different) {
+    const path = join(kernelFolder, name);
+    if (process.argv.includes('--write')) writeFileSync(path, formatted(name));
+    else process.stderr.write(`${relative(root, path)} is not formatted: run npm run format\n`);
+  }
+  if (different.length > 0 && !process.argv.includes('--write')) process.exitCode = 1;
+}
