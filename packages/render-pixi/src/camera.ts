@@ -1,0 +1,22 @@
+import type { Camera2D, ViewportSize } from '@principia/render-core';
+
+/** The part of a pixi `Container` that a camera moves. */
+export interface CameraTarget {
+  readonly position: { set(x: number, y: number): unknown };
+  readonly scale: { set(x: number, y: number): unknown };
+}
+
+/**
+ * Makes a container show what the camera sees. Layers in it must have the default `pixelsPerMetre: 1`; sprites and text
+ * in it are placed at (x, −y) in metres and stay upright.
+ *
+ * Call it each frame: it sets one transform, and nothing when the camera stood still. In a world so large that f32 is
+ * too coarse, do not make the container a render group: pixi would then send origin and camera to the GPU apart.
+ *
+ * @param viewport size of the renderer's screen, CSS pixels
+ */
+export function applyCamera(container: CameraTarget, camera: Camera2D, viewport: ViewportSize): void {
+  const scale = camera.pixelsPerMetre;
+  container.scale.set(scale, scale);
+  container.position.set(viewport.width / 2 - camera.x * scale, viewport.height / 2 + camera.y * scale);
+}

@@ -1,0 +1,113 @@
+import {
+  type BLEND_MODES,
+  Container,
+  type Geometry,
+  GlProgram,
+  GpuProgram,
+  Mesh,
+  Shader,
+  type TextureSource,
+  UniformGroup,
+} from 'pixi.js';
+import { QuadGeometry } from './quad-geometry.ts';
+import { glslHeader, gpuLayout, type PullProgram, type UniformType, wgslHeader } from './shaders/pull-program.ts';
+
+type UniformValue = number | Float32Array;
+
+/** A mesh without vertex attributes: its shader pulls everything from data textures. */
+export class PullMesh {
+  /** For the application to place; it holds the mesh, whose own transform turns metres into pixels. */
+  readonly container: Container;
+  /** Values of the program's own uniforms, by name. */
+  readonly uniforms: Record<string, UniformValue>;
+  readonly #mesh: Mesh<Geometry, Shader>;
+  readonly #quads = new QuadGeometry();
+  readonly #shader: Shader;
+  readonly #pixelsPerMetre: number;
+
+  /**
+   * @param textures one for each name in `program.textures`
+   * @throws Error when `pixelsPerMetre` is not a positive number
+   */
+  constructor(
+    program: PullProgram,
+    textures: Readonly<Record<string, TextureSource>>,
+    pixelsPerMetre: number,
+    blendMode: BLEND_MODES,
+  ) {
+    if (!(pixelsPerMetre > 0 && Number.isFinite(pixelsPerMetre))) {
+      throw new Error(`pixelsPerMetre must be a positive number, got ${pixelsPerMetre}`);
+    }
+    const group = uniformGroup(program);
+    this.uniforms = group.uniforms as Record<string, UniformValue>;
+    this.#shader = buildShader(program, group, textures);
+    this.#mesh = new Mesh({ geometry: this.#quads.geometry, shader: this.#shader });
+    this.#mesh.blendMode = blendMode;
+    this.#mesh.eventMode = 'none';
+    this.#pixelsPerMetre = pixelsPerMetre;
+    this.container = new Container({ label: program.name, children: [this.#mesh] });
+    this.container.eventMode = 'none';
+    this.container.cullableChildren = false;
+    this.#mesh.scale.set(pixelsPerMetre, -pixelsPerMetre);
+    this.draw(0);
+  }
+
+  /**
+   * Puts world point (x, y), metres, where the shader's zero is. The sum with the camera's offset is done in f64 by
+   * pixi, so a far origin costs no precision.
+   */
+  place(originX: number, originY: number): void {
+    const scale = this.#pixelsPerMetre;
+    this.#mesh.position.set(originX * scale, -originY * scale);
+  }
+
+  /** Draws the first `quads` quads, `instances` times over. */
+  draw(quads: number, instances = 1): void {
+    this.#mesh.visible = quads > 0 && instances > 0;
+    if (this.#mesh.visible) this.#quads.draw(quads, instances);
+  }
+
+  destroy(): void {
+    this.container.destroy({ children: true });
+    this.#shader.destroy();
+    this.#quads.destroy();
+  }
+}
+
+const ZEROS: Readonly<Record<UniformType, () => UniformValue>> = {
+  f32: () => 0,
+  i32: () => 0,
+  'vec2<f32>': () => new Float32Array(2),
+  'vec4<f32>': () => new Float32Array(4),
+};
+
+function uniformGroup(program: PullProgram): UniformGroup {
+  const structures: Record<string, { value: UniformValue; type: UniformType }> = {};
+  for (const [name, type] of Object.entries(program.uniforms)) structures[name] = { value: ZEROS[type](), type };
+  return new UniformGroup(structures);
+}
+
+function buildShader(
+  program: PullProgram,
+  group: UniformGroup,
+  textures: Readonly<Record<string, TextureSource>>,
+): Shader {
+  const { name } = program;
+  const header = glslHeader(program);
+  const source = wgslHeader(program) + program.wgsl;
+  return new Shader({
+    glProgram: GlProgram.from({
+      name,
+      vertex: header.vertex + program.glsl.vertex,
+      fragment: header.fragment + program.glsl.fragment,
+      preferredFragmentPrecision: 'highp',
+    }),
+    gpuProgram: GpuProgram.from({
+      name,
+      vertex: { source, entryPoint: 'mainVertex' },
+      fragment: { source, entryPoint: 'mainFragment' },
+      gpuLayout: gpuLayout(program),
+    }),
+    resources: { own: group, ...textures },
+  });
+}

@@ -1,0 +1,288 @@
+/** The page of `render-pixi.test.ts`: builds pictures with the pixi layers and hands back their pixels. */
+import { SHAPES } from '@principia/render-core';
+import { applyCamera, createBodyLayer } from '@principia/render-pixi';
+import { Application, Container } from 'pixi.js';
+import { createFakeSource, type FakeSource } from '../../packages/render-core/src/fake-source.ts';
+
+export type Backend = 'webgl' | 'webgpu';
+
+/** A square picture: RGBA bytes, rows from the top. */
+export interface Picture {
+  readonly size: number;
+  readonly data: Uint8ClampedArray;
+}
+
+export const SIZE = 256;
+
+/** A stage with a camera at the world's origin. */
+export class Stage {
+  readonly app = new Application();
+  readonly world = new Container();
+  readonly camera = { x: 0, y: 0, pixelsPerMetre: 1 };
+
+  static async open(backend: Backend): Promise<Stage> {
+    const stage = new Stage();
+    await stage.app.init({
+      width: SIZE,
+      height: SIZE,
+      preference: backend,
+      background: 0x000000,
+      antialias: false,
+      autoStart: false,
+      preserveDrawingBuffer: true,
+    });
+    const name = stage.app.renderer.name;
+    if (name !== backend) throw new Error(`asked for ${backend}, got ${name}`);
+    document.body.append(stage.app.canvas);
+    stage.app.stage.addChild(stage.world);
+    return stage;
+  }
+
+  /** Renders and reads the picture back. */
+  shoot(): Picture {
+    applyCamera(this.world, this.camera, { width: SIZE, height: SIZE });
+    this.app.render();
+    const copy = new OffscreenCanvas(SIZE, SIZE);
+    const context = copy.getContext('2d', { willReadFrequently: true });
+    if (context === null) throw new Error('no 2D context');
+    context.drawImage(this.app.canvas, 0, 0);
+    return { size: SIZE, data: context.getImageData(0, 0, SIZE, SIZE).data };
+  }
+
+  close(): void {
+    this.app.destroy(true, { children: true });
+  }
+}
+
+/** Sum and centroid of the light in one channel, in full pixels and in pixels from the picture's centre, y up. */
+export function light({ data, size }: Picture, channel = 0): { area: number; x: number; y: number } {
+  let area = 0;
+  let x = 0;
+  let y = 0;
+  for (let i = 0; i < size * size; i++) {
+    const value = data[4 * i + channel] / 255;
+    area += value;
+    x += value * ((i % size) + 0.5 - size / 2);
+    y -= value * (Math.floor(i / size) + 0.5 - size / 2);
+  }
+  return { area, x: x / area, y: y / area };
+}
+
+/** Number of pixels in which two pictures differ by more than `tolerance` of 255 in any channel. */
+export function differing(a: Picture, b: Picture, tolerance = 0): number {
+  let count = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    let differs = false;
+    for (let c = 0; c < 4; c++) if (Math.abs(a.data[i + c] - b.data[i + c]) > tolerance) differs = true;
+    if (differs) count++;
+  }
+  return count;
+}
+
+const WHITE = 0xffffffff;
+
+function place(source: FakeSource, id: number, x: number, y: number, size: number, color = WHITE, angle = 0): void {
+  for (const position of [source.position, source.previousPosition]) {
+    position.x[id] = x;
+    position.y[id] = y;
+  }
+  source.angle[id] = angle;
+  source.previousAngle[id] = angle;
+  source.size[id] = size;
+  source.color[id] = color;
+}
+
+/** All five shapes, some turned, some translucent: a picture worth comparing between back ends. */
+function shapeShow(): FakeSource {
+  const source = createFakeSource(1024);
+  const colors = [0xff5ec8ff, 0xff7de08a, 0xffff9f5e, 0xffd98cff, 0xff6ee7ff];
+  const kinds = Object.values(SHAPES);
+  const ids: number[] = [];
+  for (let row = 0; row < 3; row++) {
+    for (const [column, kind] of kinds.entries()) {
+      const id = 3 + 2 * ids.length;
+      place(source, id, (column - 2) * 48, (1 - row) * 70, 20 - 8 * row + 2, colors[(column + row) % 5], 0.4 + row);
+      source.shape[id] = kind;
+      ids.push(id);
+    }
+  }
+  for (let i = 0; i < 4; i++) {
+    const id = 200 + i;
+    place(source, id, -60 + 40 * i, 35, 26, 0x66ffffff);
+    ids.push(id);
+  }
+  source.show(ids);
+  return source;
+}
+
+export const lab = {
+  /** A white disc of radius 40 pixels whose centre is off the pixel grid. */
+  async disc(backend: Backend, precision: 'f32' | 'f64', far = 0) {
+    const stage = await Stage.open(backend);
+    const source = createFakeSource(1024, 2, precision);
+    place(source, 5, far + 3.15, -2.6, 20);
+    source.show([5]);
+    const layer = createBodyLayer({ source });
+    layer.setOrigin(far, 0);
+    stage.world.addChild(layer.container);
+    Object.assign(stage.camera, { x: far, pixelsPerMetre: 2 });
+    layer.update(1);
+    const result = light(stage.shoot());
+    layer.destroy();
+    stage.close();
+    return result;
+  },
+
+  /** Where a moving body is drawn, and which way its mark points, for several alphas. */
+  async interpolation(backend: Backend, alphas: number[]) {
+    const stage = await Stage.open(backend);
+    const source = createFakeSource(1024);
+    place(source, 1, 30, 10, 20, 0xffffffff);
+    source.previousPosition.x[1] = -30;
+    source.previousPosition.y[1] = -50;
+    source.shape[1] = SHAPES.box;
+    // From 3.0 to -3.0 rad the shorter way leads through pi, not through zero.
+    source.previousAngle[1] = 3.0;
+    source.angle[1] = -3.0;
+    source.show([1]);
+    const layer = createBodyLayer({ source });
+    stage.world.addChild(layer.container);
+    const shoot = (alpha: number) => {
+      layer.update(alpha);
+      return light(stage.shoot());
+    };
+    const positions = alphas.map(shoot);
+    source.shape[1] = SHAPES.markedDisc;
+    source.versions.style++;
+    const marks = alphas.map((alpha) => {
+      const { x, y } = shoot(alpha);
+      const mark = positions[alphas.indexOf(alpha)];
+      return Math.atan2(mark.y - y, mark.x - x);
+    });
+    stage.close();
+    return { positions, marks };
+  },
+
+  /** Areas in red, green and blue light for bodies that use each rule for colour and radius. */
+  async styles(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const source = createFakeSource(1024);
+    place(source, 1, -60, 0, 10, 0xff0000ff);
+    place(source, 2, 0, 0, 0, 0xff00ff00);
+    source.radius[2] = 15;
+    source.radius[1] = 99;
+    place(source, 3, 60, 0, 20, 0);
+    place(source, 4, 0, 80, 0, 0xffffffff);
+    source.show([1, 2, 3, 4]);
+    const layer = createBodyLayer({ source, defaultColor: 0x0000ff });
+    stage.world.addChild(layer.container);
+    layer.update(1);
+    const picture = stage.shoot();
+    const areas = [0, 1, 2].map((channel) => light(picture, channel).area);
+    layer.container.alpha = 0.5;
+    const faded = light(stage.shoot(), 2).area;
+    stage.close();
+    return { areas, faded };
+  },
+
+  /** Light of every second body of a population that grows and shrinks, in areas of one body. */
+  async population(backend: Backend, counts: number[]) {
+    const stage = await Stage.open(backend);
+    const source = createFakeSource(8192);
+    const layer = createBodyLayer({ source, rotation: false });
+    stage.world.addChild(layer.container);
+    for (let id = 0; id < 8192; id++) place(source, id, ((id >> 1) % 64) * 4 - 126, (id >> 7) * 4 - 126, 1);
+    const lights = counts.map((count) => {
+      source.show(Array.from({ length: count }, (_, i) => 2 * i + 1));
+      layer.update(1);
+      return light(stage.shoot()).area;
+    });
+    stage.close();
+    return lights;
+  },
+
+  /** Draws all shapes, loses and restores the context, draws again: how many pixels differ. */
+  async contextLoss() {
+    const stage = await Stage.open('webgl');
+    const layer = createBodyLayer({ source: shapeShow() });
+    stage.world.addChild(layer.container);
+    layer.update(1);
+    const before = stage.shoot();
+    const extension = stage.app.canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
+    if (!extension) throw new Error('the context cannot be lost on purpose');
+    const restored = new Promise((resolve) => stage.app.canvas.addEventListener('webglcontextrestored', resolve));
+    extension.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    layer.update(1);
+    extension.restoreContext();
+    await restored;
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    layer.update(1);
+    const after = stage.shoot();
+    stage.close();
+    return { lit: light(before).area, differing: differing(before, after) };
+  },
+
+  /** Leaves the picture of all shapes on the page for a screenshot. */
+  async showShapes(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const layer = createBodyLayer({ source: shapeShow() });
+    stage.world.addChild(layer.container);
+    layer.update(1);
+    return stage.shoot();
+  },
+
+  /** Pixels in which WebGL and WebGPU disagree by more than the rounding of one 8-bit step, and the lit area. */
+  async backendsDiffer() {
+    const gl = await lab.showShapes('webgl');
+    const gpu = await lab.showShapes('webgpu');
+    return { lit: light(gl).area, exact: differing(gl, gpu), beyondRounding: differing(gl, gpu, 2) };
+  },
+
+  /** Texture uploads made by one frame after each kind of change. */
+  async uploads() {
+    const stage = await Stage.open('webgl');
+    const source = shapeShow();
+    const first = createBodyLayer({ source });
+    const second = createBodyLayer({ source, blendMode: 'add' });
+    stage.world.addChild(first.container, second.container);
+    const gl = stage.app.canvas.getContext('webgl2') as WebGL2RenderingContext;
+    let calls = 0;
+    for (const name of ['texImage2D', 'texSubImage2D'] as const) {
+      const original = gl[name].bind(gl) as (...args: unknown[]) => void;
+      Object.assign(gl, {
+        [name]: (...args: unknown[]) => {
+          calls++;
+          original(...args);
+        },
+      });
+    }
+    const frame = () => {
+      calls = 0;
+      first.update(0.5);
+      second.update(0.5);
+      stage.app.render();
+      return calls;
+    };
+    const initial = frame();
+    const still = frame();
+    source.versions.pose++;
+    const pose = frame();
+    source.versions.style++;
+    const style = frame();
+    first.destroy();
+    source.versions.pose++;
+    calls = 0;
+    second.update(1);
+    stage.app.render();
+    const afterDestroy = calls;
+    second.destroy();
+    stage.close();
+    return { initial, still, pose, style, afterDestroy };
+  },
+};
+
+declare global {
+  var pixiLab: typeof lab;
+}
+globalThis.pixiLab = lab;

@@ -1,0 +1,87 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { launchChromium } from '../support/chromium.ts';
+import { openPage, type ServedPage, servePage } from '../support/page.ts';
+import type { Backend } from './render-pixi.page.ts';
+
+let browser: Browser;
+let served: ServedPage;
+let page: Page;
+let errors: string[];
+
+beforeAll(async () => {
+  served = await servePage(new URL('./render-pixi.page.ts', import.meta.url));
+  browser = await launchChromium();
+  ({ page, errors } = await openPage(browser, served.url));
+  await page.waitForFunction(() => 'pixiLab' in globalThis);
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await served?.close();
+  expect(errors).toEqual([]);
+});
+
+const discArea = (radius: number) => Math.PI * radius ** 2;
+
+describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
+  it.each(['f32', 'f64'] as const)('draws a disc of the right area in the right place, %s', async (precision) => {
+    const seen = await page.evaluate(([b, p]) => pixiLab.disc(b, p), [backend, precision] as const);
+    expect(seen.area / discArea(40)).toBeCloseTo(1, 2);
+    expect(seen.x).toBeCloseTo(6.3, 1);
+    expect(seen.y).toBeCloseTo(-5.2, 1);
+  });
+
+  it('keeps f64 positions precise 10⁹ m from zero', async () => {
+    const seen = await page.evaluate((b) => pixiLab.disc(b, 'f64', 1e9), backend);
+    expect(seen.area / discArea(40)).toBeCloseTo(1, 2);
+    expect(seen.x).toBeCloseTo(6.3, 1);
+  });
+
+  it('interpolates position and, the shorter way round, angle', async () => {
+    const seen = await page.evaluate((b) => pixiLab.interpolation(b, [0, 0.5, 1]), backend);
+    for (const [i, alpha] of [0, 0.5, 1].entries()) {
+      expect(seen.positions[i].x).toBeCloseTo(-30 + 60 * alpha, 0);
+      expect(seen.positions[i].y).toBeCloseTo(-50 + 60 * alpha, 0);
+      const turn = seen.marks[i] - (3 + alpha * (2 * Math.PI - 6));
+      expect(Math.abs(Math.atan2(Math.sin(turn), Math.cos(turn)))).toBeLessThan(0.05);
+    }
+  });
+
+  it('takes colour and radius from the body, else the default and the collider', async () => {
+    const { areas, faded } = await page.evaluate((b) => pixiLab.styles(b), backend);
+    expect(areas[0] / discArea(10)).toBeCloseTo(1, 1);
+    expect(areas[1] / discArea(15)).toBeCloseTo(1, 1);
+    expect(areas[2] / discArea(20)).toBeCloseTo(1, 1);
+    expect(faded / areas[2]).toBeCloseTo(0.5, 2);
+  });
+
+  it('draws a population with holes as it grows and shrinks', async () => {
+    const counts = [10, 3000, 4096, 100, 0];
+    const lights = await page.evaluate(([b, c]) => pixiLab.population(b, c), [backend, counts] as const);
+    for (const [i, count] of counts.entries()) expect(lights[i]).toBeCloseTo((count * lights[0]) / 10, 0);
+    expect(lights[0] / 10 / Math.PI).toBeCloseTo(1, 0);
+  });
+});
+
+describe('bodies', () => {
+  it('look the same in WebGL and WebGPU', async () => {
+    const seen = await page.evaluate(() => pixiLab.backendsDiffer());
+    expect(seen.lit).toBeGreaterThan(3000);
+    expect(seen.beyondRounding).toBe(0);
+  });
+
+  it('come back unchanged after the context was lost', async () => {
+    const seen = await page.evaluate(() => pixiLab.contextLoss());
+    expect(seen.lit).toBeGreaterThan(3000);
+    expect(seen.differing).toBe(0);
+  });
+
+  it('are uploaded once per change, however many layers draw them', async () => {
+    const seen = await page.evaluate(() => pixiLab.uploads());
+    expect(seen.still).toBe(0);
+    expect(seen.pose).toBe(6);
+    expect(seen.style).toBe(4);
+    expect(seen.afterDestroy).toBe(6);
+  });
+});
