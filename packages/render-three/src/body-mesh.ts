@@ -1,0 +1,186 @@
+import type { BodySource } from '@principia/render-core';
+import {
+  type BufferGeometry,
+  type ColorRepresentation,
+  Group,
+  type Intersection,
+  type Material,
+  Mesh,
+  type Object3D,
+  type Raycaster,
+  type WebGLRenderer,
+} from 'three';
+import { colorBytes } from './body-color.ts';
+import { pickBody } from './body-picker.ts';
+import { BodyTextures } from './body-textures.ts';
+import {
+  createFlatMaterial,
+  createImpostorShadowMaterials,
+  createStudioMaterial,
+  patchImpostorMaterial,
+} from './impostor-material.ts';
+import { createInstancedPasses } from './instanced-passes.ts';
+import { QuadGeometry } from './quad-geometry.ts';
+import { TargetPixels } from './target-pixels.ts';
+
+/** What `createBodyMesh` may be told. */
+export interface BodyMeshOptions {
+  source: BodySource;
+  /** Colour of bodies whose colour is zero; default a light blue. */
+  defaultColor?: ColorRepresentation;
+  /**
+   * Any mesh material of three, used for these bodies alone: it is rewritten to read the columns. Left out, impostors
+   * are lit by a light that moves with the camera, and meshes are a `MeshStandardMaterial`.
+   */
+  material?: Material;
+  /**
+   * `impostor`: exact balls and boxes worked out for each pixel, the cheapest for many bodies. `mesh`: instances of
+   * triangles, which can wear texture maps and any `geometry`. Default `impostor`, or `mesh` where `segments` or
+   * `geometry` is given.
+   */
+  form?: 'impostor' | 'mesh';
+  /** Segments around a ball in `mesh` form, at least 3; default 16. */
+  segments?: number;
+  /** Geometry that all bodies have instead of balls and boxes, in units of the drawn radius; makes the form `mesh`. */
+  geometry?: BufferGeometry;
+  /** Smallest drawn radius in device pixels, so that far bodies neither vanish nor flicker; default 0.75. Impostors only. */
+  minPixelRadius?: number;
+  castShadow?: boolean;
+  receiveShadow?: boolean;
+}
+
+/** Bodies as one object of a scene. */
+export interface BodyMesh {
+  /** Add it to the scene. `Raycaster` hits on it carry the body's id in `instanceId`. */
+  readonly object: Object3D;
+  /**
+   * Call once a frame before rendering. Sends to the GPU what the source says has changed.
+   *
+   * @param alpha 0 draws the previous step, 1 the present one, between them a blend
+   */
+  update(alpha: number): void;
+  /**
+   * Draws an f64 world relative to a point near the camera, metres: bodies 10⁹ m from zero keep their millimetres.
+   * Does nothing in an f32 world.
+   */
+  setOrigin(x: number, y: number, z: number): void;
+  /** Frees textures, geometries and materials; remove `object` from the scene yourself. */
+  destroy(): void;
+}
+
+/** One mesh and whether any body needs it. */
+export interface BodyPass {
+  readonly mesh: Mesh;
+  /** Version of the membership it was last told about. */
+  membership: number;
+  isNeeded(): boolean;
+  setCount(count: number): void;
+  destroy(): void;
+}
+
+/**
+ * Draws the bodies of a source: `disc` as a ball, `box` as a cube, `markedDisc` as a beach ball, `ring` as the outline
+ * of a ball and `glow` as a spot of added light. A 2D world lies in the plane z = 0.
+ *
+ * @throws Error when `segments` is not a whole number of at least 3, or a column has another length than `rows`
+ */
+export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
+  const { source, defaultColor = 0x8fb8ff, segments, geometry, minPixelRadius = 0.75 } = options;
+  const form = options.form ?? (segments !== undefined || geometry !== undefined ? 'mesh' : 'impostor');
+  const textures = new BodyTextures(source, colorBytes(defaultColor), geometry !== undefined);
+  const target = new TargetPixels();
+  const uniforms = textures.uniforms;
+  uniforms['pixelHeight'] = target.height;
+  uniforms['multisampled'] = target.multisampled;
+  uniforms['minPixelRadius'] = { value: minPixelRadius };
+  const passes = form === 'mesh' ? createInstancedPasses(options, textures) : [createImpostorPass(options, textures)];
+  passes.push(createFlatPass(source, textures));
+  const object = new Group();
+  for (const { mesh } of passes) object.add(prepared(mesh, options, target));
+  object.raycast = (raycaster, hits) => raycastBodies(source, object, uniforms['poseAlpha'].value, raycaster, hits);
+  return {
+    object,
+    update(alpha) {
+      uniforms['poseAlpha'].value = alpha;
+      textures.refresh();
+      for (let i = 0; i < passes.length; i++) showPass(passes[i], source.count, textures);
+    },
+    setOrigin(x, y, z) {
+      textures.setOrigin(x, y, z);
+      for (const { mesh } of passes) mesh.position.copy(textures.origin);
+    },
+    destroy() {
+      for (const pass of passes) pass.destroy();
+      textures.dispose();
+    },
+  };
+}
+
+/** A pass that nobody needs is not even told how many bodies there are: its index buffer may never be made. */
+function showPass(pass: BodyPass, count: number, textures: BodyTextures): void {
+  pass.mesh.visible = count > 0 && pass.isNeeded();
+  if (!pass.mesh.visible || pass.membership === textures.membershipVersion) return;
+  pass.membership = textures.membershipVersion;
+  pass.setCount(count);
+}
+
+function prepared(mesh: Mesh, options: BodyMeshOptions, target: TargetPixels): Mesh {
+  mesh.frustumCulled = false;
+  mesh.castShadow = options.castShadow ?? false;
+  mesh.receiveShadow = options.receiveShadow ?? false;
+  mesh.onBeforeRender = (renderer: WebGLRenderer) => target.read(renderer);
+  mesh.raycast = () => {}; // the group answers for all passes
+  return mesh;
+}
+
+function createImpostorPass(options: BodyMeshOptions, textures: BodyTextures): BodyPass {
+  const { dimensions } = options.source;
+  const geometry = new QuadGeometry();
+  const material = options.material ?? createStudioMaterial();
+  patchImpostorMaterial(material, textures.uniforms, dimensions);
+  const mesh = new Mesh(geometry, material);
+  const shadow = createImpostorShadowMaterials(textures.uniforms, dimensions);
+  mesh.customDepthMaterial = shadow.depth;
+  mesh.customDistanceMaterial = shadow.distance;
+  return {
+    mesh,
+    membership: Number.NaN,
+    isNeeded: () => textures.style.hasSolids,
+    setCount: (count) => geometry.setCount(count),
+    destroy() {
+      for (const resource of [geometry, material, shadow.depth, shadow.distance]) resource.dispose();
+    },
+  };
+}
+
+/** Outlines and spots of light: blended over the solids, never lit and never casting shadows. */
+function createFlatPass(source: BodySource, textures: BodyTextures): BodyPass {
+  const geometry = new QuadGeometry();
+  const material = createFlatMaterial(textures.uniforms, source.dimensions);
+  return {
+    mesh: new Mesh(geometry, material),
+    membership: Number.NaN,
+    isNeeded: () => textures.style.hasFlats,
+    setCount: (count) => geometry.setCount(count),
+    destroy() {
+      geometry.dispose();
+      material.dispose();
+    },
+  };
+}
+
+function raycastBodies(
+  source: BodySource,
+  object: Object3D,
+  alpha: number,
+  raycaster: Raycaster,
+  hits: Intersection[],
+): void {
+  const ray = raycaster.ray.clone().applyMatrix4(object.matrixWorld.clone().invert());
+  const pick = { id: 0, distance: 0 };
+  if (pickBody(source, ray, { alpha, result: pick }) === 0) return;
+  const point = ray.at(pick.distance, ray.origin.clone()).applyMatrix4(object.matrixWorld);
+  const distance = raycaster.ray.origin.distanceTo(point);
+  if (distance < raycaster.near || distance > raycaster.far) return;
+  hits.push({ distance, point, object, instanceId: pick.id });
+}

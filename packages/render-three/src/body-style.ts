@@ -1,0 +1,65 @@
+import { type BodySource, SHAPES } from '@principia/render-core';
+
+/** Numbers a body takes in the packed style: radius, colour, shape, unused. */
+const LANES = 4;
+
+/** Bits of the shapes without a surface. */
+const FLATS = (1 << SHAPES.ring) | (1 << SHAPES.glow);
+
+/**
+ * Radius, colour and shape of every body packed as four 32-bit lanes a body, so that a 3D world with rotation needs
+ * sixteen textures in the vertex shader, which is all that WebGL 2 promises.
+ */
+export class BodyStyle {
+  /** Drawn radius (metres, as float bits), RGBA bytes, shape kind, unused; `LANES` values a body. */
+  readonly data: Uint32Array;
+  readonly #radius: Float32Array;
+  readonly #defaultColor: number;
+  #shapes = 0;
+
+  /** @param defaultColor RGBA bytes in memory order for bodies whose colour is zero */
+  constructor(rows: number, defaultColor: number) {
+    this.data = new Uint32Array(rows * LANES);
+    this.#radius = new Float32Array(this.data.buffer);
+    this.#defaultColor = defaultColor;
+  }
+
+  /** Packs the rows of ids `0 … used - 1`. */
+  pack(source: BodySource, used: number): void {
+    const { size, radius, color, shape } = source;
+    let shapes = 0;
+    for (let id = 0, at = 0; id < used; id++, at += LANES) {
+      const drawn = size[id] || radius[id];
+      this.#radius[at] = drawn;
+      this.data[at + 1] = color[id] || this.#defaultColor;
+      this.data[at + 2] = shape[id];
+      if (drawn > 0) shapes |= 1 << shape[id];
+    }
+    this.#shapes = shapes;
+  }
+
+  /** Whether a row that was packed last time, with a radius, has this shape. */
+  hasShape(kind: number): boolean {
+    return (this.#shapes & (1 << kind)) !== 0;
+  }
+
+  /** Whether any row has a shape whose rotation can be seen. */
+  get hasTurning(): boolean {
+    return this.hasShape(SHAPES.box) || this.hasShape(SHAPES.markedDisc);
+  }
+
+  /** Whether any row has a shape with a round surface. */
+  get hasBalls(): boolean {
+    return (this.#shapes & ~(FLATS | (1 << SHAPES.box))) !== 0;
+  }
+
+  /** Whether any row has a shape with a surface. */
+  get hasSolids(): boolean {
+    return (this.#shapes & ~FLATS) !== 0;
+  }
+
+  /** Whether any row has a shape that is just an outline or a spot of light. */
+  get hasFlats(): boolean {
+    return (this.#shapes & FLATS) !== 0;
+  }
+}
