@@ -1,25 +1,16 @@
 /** Serves one bundled TypeScript file as a page, so that a browser test runs the sources as they are. */
-import { createServer, type Server, type ServerResponse } from 'node:http';
-import type { AddressInfo } from 'node:net';
-import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import type { Browser, Page } from 'playwright-core';
 import { buildKernels } from '../../scripts/build-kernels.mjs';
 import { bundleOptions } from '../../scripts/lib/bundle.mjs';
+import { serveFiles } from '../../scripts/lib/static-server.mjs';
 
 export type ServedPage = { url: string; close(): Promise<void> };
 
 export type PageOptions = {
   /** Markup for the body (`<canvas id="stage"></canvas>`), or a whole page that loads `./main.js` itself. */
   html?: string;
-};
-
-const contentTypes: Record<string, string> = {
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript; charset=utf-8',
-  '.css': 'text/css; charset=utf-8',
-  '.map': 'application/json',
 };
 
 /**
@@ -35,11 +26,9 @@ export async function servePage(entry: string | URL, { html = '' }: PageOptions 
     outdir: '/',
     write: false,
   });
-  const files = new Map<string, string | Uint8Array>([['/', wholePage(html)]]);
+  const files = new Map<string, string | Uint8Array>([['/index.html', wholePage(html)]]);
   for (const file of outputFiles) files.set(`/${file.path.split(/[\\/]/).pop()}`, file.contents);
-  return listen(
-    createServer((request, response) => answer(response, files, new URL(request.url ?? '/', 'http://x').pathname)),
-  );
+  return serveFiles({ find: (path) => files.get(path) });
 }
 
 /** Opens `url` in a page of its own; `errors` fills with every uncaught error, so a test can expect it empty. */
@@ -59,28 +48,4 @@ function wholePage(html: string): string {
 <style>body { margin: 0 }</style></head>
 <body>${html}<script type="module" src="./main.js"></script></body>
 </html>`;
-}
-
-function answer(response: ServerResponse, files: Map<string, string | Uint8Array>, path: string): void {
-  const content = files.get(path);
-  response.writeHead(content === undefined ? 404 : 200, {
-    'Content-Type': contentTypes[extname(path) || '.html'] ?? 'application/octet-stream',
-    'Cache-Control': 'no-store',
-    'Cross-Origin-Opener-Policy': 'same-origin',
-    'Cross-Origin-Embedder-Policy': 'require-corp',
-  });
-  response.end(content ?? `Nothing is served at ${path}`);
-}
-
-async function listen(server: Server): Promise<ServedPage> {
-  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const { port } = server.address() as AddressInfo;
-  return {
-    url: `http://127.0.0.1:${port}/`,
-    close: () =>
-      new Promise((resolve, reject) => {
-        server.close((error) => (error ? reject(error) : resolve()));
-        server.closeAllConnections();
-      }),
-  };
 }

@@ -1,0 +1,130 @@
+/** The games site while you work on it: rebuilt on every change, reloaded by itself, errors shown on the page. */
+import { readFileSync, statSync } from 'node:fs';
+import { relative } from 'node:path';
+import { context, formatMessages } from 'esbuild';
+import { root } from './paths.mjs';
+import { kernelsPlugin, siteOptions } from './site-bundle.mjs';
+import { frontPage, gameNames, gamePage } from './site-pages.mjs';
+import { serveFiles } from './static-server.mjs';
+
+/** Reloads the page after a good build, covers it with the messages after a bad one. */
+const liveScript = readFileSync(new URL('./site-live.js', import.meta.url), 'utf8');
+
+/**
+ * @param {{ ports: readonly number[], host: string }} options
+ * @returns {Promise<import('./static-server.mjs').RunningServer>}
+ */
+export async function serveSite({ ports, host }) {
+  const live = liveChannel();
+  const games = await watchGames(live.announce);
+  const server = await serveFiles({
+    ports,
+    host,
+    find: (path) => games.find(path) ?? page(path),
+    special: (path, response) => path === '/live' && live.join(response),
+  });
+  const pages = setInterval(watchPages(live.announce, games.restart), 500);
+  const close = async () => {
+    clearInterval(pages);
+    await games.close();
+    await server.close();
+  };
+  return { ...server, close };
+}
+
+/**
+ * Bundles the games in memory and again whenever a source changes; a bad build keeps the last good files.
+ * @param {(problem: string) => void} announce
+ */
+async function watchGames(announce) {
+  /** @type {Map<string, Uint8Array>} */
+  let files = new Map();
+  /** @type {import('esbuild').Plugin} */
+  const publish = {
+    name: 'publish',
+    setup(build) {
+      build.onEnd(async ({ errors, outputFiles = [] }) => {
+        if (errors.length === 0) {
+          files = new Map(outputFiles.map(({ path, contents }) => [sitePath(path), contents]));
+        } else {
+          const messages = await formatMessages(errors, { kind: 'error', color: process.stderr.isTTY });
+          process.stderr.write(`${messages.join('')}\n`);
+        }
+        announce((await formatMessages(errors, { kind: 'error', color: false })).join(''));
+      });
+    },
+  };
+  const start = async () => {
+    const bundler = await context(siteOptions({ write: false, plugins: [kernelsPlugin, publish] }));
+    await bundler.watch();
+    return bundler;
+  };
+  let bundler = await start();
+  return {
+    find: (/** @type {string} */ path) => files.get(path),
+    close: () => bundler.dispose(),
+    restart: async () => {
+      await bundler.dispose();
+      bundler = await start();
+    },
+  };
+}
+
+/** @param {string} path of an output file on disk, had it been written */
+function sitePath(path) {
+  return `/${relative(`${root}/dist/site`, path).replaceAll('\\', '/')}`;
+}
+
+/**
+ * Pages are read afresh for each request and carry the live script.
+ * @param {string} path
+ */
+function page(path) {
+  const name = path.match(/^\/(?:([\w-]+)\/)?index\.html$/);
+  if (!name || (name[1] && !gameNames().includes(name[1]))) return undefined;
+  try {
+    return `${name[1] ? gamePage(name[1]) : frontPage()}\n<script>${liveScript}</script>`;
+  } catch (error) {
+    return `<!doctype html><p>${/** @type {Error} */ (error).message}</p><script>${liveScript}</script>`;
+  }
+}
+
+/**
+ * A function to call now and then: it notices edited pages, and new games, which need a bundler of their own.
+ * @param {(problem: string) => void} announce
+ * @param {() => Promise<void>} restart
+ */
+function watchPages(announce, restart) {
+  const edited = (/** @type {string} */ file) => statSync(`${root}/games/${file}`, { throwIfNoEntry: false })?.mtimeMs;
+  const look = () => {
+    const names = gameNames();
+    return { names: names.join(), edits: ['.', ...names].map((name) => edited(`${name}/index.html`)).join() };
+  };
+  let before = look();
+  return () => {
+    const now = look();
+    if (now.names !== before.names) void restart();
+    else if (now.edits !== before.edits) announce('');
+    before = now;
+  };
+}
+
+/** Tells every open page of each build (server-sent events). */
+function liveChannel() {
+  /** @type {Set<import('node:http').ServerResponse>} */
+  const listeners = new Set();
+  let message = '';
+  return {
+    join(/** @type {import('node:http').ServerResponse} */ response) {
+      response.writeHead(200, { 'Content-Type': 'text/event-stream', 'Cache-Control': 'no-store' });
+      response.write(message);
+      listeners.add(response);
+      response.on('close', () => listeners.delete(response));
+      return true;
+    },
+    announce(/** @type {string} */ problem) {
+      message = `data: ${JSON.stringify({ version: Date.now(), problem })}\n\n`;
+      for (const response of listeners) response.write(message);
+    },
+  };
+}
