@@ -1,0 +1,40 @@
+// Sums over bodies in f64, ascending id, so that a diagnostic is as deterministic as the state it describes.
+
+// @ts-ignore: decorator
+@inline function get(column: usize, row: i32): f64 {
+  return <f64>load<real>(column + <usize>row * sizeof<real>());
+}
+
+// Sum of m v^2 / 2 along one axis, J.
+export function kineticAxis(mass: usize, v: usize, first: i32, last: i32): f64 {
+  let sum: f64 = 0;
+  for (let row = first; row < last; row++) {
+    const speed = get(v, row);
+    sum += 0.5 * get(mass, row) * speed * speed;
+  }
+  return sum;
+}
+
+// Sum of a(row) b(row): momentum along an axis with a = mass, b = velocity; first moment with b = position.
+export function dotColumns(a: usize, b: usize, first: i32, last: i32): f64 {
+  let sum: f64 = 0;
+  for (let row = first; row < last; row++) sum += get(a, row) * get(b, row);
+  return sum;
+}
+
+// Sum of m (p vq - q vp): angular momentum about the axis normal to the p-q plane, about the point (p0, q0), kg m^2/s.
+export function angularMomentumAxis(
+  mass: usize, p: usize, q: usize, vp: usize, vq: usize, p0: f64, q0: f64, first: i32, last: i32,
+): f64 {
+  let sum: f64 = 0;
+  for (let row = first; row < last; row++) {
+    sum += get(mass, row) * ((get(p, row) - p0) * get(vq, row) - (get(q, row) - q0) * get(vp, row));
+  }
+  return sum;
+}
+
+export function sumColumn(column: usize, first: i32, last: i32): f64 {
+  let sum: f64 = 0;
+  for (let row = first; row < last; row++) sum += get(column, row);
+  return sum;
+}

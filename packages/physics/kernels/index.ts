@@ -1,0 +1,10 @@
+// Every loop over bodies that runs each step, compiled once for f32 and once for f64.
+export * from './membership';
+export * from './pose';
+export * from './hash';
+export * from './diagnostics';
+export * from './forces/uniform-gravity';
+export * from './forces/drag';
+export * from './integrators/stages';
+export * from './integrators/spin';
+export * from './walls/box';

@@ -1,0 +1,44 @@
+// What every kernel shares: the width of a vector in lanes of `real`, and the byte offset of a row.
+// `real` is f32 or f64, chosen when the module is compiled.
+//
+// Kernels run over rows [first, last) whose bounds are multiples of 16, and rows that belong to no body hold zeros.
+// So no kernel needs a scalar tail or a mask for holes: sweeping an absent row does nothing.
+
+// @ts-ignore: decorator
+@inline export const LANES: i32 = 16 / sizeof<real>();
+
+// @ts-ignore: decorator
+@inline export function at(row: i32): usize {
+  return (<usize>row) * sizeof<real>();
+}
+
+// @ts-ignore: decorator
+@inline export function splat(value: real): v128 {
+  return v128.splat<real>(value);
+}
+
+// @ts-ignore: decorator
+@inline export function add(a: v128, b: v128): v128 {
+  return v128.add<real>(a, b);
+}
+
+// @ts-ignore: decorator
+@inline export function sub(a: v128, b: v128): v128 {
+  return v128.sub<real>(a, b);
+}
+
+// @ts-ignore: decorator
+@inline export function mul(a: v128, b: v128): v128 {
+  return v128.mul<real>(a, b);
+}
+
+// @ts-ignore: decorator
+@inline export function div(a: v128, b: v128): v128 {
+  return v128.div<real>(a, b);
+}
+
+// Acceleration of a body by a force: F / m, and zero where m is zero (no Mass component: forces do not move the body).
+// @ts-ignore: decorator
+@inline export function accelerationOf(force: v128, mass: v128): v128 {
+  return v128.and(div(force, mass), v128.gt<real>(mass, splat(0)));
+}

@@ -1,0 +1,50 @@
+import { Appearance } from './appearance';
+import { Attractor } from './attractor';
+import { Collider } from './collider';
+import type { ColumnsOf } from './define';
+import { LinearDrag, QuadraticDrag } from './drag';
+import { Inertia } from './inertia';
+import { Mass } from './mass';
+import { Position } from './position';
+import { Quarantined } from './quarantined';
+import { AngularVelocity, Orientation, Rotation } from './rotation';
+import { Spring } from './spring';
+import { Velocity } from './velocity';
+import { PlaneWall, SegmentWall } from './wall';
+
+/** Every component of a world, in the order of their membership bits. At most 32. */
+export const COMPONENTS = {
+  Position,
+  Velocity,
+  Mass,
+  Inertia,
+  Rotation,
+  Orientation,
+  AngularVelocity,
+  Collider,
+  LinearDrag,
+  QuadraticDrag,
+  Appearance,
+  Spring,
+  Attractor,
+  SegmentWall,
+  PlaneWall,
+  Quarantined,
+} as const;
+
+export type ComponentName = keyof typeof COMPONENTS;
+
+/** `world.components`: per component, one typed array a field, indexed by entity id. */
+export type Components = { readonly [Name in ComponentName]: ColumnsOf<(typeof COMPONENTS)[Name]> };
+
+/** The same shape, with the byte address of each column in the world's memory: what kernels take. */
+export type Addresses = {
+  readonly [Name in ComponentName]: { readonly [Field in keyof Components[Name]]: number };
+};
+
+export const COMPONENT_NAMES = Object.keys(COMPONENTS) as ComponentName[];
+
+/** The membership bit of a component. */
+export function bitOf(name: ComponentName): number {
+  return (1 << COMPONENT_NAMES.indexOf(name)) >>> 0;
+}

@@ -1,0 +1,23 @@
+import { defineComponent, real, u32 } from './define';
+
+/** How a body is drawn. Physics never reads it; renderers do. */
+export const Appearance = defineComponent({
+  name: 'Appearance',
+  key: 'appearance',
+  visual: true,
+  scalar: 'color',
+  fields: {
+    /** RGBA bytes in memory order, 0xAABBGGRR; zero is the renderer's default colour. See `rgba`. */
+    color: u32('', {}),
+    /** Kind of shape, see the renderers' SHAPES; 0 is a disc or ball. */
+    shape: u32('', {}),
+    /** Drawn radius, metres; zero draws the collider. */
+    size: real('m', { bounds: { min: 0, max: 1e12 } }),
+  },
+});
+
+/** Packs a colour for `Appearance.color`: red, green, blue and alpha from 0 to 1. */
+export function rgba(red: number, green: number, blue: number, alpha = 1): number {
+  const byte = (value: number) => Math.round(Math.min(1, Math.max(0, value)) * 255);
+  return ((byte(alpha) << 24) | (byte(blue) << 16) | (byte(green) << 8) | byte(red)) >>> 0;
+}

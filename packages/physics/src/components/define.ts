@@ -1,0 +1,61 @@
+import type { Bounds } from '../faults/validate';
+
+/** A column of real numbers: f32 or f64 by the world's precision. */
+export type RealColumn = Float32Array | Float64Array;
+
+/** One field of a component. */
+export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
+  readonly kind: Kind;
+  /** SI unit; empty for a pure number. */
+  readonly unit: string;
+  /** The value a row gets when the component is added without one. */
+  readonly initial: number;
+  /** What a value given through the API must keep. */
+  readonly bounds: Bounds;
+  /** Said when a value is refused. */
+  readonly hint?: string | undefined;
+  /** Infinity is taken and stored as this number. */
+  readonly infinite?: number | undefined;
+}
+
+/** A component: a name, its fields, and the field a bare number sets. */
+export interface ComponentSpec<Fields extends Record<string, FieldSpec> = Record<string, FieldSpec>> {
+  readonly name: string;
+  /** The key in `spawn(world, { … })`. */
+  readonly key: string;
+  readonly fields: Fields;
+  readonly scalar?: (keyof Fields & string) | undefined;
+  /** A row's values changed how a body looks, not only where it is. */
+  readonly visual?: boolean | undefined;
+  /** A last look at all given values together, after each was found valid; may normalise them in place. */
+  readonly complete?: ((values: Record<string, number>, entity: number | undefined) => void) | undefined;
+}
+
+/** The typed arrays of one component in one world. */
+export type ColumnsOf<Spec> = Spec extends { readonly fields: infer Fields }
+  ? { readonly [F in keyof Fields]: Fields[F] extends FieldSpec<'u32'> ? Uint32Array : RealColumn }
+  : never;
+
+interface FieldOptions {
+  readonly initial?: number;
+  readonly bounds?: Bounds;
+  readonly hint?: string;
+  readonly infinite?: number;
+}
+
+/** A field of real numbers. */
+export function real(unit: string, options: FieldOptions = {}): FieldSpec<'real'> {
+  const { initial = 0, bounds = {}, hint, infinite } = options;
+  return { kind: 'real', unit, initial, bounds, hint, infinite };
+}
+
+/** A field of unsigned 32-bit integers: ids, colours, counters. */
+export function u32(unit: string, options: FieldOptions = {}): FieldSpec<'u32'> {
+  const { initial = 0, bounds = {}, hint } = options;
+  return { kind: 'u32', unit, initial, bounds: { min: 0, max: 0xffffffff, integer: true, ...bounds }, hint };
+}
+
+/** Declares a component; its columns are made per world. */
+export function defineComponent<const Spec extends ComponentSpec<Record<string, FieldSpec>>>(spec: Spec): Spec {
+  return spec;
+}

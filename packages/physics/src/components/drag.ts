@@ -1,0 +1,17 @@
+import { defineComponent, real } from './define';
+
+/** Coefficient c of drag F = -c (v - w), kg/s; Stokes: 6 π η r. */
+export const LinearDrag = defineComponent({
+  name: 'LinearDrag',
+  key: 'linearDrag',
+  scalar: 'coefficient',
+  fields: { coefficient: real('kg/s', { bounds: { min: 0, max: 1e38 } }) },
+});
+
+/** Coefficient k of drag F = -k |v - w| (v - w), kg/m; k = ρ C_d A / 2. */
+export const QuadraticDrag = defineComponent({
+  name: 'QuadraticDrag',
+  key: 'quadraticDrag',
+  scalar: 'coefficient',
+  fields: { coefficient: real('kg/m', { bounds: { min: 0, max: 1e38 } }) },
+});

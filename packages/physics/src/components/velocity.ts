@@ -1,0 +1,15 @@
+import { defineComponent, real } from './define';
+
+/** The speed of light in vacuum, m/s, exact (SI): nothing moves faster along an axis, and a value beyond is capped. */
+export const MAX_SPEED = 299_792_458;
+
+/** Velocity of the centre of mass, m/s. */
+export const Velocity = defineComponent({
+  name: 'Velocity',
+  key: 'velocity',
+  fields: {
+    x: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
+    y: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
+    z: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
+  },
+});

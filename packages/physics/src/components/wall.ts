@@ -1,0 +1,45 @@
+import { PhysicsError } from '../faults/physics-error';
+import { defineComponent, real } from './define';
+
+/** A straight wall between two points of the plane; both its sides and its ends are solid. 2D. */
+export const SegmentWall = defineComponent({
+  name: 'SegmentWall',
+  key: 'segmentWall',
+  fields: {
+    ax: real('m'),
+    ay: real('m'),
+    bx: real('m'),
+    by: real('m'),
+    restitution: real('', { bounds: { min: 0, max: 10 } }),
+    friction: real('', { initial: 1, bounds: { min: 0, max: 100 } }),
+  },
+});
+
+/** A half-space: solid where n·x < offset. The normal points out of it. 2D and 3D. */
+export const PlaneWall = defineComponent({
+  name: 'PlaneWall',
+  key: 'planeWall',
+  fields: {
+    nx: real(''),
+    ny: real('', { initial: 1 }),
+    nz: real(''),
+    /** Distance of the plane from the origin along the normal, m. */
+    offset: real('m'),
+    restitution: real('', { bounds: { min: 0, max: 10 } }),
+    friction: real('', { initial: 1, bounds: { min: 0, max: 100 } }),
+  },
+  complete(values, entity) {
+    const { nx = 0, ny = 0, nz = 0 } = values;
+    const norm = Math.sqrt(nx * nx + ny * ny + nz * nz);
+    if (!(norm > 1e-12)) {
+      throw new PhysicsError('E_RANGE', 'planeWall needs a normal that is not zero.', {
+        entity,
+        field: 'planeWall',
+        value: values,
+      });
+    }
+    values.nx = nx / norm;
+    values.ny = ny / norm;
+    values.nz = nz / norm;
+  },
+});

@@ -1,0 +1,80 @@
+import type { Vector, VectorInput } from '../faults/validate';
+import { assertUsable } from '../store/guards';
+import type { PhysicsWorld } from '../world';
+
+/** Energies, J. */
+export interface Energy {
+  readonly kinetic: number;
+  /** Of every force that has a potential. */
+  readonly potential: number;
+  readonly total: number;
+}
+
+/**
+ * Kinetic energy of translation and rotation, and the potential of every conservative force.
+ * Sums run in f64 over ascending ids. Bodies without mass carry none.
+ * @throws PhysicsError E_DESTROYED
+ */
+export function energy(world: PhysicsWorld): Energy {
+  const kinetic = kineticEnergy(world);
+  let potential = 0;
+  for (const force of world.forces) potential += force.potential?.(world) ?? 0;
+  return { kinetic, potential, total: kinetic + potential };
+}
+
+function kineticEnergy(world: PhysicsWorld): number {
+  assertUsable(world);
+  const { kernels, addresses } = world;
+  const { Mass, Velocity, Inertia, AngularVelocity } = addresses;
+  const rows = world.lastId + 1;
+  let sum = 0;
+  for (const axis of ['x', 'y', 'z'] as const) {
+    sum += kernels.kineticAxis(Mass.value, Velocity[axis], 0, rows);
+    sum += kernels.kineticAxis(Inertia.value, AngularVelocity[axis], 0, rows);
+  }
+  return sum;
+}
+
+/** Total momentum, kg m/s. @throws PhysicsError E_DESTROYED */
+export function momentum(world: PhysicsWorld): Vector {
+  assertUsable(world);
+  const { kernels, addresses } = world;
+  const { Mass, Velocity } = addresses;
+  const along = (axis: 'x' | 'y' | 'z') => kernels.dotColumns(Mass.value, Velocity[axis], 0, world.lastId + 1);
+  return { x: along('x'), y: along('y'), z: along('z') };
+}
+
+/** Total mass, kg. @throws PhysicsError E_DESTROYED */
+export function totalMass(world: PhysicsWorld): number {
+  assertUsable(world);
+  return world.kernels.sumColumn(world.addresses.Mass.value, 0, world.lastId + 1);
+}
+
+/** Centre of mass, m; the origin when nothing has mass. @throws PhysicsError E_DESTROYED */
+export function centreOfMass(world: PhysicsWorld): Vector {
+  const { kernels, addresses } = world;
+  const mass = totalMass(world);
+  const { Mass, Position } = addresses;
+  const along = (axis: 'x' | 'y' | 'z') =>
+    mass === 0 ? 0 : kernels.dotColumns(Mass.value, Position[axis], 0, world.lastId + 1) / mass;
+  return { x: along('x'), y: along('y'), z: along('z') };
+}
+
+/**
+ * Total angular momentum about a point, orbital and spin, kg m²/s. In 2D only `z` is not zero.
+ * @param about metres; default the origin
+ * @throws PhysicsError E_DESTROYED
+ */
+export function angularMomentum(world: PhysicsWorld, about: VectorInput = {}): Vector {
+  assertUsable(world);
+  const { kernels, addresses } = world;
+  const { Mass, Position: p, Velocity: v, Inertia, AngularVelocity: w } = addresses;
+  const { x = 0, y = 0, z = 0 } = about;
+  const rows = world.lastId + 1;
+  const spin = (axis: 'x' | 'y' | 'z') => kernels.dotColumns(Inertia.value, w[axis], 0, rows);
+  return {
+    x: kernels.angularMomentumAxis(Mass.value, p.y, p.z, v.y, v.z, y, z, 0, rows) + spin('x'),
+    y: kernels.angularMomentumAxis(Mass.value, p.z, p.x, v.z, v.x, z, x, 0, rows) + spin('y'),
+    z: kernels.angularMomentumAxis(Mass.value, p.x, p.y, v.x, v.y, x, y, 0, rows) + spin('z'),
+  };
+}

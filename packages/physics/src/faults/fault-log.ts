@@ -1,0 +1,39 @@
+import type { FaultCode } from './physics-error';
+
+/** A fault the step found and dealt with. */
+export interface Fault {
+  readonly code: FaultCode;
+  readonly entity: number;
+  /** Component and field, as in "Velocity.x". */
+  readonly field: string;
+  /** The value that was found. */
+  readonly value: number;
+  /** `world.tick` of the step it was found in. */
+  readonly step: number;
+  /** Where in the step: before it ('begin': someone wrote the value) or after ('finish': a force or contact made it). */
+  readonly phase: 'begin' | 'finish';
+}
+
+const MOST = 1024;
+
+/** The faults since the log was last cleared: the first 1024, and how many more there were. */
+export interface FaultLog {
+  readonly faults: Fault[];
+  /** Faults not kept because the log was full. */
+  lost: number;
+}
+
+export function createFaultLog(): FaultLog {
+  return { faults: [], lost: 0 };
+}
+
+export function reportFault(log: FaultLog, fault: Fault): void {
+  if (log.faults.length < MOST) log.faults.push(fault);
+  else log.lost++;
+}
+
+/** Empties the log. */
+export function clearFaults(log: FaultLog): void {
+  log.faults.length = 0;
+  log.lost = 0;
+}

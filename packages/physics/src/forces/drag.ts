@@ -1,0 +1,75 @@
+// Drag of a medium, still or moving at a steady wind w.
+//
+//   linear     F = -c (v - w)            slow, viscous: Re < 1     c, kg/s: 6 π η r for a sphere (Stokes 1851)
+//   quadratic  F = -k |v - w| (v - w)    fast: Re > 1000           k, kg/m: ρ C_d A / 2 (Rayleigh)
+//
+// The coefficients are the columns LinearDrag and QuadraticDrag; zero, or no component, feels nothing.
+// A source of both: Batchelor, An Introduction to Fluid Dynamics, sections 4.9 and 5.11.
+// Cost: linear one multiply-add an axis; quadratic one square root more.
+import { MAX_SPEED } from '../components/velocity';
+import { checkVector, type VectorInput } from '../faults/validate';
+import type { Force } from './force';
+
+const STILL = { x: 0, y: 0, z: 0 };
+const SPEEDS = { min: -MAX_SPEED, max: MAX_SPEED };
+
+/**
+ * Linear drag.
+ * @param wind velocity w of the medium, m/s
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function linearDrag(wind: VectorInput = STILL): Force {
+  const w = checkVector(wind, 'linearDrag', SPEEDS);
+  return {
+    name: 'linear drag',
+    equation: 'F = -c (v - w)',
+    parameters: windParameters(w),
+    reads: ['Velocity', 'LinearDrag'],
+    local: true,
+    accumulate(world, first, last) {
+      const { kernels, addresses, dimensions } = world;
+      const { Velocity, LinearDrag } = addresses;
+      const force = world.scratch.at.force;
+      kernels.linearDragAxis(force.x, Velocity.x, LinearDrag.coefficient, w.x, first, last);
+      kernels.linearDragAxis(force.y, Velocity.y, LinearDrag.coefficient, w.y, first, last);
+      if (dimensions === 3) {
+        kernels.linearDragAxis(force.z, Velocity.z, LinearDrag.coefficient, w.z, first, last);
+      }
+    },
+  };
+}
+
+/**
+ * Quadratic drag.
+ * @param wind velocity w of the medium, m/s
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function quadraticDrag(wind: VectorInput = STILL): Force {
+  const w = checkVector(wind, 'quadraticDrag', SPEEDS);
+  return {
+    name: 'quadratic drag',
+    equation: 'F = -k |v - w| (v - w)',
+    parameters: windParameters(w),
+    reads: ['Velocity', 'QuadraticDrag'],
+    local: true,
+    accumulate(world, first, last) {
+      const { kernels, addresses } = world;
+      const { x, y, z } = addresses.Velocity;
+      const k = addresses.QuadraticDrag.coefficient;
+      const force = world.scratch.at.force;
+      if (world.dimensions === 2) {
+        kernels.quadraticDrag2d(force.x, force.y, x, y, k, w.x, w.y, first, last);
+      } else {
+        kernels.quadraticDrag3d(force.x, force.y, force.z, x, y, z, k, w.x, w.y, w.z, first, last);
+      }
+    },
+  };
+}
+
+function windParameters(w: { x: number; y: number; z: number }) {
+  return {
+    windX: { unit: 'm/s', value: w.x },
+    windY: { unit: 'm/s', value: w.y },
+    windZ: { unit: 'm/s', value: w.z },
+  };
+}

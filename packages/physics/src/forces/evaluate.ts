@@ -1,0 +1,45 @@
+import type { Spans } from '../store/spans';
+import type { PhysicsWorld } from '../world';
+import type { Force } from './force';
+
+/** Evaluates all forces of the world on the bodies of `spans` at `time`, into `world.scratch.force`. */
+export type EvaluateForces = (world: PhysicsWorld, spans: Spans, time: number) => void;
+
+export const evaluateForces: EvaluateForces = (world, spans, time) => {
+  clearForces(world, spans);
+  const { forces } = world;
+  for (let f = 0; f < forces.length; f++) {
+    try {
+      accumulate(world, forces[f] as Force, spans, time);
+    } catch (error) {
+      world.internal.thrown.push(error);
+    }
+  }
+};
+
+function accumulate(world: PhysicsWorld, force: Force, spans: Spans, time: number): void {
+  if (!force.local) {
+    force.accumulate(world, 0, world.internal.sweptRows, time);
+    return;
+  }
+  for (let r = 0; r < spans.count; r++) {
+    force.accumulate(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number, time);
+  }
+}
+
+function clearForces(world: PhysicsWorld, spans: Spans): void {
+  const { kernels, dimensions, scratch } = world;
+  const at = scratch.at.force;
+  for (let r = 0; r < spans.count; r++) {
+    const first = spans.bounds[2 * r] as number;
+    const last = spans.bounds[2 * r + 1] as number;
+    kernels.zeroColumn(at.x, first, last);
+    kernels.zeroColumn(at.y, first, last);
+    if (dimensions === 3) kernels.zeroColumn(at.z, first, last);
+  }
+}
+
+/** Whether every force reads only its own body, so that a step may run tile by tile. */
+export function allForcesLocal(world: PhysicsWorld): boolean {
+  return world.forces.every((force) => force.local);
+}

@@ -1,0 +1,57 @@
+import type { PhysicsWorld } from '../world';
+
+/** A parameter of a force as its documentation shows it. */
+export interface ForceParameter {
+  readonly unit: string;
+  readonly value: number;
+}
+
+/**
+ * A law that adds to the force on bodies and does nothing else.
+ *
+ * `accumulate` gets rows [first, last). A local force is called for every run of bodies and reads only each body's own
+ * row; any other force is called once with all rows and may read what it likes.
+ */
+export interface Force {
+  readonly name: string;
+  /** The equation, as in the file's header. */
+  readonly equation: string;
+  readonly parameters?: Readonly<Record<string, ForceParameter>>;
+  /** Components a body needs to feel it. */
+  readonly reads: readonly string[];
+  /** It reads nothing but its own body. */
+  readonly local: boolean;
+  /** It writes `world.scratch.force.x[eid]` from TypeScript, rather than through addresses in a kernel. */
+  readonly usesForceColumns?: boolean;
+  /** Adds this force, N, to the force on each body. `time` is the moment it is asked for, s. */
+  accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
+  /** Potential energy of the world under this force, J; only where the force is conservative. */
+  potential?(world: PhysicsWorld): number;
+}
+
+/** What a user's own force in plain TypeScript needs to say. */
+export interface CustomForce {
+  readonly name: string;
+  readonly equation?: string;
+  readonly reads?: readonly string[];
+  /** Default true: reads nothing but its own body. */
+  readonly local?: boolean;
+  accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
+  potential?(world: PhysicsWorld): number;
+}
+
+/**
+ * A force of your own in plain TypeScript. In `accumulate`, add newtons to `world.scratch.force.x[eid]` for each row in
+ * [first, last); rows of absent bodies hold zeros and need no test.
+ */
+export function defineForce(force: CustomForce): Force {
+  return {
+    name: force.name,
+    equation: force.equation ?? '',
+    reads: force.reads ?? [],
+    local: force.local ?? true,
+    usesForceColumns: true,
+    accumulate: force.accumulate,
+    ...(force.potential === undefined ? {} : { potential: force.potential }),
+  };
+}

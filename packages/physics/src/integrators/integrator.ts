@@ -1,0 +1,19 @@
+import type { EvaluateForces } from '../forces/evaluate';
+import type { Spans } from '../store/spans';
+import type { PhysicsWorld } from '../world';
+
+/**
+ * A scheme that moves positions and velocities by one step. It owns the step: it asks for forces when it wants them.
+ * The state at the start is in `world.previousAddresses.Position` and `world.scratch.at.startVelocity`; `stage1` and
+ * `stage2` of the scratch are free.
+ */
+export interface Integrator {
+  readonly name: string;
+  /** Order of the global error in dt. */
+  readonly order: number;
+  /** Keeps the energy of a conservative system bounded for ever. */
+  readonly symplectic: boolean;
+  /** Force evaluations a step. */
+  readonly evaluations: number;
+  advance(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: EvaluateForces): void;
+}

@@ -1,0 +1,155 @@
+// Values anyone may have written, or a force may have produced, made good again.
+//
+// Before a step every row is looked at as its pose is saved, so that a bad value someone wrote never enters a force or
+// a contact; after the step once more, so that nobody ever reads a bad one. Both looks are part of kernels that touch
+// the rows anyway; the code here runs for rows that failed.
+import { addComponent, set } from 'bitecs';
+import { bitOf } from '../components/all';
+import { MAX_POSITION } from '../components/position';
+import { MAX_ANGLE, MAX_ANGULAR_SPEED } from '../components/rotation';
+import { MAX_SPEED } from '../components/velocity';
+import { reportFault } from '../faults/fault-log';
+import type { FaultCode } from '../faults/physics-error';
+import { AXES } from '../store/axes';
+import type { PhysicsWorld } from '../world';
+import type { LocalSystem } from './phases';
+
+type When = 'begin' | 'finish';
+
+/** Saves poses, and puts right what was written between steps. First system of every preset. */
+export const begin: LocalSystem = {
+  name: 'begin',
+  usesScratch: true,
+  run(world, spans) {
+    for (let r = 0; r < spans.count; r++) {
+      beginRun(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number);
+    }
+  },
+};
+
+/** Finds what the step itself made bad. Last system of every preset. */
+export const checkFinite: LocalSystem = {
+  name: 'check finite',
+  run(world, spans) {
+    for (let r = 0; r < spans.count; r++) {
+      checkRun(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number);
+    }
+  },
+};
+
+function beginRun(world: PhysicsWorld, first: number, last: number): void {
+  if (saveAxes(world, first, last) === 0 || !anglesGood(world, first, last)) {
+    for (let row = first; row < last; row++) repairRow(world, row, 'begin');
+    saveAxes(world, first, last);
+  }
+  if (world.internal.counts.AngularVelocity > 0) saveAngles(world, first, last);
+}
+
+/** Saves positions and velocities; 1 when all were good. A bad position is not saved: the last good one stays. */
+function saveAxes(world: PhysicsWorld, first: number, last: number): number {
+  const { kernels, addresses, previousAddresses, scratch } = world;
+  const { Position, Velocity } = addresses;
+  const start = scratch.at.startVelocity;
+  let good = 1;
+  for (const axis of AXES[world.dimensions]) {
+    const previous = previousAddresses.Position[axis];
+    const [x, v] = [Position[axis], Velocity[axis]];
+    good &= kernels.beginAxis(previous, start[axis], x, v, MAX_POSITION, MAX_SPEED, first, last);
+  }
+  return good;
+}
+
+function saveAngles(world: PhysicsWorld, first: number, last: number): void {
+  const { kernels, addresses, previousAddresses } = world;
+  if (world.dimensions === 2) {
+    kernels.copyColumn(previousAddresses.Rotation.angle, addresses.Rotation.angle, first, last);
+    return;
+  }
+  for (const part of ['x', 'y', 'z', 'w'] as const) {
+    kernels.copyColumn(previousAddresses.Orientation[part], addresses.Orientation[part], first, last);
+  }
+}
+
+function checkRun(world: PhysicsWorld, first: number, last: number): void {
+  const { kernels, addresses } = world;
+  const { Position, Velocity } = addresses;
+  let good = 1;
+  for (const axis of AXES[world.dimensions]) {
+    good &= kernels.checkAxis(Position[axis], Velocity[axis], MAX_POSITION, MAX_SPEED, first, last);
+  }
+  if (good === 1 && anglesGood(world, first, last)) return;
+  for (let row = first; row < last; row++) repairRow(world, row, 'finish');
+}
+
+function anglesGood(world: PhysicsWorld, first: number, last: number): boolean {
+  if (world.internal.counts.AngularVelocity === 0) return true;
+  const { kernels, addresses } = world;
+  const { AngularVelocity: w, Rotation } = addresses;
+  const most = MAX_ANGULAR_SPEED;
+  const good =
+    kernels.checkAxis(w.x, w.y, most, most, first, last) &
+    kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, most, first, last);
+  return good === 1;
+}
+
+function repairRow(world: PhysicsWorld, row: number, when: When): void {
+  const bad = firstBad(world, row);
+  if (bad === undefined) capSpeeds(world, row, when);
+  else quarantine(world, row, bad.field, bad.value, when);
+}
+
+/** The first field of a row that cannot be gone on with; a speed that is only too high can. */
+function firstBad({ components }: PhysicsWorld, row: number): { field: string; value: number } | undefined {
+  const { Position, Velocity, AngularVelocity, Rotation } = components;
+  const inRange = (value: number, most: number) => Math.abs(value) <= most;
+  for (const axis of AXES[3]) {
+    const [x, v, w] = [Position[axis][row], Velocity[axis][row], AngularVelocity[axis][row]] as [
+      number,
+      number,
+      number,
+    ];
+    if (!inRange(x, MAX_POSITION)) return { field: `Position.${axis}`, value: x };
+    if (!Number.isFinite(v)) return { field: `Velocity.${axis}`, value: v };
+    if (!Number.isFinite(w)) return { field: `AngularVelocity.${axis}`, value: w };
+  }
+  const angle = Rotation.angle[row] as number;
+  return inRange(angle, MAX_ANGLE) ? undefined : { field: 'Rotation.angle', value: angle };
+}
+
+function capSpeeds(world: PhysicsWorld, row: number, when: When): void {
+  for (const [name, limit] of [
+    ['Velocity', MAX_SPEED],
+    ['AngularVelocity', MAX_ANGULAR_SPEED],
+  ] as const) {
+    const columns = world.components[name];
+    let worst: 'x' | 'y' | 'z' | undefined;
+    for (const axis of AXES[3]) {
+      if (Math.abs(columns[axis][row] as number) > limit && worst === undefined) worst = axis;
+    }
+    if (worst === undefined) continue;
+    report(world, row, `${name}.${worst}`, columns[worst][row] as number, when, 'E_SPEED');
+    for (const axis of AXES[3]) {
+      columns[axis][row] = Math.min(limit, Math.max(-limit, columns[axis][row] as number));
+    }
+  }
+}
+
+function quarantine(world: PhysicsWorld, row: number, field: string, value: number, when: When): void {
+  const { components, previous, internal } = world;
+  for (const axis of AXES[3]) {
+    components.Position[axis][row] = previous.Position[axis][row] as number;
+    components.Velocity[axis][row] = 0;
+    components.AngularVelocity[axis][row] = 0;
+  }
+  components.Rotation.angle[row] = previous.Rotation.angle[row] as number;
+  const isBody = ((internal.members[row] as number) & bitOf('Position')) !== 0;
+  const known = ((internal.members[row] as number) & bitOf('Quarantined')) !== 0;
+  if (!isBody || known) return;
+  report(world, row, field, value, when, Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE');
+  addComponent(world, row, set(components.Quarantined, { step: world.tick }));
+}
+
+function report(world: PhysicsWorld, entity: number, field: string, value: number, phase: When, code: FaultCode): void {
+  reportFault(world.faults, { code, entity, field, value, step: world.tick, phase });
+  world.internal.newFaults++;
+}

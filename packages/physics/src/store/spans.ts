@@ -1,0 +1,32 @@
+import { bitOf } from '../components/all';
+import type { PhysicsWorld } from '../world';
+
+/**
+ * Rows to sweep: ascending runs [first, last) of whole 16-row blocks. Rows in a run that belong to no body hold zeros,
+ * which every kernel leaves as they are.
+ */
+export interface Spans {
+  /** Pairs first, last. */
+  readonly bounds: Int32Array;
+  count: number;
+}
+
+/** Runs of bodies closer than this many blocks are swept as one: inert rows cost less than another call. */
+const JOIN_BLOCKS = 8;
+
+/** Brings `world.spans` and `world.ids` up to date with the membership bits, when those changed. */
+export function refreshSpans(world: PhysicsWorld): void {
+  if (world.internal.spansVersion === world.versions.membership) return;
+  const { kernels, internal } = world;
+  const bodies = bitOf('Position');
+  const rows = Math.ceil((world.lastId + 1) / 16) * 16;
+  world.spans.count = kernels.buildRuns(internal.membersAt, bodies, rows, JOIN_BLOCKS, internal.spansAt);
+  internal.bodyCount = kernels.listIds(internal.membersAt, bodies, world.lastId + 1, internal.idsAt);
+  internal.spansVersion = world.versions.membership;
+}
+
+/** The ids of all bodies, ascending: `ids[0 … count)`. The array stays valid; its content follows the world. */
+export function bodies(world: PhysicsWorld): { readonly ids: Uint32Array; readonly count: number } {
+  refreshSpans(world);
+  return { ids: world.internal.ids, count: world.internal.bodyCount };
+}

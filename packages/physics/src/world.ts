@@ -1,0 +1,255 @@
+import { createWorld, deleteWorld } from 'bitecs';
+import { type Addresses, COMPONENT_NAMES, type ComponentName, type Components } from './components/all';
+import { createFaultLog, type FaultLog } from './faults/fault-log';
+import { PhysicsError } from './faults/physics-error';
+import { checkKeys, checkNumber } from './faults/validate';
+import type { Force } from './forces/force';
+import type { Integrator } from './integrators/integrator';
+import { velocityVerlet } from './integrators/velocity-verlet';
+import { instantiateKernels, type KernelExports, type Precision } from './kernels/instantiate';
+import type { Preset } from './presets/preset';
+import { standard } from './presets/standard';
+import { createPhases, type Phases, type System } from './schedule/phases';
+import type { Plan } from './schedule/plan';
+import type { Profile } from './schedule/profile';
+import { type Arena, createArena, type MemoryFactory } from './store/arena';
+import { observeComponents } from './store/attach';
+import { RESERVED_BYTES, writeColumnTable } from './store/column-table';
+import { columnCounts, componentColumns, realBytes, wordColumn } from './store/columns';
+import { createPrevious, PREVIOUS_COLUMNS, type Previous, type PreviousAddresses } from './store/previous';
+import { createScratch, SCRATCH_COLUMNS, type Scratch } from './store/scratch';
+import type { Spans } from './store/spans';
+
+/** How a world is made. Everything has a default. */
+export interface PhysicsWorldOptions {
+  /** 2 (default) or 3. */
+  readonly dimensions?: 2 | 3;
+  /** Most entities alive at once; fixed for the world's life. Default 10 000. Unused room costs address space only. */
+  readonly capacity?: number;
+  /** Type of every real column: f64 (default) for orbits and large worlds, f32 for games and millions of particles. */
+  readonly precision?: Precision;
+  /** Seed of everything random in this world. Default 1. */
+  readonly seed?: number;
+  /** Default velocity Verlet. */
+  readonly integrator?: Integrator;
+  /** Default none. Change `world.forces` at any time. */
+  readonly forces?: readonly Force[];
+  /** Systems of the `walls` phase, such as `boxWalls({ … })`. */
+  readonly walls?: readonly System[];
+  /** Which systems run in which phase; default `standard`. */
+  readonly preset?: Preset;
+  /** A fault found in a step: 'quarantine' (default) goes on without the body, 'throw' also throws when the step ends. */
+  readonly onFault?: 'quarantine' | 'throw';
+  /** Bytes for features that need memory of their own (contacts, grids); default 256 per entity and at least 1 MiB. */
+  readonly arenaBytes?: number;
+  /** How the memory is made; for tests. */
+  readonly memoryFactory?: MemoryFactory;
+}
+
+/** A world: plain columns of numbers in one block of memory, and the short lists that say what a step does. */
+export interface PhysicsWorld {
+  readonly dimensions: 2 | 3;
+  readonly precision: Precision;
+  readonly capacity: number;
+  /** Length of every column; a multiple of 1024. Row `eid` belongs to entity `eid`; row 0 to none. */
+  readonly rows: number;
+  readonly seed: number;
+  readonly memory: WebAssembly.Memory;
+  readonly kernels: KernelExports;
+  /** Per component, one typed array a field: `world.components.Position.x[eid]`. */
+  readonly components: Components;
+  /** Byte addresses of the same columns, for kernels. */
+  readonly addresses: Addresses;
+  /** The pose of every body at the start of the last step. */
+  readonly previous: Previous;
+  readonly previousAddresses: PreviousAddresses;
+  readonly scratch: Scratch;
+  readonly phases: Phases;
+  readonly forces: Force[];
+  integrator: Integrator;
+  onFault: 'quarantine' | 'throw';
+  /** Simulated time, s. */
+  time: number;
+  /** Steps done. */
+  tick: number;
+  /** Highest entity id in use. */
+  lastId: number;
+  /** Runs of bodies, ascending. */
+  readonly spans: Spans;
+  /** Counters that grow when poses, looks or the set of bodies may have changed. */
+  readonly versions: { pose: number; style: number; membership: number };
+  readonly faults: FaultLog;
+  profile: Profile | undefined;
+  state: 'idle' | 'stepping' | 'destroyed';
+  /** Not for users. */
+  readonly internal: WorldInternals;
+}
+
+/** What the engine keeps about a world. */
+export interface WorldInternals {
+  readonly arena: Arena;
+  /** Bit set per row: the components its entity has. */
+  readonly members: Uint32Array;
+  readonly membersAt: number;
+  /** Lives per row. */
+  readonly generations: Uint32Array;
+  readonly ids: Uint32Array;
+  readonly idsAt: number;
+  readonly spansAt: number;
+  readonly counts: Record<ComponentName, number>;
+  readonly tile: Spans;
+  readonly slideScratch: (firstRow: number) => void;
+  /** Edits made during a step, waiting for its end. */
+  readonly commands: (() => void)[];
+  readonly leaving: Set<number>;
+  /** Exceptions of users' code during this step. */
+  readonly thrown: unknown[];
+  readonly resources: Map<object, unknown>;
+  newFaults: number;
+  bodyCount: number;
+  spansVersion: number;
+  /** Rows that hold anything, rounded up to whole blocks. */
+  sweptRows: number;
+  justAdded: number;
+  justAddedName: ComponentName | undefined;
+  plan: Plan | undefined;
+}
+
+const OPTIONS = [
+  'dimensions',
+  'capacity',
+  'precision',
+  'seed',
+  'integrator',
+  'forces',
+  'walls',
+  'preset',
+  'onFault',
+  'arenaBytes',
+  'memoryFactory',
+] as const;
+
+/**
+ * Makes a world, synchronously. It is a bitECS world: `addEntity(world)`, `addComponent(world, eid, set(…))` and
+ * `query(world, […])` work on it.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN for options; E_CAPACITY when there is no memory
+ */
+export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
+  checkKeys(options, 'createPhysicsWorld', OPTIONS);
+  const { dimensions = 2, capacity = 10_000, precision = 'f64', seed = 1 } = options;
+  checkChoice('dimensions', dimensions, [2, 3]);
+  checkChoice('precision', precision, ['f32', 'f64']);
+  checkChoice('onFault', options.onFault ?? 'quarantine', ['quarantine', 'throw']);
+  checkNumber(capacity, 'capacity', { min: 1, max: 2 ** 27, integer: true });
+  checkNumber(seed, 'seed', { min: 0, max: 2 ** 53 - 1, integer: true });
+  const rows = Math.ceil((capacity + 1) / 1024) * 1024;
+  const extra = checkNumber(options.arenaBytes ?? Math.max(2 ** 20, 256 * rows), 'arenaBytes', {
+    min: 0,
+    max: 2 ** 32,
+  });
+  const arena = createArena(memoryBytes(rows, precision) + extra, RESERVED_BYTES, options.memoryFactory);
+  const world = createWorld(worldRecord(options, arena, dimensions, precision, capacity, rows, seed)) as PhysicsWorld;
+  writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
+  observeComponents(world);
+  (options.preset ?? standard)(world);
+  for (const system of options.walls ?? []) world.phases.walls.push(system);
+  return world;
+}
+
+function checkChoice<T>(field: string, value: T, choices: readonly T[]): void {
+  if (!choices.includes(value)) {
+    throw new PhysicsError('E_RANGE', `${field} must be ${choices.join(' or ')}, got ${String(value)}.`, {
+      field,
+      value,
+    });
+  }
+}
+
+function memoryBytes(rows: number, precision: Precision): number {
+  const { reals, words } = columnCounts();
+  const realColumns = reals + SCRATCH_COLUMNS + PREVIOUS_COLUMNS;
+  const wordColumns = words + 4;
+  return realColumns * (rows * realBytes(precision) + 8192) + wordColumns * (rows * 4 + 8192) + 65536;
+}
+
+function worldRecord(
+  options: PhysicsWorldOptions,
+  arena: Arena,
+  dimensions: 2 | 3,
+  precision: Precision,
+  capacity: number,
+  rows: number,
+  seed: number,
+): PhysicsWorld {
+  const [components, addresses] = componentColumns(arena, precision, rows);
+  const [previous, previousAddresses] = createPrevious(arena, precision, rows);
+  const { scratch, moveTo } = createScratch(arena, precision, rows);
+  const [members, membersAt] = wordColumn(arena, rows, 'members');
+  const [generations] = wordColumn(arena, rows, 'generations');
+  const [ids, idsAt] = wordColumn(arena, rows, 'ids');
+  const [spanWords, spansAt] = wordColumn(arena, rows / 4, 'spans');
+  const counts = Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
+  return {
+    dimensions,
+    precision,
+    capacity,
+    rows,
+    seed,
+    memory: arena.memory,
+    kernels: instantiateKernels(precision, arena.memory),
+    components,
+    addresses,
+    previous,
+    previousAddresses,
+    scratch,
+    phases: createPhases(),
+    forces: [...(options.forces ?? [])],
+    integrator: options.integrator ?? velocityVerlet,
+    onFault: options.onFault ?? 'quarantine',
+    time: 0,
+    tick: 0,
+    lastId: 0,
+    spans: { bounds: new Int32Array(spanWords.buffer, spanWords.byteOffset, spanWords.length), count: 0 },
+    versions: { pose: 0, style: 0, membership: 0 },
+    faults: createFaultLog(),
+    profile: undefined,
+    state: 'idle',
+    internal: {
+      arena,
+      members,
+      membersAt,
+      generations,
+      ids,
+      idsAt,
+      spansAt,
+      counts,
+      tile: { bounds: new Int32Array(2), count: 1 },
+      slideScratch: moveTo,
+      commands: [],
+      leaving: new Set(),
+      thrown: [],
+      resources: new Map(),
+      newFaults: 0,
+      bodyCount: 0,
+      spansVersion: -1,
+      sweptRows: 0,
+      justAdded: 0,
+      justAddedName: undefined,
+      plan: undefined,
+    },
+  };
+}
+
+/**
+ * Ends a world: every later call on it throws E_DESTROYED. Inside a step it takes effect when the step ends. The memory
+ * goes when nothing refers to the world any more.
+ */
+export function destroyWorld(world: PhysicsWorld): void {
+  if (world.state === 'stepping') {
+    world.internal.commands.push(() => destroyWorld(world));
+    return;
+  }
+  if (world.state === 'destroyed') return;
+  world.state = 'destroyed';
+  deleteWorld(world);
+}
