@@ -6,8 +6,9 @@
  */
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
-import { build, formatMessages } from 'esbuild';
+import { build } from 'esbuild';
 import { root } from './lib/paths.mjs';
+import { reportFailure } from './lib/report-failure.mjs';
 import { siteOptions } from './lib/site-bundle.mjs';
 import { frontPage, gameNames, gamePage } from './lib/site-pages.mjs';
 import { serveSite } from './lib/site-server.mjs';
@@ -43,9 +44,6 @@ async function buildSite() {
     for (const name of gameNames()) writeFileSync(`${folder}/${name}/index.html`, gamePage(name));
     process.stdout.write(`Wrote ${gameNames().length} games to dist/site: serve that folder with any web server\n`);
   } catch (error) {
-    const { errors, message } = /** @type {import('esbuild').BuildFailure} */ (error);
-    const messages = errors ? await formatMessages(errors, { kind: 'error', color: process.stderr.isTTY }) : [message];
-    process.stderr.write(`${messages.join('')}\n`);
-    process.exitCode = 1;
+    await reportFailure(error);
   }
 }
