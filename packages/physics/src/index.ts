@@ -40,5 +40,5 @@ export { begin, checkFinite } from './schedule/quarantine';
 export { step } from './step';
 export { type EntityRef, entityRef, isAlive, isBody, resolve } from './store/references';
 export { resource } from './store/resource';
-export { bodies, type Spans } from './store/spans';
+export { type BodyList, bodies, type Spans } from './store/spans';
 export { createPhysicsWorld, destroyWorld, type PhysicsWorld, type PhysicsWorldOptions } from './world';

@@ -93,7 +93,6 @@ export interface WorldInternals {
   readonly membersAt: number;
   /** Lives per row. */
   readonly generations: Uint32Array;
-  readonly ids: Uint32Array;
   readonly idsAt: number;
   readonly spansAt: number;
   readonly counts: Record<ComponentName, number>;
@@ -106,7 +105,7 @@ export interface WorldInternals {
   readonly thrown: unknown[];
   readonly resources: Map<object, unknown>;
   newFaults: number;
-  bodyCount: number;
+  readonly bodyList: { readonly ids: Uint32Array; count: number };
   spansVersion: number;
   /** Rows that hold anything, rounded up to whole blocks. */
   sweptRows: number;
@@ -219,7 +218,6 @@ function worldRecord(
       members,
       membersAt,
       generations,
-      ids,
       idsAt,
       spansAt,
       counts,
@@ -230,7 +228,7 @@ function worldRecord(
       thrown: [],
       resources: new Map(),
       newFaults: 0,
-      bodyCount: 0,
+      bodyList: { ids, count: 0 },
       spansVersion: -1,
       sweptRows: 0,
       justAdded: 0,

@@ -18,3 +18,4 @@ export { ReleaseVelocity } from './release-velocity.ts';
 export { SHAPES, type ShapeKind, type ShapeName } from './shapes.ts';
 export { TrailHistory, type TrailOptions } from './trails.ts';
 export { type Viewport, type ViewportOptions, watchViewport } from './viewport.ts';
+export { worldSource } from './world-source.ts';

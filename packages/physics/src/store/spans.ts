@@ -21,12 +21,18 @@ export function refreshSpans(world: PhysicsWorld): void {
   const bodies = bitOf('Position');
   const rows = Math.ceil((world.lastId + 1) / 16) * 16;
   world.spans.count = kernels.buildRuns(internal.membersAt, bodies, rows, JOIN_BLOCKS, internal.spansAt);
-  internal.bodyCount = kernels.listIds(internal.membersAt, bodies, world.lastId + 1, internal.idsAt);
+  internal.bodyList.count = kernels.listIds(internal.membersAt, bodies, world.lastId + 1, internal.idsAt);
   internal.spansVersion = world.versions.membership;
 }
 
-/** The ids of all bodies, ascending: `ids[0 … count)`. The array stays valid; its content follows the world. */
-export function bodies(world: PhysicsWorld): { readonly ids: Uint32Array; readonly count: number } {
+/** The ids of all bodies, ascending: `ids[0 … count)`. */
+export interface BodyList {
+  readonly ids: Uint32Array;
+  readonly count: number;
+}
+
+/** The bodies as they are now. The same object every time, so keep a copy of what you need across edits. */
+export function bodies(world: PhysicsWorld): BodyList {
   refreshSpans(world);
-  return { ids: world.internal.ids, count: world.internal.bodyCount };
+  return world.internal.bodyList;
 }
