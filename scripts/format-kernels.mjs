@@ -1,16 +1,14 @@
 /**
- * Formats the AssemblyScript kernels with the project's formatter, which does not parse decorators on functions
- * (`@inline export function …`): they travel as comments. Without `--write` it only reports, as `npm run lint` does.
+ * Formats the AssemblyScript kernels with the project's formatter, which does not parse their decorators.
+ * Without `--write` it only reports, as `npm run lint` does.
  */
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, relative } from 'node:path';
 import { kernelFolder } from './build-kernels.mjs';
+import { hideDecorators, showDecorators } from './lib/kernel-decorators.mjs';
 import { resolveInstalled, root } from './lib/paths.mjs';
-
-const hidden = (/** @type {string} */ source) => source.replace(/^(@\w+(?:\([^)]*\))?)(\s)/gm, '/*$1*/$2');
-const shown = (/** @type {string} */ source) => source.replace(/^\/\*(@\w+(?:\([^)]*\))?)\*\//gm, '$1');
 
 const names = readdirSync(kernelFolder, { recursive: true, encoding: 'utf8' }).filter(
   (name) => name.endsWith('.ts') && !name.endsWith('.test.ts'),
@@ -19,7 +17,7 @@ const copy = mkdtempSync(join(tmpdir(), 'principia-kernels-'));
 try {
   for (const name of names) {
     mkdirSync(dirname(join(copy, name)), { recursive: true });
-    writeFileSync(join(copy, name), hidden(readFileSync(join(kernelFolder, name), 'utf8')));
+    writeFileSync(join(copy, name), hideDecorators(readFileSync(join(kernelFolder, name), 'utf8')));
   }
   const config = { ...JSON.parse(readFileSync(`${root}/biome.json`, 'utf8')), vcs: { enabled: false }, overrides: [] };
   writeFileSync(join(copy, 'biome.json'), JSON.stringify(config));
@@ -33,7 +31,7 @@ try {
 
 /** @param {string} name */
 function formatted(name) {
-  return shown(readFileSync(join(copy, name), 'utf8'));
+  return showDecorators(readFileSync(join(copy, name), 'utf8'));
 }
 
 /** @param {string[]} different */

@@ -30,7 +30,7 @@ export function siteOptions(options) {
 export const kernelsPlugin = {
   name: 'kernels',
   setup(build) {
-    build.onResolve({ filter: /\/modules\.gen\.ts$/ }, () => ({ path: generatedFile }));
+    build.onResolve({ filter: /\/modules\.gen(\.ts)?$/ }, () => ({ path: generatedFile }));
     build.onLoad({ filter: /[\\/]kernels[\\/]modules\.gen\.ts$/ }, async () => {
       const entries = readdirSync(kernelFolder, { recursive: true, withFileTypes: true });
       const watched = {

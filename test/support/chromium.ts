@@ -106,7 +106,12 @@ function installWithApt(): void {
     ['update', '-q'],
     ['install', '-q', '-y', '--no-install-recommends', 'chromium'],
   ]) {
-    const { status, stdout, stderr } = spawnSync('apt-get', args, { env, encoding: 'utf8', timeout: 300_000 });
+    const { status, stdout, stderr } = spawnSync('apt-get', args, {
+      env,
+      encoding: 'utf8',
+      timeout: 300_000,
+      maxBuffer: 1 << 26,
+    });
     if (status !== 0) process.stderr.write(`apt-get ${args[0]} failed:\n${stdout}${stderr}\n`);
   }
 }

@@ -1,0 +1,43 @@
+/** Who may import whom: the one place to edit when a package or a folder joins. Imports point towards the top. */
+
+/** What each package may import: other packages of the project, then installed ones. */
+export const packageImports: Record<string, readonly string[]> = {
+  physics: ['bitecs'],
+  scenes: ['@principia/physics', 'bitecs'],
+  'render-core': ['@principia/physics', 'bitecs'],
+  'render-pixi': ['@principia/physics', '@principia/render-core', 'bitecs', 'pixi.js'],
+  'render-three': ['@principia/physics', '@principia/render-core', 'bitecs', 'three'],
+};
+
+/** A game's `sim.ts` is headless, so that tests and the bench can run it; its other files may use every package. */
+export const simulationImports: readonly string[] = ['@principia/physics', '@principia/scenes', 'bitecs'];
+
+/** Folders and root files of `packages/physics/src`, in the order of the step: each imports from those above it. */
+export const physicsLayers: readonly string[] = [
+  'math',
+  'faults',
+  'kernels',
+  'components',
+  'store',
+  'schedule',
+  'bodies',
+  'forces',
+  'integrators',
+  'emitters',
+  'collision',
+  'solver',
+  'joints',
+  'events',
+  'queries',
+  'diagnostics',
+  'record',
+  'debug',
+  'presets',
+  'world.ts',
+  'step.ts',
+  'runner.ts',
+  'index.ts',
+];
+
+/** Files whose types every layer may import (`import type`), although they stand below: the world that holds it all. */
+export const typesForAll: readonly string[] = ['world.ts'];
