@@ -1,0 +1,55 @@
+// The code in the documentation is compiled by the strict compiler and run, so that it cannot grow old unnoticed.
+// All `ts` blocks of a page together are one module.
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { build } from 'esbuild';
+import { beforeAll, describe, expect, it } from 'vitest';
+
+const folder = resolve('node_modules/.cache/principia/docs');
+const pages = readdirSync('docs')
+  .filter((name) => name.endsWith('.md'))
+  .map((name) => ({ name: name.replace('.md', ''), code: codeOf(readFileSync(`docs/${name}`, 'utf8')) }))
+  .filter(({ code }) => code.includes('import '));
+
+function codeOf(markdown: string): string {
+  return [...markdown.matchAll(/```ts\n([\s\S]*?)```/g)].map(([, block]) => block).join('\n');
+}
+
+beforeAll(() => {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  for (const { name, code } of pages) writeFileSync(`${folder}/${name}.ts`, `${code}\nexport {};\n`);
+  const tsconfig = {
+    extends: resolve('tsconfig.json'),
+    compilerOptions: { noUnusedLocals: false, typeRoots: [resolve('node_modules/@types')] },
+    include: ['*.ts'],
+  };
+  writeFileSync(`${folder}/tsconfig.json`, JSON.stringify(tsconfig));
+});
+
+describe('documentation', () => {
+  it('has pages with code', () => expect(pages.map(({ name }) => name)).toContain('adding-a-force'));
+
+  it('type-checks', () => {
+    try {
+      execFileSync(process.execPath, ['node_modules/typescript/bin/tsc', '-p', folder], { encoding: 'utf8' });
+    } catch (error) {
+      expect.fail((error as { stdout: string }).stdout);
+    }
+  }, 60_000);
+
+  it.each(pages.map(({ name }) => name))('%s runs', async (name) => {
+    const outfile = `${folder}/${name}.mjs`;
+    await build({
+      entryPoints: [`${folder}/${name}.ts`],
+      outfile,
+      bundle: true,
+      format: 'esm',
+      platform: 'node',
+      conditions: ['principia-source'],
+      logLevel: 'silent',
+    });
+    await expect(import(outfile)).resolves.toBeDefined();
+  });
+});

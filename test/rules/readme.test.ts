@@ -1,0 +1,15 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+
+const readme = readFileSync('README.md', 'utf8');
+
+it('the README shows the first game as it is', () => {
+  const game = readFileSync('games/first-game/main.ts', 'utf8').trimEnd();
+  expect(readme).toContain(`\`\`\`ts\n${game}\n\`\`\``);
+});
+
+it('every file the README links to exists', () => {
+  const links = [...readme.matchAll(/\]\((?!https?:)([^)#]+)\)/g)].map(([, path]) => path as string);
+  expect(links.length).toBeGreaterThan(10);
+  expect(links.filter((path) => !existsSync(path))).toEqual([]);
+});
