@@ -1,5 +1,7 @@
 /** Bundles `bench/main.ts` and runs it in a Node of its own: `npm run bench -- <arguments of the bench>`. */
 import { existsSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { buildKernels } from './build-kernels.mjs';
 import { bundleOptions } from './lib/bundle.mjs';
@@ -27,7 +29,8 @@ try {
 }
 
 /**
- * Leaves installed packages to Node, so that peers run as they are published; workspace packages are bundled.
+ * Leaves installed packages to Node, so that peers run as they are published, and scripts (`*.mjs`) where they stand,
+ * so that they find their neighbours; TypeScript and workspace packages are bundled.
  * @returns {import('esbuild').Plugin}
  */
 function onlyOurs() {
@@ -37,6 +40,10 @@ function onlyOurs() {
       onResolve({ filter: /^[^./]/ }, ({ path, kind }) =>
         kind === 'entry-point' || path.startsWith('@principia/') ? undefined : { path, external: true },
       );
+      onResolve({ filter: /^\..*\.mjs$/ }, ({ path, resolveDir }) => ({
+        path: pathToFileURL(resolve(resolveDir, path)).href,
+        external: true,
+      }));
     },
   };
 }
