@@ -7,6 +7,10 @@ export const packageImports: Record<string, readonly string[]> = {
   'render-core': ['@principia/physics', 'bitecs'],
   'render-pixi': ['@principia/physics', '@principia/render-core', 'bitecs', 'pixi.js'],
   'render-three': ['@principia/physics', '@principia/render-core', 'bitecs', 'three'],
+  shell: [
+    ...['@principia/physics', '@principia/scenes', '@principia/render-core'],
+    ...['@principia/render-pixi', '@principia/render-three', 'bitecs', 'pixi.js', 'three', 'lil-gui', 'uplot'],
+  ],
 };
 
 /** A game's `sim.ts` is headless, so that tests and the bench can run it; its other files may use every package. */
