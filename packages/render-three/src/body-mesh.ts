@@ -90,24 +90,24 @@ export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
   const textures = new BodyTextures(source, colorBytes(defaultColor), geometry !== undefined);
   const target = new TargetPixels();
   const uniforms = textures.uniforms;
-  uniforms['pixelHeight'] = target.height;
-  uniforms['multisampled'] = target.multisampled;
-  uniforms['minPixelRadius'] = { value: minPixelRadius };
+  uniforms.pixelHeight = target.height;
+  uniforms.multisampled = target.multisampled;
+  uniforms.minPixelRadius = { value: minPixelRadius };
   const passes = form === 'mesh' ? createInstancedPasses(options, textures) : [createImpostorPass(options, textures)];
   passes.push(createFlatPass(source, textures));
   const object = new Group();
   for (const { mesh } of passes) object.add(prepared(mesh, options, target));
-  object.raycast = (raycaster, hits) => raycastBodies(source, object, uniforms['poseAlpha'].value, raycaster, hits);
+  object.raycast = (raycaster, hits) => raycastBodies(source, object, uniforms.poseAlpha.value, raycaster, hits);
   return {
     object,
     update(alpha) {
-      uniforms['poseAlpha'].value = alpha;
+      uniforms.poseAlpha.value = alpha;
       textures.refresh();
       for (let i = 0; i < passes.length; i++) showPass(passes[i], source.count, textures);
     },
     setOrigin(x, y, z) {
-      textures.setOrigin(x, y, z);
-      for (const { mesh } of passes) mesh.position.copy(textures.origin);
+      textures.centres.setOrigin(x, y, z);
+      for (const { mesh } of passes) mesh.position.copy(textures.centres.origin);
     },
     destroy() {
       for (const pass of passes) pass.destroy();

@@ -39,7 +39,8 @@ export function pickBody(source: BodySource, ray: Ray, options: PickOptions = {}
     if (along + reach < 0 || along - reach > nearest) continue;
     const outside = x * x + y * y + z * z - along * along - reach * reach;
     if (outside > 0) continue;
-    const distance = isBox && slack === 0 ? boxDistance(source, id, alpha, r, x, y, z, ray) : along - Math.sqrt(-outside);
+    const distance =
+      isBox && slack === 0 ? boxDistance(source, id, alpha, r, x, y, z, ray) : along - Math.sqrt(-outside);
     if (distance >= nearest || distance < 0) continue;
     nearest = distance;
     found = id;

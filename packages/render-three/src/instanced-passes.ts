@@ -1,8 +1,8 @@
 import { SHAPES } from '@principia/render-core';
 import {
   BoxGeometry,
-  type BufferGeometry,
   BufferAttribute,
+  type BufferGeometry,
   DynamicDrawUsage,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
@@ -54,7 +54,7 @@ function instancedGeometry(base: BufferGeometry, drawn: number, ids: Uint32Array
   const geometry = new InstancedBufferGeometry();
   geometry.setIndex(base.index);
   for (const [name, attribute] of Object.entries(base.attributes)) geometry.setAttribute(name, attribute);
-  const vertices = base.attributes['position'].count;
+  const vertices = base.attributes.position.count;
   geometry.setAttribute('drawnShape', new BufferAttribute(new Float32Array(vertices).fill(drawn), 1));
   geometry.setAttribute('eid', new InstancedBufferAttribute(ids, 1).setUsage(DynamicDrawUsage));
   geometry.boundingSphere = new Sphere(new Vector3(), Number.POSITIVE_INFINITY);
@@ -63,7 +63,7 @@ function instancedGeometry(base: BufferGeometry, drawn: number, ids: Uint32Array
 }
 
 function showInstances(geometry: InstancedBufferGeometry, count: number): void {
-  const eid = geometry.attributes['eid'] as InstancedBufferAttribute;
+  const eid = geometry.attributes.eid as InstancedBufferAttribute;
   eid.clearUpdateRanges();
   eid.addUpdateRange(0, count);
   eid.needsUpdate = true;

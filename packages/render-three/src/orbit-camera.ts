@@ -1,5 +1,8 @@
-import { type Box3, type OrthographicCamera, PerspectiveCamera, Sphere, Vector3 } from 'three';
+import { type Box3, type OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+
+/** Distance of the camera in terms of that from which the bounds just fit. */
+const MARGIN = 1.04;
 
 /** What `createOrbitCamera` may be told. */
 export interface OrbitCameraOptions {
@@ -35,16 +38,13 @@ export function createOrbitCamera(options: OrbitCameraOptions): OrbitCamera {
   const controls = new OrbitControls(camera, element);
   controls.enableDamping = true;
   const step = new Vector3();
-  const sphere = new Sphere();
   let followed: { readonly x: number; readonly y: number; readonly z: number } | undefined;
   return {
     camera,
     controls,
     fit(bounds) {
       if (bounds.isEmpty()) throw new Error('fit needs bounds with something in them: the box is empty');
-      bounds.getBoundingSphere(sphere);
-      sphere.radius = Math.max(sphere.radius, 1e-9);
-      lookAtSphere(camera, controls, sphere, step);
+      lookAtBox(camera, controls, bounds);
     },
     follow(position) {
       followed = position;
@@ -70,29 +70,53 @@ function defaultCamera(): PerspectiveCamera {
   return camera;
 }
 
-/** Moves along the present line of sight until the sphere just fits, and puts the clip planes about it. */
-function lookAtSphere(
-  camera: PerspectiveCamera | OrthographicCamera,
-  controls: OrbitControls,
-  sphere: Sphere,
-  direction: Vector3,
-): void {
-  direction.copy(camera.position).sub(controls.target);
-  if (direction.lengthSq() === 0) direction.set(0, 0, 1);
-  direction.normalize();
-  let distance = 3 * sphere.radius;
+/** Moves along the present line of sight until the box just fits, and puts the clip planes about it. */
+function lookAtBox(camera: PerspectiveCamera | OrthographicCamera, controls: OrbitControls, box: Box3): void {
+  const back = new Vector3().subVectors(camera.position, controls.target);
+  if (back.lengthSq() === 0) back.set(0, 0, 1);
+  back.normalize();
+  const right = new Vector3().crossVectors(camera.up, back);
+  if (right.lengthSq() < 1e-12) right.set(1, 0, 0); // straight down
+  right.normalize();
+  const up = new Vector3().crossVectors(back, right);
+  const middle = box.getCenter(controls.target);
+  const radius = Math.max(box.min.distanceTo(box.max) / 2, 1e-9);
+  let distance = 3 * radius;
   if ('isPerspectiveCamera' in camera) {
-    const vertical = (camera.fov * Math.PI) / 360;
-    const horizontal = Math.atan(Math.tan(vertical) * camera.aspect);
-    distance = sphere.radius / Math.sin(Math.min(vertical, horizontal));
+    const tangent = Math.tan((camera.fov * Math.PI) / 360);
+    const reach = (across: number, upwards: number, near: number) =>
+      Math.max(Math.abs(across) / (tangent * camera.aspect), Math.abs(upwards) / tangent) + near;
+    distance = furthestCorner(box, middle, right, up, back, reach);
   } else {
-    const { left, right, top, bottom } = camera;
-    camera.zoom = Math.min(right - left, top - bottom) / (2 * sphere.radius);
+    const width = camera.right - camera.left;
+    const height = camera.top - camera.bottom;
+    const share = (across: number, upwards: number) =>
+      Math.max((2 * Math.abs(across)) / width, (2 * Math.abs(upwards)) / height);
+    camera.zoom = 1 / Math.max(furthestCorner(box, middle, right, up, back, share), 1e-9);
   }
+  distance = Math.max(distance, radius * 1e-3) * MARGIN;
   camera.near = distance / 1000;
-  camera.far = distance * 100;
+  camera.far = (distance + radius) * 100;
   camera.updateProjectionMatrix();
-  controls.target.copy(sphere.center);
-  camera.position.copy(sphere.center).addScaledVector(direction, distance);
+  camera.position.copy(middle).addScaledVector(back, distance);
   controls.update();
+}
+
+/** Largest value of `measure` over the corners of the box, seen from its middle along three axes. */
+function furthestCorner(
+  box: Box3,
+  middle: Vector3,
+  right: Vector3,
+  up: Vector3,
+  back: Vector3,
+  measure: (across: number, upwards: number, near: number) => number,
+): number {
+  const corner = new Vector3();
+  let largest = 0;
+  for (let i = 0; i < 8; i++) {
+    corner.set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z);
+    corner.sub(middle);
+    largest = Math.max(largest, measure(corner.dot(right), corner.dot(up), corner.dot(back)));
+  }
+  return largest;
 }

@@ -1,22 +1,36 @@
 /** Page of the three.js renderer tests: scenes built by hand, and statistics of their pixels. */
 import {
   AmbientLight,
-  BufferAttribute,
-  BufferGeometry,
-  type Camera,
+  Box3,
   Color,
   DirectionalLight,
+  InstancedMesh,
+  Matrix4,
   Mesh,
   MeshLambertMaterial,
   MeshStandardMaterial,
+  OrthographicCamera,
   PerspectiveCamera,
   PlaneGeometry,
+  Raycaster,
   Scene,
+  SphereGeometry,
+  Vector2,
+  Vector3,
   WebGLRenderer,
 } from 'three';
 import { createFakeSource, type FakeSource } from '../../../packages/render-core/src/fake-source.ts';
 import { SHAPES } from '../../../packages/render-core/src/shapes.ts';
-import { type BodyMesh, type BodyMeshOptions, createBodyMesh } from '../../../packages/render-three/src/index.ts';
+import {
+  type BodyMeshOptions,
+  createBodyMesh,
+  createBoxFrame,
+  createOrbitCamera,
+  createSegmentLines,
+  createTrailLines,
+  fitRendererToParent,
+  listenToBodyDragging,
+} from '../../../packages/render-three/src/index.ts';
 
 const width = 256;
 const height = 192;
@@ -24,21 +38,24 @@ const height = 192;
 export interface Stage {
   renderer: WebGLRenderer;
   scene: Scene;
-  camera: Camera;
+  camera: PerspectiveCamera | OrthographicCamera;
 }
 
-let latest: Stage;
+/** Contexts are few: a page has one stage at a time. */
+let previous: WebGLRenderer | undefined;
 
 function createStage(options: { antialias?: boolean; width?: number; height?: number } = {}): Stage {
+  previous?.dispose();
+  previous?.forceContextLoss();
   const renderer = new WebGLRenderer({ antialias: options.antialias ?? false, preserveDrawingBuffer: true });
+  previous = renderer;
   renderer.setSize(options.width ?? width, options.height ?? height);
   document.body.replaceChildren(renderer.domElement);
   const scene = new Scene();
   scene.background = new Color(0x000000);
   const camera = new PerspectiveCamera(45, (options.width ?? width) / (options.height ?? height), 0.1, 100);
   camera.position.z = 10;
-  latest = { renderer, scene, camera };
-  return latest;
+  return { renderer, scene, camera };
 }
 
 /** RGBA bytes of the drawing buffer, bottom row first. */
@@ -50,7 +67,7 @@ function pixelsOf({ renderer, scene, camera }: Stage): Uint8Array {
   return bytes;
 }
 
-interface BodySketch {
+export interface BodySketch {
   id: number;
   at: [number, number, number];
   from?: [number, number, number];
@@ -81,34 +98,280 @@ function sketch(source: FakeSource, bodies: BodySketch[]): FakeSource {
   return source;
 }
 
-/** A picture of everything, to look at. */
-function gallery(form: 'impostor' | 'mesh', lit: boolean): void {
-  const stage = createStage({ antialias: true, width: 960, height: 600 });
-  stage.renderer.shadowMap.enabled = true;
-  stage.scene.background = new Color(0x10141c);
-  const source = createFakeSource(1024, 3);
-  const bodies: BodySketch[] = [];
+/** Pixels that differ from black, their mean place (from the middle, up positive) and mean colour. */
+function lit(pixels: Uint8Array, across: number, threshold = 8) {
+  const sum = { count: 0, x: 0, y: 0, r: 0, g: 0, b: 0 };
+  for (let i = 0; i < pixels.length; i += 4) {
+    if (pixels[i] + pixels[i + 1] + pixels[i + 2] < threshold) continue;
+    const pixel = i / 4;
+    sum.count++;
+    sum.x += (pixel % across) + 0.5 - across / 2;
+    sum.y += Math.floor(pixel / across) + 0.5 - pixels.length / 4 / across / 2;
+    sum.r += pixels[i];
+    sum.g += pixels[i + 1];
+    sum.b += pixels[i + 2];
+  }
+  const n = Math.max(sum.count, 1);
+  return { count: sum.count, x: sum.x / n, y: sum.y / n, r: sum.r / n, g: sum.g / n, b: sum.b / n };
+}
+
+function differing(a: Uint8Array, b: Uint8Array): number {
+  let count = 0;
+  for (let i = 0; i < a.length; i += 4) if (a[i] !== b[i] || a[i + 1] !== b[i + 1] || a[i + 2] !== b[i + 2]) count++;
+  return count;
+}
+
+export interface DrawRequest {
+  bodies: BodySketch[];
+  alpha?: number;
+  dimensions?: 2 | 3;
+  precision?: 'f32' | 'f64';
+  form?: 'impostor' | 'mesh';
+  parallel?: boolean;
+  defaultColor?: number;
+  origin?: [number, number, number];
+}
+
+/** Draws the bodies alone on black, in a page that keeps its stage for the next request. */
+function draw(request: DrawRequest): Uint8Array {
+  const stage = createStage();
+  if (request.parallel) {
+    stage.camera = new OrthographicCamera(-4, 4, 3, -3, 0.1, 100);
+    stage.camera.position.z = 10;
+  }
+  const { dimensions = 3, precision = 'f32', form = 'impostor', origin } = request;
+  const source = sketch(createFakeSource(2048, dimensions, precision), request.bodies);
+  const options: BodyMeshOptions = { source, form };
+  if (request.defaultColor !== undefined) options.defaultColor = request.defaultColor;
+  if (form === 'mesh') {
+    options.segments = 48;
+    stage.scene.add(new AmbientLight(0xffffff, 3));
+  }
+  const bodies = createBodyMesh(options);
+  if (origin !== undefined) {
+    bodies.setOrigin(...origin);
+    stage.camera.position.add(new Vector3(...origin));
+  }
+  stage.scene.add(bodies.object);
+  bodies.update(request.alpha ?? 1);
+  const pixels = pixelsOf(stage);
+  bodies.destroy();
+  return pixels;
+}
+
+function measure(request: DrawRequest) {
+  return lit(draw(request), width);
+}
+
+/** Number of pixels in which two pictures differ. */
+function compare(one: DrawRequest, other: DrawRequest): number {
+  return differing(draw(one), draw(other));
+}
+
+function pixelAt(request: DrawRequest, x: number, y: number): number[] {
+  const at = ((height / 2 + y) * width + width / 2 + x) * 4;
+  return Array.from(draw(request).slice(at, at + 3));
+}
+
+/** Draws, loses the context, restores it and draws again. */
+async function loseContext(): Promise<{ lit: number; differing: number }> {
+  const stage = createStage();
+  const source = sketch(createFakeSource(1024, 3), cluster(60));
+  const bodies = createBodyMesh({ source });
+  const trails = createTrailLines({ source, length: 16 });
+  const frame = createBoxFrame(new Box3(new Vector3(-3, -2, -2), new Vector3(3, 2, 2)));
+  stage.scene.add(bodies.object, trails.object, frame.object);
+  const advance = () => {
+    for (const id of source.ids.subarray(0, source.count)) source.position.x[id] += 0.05;
+    source.versions.pose++;
+    bodies.update(1);
+    trails.update(1);
+    return pixelsOf(stage);
+  };
+  for (let i = 0; i < 5; i++) advance();
+  const before = advance();
+  const extension = stage.renderer.getContext().getExtension('WEBGL_lose_context');
+  const canvas = stage.renderer.domElement;
+  const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+  const lost = event('webglcontextlost');
+  extension?.loseContext();
+  await lost;
+  const restored = event('webglcontextrestored');
+  await new Promise((resolve) => setTimeout(resolve));
+  extension?.restoreContext();
+  await restored;
+  bodies.update(1);
+  trails.update(1);
+  return { lit: lit(before, width).count, differing: differing(before, pixelsOf(stage)) };
+}
+
+function cluster(count: number): BodySketch[] {
   const shapes = [SHAPES.disc, SHAPES.markedDisc, SHAPES.box, SHAPES.ring, SHAPES.glow];
-  const colors = [0xff4f6bff, 0xffe0a040, 0xff7ad05a, 0xffff9a5c, 0xff40c8ff].map((c) => c >>> 0);
-  for (let i = 0; i < 40; i++) {
+  const colors = [0xff4f6bff, 0xffe0a040, 0xff7ad05a, 0xffff9a5c, 0xff40c8ff];
+  return Array.from({ length: count }, (_, i) => {
     const a = i * 2.39996;
     const r = 0.62 * Math.sqrt(i);
-    bodies.push({
+    const turn = [Math.sin(i) * 0.5, Math.cos(i * 2) * 0.5, 0.3, 0.6];
+    const norm = Math.hypot(...turn);
+    return {
       id: i + 1,
       at: [r * Math.cos(a), 0.3 * Math.sin(i * 1.7), r * Math.sin(a)],
       radius: 0.28 + 0.12 * Math.sin(i * 5.1),
-      color: colors[i % 5],
+      color: colors[i % 5] >>> 0,
       shape: shapes[(i * 3) % 5],
-      turn: [Math.sin(i) * 0.5, Math.cos(i * 2) * 0.5, 0.3, 0.6],
+      turn: turn.map((v) => v / norm) as [number, number, number, number],
+    } satisfies BodySketch;
+  });
+}
+
+/** A body on a circle with a trail behind it; statistics with and without the body's own pixels. */
+function trail(options: { dimensions?: 2 | 3; interval?: number; alpha?: number; listed?: boolean }) {
+  const { dimensions = 3, interval = 1, alpha = 1, listed = false } = options;
+  const stage = createStage();
+  const source = sketch(createFakeSource(1024, dimensions), [{ id: 700, at: [3, 0, 0], color: 0xff00ff00 }]);
+  const trails = createTrailLines({ source, length: 40, width: 2, interval, ...(listed ? { bodies: [700] } : {}) });
+  stage.scene.add(trails.object);
+  const place = (step: number) => {
+    source.previousPosition.x[700] = source.position.x[700];
+    source.previousPosition.y[700] = source.position.y[700];
+    source.position.x[700] = 3 * Math.cos(step * 0.05);
+    source.position.y[700] = 3 * Math.sin(step * 0.05);
+    source.versions.pose++;
+    trails.update(alpha);
+  };
+  for (let step = 0; step <= 30; step++) place(step);
+  const pixels = pixelsOf(stage);
+  trails.history.restart(700);
+  place(31);
+  const afterRestart = lit(pixelsOf(stage), width).count;
+  return { ...lit(pixels, width), top: highest(pixels), afterRestart };
+}
+
+/** The row of the highest lit pixel, from the middle. */
+function highest(pixels: Uint8Array): number {
+  for (let i = pixels.length - 4; i >= 0; i -= 4) {
+    if (pixels[i + 1] > 40) return Math.floor(i / 4 / width) - height / 2;
+  }
+  return Number.NaN;
+}
+
+/** A horizontal line across the picture through the origin, one end behind the camera when asked. */
+function segment(behind: boolean) {
+  const stage = createStage();
+  const lines = createSegmentLines({ color: 0xffffff, width: 3 });
+  stage.scene.add(lines.object);
+  if (behind) lines.add(0, -1, 0, 0, -1, 40);
+  else lines.add(-2, 0, 0, 2, 0, 0);
+  const drawn = lit(pixelsOf(stage), width, 384);
+  lines.clear();
+  return { drawn, cleared: lit(pixelsOf(stage), width).count };
+}
+
+/** The id three's Raycaster finds at a place of the picture, −1 to 1. */
+function raycast(bodies: BodySketch[], x: number, y: number, dimensions: 2 | 3 = 3): number[] {
+  const stage = createStage();
+  const mesh = createBodyMesh({ source: sketch(createFakeSource(1024, dimensions), bodies) });
+  stage.scene.add(mesh.object);
+  mesh.update(1);
+  stage.camera.updateMatrixWorld();
+  const raycaster = new Raycaster();
+  raycaster.setFromCamera(new Vector2(x, y), stage.camera);
+  const hits = raycaster.intersectObjects(stage.scene.children);
+  return hits.map((hit) => hit.instanceId ?? 0);
+}
+
+/** A stage with orbit controls and dragging; what happened is in `dragged`. */
+const dragged: { events: string[]; camera: number[]; size: number[] } = { events: [], camera: [], size: [] };
+function startDragging(bodies: BodySketch[]): void {
+  const stage = createStage();
+  fitRendererToParent(stage.renderer, stage.camera);
+  const source = sketch(createFakeSource(1024, 3), bodies);
+  const mesh = createBodyMesh({ source });
+  const element = stage.renderer.domElement;
+  const orbit = createOrbitCamera({ element, camera: stage.camera });
+  stage.scene.add(mesh.object);
+  const say = (name: string, id: number, p: Vector3) =>
+    dragged.events.push(`${name} ${id} ${p.toArray().map((v) => v.toFixed(1))}`);
+  listenToBodyDragging(element, {
+    source,
+    camera: stage.camera,
+    controls: orbit.controls,
+    onGrab: (id, p) => say('grab', id, p),
+    onDrag: (id, p) => say('drag', id, p),
+    onRelease: (id, p) => say('release', id, p),
+  });
+  dragged.size = [element.width, element.height];
+  const frame = () => {
+    orbit.update(1 / 60);
+    mesh.update(1);
+    stage.renderer.render(stage.scene, stage.camera);
+    dragged.camera = stage.camera.position.toArray();
+    requestAnimationFrame(frame);
+  };
+  frame();
+}
+
+/** JavaScript time of a frame, ms: `update` and `render` with all columns uploaded and two bodies drawn (or all). */
+function cost(count: number, drawsAll: boolean, frames = 40) {
+  const stage = createStage({ width: 128, height: 128 });
+  const rows = Math.ceil((count + 1) / 1024) * 1024;
+  const source = createFakeSource(rows, 3);
+  for (let id = 1; id <= count; id++) {
+    for (const axis of ['x', 'y', 'z'] as const)
+      source.position[axis][id] = 4 * Math.sin(id * (axis === 'x' ? 1 : 1.7));
+    source.radius[id] = 0.02;
+  }
+  source.show(Array.from({ length: count }, (_, i) => i + 1));
+  const bodies = createBodyMesh({ source });
+  const ours = new Scene().add(bodies.object);
+  const instanced = new InstancedMesh(new SphereGeometry(1, 6, 4), new MeshLambertMaterial(), count);
+  instanced.frustumCulled = false;
+  if (!drawsAll) instanced.count = 2;
+  const theirs = new Scene().add(instanced);
+  const matrix = new Matrix4();
+  const { x, y, z } = source.position;
+  const gl = stage.renderer.getContext();
+  const pull = () => {
+    source.versions.pose++;
+    bodies.update(0.5);
+    if (!drawsAll) (bodies.object.children[0] as Mesh).geometry.drawRange.count = 12;
+    stage.renderer.render(ours, stage.camera);
+  };
+  const push = () => {
+    for (let i = 0; i < count; i++) {
+      matrix.makeScale(0.02, 0.02, 0.02).setPosition(x[i + 1], y[i + 1], z[i + 1]);
+      instanced.setMatrixAt(i, matrix);
+    }
+    instanced.instanceMatrix.needsUpdate = true;
+    stage.renderer.render(theirs, stage.camera);
+  };
+  return interleaved([pull, push], frames, () =>
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)),
+  );
+}
+
+/** Median time of each of `jobs`, ms, run in turns; `settle` waits for the GPU between them, unmeasured. */
+function interleaved(jobs: (() => void)[], rounds: number, settle: () => void): number[] {
+  const times = jobs.map(() => [] as number[]);
+  for (let round = 0; round < rounds; round++) {
+    jobs.forEach((job, i) => {
+      settle();
+      const start = performance.now();
+      job();
+      times[i].push(performance.now() - start);
     });
   }
-  for (const b of bodies) {
-    const n = Math.hypot(...(b.turn as number[]));
-    b.turn = b.turn?.map((v) => v / n) as [number, number, number, number];
-  }
-  sketch(source, bodies);
+  return times.map((t) => t.sort((a, b) => a - b)[Math.floor(t.length / 2)]);
+}
+
+/** A picture of everything, to look at. */
+function gallery(form: 'impostor' | 'mesh', isLit: boolean): void {
+  const stage = createStage({ antialias: true, width: 960, height: 600 });
+  stage.renderer.shadowMap.enabled = true;
+  stage.scene.background = new Color(0x10141c);
+  const source = sketch(createFakeSource(1024, 3), cluster(40));
   const options: BodyMeshOptions = { source, form, castShadow: true, receiveShadow: true };
-  if (lit) options.material = new MeshStandardMaterial({ roughness: 0.5 });
+  if (isLit) options.material = new MeshStandardMaterial({ roughness: 0.5 });
   const mesh = createBodyMesh(options);
   mesh.update(1);
   const floor = new Mesh(new PlaneGeometry(30, 30), new MeshLambertMaterial({ color: 0x556070 }));
@@ -127,15 +390,83 @@ function gallery(form: 'impostor' | 'mesh', lit: boolean): void {
   stage.renderer.render(stage.scene, stage.camera);
 }
 
-/** Enlarges a part of the last gallery. */
-function zoom(x: number, y: number, w: number): void {
-  const { renderer, scene, camera } = latest;
-  (camera as PerspectiveCamera).setViewOffset(960, 600, x, y, w, (w * 600) / 960);
-  renderer.render(scene, camera);
+/** Balls on orbits in a box, with trails and springs, to look at. */
+function orbits(dimensions: 2 | 3): void {
+  const stage = createStage({ antialias: true, width: 960, height: 600 });
+  stage.scene.background = new Color(0x10141c);
+  const source = sketch(
+    createFakeSource(1024, dimensions),
+    cluster(40).filter((body) => body.shape !== SHAPES.ring),
+  );
+  const bodies = createBodyMesh({ source });
+  const trails = createTrailLines({ source, length: 60, width: 2 });
+  const frame = createBoxFrame(
+    new Box3(new Vector3(-5, -5, dimensions === 2 ? 0 : -3), new Vector3(5, 5, dimensions === 2 ? 0 : 3)),
+  );
+  const springs = createSegmentLines({ color: 0xffe080, width: 1 });
+  stage.scene.add(bodies.object, trails.object, frame.object, springs.object);
+  for (let step = 0; step < 70; step++) {
+    for (let i = 0; i < source.count; i++) {
+      const id = source.ids[i];
+      const r = 0.7 + 0.1 * id;
+      const angle = id * 2.4 + (step * 0.05) / r;
+      source.position.x[id] = r * Math.cos(angle);
+      source.position.y[id] = r * Math.sin(angle);
+      source.position.z[id] = dimensions === 2 ? 0 : r * Math.sin(angle + id) * 0.6;
+    }
+    source.versions.pose++;
+    trails.update(1);
+  }
+  for (let i = 4; i < source.count; i += 8) {
+    const [a, b] = [source.ids[i - 4], source.ids[i]];
+    const { x, y, z } = source.position;
+    springs.add(x[a], y[a], z[a], x[b], y[b], z[b], 0xff80e0ff, 0xffff8040);
+  }
+  bodies.update(1);
+  const orbit = createOrbitCamera({ element: stage.renderer.domElement, camera: stage.camera });
+  if (dimensions === 3) stage.camera.position.set(4, 3, 8);
+  orbit.fit(new Box3(new Vector3(-5, -5, -2), new Vector3(5, 5, 2)));
+  stage.renderer.render(stage.scene, stage.camera);
 }
 
-const lab = { gallery, zoom };
+/** A great many balls, to look at. */
+function crowd(count: number): void {
+  const stage = createStage({ antialias: true, width: 960, height: 600 });
+  stage.scene.background = new Color(0x10141c);
+  const source = createFakeSource(Math.ceil((count + 1) / 1024) * 1024, 3);
+  const colors = [0xff4f6bff, 0xffe0a040, 0xff7ad05a, 0xffff9a5c, 0xff40c8ff];
+  for (let id = 1; id <= count; id++) {
+    const a = id * 2.39996;
+    const r = 5 * Math.sqrt(id / count);
+    source.position.x[id] = r * Math.cos(a);
+    source.position.z[id] = r * Math.sin(a);
+    source.position.y[id] = 0.7 * Math.sin(r * 2.2) * Math.cos(a * 3);
+    source.radius[id] = 3 / Math.sqrt(count);
+    source.color[id] = colors[Math.floor(r * 1.7) % 5];
+  }
+  source.show(Array.from({ length: count }, (_, i) => i + 1));
+  const bodies = createBodyMesh({ source });
+  stage.scene.add(bodies.object);
+  stage.camera.position.set(0, 5, 8);
+  stage.camera.lookAt(0, -0.8, 0);
+  bodies.update(1);
+  stage.renderer.render(stage.scene, stage.camera);
+}
+
+const lab = {
+  measure,
+  compare,
+  pixelAt,
+  loseContext,
+  trail,
+  segment,
+  raycast,
+  startDragging,
+  dragged,
+  cost,
+  gallery,
+  orbits,
+  crowd,
+};
 export type Lab = typeof lab;
 Object.assign(globalThis, { lab });
-void [BufferAttribute, BufferGeometry, pixelsOf];
-export type { BodyMesh };

@@ -1,20 +1,22 @@
 /**
- * GLSL that fetches one body from the column textures: `pullBody(id)` fills the `body…` globals below, already
- * interpolated between the previous step and the present one by `poseAlpha`.
+ * GLSL that fetches one body from the column textures: the `pull…` functions, given its cell, return or
+ * fill in the `body…` globals below what it has, interpolated between the previous step and the present one by `poseAlpha`.
  */
 import { TEXTURE_WIDTH } from '@principia/render-core';
 
 /** `log2(TEXTURE_WIDTH)`: the value of body `id` is texel (id mod 1024, id div 1024) of its column. */
 const columnWidthBits = 10;
 
+/** Uniforms of the position columns of a world of 2 or 3 dimensions: present axes, then those a step ago. */
+export const centreUniforms = {
+  2: ['positionX', 'positionY', 'previousX', 'previousY'],
+  3: ['positionX', 'positionY', 'positionZ', 'previousX', 'previousY', 'previousZ'],
+} as const;
 
-/** Names of the pose columns a world of 2 or 3 dimensions is drawn from; each is a uniform of the shader. */
-export const poseUniforms = {
-  2: ['positionX', 'positionY', 'previousX', 'previousY', 'angleNow', 'anglePrevious'],
-  3: [
-    ...['positionX', 'positionY', 'positionZ', 'previousX', 'previousY', 'previousZ'],
-    ...['turnX', 'turnY', 'turnZ', 'turnW', 'previousTurnX', 'previousTurnY', 'previousTurnZ', 'previousTurnW'],
-  ],
+/** Uniforms of the rotation columns: an angle now and a step ago, or a quaternion now and a step ago. */
+export const turnUniforms = {
+  2: ['angleNow', 'anglePrevious'],
+  3: ['turnX', 'turnY', 'turnZ', 'turnW', 'previousTurnX', 'previousTurnY', 'previousTurnZ', 'previousTurnW'],
 } as const;
 
 const shared = /* glsl */ `
@@ -26,8 +28,6 @@ vec4 bodyTurn;    // unit quaternion
 float bodyRadius; // metres; zero draws nothing
 vec4 bodyColor;   // linear rgb, alpha as stored
 uint bodyShape;
-
-float cell(highp sampler2D column, ivec2 at) { return texelFetch(column, at, 0).r; }
 
 vec4 unpackColor(uint bytes) {
   vec4 color = vec4(uvec4(bytes, bytes >> 8, bytes >> 16, bytes >> 24) & 255u) / 255.0;
@@ -46,12 +46,14 @@ void pullStyle(ivec2 at) {
 }
 `;
 
-const pose2d = /* glsl */ `
+const centre2d = /* glsl */ `
 vec3 pullCentre(ivec2 at) {
   vec2 previous = vec2(cell(previousX, at), cell(previousY, at));
   return vec3(mix(previous, vec2(cell(positionX, at), cell(positionY, at)), poseAlpha), 0.0);
 }
+`;
 
+const turn2d = /* glsl */ `
 vec4 pullTurn(ivec2 at) {
   float previous = cell(anglePrevious, at);
   float turn = cell(angleNow, at) - previous;
@@ -61,12 +63,14 @@ vec4 pullTurn(ivec2 at) {
 }
 `;
 
-const pose3d = /* glsl */ `
+const centre3d = /* glsl */ `
 vec3 pullCentre(ivec2 at) {
   vec3 previous = vec3(cell(previousX, at), cell(previousY, at), cell(previousZ, at));
   return mix(previous, vec3(cell(positionX, at), cell(positionY, at), cell(positionZ, at)), poseAlpha);
 }
+`;
 
+const turn3d = /* glsl */ `
 vec4 notRotatedIfZero(vec4 q) { return dot(q, q) == 0.0 ? vec4(0.0, 0.0, 0.0, 1.0) : q; }
 
 vec4 pullTurn(ivec2 at) {
@@ -79,10 +83,20 @@ vec4 pullTurn(ivec2 at) {
 }
 `;
 
+function samplers(names: readonly string[]): string {
+  return names.map((name) => `uniform highp sampler2D ${name};\n`).join('');
+}
+
+/** `pullCentre(cell)`; needs a uniform `poseAlpha`. */
+export function centrePull(dimensions: 2 | 3): string {
+  return `${samplers(centreUniforms[dimensions])}
+float cell(highp sampler2D column, ivec2 at) { return texelFetch(column, at, 0).r; }
+${dimensions === 2 ? centre2d : centre3d}`;
+}
+
 /** Declarations and functions for the vertex shader of a world of `dimensions`. */
 export function bodyPull(dimensions: 2 | 3): string {
-  const samplers = poseUniforms[dimensions].map((name) => `uniform highp sampler2D ${name};`).join('\n');
-  return `${samplers}\n${shared}${dimensions === 2 ? pose2d : pose3d}
+  return `${shared}${centrePull(dimensions)}${samplers(turnUniforms[dimensions])}${dimensions === 2 ? turn2d : turn3d}
 ivec2 cellOf(int id) { return ivec2(id & ${TEXTURE_WIDTH - 1}, id >> ${columnWidthBits}); }
 `;
 }

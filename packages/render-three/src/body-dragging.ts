@@ -1,0 +1,162 @@
+import { type BodySource, ReleaseVelocity } from '@principia/render-core';
+import { type Camera, Plane, Raycaster, Vector2, Vector3 } from 'three';
+import { pickBody } from './body-picker.ts';
+
+/** What dragging needs and reports. Points are metres and velocities metres per second; copy them to keep them. */
+export interface BodyDraggingOptions {
+  source: BodySource;
+  camera: Camera;
+  /** Which bodies may be grabbed; default all. */
+  mayGrab?(id: number): boolean;
+  /** A pointer went down on body `id`, at `point` of its surface. */
+  onGrab?(id: number, point: Vector3, pointerId: number): void;
+  /** A pointer that holds `id` moved: the grabbed point belongs at `point`. */
+  onDrag?(id: number, point: Vector3, pointerId: number): void;
+  /** A pointer let go of `id`, moving with `velocity`, for throwing. */
+  onRelease?(id: number, point: Vector3, velocity: Vector3, pointerId: number): void;
+  /** Controls to switch off while a body is held, such as `OrbitControls`. */
+  controls?: { enabled: boolean };
+  /** A body this many CSS pixels from the pointer still counts; default 6. */
+  tolerance?: number;
+}
+
+/** Pointers that can grab bodies until `destroy()`. */
+export interface BodyDragging {
+  /** The body under a place of the window, CSS pixels as in a pointer event; 0 for none. */
+  pick(clientX: number, clientY: number): number;
+  destroy(): void;
+}
+
+/** One pointer that holds a body. */
+interface Grip {
+  readonly id: number;
+  /** The pointer moves the body in this plane: facing the camera, or that of a 2D world. */
+  readonly plane: Plane;
+  readonly point: Vector3;
+  readonly velocityXY: ReleaseVelocity;
+  readonly velocityZ: ReleaseVelocity;
+}
+
+/** Lets mouse, pen and touch drag bodies in 3D; several pointers work at once. */
+export function listenToBodyDragging(element: HTMLElement, options: BodyDraggingOptions): BodyDragging {
+  const dragging = new Dragging(element, options);
+  // In the capture phase, so that the controls on the same element are off before they hear of the pointer.
+  element.addEventListener('pointerdown', dragging.down, { capture: true });
+  element.addEventListener('pointermove', dragging.move);
+  element.addEventListener('pointerup', dragging.up);
+  element.addEventListener('pointercancel', dragging.up);
+  const { touchAction } = element.style;
+  element.style.touchAction = 'none';
+  return {
+    pick: (clientX, clientY) => dragging.pick(clientX, clientY),
+    destroy() {
+      element.removeEventListener('pointerdown', dragging.down, { capture: true });
+      element.removeEventListener('pointermove', dragging.move);
+      element.removeEventListener('pointerup', dragging.up);
+      element.removeEventListener('pointercancel', dragging.up);
+      element.style.touchAction = touchAction;
+      dragging.releaseAll();
+    },
+  };
+}
+
+class Dragging {
+  readonly #element: HTMLElement;
+  readonly #options: BodyDraggingOptions;
+  readonly #grips = new Map<number, Grip>();
+  readonly #raycaster = new Raycaster();
+  readonly #place = new Vector2();
+  readonly #velocity = new Vector3();
+  readonly #pick = { id: 0, distance: 0 };
+  #controlsWereEnabled = true;
+
+  constructor(element: HTMLElement, options: BodyDraggingOptions) {
+    this.#element = element;
+    this.#options = options;
+  }
+
+  readonly down = (event: PointerEvent): void => {
+    if (event.button !== 0) return;
+    const id = this.pick(event.clientX, event.clientY);
+    if (id === 0 || this.#options.mayGrab?.(id) === false) return;
+    this.#element.setPointerCapture(event.pointerId);
+    const point = this.#raycaster.ray.at(this.#pick.distance, new Vector3());
+    const plane = dragPlane(this.#options, point);
+    const grip = { id, plane, point, velocityXY: new ReleaseVelocity(), velocityZ: new ReleaseVelocity() };
+    this.#note(grip, event);
+    this.#holdControls();
+    this.#grips.set(event.pointerId, grip);
+    this.#options.onGrab?.(id, point, event.pointerId);
+  };
+
+  readonly move = (event: PointerEvent): void => {
+    const grip = this.#grips.get(event.pointerId);
+    if (grip === undefined) return;
+    this.#aim(event.clientX, event.clientY);
+    // A plane seen edge-on is missed: the body stays where it was.
+    if (this.#raycaster.ray.intersectPlane(grip.plane, grip.point) === null) return;
+    this.#note(grip, event);
+    this.#options.onDrag?.(grip.id, grip.point, event.pointerId);
+  };
+
+  readonly up = (event: PointerEvent): void => {
+    const grip = this.#grips.get(event.pointerId);
+    if (grip === undefined) return;
+    const seconds = event.timeStamp / 1000;
+    grip.velocityXY.estimate(seconds);
+    grip.velocityZ.estimate(seconds);
+    this.#velocity.set(grip.velocityXY.x, grip.velocityXY.y, grip.velocityZ.x);
+    this.#release(event.pointerId, grip);
+  };
+
+  pick(clientX: number, clientY: number): number {
+    const { source, camera, tolerance = 6 } = this.#options;
+    this.#aim(clientX, clientY);
+    const { ray } = this.#raycaster;
+    // What is exactly under the pointer goes before what is only close to it.
+    if (pickBody(source, ray, { result: this.#pick }) !== 0) return this.#pick.id;
+    const pixel = 2 / (camera.projectionMatrix.elements[5] * this.#element.clientHeight);
+    return pickBody(source, ray, { slack: tolerance * pixel, result: this.#pick });
+  }
+
+  /** Lets go of every body at rest, as when the element goes away under the pointers. */
+  releaseAll(): void {
+    this.#velocity.set(0, 0, 0);
+    for (const [pointerId, grip] of this.#grips) this.#release(pointerId, grip);
+  }
+
+  #release(pointerId: number, grip: Grip): void {
+    this.#grips.delete(pointerId);
+    if (this.#grips.size === 0 && this.#options.controls !== undefined) {
+      this.#options.controls.enabled = this.#controlsWereEnabled;
+    }
+    this.#options.onRelease?.(grip.id, grip.point, this.#velocity, pointerId);
+  }
+
+  #holdControls(): void {
+    const { controls } = this.#options;
+    if (controls === undefined || this.#grips.size > 0) return;
+    this.#controlsWereEnabled = controls.enabled;
+    controls.enabled = false;
+  }
+
+  #aim(clientX: number, clientY: number): void {
+    const box = this.#element.getBoundingClientRect();
+    const x = ((clientX - box.left) / box.width) * 2 - 1;
+    const y = 1 - ((clientY - box.top) / box.height) * 2;
+    this.#options.camera.updateMatrixWorld();
+    this.#raycaster.setFromCamera(this.#place.set(x, y), this.#options.camera);
+  }
+
+  #note({ point, velocityXY, velocityZ }: Grip, event: PointerEvent): void {
+    velocityXY.add(event.timeStamp / 1000, point.x, point.y);
+    velocityZ.add(event.timeStamp / 1000, point.z, 0);
+  }
+}
+
+/** A 3D body moves in the plane through the grabbed point that faces the camera, a 2D one in its world's plane. */
+function dragPlane({ source, camera }: BodyDraggingOptions, point: Vector3): Plane {
+  const normal = new Vector3(0, 0, 1);
+  if (source.dimensions === 2) return new Plane(normal, 0);
+  return new Plane().setFromNormalAndCoplanarPoint(camera.getWorldDirection(normal), point);
+}

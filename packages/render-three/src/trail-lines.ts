@@ -1,0 +1,68 @@
+import { TrailHistory, type TrailOptions } from '@principia/render-core';
+import { Group, type Object3D } from 'three';
+import { trailSegments } from './shaders/trail-segments.ts';
+import { type TrailColors, TrailTextures } from './trail-textures.ts';
+import { createWideLineMesh } from './wide-line-mesh.ts';
+
+/** What `createTrailLines` may be told. */
+export interface TrailLinesOptions extends TrailOptions, TrailColors {
+  /** Width in CSS pixels; default 1.5. */
+  width?: number;
+  /** Opacity where the trail leaves the body, 0 to 1, fading to nothing at its end; default 0.8. */
+  opacity?: number;
+}
+
+/** The latest paths of bodies as fading lines. */
+export interface TrailLines {
+  /** Add it to the scene. */
+  readonly object: Object3D;
+  /** The points; `history.restart(id)` begins a trail afresh after a teleport. */
+  readonly history: TrailHistory;
+  /**
+   * Call after every step, or once a frame where a frame has at most one step: notes the source's pose if it moved.
+   *
+   * @param alpha blend of previous and present step that the bodies are drawn with, so that the line meets its body
+   */
+  update(alpha: number): void;
+  destroy(): void;
+}
+
+/** Array textures may have this many layers nearly everywhere (WebGL 2 itself promises 256). */
+const MAX_LENGTH = 2048;
+
+/**
+ * Draws the trails of bodies from a ring of past positions on the GPU: a step sends one slice, whatever the length.
+ *
+ * @throws Error when `length` is below 2 or above 2048, or `bodies` names an id outside the source
+ */
+export function createTrailLines(options: TrailLinesOptions): TrailLines {
+  const { source, width = 1.5, opacity = 0.8 } = options;
+  if (options.length > MAX_LENGTH) {
+    throw new Error(`trails can have at most ${MAX_LENGTH} points, got ${options.length}: raise interval instead`);
+  }
+  const history = new TrailHistory(options);
+  const textures = new TrailTextures(history, options);
+  const { uniforms } = textures;
+  uniforms.opacity = { value: opacity };
+  const segmentEnds = trailSegments(source.dimensions, history.interval > 1);
+  const line = createWideLineMesh(segmentEnds, uniforms, width, (renderer) => textures.beforeDrawing(renderer));
+  const object = new Group().add(line.mesh);
+  let poseVersion = Number.NaN;
+  return {
+    object,
+    history,
+    update(alpha) {
+      if (source.versions.pose !== poseVersion) {
+        poseVersion = source.versions.pose;
+        history.record();
+      }
+      textures.refresh(alpha);
+      line.mesh.position.copy(history.origin);
+      line.setCount(history.count * (history.length - 1));
+    },
+    destroy() {
+      line.destroy();
+      textures.dispose();
+    },
+  };
+}
