@@ -1,0 +1,113 @@
+import { SHAPES } from '@principia/render-core';
+import type { DataTexture } from 'three';
+import { expect, test } from 'vitest';
+import { createFakeSource, type FakeSource } from '../../render-core/src/fake-source.ts';
+import { colorBytes } from './body-color.ts';
+import { BodyTextures } from './body-textures.ts';
+
+function textures(source: FakeSource) {
+  const held = new BodyTextures(source, colorBytes(0x102030), false);
+  const of = (name: string) => held.uniforms[name].value as DataTexture;
+  return { held, of, versions: (...names: string[]) => names.map((name) => of(name).version) };
+}
+
+test('colours of three become bytes in memory order', () => {
+  expect(colorBytes(0x102030)).toBe(0xff302010);
+  expect(colorBytes('red')).toBe(0xff0000ff);
+});
+
+test('the columns of an f32 world are the textures themselves', () => {
+  const source = createFakeSource(2048, 3);
+  source.show([5, 1500]);
+  const { held, of } = textures(source);
+  held.refresh();
+  expect(of('positionX').image.data).toBe(source.position.x);
+  expect(of('previousZ').image.data).toBe(source.previousPosition.z);
+  expect(of('positionX').image.height).toBe(2);
+});
+
+test('only what the source says has changed is sent', () => {
+  const source = createFakeSource(1024, 3);
+  source.show([1, 2]);
+  const { held, versions } = textures(source);
+  held.refresh();
+  const names = ['positionX', 'bodyStyle', 'bodyIds', 'turnX'];
+  const before = versions(...names);
+  held.refresh();
+  expect(versions(...names)).toEqual(before);
+  source.versions.pose++;
+  held.refresh();
+  expect(versions(...names)).toEqual([before[0] + 1, before[1], before[2], before[3]]);
+  source.versions.style++;
+  held.refresh();
+  expect(versions(...names)).toEqual([before[0] + 1, before[1] + 1, before[2], before[3]]);
+});
+
+test('rotations are sent once a body shows them', () => {
+  const source = createFakeSource(1024, 3);
+  source.radius[1] = 1;
+  source.show([1]);
+  const { held, of } = textures(source);
+  held.refresh();
+  expect(of('turnX').image.data).not.toBe(source.orientation.x);
+  source.shape[1] = SHAPES.box;
+  source.versions.style++;
+  held.refresh();
+  expect(of('turnX').image.data).toBe(source.orientation.x);
+});
+
+test('an id beyond those sent before is sent even if no version of its columns moved', () => {
+  const source = createFakeSource(4096, 2, 'f64');
+  source.position.x[3000] = 8;
+  source.show([1]);
+  const { held, of } = textures(source);
+  held.refresh();
+  source.ids[1] = 3000;
+  source.count = 2;
+  source.lastId = 3000;
+  source.versions.membership++;
+  held.refresh();
+  const { data, height } = of('positionX').image;
+  expect([(data as Float32Array)[3000], height]).toEqual([8, 3]);
+});
+
+test('the style holds drawn radius, colour and shape, with the defaults filled in', () => {
+  const source = createFakeSource(1024, 2, 'f64');
+  source.radius.set([1, 2], 1);
+  source.size[2] = 0.25;
+  source.color[2] = 0xff00ff00;
+  source.shape[2] = SHAPES.glow;
+  source.show([1, 2]);
+  const { held } = textures(source);
+  held.refresh();
+  const radius = new Float32Array(held.style.data.buffer);
+  expect([radius[4], radius[8]]).toEqual([1, 0.25]);
+  expect(Array.from(held.style.data.slice(5, 7))).toEqual([0xff302010, SHAPES.disc]);
+  expect(Array.from(held.style.data.slice(9, 11))).toEqual([0xff00ff00, SHAPES.glow]);
+  expect([held.style.hasSolids, held.style.hasFlats, held.style.hasTurning]).toEqual([true, true, false]);
+});
+
+test('an origin is subtracted before f64 is rounded, and ignored for f32', () => {
+  for (const precision of ['f64', 'f32'] as const) {
+    const source = createFakeSource(1024, 3, precision);
+    source.position.x[1] = 1e9 + 0.125;
+    source.show([1]);
+    const { held, of } = textures(source);
+    held.centres.setOrigin(1e9, 0, 0);
+    held.refresh();
+    const sent = (of('positionX').image.data as Float32Array)[1];
+    expect(sent + held.centres.origin.x).toBe(precision === 'f64' ? 1e9 + 0.125 : 1e9);
+  }
+});
+
+test('a column of another length is refused', () => {
+  const source = createFakeSource(1024, 2);
+  source.angle = new Float32Array(1000);
+  expect(() => textures(source)).toThrow(/1024 rows, got one of 1000/);
+});
+
+test('a world with few enough textures for every WebGL 2: sixteen in a vertex shader', () => {
+  const { held } = textures(createFakeSource(1024, 3));
+  const samplers = Object.values(held.uniforms).filter(({ value }) => typeof value === 'object');
+  expect(samplers.length).toBeLessThanOrEqual(16);
+});
