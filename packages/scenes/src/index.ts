@@ -1,0 +1,4 @@
+/** Scenes: pure functions that build a world from a seed and parameters. */
+export { particles } from './particles';
+export { findScene, SCENES } from './registry';
+export type { Scene, SceneOptions, SceneParameter, SceneRun } from './scene';

@@ -1,0 +1,10 @@
+import { particles } from './particles';
+import type { Scene } from './scene';
+
+/** Every scene, in the order they are listed. */
+export const SCENES: readonly Scene[] = [particles];
+
+/** The scene of a name, if there is one. */
+export function findScene(name: string): Scene | undefined {
+  return SCENES.find((scene) => scene.name === name);
+}

@@ -1,0 +1,114 @@
+import { PhysicsError, type PhysicsWorld, type Precision, type Progress } from '@principia/physics';
+
+/** A number a scene is made with. */
+export interface SceneParameter {
+  readonly about: string;
+  /** SI unit; empty for a pure number. */
+  readonly unit: string;
+  /** The value when none is given. */
+  readonly initial: number;
+  readonly min: number;
+  readonly max: number;
+  readonly integer?: boolean;
+}
+
+/** What every scene takes besides its own parameters. */
+export interface SceneOptions {
+  /** How many; what is counted the scene's parameter `count` says. */
+  readonly count?: number;
+  readonly dimensions?: 2 | 3;
+  readonly precision?: Precision;
+  /** Equal seeds and parameters give equal worlds. */
+  readonly seed?: number;
+  /** Called as bodies are made. */
+  readonly progress?: Progress;
+}
+
+/** A scene made: a world and how to move it on. */
+export interface SceneRun {
+  readonly world: PhysicsWorld;
+  /** Length of a step the scene is meant for, s. */
+  readonly dt: number;
+  /** Moves the scene by one step; absent where that is `step(world, dt)`. */
+  readonly advance?: (world: PhysicsWorld) => void;
+  /** Why the energy of this scene is not constant; absent where it is. */
+  readonly losesEnergy?: string;
+}
+
+/** The checked numbers a scene is built from. */
+export interface Setup<Name extends string> {
+  readonly dimensions: 2 | 3;
+  readonly precision: Precision;
+  readonly seed: number;
+  readonly progress: Progress | undefined;
+  readonly parameters: Readonly<Record<Name | 'count', number>>;
+}
+
+/** What a scene's file says of it. */
+export interface SceneSpec<Name extends string, Run extends SceneRun = SceneRun> {
+  readonly name: string;
+  /** One line. */
+  readonly description: string;
+  /** The precision when none is given; default f64. */
+  readonly precision?: Precision;
+  readonly parameters: Readonly<Record<Name | 'count', SceneParameter>>;
+  build(setup: Setup<Name>): Run;
+}
+
+export interface Scene<Name extends string = string, Run extends SceneRun = SceneRun> {
+  readonly name: string;
+  readonly description: string;
+  readonly parameters: Readonly<Record<Name | 'count', SceneParameter>>;
+  /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+  create(options?: SceneOptions & { readonly [Parameter in Name]?: number }): Run;
+}
+
+const COMMON = ['dimensions', 'precision', 'seed', 'progress'];
+
+/** A scene from its description: checks what it is made with, so that `build` need not. */
+export function defineScene<Name extends string, Run extends SceneRun>(spec: SceneSpec<Name, Run>): Scene<Name, Run> {
+  const names = Object.keys(spec.parameters) as (Name | 'count')[];
+  return {
+    name: spec.name,
+    description: spec.description,
+    parameters: spec.parameters,
+    create(options = {}) {
+      const given = options as Record<string, unknown>;
+      for (const key of Object.keys(given)) {
+        if (COMMON.includes(key) || (names as string[]).includes(key)) continue;
+        throw new PhysicsError('E_UNKNOWN', `the scene ${spec.name} has no parameter "${key}".`, {
+          field: key,
+          hint: `Valid: ${[...names, ...COMMON].join(', ')}.`,
+        });
+      }
+      const { dimensions = 2, precision = spec.precision ?? 'f64', seed = 1, progress } = options;
+      const values = names.map((name) => [name, checkParameter(name, spec.parameters[name], given[name])]);
+      const parameters = Object.fromEntries(values) as Record<Name | 'count', number>;
+      return spec.build({ dimensions, precision, seed, progress, parameters });
+    },
+  };
+}
+
+/**
+ * The value of a parameter: the given one where it is valid, the initial one where none is given.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function checkParameter(name: string, parameter: SceneParameter, value: unknown): number {
+  if (value === undefined) return parameter.initial;
+  const details = { field: name, value };
+  if (typeof value !== 'number') {
+    throw new PhysicsError('E_TYPE', `${name} must be a number, got ${typeof value}.`, details);
+  }
+  if (!Number.isFinite(value)) throw new PhysicsError('E_NONFINITE', `${name} must be finite, got ${value}.`, details);
+  const { min, max, integer = false } = parameter;
+  if (value < min || value > max || (integer && !Number.isInteger(value))) {
+    const kind = integer ? 'a whole number ' : '';
+    throw new PhysicsError('E_RANGE', `${name} must be ${kind}from ${min} to ${max}, got ${value}.`, details);
+  }
+  return value;
+}
+
+/** How many there are of what a scene is made of. */
+export function countOf(about: string, initial: number, max: number, min = 1): SceneParameter {
+  return { about, unit: '', initial, min, max, integer: true };
+}
