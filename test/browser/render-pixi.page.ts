@@ -1,6 +1,12 @@
 /** The page of `render-pixi.test.ts`: builds pictures with the pixi layers and hands back their pixels. */
 import { SHAPES } from '@principia/render-core';
-import { applyCamera, createBodyLayer } from '@principia/render-pixi';
+import {
+  applyCamera,
+  createBodyLayer,
+  createLinkLayer,
+  createSegmentLayer,
+  createTrailLayer,
+} from '@principia/render-pixi';
 import { Application, Container } from 'pixi.js';
 import { createFakeSource, type FakeSource } from '../../packages/render-core/src/fake-source.ts';
 
@@ -185,19 +191,25 @@ export const lab = {
     return { areas, faded };
   },
 
-  /** Light of every second body of a population that grows and shrinks, in areas of one body. */
+  /** Light of every second body of a population that grows and shrinks, as seen by two renderers at once. */
   async population(backend: Backend, counts: number[]) {
     const stage = await Stage.open(backend);
     const source = createFakeSource(8192);
     const layer = createBodyLayer({ source, rotation: false });
+    // A second renderer of the other kind shows the same source and must not get in the way.
+    const other = await Stage.open(backend === 'webgl' ? 'webgpu' : 'webgl');
+    const twin = createBodyLayer({ source });
+    other.world.addChild(twin.container);
     stage.world.addChild(layer.container);
     for (let id = 0; id < 8192; id++) place(source, id, ((id >> 1) % 64) * 4 - 126, (id >> 7) * 4 - 126, 1);
     const lights = counts.map((count) => {
       source.show(Array.from({ length: count }, (_, i) => 2 * i + 1));
       layer.update(1);
-      return light(stage.shoot()).area;
+      twin.update(1);
+      return [light(stage.shoot()).area, light(other.shoot()).area];
     });
     stage.close();
+    other.close();
     return lights;
   },
 
@@ -232,10 +244,10 @@ export const lab = {
     return stage.shoot();
   },
 
-  /** Pixels in which WebGL and WebGPU disagree by more than the rounding of one 8-bit step, and the lit area. */
-  async backendsDiffer() {
-    const gl = await lab.showShapes('webgl');
-    const gpu = await lab.showShapes('webgpu');
+  /** Pixels in which WebGL and WebGPU disagree, at all and by more than rounding, and the lit area. */
+  async backendsDiffer(show: 'showShapes' | 'showAll') {
+    const gl = await lab[show]('webgl');
+    const gpu = await lab[show]('webgpu');
     return { lit: light(gl).area, exact: differing(gl, gpu), beyondRounding: differing(gl, gpu, 2) };
   },
 
@@ -279,6 +291,111 @@ export const lab = {
     second.destroy();
     stage.close();
     return { initial, still, pose, style, afterDestroy };
+  },
+
+  /** A body that goes round a circle of radius 80 with its trail: the light of the trail alone, by quarter turn. */
+  async trail(backend: Backend, options: { bodies?: number[]; steps: number; far?: number }) {
+    const { bodies, steps, far = 0 } = options;
+    const stage = await Stage.open(backend);
+    const source = createFakeSource(2048, 2, far === 0 ? 'f32' : 'f64');
+    source.show([7, 1500]);
+    const chosen = bodies === undefined ? {} : { bodies };
+    const layer = createTrailLayer({ source, length: 33, thickness: 3, opacity: 1, ...chosen });
+    const discs = createBodyLayer({ source });
+    discs.setOrigin(far, 0);
+    stage.world.addChild(layer.container);
+    stage.camera.x = far;
+    for (let step = 0; step < steps; step++) {
+      for (const id of [7, 1500]) {
+        const angle = (step / 64) * 2 * Math.PI + (id === 7 ? 0 : Math.PI);
+        source.previousPosition.x[id] = source.position.x[id];
+        source.previousPosition.y[id] = source.position.y[id];
+        source.position.x[id] = far + 80 * Math.cos(angle);
+        source.position.y[id] = 80 * Math.sin(angle);
+        source.color[id] = id === 7 ? 0xff0000ff : 0xff00ff00;
+      }
+      source.versions.pose++;
+      source.versions.style++;
+      layer.update(1);
+      if (step % 8 === 0) stage.shoot();
+    }
+    const picture = stage.shoot();
+    const lights = [light(picture, 0), light(picture, 1)];
+    source.versions.membership++;
+    layer.history.clear();
+    layer.update(1);
+    const cleared = light(stage.shoot()).area;
+    layer.destroy();
+    discs.destroy();
+    stage.close();
+    return { lights, cleared };
+  },
+
+  /** Light of a horizontal line 100 pixels long and 6 thick, of a thin one, and of a link at two alphas. */
+  async lines(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const segments = createSegmentLayer({ thickness: 6, color: 0xffffff });
+    stage.world.addChild(segments.container);
+    segments.set([-50, 20, 50, 20]);
+    const thick = light(stage.shoot());
+    segments.set([-50, 20, 50, 20, 0, -100, 0, 100], 2, [0xff0000ff, 0xff00ff00]);
+    const picture = stage.shoot();
+    const colored = [light(picture, 0).area, light(picture, 1).area];
+    const many = new Float32Array(4 * 3000);
+    for (let i = 0; i < 3000; i++) many.set([(i % 60) * 4 - 118, 5 * Math.floor(i / 60) - 120, 0, 0], 4 * i);
+    for (let i = 0; i < 3000; i++) many.set([many[4 * i], many[4 * i + 1]], 4 * i + 2);
+    segments.set(many);
+    const dots = light(stage.shoot()).area;
+    segments.destroy();
+    const source = createFakeSource(1024);
+    place(source, 3, -40, 0, 1);
+    place(source, 900, 40, 0, 1);
+    source.position.y[3] = source.position.y[900] = 60;
+    source.show([3, 900]);
+    const links = createLinkLayer({ source, thickness: 1, color: 0xffffff });
+    links.set([3, 900]);
+    stage.world.addChild(links.container);
+    const linked = [0, 0.5].map((alpha) => {
+      links.update(alpha);
+      return light(stage.shoot());
+    });
+    stage.close();
+    return { thick, colored, dots, linked };
+  },
+
+  /** Leaves a picture with every kind of layer on the page, for a look and for comparing back ends. */
+  async showAll(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const source = createFakeSource(1024);
+    const ids = Array.from({ length: 24 }, (_, i) => i + 1);
+    source.show(ids);
+    const trails = createTrailLayer({ source, length: 40, thickness: 4, blendMode: 'add' });
+    const walls = createSegmentLayer({ thickness: 3, color: 0x556070 });
+    walls.set([-120, -110, 120, -110, -120, -110, -120, 110, 120, -110, 120, 110]);
+    const links = createLinkLayer({ source, thickness: 1.5, color: 0x8899aa, opacity: 0.6 });
+    links.set(ids.slice(1).flatMap((id) => [id - 1, id]));
+    const bodies = createBodyLayer({ source });
+    stage.world.addChild(walls.container, links.container, trails.container, bodies.container);
+    const palette = [0xff5ec8ff, 0xff7de08a, 0xffff9f5e, 0xffd98cff];
+    for (let step = 0; step < 60; step++) {
+      for (const id of ids) {
+        const turn = step * (0.01 + 0.002 * id) + id * 0.8;
+        source.previousPosition.x[id] = source.position.x[id];
+        source.previousPosition.y[id] = source.position.y[id];
+        source.position.x[id] = (20 + 3.4 * id) * Math.cos(turn);
+        source.position.y[id] = (18 + 3.2 * id) * Math.sin(turn);
+        source.angle[id] = source.previousAngle[id] = turn;
+        source.size[id] = 3 + (id % 4) * 2;
+        source.shape[id] = id % 5;
+        source.color[id] = palette[id % 4];
+      }
+      source.versions.pose++;
+      source.versions.style++;
+      trails.update(0.5);
+    }
+    links.update(0.5);
+    bodies.update(0.5);
+    return stage.shoot();
   },
 };
 

@@ -59,14 +59,49 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
   it('draws a population with holes as it grows and shrinks', async () => {
     const counts = [10, 3000, 4096, 100, 0];
     const lights = await page.evaluate(([b, c]) => pixiLab.population(b, c), [backend, counts] as const);
-    for (const [i, count] of counts.entries()) expect(lights[i]).toBeCloseTo((count * lights[0]) / 10, 0);
-    expect(lights[0] / 10 / Math.PI).toBeCloseTo(1, 0);
+    const [[one]] = lights;
+    expect(one / 10 / Math.PI).toBeCloseTo(1, 0);
+    for (const [i, count] of counts.entries()) {
+      for (const seen of lights[i]) expect(seen).toBeCloseTo((count * one) / 10, 0);
+    }
+  });
+});
+
+describe.each<Backend>(['webgl', 'webgpu'])('trails and lines with %s', (backend) => {
+  // 32 segments of a circle of radius 80 cut into 64, fading from full to nothing and tapering from 3 to 0.9 pixels.
+  const halfTurn = Math.PI * 80 * (0.3 * 3 * 0.5 + (0.7 * 3) / 3);
+
+  it.each([
+    ['all bodies', {}],
+    ['chosen bodies', { bodies: [1500, 7] }],
+    ['far from zero', { far: 1e8 }],
+  ])('draws the last half turn, %s', async (_, options) => {
+    const seen = await page.evaluate(([b, o]) => pixiLab.trail(b, { ...o, steps: 81 }), [backend, options] as const);
+    // 80 steps are a quarter past a full turn: the trail of body 7 lies to the right, that of the other to the left.
+    for (const [i, side] of [1, -1].entries()) {
+      expect(seen.lights[i].area / halfTurn).toBeGreaterThan(0.9);
+      expect(seen.lights[i].area / halfTurn).toBeLessThan(1.1);
+      expect(side * seen.lights[i].x).toBeGreaterThan(30);
+    }
+    expect(seen.cleared).toBe(0);
+  });
+
+  it('draws lines of the right area and colour, and links between moving bodies', async () => {
+    const seen = await page.evaluate((b) => pixiLab.lines(b), backend);
+    expect(seen.thick.area).toBeCloseTo(100 * 6 + discArea(3), -1);
+    expect(seen.thick.y).toBeCloseTo(20, 1);
+    expect(seen.colored[0]).toBeGreaterThan(550);
+    expect(seen.colored[1]).toBeGreaterThan(1200);
+    expect(seen.dots / 3000).toBeGreaterThan(0.8 * 3);
+    expect(seen.linked[0].area).toBeCloseTo(81, -1);
+    expect(seen.linked[0].y).toBeCloseTo(0, 1);
+    expect(seen.linked[1].y).toBeCloseTo(30, 1);
   });
 });
 
 describe('bodies', () => {
-  it('look the same in WebGL and WebGPU', async () => {
-    const seen = await page.evaluate(() => pixiLab.backendsDiffer());
+  it.each(['showShapes', 'showAll'] as const)('look the same in WebGL and WebGPU: %s', async (show) => {
+    const seen = await page.evaluate((s) => pixiLab.backendsDiffer(s), show);
     expect(seen.lit).toBeGreaterThan(3000);
     expect(seen.beyondRounding).toBe(0);
   });

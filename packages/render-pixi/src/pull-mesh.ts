@@ -64,7 +64,7 @@ export class PullMesh {
   /** Draws the first `quads` quads, `instances` times over. */
   draw(quads: number, instances = 1): void {
     this.#mesh.visible = quads > 0 && instances > 0;
-    if (this.#mesh.visible) this.#quads.draw(quads, instances);
+    if (this.#mesh.visible && this.#quads.draw(quads, instances)) this.#mesh.geometry = this.#quads.geometry;
   }
 
   destroy(): void {

@@ -3,8 +3,37 @@ import { Buffer, BufferUsage, Geometry } from 'pixi.js';
 /** Corners of a quad in the order its two triangles use them. */
 const CORNERS = [0, 1, 2, 2, 1, 3];
 
-/** One index buffer for all layers: quad `i` uses vertices `4 i … 4 i + 3`, and no vertex has any attribute. */
-let shared: Buffer | undefined;
+/** An index buffer in which quad `i` uses vertices `4 i … 4 i + 3`, shared by every geometry that needs no more. */
+interface QuadIndex {
+  readonly quads: number;
+  readonly buffer: Buffer;
+  users: number;
+}
+
+/** The largest index made so far, while anyone uses it. */
+let largest: QuadIndex | undefined;
+
+/**
+ * An index for at least `quads` quads. A larger need gets a new buffer rather than more data in the old one: pixi keeps
+ * one update counter per buffer, which a WebGPU renderer resets under a WebGL renderer that shares it.
+ */
+function acquire(quads: number): QuadIndex {
+  if (largest === undefined || largest.quads < quads) {
+    const room = Math.max(1024, quads, 2 * (largest?.quads ?? 0));
+    const usage = BufferUsage.INDEX | BufferUsage.COPY_DST;
+    const buffer = new Buffer({ data: quadIndices(room), usage, shrinkToFit: false });
+    buffer.autoGarbageCollect = false;
+    largest = { quads: room, buffer, users: 0 };
+  }
+  largest.users++;
+  return largest;
+}
+
+function release(index: QuadIndex): void {
+  if (--index.users > 0) return;
+  index.buffer.destroy();
+  if (index === largest) largest = undefined;
+}
 
 function quadIndices(quads: number): Uint32Array {
   const indices = new Uint32Array(quads * 6);
@@ -14,35 +43,40 @@ function quadIndices(quads: number): Uint32Array {
   return indices;
 }
 
-/** Makes sure the shared index buffer holds `quads` quads; doubles, so that growth is rare. */
-function quadIndexBuffer(quads: number): Buffer {
-  if (shared === undefined) {
-    const data = quadIndices(1024);
-    shared = new Buffer({ data, usage: BufferUsage.INDEX | BufferUsage.COPY_DST, shrinkToFit: false });
-    shared.autoGarbageCollect = false;
-  }
-  const present = shared.data.length / 6;
-  if (present < quads) shared.data = quadIndices(Math.max(quads, 2 * present));
-  return shared;
-}
-
-/** Geometry of `count` quads whose corners the vertex shader works out from the vertex number. */
+/** Geometry of quads whose corners the vertex shader works out from the vertex number: there are no attributes. */
 export class QuadGeometry {
-  readonly geometry: Geometry;
+  #index = acquire(1);
+  #geometry = geometryOf(this.#index);
 
-  constructor() {
-    this.geometry = new Geometry({ indexBuffer: quadIndexBuffer(1), instanceCount: 1 });
-    this.geometry.autoGarbageCollect = false;
+  /** What a mesh shows now; another object after `draw` had to make room. */
+  get geometry(): Geometry {
+    return this.#geometry;
   }
 
-  /** Sets how many quads are drawn, `instances` times over. Zero quads must be hidden by the mesh instead. */
-  draw(quads: number, instances = 1): void {
-    quadIndexBuffer(quads);
-    this.geometry.indexCount = quads * 6;
-    this.geometry.instanceCount = instances;
+  /** Sets how many quads are drawn, at least one, `instances` times over. Returns true when `geometry` was replaced. */
+  draw(quads: number, instances: number): boolean {
+    const grown = quads > this.#index.quads;
+    if (grown) {
+      const { geometry } = this;
+      const index = acquire(quads);
+      this.#geometry = geometryOf(index);
+      geometry.destroy(false);
+      release(this.#index);
+      this.#index = index;
+    }
+    this.#geometry.indexCount = quads * 6;
+    this.#geometry.instanceCount = instances;
+    return grown;
   }
 
   destroy(): void {
-    this.geometry.destroy(false);
+    this.#geometry.destroy(false);
+    release(this.#index);
   }
+}
+
+function geometryOf(index: QuadIndex): Geometry {
+  const geometry = new Geometry({ indexBuffer: index.buffer });
+  geometry.autoGarbageCollect = false;
+  return geometry;
 }

@@ -26,8 +26,9 @@ const GLSL_TYPES: Readonly<Record<UniformType, string>> = {
 
 /**
  * Start of the two GLSL stages: precisions, pixi's uniforms and the program's own, and the functions
- * `real(texture, i)`, `whole(texture, i)` (texel `i` of a column), `clip(p)` (metres to clip space) and
- * `pixelsPerMetre()` (physical pixels; the view has one scale for both axes).
+ * `real(texture, i)`, `whole(texture, i)` (texel `i` of a column), `clip(p)` (metres to clip space),
+ * `pixelsPerMetre()` (physical pixels; the view has one scale for both axes) and `pixelRatio()` (physical pixels per
+ * CSS pixel).
  */
 export function glslHeader(program: PullProgram): { vertex: string; fragment: string } {
   const uniforms = Object.entries(program.uniforms).map(([name, type]) => `uniform ${GLSL_TYPES[type]} ${name};`);
@@ -54,6 +55,7 @@ uint whole(usampler2D column, int i) { return texelFetch(column, texel(i), 0).r;
 mat3 metresToClip() { return uProjectionMatrix * uWorldTransformMatrix * uTransformMatrix; }
 vec4 clip(vec2 p) { return vec4((metresToClip() * vec3(p, 1.0)).xy, 0.0, 1.0); }
 float pixelsPerMetre() { return length(metresToClip()[0].xy * uResolution) * 0.5; }
+float pixelRatio() { return length(uProjectionMatrix[0].xy * uResolution) * 0.5; }
 vec4 rgba(uint bytes) {
   return vec4(uvec4(bytes, bytes >> 8, bytes >> 16, bytes >> 24) & 255u) / 255.0;
 }
@@ -96,6 +98,7 @@ fn metresToClip() -> mat3x3<f32> {
 }
 fn clip(p: vec2<f32>) -> vec4<f32> { return vec4<f32>((metresToClip() * vec3<f32>(p, 1.0)).xy, 0.0, 1.0); }
 fn pixelsPerMetre() -> f32 { return length(metresToClip()[0].xy * globalUniforms.uResolution) * 0.5; }
+fn pixelRatio() -> f32 { return length(globalUniforms.uProjectionMatrix[0].xy * globalUniforms.uResolution) * 0.5; }
 fn rgba(bytes: u32) -> vec4<f32> {
   let parts = vec4<u32>(bytes, bytes >> 8u, bytes >> 16u, bytes >> 24u) & vec4<u32>(255u);
   return vec4<f32>(parts) / 255.0;

@@ -1,0 +1,21 @@
+import { ColumnTexture } from './column-texture.ts';
+import { roomFor } from './room.ts';
+
+/** One colour per line as a texture; lines without a colour of their own have zero, the layer's colour. */
+export class LineColors {
+  readonly texture = new ColumnTexture('whole');
+  #values = new Uint32Array(0);
+  #plain = true;
+
+  /** Takes the first `count` of `colors` (RGBA bytes in memory order), or none. */
+  set(count: number, colors: ArrayLike<number> | undefined): void {
+    const length = roomFor(count, this.#values.length, 1);
+    // Zeros that are on the GPU already need no second upload.
+    if (colors === undefined && this.#plain && length === this.#values.length) return;
+    if (length !== this.#values.length) this.#values = new Uint32Array(length);
+    if (colors === undefined) this.#values.fill(0);
+    else for (let i = 0; i < count; i++) this.#values[i] = colors[i];
+    this.#plain = colors === undefined;
+    this.texture.upload(this.#values, this.#plain ? length : count);
+  }
+}

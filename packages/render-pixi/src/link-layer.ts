@@ -1,0 +1,78 @@
+import type { BodySource } from '@principia/render-core';
+import type { Container } from 'pixi.js';
+import { ColumnTexture } from './column-texture.ts';
+import { LineColors } from './line-colors.ts';
+import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
+import { PullMesh } from './pull-mesh.ts';
+import { roomFor } from './room.ts';
+import { LINK_PROGRAM } from './shaders/link-program.ts';
+import { SourceTextures } from './source-textures.ts';
+
+/** How a link layer draws. */
+export interface LinkLayerOptions extends LineStyle {
+  source: BodySource;
+}
+
+/** Lines between the centres of bodies: springs, ropes, cloth, constellations. */
+export interface LinkLayer {
+  readonly container: Container;
+  /**
+   * Replaces the links; needed only when they change, since the lines follow the bodies by themselves.
+   *
+   * @param pairs ids of the two bodies of each link, one pair after the other
+   * @param count number of links; default: all in the array
+   * @param colors colour of each link as RGBA bytes in memory order (`0xAABBGGRR`), zero for the layer's colour
+   * @throws Error when an array is shorter than `count` links need
+   */
+  set(pairs: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
+  /** Brings the picture up to date; call it once a frame, as for bodies. */
+  update(alpha: number): void;
+  destroy(): void;
+}
+
+/** Makes an empty layer of links between bodies of `source`. @throws Error when an option is out of range */
+export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
+  const { source, pixelsPerMetre = 1, blendMode = 'normal' } = options;
+  const textures = SourceTextures.acquire(source);
+  const pairsTexture = new ColumnTexture('whole');
+  const colors = new LineColors();
+  const bindings = {
+    uPairs: pairsTexture.source,
+    uLineColors: colors.texture.source,
+    uX: textures.x.texture.source,
+    uY: textures.y.texture.source,
+    uPreviousX: textures.previousX.texture.source,
+    uPreviousY: textures.previousY.texture.source,
+  };
+  const mesh = new PullMesh(LINK_PROGRAM, bindings, pixelsPerMetre, blendMode);
+  applyLineStyle(mesh, options);
+  let ids = new Uint32Array(0);
+  let live = true;
+
+  return {
+    container: mesh.container,
+    set(pairs, count = Math.floor(pairs.length / 2), linkColors) {
+      checkLength('pairs', pairs, 2 * count);
+      if (linkColors !== undefined) checkLength('colors', linkColors, count);
+      const length = roomFor(2 * count, ids.length, 1);
+      if (length !== ids.length) ids = new Uint32Array(length);
+      for (let i = 0; i < 2 * count; i++) ids[i] = pairs[i];
+      pairsTexture.upload(ids, 2 * count);
+      colors.set(count, linkColors);
+      mesh.draw(count);
+    },
+    update(alpha) {
+      textures.syncPosition();
+      mesh.uniforms.uAlpha = alpha;
+      mesh.place(textures.originX, textures.originY);
+    },
+    destroy() {
+      if (!live) return;
+      live = false;
+      mesh.destroy();
+      pairsTexture.destroy();
+      colors.texture.destroy();
+      textures.release();
+    },
+  };
+}

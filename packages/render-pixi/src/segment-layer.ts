@@ -1,0 +1,66 @@
+import type { Container } from 'pixi.js';
+import { ColumnTexture } from './column-texture.ts';
+import { LineColors } from './line-colors.ts';
+import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
+import { PullMesh } from './pull-mesh.ts';
+import { roomFor } from './room.ts';
+import { SEGMENT_PROGRAM } from './shaders/segment-program.ts';
+
+/** Straight lines with round ends, given as numbers: walls, force arrows, debug geometry. */
+export interface SegmentLayer {
+  readonly container: Container;
+  /**
+   * Replaces the lines. The numbers are copied, so the array may be reused at once; no garbage is left behind.
+   *
+   * @param segments x1, y1, x2, y2 of each line, metres
+   * @param count number of lines; default: all in the array
+   * @param colors colour of each line as RGBA bytes in memory order (`0xAABBGGRR`), zero for the layer's colour
+   * @throws Error when an array is shorter than `count` lines need
+   */
+  set(segments: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
+  /** World point, metres, that the next `set` takes lines relative to; see `BodyLayer.setOrigin`. */
+  setOrigin(x: number, y: number): void;
+  destroy(): void;
+}
+
+/** Makes an empty layer of lines. @throws Error when an option is out of range */
+export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
+  const segmentsTexture = new ColumnTexture('real', 4);
+  const colors = new LineColors();
+  const bindings = { uSegments: segmentsTexture.source, uLineColors: colors.texture.source };
+  const mesh = new PullMesh(SEGMENT_PROGRAM, bindings, options.pixelsPerMetre ?? 1, options.blendMode ?? 'normal');
+  applyLineStyle(mesh, options);
+  let data = new Float32Array(0);
+  let originX = 0;
+  let originY = 0;
+  let live = true;
+
+  return {
+    container: mesh.container,
+    set(segments, count = Math.floor(segments.length / 4), lineColors) {
+      checkLength('segments', segments, count * 4);
+      if (lineColors !== undefined) checkLength('colors', lineColors, count);
+      const length = roomFor(count, data.length, 4);
+      if (length !== data.length) data = new Float32Array(length);
+      for (let i = 0; i < 4 * count; i += 2) {
+        data[i] = segments[i] - originX;
+        data[i + 1] = segments[i + 1] - originY;
+      }
+      segmentsTexture.upload(data, count);
+      colors.set(count, lineColors);
+      mesh.place(originX, originY);
+      mesh.draw(count);
+    },
+    setOrigin(x, y) {
+      originX = x;
+      originY = y;
+    },
+    destroy() {
+      if (!live) return;
+      live = false;
+      mesh.destroy();
+      segmentsTexture.destroy();
+      colors.texture.destroy();
+    },
+  };
+}
