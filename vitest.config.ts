@@ -1,4 +1,4 @@
-import { defineConfig } from 'vitest/config';
+import { configDefaults, defineConfig } from 'vitest/config';
 
 /** Workspace packages are read from their TypeScript sources; nothing has to be built first except the kernels. */
 const fromSource = {
@@ -8,6 +8,7 @@ const fromSource = {
 
 export default defineConfig({
   test: {
+    forceRerunTriggers: [...configDefaults.forceRerunTriggers, '**/packages/physics/kernels/**'],
     projects: [
       {
         ...fromSource,

@@ -59,7 +59,7 @@ export function findChromium({ install = true, env = process.env }: ChromiumSear
 /** A fresh headless Chromium; close it in `afterAll`. Further flags come after the shared ones. */
 export async function launchChromium(options: { args?: readonly string[] } = {}): Promise<Browser> {
   return chromium.launch({
-    executablePath: findChromium(),
+    executablePath: findChromium({ install: false }), // the setup of the browser tests has tried
     headless: true,
     chromiumSandbox: false,
     args: [...chromiumFlags, ...(options.args ?? [])],
