@@ -1,4 +1,5 @@
 /** Scenes: pure functions that build a world from a seed and parameters. */
+export { type BouncingBalls, ballDrag, bouncingBalls } from './bouncing-balls';
 export { particles } from './particles';
 export { findScene, SCENES } from './registry';
 export type { Scene, SceneOptions, SceneParameter, SceneRun } from './scene';

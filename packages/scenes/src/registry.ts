@@ -1,8 +1,9 @@
+import { bouncingBalls } from './bouncing-balls';
 import { particles } from './particles';
 import type { Scene } from './scene';
 
 /** Every scene, in the order they are listed. */
-export const SCENES: readonly Scene[] = [particles];
+export const SCENES: readonly Scene[] = [particles, bouncingBalls];
 
 /** The scene of a name, if there is one. */
 export function findScene(name: string): Scene | undefined {

@@ -1,0 +1,128 @@
+// Balls launched together that bounce in a closed room. Few balls are as large as beach balls; with many, the radius
+// shrinks so that they never fill more than a fixed part of the room. Balls may meet each other or pass through.
+import {
+  boxWalls,
+  createPhysicsWorld,
+  type ManyInput,
+  quadraticDrag,
+  spawnMany,
+  uniformGravity,
+} from '@principia/physics';
+import { countOf, defineScene, type SceneRun } from './scene';
+import { seededUniforms } from './seeded';
+
+/** Balls in a room. */
+export interface BouncingBalls extends SceneRun {
+  /** Corners of the room, m. In 2D `z` is zero. */
+  readonly room: { readonly min: Point; readonly max: Point };
+  /** Radius of every ball, m. */
+  readonly radius: number;
+  /** Ids of the balls, ascending. */
+  readonly balls: Uint32Array;
+}
+
+interface Point {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+const WIDTH = 8;
+const HEIGHT = 5;
+const DEPTH = 5;
+const LARGEST_RADIUS = 0.25;
+/** Most of the room that balls may fill: of its area in 2D, of its volume in 3D. */
+const MOST_FILLED = { 2: 0.22, 3: 0.1 } as const;
+/** Centres at the launch are this many radii apart, so that balls that may not overlap do not. */
+const SPACING = 2.2;
+/** Density of a ball, kg/m³: that of a table-tennis ball. */
+const DENSITY = 84;
+/** Drag coefficient of a sphere at Reynolds numbers from 10³ to 10⁵. */
+const SPHERE_DRAG = 0.47;
+
+/** Coefficient k = ρ C_d A / 2 of the drag of a ball in a medium of density ρ, kg/m. */
+export function ballDrag(mediumDensity: number, radius: number): number {
+  return 0.5 * mediumDensity * SPHERE_DRAG * Math.PI * radius * radius;
+}
+
+export const bouncingBalls = defineScene({
+  name: 'bouncing-balls',
+  description: 'balls launched together that bounce in a room',
+  precision: 'f32',
+  parameters: {
+    count: countOf('balls', 5, 1_000_000),
+    gravity: { about: 'acceleration of free fall', unit: 'm/s²', initial: 9.80665, min: 0, max: 100 },
+    restitution: { about: 'speed after a bounce over speed before', unit: '', initial: 0.8, min: 0, max: 1 },
+    drag: { about: 'density of the medium that drags; air has 1.2', unit: 'kg/m³', initial: 0, min: 0, max: 1000 },
+    friction: { about: 'friction of balls and walls, which makes them spin', unit: '', initial: 0.3, min: 0, max: 2 },
+  },
+  build({ dimensions, precision, seed, progress, parameters }): BouncingBalls {
+    const { count, gravity, restitution, drag, friction } = parameters;
+    const depth = dimensions === 3 ? DEPTH / 2 : 0;
+    const room = { min: { x: 0, y: 0, z: -depth }, max: { x: WIDTH, y: HEIGHT, z: depth } };
+    const radius = radiusFor(count, dimensions);
+    const mass = DENSITY * (4 / 3) * Math.PI * radius * radius * radius;
+    const world = createPhysicsWorld({
+      dimensions,
+      precision,
+      seed,
+      capacity: count,
+      forces: [uniformGravity({ y: -gravity }), quadraticDrag()],
+      walls: [boxWalls(dimensions === 3 ? room : { min: flat(room.min), max: flat(room.max) })],
+    });
+    const uniform = seededUniforms(seed, count);
+    const velocity = { x: uniform(0, 5), y: uniform(-1, 3), ...(dimensions === 3 ? { z: uniform(-2, 2) } : {}) };
+    const values: ManyInput = {
+      position: launchPositions(count, radius, dimensions),
+      velocity,
+      mass,
+      collider: { radius, restitution, friction },
+      quadraticDrag: ballDrag(drag, radius),
+      inertia: 0.4 * mass * radius * radius,
+      angularVelocity: {},
+      ...(dimensions === 3 ? { orientation: {} } : { rotation: {} }),
+      appearance: {},
+    };
+    const balls = spawnMany(world, count, values, progress);
+    return { world, dt: 1 / 60, losesEnergy: 'bounces, friction and drag take energy out', room, radius, balls };
+  },
+});
+
+function flat({ x, y }: Point) {
+  return { x, y };
+}
+
+function radiusFor(count: number, dimensions: 2 | 3): number {
+  const share = MOST_FILLED[dimensions] / count;
+  const fitting =
+    dimensions === 2
+      ? Math.sqrt((share * WIDTH * HEIGHT) / Math.PI)
+      : cubeRoot((share * WIDTH * HEIGHT * DEPTH) / ((4 / 3) * Math.PI));
+  return Math.min(LARGEST_RADIUS, fitting);
+}
+
+/** A square or cube of balls in the upper left of the room, halfway between its front and its back. */
+function launchPositions(count: number, radius: number, dimensions: 2 | 3) {
+  const spacing = SPACING * radius;
+  const layers = dimensions === 3 ? Math.ceil(cubeRoot(count)) : 1;
+  const columns = Math.ceil(Math.sqrt(count / layers));
+  const axis = () => new Float64Array(count);
+  const position = { x: axis(), y: axis(), ...(dimensions === 3 ? { z: axis() } : {}) };
+  for (let i = 0; i < count; i++) {
+    const layer = i % layers;
+    const place = Math.floor(i / layers);
+    // Every other row is half a place further, as balls in a box lie: rows do not fall straight onto each other.
+    const row = Math.floor(place / columns);
+    position.x[i] = 2 * radius + ((place % columns) + 0.5 * (row % 2)) * spacing;
+    position.y[i] = HEIGHT - 2 * radius - row * spacing;
+    if (position.z !== undefined) position.z[i] = (layer - (layers - 1) / 2) * spacing;
+  }
+  return position;
+}
+
+/** By Newton's method, in arithmetic that is the same on every engine. */
+function cubeRoot(value: number): number {
+  let root = Math.max(1, value);
+  for (let i = 0; i < 60; i++) root -= (root * root * root - value) / (3 * root * root);
+  return root;
+}
