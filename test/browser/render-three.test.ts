@@ -153,6 +153,14 @@ describe('depth', () => {
   });
 });
 
+describe('depth of the surface', () => {
+  test.each(['impostor', 'mesh'] as const)('a ball inside another is hidden by its surface (%s)', async (form) => {
+    const outer = ball({ id: 1, radius: 2, color: 0xff0000ff });
+    const inner = ball({ id: 2, at: [0.4, 0, 1], radius: 0.5, color: 0xffff0000 });
+    expect(await lab('compare', { bodies: [outer], form }, { bodies: [outer, inner], form })).toBe(0);
+  });
+});
+
 describe('rotation', () => {
   const half = Math.SQRT1_2;
   test.each(['impostor', 'mesh'] as const)(
@@ -171,9 +179,19 @@ describe('rotation', () => {
   );
 
   test('a quaternion of zeros is no rotation, and q is the rotation that −q is', async () => {
-    const at = (turn: [number, number, number, number]): DrawRequest => ({ bodies: [ball({ shape: 3, turn })] });
+    const at = (turn: [number, number, number, number]): DrawRequest => ({
+      bodies: [ball({ shape: SHAPES.markedDisc, turn, color: 0xff2080ff })],
+    });
     expect(await lab('compare', at([0, 0, 0, 0]), at([0, 0, 0, 1]))).toBe(0);
-    expect(await lab('compare', at([half, 0, 0, half]), at([-half, 0, 0, -half]))).toBeLessThan(3);
+    expect(await lab('compare', at([0, half, 0, half]), at([0, -half, 0, -half]))).toBeLessThan(3);
+    const between = (turn: [number, number, number, number]): DrawRequest => ({
+      bodies: [ball({ shape: SHAPES.markedDisc, turnFrom: [0, 0, 0, 1], turn, color: 0xff2080ff })],
+      alpha: 0.5,
+    });
+    expect(await lab('compare', between([0, half, 0, half]), between([0, -half, 0, -half]))).toBeLessThan(3);
+    const quarter = Math.PI / 8;
+    const middle = at([0, Math.sin(quarter), 0, Math.cos(quarter)]);
+    expect(await lab('compare', between([0, half, 0, half]), middle)).toBeLessThan(3);
   });
 });
 

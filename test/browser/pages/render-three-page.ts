@@ -76,17 +76,28 @@ export interface BodySketch {
   shape?: number;
   angle?: number;
   turn?: [number, number, number, number];
+  turnFrom?: [number, number, number, number];
 }
 
 function sketch(source: FakeSource, bodies: BodySketch[]): FakeSource {
-  for (const { id, at, from = at, radius = 1, color = 0, shape = 0, angle = 0, turn = [0, 0, 0, 0] } of bodies) {
+  for (const {
+    id,
+    at,
+    from = at,
+    radius = 1,
+    color = 0,
+    shape = 0,
+    angle = 0,
+    turn = [0, 0, 0, 0],
+    turnFrom,
+  } of bodies) {
     (['x', 'y', 'z'] as const).forEach((axis, i) => {
       source.position[axis][id] = at[i];
       source.previousPosition[axis][id] = from[i];
     });
     (['x', 'y', 'z', 'w'] as const).forEach((axis, i) => {
       source.orientation[axis][id] = turn[i];
-      source.previousOrientation[axis][id] = turn[i];
+      source.previousOrientation[axis][id] = (turnFrom ?? turn)[i];
     });
     source.angle[id] = angle;
     source.previousAngle[id] = angle;
@@ -173,8 +184,8 @@ function pixelAt(request: DrawRequest, x: number, y: number): number[] {
   return Array.from(draw(request).slice(at, at + 3));
 }
 
-/** Draws, loses the context, restores it and draws again. */
-async function loseContext(): Promise<{ lit: number; differing: number }> {
+/** Six steps of bodies with trails; on the way to the last one the context may be lost and restored. */
+async function sixSteps(losesContext: boolean): Promise<Uint8Array> {
   const stage = createStage();
   const source = sketch(createFakeSource(1024, 3), cluster(60));
   const bodies = createBodyMesh({ source });
@@ -182,27 +193,40 @@ async function loseContext(): Promise<{ lit: number; differing: number }> {
   const frame = createBoxFrame(new Box3(new Vector3(-3, -2, -2), new Vector3(3, 2, 2)));
   stage.scene.add(bodies.object, trails.object, frame.object);
   const advance = () => {
-    for (const id of source.ids.subarray(0, source.count)) source.position.x[id] += 0.05;
+    for (const id of source.ids.subarray(0, source.count)) source.position.x[id] += 0.1;
     source.versions.pose++;
     bodies.update(1);
     trails.update(1);
-    return pixelsOf(stage);
   };
-  for (let i = 0; i < 5; i++) advance();
-  const before = advance();
-  const extension = stage.renderer.getContext().getExtension('WEBGL_lose_context');
-  const canvas = stage.renderer.domElement;
-  const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+  for (let i = 0; i < 5; i++) {
+    advance();
+    pixelsOf(stage);
+  }
+  const restore = losesContext ? await loseContextOf(stage.renderer) : undefined;
+  advance();
+  await restore?.();
+  return pixelsOf(stage);
+}
+
+/** Loses the context; what is returned restores it. */
+async function loseContextOf(renderer: WebGLRenderer): Promise<() => Promise<unknown>> {
+  const extension = renderer.getContext().getExtension('WEBGL_lose_context');
+  const event = (name: string) =>
+    new Promise((resolve) => renderer.domElement.addEventListener(name, resolve, { once: true }));
   const lost = event('webglcontextlost');
   extension?.loseContext();
   await lost;
-  const restored = event('webglcontextrestored');
   await new Promise((resolve) => setTimeout(resolve));
-  extension?.restoreContext();
-  await restored;
-  bodies.update(1);
-  trails.update(1);
-  return { lit: lit(before, width).count, differing: differing(before, pixelsOf(stage)) };
+  return () => {
+    const restored = event('webglcontextrestored');
+    extension?.restoreContext();
+    return restored;
+  };
+}
+
+async function loseContext(): Promise<{ lit: number; differing: number }> {
+  const undisturbed = await sixSteps(false);
+  return { lit: lit(undisturbed, width).count, differing: differing(undisturbed, await sixSteps(true)) };
 }
 
 function cluster(count: number): BodySketch[] {
