@@ -3,6 +3,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { buildKernels } from '../../scripts/build-kernels.mjs';
+import { kernelInterface } from '../../scripts/lib/compile-kernels.mjs';
 
 let folder: string;
 const write = (text: string) => writeFileSync(join(folder, 'index.ts'), text);
@@ -28,10 +29,13 @@ test('a kernel that does not compile is named with file, line and column', async
   await expect(build()).rejects.toThrow(/did not compile for f(32|64) at \S*index\.ts:2:44/);
 }, 60_000);
 
-test('an exported kernel takes every argument', async () => {
-  write('export function kick(n: i32 = 1): i32 { return n; }\n');
-  await expect(build()).rejects.toThrow(/kick has a default parameter/);
-}, 60_000);
+test('an exported kernel takes every argument', () => {
+  const compiled = {
+    wasm: new Uint8Array(),
+    declarations: '/** index/kick */\nexport function kick(n?: number): void;',
+  };
+  expect(() => kernelInterface({ f32: compiled, f64: compiled })).toThrow(/index\/kick has a default parameter/);
+});
 
 test('a missing entry file is said plainly', async () => {
   await expect(build()).rejects.toThrow(/index\.ts is missing/);
