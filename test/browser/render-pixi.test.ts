@@ -12,19 +12,31 @@ let errors: string[];
 beforeAll(async () => {
   served = await servePage(new URL('./render-pixi.page.ts', import.meta.url));
   browser = await launchChromium();
-  ({ page, errors } = await openPage(browser, served.url));
-  await page.waitForFunction(() => 'pixiLab' in globalThis);
 });
 
 afterAll(async () => {
   await browser?.close();
   await served?.close();
-  expect(errors).toEqual([]);
 });
+
+/** Gives the tests of the surrounding block a page: a browser lets one page have only so many WebGL contexts. */
+function useFreshPage(): void {
+  beforeAll(async () => {
+    ({ page, errors } = await openPage(browser, served.url));
+    await page.waitForFunction(() => 'pixiLab' in globalThis);
+  });
+
+  afterAll(async () => {
+    await page.close();
+    expect(errors).toEqual([]);
+  });
+}
 
 const discArea = (radius: number) => Math.PI * radius ** 2;
 
 describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
+  useFreshPage();
+
   it.each(['f32', 'f64'] as const)('draws a disc of the right area in the right place, %s', async (precision) => {
     const seen = await page.evaluate(([b, p]) => pixiLab.disc(b, p), [backend, precision] as const);
     expect(seen.area / discArea(40)).toBeCloseTo(1, 2);
@@ -68,6 +80,8 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
 });
 
 describe.each<Backend>(['webgl', 'webgpu'])('trails and lines with %s', (backend) => {
+  useFreshPage();
+
   // 32 segments of a circle of radius 80 cut into 64, fading from full to nothing and tapering from 3 to 0.9 pixels.
   const halfTurn = Math.PI * 80 * (0.3 * 3 * 0.5 + (0.7 * 3) / 3);
 
@@ -100,6 +114,8 @@ describe.each<Backend>(['webgl', 'webgpu'])('trails and lines with %s', (backend
 });
 
 describe('bodies', () => {
+  useFreshPage();
+
   it.each(['showShapes', 'showAll'] as const)('look the same in WebGL and WebGPU: %s', async (show) => {
     const seen = await page.evaluate((s) => pixiLab.backendsDiffer(s), show);
     expect(seen.lit).toBeGreaterThan(3000);
