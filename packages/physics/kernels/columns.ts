@@ -36,3 +36,8 @@ const TABLE: usize = 64;
 @inline export function put(column: usize, row: i32, value: real): void {
   store<real>(column + <usize>row * sizeof<real>(), value);
 }
+
+// Where the constants end that the compiler put into the memory's first bytes: they stay below the first column.
+export function staticEnd(): usize {
+  return __heap_base;
+}

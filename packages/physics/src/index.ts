@@ -1,6 +1,8 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
+
+export type { Many, ManyInput } from './bodies/many';
 export { type BodyInput, despawn, spawn } from './bodies/spawn';
-export { type Many, type ManyInput, type Progress, spawnMany } from './bodies/spawn-many';
+export { type Progress, spawnMany } from './bodies/spawn-many';
 export { type BoxWallsOptions, boxWalls } from './collision/box-walls';
 export { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from './components/all';
 export { rgba } from './components/appearance';
@@ -23,6 +25,8 @@ export { rungeKutta4 } from './integrators/runge-kutta-4';
 export { semiImplicitEuler } from './integrators/semi-implicit-euler';
 export { velocityVerlet } from './integrators/velocity-verlet';
 export type { Precision } from './kernels/instantiate';
+export { atan2, cos, exp, log, pow, sin } from './math/elementary';
+export { createRandom, type Random } from './math/random';
 export type { Preset } from './presets/preset';
 export { standard } from './presets/standard';
 export { createRunner, type Runner, type RunnerOptions } from './runner';

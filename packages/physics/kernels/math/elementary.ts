@@ -1,0 +1,72 @@
+// Elementary functions from + - * / and bits alone: the same bits on every engine, in both builds, always f64.
+// src/math/elementary.ts hands them to TypeScript, so there is one source and nothing to keep equal.
+//
+// Sine, cosine and arc tangent are AssemblyScript's, after FreeBSD msun (Sun Microsystems 1993), within 1 ulp;
+// angles of any size are reduced (Payne, Hanek 1983), beyond a million radians within 2 ulp. Its exp, log and pow would bring 10 KB of tables.
+
+export function sine(x: f64): f64 {
+  return NativeMath.sin(x);
+}
+
+export function cosine(x: f64): f64 {
+  return NativeMath.cos(x);
+}
+
+export function arcTangent2(y: f64, x: f64): f64 {
+  return NativeMath.atan2(y, x);
+}
+
+// ln 2 = LN2_HIGH + LN2_LOW; the high part has 33 bits, so that k LN2_HIGH is exact for every exponent k.
+export const LN2_HIGH: f64 = 6.9314718036912381649e-1;
+export const LN2_LOW: f64 = 1.90821492927058770002e-10;
+
+// exp(high + low) for |low| far below an ulp of `high`; method and coefficients of fdlibm e_exp.c (Sun 1993):
+// x = k ln 2 + r with |r| <= ln 2 / 2, then a rational approximation of exp(r) with error below 2^-59.
+export function exponentialOfSum(high: f64, low: f64): f64 {
+  if (!(high <= 709.782712893384)) return high != high ? high : Infinity;
+  if (high < -745.2) return 0;
+  const k = nearest<f64>(high * 1.442695040888963387);
+  const hi = high - k * LN2_HIGH;
+  const lo = k * LN2_LOW - low;
+  const r = hi - lo;
+  const z = r * r;
+  const c =
+    r -
+    z *
+      (1.66666666666666019037e-1 +
+        z *
+          (-2.77777777770155933842e-3 +
+            z * (6.61375632143793436117e-5 + z * (-1.6533902205465251539e-6 + z * 4.13813679705723846039e-8))));
+  return NativeMath.scalbn(1 + ((r * c) / (2 - c) - lo + hi), <i32>k);
+}
+
+export function exponential(x: f64): f64 {
+  return exponentialOfSum(x, 0);
+}
+
+// Natural logarithm; method and coefficients of fdlibm e_log.c (Sun 1993), error below 1 ulp.
+export function logarithm(x: f64): f64 {
+  if (!(x > 0)) return x == 0 ? -Infinity : NaN;
+  if (x == Infinity) return x;
+  const k = exponentOf(x);
+  const f = NativeMath.scalbn(x, -k) - 1;
+  const half = 0.5 * f * f;
+  const s = f / (2 + f);
+  const z = s * s;
+  const w = z * z;
+  const even = w * (3.999999999940941908e-1 + w * (2.222219843214978396e-1 + w * 1.531383769920937332e-1));
+  const odd =
+    z *
+    (6.66666666666673513e-1 +
+      w * (2.857142874366239149e-1 + w * (1.818357216161805012e-1 + w * 1.479819860511658591e-1)));
+  const dk = <f64>k;
+  return s * (half + (odd + even)) + dk * LN2_LOW - half + f + dk * LN2_HIGH;
+}
+
+// The k for which x 2^-k lies between sqrt(1/2) and sqrt(2); x is positive and finite.
+export function exponentOf(x: f64): i32 {
+  const small = x < 2.2250738585072014e-308;
+  const bits = reinterpret<u64>(small ? x * 18014398509481984 : x);
+  const high = <u32>(bits >> 32) + (0x3ff00000 - 0x3fe6a09e);
+  return <i32>(high >> 20) - 0x3ff - (small ? 54 : 0);
+}
