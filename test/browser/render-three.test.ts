@@ -212,6 +212,23 @@ test('a lost context comes back with the same picture', async () => {
   expect(differing).toBe(0);
 });
 
+test.each([
+  ['impostor', {}],
+  ['mesh', {}],
+  ['impostor', { logarithmicDepthBuffer: true }],
+  ['impostor', { reversedDepthBuffer: true }],
+] as const)(
+  "all of three's lit materials, lights and shadows work (%s, %o), and destroy frees what they took",
+  async (form, depth) => {
+    const { counts, geometries, textures } = await lab('everyMaterial', form, depth);
+    expect(Math.min(...counts)).toBeGreaterThan(1000);
+    expect(Math.max(...counts) / Math.min(...counts)).toBeLessThan(1.1);
+    expect(geometries).toBe(0);
+    // Three shadow maps (the point light's counts with its cube) and three's own table of reflections stay.
+    expect(textures).toBeLessThanOrEqual(8);
+  },
+);
+
 describe('lines', () => {
   test.each([
     { dimensions: 3, interval: 1 },

@@ -82,11 +82,15 @@ export interface BodyPass {
  * Draws the bodies of a source: `disc` as a ball, `box` as a cube, `markedDisc` as a beach ball, `ring` as the outline
  * of a ball and `glow` as a spot of added light. A 2D world lies in the plane z = 0.
  *
- * @throws Error when `segments` is not a whole number of at least 3, or a column has another length than `rows`
+ * @throws Error when `segments` is not a whole number of at least 3, `geometry` is given for impostors, `material`
+ * draws another body mesh, or a column has another length than `rows`
  */
 export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
   const { source, defaultColor = 0x8fb8ff, segments, geometry, minPixelRadius = 0.75 } = options;
   const form = options.form ?? (segments !== undefined || geometry !== undefined ? 'mesh' : 'impostor');
+  if (form === 'impostor' && geometry !== undefined) {
+    throw new Error("impostors have no geometry: leave out form: 'impostor' or the geometry");
+  }
   const textures = new BodyTextures(source, colorBytes(defaultColor), geometry !== undefined);
   const target = new TargetPixels();
   const uniforms = textures.uniforms;

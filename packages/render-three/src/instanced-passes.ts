@@ -52,8 +52,9 @@ export function createInstancedPasses(options: BodyMeshOptions, textures: BodyTe
 /** The vertices of `base` with the ids to draw as an instanced attribute over the very array that holds them. */
 function instancedGeometry(base: BufferGeometry, drawn: number, ids: Uint32Array): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
-  geometry.setIndex(base.index);
-  for (const [name, attribute] of Object.entries(base.attributes)) geometry.setAttribute(name, attribute);
+  // Copies, since freeing this geometry frees its buffers on the GPU.
+  geometry.setIndex(base.index?.clone() ?? null);
+  for (const [name, attribute] of Object.entries(base.attributes)) geometry.setAttribute(name, attribute.clone());
   const vertices = base.attributes.position.count;
   geometry.setAttribute('drawnShape', new BufferAttribute(new Float32Array(vertices).fill(drawn), 1));
   geometry.setAttribute('eid', new InstancedBufferAttribute(ids, 1).setUsage(DynamicDrawUsage));

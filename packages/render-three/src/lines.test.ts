@@ -1,4 +1,4 @@
-import { Box3, Vector3 } from 'three';
+import { Box3, BoxGeometry, MeshLambertMaterial, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { createFakeSource } from '../../render-core/src/fake-source.ts';
 import { createBodyMesh } from './body-mesh.ts';
@@ -21,6 +21,11 @@ test('bad options say what to do', () => {
   expect(() => createTrailLines({ source, length: 5000 })).toThrow(/at most 2048/);
   expect(() => createTrailLines({ source, length: 1 })).toThrow(/at least 2/);
   expect(() => createBodyMesh({ source, segments: 2 })).toThrow(/at least 3/);
+  expect(() => createBodyMesh({ source, form: 'impostor', geometry: new BoxGeometry() })).toThrow(/have no geometry/);
+  const material = new MeshLambertMaterial();
+  createBodyMesh({ source, material });
+  expect(() => createBodyMesh({ source, material })).toThrow(/give each its own/);
+  createBodyMesh({ source, material: material.clone() });
 });
 
 test('a trail draws a segment less than it has points, for each body', () => {

@@ -3,11 +3,14 @@ import type { IUniform, Material, WebGLProgramParametersWithUniforms } from 'thr
 /** Uniforms by name, shared by every material that draws the same bodies. */
 export type Uniforms = Record<string, IUniform>;
 
+const patched = new WeakSet<Material>();
+
 /**
  * Lets `change` rewrite the shaders of one of three's materials and gives them `uniforms`. What the application itself
  * does in `onBeforeCompile` comes first.
  *
  * @param key names the rewriting: three shares programs between materials whose key and settings are equal
+ * @throws Error when the material was rewritten before
  */
 export function patchMaterial(
   material: Material,
@@ -15,6 +18,10 @@ export function patchMaterial(
   key: string,
   change: (shader: WebGLProgramParametersWithUniforms) => void,
 ): void {
+  if (patched.has(material)) {
+    throw new Error('this material draws the bodies of another mesh: give each its own, such as material.clone()');
+  }
+  patched.add(material);
   const before = material.onBeforeCompile;
   const keyBefore = material.customProgramCacheKey();
   material.onBeforeCompile = (shader, renderer) => {

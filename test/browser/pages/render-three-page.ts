@@ -4,20 +4,28 @@ import {
   Box3,
   Color,
   DirectionalLight,
+  Fog,
+  HemisphereLight,
   InstancedMesh,
   Matrix4,
   Mesh,
+  MeshBasicMaterial,
   MeshLambertMaterial,
+  MeshPhongMaterial,
   MeshStandardMaterial,
+  MeshToonMaterial,
   OrthographicCamera,
   PerspectiveCamera,
   PlaneGeometry,
+  PointLight,
   Raycaster,
   Scene,
   SphereGeometry,
+  SpotLight,
   Vector2,
   Vector3,
   WebGLRenderer,
+  type WebGLRendererParameters,
 } from 'three';
 import { createFakeSource, type FakeSource } from '../../../packages/render-core/src/fake-source.ts';
 import { SHAPES } from '../../../packages/render-core/src/shapes.ts';
@@ -44,10 +52,16 @@ export interface Stage {
 /** Contexts are few: a page has one stage at a time. */
 let previous: WebGLRenderer | undefined;
 
-function createStage(options: { antialias?: boolean; width?: number; height?: number } = {}): Stage {
+function createStage(
+  options: { antialias?: boolean; width?: number; height?: number; depth?: WebGLRendererParameters } = {},
+): Stage {
   previous?.dispose();
   previous?.forceContextLoss();
-  const renderer = new WebGLRenderer({ antialias: options.antialias ?? false, preserveDrawingBuffer: true });
+  const renderer = new WebGLRenderer({
+    antialias: options.antialias ?? false,
+    preserveDrawingBuffer: true,
+    ...options.depth,
+  });
   previous = renderer;
   renderer.setSize(options.width ?? width, options.height ?? height);
   document.body.replaceChildren(renderer.domElement);
@@ -335,7 +349,10 @@ function startDragging(bodies: BodySketch[]): void {
   frame();
 }
 
-/** JavaScript time of a frame, ms: `update` and `render` with all columns uploaded and two bodies drawn (or all). */
+/**
+ * JavaScript time of a frame, ms, with all columns uploaded and two bodies drawn (or all): after a step, the same with
+ * `setMatrixAt`, and without a step.
+ */
 function cost(count: number, drawsAll: boolean, frames = 40) {
   const stage = createStage({ width: 128, height: 128 });
   const rows = Math.ceil((count + 1) / 1024) * 1024;
@@ -361,6 +378,10 @@ function cost(count: number, drawsAll: boolean, frames = 40) {
     if (!drawsAll) (bodies.object.children[0] as Mesh).geometry.drawRange.count = 12;
     stage.renderer.render(ours, stage.camera);
   };
+  const rest = () => {
+    bodies.update(0.7);
+    stage.renderer.render(ours, stage.camera);
+  };
   const push = () => {
     for (let i = 0; i < count; i++) {
       matrix.makeScale(0.02, 0.02, 0.02).setPosition(x[i + 1], y[i + 1], z[i + 1]);
@@ -369,7 +390,7 @@ function cost(count: number, drawsAll: boolean, frames = 40) {
     instanced.instanceMatrix.needsUpdate = true;
     stage.renderer.render(theirs, stage.camera);
   };
-  return interleaved([pull, push], frames, () =>
+  return interleaved([pull, push, rest], frames, () =>
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)),
   );
 }
@@ -386,6 +407,39 @@ function interleaved(jobs: (() => void)[], rounds: number, settle: () => void): 
     });
   }
   return times.map((t) => t.sort((a, b) => a - b)[Math.floor(t.length / 2)]);
+}
+
+/** Lit pixels of a scene with a shadow of every kind, for each of three's materials; what remains after `destroy`. */
+function everyMaterial(form: 'impostor' | 'mesh', depth: WebGLRendererParameters) {
+  const stage = createStage({ depth });
+  stage.renderer.shadowMap.enabled = true;
+  const lights = [
+    new DirectionalLight(),
+    new PointLight(0xffffff, 20),
+    new SpotLight(0xffffff, 20),
+    new HemisphereLight(),
+  ];
+  for (const light of lights) {
+    light.position.set(2, 5, 6);
+    if (!(light instanceof HemisphereLight)) light.castShadow = true;
+  }
+  stage.scene.add(...lights);
+  stage.scene.fog = new Fog(0x203040, 5, 40);
+  const kinds = [MeshBasicMaterial, MeshLambertMaterial, MeshPhongMaterial, MeshToonMaterial, MeshStandardMaterial];
+  const source = sketch(createFakeSource(1024, 3), cluster(10));
+  const counts = kinds.map((Kind) => {
+    const bodies = createBodyMesh({ source, form, material: new Kind(), castShadow: true, receiveShadow: true });
+    const trails = createTrailLines({ source, length: 4 });
+    stage.scene.add(bodies.object, trails.object);
+    bodies.update(1);
+    trails.update(1);
+    const { count } = lit(pixelsOf(stage), width);
+    stage.scene.remove(bodies.object, trails.object);
+    bodies.destroy();
+    trails.destroy();
+    return count;
+  });
+  return { counts, geometries: stage.renderer.info.memory.geometries, textures: stage.renderer.info.memory.textures };
 }
 
 /** A picture of everything, to look at. */
@@ -491,6 +545,7 @@ const lab = {
   gallery,
   orbits,
   crowd,
+  everyMaterial,
 };
 export type Lab = typeof lab;
 Object.assign(globalThis, { lab });
