@@ -15,7 +15,7 @@ export interface PickOptions {
 const local = { ox: 0, oy: 0, oz: 0, dx: 0, dy: 0, dz: 0 };
 
 /**
- * The nearest body that a ray meets, from the columns: 3 ns a body, no garbage.
+ * The nearest body that a ray meets, from the columns: about 10 ns a body, so 1 ms for 100 000.
  *
  * @param ray in the frame of the bodies, metres, its direction a unit vector
  * @returns the body's id, 0 for none

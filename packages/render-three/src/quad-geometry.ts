@@ -4,8 +4,8 @@ import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
 const INDICES = 6;
 
 /**
- * Quads without any vertex attribute: the shader makes vertex `v` corner `v & 3` of quad `v >> 2`. Software renderers
- * draw them an order of magnitude faster than instances, graphics cards at least as fast.
+ * Quads without any vertex attribute: the shader makes vertex `v` corner `v & 3` of quad `v >> 2`. A software renderer
+ * draws them an order of magnitude faster than instances.
  */
 export class QuadGeometry extends BufferGeometry {
   constructor() {
