@@ -1,0 +1,17 @@
+/** What the panel offers. */
+import { numberSetting, switchSetting, type ValuesOf } from '@principia/shell';
+import { parameters } from './sim.ts';
+
+const { count, gravity, restitution, drag, friction } = parameters;
+
+export const settings = {
+  count: numberSetting(count, { label: 'Balls', max: 100_000, scale: 'log' }),
+  gravity: numberSetting(gravity, { label: 'Gravity', max: 30 }),
+  restitution: numberSetting(restitution, { label: 'Restitution' }),
+  friction: numberSetting(friction, { label: 'Friction', max: 1 }),
+  drag: numberSetting(drag, { label: 'Air', max: 100, step: 0.1 }),
+  trails: switchSetting('Trails', false, { key: 't', about: 'Shows the way each ball came' }),
+};
+
+export type Settings = typeof settings;
+export type Values = ValuesOf<Settings>;

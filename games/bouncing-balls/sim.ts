@@ -1,0 +1,48 @@
+/** The simulation: the scene, and how a running world takes a changed setting. Needs no screen. */
+import { uniformGravity } from '@principia/physics';
+import { type BouncingBalls, ballDrag, bouncingBalls } from '@principia/scenes';
+
+/** What the player may change about the balls. */
+export interface BallValues {
+  readonly count: number;
+  readonly gravity: number;
+  readonly restitution: number;
+  readonly drag: number;
+  readonly friction: number;
+}
+
+export interface BallOptions {
+  readonly values: BallValues;
+  readonly seed: number;
+  readonly dimensions: 2 | 3;
+}
+
+export const { parameters } = bouncingBalls;
+
+export function createBalls({ values, seed, dimensions }: BallOptions): BouncingBalls {
+  const { count, gravity, restitution, drag, friction } = values;
+  return bouncingBalls.create({ seed, dimensions, count, gravity, restitution, drag, friction });
+}
+
+/** Gives the running world a changed value; false where only a new world can have it. */
+export function applyValue({ world, radius }: BouncingBalls, name: string, values: BallValues): boolean {
+  const { Collider, QuadraticDrag } = world.components;
+  const last = world.lastId + 1;
+  if (name === 'gravity') world.forces[0] = uniformGravity({ y: -values.gravity });
+  else if (name === 'restitution') Collider.restitution.fill(values.restitution, 1, last);
+  else if (name === 'friction') Collider.friction.fill(values.friction, 1, last);
+  else if (name === 'drag') QuadraticDrag.coefficient.fill(ballDrag(values.drag, radius), 1, last);
+  else return false;
+  return true;
+}
+
+/** Keeps the centre a held ball is wanted at inside the room, in place. */
+export function keepInRoom({ room, radius }: BouncingBalls) {
+  return (point: { x: number; y: number; z: number }): void => {
+    for (const axis of ['x', 'y', 'z'] as const) {
+      const low = Math.min(room.min[axis] + radius, 0.5 * (room.min[axis] + room.max[axis]));
+      const high = Math.max(room.max[axis] - radius, 0.5 * (room.min[axis] + room.max[axis]));
+      point[axis] = Math.min(high, Math.max(low, point[axis]));
+    }
+  };
+}

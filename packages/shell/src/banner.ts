@@ -1,0 +1,42 @@
+import { element } from './element.ts';
+
+/** A line at the foot of the page for what the player has to know. */
+export interface Banner {
+  /** What it says now; empty when hidden. */
+  readonly text: string;
+  /** @param action a button with its word and what it does; the other button always hides the banner */
+  show(text: string, kind: 'error' | 'note', action?: readonly [string, () => void]): void;
+  hide(): void;
+}
+
+export function createBanner(parent: HTMLElement): Banner {
+  const text = element('p', '');
+  const act = element('button', '', { type: 'button' });
+  const close = element('button', '', { type: 'button', 'aria-label': 'Hide this message' }, '✕');
+  const box = element('div', 'game-banner', { role: 'alert' }, text, act, close);
+  box.hidden = true;
+  parent.append(box);
+  const hide = () => {
+    box.hidden = true;
+    text.textContent = '';
+  };
+  close.addEventListener('click', hide);
+  return {
+    get text() {
+      return text.textContent ?? '';
+    },
+    show(message, kind, action) {
+      if (text.textContent === message) return;
+      text.textContent = message;
+      box.dataset.kind = kind;
+      act.hidden = action === undefined;
+      act.textContent = action?.[0] ?? '';
+      act.onclick = () => {
+        hide();
+        action?.[1]();
+      };
+      box.hidden = false;
+    },
+    hide,
+  };
+}

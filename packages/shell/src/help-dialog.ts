@@ -1,0 +1,26 @@
+import { element } from './element.ts';
+
+/** The sheet that lists keys and gestures. */
+export interface HelpDialog {
+  toggle(): void;
+}
+
+/** @param lines keys or gestures, and what they do */
+export function createHelpDialog(
+  parent: HTMLElement,
+  title: string,
+  lines: readonly (readonly [string, string])[],
+): HelpDialog {
+  const list = element('dl', '');
+  for (const [keys, what] of lines) list.append(element('dt', '', {}, keys), element('dd', '', {}, what));
+  const close = element('button', '', { type: 'button' }, 'Close');
+  const dialog = element('dialog', 'game-help', { 'aria-label': 'Help' }, element('h2', '', {}, title), list, close);
+  parent.append(dialog);
+  const toggle = () => (dialog.open ? dialog.close() : dialog.showModal());
+  close.addEventListener('click', toggle);
+  dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());
+  dialog.addEventListener('keydown', (event) => {
+    if (event.key.toLowerCase() === 'h' || event.key === '?') dialog.close();
+  });
+  return { toggle };
+}

@@ -1,0 +1,106 @@
+// Bodies that follow pointers. A held body gets, at the start of every step, the velocity that brings it to its pointer
+// by the step's end; so it moves through the world like any other body, pushes what it meets and stops at walls.
+import { isBody, type PhysicsWorld } from '@principia/physics';
+
+/** Bodies held by pointers, any number at once. Points are metres, velocities metres per second. */
+export interface Holding {
+  /** The held bodies, in the order they were taken. */
+  readonly held: readonly number[];
+  /** Takes body `id` at a point of it; the body keeps its place under the pointer. */
+  grab(pointer: number, id: number, x: number, y: number, z?: number): void;
+  move(pointer: number, x: number, y: number, z?: number): void;
+  /** Lets go and throws. */
+  release(pointer: number, vx: number, vy: number, vz?: number): void;
+  /** Puts held bodies where their pointers are without a step, as while the game is paused. */
+  place(): void;
+  releaseAll(): void;
+}
+
+/** What `holdBodies` may be told. */
+export interface HoldingOptions {
+  /** Fastest a body is moved or thrown, m/s; default 50. A hand does not reach more, and a glitch would. */
+  readonly maxSpeed?: number;
+  /** Changes a point a held body is wanted at, in place, as to keep it inside a room. */
+  readonly limit?: (point: Point, id: number) => void;
+}
+
+interface Point {
+  x: number;
+  y: number;
+  z: number;
+}
+
+interface Grip {
+  readonly id: number;
+  /** From the pointer to the body's centre when it was taken. */
+  readonly offset: Point;
+  readonly target: Point;
+}
+
+/** Lets pointers hold bodies of `world`: adds one system to its `input` phase. */
+export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): Holding {
+  const { maxSpeed = 50, limit } = options;
+  const grips = new Map<number, Grip>();
+  const { Position, Velocity, AngularVelocity } = world.components;
+  const aim = (grip: Grip, x: number, y: number, z: number) => {
+    const { offset, target } = grip;
+    target.x = x + offset.x;
+    target.y = y + offset.y;
+    target.z = world.dimensions === 3 ? z + offset.z : 0;
+    limit?.(target, grip.id);
+  };
+  const push = (id: number, vx: number, vy: number, vz: number) => {
+    const speed = Math.hypot(vx, vy, vz);
+    const factor = speed > maxSpeed ? maxSpeed / speed : 1;
+    Velocity.x[id] = vx * factor;
+    Velocity.y[id] = vy * factor;
+    if (world.dimensions === 3) Velocity.z[id] = vz * factor;
+  };
+  const follow = (_: PhysicsWorld, dt: number) => {
+    for (const [pointer, { id, target }] of grips) {
+      if (!isBody(world, id)) grips.delete(pointer);
+      else {
+        push(id, (target.x - Position.x[id]) / dt, (target.y - Position.y[id]) / dt, (target.z - Position.z[id]) / dt);
+        AngularVelocity.z[id] = 0;
+      }
+    }
+  };
+  world.phases.input.push(follow);
+  const release = (pointer: number, vx: number, vy: number, vz = 0) => {
+    const grip = grips.get(pointer);
+    grips.delete(pointer);
+    if (grip !== undefined && isBody(world, grip.id)) push(grip.id, vx, vy, vz);
+  };
+  return {
+    get held() {
+      return [...grips.values()].map(({ id }) => id);
+    },
+    grab(pointer, id, x, y, z = 0) {
+      const offset = { x: Position.x[id] - x, y: Position.y[id] - y, z: Position.z[id] - z };
+      const grip = { id, offset, target: { x: 0, y: 0, z: 0 } };
+      aim(grip, x, y, z);
+      grips.set(pointer, grip);
+    },
+    move(pointer, x, y, z = 0) {
+      const grip = grips.get(pointer);
+      if (grip !== undefined) aim(grip, x, y, z);
+    },
+    release,
+    place: () => placeBodies(world, grips.values()),
+    releaseAll() {
+      for (const pointer of [...grips.keys()]) release(pointer, 0, 0);
+    },
+  };
+}
+
+function placeBodies(world: PhysicsWorld, grips: Iterable<Grip>): void {
+  const { components, previous, versions } = world;
+  for (const { id, target } of grips) {
+    if (!isBody(world, id)) continue;
+    for (const axis of ['x', 'y', 'z'] as const) {
+      components.Position[axis][id] = target[axis];
+      previous.Position[axis][id] = target[axis];
+    }
+    versions.pose++;
+  }
+}

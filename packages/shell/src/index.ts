@@ -1,0 +1,23 @@
+/** What every game has around its simulation: loop, panel, plot, keys, help, error messages. */
+export { type Address, readAddress } from './address.ts';
+export type { GameDefinition, Insets, Renderer, Simulation, SimulationOptions, Stage, View } from './game.ts';
+export { type Holding, type HoldingOptions, holdBodies } from './holding.ts';
+export { pickBody2D } from './pick.ts';
+export { Session } from './session.ts';
+export {
+  type ChoiceSetting,
+  checkValue,
+  initialValues,
+  type NumberSetting,
+  numberSetting,
+  type ParameterLike,
+  parseValue,
+  type Setting,
+  type Settings,
+  type SwitchSetting,
+  switchSetting,
+  type Value,
+  type ValuesOf,
+} from './settings.ts';
+export { startGame } from './start-game.ts';
+export type { BodyState, GameHook, GameState } from './test-hook.ts';

@@ -1,0 +1,55 @@
+import { type Controller, GUI } from 'lil-gui';
+import { addLogSlider } from './log-slider.ts';
+import type { NumberSetting, Setting, Settings } from './settings.ts';
+
+/** Sliders and switches for a game's settings. */
+export interface Panel {
+  /** Shows the values as they are now. */
+  refresh(): void;
+}
+
+/**
+ * Builds the panel from the declared settings.
+ * @param values read when shown; written through `onChange` alone
+ * @param onChange gets the name and the wanted value
+ */
+export function createPanel(
+  parent: HTMLElement,
+  settings: Settings,
+  values: Readonly<Record<string, unknown>>,
+  onChange: (name: string, value: unknown) => void,
+): Panel {
+  const gui = new GUI({ container: parent, title: 'Settings' });
+  const controllers = Object.entries(settings).map(([name, setting]) => {
+    const proxy = Object.defineProperty({} as Record<string, never>, name, {
+      get: () => values[name],
+      set: (value) => onChange(name, value),
+      enumerable: true,
+    });
+    const controller = addController(gui, proxy, name, setting);
+    const unit = setting.kind === 'number' && setting.unit !== '' ? `, ${setting.unit}` : '';
+    controller.name(`${setting.label}${unit}`);
+    if (setting.about !== undefined) controller.domElement.title = setting.about;
+    return controller;
+  });
+  return {
+    refresh() {
+      for (const controller of controllers) controller.updateDisplay();
+    },
+  };
+}
+
+function addController(gui: GUI, proxy: Record<string, never>, name: string, setting: Setting): Controller {
+  if (setting.kind === 'switch') return gui.add(proxy, name);
+  if (setting.kind === 'choice') return gui.add(proxy, name, setting.choices);
+  if (setting.scale === 'log') return addLogSlider(gui, proxy, name, setting);
+  const step = stepOf(setting);
+  const decimals = Math.max(0, -Math.floor(Math.log10(step)));
+  return gui.add(proxy, name, setting.min, setting.max, step).decimals(decimals);
+}
+
+/** A thousandth of the range, rounded down to a power of ten, so that sliders stop at round numbers. */
+function stepOf({ min, max, integer, step }: NumberSetting): number {
+  if (step !== undefined) return step;
+  return integer ? 1 : 10 ** Math.floor(Math.log10((max - min) / 100));
+}

@@ -1,0 +1,108 @@
+import { createRunner, destroyWorld, type Runner, step } from '@principia/physics';
+import type { GameDefinition, Simulation } from './game.ts';
+import { type Holding, holdBodies } from './holding.ts';
+import { checkValue, type Settings, type ValuesOf } from './settings.ts';
+
+/** Longest real time one frame may make up for, in steps: a slow machine gets slow motion, not a frozen page. */
+const MAX_STEPS_A_FRAME = 4;
+
+/** A game being played, without a page: its world, its values and its clock. */
+export class Session<S extends Settings, Sim extends Simulation> {
+  readonly game: GameDefinition<S, Sim>;
+  readonly values: ValuesOf<S>;
+  seed: number;
+  dimensions: 2 | 3 = 2;
+  paused = false;
+  /** Simulated seconds a real second; below one is slow motion. */
+  speed = 1;
+  /** Milliseconds the last step took. */
+  stepTime = 0;
+  /** Steps of the last frame. */
+  steps = 0;
+  #sim: Sim | undefined;
+  #holding: Holding | undefined;
+  #runner: Runner | undefined;
+  #steppedByHand = false;
+  readonly #clock: () => number;
+
+  constructor(game: GameDefinition<S, Sim>, values: ValuesOf<S>, seed: number, clock = () => performance.now()) {
+    this.game = game;
+    this.values = values;
+    this.seed = seed;
+    this.#clock = clock;
+  }
+
+  /** Whether there is a world. */
+  get started(): boolean {
+    return this.#sim !== undefined;
+  }
+
+  get sim(): Sim {
+    if (this.#sim === undefined) throw new Error('The game has not started yet.');
+    return this.#sim;
+  }
+
+  get holding(): Holding {
+    if (this.#holding === undefined) throw new Error('The game has not started yet.');
+    return this.#holding;
+  }
+
+  /** Where between the last two steps the picture is; after a single step it shows that step. */
+  get alpha(): number {
+    return this.#steppedByHand ? 1 : (this.#runner?.alpha ?? 1);
+  }
+
+  /** A new world from the present seed and values. The old one stays when the new one cannot be made. */
+  reset(seed = this.seed): void {
+    const { values, dimensions } = this;
+    const sim = this.game.create({ values: { ...values }, seed, dimensions });
+    if (this.#sim !== undefined) destroyWorld(this.#sim.world);
+    this.seed = seed;
+    this.#sim = sim;
+    const limit = this.game.holdLimit?.(sim);
+    this.#holding = holdBodies(sim.world, limit === undefined ? {} : { limit });
+    this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: MAX_STEPS_A_FRAME * sim.dt });
+    this.#steppedByHand = true;
+  }
+
+  /**
+   * Changes one setting.
+   * @returns whether the world has to be made anew: call `reset` when it is time to
+   * @throws Error with a sentence when there is no such setting or it does not take the value
+   */
+  set(name: string, value: unknown): boolean {
+    const setting = Object.hasOwn(this.game.settings, name) ? this.game.settings[name] : undefined;
+    if (setting === undefined) {
+      throw new Error(`There is no setting “${name}”. There are ${Object.keys(this.game.settings).join(', ')}.`);
+    }
+    const values = this.values as Record<string, unknown>;
+    values[name] = checkValue(name, setting, value);
+    return this.#sim === undefined || !this.game.apply(this.#sim, name, this.values);
+  }
+
+  /** `count` steps at once, whether paused or not. */
+  step(count = 1): void {
+    const { world, dt } = this.sim;
+    const start = this.#clock();
+    for (let i = 0; i < count; i++) step(world, dt);
+    this.#note(start, count);
+    this.#steppedByHand = true;
+  }
+
+  /** Lets `seconds` of real time pass. */
+  advance(seconds: number): void {
+    if (this.paused || this.#runner === undefined) {
+      this.holding.place();
+      this.steps = 0;
+      return;
+    }
+    const start = this.#clock();
+    this.steps = this.#runner.advance(seconds * this.speed);
+    this.#note(start, this.steps);
+    if (this.steps > 0) this.#steppedByHand = false;
+  }
+
+  #note(start: number, steps: number): void {
+    if (steps > 0) this.stepTime = (this.#clock() - start) / steps;
+  }
+}

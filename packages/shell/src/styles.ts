@@ -1,0 +1,68 @@
+/** The look of every game; a game that wants other colours overrides the variables of `.game`. */
+const styles = `
+html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
+.game { --ink: #eef1fb; --dim: #97a3c7; --accent: #ffc15e; --card: #141b36d9; --line: #ffffff1c;
+  position: fixed; inset: 0; color: var(--ink); font: 14px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif;
+  background: radial-gradient(110% 95% at 42% 12%, #2c3a72 0%, #1a2349 45%, #0d1226 100%); user-select: none;
+  -webkit-user-select: none; -webkit-tap-highlight-color: transparent }
+.game [hidden] { display: none !important }
+.game-stage { position: absolute; inset: 0; overflow: hidden }
+.game-stage canvas { display: block; outline: none }
+.game-stage canvas:focus-visible { box-shadow: inset 0 0 0 2px var(--accent) }
+.game-bar { position: absolute; left: 0; top: 0; display: flex; align-items: center; gap: 6px; flex-wrap: wrap;
+  padding: max(12px, env(safe-area-inset-top)) 16px 8px max(20px, env(safe-area-inset-left)); pointer-events: none }
+.game-title { margin: 0 14px 0 0; font-size: 20px; font-weight: 650; letter-spacing: -0.01em }
+.game-bar button { pointer-events: auto; min-width: 38px; height: 38px; padding: 0 9px; display: grid; place-items: center;
+  border: 1px solid var(--line); border-radius: 11px; background: var(--card); color: var(--ink);
+  font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation; transition: background .15s }
+.game-bar button:hover { background: #2b3766 }
+.game-bar button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
+.game-bar button[aria-pressed=true] { background: var(--accent); border-color: transparent; color: #1c1503 }
+.game-bar svg { width: 18px; height: 18px; fill: currentColor }
+.game-side { position: absolute; top: 12px; right: 12px; width: 264px; max-height: calc(100% - 24px); overflow: hidden auto;
+  border: 1px solid var(--line); border-radius: 14px; background: var(--card); backdrop-filter: blur(14px);
+  scrollbar-width: thin; scrollbar-color: #ffffff30 transparent }
+.game-side .lil-gui { --background-color: transparent; --title-background-color: transparent; --text-color: var(--ink);
+  --title-text-color: var(--ink); --widget-color: #ffffff14; --hover-color: #ffffff22; --focus-color: #ffffff2c;
+  --number-color: var(--accent); --string-color: var(--accent); --font-size: 12.5px; --input-font-size: 12.5px;
+  --font-family: inherit; --width: 264px; --widget-height: 24px; --row-height: 30px; --name-width: 38%; --padding: 10px;
+  --slider-knob-width: 3px; --widget-border-radius: 6px; --slider-input-width: 36% }
+.game-card { padding: 6px 12px 10px; border-top: 1px solid var(--line) }
+.game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; gap: 10px }
+.game-card h2 span { margin-left: auto; font-weight: 500; display: flex; gap: 10px }
+.game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
+  border-radius: 50%; margin-right: 4px; background: var(--mark) }
+.game-stats { display: grid; grid-template-columns: auto auto auto auto; gap: 0 8px; margin: 0; font-size: 12px;
+  font-variant-numeric: tabular-nums }
+.game-stats dt { color: var(--dim) } .game-stats dd { margin: 0; text-align: right }
+.game-banner { position: absolute; left: 50%; bottom: max(20px, env(safe-area-inset-bottom)); translate: -50% 0;
+  box-sizing: border-box; width: max-content; max-width: min(680px, calc(100% - 32px)); display: flex; gap: 12px;
+  align-items: center; padding: 12px 14px 12px 18px; border-radius: 14px; background: #30142bf2;
+  border: 1px solid #ff8b9a66; color: #ffdfe3; box-shadow: 0 12px 40px #0008; user-select: text; z-index: 3 }
+.game-banner[data-kind=note] { background: #18224af2; border-color: #9bb4ff55; color: #dfe7ff }
+.game-banner p { margin: 0; white-space: pre-line; overflow-wrap: anywhere }
+.game-banner button, .game-help button { flex: none; border: 1px solid #ffffff30; border-radius: 9px; background: #ffffff14;
+  color: inherit; font: inherit; padding: 5px 12px; cursor: pointer }
+.game-help { border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
+  background: #161e3df7; color: var(--ink); box-shadow: 0 24px 80px #000a }
+.game-help::backdrop { background: #070b1a99 }
+.game-help h2 { margin: 0 0 12px; font-size: 17px }
+.game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
+.game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
+.game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
+.uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
+.u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }
+.uplot canvas { display: block; position: relative; width: 100%; height: 100% } .u-axis.u-off { display: none }
+@media (max-width: 759px) { .game-title { display: none } .game-side { top: 64px; max-height: calc(100% - 76px) }
+  .game-bar { padding-left: 12px } .game-bar button { min-width: 42px; height: 42px } }
+@media (prefers-reduced-motion: reduce) { .game * { transition: none !important; animation: none !important } }
+`;
+
+/** Adds the styles to the page, once. */
+export function addStyles(): void {
+  if (document.getElementById('game-styles') !== null) return;
+  const sheet = document.createElement('style');
+  sheet.id = 'game-styles';
+  sheet.textContent = styles;
+  document.head.append(sheet);
+}
