@@ -1,5 +1,7 @@
+import { PhysicsError } from './faults/physics-error';
 import { checkKeys, checkNumber } from './faults/validate';
-import { step } from './step';
+import { MAX_DT, MIN_DT, step } from './step';
+import { assertIdle, assertUsable } from './store/guards';
 import type { PhysicsWorld } from './world';
 
 /** How a runner paces a world. */
@@ -10,6 +12,9 @@ export interface RunnerOptions {
   readonly maxFrame?: number;
 }
 
+/** Steps one frame may take: more would hang the program, as a dt mistaken for microseconds does. */
+const MOST_STEPS = 1e6;
+
 /** Turns frame times into steps of one fixed length. */
 export interface Runner {
   readonly dt: number;
@@ -18,7 +23,8 @@ export interface Runner {
   /** Real time not simulated because a frame was too long, s. */
   readonly droppedTime: number;
   /**
-   * Runs the steps that `elapsed` seconds of real time have room for.
+   * Runs the steps that `elapsed` seconds of real time have room for. If users' code throws in one, the others of this
+   * frame follow at the next call.
    * @returns how many
    * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE for a time that is negative or no number; and what `step` throws
    */
@@ -28,12 +34,11 @@ export interface Runner {
 /**
  * A fixed-step runner: the same frame times give the same steps, and any frame times give the same trajectory.
  * After Fiedler, "Fix Your Timestep!" (2004). `alpha` and the columns `world.previous` make motion smooth between steps.
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
  */
 export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): Runner {
-  checkKeys(options, 'createRunner', ['dt', 'maxFrame']);
-  const dt = checkNumber(options.dt ?? 1 / 60, 'dt', { above: 0 });
-  const maxFrame = checkNumber(options.maxFrame ?? Math.max(0.25, dt), 'maxFrame', { min: dt });
+  assertUsable(world);
+  const { dt, maxFrame } = checkOptions(options);
   let accumulator = 0;
   let droppedTime = 0;
   return {
@@ -45,14 +50,17 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
       return droppedTime;
     },
     advance(elapsed) {
+      assertIdle(world, 'advance');
       checkNumber(elapsed, 'elapsed', { min: 0 });
       const frame = Math.min(elapsed, maxFrame);
-      droppedTime += elapsed - frame;
-      accumulator += frame;
+      // Steps that threw may have left time behind; a world that throws at every step must not save it up.
+      const kept = Math.min(accumulator + frame, maxFrame + dt);
+      droppedTime += elapsed - frame + (accumulator + frame - kept);
+      accumulator = kept;
       let steps = 0;
       // A sum of frames such as 1/30 + 1/30 may fall short of 4/60 by rounding alone; that must not cost a step.
       const enough = dt * (1 - 1e-9);
-      while (accumulator >= enough) {
+      while (accumulator >= enough && world.state === 'idle') {
         accumulator = Math.max(0, accumulator - dt);
         step(world, dt);
         steps++;
@@ -60,4 +68,16 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
       return steps;
     },
   };
+}
+
+function checkOptions(options: RunnerOptions): Required<RunnerOptions> {
+  checkKeys(options, 'createRunner', ['dt', 'maxFrame']);
+  const dt = checkNumber(options.dt ?? 1 / 60, 'dt', { min: MIN_DT, max: MAX_DT });
+  const maxFrame = checkNumber(options.maxFrame ?? Math.max(0.25, dt), 'maxFrame', { min: dt });
+  if (maxFrame / dt <= MOST_STEPS) return { dt, maxFrame };
+  throw new PhysicsError('E_RANGE', `a frame of ${maxFrame} s would take ${Math.round(maxFrame / dt)} steps of dt.`, {
+    field: 'dt',
+    value: dt,
+    hint: `At most ${MOST_STEPS}: lower \`maxFrame\`, or raise \`dt\`.`,
+  });
 }

@@ -1,72 +1,89 @@
 import { PhysicsError } from './faults/physics-error';
+import { collectThrown } from './faults/thrown';
 import { checkNumber } from './faults/validate';
+import { currentPlan, type Plan } from './schedule/plan';
 import { runPlan } from './schedule/run-plan';
-import { assertUsable } from './store/guards';
+import { assertIdle } from './store/guards';
 import { refreshSpans } from './store/spans';
-import type { PhysicsWorld } from './world';
+import { destroyWorld, type PhysicsWorld } from './world';
+
+/** Longest step, s: thirty thousand years. The sum of 2⁵³ of them is still a finite time. */
+export const MAX_DT = 1e12;
+
+/** Shortest step, s. Below, the quotients of a step leave the range of f32. */
+export const MIN_DT = 1e-20;
 
 /**
  * Moves the world by `dt` seconds: every phase once, in the order of `PHASES`. Nothing is allocated in steady state.
  *
  * Whatever a user's force, system or handler throws is collected; the step completes, edits made during it take
  * effect, and then one AggregateError carries what was thrown. `step(world, 0)` does nothing.
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE (dt, the world unchanged), E_REENTRANT, E_DESTROYED
+ * @throws PhysicsError E_TYPE (also for a force, system or integrator that is none), E_NONFINITE, E_RANGE (dt),
+ *   E_REENTRANT, E_DESTROYED: the world unchanged
  * @throws AggregateError of what users' code threw, and of faults where `world.onFault` is 'throw'
  */
 export function step(world: PhysicsWorld, dt: number): void {
-  assertUsable(world);
-  checkNumber(dt, 'dt', { min: 0 });
-  if (world.state === 'stepping') {
-    throw new PhysicsError('E_REENTRANT', 'step was called inside a step.', {
-      hint: 'Let the running step end; from a handler, set a flag and step afterwards.',
-    });
-  }
+  assertIdle(world, 'step');
+  checkNumber(dt, 'dt', { min: 0, max: MAX_DT });
   if (dt === 0) return;
-  const { internal, versions } = world;
-  internal.newFaults = 0;
+  checkNumber(dt, 'dt', { min: MIN_DT });
+  checkNumber(world.time, 'world.time');
+  const plan = currentPlan(world);
+  const { internal } = world;
+  internal.stepFaults.length = 0;
   refreshSpans(world);
   internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
   world.state = 'stepping';
-  runPlan(world, dt);
+  run(world, plan, dt);
   world.time += dt;
   world.tick++;
-  versions.pose++;
-  world.state = 'idle';
-  applyCommands(world);
-  rethrow(world);
+  world.versions.pose++;
+  settle(world);
+  if (internal.ending) destroyWorld(world);
+  if (internal.thrownCount > 0 || internal.stepFaults.length > 0) rethrow(world);
+}
+
+/** Whatever happens in it, even to the clock of a profile, the step comes to its end. */
+function run(world: PhysicsWorld, plan: Plan, dt: number): void {
+  try {
+    runPlan(world, plan, dt);
+  } catch (error) {
+    world.internal.slideScratch(0);
+    collectThrown(world, error);
+  }
 }
 
 /** Edits made during the step, in the order they were made. One that fails does not stop the others. */
-function applyCommands(world: PhysicsWorld): void {
-  const { commands, thrown } = world.internal;
+function settle(world: PhysicsWorld): void {
+  const { commands, leaving } = world.internal;
+  world.state = 'settling';
   for (let c = 0; c < commands.length; c++) {
     try {
-      (commands[c] as () => void)();
+      commands[c]();
     } catch (error) {
-      thrown.push(error);
+      collectThrown(world, error);
     }
   }
-  commands.length = 0;
+  if (commands.length > 0) {
+    commands.length = 0;
+    leaving.clear();
+  }
+  world.state = 'idle';
 }
 
 function rethrow(world: PhysicsWorld): void {
-  const { thrown, newFaults } = world.internal;
-  if (newFaults > 0 && world.onFault === 'throw') {
-    for (const { code, entity, field, value, step: tick, phase } of world.faults.faults.slice(-newFaults)) {
-      const when = phase === 'begin' ? 'before' : 'in';
-      thrown.push(
-        new PhysicsError(code, `${field} of body ${entity} was ${value} ${when} step ${tick}.`, {
-          entity,
-          field,
-          value,
-        }),
-      );
+  const { internal, tick } = world;
+  const errors = internal.thrown.splice(0);
+  let count = internal.thrownCount;
+  internal.thrownCount = 0;
+  if (world.onFault === 'throw') {
+    for (const { code, entity, field, value, step, phase } of internal.stepFaults) {
+      const problem = `${field} of body ${entity} was ${value} ${phase === 'begin' ? 'before' : 'in'} step ${step}.`;
+      errors.push(new PhysicsError(code, problem, { entity, field, value }));
+      count++;
     }
   }
-  if (thrown.length === 0) return;
-  const errors = thrown.splice(0);
-  throw new AggregateError(
-    errors,
-    `${errors.length} error(s) during step ${world.tick}: ${errors.map(String).join('; ')}`,
-  );
+  if (count === 0) return;
+  const said = errors.slice(0, 3).map(String).join('; ');
+  throw new AggregateError(errors, `${count} error(s) during step ${tick}: ${said}${count > 3 ? '; …' : ''}`);
 }

@@ -1,8 +1,8 @@
-import { createWorld, deleteWorld } from 'bitecs';
+import { createWorld, deleteWorld, type WorldContext } from 'bitecs';
 import { type Addresses, COMPONENT_NAMES, type ComponentName, type Components } from './components/all';
-import { createFaultLog, type FaultLog } from './faults/fault-log';
+import { createFaultLog, type Fault, type FaultLog } from './faults/fault-log';
 import { PhysicsError } from './faults/physics-error';
-import { checkKeys, checkNumber } from './faults/validate';
+import { checkFunction, checkKeys, checkNumber } from './faults/validate';
 import type { Force } from './forces/force';
 import type { Integrator } from './integrators/integrator';
 import { velocityVerlet } from './integrators/velocity-verlet';
@@ -10,15 +10,19 @@ import { instantiateKernels, type KernelExports, type Precision } from './kernel
 import type { Preset } from './presets/preset';
 import { standard } from './presets/standard';
 import { createPhases, type Phases, type System } from './schedule/phases';
-import type { Plan } from './schedule/plan';
+import { checkForces, checkIntegrator, checkSystems, type Plan } from './schedule/plan';
 import type { Profile } from './schedule/profile';
 import { type Arena, createArena, type MemoryFactory } from './store/arena';
 import { observeComponents } from './store/attach';
+import { contextOf } from './store/bitecs';
 import { RESERVED_BYTES, writeColumnTable } from './store/column-table';
 import { columnCounts, componentColumns, realBytes, wordColumn } from './store/columns';
+import { assertUsable } from './store/guards';
 import { createPrevious, PREVIOUS_COLUMNS, type Previous, type PreviousAddresses } from './store/previous';
+import { MAX_CAPACITY } from './store/references';
 import { createScratch, SCRATCH_COLUMNS, type Scratch } from './store/scratch';
 import type { Spans } from './store/spans';
+import type { FieldValues } from './store/values';
 
 /** How a world is made. Everything has a default. */
 export interface PhysicsWorldOptions {
@@ -80,7 +84,8 @@ export interface PhysicsWorld {
   readonly versions: { pose: number; style: number; membership: number };
   readonly faults: FaultLog;
   profile: Profile | undefined;
-  state: 'idle' | 'stepping' | 'destroyed';
+  /** 'settling' is the end of a step, when the edits made during it take effect. */
+  state: 'idle' | 'stepping' | 'settling' | 'destroyed';
   /** Not for users. */
   readonly internal: WorldInternals;
 }
@@ -100,17 +105,30 @@ export interface WorldInternals {
   readonly slideScratch: (firstRow: number) => void;
   /** Edits made during a step, waiting for its end. */
   readonly commands: (() => void)[];
-  readonly leaving: Set<number>;
-  /** Exceptions of users' code during this step. */
+  /** Entities that end with this step, and by bitECS's own set of components which life of theirs it is. */
+  readonly leaving: Map<number, Set<unknown>>;
+  /** Exceptions of users' code during this step: the first few, and how many there were. */
   readonly thrown: unknown[];
+  thrownCount: number;
+  /** Faults of this step, the first 1024. */
+  readonly stepFaults: Fault[];
   readonly resources: Map<object, unknown>;
-  newFaults: number;
+  /** Every column of every component. */
+  readonly columns: readonly { [row: number]: number }[];
+  /** bitECS's table of components, to notice that the world was reset. */
+  componentMap: WorldContext['componentMap'] | undefined;
+  /** Per component, the entity that the `addComponent` now running gave it to. */
+  readonly fresh: Record<ComponentName, number>;
+  /** Bits of the components whose additions a user's observer may be waiting for. */
+  observed: number;
+  /** What prefabs hand on to their instances. */
+  readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
+  /** The world ends with this step. */
+  ending: boolean;
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   spansVersion: number;
   /** Rows that hold anything, rounded up to whole blocks. */
   sweptRows: number;
-  justAdded: number;
-  justAddedName: ComponentName | undefined;
   plan: Plan | undefined;
 }
 
@@ -139,8 +157,9 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   checkChoice('dimensions', dimensions, [2, 3]);
   checkChoice('precision', precision, ['f32', 'f64']);
   checkChoice('onFault', options.onFault ?? 'quarantine', ['quarantine', 'throw']);
-  checkNumber(capacity, 'capacity', { min: 1, max: 2 ** 27, integer: true });
+  checkNumber(capacity, 'capacity', { min: 1, max: MAX_CAPACITY, integer: true });
   checkNumber(seed, 'seed', { min: 0, max: 2 ** 53 - 1, integer: true });
+  checkParts(options);
   const rows = Math.ceil((capacity + 1) / 1024) * 1024;
   const extra = checkNumber(options.arenaBytes ?? Math.max(2 ** 20, 256 * rows), 'arenaBytes', {
     min: 0,
@@ -148,11 +167,20 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   });
   const arena = createArena(memoryBytes(rows, precision) + extra, RESERVED_BYTES, options.memoryFactory);
   const world = createWorld(worldRecord(options, arena, dimensions, precision, capacity, rows, seed)) as PhysicsWorld;
+  world.internal.componentMap = contextOf(world).componentMap;
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
   observeComponents(world);
   (options.preset ?? standard)(world);
   for (const system of options.walls ?? []) world.phases.walls.push(system);
   return world;
+}
+
+function checkParts({ forces = [], walls = [], integrator, preset, memoryFactory }: PhysicsWorldOptions): void {
+  checkForces(forces, 'forces');
+  checkSystems(walls, 'walls');
+  if (integrator !== undefined) checkIntegrator(integrator, 'integrator');
+  if (preset !== undefined) checkFunction(preset, 'preset');
+  if (memoryFactory !== undefined) checkFunction(memoryFactory, 'memoryFactory');
 }
 
 function checkChoice<T>(field: string, value: T, choices: readonly T[]): void {
@@ -187,7 +215,6 @@ function worldRecord(
   const [generations] = wordColumn(arena, rows, 'generations');
   const [ids, idsAt] = wordColumn(arena, rows, 'ids');
   const [spanWords, spansAt] = wordColumn(arena, rows / 4, 'spans');
-  const counts = Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
   return {
     dimensions,
     precision,
@@ -220,34 +247,49 @@ function worldRecord(
       generations,
       idsAt,
       spansAt,
-      counts,
       tile: { bounds: new Int32Array(2), count: 1 },
       slideScratch: moveTo,
-      commands: [],
-      leaving: new Set(),
-      thrown: [],
-      resources: new Map(),
-      newFaults: 0,
+      ...bookkeeping(components),
       bodyList: { ids, count: 0 },
-      spansVersion: -1,
-      sweptRows: 0,
-      justAdded: 0,
-      justAddedName: undefined,
       plan: undefined,
     },
   };
 }
 
+/** What the engine keeps about a world from step to step, at its start. */
+function bookkeeping(components: Components) {
+  const zeros = () => Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
+  return {
+    counts: zeros(),
+    commands: [],
+    leaving: new Map(),
+    thrown: [],
+    thrownCount: 0,
+    stepFaults: [],
+    resources: new Map(),
+    columns: COMPONENT_NAMES.flatMap((name) => Object.values(components[name]) as { [row: number]: number }[]),
+    componentMap: undefined,
+    fresh: zeros(),
+    observed: 0,
+    templates: new Map(),
+    ending: false,
+    spansVersion: -1,
+    sweptRows: 0,
+  };
+}
+
 /**
- * Ends a world: every later call on it throws E_DESTROYED. Inside a step it takes effect when the step ends. The memory
- * goes when nothing refers to the world any more.
+ * Ends a world: every later call on it throws E_DESTROYED, except this one, which does nothing. Inside a step it takes
+ * effect when the step ends. The memory goes when nothing refers to the world any more.
+ * @throws PhysicsError E_TYPE for something that is no world
  */
 export function destroyWorld(world: PhysicsWorld): void {
-  if (world.state === 'stepping') {
-    world.internal.commands.push(() => destroyWorld(world));
+  if (world?.internal !== undefined && world.state === 'destroyed') return;
+  assertUsable(world);
+  if (world.state !== 'idle') {
+    world.internal.ending = true;
     return;
   }
-  if (world.state === 'destroyed') return;
   world.state = 'destroyed';
   deleteWorld(world);
 }

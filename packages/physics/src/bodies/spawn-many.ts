@@ -2,38 +2,25 @@
 // components, which doubles that; here a body costs one `addEntity` and, for all its components together, one write of
 // its membership mask. That reaches into bitECS's own tables (public by its `$internal` symbol, and its version is
 // pinned); a test holds the result against the component-by-component path.
-import { $internal, addEntity, type ComponentData, type WorldContext } from 'bitecs';
-import { bitOf, COMPONENTS, type ComponentName } from '../components/all';
-import type { FieldSpec } from '../components/define';
-import { describe, PhysicsError } from '../faults/physics-error';
-import { checkKeys, checkNumber } from '../faults/validate';
-import { initialValues } from '../store/attach';
+import { addEntity, type ComponentData, type Query, type WorldContext } from 'bitecs';
+import { bitOf } from '../components/all';
+import { PhysicsError } from '../faults/physics-error';
+import { checkFunction, checkNumber } from '../faults/validate';
+import { contextOf, queryOf, removeWholly } from '../store/bitecs';
+import { capacityError, makeRoom } from '../store/entities';
 import { assertUsable } from '../store/guards';
+import { cleanRow } from '../store/rows';
 import type { PhysicsWorld } from '../world';
-import { type BodyInput, capacityError, componentOfKey } from './spawn';
-
-/** A value for each body: one number for all, or as many as there are bodies. */
-export type Many = number | ArrayLike<number>;
-
-/** Like `BodyInput`, with an array wherever bodies differ. */
-export type ManyInput = {
-  readonly [Key in keyof BodyInput]?:
-    | { readonly [F in keyof Exclude<NonNullable<BodyInput[Key]>, number>]?: Many }
-    | (Extract<NonNullable<BodyInput[Key]>, number> extends never ? never : Many);
-};
+import { checkMany, type Filling, type Many, type ManyInput } from './many';
 
 /** Called as bodies are made, with how many are. */
 export type Progress = (made: number, count: number) => void;
 
 const CHUNK = 65536;
 
-interface Filling {
-  readonly name: ComponentName;
-  readonly fields: readonly (readonly [string, Many])[];
-}
-
 /**
- * Makes `count` entities with the same components.
+ * Makes `count` entities with the same components, all at once: observers of yours are told of additions when every
+ * body is complete (onSet observers are not told), and if one throws, all are taken back.
  * @returns their ids, ascending when the world never lost a body
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN (all values are checked first), E_CAPACITY,
  *   E_REENTRANT (during a step), E_DESTROYED
@@ -41,140 +28,168 @@ interface Filling {
 export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput, progress?: Progress): Uint32Array {
   assertUsable(world);
   checkNumber(count, 'count', { min: 0, max: 0xffffffff, integer: true });
+  if (progress !== undefined) checkFunction(progress, 'progress');
   if (world.state === 'stepping') {
     throw new PhysicsError('E_REENTRANT', 'spawnMany cannot run inside a step.', { hint: 'Use spawn, or wait.' });
   }
-  const fillings = checkMany(values, count);
-  const context = (world as unknown as { [$internal]: WorldContext })[$internal];
-  if (context.entityIndex.aliveCount + count > world.capacity) throw capacityError(world, count);
-  const ids = makeEntities(world, context, fillings, count, progress);
-  for (const filling of fillings) fill(world, filling, ids);
-  finish(world, fillings, ids);
+  makeRoom(world, count);
+  const fillings = checkMany(world, values, count);
+  const ids = new Uint32Array(count);
+  try {
+    makeEntities(world, fillings, ids, progress);
+    fillColumns(world, fillings, ids);
+    const changed = joinQueries(world, fillings, ids);
+    finish(world, fillings, ids);
+    tell(changed, ids);
+  } catch (error) {
+    takeBack(world, ids);
+    throw error;
+  }
   return ids;
 }
 
-function checkMany(values: ManyInput, count: number): Filling[] {
-  if (typeof values !== 'object' || values === null) checkKeys(values, 'spawnMany', []);
-  const fillings: Filling[] = [];
-  for (const [key, data] of Object.entries(values)) {
-    if (data === undefined) continue;
-    const name = componentOfKey(key);
-    const spec = COMPONENTS[name];
-    const isScalar = typeof data === 'number' || isList(data);
-    const scalar = 'scalar' in spec ? spec.scalar : undefined;
-    if (isScalar && scalar === undefined) {
-      throw new PhysicsError('E_TYPE', `${key} must be { ${Object.keys(spec.fields).join(', ')} }.`, { field: key });
-    }
-    const given = (isScalar ? { [scalar as string]: data } : data) as Record<string, Many>;
-    checkKeys(given, key, Object.keys(spec.fields));
-    const fields = Object.entries(given).filter(([, many]) => many !== undefined);
-    for (const [field, many] of fields) checkColumn(`${key}.${field}`, spec.fields[field as never], many, count);
-    fillings.push({ name, fields });
-  }
-  return fillings;
-}
-
-function isList(value: unknown): value is ArrayLike<number> {
-  return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
-}
-
-function checkColumn(field: string, spec: FieldSpec, many: unknown, count: number): void {
-  if (typeof many === 'number') {
-    checkNumber(many, field, spec.bounds, undefined, spec.hint);
-    return;
-  }
-  if (!isList(many)) {
-    throw new PhysicsError('E_TYPE', `${field} must be a number or an array, got ${describe(many)}.`, { field });
-  }
-  if (many.length !== count) {
-    throw new PhysicsError('E_RANGE', `${field} has ${many.length} values for ${count} bodies.`, { field });
-  }
-  for (let i = 0; i < count; i++) {
-    const value = many[i];
-    if (typeof value !== 'number' || !(value - value === 0)) checkNumber(value, `${field}[${i}]`, spec.bounds);
-  }
-  checkRange(field, spec, many, count);
-}
-
-function checkRange(field: string, spec: FieldSpec, many: ArrayLike<number>, count: number): void {
-  const { min = -Infinity, max = Infinity, above = -Infinity, integer = false } = spec.bounds;
-  for (let i = 0; i < count; i++) {
-    const value = many[i] as number;
-    if (value < min || value > max || value <= above || (integer && !Number.isInteger(value))) {
-      checkNumber(value, `${field}[${i}]`, spec.bounds, undefined, spec.hint);
-    }
-  }
+function componentData(world: PhysicsWorld, fillings: readonly Filling[]): ComponentData[] {
+  const { componentMap } = contextOf(world);
+  return fillings.map(({ name }) => componentMap.get(world.components[name]) as ComponentData);
 }
 
 function makeEntities(
   world: PhysicsWorld,
-  context: WorldContext,
   fillings: readonly Filling[],
-  count: number,
+  ids: Uint32Array,
   progress: Progress | undefined,
-): Uint32Array {
+): void {
+  const count = ids.length;
+  const context = contextOf(world);
   const components = fillings.map(({ name }) => world.components[name]);
-  const data = components.map((component) => context.componentMap.get(component) as ComponentData);
+  const data = componentData(world, fillings);
   const flags = data.reduce((all, { bitflag }) => all | bitflag, 0);
-  const masks = context.entityMasks[(data[0] as ComponentData | undefined)?.generationId ?? 0] as number[];
-  const ids = new Uint32Array(count);
+  const masks = context.entityMasks[data[0]?.generationId ?? 0];
+  const used = world.lastId;
   for (let i = 0; i < count; i++) {
     const eid = addEntity(world);
     ids[i] = eid;
-    masks[eid] = ((masks[eid] as number | undefined) ?? 0) | flags;
+    if (eid > world.capacity) throw capacityError(world, count);
+    if (eid <= used) cleanRow(world, eid);
+    masks[eid] = (masks[eid] ?? 0) | flags;
     const owned = context.entityComponents.get(eid) as Set<unknown>;
     for (let c = 0; c < components.length; c++) owned.add(components[c]);
-    if (progress !== undefined && (i + 1) % CHUNK === 0) progress(i + 1, count);
+    if (progress !== undefined && (i + 1) % CHUNK === 0 && i + 1 < count) tellProgress(world, progress, i + 1, count);
   }
-  joinQueries(context, data, ids);
-  progress?.(count, count);
-  return ids;
+  if (progress !== undefined) tellProgress(world, progress, count, count);
 }
 
-/** Adds the entities to every query they match: ours by component, and the user's. */
-function joinQueries(context: WorldContext, data: readonly ComponentData[], ids: Uint32Array): void {
-  const queries = new Set(data.flatMap(({ queries }) => [...queries]));
-  for (const query of queries) {
-    const required = Object.entries(query.masks);
-    const refused = Object.entries(query.notMasks);
-    const anyOf = Object.entries(query.orMasks);
-    const sample = ids[0];
-    if (sample === undefined) return;
-    const has = (generation: string) => context.entityMasks[Number(generation)]?.[sample] ?? 0;
-    const matches =
-      required.every(([g, mask]) => (has(g) & mask) === mask) &&
-      refused.every(([g, mask]) => (has(g) & mask) === 0) &&
-      (anyOf.length === 0 || anyOf.some(([g, mask]) => (has(g) & mask) !== 0));
-    if (matches) for (let i = 0; i < ids.length; i++) query.add(ids[i] as number);
-    else for (let i = 0; i < ids.length; i++) if (query.has(ids[i] as number)) query.remove(ids[i] as number);
+function tellProgress(world: PhysicsWorld, progress: Progress, made: number, count: number): void {
+  progress(made, count);
+  assertUsable(world);
+}
+
+/** A query that the new entities joined, or left again because `Not` no longer holds. */
+interface Changed {
+  readonly query: Query;
+  readonly joined: boolean;
+}
+
+/**
+ * Adds the entities to every query they match, ours by component and the user's; and takes them out of those that
+ * `addEntity` put them in because they had no component yet. All as bitECS does it, `toRemove` included: an id that was
+ * freed since the last query is still listed there.
+ */
+function joinQueries(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Array): Changed[] {
+  const context = contextOf(world);
+  const changed: Changed[] = [];
+  if (ids.length === 0) return changed;
+  const unobserved = new Set<Query>();
+  for (const { name } of fillings) {
+    if ((world.internal.observed & bitOf(name)) === 0) unobserved.add(queryOf(world, name));
+  }
+  const affected = new Set(componentData(world, fillings).flatMap(({ queries }) => [...queries]));
+  for (const query of affected) {
+    const joined = matches(context, query, ids[0]);
+    if (joined) join(query, ids);
+    else if (!leave(context, query, ids)) continue;
+    if (!unobserved.has(query)) changed.push({ query, joined });
+  }
+  return changed;
+}
+
+/** bitECS's own test of an entity against a query; all new entities have the same components. */
+function matches(context: WorldContext, query: Query, eid: number): boolean {
+  const has = (generation: string) => context.entityMasks[Number(generation)]?.[eid] ?? 0;
+  const anyOf = Object.entries(query.orMasks);
+  return (
+    Object.entries(query.masks).every(([g, mask]) => (has(g) & mask) === mask) &&
+    Object.entries(query.notMasks).every(([g, mask]) => (has(g) & mask) === 0) &&
+    (anyOf.length === 0 || anyOf.some(([g, mask]) => (has(g) & mask) !== 0))
+  );
+}
+
+function join(query: Query, ids: Uint32Array): void {
+  const pending = query.toRemove.dense.length > 0;
+  for (let i = 0; i < ids.length; i++) {
+    if (pending) query.toRemove.remove(ids[i]);
+    query.add(ids[i]);
   }
 }
 
-function fill(world: PhysicsWorld, { name, fields }: Filling, ids: Uint32Array): void {
-  const columns = world.components[name] as unknown as Record<string, Float64Array>;
-  const values: Record<string, Many> = { ...initialValues(name), ...Object.fromEntries(fields) };
-  for (const field of Object.keys(values)) writeColumn(columns[field] as Float64Array, values[field] as Many, ids);
-  if (name in world.previous) {
-    const previous = (world.previous as unknown as Record<string, Record<string, Float64Array>>)[name];
-    for (const field of Object.keys(values)) {
-      writeColumn(previous?.[field] as Float64Array, values[field] as Many, ids);
+/** Whether any was in. */
+function leave(context: WorldContext, query: Query, ids: Uint32Array): boolean {
+  let any = false;
+  for (let i = 0; i < ids.length; i++) {
+    if (!query.has(ids[i]) || query.toRemove.has(ids[i])) continue;
+    query.toRemove.add(ids[i]);
+    any = true;
+  }
+  if (any) context.dirtyQueries.add(query);
+  return any;
+}
+
+/** Tells users' observers. One of them may remove bodies the others were to be told of. */
+function tell(changed: readonly Changed[], ids: Uint32Array): void {
+  for (const { query, joined } of changed) {
+    for (let i = 0; i < ids.length; i++) {
+      const isIn = query.has(ids[i]) && !query.toRemove.has(ids[i]);
+      if (joined && isIn) query.addObservable.notify(ids[i]);
+      else if (!joined && !isIn) query.removeObservable.notify(ids[i]);
     }
   }
 }
 
-function writeColumn(column: Float64Array, many: Many, ids: Uint32Array): void {
-  const count = ids.length;
-  const first = ids[0] as number;
-  const dense = count > 0 && (ids[count - 1] as number) - first === count - 1;
-  if (dense && typeof many === 'number') column.fill(many, first, first + count);
-  else if (dense && isAscending(ids)) column.set(many as ArrayLike<number>, first);
-  else if (typeof many === 'number') for (let i = 0; i < count; i++) column[ids[i] as number] = many;
-  else for (let i = 0; i < count; i++) column[ids[i] as number] = many[i] as number;
+/** Undoes a creation that an exception of the user's code cut short. */
+function takeBack(world: PhysicsWorld, ids: Uint32Array): void {
+  if (world.state === 'destroyed') return;
+  for (let i = 0; i < ids.length && ids[i] !== 0; i++) {
+    try {
+      removeWholly(world, ids[i]);
+    } catch {
+      // Whoever threw at the creation is reported; that an observer of removals throws as well adds nothing.
+    }
+  }
 }
 
-function isAscending(ids: Uint32Array): boolean {
-  for (let i = 1; i < ids.length; i++) if ((ids[i] as number) <= (ids[i - 1] as number)) return false;
-  return true;
+function fillColumns(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Array): void {
+  const run = isRun(ids);
+  for (const { name, fields } of fillings) {
+    const columns = world.components[name] as Record<string, Float64Array>;
+    for (const [field, many] of fields) writeColumn(columns[field], many, ids, run);
+    if (!(name in world.previous)) continue;
+    const previous = (world.previous as unknown as Record<string, Record<string, Float64Array>>)[name];
+    for (const [field, many] of fields) writeColumn(previous[field], many, ids, run);
+  }
+}
+
+function writeColumn(column: Float64Array, many: Many, ids: Uint32Array, run: boolean): void {
+  const count = ids.length;
+  if (run && typeof many === 'number') column.fill(many, ids[0], ids[0] + count);
+  else if (run) column.set(many as ArrayLike<number>, ids[0]);
+  else if (typeof many === 'number') for (let i = 0; i < count; i++) column[ids[i]] = many;
+  else for (let i = 0; i < count; i++) column[ids[i]] = many[i];
+}
+
+/** Whether the ids are consecutive; recycled ones come in any order. */
+function isRun(ids: Uint32Array): boolean {
+  for (let i = 1; i < ids.length; i++) if (ids[i] !== ids[i - 1] + 1) return false;
+  return ids.length > 0;
 }
 
 function finish(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Array): void {
@@ -185,9 +200,9 @@ function finish(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Ar
     internal.counts[name] += ids.length;
   }
   for (let i = 0; i < ids.length; i++) {
-    const eid = ids[i] as number;
-    internal.members[eid] = (internal.members[eid] as number) | bits;
-    if (eid > world.lastId) world.lastId = eid;
+    const eid = ids[i];
+    internal.members[eid] |= bits;
+    if (bits !== 0 && eid > world.lastId) world.lastId = eid;
   }
   versions.membership++;
   versions.style++;

@@ -1,10 +1,11 @@
-import { addComponent, addEntity, removeEntity, set } from 'bitecs';
+import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all';
-import { PhysicsError } from '../faults/physics-error';
 import { checkKeys } from '../faults/validate';
-import { checkValues, type FieldValues } from '../store/attach';
+import { contextOf, removeWholly } from '../store/bitecs';
+import { makeRoom } from '../store/entities';
 import { assertUsable } from '../store/guards';
-import { assertBody } from '../store/references';
+import { isInhabited, staleError } from '../store/references';
+import { checkValues, completeValues, type FieldValues, initialValues } from '../store/values';
 import type { PhysicsWorld } from '../world';
 
 type FieldsOf<Name extends ComponentName> = {
@@ -28,74 +29,74 @@ export type BodyInput = {
 const NAME_OF_KEY = new Map<string, ComponentName>(COMPONENT_NAMES.map((name) => [COMPONENTS[name].key, name]));
 
 /** The component a key of `spawn` names. @throws PhysicsError E_UNKNOWN */
-export function componentOfKey(key: string): ComponentName {
+export function componentOfKey(key: string, caller: string): ComponentName {
   const name = NAME_OF_KEY.get(key);
-  if (name === undefined) checkKeys({ [key]: 0 }, 'spawn', [...NAME_OF_KEY.keys()]);
+  if (name === undefined) checkKeys({ [key]: 0 }, caller, [...NAME_OF_KEY.keys()]);
   return name as ComponentName;
 }
 
 /**
- * Makes one entity with the given components. A component given as `{}` gets its initial values; one left out is
- * absent. All values are checked before anything is made. During a step the body appears when the step ends.
+ * Makes one entity with the given components. A component given as `{}` gets its initial values; one left out, or
+ * undefined, is absent. All values are checked before anything is made. During a step the body appears when the step
+ * ends. An exception of an observer of yours takes the entity back and comes out of here.
  * @returns the entity id
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_DESTROYED
  */
 export function spawn(world: PhysicsWorld, body: BodyInput): number {
   assertUsable(world);
-  if (typeof body !== 'object' || body === null) checkKeys(body, 'spawn', []);
-  const checked: [ComponentName, FieldValues][] = [];
-  for (const [key, data] of Object.entries(body)) {
-    if (data === undefined) continue;
-    const name = componentOfKey(key);
-    const values = checkValues(name, data);
-    const spec = COMPONENTS[name];
-    if ('complete' in spec && spec.complete !== undefined) {
-      spec.complete(
-        { ...Object.fromEntries(Object.entries(spec.fields).map(([f, s]) => [f, s.initial])), ...values },
-        undefined,
-      );
-    }
-    checked.push([name, values]);
+  const checked = checkBody(world, body);
+  makeRoom(world, 1);
+  const eid = addEntity(world);
+  try {
+    for (const [name, values] of checked) addComponent(world, eid, set(world.components[name], values));
+  } catch (error) {
+    removeWholly(world, eid);
+    throw error;
   }
-  const eid = newEntity(world);
-  for (const [name, values] of checked) addComponent(world, eid, set(world.components[name], values));
   return eid;
 }
 
-/** An entity within capacity, or the world as it was. @throws PhysicsError E_CAPACITY */
-function newEntity(world: PhysicsWorld): number {
-  const eid = addEntity(world);
-  if (eid <= world.capacity) return eid;
-  removeEntity(world, eid);
-  throw capacityError(world, 1);
-}
-
-export function capacityError(world: PhysicsWorld, more: number): PhysicsError {
-  return new PhysicsError('E_CAPACITY', `no room for ${more} more: the world holds ${world.capacity} entities.`, {
-    field: 'capacity',
-    value: world.capacity,
-    hint: 'Make the world with a larger `capacity`.',
-  });
+function checkBody(world: PhysicsWorld, body: BodyInput): [ComponentName, FieldValues][] {
+  if (typeof body !== 'object' || body === null || Array.isArray(body)) checkKeys(body, 'spawn', []);
+  const checked: [ComponentName, FieldValues][] = [];
+  for (const [key, data] of Object.entries(body)) {
+    if (data === undefined) continue;
+    const name = componentOfKey(key, 'spawn');
+    const values = checkValues(world, name, data);
+    checked.push([name, completeValues(world, name, values, () => initialValues(name))]);
+  }
+  return checked;
 }
 
 /**
- * Removes a body and its entity. During a step it goes when the step ends.
- * @throws PhysicsError E_STALE when there is no such body, E_DESTROYED
+ * Removes a body (or a wall, or a spring) and its entity. During a step it goes when the step ends.
+ * @throws PhysicsError E_STALE when there is nothing with this id, E_DESTROYED; and what an observer of yours throws,
+ *   when the entity is gone
  */
 export function despawn(world: PhysicsWorld, eid: number): void {
   assertUsable(world);
-  assertBody(world, eid);
-  const { internal } = world;
-  if (world.state !== 'stepping') {
-    removeEntity(world, eid);
+  if (world.state === 'stepping') {
+    despawnLater(world, eid);
     return;
   }
-  if (internal.leaving.has(eid)) {
-    throw new PhysicsError('E_STALE', `body ${eid} is already being removed.`, { entity: eid, value: eid });
+  if (!isInhabited(world, eid)) throw staleError(eid, `there is no body ${String(eid)} in this world.`);
+  removeWholly(world, eid);
+}
+
+function despawnLater(world: PhysicsWorld, eid: number): void {
+  const { leaving, commands } = world.internal;
+  // bitECS knows better than the rows: bodies made in this step have none yet, and others may be gone already.
+  if (!Number.isInteger(eid) || !entityExists(world, eid) || !hasAny(world, eid)) {
+    throw staleError(eid, `there is no body ${String(eid)} in this world.`);
   }
-  internal.leaving.add(eid);
-  internal.commands.push(() => {
-    internal.leaving.delete(eid);
-    removeEntity(world, eid);
+  const life = contextOf(world).entityComponents.get(eid);
+  if (leaving.get(eid) === life) throw staleError(eid, `body ${eid} is already being removed.`);
+  leaving.set(eid, life as Set<unknown>);
+  commands.push(() => {
+    if (contextOf(world).entityComponents.get(eid) === life) removeWholly(world, eid);
   });
+}
+
+function hasAny(world: PhysicsWorld, eid: number): boolean {
+  return COMPONENT_NAMES.some((name) => hasComponent(world, eid, world.components[name]));
 }

@@ -1,3 +1,4 @@
+import { checkNumber } from '../faults/validate';
 import { defineComponent, real, u32 } from './define';
 
 /** How a body is drawn. Physics never reads it; renderers do. */
@@ -16,8 +17,11 @@ export const Appearance = defineComponent({
   },
 });
 
-/** Packs a colour for `Appearance.color`: red, green, blue and alpha from 0 to 1. */
+/**
+ * Packs a colour for `Appearance.color`: red, green, blue and alpha from 0 to 1, clamped.
+ * @throws PhysicsError E_TYPE, E_NONFINITE
+ */
 export function rgba(red: number, green: number, blue: number, alpha = 1): number {
-  const byte = (value: number) => Math.round(Math.min(1, Math.max(0, value)) * 255);
+  const byte = (value: number) => Math.round(Math.min(1, Math.max(0, checkNumber(value, 'rgba'))) * 255);
   return ((byte(alpha) << 24) | (byte(blue) << 16) | (byte(green) << 8) | byte(red)) >>> 0;
 }

@@ -16,6 +16,10 @@ export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
   readonly hint?: string | undefined;
   /** Infinity is taken and stored as this number. */
   readonly infinite?: number | undefined;
+  /** Only 0 is taken in a world of two dimensions. */
+  readonly spatial?: boolean | undefined;
+  /** The field that notes which life of the body it names: this one is the id of a body of the world. */
+  readonly life?: string | undefined;
 }
 
 /** A component: a name, its fields, and the field a bare number sets. */
@@ -41,18 +45,24 @@ interface FieldOptions {
   readonly bounds?: Bounds;
   readonly hint?: string;
   readonly infinite?: number;
+  readonly spatial?: boolean;
 }
 
 /** A field of real numbers. */
 export function real(unit: string, options: FieldOptions = {}): FieldSpec<'real'> {
-  const { initial = 0, bounds = {}, hint, infinite } = options;
-  return { kind: 'real', unit, initial, bounds, hint, infinite };
+  const { initial = 0, bounds = {}, hint, infinite, spatial } = options;
+  return { kind: 'real', unit, initial, bounds, hint, infinite, spatial };
 }
 
 /** A field of unsigned 32-bit integers: ids, colours, counters. */
 export function u32(unit: string, options: FieldOptions = {}): FieldSpec<'u32'> {
   const { initial = 0, bounds = {}, hint } = options;
   return { kind: 'u32', unit, initial, bounds: { min: 0, max: 0xffffffff, integer: true, ...bounds }, hint };
+}
+
+/** A field that names a body by its id. The field `life` notes the body's generation: ids are given again, lives not. */
+export function bodyId(life: string): FieldSpec<'u32'> {
+  return { ...u32('id', { bounds: { min: 1 } }), life };
 }
 
 /** Declares a component; its columns are made per world. */

@@ -11,7 +11,8 @@ export const Mass = defineComponent({
   fields: {
     value: real('kg', {
       initial: 1,
-      bounds: { above: 0, max: 1e38 },
+      // Below 1e-37 kg an f32 world would store zero, which means static.
+      bounds: { above: 0, min: 1e-37, max: 1e38 },
       infinite: 0,
       hint: 'For a body that forces do not move, leave Mass out.',
     }),

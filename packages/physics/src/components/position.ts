@@ -10,6 +10,6 @@ export const Position = defineComponent({
   fields: {
     x: real('m', { bounds: { min: -MAX_POSITION, max: MAX_POSITION } }),
     y: real('m', { bounds: { min: -MAX_POSITION, max: MAX_POSITION } }),
-    z: real('m', { bounds: { min: -MAX_POSITION, max: MAX_POSITION } }),
+    z: real('m', { bounds: { min: -MAX_POSITION, max: MAX_POSITION }, spatial: true }),
   },
 });

@@ -7,6 +7,9 @@ export const MAX_ANGULAR_SPEED = 1e9;
 /** Largest |angle| a world takes, radians; f32 tells no directions apart long before. */
 export const MAX_ANGLE = 1e12;
 
+/** Largest |part| of a quaternion found in a column: those of a unit one stay within 1, and a little drift is put right. */
+export const MAX_QUATERNION_PART = 2;
+
 /** 2D: angle of the body, radians, anticlockwise from +x. */
 export const Rotation = defineComponent({
   name: 'Rotation',
@@ -44,8 +47,8 @@ export const AngularVelocity = defineComponent({
   key: 'angularVelocity',
   scalar: 'z',
   fields: {
-    x: real('rad/s', { bounds: { min: -MAX_ANGULAR_SPEED, max: MAX_ANGULAR_SPEED } }),
-    y: real('rad/s', { bounds: { min: -MAX_ANGULAR_SPEED, max: MAX_ANGULAR_SPEED } }),
+    x: real('rad/s', { bounds: { min: -MAX_ANGULAR_SPEED, max: MAX_ANGULAR_SPEED }, spatial: true }),
+    y: real('rad/s', { bounds: { min: -MAX_ANGULAR_SPEED, max: MAX_ANGULAR_SPEED }, spatial: true }),
     z: real('rad/s', { bounds: { min: -MAX_ANGULAR_SPEED, max: MAX_ANGULAR_SPEED } }),
   },
 });

@@ -10,6 +10,6 @@ export const Velocity = defineComponent({
   fields: {
     x: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
     y: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
-    z: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
+    z: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED }, spatial: true }),
   },
 });

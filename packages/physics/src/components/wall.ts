@@ -1,15 +1,20 @@
 import { PhysicsError } from '../faults/physics-error';
 import { defineComponent, real } from './define';
+import { MAX_POSITION } from './position';
+
+const PLACE = { bounds: { min: -MAX_POSITION, max: MAX_POSITION } };
+/** A normal of any length is taken; its square must stay finite in f32. */
+const DIRECTION = { bounds: { min: -1e12, max: 1e12 } };
 
 /** A straight wall between two points of the plane; both its sides and its ends are solid. 2D. */
 export const SegmentWall = defineComponent({
   name: 'SegmentWall',
   key: 'segmentWall',
   fields: {
-    ax: real('m'),
-    ay: real('m'),
-    bx: real('m'),
-    by: real('m'),
+    ax: real('m', PLACE),
+    ay: real('m', PLACE),
+    bx: real('m', PLACE),
+    by: real('m', PLACE),
     restitution: real('', { bounds: { min: 0, max: 10 } }),
     friction: real('', { initial: 1, bounds: { min: 0, max: 100 } }),
   },
@@ -20,11 +25,11 @@ export const PlaneWall = defineComponent({
   name: 'PlaneWall',
   key: 'planeWall',
   fields: {
-    nx: real(''),
-    ny: real('', { initial: 1 }),
-    nz: real(''),
+    nx: real('', DIRECTION),
+    ny: real('', { ...DIRECTION, initial: 1 }),
+    nz: real('', { ...DIRECTION, spatial: true }),
     /** Distance of the plane from the origin along the normal, m. */
-    offset: real('m'),
+    offset: real('m', PLACE),
     restitution: real('', { bounds: { min: 0, max: 10 } }),
     friction: real('', { initial: 1, bounds: { min: 0, max: 100 } }),
   },

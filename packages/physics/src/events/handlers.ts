@@ -1,5 +1,7 @@
 import type { Fault } from '../faults/fault-log';
-import { assertUsable } from '../store/guards';
+import { describe, PhysicsError } from '../faults/physics-error';
+import { collectThrown } from '../faults/thrown';
+import { checkFunction } from '../faults/validate';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 
@@ -14,46 +16,63 @@ export interface EventMap {
 export type EventName = keyof EventMap;
 export type Handler<Name extends EventName> = (event: EventMap[Name], world: PhysicsWorld) => void;
 
-type Handlers = { [Name in EventName]: Handler<Name>[] };
+interface Listener<Name extends EventName> {
+  readonly handler: Handler<Name>;
+  gone: boolean;
+}
 
-const handlersOf = resource<Handlers>(() => ({ contact: [], fault: [] }));
+/** Lists are replaced, never changed: one that is being told through stays as it is. */
+type Listeners = { [Name in EventName]: readonly Listener<Name>[] };
+
+const listenersOf = resource<Listeners>(() => ({ contact: [], fault: [] }));
 
 /**
  * Calls `handler` for each event of a step, in the step's last phase. A handler may edit the world: its edits take
- * effect when the step ends. What it throws comes out of `step` as an AggregateError; the world goes on.
+ * effect when the step ends. What it throws comes out of `step` as an AggregateError; the world goes on. A handler
+ * added while handlers are told hears of the next event first; one taken away hears nothing more.
  * @returns a function that takes the handler away again
- * @throws PhysicsError E_DESTROYED
+ * @throws PhysicsError E_UNKNOWN for an event there is not, E_TYPE, E_DESTROYED
  */
 export function on<Name extends EventName>(world: PhysicsWorld, name: Name, handler: Handler<Name>): () => void {
-  assertUsable(world);
-  const list: Handler<Name>[] = handlersOf(world)[name];
-  list.push(handler);
+  const listeners = listenersOf(world);
+  if (!Object.hasOwn(listeners, name)) {
+    throw new PhysicsError('E_UNKNOWN', `there is no event ${describe(name)}.`, {
+      field: 'name',
+      value: name,
+      hint: `Valid: ${Object.keys(listeners).join(', ')}.`,
+    });
+  }
+  checkFunction(handler, 'handler');
+  const lists = listeners as { [N in EventName]: readonly Listener<Name>[] };
+  const listener = { handler, gone: false };
+  lists[name] = [...lists[name], listener];
   return () => {
-    const at = list.indexOf(handler);
-    if (at >= 0) list.splice(at, 1);
+    listener.gone = true;
+    lists[name] = lists[name].filter((other) => other !== listener);
   };
 }
 
 /** Whether anybody listens. */
 export function hasHandlers(world: PhysicsWorld, name: EventName): boolean {
-  return handlersOf(world)[name].length > 0;
+  return listenersOf(world)[name].length > 0;
 }
 
 /** Tells every handler; what one throws does not stop the others. */
 export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, event: EventMap[Name]): void {
-  const list: Handler<Name>[] = handlersOf(world)[name];
+  const list: readonly Listener<Name>[] = listenersOf(world)[name];
   for (let i = 0; i < list.length; i++) {
+    if (list[i].gone) continue;
     try {
-      (list[i] as Handler<Name>)(event, world);
+      list[i].handler(event, world);
     } catch (error) {
-      world.internal.thrown.push(error);
+      collectThrown(world, error);
     }
   }
 }
 
 /** System of the `events` phase: tells of this step's faults. */
 export function tellFaults(world: PhysicsWorld): void {
-  const { newFaults } = world.internal;
-  if (newFaults === 0 || !hasHandlers(world, 'fault')) return;
-  for (const fault of world.faults.faults.slice(-newFaults)) emit(world, 'fault', fault);
+  const { stepFaults } = world.internal;
+  if (stepFaults.length === 0 || !hasHandlers(world, 'fault')) return;
+  for (let f = 0; f < stepFaults.length; f++) emit(world, 'fault', stepFaults[f]);
 }

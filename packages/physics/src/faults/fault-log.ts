@@ -1,4 +1,5 @@
 import type { FaultCode } from './physics-error';
+import { checkList } from './validate';
 
 /** A fault the step found and dealt with. */
 export interface Fault {
@@ -27,13 +28,16 @@ export function createFaultLog(): FaultLog {
   return { faults: [], lost: 0 };
 }
 
-export function reportFault(log: FaultLog, fault: Fault): void {
+/** Enters a fault in the log, and in the list of the present step's, which handlers are told of. */
+export function reportFault(log: FaultLog, ofThisStep: Fault[], fault: Fault): void {
+  if (ofThisStep.length < MOST) ofThisStep.push(fault);
   if (log.faults.length < MOST) log.faults.push(fault);
   else log.lost++;
 }
 
-/** Empties the log. */
+/** Empties the log. @throws PhysicsError E_TYPE for what is no log */
 export function clearFaults(log: FaultLog): void {
+  checkList(log?.faults ?? null, 'clearFaults: log.faults');
   log.faults.length = 0;
   log.lost = 0;
 }

@@ -89,7 +89,7 @@ export function checkVector(value: unknown, field: string, bounds: Bounds = {}):
  * @throws PhysicsError E_TYPE, E_UNKNOWN
  */
 export function checkKeys(value: unknown, what: string, known: readonly string[]): void {
-  if (typeof value !== 'object' || value === null) {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
     throw new PhysicsError('E_TYPE', `${what} must be an object, got ${describe(value)}.`, { field: what, value });
   }
   for (const key of Object.keys(value)) {
@@ -101,4 +101,29 @@ export function checkKeys(value: unknown, what: string, known: readonly string[]
       });
     }
   }
+}
+
+/** @throws PhysicsError E_TYPE */
+export function checkFunction(value: unknown, field: string): void {
+  if (typeof value !== 'function') {
+    throw new PhysicsError('E_TYPE', `${field} must be a function, got ${describe(value)}.`, { field, value });
+  }
+}
+
+/** @throws PhysicsError E_TYPE unless `value` is an array, or undefined */
+export function checkList(value: unknown, field: string): void {
+  if (value !== undefined && !Array.isArray(value)) {
+    throw new PhysicsError('E_TYPE', `${field} must be an array, got ${describe(value)}.`, { field, value });
+  }
+}
+
+/** @throws PhysicsError E_TYPE unless `value` is an object whose `method` is a function */
+export function checkHas(value: unknown, method: string, field: string, hint: string): void {
+  const holder = value as Record<string, unknown> | null | undefined;
+  if (typeof holder === 'object' && holder !== null && typeof holder[method] === 'function') return;
+  throw new PhysicsError('E_TYPE', `${field} has no function \`${method}\`; it is ${describe(value)}.`, {
+    field,
+    value,
+    hint,
+  });
 }

@@ -1,3 +1,4 @@
+import { collectThrown } from '../faults/thrown';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import type { Force } from './force';
@@ -12,7 +13,7 @@ export const evaluateForces: EvaluateForces = (world, spans, time) => {
     try {
       accumulate(world, forces[f] as Force, spans, time);
     } catch (error) {
-      world.internal.thrown.push(error);
+      collectThrown(world, error);
     }
   }
 };

@@ -1,3 +1,4 @@
+import { checkFunction } from '../faults/validate';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 
@@ -60,11 +61,12 @@ export function createPhases(): Phases {
   });
 }
 
-/** Your own local system in plain TypeScript: `run` gets ascending runs of rows. */
+/** Your own local system in plain TypeScript: `run` gets ascending runs of rows. @throws PhysicsError E_TYPE */
 export function localSystem(
   name: string,
   run: (world: PhysicsWorld, first: number, last: number, dt: number) => void,
 ): LocalSystem {
+  checkFunction(run, 'localSystem: run');
   return {
     name,
     run(world, spans, dt) {

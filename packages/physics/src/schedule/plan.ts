@@ -1,3 +1,4 @@
+import { checkHas, checkList } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
 import { type LocalSystem, PHASES, type Phase, type System } from './phases';
 
@@ -24,7 +25,32 @@ function usesScratch(system: System): boolean {
   return typeof system !== 'function' && system.usesScratch === true;
 }
 
-/** The plan for the world as it is now, reused while neither phases, forces nor integrator changed. */
+/** @throws PhysicsError E_TYPE, naming the first that is no force */
+export function checkForces(forces: readonly unknown[], what: string): void {
+  checkList(forces, what);
+  const hint = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';
+  // By index: `forEach` would pass over the holes of a sparse array.
+  for (let f = 0; f < forces.length; f++) checkHas(forces[f], 'accumulate', `${what}[${f}]`, hint);
+}
+
+/** @throws PhysicsError E_TYPE, naming the first that is no system */
+export function checkSystems(systems: readonly unknown[], what: string): void {
+  checkList(systems, what);
+  const hint = 'A system is a function (world, dt) => void, or made by a function such as boxWalls({ … }).';
+  for (let s = 0; s < systems.length; s++) {
+    if (typeof systems[s] !== 'function') checkHas(systems[s], 'run', `${what}[${s}]`, hint);
+  }
+}
+
+/** @throws PhysicsError E_TYPE */
+export function checkIntegrator(integrator: unknown, what: string): void {
+  checkHas(integrator, 'advance', what, 'Such as velocityVerlet, semiImplicitEuler or rungeKutta4.');
+}
+
+/**
+ * The plan for the world as it is now, reused while neither phases, forces nor integrator changed.
+ * @throws PhysicsError E_TYPE when one of them is not what it must be
+ */
 export function currentPlan(world: PhysicsWorld): Plan {
   const plan = world.internal.plan;
   if (plan !== undefined && isCurrent(world, plan)) return plan;
@@ -47,6 +73,9 @@ function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
 }
 
 function makePlan(world: PhysicsWorld): Plan {
+  checkForces(world.forces, 'world.forces');
+  checkIntegrator(world.integrator, 'world.integrator');
+  for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
   const groups: { phases: Phase[]; systems: System[]; tiled: boolean }[] = [];
   const signature: unknown[] = [world.integrator];
   for (const phase of PHASES) {

@@ -1,3 +1,5 @@
+import { checkFunction } from '../faults/validate';
+import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import { PHASES, type Phase } from './phases';
 
@@ -10,16 +12,20 @@ export interface Profile {
 /**
  * Switches profiling on. Physics reads no clock of its own, so the caller hands one in:
  * `startProfile(world, () => performance.now())` gives milliseconds.
+ * @throws PhysicsError E_TYPE, E_DESTROYED
  */
 export function startProfile(world: PhysicsWorld, clock: () => number): Profile {
+  assertUsable(world);
+  checkFunction(clock, 'startProfile: clock');
   const times = Object.fromEntries(PHASES.map((phase) => [phase, 0])) as Record<Phase, number>;
   const profile = { clock, times };
   world.profile = profile;
   return profile;
 }
 
-/** Switches profiling off. */
+/** Switches profiling off. @throws PhysicsError E_DESTROYED */
 export function stopProfile(world: PhysicsWorld): void {
+  assertUsable(world);
   world.profile = undefined;
 }
 

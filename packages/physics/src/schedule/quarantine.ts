@@ -3,14 +3,14 @@
 // Before a step every row is looked at as its pose is saved, so that a bad value someone wrote never enters a force or
 // a contact; after the step once more, so that nobody ever reads a bad one. Both looks are part of kernels that touch
 // the rows anyway; the code here runs for rows that failed.
-import { addComponent, set } from 'bitecs';
-import { bitOf } from '../components/all';
+import { addComponent, entityExists, hasComponent, set } from 'bitecs';
 import { MAX_POSITION } from '../components/position';
-import { MAX_ANGLE, MAX_ANGULAR_SPEED } from '../components/rotation';
+import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_PART } from '../components/rotation';
 import { MAX_SPEED } from '../components/velocity';
 import { reportFault } from '../faults/fault-log';
 import type { FaultCode } from '../faults/physics-error';
 import { AXES } from '../store/axes';
+import { isOpen } from '../store/rows';
 import type { PhysicsWorld } from '../world';
 import type { LocalSystem } from './phases';
 
@@ -42,7 +42,7 @@ function beginRun(world: PhysicsWorld, first: number, last: number): void {
     for (let row = first; row < last; row++) repairRow(world, row, 'begin');
     saveAxes(world, first, last);
   }
-  if (world.internal.counts.AngularVelocity > 0) saveAngles(world, first, last);
+  if (canTurn(world)) saveAngles(world, first, last);
 }
 
 /** Saves positions and velocities; 1 when all were good. A bad position is not saved: the last good one stays. */
@@ -81,15 +81,24 @@ function checkRun(world: PhysicsWorld, first: number, last: number): void {
   for (let row = first; row < last; row++) repairRow(world, row, 'finish');
 }
 
+/** Whether any body has an angle or turns: most worlds of particles pay nothing for those that do. */
+function canTurn({ internal: { counts } }: PhysicsWorld): boolean {
+  return counts.AngularVelocity > 0 || counts.Rotation > 0 || counts.Orientation > 0;
+}
+
 function anglesGood(world: PhysicsWorld, first: number, last: number): boolean {
-  if (world.internal.counts.AngularVelocity === 0) return true;
+  if (!canTurn(world)) return true;
   const { kernels, addresses } = world;
-  const { AngularVelocity: w, Rotation } = addresses;
+  const { AngularVelocity: w, Rotation, Orientation: q } = addresses;
   const most = MAX_ANGULAR_SPEED;
+  const part = MAX_QUATERNION_PART;
   const good =
     kernels.checkAxis(w.x, w.y, most, most, first, last) &
     kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, most, first, last);
-  return good === 1;
+  if (world.dimensions === 2) return good === 1;
+  const whole =
+    kernels.checkAxis(q.x, q.y, part, part, first, last) & kernels.checkAxis(q.z, q.w, part, part, first, last);
+  return (good & whole) === 1;
 }
 
 function repairRow(world: PhysicsWorld, row: number, when: When): void {
@@ -100,20 +109,23 @@ function repairRow(world: PhysicsWorld, row: number, when: When): void {
 
 /** The first field of a row that cannot be gone on with; a speed that is only too high can. */
 function firstBad({ components }: PhysicsWorld, row: number): { field: string; value: number } | undefined {
-  const { Position, Velocity, AngularVelocity, Rotation } = components;
-  const inRange = (value: number, most: number) => Math.abs(value) <= most;
+  const { Position, Velocity, AngularVelocity, Rotation, Orientation } = components;
   for (const axis of AXES[3]) {
-    const [x, v, w] = [Position[axis][row], Velocity[axis][row], AngularVelocity[axis][row]] as [
-      number,
-      number,
-      number,
-    ];
-    if (!inRange(x, MAX_POSITION)) return { field: `Position.${axis}`, value: x };
-    if (!Number.isFinite(v)) return { field: `Velocity.${axis}`, value: v };
-    if (!Number.isFinite(w)) return { field: `AngularVelocity.${axis}`, value: w };
+    if (!(Math.abs(Position[axis][row]) <= MAX_POSITION)) {
+      return { field: `Position.${axis}`, value: Position[axis][row] };
+    }
+    if (!Number.isFinite(Velocity[axis][row])) return { field: `Velocity.${axis}`, value: Velocity[axis][row] };
+    if (!Number.isFinite(AngularVelocity[axis][row])) {
+      return { field: `AngularVelocity.${axis}`, value: AngularVelocity[axis][row] };
+    }
   }
-  const angle = Rotation.angle[row] as number;
-  return inRange(angle, MAX_ANGLE) ? undefined : { field: 'Rotation.angle', value: angle };
+  for (const part of ['x', 'y', 'z', 'w'] as const) {
+    if (!(Math.abs(Orientation[part][row]) <= MAX_QUATERNION_PART)) {
+      return { field: `Orientation.${part}`, value: Orientation[part][row] };
+    }
+  }
+  const angle = Rotation.angle[row];
+  return Math.abs(angle) <= MAX_ANGLE ? undefined : { field: 'Rotation.angle', value: angle };
 }
 
 function capSpeeds(world: PhysicsWorld, row: number, when: When): void {
@@ -135,21 +147,22 @@ function capSpeeds(world: PhysicsWorld, row: number, when: When): void {
 }
 
 function quarantine(world: PhysicsWorld, row: number, field: string, value: number, when: When): void {
-  const { components, previous, internal } = world;
+  const { components, previous } = world;
   for (const axis of AXES[3]) {
-    components.Position[axis][row] = previous.Position[axis][row] as number;
+    components.Position[axis][row] = previous.Position[axis][row];
     components.Velocity[axis][row] = 0;
     components.AngularVelocity[axis][row] = 0;
+    components.Orientation[axis][row] = previous.Orientation[axis][row];
   }
-  components.Rotation.angle[row] = previous.Rotation.angle[row] as number;
-  const isBody = ((internal.members[row] as number) & bitOf('Position')) !== 0;
-  const known = ((internal.members[row] as number) & bitOf('Quarantined')) !== 0;
-  if (!isBody || known) return;
+  components.Orientation.w[row] = previous.Orientation.w[row];
+  components.Rotation.angle[row] = previous.Rotation.angle[row];
+  // bitECS is asked, not the rows: those learn of a quarantine, or of an entity's end, when the step is over.
+  const isBody = isOpen(world, row, 'Position') && entityExists(world, row);
+  if (!isBody || hasComponent(world, row, components.Quarantined)) return;
   report(world, row, field, value, when, Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE');
   addComponent(world, row, set(components.Quarantined, { step: world.tick }));
 }
 
 function report(world: PhysicsWorld, entity: number, field: string, value: number, phase: When, code: FaultCode): void {
-  reportFault(world.faults, { code, entity, field, value, step: world.tick, phase });
-  world.internal.newFaults++;
+  reportFault(world.faults, world.internal.stepFaults, { code, entity, field, value, step: world.tick, phase });
 }

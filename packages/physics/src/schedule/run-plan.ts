@@ -1,14 +1,14 @@
+import { collectThrown } from '../faults/thrown';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import type { LocalSystem, Phase } from './phases';
-import { currentPlan, type Group } from './plan';
+import type { Group, Plan } from './plan';
 
 /** Bodies of a tile: a dozen f32 columns of it are 100 KB and stay in the second-level cache. Measured, flat to 8192. */
 const TILE_ROWS = 2048;
 
 /** Runs every phase once. */
-export function runPlan(world: PhysicsWorld, dt: number): void {
-  const { groups } = currentPlan(world);
+export function runPlan(world: PhysicsWorld, { groups }: Plan, dt: number): void {
   for (let g = 0; g < groups.length; g++) {
     const group = groups[g] as Group;
     if (group.tiled) runTiles(world, group, dt);
@@ -29,7 +29,7 @@ function runGuarded(world: PhysicsWorld, system: (world: PhysicsWorld, dt: numbe
   try {
     system(world, dt);
   } catch (error) {
-    world.internal.thrown.push(error);
+    collectThrown(world, error);
   }
 }
 
@@ -56,7 +56,7 @@ function runTile(world: PhysicsWorld, group: Group, tile: Spans, dt: number): vo
     try {
       (systems[s] as LocalSystem).run(world, tile, dt);
     } catch (error) {
-      world.internal.thrown.push(error);
+      collectThrown(world, error);
     }
     if (clock !== undefined) addTime(world, group.phases[s] as Phase, clock() - start);
   }

@@ -38,6 +38,7 @@ export function createArena(bytes: number, reserved: number, factory: MemoryFact
   let memory: WebAssembly.Memory;
   try {
     memory = factory(pages);
+    if (memory.buffer.byteLength < pages * PAGE) throw new RangeError('the memory is smaller than asked for');
   } catch (cause) {
     const error = new PhysicsError('E_CAPACITY', `no memory for ${(bytes / 2 ** 20).toFixed(0)} MiB.`, {
       field: 'capacity',

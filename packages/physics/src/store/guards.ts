@@ -1,5 +1,6 @@
 import { PhysicsError } from '../faults/physics-error';
 import type { PhysicsWorld } from '../world';
+import { contextOf } from './bitecs';
 
 /** @throws PhysicsError E_DESTROYED, or E_TYPE for something that is no world */
 export function assertUsable(world: PhysicsWorld): void {
@@ -7,4 +8,21 @@ export function assertUsable(world: PhysicsWorld): void {
     throw new PhysicsError('E_TYPE', 'the first argument must be a world made by createPhysicsWorld.');
   }
   if (world.state === 'destroyed') throw new PhysicsError('E_DESTROYED', 'this world was destroyed.');
+  if (contextOf(world)?.componentMap !== world.internal.componentMap) {
+    throw new PhysicsError('E_DESTROYED', 'bitECS was told to delete or reset this world behind its back.', {
+      hint: 'Use destroyWorld(world), and make a new world instead of resetting one.',
+    });
+  }
+}
+
+/**
+ * Also refuses a world in the middle of a step.
+ * @throws PhysicsError E_REENTRANT, E_DESTROYED, E_TYPE
+ */
+export function assertIdle(world: PhysicsWorld, what: string): void {
+  assertUsable(world);
+  if (world.state === 'idle') return;
+  throw new PhysicsError('E_REENTRANT', `${what} was called inside a step.`, {
+    hint: 'Let the running step end; from a handler, set a flag and act on it afterwards.',
+  });
 }

@@ -1,6 +1,7 @@
 import { bitOf } from '../components/all';
 import { PhysicsError } from '../faults/physics-error';
 import type { PhysicsWorld } from '../world';
+import { assertUsable } from './guards';
 
 declare const reference: unique symbol;
 
@@ -10,50 +11,74 @@ declare const reference: unique symbol;
  */
 export type EntityRef = number & { readonly [reference]: true };
 
-const GENERATION = 2 ** 32;
+/** Ids fit 24 bits, because no world of more rows fits 4 GiB; so a safe integer has 29 bits for the life. */
+const ID_SPAN = 2 ** 24;
+
+/** Highest capacity a world can have. */
+export const MAX_CAPACITY = ID_SPAN - 1;
+
+/** Lives per row before numbers repeat: a body made and removed a thousand times a second on one row for six days. */
+const LIVES = 2 ** 29;
 
 /**
  * The reference of a living body.
- * @throws PhysicsError E_STALE when there is no body with this id
+ * @throws PhysicsError E_STALE when there is no body with this id, E_DESTROYED
  */
 export function entityRef(world: PhysicsWorld, eid: number): EntityRef {
   assertBody(world, eid);
-  return ((world.internal.generations[eid] as number) * GENERATION + eid) as EntityRef;
+  return (lifeOf(world, eid) * ID_SPAN + eid) as EntityRef;
 }
 
-/** Whether the body a reference names is still there. */
+function lifeOf(world: PhysicsWorld, eid: number): number {
+  return world.internal.generations[eid] % LIVES;
+}
+
+/** Whether the body a reference names is still there. @throws PhysicsError E_DESTROYED */
 export function isAlive(world: PhysicsWorld, ref: EntityRef): boolean {
-  const eid = ref % GENERATION;
-  return isBody(world, eid) && world.internal.generations[eid] === Math.floor(ref / GENERATION);
+  assertUsable(world);
+  if (!Number.isSafeInteger(ref)) return false;
+  const eid = ref % ID_SPAN;
+  return hasBody(world, eid) && lifeOf(world, eid) === Math.floor(ref / ID_SPAN);
 }
 
 /**
  * The entity id a reference names.
- * @throws PhysicsError E_STALE when that body is gone, even if its id is in use again
+ * @throws PhysicsError E_STALE when that body is gone, even if its id is in use again; E_DESTROYED
  */
 export function resolve(world: PhysicsWorld, ref: EntityRef): number {
-  if (!isAlive(world, ref)) {
-    throw new PhysicsError('E_STALE', `the body that reference ${ref} names is gone.`, {
-      entity: ref % GENERATION,
-      value: ref,
-      hint: 'Ask `isAlive(world, ref)` before using a reference that may have outlived its body.',
-    });
-  }
-  return ref % GENERATION;
+  if (isAlive(world, ref)) return ref % ID_SPAN;
+  throw new PhysicsError('E_STALE', `the body that reference ${String(ref)} names is gone.`, {
+    entity: typeof ref === 'number' ? ref % ID_SPAN : undefined,
+    value: ref,
+    hint: 'Ask `isAlive(world, ref)` before using a reference that may have outlived its body.',
+  });
 }
 
-/** Whether `eid` is a body now. */
+/** Whether `eid` is a body now. @throws PhysicsError E_DESTROYED */
 export function isBody(world: PhysicsWorld, eid: number): boolean {
-  return Number.isInteger(eid) && eid > 0 && eid <= world.capacity && hasPosition(world, eid);
+  assertUsable(world);
+  return hasBody(world, eid);
 }
 
-function hasPosition(world: PhysicsWorld, eid: number): boolean {
-  return ((world.internal.members[eid] as number) & bitOf('Position')) !== 0;
+function hasBody(world: PhysicsWorld, eid: number): boolean {
+  return isRow(world, eid) && (world.internal.members[eid] & bitOf('Position')) !== 0;
 }
 
-/** @throws PhysicsError E_STALE when `eid` is no body */
+function isRow(world: PhysicsWorld, eid: number): boolean {
+  return Number.isInteger(eid) && eid > 0 && eid <= world.capacity;
+}
+
+/** Whether `eid` has any component of ours, be it a body, a wall or a spring. */
+export function isInhabited(world: PhysicsWorld, eid: number): boolean {
+  return isRow(world, eid) && world.internal.members[eid] !== 0;
+}
+
+/** @throws PhysicsError E_STALE when `eid` is no body, E_DESTROYED */
 export function assertBody(world: PhysicsWorld, eid: number): void {
-  if (!isBody(world, eid)) {
-    throw new PhysicsError('E_STALE', `there is no body ${eid} in this world.`, { entity: eid, value: eid });
-  }
+  if (!isBody(world, eid)) throw staleError(eid, `there is no body ${String(eid)} in this world.`);
+}
+
+export function staleError(eid: number, problem: string): PhysicsError {
+  const entity = typeof eid === 'number' ? eid : undefined;
+  return new PhysicsError('E_STALE', problem, { entity, field: 'entity', value: eid });
 }

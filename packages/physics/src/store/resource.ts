@@ -1,4 +1,5 @@
 import type { PhysicsWorld } from '../world';
+import { assertUsable } from './guards';
 
 /**
  * State of a feature, one per world, made when first asked for: `const contacts = resource((world) => …)` and then
@@ -8,6 +9,7 @@ import type { PhysicsWorld } from '../world';
 export function resource<T>(create: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
   const key = {};
   return (world) => {
+    assertUsable(world);
     const { resources } = world.internal;
     let state = resources.get(key) as T | undefined;
     if (state === undefined) {

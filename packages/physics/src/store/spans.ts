@@ -1,5 +1,6 @@
 import { bitOf } from '../components/all';
 import type { PhysicsWorld } from '../world';
+import { assertUsable } from './guards';
 
 /**
  * Rows to sweep: ascending runs [first, last) of whole 16-row blocks. Rows in a run that belong to no body hold zeros,
@@ -31,8 +32,9 @@ export interface BodyList {
   readonly count: number;
 }
 
-/** The bodies as they are now. The same object every time, so keep a copy of what you need across edits. */
+/** The bodies as they are now. The same object every time, so keep a copy of what you need across edits. @throws PhysicsError E_DESTROYED */
 export function bodies(world: PhysicsWorld): BodyList {
+  assertUsable(world);
   refreshSpans(world);
   return world.internal.bodyList;
 }

@@ -1,0 +1,89 @@
+// The rows of the columns: opened when an entity gains a component, written, and zeroed when it loses it.
+import { removeComponent } from 'bitecs';
+import { bitOf, COMPONENTS, type ComponentName } from '../components/all';
+import type { ComponentSpec } from '../components/define';
+import type { PhysicsWorld } from '../world';
+import { type FieldValues, initialValues } from './values';
+
+type Writable = { [row: number]: number };
+
+/** Whether the row of a component is in use. */
+export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): boolean {
+  return (world.internal.members[eid] & bitOf(name)) !== 0;
+}
+
+/** Begins a row with the component's initial values. */
+export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
+  if (isOpen(world, eid, name)) return;
+  const { internal, versions } = world;
+  if (internal.members[eid] === 0) cleanRow(world, eid);
+  internal.members[eid] = internal.members[eid] | bitOf(name);
+  internal.counts[name]++;
+  if (eid > world.lastId) world.lastId = eid;
+  versions.membership++;
+  writeRow(world, eid, name, initialValues(name));
+}
+
+/**
+ * Zeroes all columns of a row no entity has. They are zero already, unless somebody wrote through an id kept too long;
+ * a new entity must not inherit that. Reads first, so that pages never used stay untouched.
+ */
+export function cleanRow(world: PhysicsWorld, eid: number): void {
+  const { columns } = world.internal;
+  for (let c = 0; c < columns.length; c++) if (columns[c][eid] !== 0) columns[c][eid] = 0;
+}
+
+/** The present values of a row. */
+export function readRow(world: PhysicsWorld, eid: number, name: ComponentName): FieldValues {
+  const columns = world.components[name] as Record<string, Writable>;
+  const values: FieldValues = {};
+  for (const field of Object.keys(columns)) values[field] = columns[field][eid];
+  return values;
+}
+
+/** Writes checked values to a row in use; others are left alone. */
+export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, values: FieldValues): void {
+  if (!isOpen(world, eid, name)) return;
+  const columns = world.components[name] as Record<string, Writable>;
+  for (const field of Object.keys(values)) columns[field][eid] = values[field];
+  if (name in world.previous) teleport(world, eid);
+  if (name === 'Collider' || (COMPONENTS[name] as ComponentSpec).visual) world.versions.style++;
+  if (name === 'Position' || name === 'Velocity') release(world, eid);
+}
+
+/** A body someone put in order is in quarantine no longer. */
+function release(world: PhysicsWorld, eid: number): void {
+  if (isOpen(world, eid, 'Quarantined')) removeComponent(world, eid, world.components.Quarantined);
+}
+
+/** Makes the previous pose of a body its present one, so that renderers do not draw it crossing the gap. */
+export function teleport(world: PhysicsWorld, eid: number): void {
+  const { components, previous, versions } = world;
+  for (const axis of ['x', 'y', 'z'] as const) {
+    previous.Position[axis][eid] = components.Position[axis][eid];
+    previous.Orientation[axis][eid] = components.Orientation[axis][eid];
+  }
+  previous.Orientation.w[eid] = components.Orientation.w[eid];
+  previous.Rotation.angle[eid] = components.Rotation.angle[eid];
+  versions.pose++;
+}
+
+/** Zeroes a row: an absent component has zero coefficients, so kernels may sweep it without asking. */
+export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
+  if (!isOpen(world, eid, name)) return;
+  const { internal, versions } = world;
+  internal.members[eid] = internal.members[eid] & ~bitOf(name);
+  internal.counts[name]--;
+  const columns = world.components[name] as Record<string, Writable>;
+  for (const field of Object.keys(columns)) columns[field][eid] = 0;
+  if (name in world.previous) teleport(world, eid);
+  if (name === 'Position') internal.generations[eid]++;
+  if (internal.members[eid] === 0 && eid === world.lastId) lowerLastId(world);
+  versions.membership++;
+  versions.style++;
+}
+
+function lowerLastId(world: PhysicsWorld): void {
+  const { members } = world.internal;
+  while (world.lastId > 0 && members[world.lastId] === 0) world.lastId--;
+}

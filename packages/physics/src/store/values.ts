@@ -1,0 +1,100 @@
+// Values of a component as a caller gives them, checked before the world is touched.
+import { COMPONENTS, type ComponentName } from '../components/all';
+import type { ComponentSpec, FieldSpec } from '../components/define';
+import { describe, PhysicsError } from '../faults/physics-error';
+import { checkNumber } from '../faults/validate';
+import type { PhysicsWorld } from '../world';
+import { checkBodyId, noteLives } from './links';
+
+/** The checked values of a component, field by field. */
+export type FieldValues = Record<string, number>;
+
+/** What checking needs to know of the world. */
+export type Space = Pick<PhysicsWorld, 'dimensions' | 'capacity' | 'components' | 'internal'>;
+
+/**
+ * The values a caller gave, checked one by one; fields left out stay out.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function checkValues(space: Space, name: ComponentName, data: unknown, entity?: number): FieldValues {
+  const spec: ComponentSpec = COMPONENTS[name];
+  const given = normalise(spec, data, entity);
+  const values: FieldValues = {};
+  for (const field of Object.keys(given)) {
+    // Not `spec.fields[field]` alone: "constructor" would be found there, and a function be written to.
+    if (!Object.hasOwn(spec.fields, field)) throw unknownField(spec, field, entity);
+    const known = spec.fields[field] as FieldSpec;
+    values[field] = checkField(space, known, fieldName(spec, field), given[field], entity);
+  }
+  return values;
+}
+
+/**
+ * The values together as the component wants them (a quaternion normalised, say), with `present()` for what was left out.
+ * @throws PhysicsError E_RANGE
+ */
+export function completeValues(
+  space: Space,
+  name: ComponentName,
+  values: FieldValues,
+  present: () => FieldValues,
+  entity?: number,
+): FieldValues {
+  const spec: ComponentSpec = COMPONENTS[name];
+  if (spec.complete === undefined) return values;
+  const all = { ...present(), ...values };
+  noteLives(space, spec, values, all);
+  spec.complete(all, entity);
+  return all;
+}
+
+/** What a row holds when its component was added without values. */
+export function initialValues(name: ComponentName): FieldValues {
+  const values: FieldValues = {};
+  for (const [field, spec] of Object.entries(COMPONENTS[name].fields)) values[field] = spec.initial;
+  return values;
+}
+
+/** A field as messages name it: "position.x", or "mass" where a bare number sets it. */
+export function fieldName(spec: ComponentSpec, field: string): string {
+  return field === spec.scalar ? spec.key : `${spec.key}.${field}`;
+}
+
+/**
+ * One value as it will be stored.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function checkField(space: Space, spec: FieldSpec, name: string, value: unknown, entity?: number): number {
+  if (value === Infinity && spec.infinite !== undefined) return spec.infinite;
+  const checked = checkNumber(value, name, spec.bounds, entity, spec.hint);
+  if (spec.life !== undefined) checkBodyId(space, name, checked, entity);
+  if (checked !== 0 && spec.spatial === true && space.dimensions === 2) {
+    throw new PhysicsError('E_RANGE', `${name} must be 0 in a world of two dimensions, got ${checked}.`, {
+      entity,
+      field: name,
+      value,
+      hint: 'Make the world with `dimensions: 3`.',
+    });
+  }
+  return checked;
+}
+
+function normalise(spec: ComponentSpec, data: unknown, entity: number | undefined): Record<string, unknown> {
+  if (typeof data === 'object' && data !== null && !Array.isArray(data)) return data as Record<string, unknown>;
+  if (spec.scalar !== undefined && typeof data === 'number') return { [spec.scalar]: data };
+  const fields = Object.keys(spec.fields).join(', ');
+  const wanted = `${spec.scalar ? 'a number or ' : ''}{ ${fields} }`;
+  throw new PhysicsError('E_TYPE', `${spec.key} must be ${wanted}, got ${describe(data)}.`, {
+    entity,
+    field: spec.key,
+    value: data,
+  });
+}
+
+function unknownField(spec: ComponentSpec, field: string, entity: number | undefined): PhysicsError {
+  return new PhysicsError('E_UNKNOWN', `${spec.key} has no field "${field}".`, {
+    entity,
+    field,
+    hint: `Valid: ${Object.keys(spec.fields).join(', ')}.`,
+  });
+}
