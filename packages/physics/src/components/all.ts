@@ -1,5 +1,6 @@
 import { Appearance } from './appearance';
 import { Attractor } from './attractor';
+import { Charge } from './charge';
 import { Collider } from './collider';
 import type { ColumnsOf } from './define';
 import { LinearDrag, QuadraticDrag } from './drag';
@@ -29,6 +30,7 @@ export const COMPONENTS = {
   Attractor,
   SegmentWall,
   PlaneWall,
+  Charge,
   Quarantined,
 } as const;
 
