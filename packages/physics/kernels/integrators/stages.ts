@@ -1,5 +1,5 @@
 // The moves integrators are made of, for one axis. A body without mass (m = 0) keeps its velocity.
-import { LANES, accelerationOf, add, at, mul, splat } from '../lanes';
+import { BLOCK, LANES, accelerationOf, add, at, mul, splat } from '../lanes';
 
 // Kick: v += F/m dt.
 export function kickAxis(v: usize, force: usize, mass: usize, dt: real, first: i32, last: i32): void {
@@ -21,23 +21,36 @@ export function driftAxis(x: usize, v: usize, dt: real, first: i32, last: i32): 
 }
 
 // Kick, then drift with the new velocity, in one pass: the same bits as kickAxis followed by driftAxis.
-export function kickDriftAxis(
-  x: usize, v: usize, force: usize, mass: usize, dt: real, first: i32, last: i32,
-): void {
+export function kickDriftAxis(x: usize, v: usize, force: usize, mass: usize, dt: real, first: i32, last: i32): void {
   const h = splat(dt);
-  for (let row = first; row < last; row += LANES) {
+  for (let row = first; row < last; row += BLOCK) {
     const o = at(row);
-    const a = accelerationOf(v128.load(force + o), v128.load(mass + o));
-    const velocity = add(v128.load(v + o), mul(a, h));
-    v128.store(v + o, velocity);
-    v128.store(x + o, add(v128.load(x + o), mul(velocity, h)));
+    kickDrift(x + o, v + o, force + o, mass + o, h);
+    kickDrift(x + o + 16, v + o + 16, force + o + 16, mass + o + 16, h);
+    kickDrift(x + o + 32, v + o + 32, force + o + 32, mass + o + 32, h);
+    kickDrift(x + o + 48, v + o + 48, force + o + 48, mass + o + 48, h);
   }
+}
+
+// @ts-ignore: decorator
+@inline function kickDrift(x: usize, v: usize, force: usize, mass: usize, h: v128): void {
+  const a = accelerationOf(v128.load(force), v128.load(mass));
+  const velocity = add(v128.load(v), mul(a, h));
+  v128.store(v, velocity);
+  v128.store(x, add(v128.load(x), mul(velocity, h)));
 }
 
 // First half of velocity Verlet: a = F/m is kept, x += v dt + a dt^2/2, and v += a dt as the predictor that forces
 // depending on velocity see at the end of the step.
 export function verletPredictAxis(
-  x: usize, v: usize, acceleration: usize, force: usize, mass: usize, dt: real, first: i32, last: i32,
+  x: usize,
+  v: usize,
+  acceleration: usize,
+  force: usize,
+  mass: usize,
+  dt: real,
+  first: i32,
+  last: i32,
 ): void {
   const h = splat(dt);
   const half = splat(<real>0.5 * dt);
@@ -53,7 +66,14 @@ export function verletPredictAxis(
 
 // Second half of velocity Verlet: v = v(start) + (a(start) + a(end)) dt/2.
 export function verletCorrectAxis(
-  v: usize, start: usize, acceleration: usize, force: usize, mass: usize, dt: real, first: i32, last: i32,
+  v: usize,
+  start: usize,
+  acceleration: usize,
+  force: usize,
+  mass: usize,
+  dt: real,
+  first: i32,
+  last: i32,
 ): void {
   const half = splat(<real>0.5 * dt);
   for (let row = first; row < last; row += LANES) {
@@ -66,8 +86,18 @@ export function verletCorrectAxis(
 // One stage of an explicit Runge-Kutta method: with k = (v, F/m) at the stage, adds `weight` k to the running sums and
 // moves the state to start + k dt `next` for the next stage.
 export function rungeKuttaStageAxis(
-  x: usize, v: usize, startX: usize, startV: usize, sumX: usize, sumV: usize, force: usize, mass: usize,
-  weight: real, next: real, first: i32, last: i32,
+  x: usize,
+  v: usize,
+  startX: usize,
+  startV: usize,
+  sumX: usize,
+  sumV: usize,
+  force: usize,
+  mass: usize,
+  weight: real,
+  next: real,
+  first: i32,
+  last: i32,
 ): void {
   const w = splat(weight);
   const h = splat(next);
@@ -84,7 +114,15 @@ export function rungeKuttaStageAxis(
 
 // End of a Runge-Kutta step: state = start + dt sum.
 export function rungeKuttaFinishAxis(
-  x: usize, v: usize, startX: usize, startV: usize, sumX: usize, sumV: usize, dt: real, first: i32, last: i32,
+  x: usize,
+  v: usize,
+  startX: usize,
+  startV: usize,
+  sumX: usize,
+  sumV: usize,
+  dt: real,
+  first: i32,
+  last: i32,
 ): void {
   const h = splat(dt);
   for (let row = first; row < last; row += LANES) {
