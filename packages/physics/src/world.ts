@@ -119,6 +119,8 @@ export interface WorldInternals {
   componentMap: WorldContext['componentMap'] | undefined;
   /** Per component, the entity that the `addComponent` now running gave it to. */
   readonly fresh: Record<ComponentName, number>;
+  /** Values that `spawn` has checked and is about to set. */
+  checked: FieldValues | undefined;
   /** Bits of the components whose additions a user's observer may be waiting for. */
   observed: number;
   /** What prefabs hand on to their instances. */
@@ -270,6 +272,7 @@ function bookkeeping(components: Components) {
     columns: COMPONENT_NAMES.flatMap((name) => Object.values(components[name]) as { [row: number]: number }[]),
     componentMap: undefined,
     fresh: zeros(),
+    checked: undefined,
     observed: 0,
     templates: new Map(),
     ending: false,

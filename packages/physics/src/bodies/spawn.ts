@@ -48,10 +48,15 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
   makeRoom(world, 1);
   const eid = addEntity(world);
   try {
-    for (const [name, values] of checked) addComponent(world, eid, set(world.components[name], values));
+    for (const [name, values] of checked) {
+      world.internal.checked = values;
+      addComponent(world, eid, set(world.components[name], values));
+    }
   } catch (error) {
     removeWholly(world, eid);
     throw error;
+  } finally {
+    world.internal.checked = undefined;
   }
   return eid;
 }

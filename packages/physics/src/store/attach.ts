@@ -8,7 +8,7 @@ import { PhysicsError } from '../faults/physics-error';
 import type { PhysicsWorld } from '../world';
 import { contextOf, guardTables, isPrefab } from './bitecs';
 import { closeRow, isOpen, openRow, readRow, writeRow } from './rows';
-import { checkValues, completeValues, type FieldValues, initialValues } from './values';
+import { asGiven, checkValues, completeValues, type FieldValues, initialValues } from './values';
 
 /** Registers the observers; called once when the world is made. */
 export function observeComponents(world: PhysicsWorld): void {
@@ -18,7 +18,7 @@ export function observeComponents(world: PhysicsWorld): void {
     observe(world, onAdd(component), (eid: number) => added(world, eid, name));
     observe(world, onSet(component), (eid: number, data: unknown) => assigned(world, eid, name, data));
     observe(world, onRemove(component), (eid: number) => removed(world, eid, name));
-    observe(world, onGet(component), (eid: number) => present(world, eid, name));
+    observe(world, onGet(component), (eid: number) => asGiven(name, present(world, eid, name)));
   }
   guardTables(world, {
     onLookup(name) {
@@ -66,7 +66,7 @@ function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: u
   internal.fresh[name] = 0;
   let values: FieldValues;
   try {
-    values = completeValues(world, name, checkValues(world, name, data, eid), () => present(world, eid, name), eid);
+    values = data === internal.checked ? (data as FieldValues) : checkWhole(world, eid, name, data);
   } catch (error) {
     if (fresh) removeComponent(world, eid, world.components[name]);
     throw error;
@@ -74,6 +74,11 @@ function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: u
   if (isPrefab(world, eid)) setTemplate(world, eid, name, values);
   else if (world.state !== 'stepping') writeRow(world, eid, name, values);
   else if (!isLeaving(world, eid)) internal.commands.push(() => writeRow(world, eid, name, values));
+}
+
+function checkWhole(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): FieldValues {
+  const values = checkValues(world, name, data, eid);
+  return completeValues(world, name, values, () => present(world, eid, name), eid);
 }
 
 /** A component's values as they stand: of a row, of a prefab, or the initial ones of a row not open yet. */

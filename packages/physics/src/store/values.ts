@@ -79,6 +79,15 @@ export function checkField(space: Space, spec: FieldSpec, name: string, value: u
   return checked;
 }
 
+/** Stored values as a caller would give them: a mass stored as 0 was given as Infinity, and 0 would be refused. */
+export function asGiven(name: ComponentName, values: FieldValues): FieldValues {
+  for (const [field, spec] of Object.entries<FieldSpec>(COMPONENTS[name].fields)) {
+    const { above = -Infinity } = spec.bounds;
+    if (values[field] === spec.infinite && !(values[field] > above)) values[field] = Infinity;
+  }
+  return values;
+}
+
 function normalise(spec: ComponentSpec, data: unknown, entity: number | undefined): Record<string, unknown> {
   if (typeof data === 'object' && data !== null && !Array.isArray(data)) return data as Record<string, unknown>;
   if (spec.scalar !== undefined && typeof data === 'number') return { [spec.scalar]: data };

@@ -1,0 +1,207 @@
+import {
+  createPhysicsWorld,
+  defineForce,
+  type Force,
+  linearDrag,
+  type PhysicsWorld,
+  quadraticDrag,
+  spawn,
+  stateHash,
+  step,
+  uniformGravity,
+} from '@principia/physics';
+import { addComponent, set } from 'bitecs';
+import { describe, expect, it } from 'vitest';
+import {
+  assertRefused,
+  assertWorldAlive,
+  ball,
+  DT,
+  groundWorld,
+  KINDS,
+  refusal,
+  withWitness,
+} from '../support/worlds.ts';
+
+/** Pushes one body with `newtons` along x. */
+function push(eid: number, newtons: number): Force {
+  return defineForce({
+    name: 'push',
+    accumulate({ scratch }, first, last) {
+      if (eid >= first && eid < last) scratch.force.x[eid] += newtons;
+    },
+  });
+}
+
+function errorsOf(world: PhysicsWorld): unknown[] {
+  try {
+    step(world, DT);
+  } catch (error) {
+    expect(error).toBeInstanceOf(AggregateError);
+    return (error as AggregateError).errors;
+  }
+  return [];
+}
+
+describe.each(KINDS)('forces, $dimensions D $precision', (kind) => {
+  it('16 a NaN force stops its body, says so once, and reaches no other', () => {
+    const { world, victim } = withWitness(({ world, victim }) => world.forces.push(push(victim, NaN)), kind);
+    expect(world.faults.faults).toMatchObject([
+      { code: 'E_NONFINITE', entity: victim, value: NaN, step: 0, phase: 'finish' },
+    ]);
+    expect(world.components.Position.x[victim]).toBe(0);
+  });
+
+  it('17 a force of 1e308 N leaves everything finite', () => {
+    const { world, victim } = withWitness(({ world, victim }) => world.forces.push(push(victim, 1e308)), kind);
+    const { Position, Velocity } = world.components;
+    expect([Position.x[victim], Velocity.x[victim]].every(Number.isFinite)).toBe(true);
+    expect(world.faults.faults).toHaveLength(1);
+  });
+
+  it('20 a negative drag coefficient is refused', () => {
+    const world = groundWorld(kind);
+    const eid = ball(world, 0, 1);
+    const { LinearDrag, QuadraticDrag } = world.components;
+    const refused = { code: 'E_RANGE' };
+    assertRefused(world, () => spawn(world, { position: {}, linearDrag: -1 }), { ...refused, field: 'linearDrag' });
+    assertRefused(world, () => addComponent(world, eid, set(LinearDrag, -1)), { ...refused, entity: eid });
+    assertRefused(world, () => addComponent(world, eid, set(QuadraticDrag, -1)), { ...refused, entity: eid });
+  });
+
+  it('20 a drag coefficient of -1e9 or NaN in the column stays with its body', () => {
+    for (const bad of [-1e9, NaN]) {
+      const { world } = withWitness(({ world, victim }) => {
+        world.forces.push(linearDrag({ x: 1 }), quadraticDrag({ x: 1 }));
+        addComponent(world, victim, set(world.components.LinearDrag, 1));
+        world.components.LinearDrag.coefficient[victim] = bad;
+      }, kind);
+      expect(world.faults.faults.length).toBeGreaterThan(0);
+    }
+  });
+
+  it('21 gravity of NaN is refused and the previous gravity stays', () => {
+    const world = groundWorld(kind);
+    ball(world, 0, 1);
+    const forces = [...world.forces];
+    assertRefused(world, () => world.forces.splice(0, 1, uniformGravity({ y: NaN })), {
+      code: 'E_NONFINITE',
+      field: 'uniformGravity.y',
+    });
+    expect(world.forces).toEqual(forces);
+    assertWorldAlive(world);
+  });
+
+  it('23 a force that throws comes out of the step, which is complete, and the world goes on', () => {
+    const world = groundWorld(kind);
+    const eid = ball(world, 0, 5);
+    const oops = new Error('oops');
+    world.forces.push(
+      defineForce({
+        name: 'broken',
+        accumulate() {
+          throw oops;
+        },
+      }),
+    );
+    expect(errorsOf(world)[0]).toBe(oops);
+    // Gravity acted all the same: v = -g dt.
+    expect(world.components.Velocity.y[eid]).toBeCloseTo(-9.80665 * DT, 6);
+    expect([world.tick, world.state]).toEqual([1, 'idle']);
+    world.forces.pop();
+    assertWorldAlive(world);
+  });
+
+  it('23 a million exceptions a step are counted, not kept', () => {
+    const world = createPhysicsWorld({ ...kind, capacity: 100 });
+    ball(world, 0, 5);
+    for (let i = 0; i < 1000; i++) {
+      world.forces.push(
+        defineForce({
+          name: 'broken',
+          accumulate() {
+            throw new Error('oops');
+          },
+        }),
+      );
+    }
+    const errors = errorsOf(world);
+    expect(errors.length).toBeLessThanOrEqual(32);
+    expect(() => step(world, DT)).toThrow('2000 error(s)'); // velocity Verlet evaluates twice
+  });
+});
+
+describe('what is no force, system or integrator', () => {
+  const NO_FORCES: readonly [string, unknown][] = [
+    ['undefined', undefined],
+    ['null', null],
+    ['an empty object', {}],
+    ['a string', 'gravity'],
+    ['a function', () => 0],
+    ['the maker instead of what it makes', uniformGravity],
+  ];
+
+  it.each(NO_FORCES)('23 %s among the forces is refused, naming its place, until it is taken out', (_, bad) => {
+    const world = groundWorld();
+    ball(world, 0, 1);
+    world.forces.push(bad as Force);
+    assertRefused(world, () => step(world, DT), { code: 'E_TYPE', field: 'world.forces[1]', hint: /defineForce/ });
+    world.forces.pop();
+    assertWorldAlive(world);
+  });
+
+  it('23 a hole in the forces is refused', () => {
+    const world = groundWorld();
+    world.forces[3] = uniformGravity();
+    assertRefused(world, () => step(world, DT), { code: 'E_TYPE', field: 'world.forces[1]' });
+  });
+
+  it('23 a system that is none is refused', () => {
+    const world = groundWorld();
+    world.phases.input.push(undefined as never);
+    assertRefused(world, () => step(world, DT), { code: 'E_TYPE', field: 'world.phases.input[0]' });
+    world.phases.input.pop();
+    assertWorldAlive(world);
+  });
+
+  it('23 an integrator that is none is refused, and the world goes on with a good one', () => {
+    const world = groundWorld();
+    ball(world, 0, 1);
+    const { integrator } = world;
+    world.integrator = undefined as never;
+    assertRefused(world, () => step(world, DT), { code: 'E_TYPE', field: 'world.integrator' });
+    world.integrator = integrator;
+    assertWorldAlive(world);
+  });
+
+  it('23 a world is not made with them', () => {
+    expect(refusal(() => createPhysicsWorld({ forces: [uniformGravity(), 5 as never] }))).toMatchObject({
+      code: 'E_TYPE',
+      field: 'forces[1]',
+    });
+    expect(refusal(() => createPhysicsWorld({ forces: 'gravity' as never })).code).toBe('E_TYPE');
+    expect(refusal(() => createPhysicsWorld({ walls: [null as never] })).code).toBe('E_TYPE');
+    expect(refusal(() => createPhysicsWorld({ integrator: {} as never })).code).toBe('E_TYPE');
+    expect(refusal(() => createPhysicsWorld({ preset: 'standard' as never })).code).toBe('E_TYPE');
+  });
+
+  it('23 a system, an integrator or a profile clock that throws does not lock the world', () => {
+    const oops = () => {
+      throw new Error('oops');
+    };
+    const world = groundWorld();
+    ball(world, 0, 1);
+    world.phases.input.push(oops);
+    expect(() => step(world, DT)).toThrow(AggregateError);
+    world.phases.input.pop();
+    const { integrator } = world;
+    world.integrator = { ...integrator, advance: oops };
+    expect(() => step(world, DT)).toThrow(AggregateError);
+    world.integrator = integrator;
+    world.profile = { clock: oops, times: {} as never };
+    expect(() => step(world, DT)).toThrow(AggregateError);
+    world.profile = undefined;
+    assertWorldAlive(world);
+    expect(stateHash(world)).toMatch(/^[0-9a-f]{16}$/);
+  });
+});

@@ -1,0 +1,167 @@
+import { createRunner, destroyWorld, type PhysicsWorld, stateHash, step } from '@principia/physics';
+import { describe, expect, it } from 'vitest';
+import {
+  assertRefused,
+  assertWorldAlive,
+  ball,
+  DT,
+  groundWorld,
+  refusal,
+  steps,
+  worldState,
+} from '../support/worlds.ts';
+
+function bouncing(): PhysicsWorld {
+  const world = groundWorld();
+  for (let i = 0; i < 5; i++) ball(world, i, 1 + i, { x: i - 2 });
+  return world;
+}
+
+describe('time', () => {
+  it('44 step(0) does nothing at all', () => {
+    const world = bouncing();
+    step(world, DT);
+    const before = worldState(world);
+    step(world, 0);
+    step(world, -0);
+    expect(worldState(world)).toEqual(before);
+  });
+
+  it.each([-1, -1e-300])('45 a negative dt (%d) throws and nothing moves', (dt) => {
+    const world = bouncing();
+    assertRefused(world, () => step(world, dt), { code: 'E_RANGE', field: 'dt', value: dt });
+    assertWorldAlive(world);
+  });
+
+  it.each([NaN, Infinity, -Infinity])('46 dt %d throws and nothing moves', (dt) => {
+    const world = bouncing();
+    assertRefused(world, () => step(world, dt), { code: 'E_NONFINITE', field: 'dt', value: dt });
+    assertWorldAlive(world);
+  });
+
+  it.each([undefined, '0.016', 1n, null])('46 a dt that is no number (%s) throws and nothing moves', (dt) => {
+    const world = bouncing();
+    assertRefused(world, () => step(world, dt as never), { code: 'E_TYPE', field: 'dt' });
+  });
+
+  it.each([1e13, Number.MAX_VALUE])('46 a dt of %d s is refused, because the sum of times must stay finite', (dt) => {
+    assertRefused(bouncing(), () => step(bouncing(), dt), { code: 'E_RANGE', field: 'dt' });
+  });
+
+  it('46 a world time that somebody made NaN is refused until it is a number again', () => {
+    const world = bouncing();
+    world.time = NaN;
+    expect(refusal(() => step(world, DT)).code).toBe('E_NONFINITE');
+    world.time = 0;
+    assertWorldAlive(world);
+  });
+
+  it('47 10 s through the runner are clamped and the rest is counted', () => {
+    const world = bouncing();
+    const runner = createRunner(world);
+    expect(runner.advance(10)).toBe(15);
+    expect(runner.droppedTime).toBe(9.75);
+    expect(world.time).toBeCloseTo(0.25, 12);
+    assertWorldAlive(world);
+  });
+
+  it('48 a step of 1e-12 s moves bodies by v dt, and nothing is lost', () => {
+    const world = bouncing();
+    const { Position, Velocity } = world.components;
+    const [x, v] = [Position.x[1], Velocity.x[1]];
+    steps(world, 1000, 1e-12);
+    // A thousand additions of 2e-12 to a number near 1, each rounded to half an ulp (1.1e-16).
+    expect(Math.abs(Position.x[1] - (x + v * 1e-9))).toBeLessThan(1000 * 1.2e-16);
+    expect(world.faults.faults).toEqual([]);
+    assertWorldAlive(world);
+  });
+
+  it('48 the shortest step is 1e-20 s; below is refused rather than divided by', () => {
+    const world = groundWorld({ precision: 'f32' });
+    ball(world, 0, 0.05, { y: -3 }); // into the floor: the wall divides by dt
+    step(world, 1e-20);
+    expect(world.faults.faults).toEqual([]);
+    assertRefused(world, () => step(world, 1e-30), { code: 'E_RANGE', field: 'dt' });
+    assertWorldAlive(world);
+  });
+
+  it('48 a runner whose dt would take more than a million steps a frame is refused', () => {
+    expect(refusal(() => createRunner(bouncing(), { dt: 1e-12 }))).toMatchObject({ code: 'E_RANGE', field: 'dt' });
+    expect(createRunner(bouncing(), { dt: 1e-6, maxFrame: 1e-3 }).advance(1)).toBe(1000);
+  });
+
+  it('49 a tab hidden for an hour costs one clamped frame', () => {
+    const world = bouncing();
+    const runner = createRunner(world);
+    runner.advance(1 / 60);
+    expect(runner.advance(3600)).toBe(15);
+    expect(runner.advance(1 / 60)).toBe(1);
+    expect(runner.droppedTime).toBeCloseTo(3600 - 0.25, 9);
+  });
+
+  it('50 frame times of 1, 1, 50, 0, 0 and 3 ms give the trajectory of constant frames', () => {
+    // 60 times 55 ms are 3.3 s, and so are 200 times 16.5 ms: 198 steps of 1/60 s, the last one only just.
+    const play = (frames: readonly number[], times: number) => {
+      const world = bouncing();
+      const runner = createRunner(world);
+      const hashes: string[] = [];
+      world.phases.events.push(() => hashes.push(stateHash(world)));
+      for (let i = 0; i < times; i++) for (const ms of frames) runner.advance(ms / 1000);
+      return hashes;
+    };
+    const jittery = play([1, 1, 50, 0, 0, 3], 60);
+    const constant = play([16.5], 200);
+    expect(constant).toHaveLength(198);
+    expect(jittery).toEqual(constant);
+  });
+
+  it.each([-1, NaN, Infinity, '1', undefined])('a frame time of %s is refused', (elapsed) => {
+    const world = bouncing();
+    const runner = createRunner(world);
+    runner.advance(0.01);
+    const { alpha } = runner;
+    refusal(() => runner.advance(elapsed as number));
+    expect([runner.alpha, runner.droppedTime, world.tick]).toEqual([alpha, 0, 0]);
+  });
+
+  it.each([
+    [{ dt: 0 }, 'E_RANGE'],
+    [{ dt: -1 }, 'E_RANGE'],
+    [{ dt: NaN }, 'E_NONFINITE'],
+    [{ dt: '1' }, 'E_TYPE'],
+    [{ dt: 1, maxFrame: 0.5 }, 'E_RANGE'],
+    [{ step: 1 }, 'E_UNKNOWN'],
+    [null, 'E_TYPE'],
+  ])('a runner with options %o is refused with %s', (options, code) => {
+    expect(refusal(() => createRunner(bouncing(), options as never)).code).toBe(code);
+  });
+
+  it('a runner goes on after a step that threw, and saves up no more than a frame', () => {
+    const world = bouncing();
+    const runner = createRunner(world);
+    world.phases.input.push(() => {
+      throw new Error('oops');
+    });
+    for (let i = 0; i < 100; i++) expect(() => runner.advance(0.25)).toThrow(AggregateError);
+    expect(world.tick).toBe(100);
+    world.phases.input.pop();
+    expect(runner.advance(0)).toBeLessThanOrEqual(15 + 1);
+    // Every second handed in was simulated, dropped, or waits for the next step.
+    expect(world.time + runner.droppedTime + runner.alpha * runner.dt).toBeCloseTo(25, 9);
+  });
+
+  it('a runner inside a step is refused, and one whose world ends in a step stops there', () => {
+    const world = bouncing();
+    const runner = createRunner(world);
+    let inner: string | undefined;
+    world.phases.input.push(() => {
+      inner = refusal(() => runner.advance(1)).code;
+    });
+    runner.advance(1 / 60);
+    expect(inner).toBe('E_REENTRANT');
+    world.phases.input.push((w) => destroyWorld(w));
+    expect(runner.advance(0.25)).toBe(1);
+    expect(refusal(() => runner.advance(0.25)).code).toBe('E_DESTROYED');
+    expect(refusal(() => createRunner(world)).code).toBe('E_DESTROYED');
+  });
+});
