@@ -5,6 +5,8 @@ export * from './hash';
 export * from './diagnostics';
 export * from './forces/uniform-gravity';
 export * from './forces/drag';
+export * from './forces/springs';
+export * from './forces/attractors';
 export * from './integrators/stages';
 export * from './integrators/spin';
 export * from './walls/box';

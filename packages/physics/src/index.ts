@@ -16,10 +16,14 @@ export { type EventMap, type EventName, type Handler, on } from './events/handle
 export { clearFaults, type Fault, type FaultLog } from './faults/fault-log';
 export { type FaultCode, type FaultDetails, PhysicsError } from './faults/physics-error';
 export type { Vector, VectorInput } from './faults/validate';
+export { attractors } from './forces/attractors';
 export { linearDrag, quadraticDrag } from './forces/drag';
 export { type EvaluateForces, evaluateForces } from './forces/evaluate';
 export { type CustomForce, defineForce, type Force, type ForceParameter } from './forces/force';
+export { replaceForce } from './forces/replace-force';
+export { removedSprings, springs } from './forces/springs';
 export { STANDARD_GRAVITY, uniformGravity } from './forces/uniform-gravity';
+export { type GustOptions, gusts, type Wind } from './forces/wind';
 export type { Integrator } from './integrators/integrator';
 export { rungeKutta4 } from './integrators/runge-kutta-4';
 export { semiImplicitEuler } from './integrators/semi-implicit-euler';

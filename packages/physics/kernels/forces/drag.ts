@@ -12,7 +12,15 @@ export function linearDragAxis(force: usize, v: usize, coefficient: usize, mediu
 
 // F -= k |v - w| (v - w) in the plane, with the medium moving at w.
 export function quadraticDrag2d(
-  fx: usize, fy: usize, vx: usize, vy: usize, coefficient: usize, wx: real, wy: real, first: i32, last: i32,
+  fx: usize,
+  fy: usize,
+  vx: usize,
+  vy: usize,
+  coefficient: usize,
+  wx: real,
+  wy: real,
+  first: i32,
+  last: i32,
 ): void {
   const mediumX = splat(wx);
   const mediumY = splat(wy);
@@ -29,8 +37,18 @@ export function quadraticDrag2d(
 
 // F -= k |v - w| (v - w) in space, with the medium moving at w.
 export function quadraticDrag3d(
-  fx: usize, fy: usize, fz: usize, vx: usize, vy: usize, vz: usize, coefficient: usize,
-  wx: real, wy: real, wz: real, first: i32, last: i32,
+  fx: usize,
+  fy: usize,
+  fz: usize,
+  vx: usize,
+  vy: usize,
+  vz: usize,
+  coefficient: usize,
+  wx: real,
+  wy: real,
+  wz: real,
+  first: i32,
+  last: i32,
 ): void {
   const mediumX = splat(wx);
   const mediumY = splat(wy);

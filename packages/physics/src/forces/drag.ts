@@ -1,4 +1,4 @@
-// Drag of a medium, still or moving at a steady wind w.
+// Drag of a medium, still or moving at the wind w.
 //
 //   linear     F = -c (v - w)            slow, viscous: Re < 1     c, kg/s: 6 π η r for a sphere (Stokes 1851)
 //   quadratic  F = -k |v - w| (v - w)    fast: Re > 1000           k, kg/m: ρ C_d A / 2 (Rayleigh)
@@ -6,27 +6,26 @@
 // The coefficients are the columns LinearDrag and QuadraticDrag; zero, or no component, feels nothing.
 // A source of both: Batchelor, An Introduction to Fluid Dynamics, sections 4.9 and 5.11.
 // Cost: linear one multiply-add an axis; quadratic one square root more.
-import { MAX_SPEED } from '../components/velocity';
-import { checkVector, type VectorInput } from '../faults/validate';
-import type { Force } from './force';
+import type { Force, ForceParameter } from './force';
+import { type Wind, windState } from './wind';
 
 const STILL = { x: 0, y: 0, z: 0 };
-const SPEEDS = { min: -MAX_SPEED, max: MAX_SPEED };
 
 /**
  * Linear drag.
- * @param wind velocity w of the medium, m/s
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ * @param wind velocity w of the medium, m/s, or a function of time, s, that gives it
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
-export function linearDrag(wind: VectorInput = STILL): Force {
-  const w = checkVector(wind, 'linearDrag', SPEEDS);
+export function linearDrag(wind: Wind = STILL): Force {
+  const medium = windState(wind, 'linearDrag');
   return {
     name: 'linear drag',
     equation: 'F = -c (v - w)',
-    parameters: windParameters(w),
+    parameters: windParameters(wind),
     reads: ['Velocity', 'LinearDrag'],
     local: true,
-    accumulate(world, first, last) {
+    accumulate(world, first, last, time) {
+      const w = medium.at(world, time);
       const { kernels, addresses, dimensions } = world;
       const { Velocity, LinearDrag } = addresses;
       const force = world.scratch.at.force;
@@ -41,18 +40,19 @@ export function linearDrag(wind: VectorInput = STILL): Force {
 
 /**
  * Quadratic drag.
- * @param wind velocity w of the medium, m/s
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ * @param wind velocity w of the medium, m/s, or a function of time, s, that gives it
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
-export function quadraticDrag(wind: VectorInput = STILL): Force {
-  const w = checkVector(wind, 'quadraticDrag', SPEEDS);
+export function quadraticDrag(wind: Wind = STILL): Force {
+  const medium = windState(wind, 'quadraticDrag');
   return {
     name: 'quadratic drag',
     equation: 'F = -k |v - w| (v - w)',
-    parameters: windParameters(w),
+    parameters: windParameters(wind),
     reads: ['Velocity', 'QuadraticDrag'],
     local: true,
-    accumulate(world, first, last) {
+    accumulate(world, first, last, time) {
+      const w = medium.at(world, time);
       const { kernels, addresses } = world;
       const { x, y, z } = addresses.Velocity;
       const k = addresses.QuadraticDrag.coefficient;
@@ -66,10 +66,13 @@ export function quadraticDrag(wind: VectorInput = STILL): Force {
   };
 }
 
-function windParameters(w: { x: number; y: number; z: number }) {
+/** Of a steady wind; one that changes has no value to show. */
+function windParameters(wind: Wind): Record<string, ForceParameter> {
+  if (typeof wind === 'function') return {};
+  const { x = 0, y = 0, z = 0 } = wind;
   return {
-    windX: { unit: 'm/s', value: w.x },
-    windY: { unit: 'm/s', value: w.y },
-    windZ: { unit: 'm/s', value: w.z },
+    windX: { unit: 'm/s', value: x },
+    windY: { unit: 'm/s', value: y },
+    windZ: { unit: 'm/s', value: z },
   };
 }

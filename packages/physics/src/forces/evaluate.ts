@@ -40,6 +40,12 @@ function clearForces(world: PhysicsWorld, spans: Spans): void {
   }
 }
 
+/** Lets every force look at the world before the step. */
+export function prepareForces(world: PhysicsWorld, dt: number): void {
+  const { forces } = world;
+  for (let f = 0; f < forces.length; f++) forces[f].prepare?.(world, dt);
+}
+
 /** Whether every force reads only its own body, so that a step may run tile by tile. */
 export function allForcesLocal(world: PhysicsWorld): boolean {
   return world.forces.every((force) => force.local);

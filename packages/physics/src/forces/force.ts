@@ -23,6 +23,11 @@ export interface Force {
   readonly local: boolean;
   /** It writes `world.scratch.force.x[eid]` from TypeScript, rather than through addresses in a kernel. */
   readonly usesForceColumns?: boolean;
+  /**
+   * Called once a step, before anything moves, when edits are still allowed: gathers what the force needs. What it
+   * throws comes out of `step`, which then has not happened.
+   */
+  prepare?(world: PhysicsWorld, dt: number): void;
   /** Adds this force, N, to the force on each body. `time` is the moment it is asked for, s. */
   accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
   /** Potential energy of the world under this force, J; only where the force is conservative. */
@@ -36,6 +41,7 @@ export interface CustomForce {
   readonly reads?: readonly string[];
   /** Default true: reads nothing but its own body. */
   readonly local?: boolean;
+  prepare?(world: PhysicsWorld, dt: number): void;
   accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
   potential?(world: PhysicsWorld): number;
 }
@@ -52,6 +58,7 @@ export function defineForce(force: CustomForce): Force {
     local: force.local ?? true,
     usesForceColumns: true,
     accumulate: force.accumulate,
+    ...(force.prepare === undefined ? {} : { prepare: force.prepare }),
     ...(force.potential === undefined ? {} : { potential: force.potential }),
   };
 }

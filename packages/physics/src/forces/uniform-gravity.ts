@@ -37,7 +37,8 @@ export function uniformGravity(acceleration: VectorInput = { y: -STANDARD_GRAVIT
       if (g.z !== 0 && dimensions === 3) kernels.uniformGravityAxis(force.z, mass, g.z, first, last);
     },
     potential(world) {
-      const { kernels, addresses, rows } = world;
+      const { kernels, addresses } = world;
+      const rows = world.lastId + 1;
       const { Mass, Position } = addresses;
       return -(
         g.x * kernels.dotColumns(Mass.value, Position.x, 0, rows) +

@@ -15,5 +15,15 @@ export interface Integrator {
   readonly symplectic: boolean;
   /** Force evaluations a step. */
   readonly evaluations: number;
+  /**
+   * By what part of a step its velocities are those of an earlier moment than its positions; default 0. Walls and
+   * contacts need it to find speed and height at the instant of an impact.
+   */
+  readonly velocityLag?: number;
+  /**
+   * Whether a damped oscillator stays bounded: `stiffness` is ω² dt², `damping` is γ dt, for x″ = -ω² x - γ x′. Springs
+   * ask before the step; without an answer they do not check.
+   */
+  isStable?(stiffness: number, damping: number): boolean;
   advance(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: EvaluateForces): void;
 }

@@ -13,6 +13,14 @@ export const rungeKutta4: Integrator = {
   order: 4,
   symplectic: false,
   evaluations: 4,
+  isStable: (stiffness, damping) => {
+    // |1 + z + z²/2 + z³/6 + z⁴/24| <= 1 at both roots z of z² + γ dt z + ω² dt² = 0.
+    const half = damping / 2;
+    const square = half * half - stiffness;
+    const root = Math.sqrt(Math.abs(square));
+    if (square < 0) return growth(-half, root) <= 1 + 1e-9;
+    return growth(-half - root, 0) <= 1 + 1e-9 && growth(-half + root, 0) <= 1 + 1e-9;
+  },
   advance(world, spans, dt, evaluateForces) {
     const { time } = world;
     clearSums(world, spans);
@@ -27,6 +35,18 @@ export const rungeKutta4: Integrator = {
     finish(world, spans, dt);
   },
 };
+
+/** Square of the factor by which a step multiplies a mode z = x + i y. */
+function growth(x: number, y: number): number {
+  let re = 1;
+  let im = 0;
+  for (let n = 4; n >= 1; n--) {
+    const next = 1 + (re * x - im * y) / n;
+    im = (re * y + im * x) / n;
+    re = next;
+  }
+  return re * re + im * im;
+}
 
 function clearSums(world: PhysicsWorld, spans: Spans): void {
   const { kernels, scratch } = world;

@@ -14,6 +14,11 @@ export const semiImplicitEuler: Integrator = {
   order: 1,
   symplectic: true,
   evaluations: 1,
+  // x(n+1) - x(n) = v(n+1) dt: the velocity is that of the middle of the step.
+  velocityLag: 0.5,
+  // The step multiplies (x, v dt) by a matrix of trace 2 - γ dt - ω² dt² and determinant 1 - γ dt; its eigenvalues lie in
+  // the unit circle when |trace| <= 1 + determinant and |determinant| <= 1 (Jury).
+  isStable: (stiffness, damping) => stiffness + 2 * damping <= 4,
   advance(world, spans, dt, evaluateForces) {
     evaluateForces(world, spans, world.time);
     kickDrift(world, spans, dt);

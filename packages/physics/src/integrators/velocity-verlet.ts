@@ -15,6 +15,13 @@ export const velocityVerlet: Integrator = {
   order: 2,
   symplectic: true,
   evaluations: 2,
+  isStable: (w, g) => {
+    // Trace and determinant of the matrix by which a step multiplies (x, v dt), with w = ω² dt² and g = γ dt.
+    const trace = 2 - w - g + (g * g) / 2 + (w * g) / 4;
+    const determinant =
+      (1 - w / 2) * (1 - w / 2 - g + (g * g) / 2 + (w * g) / 4) + (1 - g / 2) * w * (1 - w / 4 - g / 2);
+    return Math.abs(determinant) <= 1 + 1e-9 && Math.abs(trace) <= 1 + determinant + 1e-9;
+  },
   advance(world, spans, dt, evaluateForces) {
     evaluateForces(world, spans, world.time);
     predict(world, spans, dt);

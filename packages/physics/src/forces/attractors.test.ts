@@ -1,0 +1,145 @@
+import { describe, expect, test } from 'vitest';
+import { spawn } from '../bodies/spawn';
+import { angularMomentum, energy } from '../diagnostics/energy';
+import { rungeKutta4 } from '../integrators/runge-kutta-4';
+import { semiImplicitEuler } from '../integrators/semi-implicit-euler';
+import { velocityVerlet } from '../integrators/velocity-verlet';
+import { step } from '../step';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world';
+import { attractors } from './attractors';
+import { defineForce } from './force';
+
+/** ch06-orbits: a sun of μ = 1e6 at (275, 200), a planet at (200, 50). */
+function orbit(velocity: { x: number; y: number }, options: PhysicsWorldOptions = {}) {
+  const world = createPhysicsWorld({ capacity: 10, forces: [attractors()], ...options });
+  spawn(world, { position: { x: 275, y: 200 }, attractor: 1e6 });
+  const planet = spawn(world, { position: { x: 200, y: 50 }, velocity, mass: 1 });
+  return { world, planet };
+}
+
+const SUN = { x: 275, y: 200 };
+
+describe('attractors', () => {
+  test('ch06-orbits: angular momentum exact, energy within its bound for each integrator', () => {
+    for (const [integrator, bound] of [
+      [semiImplicitEuler, 2.5e-3],
+      [velocityVerlet, 1.5e-5],
+      [rungeKutta4, 2e-10],
+    ] as const) {
+      const { world } = orbit({ x: 80, y: -40 }, { integrator });
+      const start = energy(world).total;
+      expect(angularMomentum(world, SUN).z).toBeCloseTo(15000, 9);
+      let worst = 0;
+      for (let i = 0; i < 60 * 200; i++) {
+        step(world, 1 / 60);
+        worst = Math.max(worst, Math.abs(energy(world).total / start - 1));
+      }
+      expect(worst, integrator.name).toBeLessThan(bound);
+      const drift = Math.abs(angularMomentum(world, SUN).z / 15000 - 1);
+      expect(drift).toBeLessThan(integrator === rungeKutta4 ? 1e-9 : 1e-12);
+    }
+  });
+
+  test('ch06-orbits-presets: period and apsides of six launches', () => {
+    for (const [vx, vy, a, e, period] of [
+      [80, -40, 254.73, 0.3416, 25.545],
+      [70, -40, 184.31, 0.1057, 15.722],
+      [85, -40, 322.51, 0.4805, 36.391],
+      [80, 0, 180.97, 0.452, 15.297],
+    ] as const) {
+      const { world, planet } = orbit({ x: vx, y: vy }, { integrator: rungeKutta4 });
+      const { x, y } = world.components.Position;
+      const start = [x[planet], y[planet]] as const;
+      let [near, far] = [Infinity, 0];
+      const steps = 2000;
+      for (let i = 0; i < steps; i++) {
+        step(world, period / steps);
+        const r = Math.hypot(x[planet] - SUN.x, y[planet] - SUN.y);
+        near = Math.min(near, r);
+        far = Math.max(far, r);
+      }
+      expect((near + far) / 2 / a).toBeCloseTo(1, 4);
+      expect((far - near) / (far + near)).toBeCloseTo(e, 3);
+      expect(Math.hypot(x[planet] - start[0], y[planet] - start[1])).toBeLessThan(1e-3 * 2 * Math.PI * a);
+    }
+  });
+
+  test('the inverse square law, and Plummer softening', () => {
+    const force = (distance: number, softening: number) => {
+      const world = createPhysicsWorld({
+        dimensions: 3,
+        capacity: 10,
+        forces: [attractors()],
+        integrator: semiImplicitEuler,
+      });
+      spawn(world, { position: {}, attractor: { mu: 12, softening } });
+      const body = spawn(world, { position: { z: distance }, velocity: {}, mass: 2 });
+      step(world, 1e-9);
+      return world.scratch.force.z[body];
+    };
+    expect(force(2, 0)).toBe(-6);
+    expect(force(4, 0)).toBe(-1.5);
+    expect(force(4, 3)).toBeCloseTo((-2 * 12 * 4) / 125, 14);
+    expect(force(0, 0)).toBe(0);
+    expect(force(0, 3)).toBe(0);
+  });
+
+  test('neither itself nor its own softening pulls a centre that has mass and moves', () => {
+    for (const precision of ['f32', 'f64'] as const) {
+      for (let before = 0; before < 5; before++) {
+        const world = createPhysicsWorld({ capacity: 10, precision, forces: [attractors()] });
+        for (let i = 0; i < before; i++) spawn(world, { position: { x: 1e6 } });
+        const centre = spawn(world, { position: { x: 1 }, velocity: { x: 1, y: 2 }, mass: 3, attractor: 1e9 });
+        for (let i = 0; i < 10; i++) step(world, 0.1);
+        expect(world.components.Velocity.x[centre]).toBe(1);
+        expect(world.components.Velocity.y[centre]).toBe(2);
+      }
+    }
+  });
+
+  test('a moving centre gives the same in tiles as over the whole span', () => {
+    const run = (local: boolean) => {
+      const world = createPhysicsWorld({ capacity: 6000, forces: [attractors()] });
+      if (!local) world.forces.push(defineForce({ name: 'nothing', local: false, accumulate: () => {} }));
+      const centre = spawn(world, { position: {}, velocity: { x: 3 }, attractor: { mu: 5, softening: 0.1 } });
+      for (let i = 0; i < 5000; i++) spawn(world, { position: { x: i / 100, y: 1 }, velocity: {}, mass: 1 });
+      for (let i = 0; i < 5; i++) step(world, 0.01);
+      expect(world.components.Position.x[centre]).toBeCloseTo(0.15, 14);
+      return Array.from(world.components.Position.x.subarray(0, 5002));
+    };
+    expect(run(true)).toEqual(run(false));
+  });
+
+  test('2D equals 3D with z = 0, bit for bit', () => {
+    const run = (dimensions: 2 | 3) => {
+      const { world } = orbit({ x: 80, y: -40 }, { dimensions });
+      for (let i = 0; i < 1000; i++) step(world, 1 / 60);
+      const { x, y, z } = world.components.Position;
+      return [x[2], y[2], z[2]];
+    };
+    expect(run(2)).toEqual(run(3));
+  });
+
+  test('f32 holds planets a light-hour out', () => {
+    const world = createPhysicsWorld({
+      precision: 'f32',
+      capacity: 10,
+      forces: [attractors()],
+      integrator: semiImplicitEuler,
+    });
+    spawn(world, { position: {}, attractor: 1.32712440018e20 });
+    const pluto = spawn(world, { position: { x: 7e12 }, velocity: {}, mass: 1 });
+    step(world, 1);
+    expect(world.scratch.force.x[pluto] / (-1.32712440018e20 / 49e24)).toBeCloseTo(1, 5);
+  });
+
+  test('centres may come and go', () => {
+    const world = createPhysicsWorld({ capacity: 100, forces: [attractors()] });
+    const body = spawn(world, { position: {}, velocity: {}, mass: 1 });
+    step(world, 0.1);
+    expect(world.components.Velocity.x[body]).toBe(0);
+    for (let i = 0; i < 40; i++) spawn(world, { position: { x: 10 }, attractor: 1 });
+    step(world, 0.1);
+    expect(world.components.Velocity.x[body]).toBeCloseTo((40 / 100) * 0.1, 4);
+  });
+});

@@ -1,0 +1,41 @@
+import { PhysicsError } from '../faults/physics-error';
+import { assertUsable } from '../store/guards';
+import type { PhysicsWorld } from '../world';
+import type { Force } from './force';
+
+/**
+ * Puts a force in the place of another: how a slider changes gravity while the world runs,
+ * `replaceForce(world, uniformGravity({ y: -slider.value }))`. Forces themselves never change, so the values are
+ * checked before this is called, and a refused value leaves the world with the force it had. In a step it takes effect
+ * when the step ends.
+ * @param force the new one
+ * @param old the one it replaces; left out, the first with the same name
+ * @throws PhysicsError E_UNKNOWN when there is none, E_TYPE, E_DESTROYED
+ */
+export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): void {
+  assertUsable(world);
+  if (typeof force?.accumulate !== 'function') {
+    throw new PhysicsError('E_TYPE', 'replaceForce needs a force, such as uniformGravity({ y: -1.62 }).', {
+      field: 'force',
+      value: force,
+    });
+  }
+  placeOf(world, force, old);
+  if (world.state === 'idle') world.forces[placeOf(world, force, old)] = force;
+  else {
+    world.internal.commands.push(() => {
+      world.forces[placeOf(world, force, old)] = force;
+    });
+  }
+}
+
+function placeOf({ forces }: PhysicsWorld, force: Force, old: Force | undefined): number {
+  const place = forces.findIndex((each) => (old === undefined ? each.name === force.name : each === old));
+  if (place >= 0) return place;
+  const wanted = old === undefined ? `no force named "${force.name}"` : `no such force "${old.name}"`;
+  throw new PhysicsError('E_UNKNOWN', `there is ${wanted} in this world.`, {
+    field: 'force',
+    value: force.name,
+    hint: `Its forces: ${forces.map(({ name }) => name).join(', ') || 'none'}.`,
+  });
+}

@@ -1,0 +1,80 @@
+// What the spring kernels need of a world: where the columns are, and the list of springs, kept while nothing changes.
+import { bitOf } from '../components/all';
+import { collectThrown } from '../faults/thrown';
+import { allocate } from '../store/arena';
+import { removeWholly } from '../store/bitecs';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
+
+/** Words of the table before the two f64, in the order of the class in kernels/forces/springs.ts. */
+const WORDS = 16;
+const TABLE_BYTES = WORDS * 4 + 16;
+const [IDS, LINKS, LOST, COUNT, ACTIVE, LOST_COUNT] = [9, 10, 11, 12, 13, 14];
+
+export interface SpringTable {
+  readonly at: number;
+  readonly words: Uint32Array;
+  /** Largest stiffness over reduced mass, 1/s², and damping over reduced mass, 1/s. */
+  readonly stiffest: Float64Array;
+  /** Springs there is room for. */
+  room: number;
+  /** Membership version the list of ids belongs to. */
+  version: number;
+  /** Springs removed before the last step because they lost an end. */
+  removed: number[];
+}
+
+export const springTable = resource((world): SpringTable => {
+  const { arena } = world.internal;
+  const at = allocate(arena, TABLE_BYTES, 'springs');
+  const words = new Uint32Array(arena.memory.buffer, at, WORDS);
+  const { a, b, aLife, bLife, stiffness, damping, length, cord } = world.addresses.Spring;
+  const generations = world.internal.generations.byteOffset;
+  words.set([a, b, aLife, bLife, stiffness, damping, length, cord, generations, 0, 0, 0, 0, 0, 0, world.rows]);
+  const stiffest = new Float64Array(arena.memory.buffer, at + WORDS * 4, 2);
+  return { at, words, stiffest, room: 0, version: -1, removed: [] };
+});
+
+/** Lists the springs whose ends both live, and looks at each: ends and stiffness may have been changed in place. */
+export function scanSprings(world: PhysicsWorld): SpringTable {
+  const table = springTable(world);
+  const { internal, versions, kernels } = world;
+  if (table.version !== versions.membership) {
+    makeRoom(world, table);
+    const { words } = table;
+    words[COUNT] = kernels.listIds(internal.membersAt, bitOf('Spring'), world.lastId + 1, words[IDS]);
+    table.version = versions.membership;
+  }
+  kernels.scanSprings(table.at, bitOf('Position'));
+  return table;
+}
+
+function makeRoom(world: PhysicsWorld, table: SpringTable): void {
+  const { arena, counts } = world.internal;
+  const springs = counts.Spring;
+  if (springs <= table.room) return;
+  const room = Math.min(world.rows, Math.max(64, 2 * springs));
+  const at = allocate(arena, room * 20, `${springs} springs`);
+  table.words.set([at, at + room * 4, at + room * 16], IDS);
+  table.room = room;
+}
+
+/** Removes springs that lost an end: their entities go with the body. */
+export function removeLost(world: PhysicsWorld, table: SpringTable): void {
+  const lost = table.words[LOST_COUNT];
+  if (lost === 0 && table.removed.length === 0) return;
+  const ids = new Uint32Array(world.memory.buffer, table.words[LOST], lost);
+  table.removed = Array.from(ids);
+  for (const spring of table.removed) {
+    try {
+      removeWholly(world, spring);
+    } catch (error) {
+      collectThrown(world, error);
+    }
+  }
+}
+
+/** The springs that act, as triples: id of the spring, body a, body b. */
+export function activeSprings(world: PhysicsWorld, { words }: SpringTable): Uint32Array {
+  return new Uint32Array(world.memory.buffer, words[LINKS], 3 * words[ACTIVE]);
+}
