@@ -35,7 +35,7 @@ export const particles = defineScene({
       arenaBytes: 2 ** 20,
       integrator: semiImplicitEuler,
       forces: [uniformGravity({ y: -gravity }), quadraticDrag()],
-      walls: [boxWalls({ min: { x: 0, y: 0, z: 0 }, max: { x: side, y: side, z: side }, restitution })],
+      walls: [boxWalls({ min: { x: 0, y: 0, z: 0 }, max: { x: side, y: side, z: side }, restitution, friction: 0 })],
     });
     const uniform = seededUniforms(seed, count);
     const place = () => uniform(radius, side - radius);

@@ -55,7 +55,7 @@ export interface SceneSpec<Name extends string, Run extends SceneRun = SceneRun>
   build(setup: Setup<Name>): Run;
 }
 
-export interface Scene<Name extends string = string, Run extends SceneRun = SceneRun> {
+export interface Scene<Name extends string = never, Run extends SceneRun = SceneRun> {
   readonly name: string;
   readonly description: string;
   readonly parameters: Readonly<Record<Name | 'count', SceneParameter>>;

@@ -1,0 +1,137 @@
+import { existsSync, statSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+import type { Precision } from '@principia/physics';
+import { findScene, SCENES, type Scene } from '@principia/scenes';
+
+/** What the command line asks for. */
+export type Request = { readonly kind: 'help' } | { readonly kind: 'list' } | RunRequest;
+
+export interface RunRequest {
+  readonly kind: 'run';
+  readonly scene: Scene;
+  readonly count: number;
+  /** Steps in all; the first `warmup` of them are not timed. */
+  readonly steps: number;
+  readonly warmup: number;
+  readonly dimensions: 2 | 3;
+  readonly precision: Precision;
+  readonly seed: number;
+  readonly peers: boolean;
+  readonly json: string | undefined;
+  readonly html: string | undefined;
+}
+
+/** A command line that cannot be carried out; the message is one sentence for the person who wrote it. */
+export class ArgumentError extends Error {}
+
+const OPTIONS = {
+  count: { type: 'string' },
+  steps: { type: 'string' },
+  warmup: { type: 'string' },
+  dimensions: { type: 'string' },
+  precision: { type: 'string' },
+  seed: { type: 'string' },
+  peers: { type: 'boolean' },
+  json: { type: 'string' },
+  html: { type: 'string' },
+  list: { type: 'boolean' },
+  help: { type: 'boolean' },
+} as const;
+
+const MOST_STEPS = 1_000_000;
+const optionNames = Object.keys(OPTIONS).map((name) => `--${name}`);
+const sceneNames = SCENES.map(({ name }) => name);
+
+/**
+ * Reads the command line and looks whether everything it names is there, so that nothing is measured in vain.
+ * @throws ArgumentError
+ */
+export function readArguments(args: readonly string[]): Request {
+  const { values, positionals } = parse(args);
+  if (values.help) return { kind: 'help' };
+  if (values.list) return { kind: 'list' };
+  const scene = sceneOf(positionals);
+  const { count } = scene.parameters;
+  const steps = wholeNumber('steps', values.steps, 200, 1, MOST_STEPS);
+  return {
+    kind: 'run',
+    scene,
+    count: wholeNumber('count', values.count, count.initial, count.min, count.max),
+    steps,
+    warmup: wholeNumber('warmup', values.warmup, Math.min(20, Math.floor(steps / 5)), 0, steps - 1),
+    dimensions: choice('dimensions', values.dimensions ?? '2', ['2', '3']) === '2' ? 2 : 3,
+    precision: choice('precision', values.precision ?? 'f32', ['f32', 'f64']),
+    seed: wholeNumber('seed', values.seed, 1, 0, Number.MAX_SAFE_INTEGER),
+    peers: values.peers ?? false,
+    json: outputFile('json', values.json),
+    html: outputFile('html', values.html),
+  };
+}
+
+function parse(args: readonly string[]) {
+  try {
+    return parseArgs({ args: [...args], options: OPTIONS, allowPositionals: true });
+  } catch (error) {
+    const problem = (error as Error).message.split(/[.\n]/)[0] as string;
+    throw new ArgumentError(`${problem}: the options are ${optionNames.join(', ')}.`);
+  }
+}
+
+function sceneOf(positionals: readonly string[]): Scene {
+  const [name, ...more] = positionals;
+  const list = sceneNames.join(', ');
+  if (name === undefined) throw new ArgumentError(`Name the scene to measure: ${list}.`);
+  if (more.length > 0) throw new ArgumentError(`Only one scene can be measured at a time, one of ${list}.`);
+  const scene = findScene(name);
+  if (scene === undefined) throw new ArgumentError(`There is no scene "${name}": the scenes are ${list}.`);
+  return scene;
+}
+
+function wholeNumber(option: string, text: string | undefined, initial: number, min: number, max: number): number {
+  const value = text === undefined ? initial : /^\d+(e\d+)?$/.test(text) ? Number(text) : Number.NaN;
+  if (value >= min && value <= max) return value;
+  throw new ArgumentError(`--${option} must be a whole number from ${min} to ${max}, not "${text ?? value}".`);
+}
+
+function choice<const T extends string>(option: string, value: string, choices: readonly T[]): T {
+  if ((choices as readonly string[]).includes(value)) return value as T;
+  throw new ArgumentError(`--${option} must be ${choices.join(' or ')}, not "${value}".`);
+}
+
+function outputFile(option: string, file: string | undefined): string | undefined {
+  if (file === undefined) return undefined;
+  const path = resolve(file);
+  const isFolder = existsSync(path) && statSync(path).isDirectory();
+  if (file === '' || isFolder || !existsSync(dirname(path))) {
+    throw new ArgumentError(`--${option} must be a file in a folder that exists, not "${file}".`);
+  }
+  return path;
+}
+
+/** What `--list` prints. */
+export function sceneList(): string {
+  const width = Math.max(...sceneNames.map((name) => name.length)) + 2;
+  return SCENES.map(({ name, description }) => `${name.padEnd(width)}${description}`).join('\n');
+}
+
+/** What `--help` prints. */
+export function helpText(): string {
+  return `Measures a scene headlessly: npm run bench -- <scene> [options]
+
+Scenes
+${sceneList().replace(/^/gm, '  ')}
+
+Options
+  --count N           how many bodies, springs or particles (the scene's own default)
+  --steps N           steps in all (200); the state after them is what the hash is of
+  --warmup N          the first N of them are not timed (20, or a fifth of the steps)
+  --dimensions 2|3    (2)
+  --precision f32|f64 type of every column (f32)
+  --seed S            equal seeds give equal states (1)
+  --peers             measure other ways to do the same work, step by step in turn with ours
+  --json FILE         write the result as JSON
+  --html FILE         write a report that opens in any browser, offline
+  --list              list the scenes
+  --help              this text`;
+}

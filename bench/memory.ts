@@ -1,0 +1,43 @@
+// What things cost in memory. All figures need `--expose-gc`; without it they are NaN rather than wrong.
+
+const collect = (globalThis as { gc?: () => void }).gc;
+
+/** Bytes that objects on the JavaScript heap take after everything dead is gone. */
+export function heapBytes(): number {
+  if (collect === undefined) return Number.NaN;
+  collect();
+  return process.memoryUsage().heapUsed;
+}
+
+/**
+ * Bytes in use: live objects on the heap, and whatever the process has in real memory outside the heap, such as the
+ * pages of a world that were touched. Reserved but untouched pages cost nothing and are not counted.
+ */
+export function bytesInUse(): number {
+  if (collect === undefined) return Number.NaN;
+  collect();
+  collect();
+  const { heapUsed, heapTotal, rss } = process.memoryUsage();
+  return heapUsed + rss - heapTotal;
+}
+
+/**
+ * Bytes of garbage a step leaves on the heap: the median growth over rounds of steps in which nothing else allocates.
+ * Asking for the figure costs some bytes itself; a round of no steps tells how many.
+ */
+export function garbageBytesPerStep(advance: () => void, steps: number): number {
+  const ROUNDS = 7;
+  const growths: number[] = [];
+  for (let round = 0; round < ROUNDS; round++) {
+    const asking = growth(advance, 0);
+    growths.push(Math.max(0, growth(advance, steps) - asking) / steps);
+  }
+  growths.sort((a, b) => a - b);
+  return Math.round(growths[(ROUNDS - 1) / 2] as number);
+}
+
+function growth(advance: () => void, steps: number): number {
+  const before = heapBytes();
+  for (let s = 0; s < steps; s++) advance();
+  return process.memoryUsage().heapUsed - before;
+}

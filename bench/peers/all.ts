@@ -1,0 +1,17 @@
+import type { SceneRun } from '@principia/scenes';
+import { fusedJs } from './fused-js';
+import { fusedSimd } from './fused-simd';
+import type { Peer, PeerMaker } from './peer';
+import { queryIdiom } from './query-idiom';
+
+/** Who is measured beside us, by scene. */
+const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
+  particles: [fusedSimd, fusedJs, queryIdiom],
+};
+
+/** The peers of a scene, ready to take the first step from the state `run` is in. */
+export async function makePeers(scene: string, run: SceneRun): Promise<Peer[]> {
+  const peers: Peer[] = [];
+  for (const make of PEERS[scene] ?? []) peers.push(await make(run));
+  return peers;
+}

@@ -1,0 +1,58 @@
+import { cpus } from 'node:os';
+import type { RunRequest } from './arguments';
+import type { Creation } from './creation';
+import type { Summary } from './statistics';
+
+/** What a run of the bench found; `--json` writes it as it stands. Times in milliseconds unless named otherwise. */
+export interface Result {
+  readonly scene: string;
+  readonly count: number;
+  readonly steps: number;
+  readonly dimensions: 2 | 3;
+  readonly precision: 'f32' | 'f64';
+  readonly msPerStep: Summary;
+  readonly nsPerBodyStep: number;
+  readonly createMs: number;
+  /** What the world takes in memory. */
+  readonly bytes: number;
+  /** Of the state after all steps. */
+  readonly hash: string;
+  /** Relative change of the total energy over the timed steps; null where the scene does not keep it. */
+  readonly energyDrift: number | null;
+  /** Milliseconds a step spends in each phase. */
+  readonly profile: Readonly<Record<string, number>>;
+  readonly peers: readonly PeerResult[];
+  readonly create: Creation;
+  readonly garbageBytesPerStep: number;
+  readonly warmup: number;
+  readonly seed: number;
+  /** Why `energyDrift` is null. */
+  readonly energyNote: string | null;
+  readonly date: string;
+  readonly machine: Machine;
+}
+
+/** `ratio` is their time over ours: above 1 we are faster. */
+export interface PeerResult {
+  readonly name: string;
+  readonly msPerStep: number;
+  readonly ratio: number;
+}
+
+export interface Machine {
+  readonly node: string;
+  readonly platform: string;
+  readonly cpu: string;
+  readonly cores: number;
+}
+
+export function thisMachine(): Machine {
+  const all = cpus();
+  const { platform, arch, version } = process;
+  return { node: version, platform: `${platform} ${arch}`, cpu: all[0]?.model.trim() ?? '', cores: all.length };
+}
+
+/** What the request says, as the result repeats it. */
+export function echo({ scene, count, steps, warmup, dimensions, precision, seed }: RunRequest) {
+  return { scene: scene.name, count, steps, warmup, dimensions, precision, seed };
+}

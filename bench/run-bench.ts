@@ -1,0 +1,74 @@
+// One run of the bench: make the scene, step it in turns with its peers, and see what it cost.
+import { energy, startProfile, stateHash, step, stopProfile } from '@principia/physics';
+import type { SceneRun } from '@principia/scenes';
+import type { RunRequest } from './arguments';
+import { measureCreation } from './creation';
+import { measureSteps } from './measure';
+import { garbageBytesPerStep } from './memory';
+import { makePeers } from './peers/all';
+import { startProgress } from './progress';
+import { echo, type Result, thisMachine } from './result';
+import { summarise } from './statistics';
+
+/** The result, and every timed step of ours for the report. */
+export interface Outcome {
+  readonly result: Result;
+  readonly series: Float64Array;
+}
+
+export async function runBench(request: RunRequest): Promise<Outcome> {
+  const { scene, count, dimensions, precision, seed, steps, warmup } = request;
+  const making = startProgress('creating', count);
+  const create = () => scene.create({ count, dimensions, precision, seed, progress: making.update });
+  const { creation, run } = measureCreation(create, count, request.peers);
+  making.end();
+  const advance = stepOf(run);
+  const peers = request.peers ? await makePeers(scene.name, run) : [];
+
+  const stepping = startProgress('stepping', steps);
+  let energyBefore = 0;
+  const onTimed = () => {
+    energyBefore = energy(run.world).total;
+  };
+  const measured = measureSteps(advance, peers, { steps, warmup, progress: stepping.update, onTimed });
+  stepping.end();
+
+  // Everything below looks at the state after the steps, or goes on from there; the hash comes first.
+  const hash = stateHash(run.world);
+  const drift = (energy(run.world).total - energyBefore) / Math.abs(energyBefore);
+  const ours = summarise(measured.ours);
+  const result: Result = {
+    ...echo(request),
+    msPerStep: ours,
+    nsPerBodyStep: (ours.median * 1e6) / count,
+    createMs: creation.ms,
+    bytes: creation.bytes,
+    hash,
+    energyDrift: run.losesEnergy === undefined && Number.isFinite(drift) ? drift : null,
+    energyNote: run.losesEnergy ?? null,
+    garbageBytesPerStep: garbageBytesPerStep(advance, 20),
+    profile: phaseTimes(run, advance),
+    peers: peers.map(({ name }, p) => {
+      const msPerStep = summarise(measured.peers[p] as Float64Array).median;
+      return { name, msPerStep, ratio: msPerStep / ours.median };
+    }),
+    create: creation,
+    date: new Date().toISOString(),
+    machine: thisMachine(),
+  };
+  return { result, series: measured.ours };
+}
+
+function stepOf({ world, dt, advance }: SceneRun): () => void {
+  return advance === undefined ? () => step(world, dt) : () => advance(world);
+}
+
+/** Mean time of each phase over some more steps: reading the clock would slow the timed ones. */
+function phaseTimes({ world }: SceneRun, advance: () => void): Record<string, number> {
+  const STEPS = 20;
+  for (let s = 0; s < 2; s++) advance();
+  const { times } = startProfile(world, () => performance.now());
+  for (let s = 0; s < STEPS; s++) advance();
+  stopProfile(world);
+  return Object.fromEntries(Object.entries(times).map(([phase, ms]) => [phase, ms / STEPS]));
+}
