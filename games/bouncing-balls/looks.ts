@@ -12,21 +12,33 @@ const PALETTES: readonly (readonly number[])[] = [
 ];
 
 /** Balls smaller than this carry no mark: nobody would see it, m. */
-const SMALLEST_MARKED = 0.03;
+const SMALLEST_MARKED = 0.06;
 
-/** Gives every ball a colour of the seed's palette, in an order that puts each colour everywhere. */
+/** With more balls than this, colours follow the order of the launch, so that one sees who mixes with whom. */
+const MOST_MOTLEY = 100;
+
+/** Gives every ball a colour of the seed's palette. */
 export function dress({ world, balls, radius }: BouncingBalls, seed: number): void {
   const { color, shape } = world.components.Appearance;
-  const palette = PALETTES[seed % PALETTES.length].map(packed);
+  const palette = PALETTES[seed % PALETTES.length];
   const kind = radius < SMALLEST_MARKED ? SHAPES.disc : SHAPES.markedDisc;
   for (let i = 0; i < balls.length; i++) {
-    // Multiples of the golden ratio spread evenly over the palette whatever the number of balls.
-    color[balls[i]] = palette[Math.floor(((i * 0.618034 + seed * 0.37) % 1) * palette.length)];
+    // Neighbours in a motley get unlike colours: multiples of the golden ratio spread evenly whatever their number.
+    const place = balls.length > MOST_MOTLEY ? i / balls.length : (i * 0.618034) % 1;
+    color[balls[i]] = colorAt(palette, place);
     shape[balls[i]] = kind;
   }
   world.versions.style++;
 }
 
-function packed(rgb: number): number {
-  return rgba((rgb >> 16) / 255, ((rgb >> 8) & 255) / 255, (rgb & 255) / 255);
+/** The colour at a place of the palette, 0 to 1, between its neighbours there. */
+function colorAt(palette: readonly number[], place: number): number {
+  const at = place * (palette.length - 1);
+  const from = Math.floor(at);
+  const share = at - from;
+  const mix = (shift: number) => {
+    const start = (palette[from] >> shift) & 255;
+    return (start + (((palette[from + 1] >> shift) & 255) - start) * share) / 255;
+  };
+  return rgba(mix(16), mix(8), mix(0));
 }

@@ -31,7 +31,13 @@ const MOST_TRAILS = 2000;
 
 export async function openView2D(stage: Stage<Settings, BouncingBalls>): Promise<View> {
   const app = new Application();
-  await app.init({ preference: 'webgl', backgroundAlpha: 0, autoStart: false, autoDensity: true, antialias: true });
+  await app.init({
+    preference: ['webgl', 'webgpu'],
+    backgroundAlpha: 0,
+    autoStart: false,
+    autoDensity: true,
+    antialias: true,
+  });
   const { canvas } = app;
   stage.element.append(canvas);
   app.stage.eventMode = 'none';
@@ -131,7 +137,7 @@ function createPicture(stage: Stage<Settings, BouncingBalls>, parent: Container)
   const room = createRoom2D(sim);
   const shading = createShading(sim);
   // Unmarked balls look the same whichever way they are turned.
-  const layer: BodyLayer = createBodyLayer({ source, rotation: shading !== undefined });
+  const layer: BodyLayer = createBodyLayer({ source, rotation: shading !== undefined, minimumPixels: 0.8 });
   const trailPlace = new Container();
   let trails: TrailLayer | undefined;
   const parts = [room.ground, trailPlace, shading?.below, layer.container, shading?.above, room.walls];

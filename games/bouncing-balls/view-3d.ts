@@ -19,6 +19,8 @@ const MOST_LIT = 3000;
 const MOST_TRAILS = 2000;
 /** Degrees; a long lens bends a room less than three's default. */
 const FIELD_OF_VIEW = 28;
+/** How much of the free part the room fills. */
+const FILLED = 0.95;
 
 export async function openView3D(stage: Stage<Settings, BouncingBalls>): Promise<View> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
@@ -97,15 +99,33 @@ function fitInto(
   fitAll: () => void,
 ): void {
   const { top, right, bottom, left } = stage.insets();
+  camera.clearViewOffset();
   const freeWidth = Math.max(width - left - right, 1);
   const freeHeight = Math.max(height - top - bottom, 1);
-  camera.clearViewOffset();
   camera.zoom = 1;
   camera.aspect = freeWidth / freeHeight;
   camera.updateProjectionMatrix();
   fitAll();
+  const { x, y, zoom } = closeUp(camera, roomBox(stage.sim()));
+  camera.zoom = zoom;
   // The free part is what the camera was fitted to; the rest of the window shows what lies around it.
-  camera.setViewOffset(freeWidth, freeHeight, -left, -top, width, height);
+  const [offsetX, offsetY] = [x * zoom * freeWidth * 0.5 - left, -y * zoom * freeHeight * 0.5 - top];
+  camera.setViewOffset(freeWidth, freeHeight, offsetX, offsetY, width, height);
+}
+
+/** Where the box is in the picture, from -1 to 1, and how much closer it could be: near corners make it lopsided. */
+function closeUp(camera: PerspectiveCamera, { min, max }: Box3): { x: number; y: number; zoom: number } {
+  camera.updateMatrixWorld();
+  const seen = new Box3();
+  const corner = new Vector3();
+  for (const x of [min.x, max.x]) {
+    for (const y of [min.y, max.y]) {
+      for (const z of [min.z, max.z]) seen.expandByPoint(corner.set(x, y, z).project(camera));
+    }
+  }
+  const size = seen.getSize(new Vector3());
+  const middle = seen.getCenter(new Vector3());
+  return { x: middle.x, y: middle.y, zoom: (2 * FILLED) / Math.max(size.x, size.y) };
 }
 
 function listenTo(

@@ -68,7 +68,12 @@ function plotOptions(): uPlot.Options {
       y: { range: (_, low, high) => [Math.min(0, low), high > 0 ? high * 1.08 : 1] },
     },
     axes: [
-      { ...axis, size: 20, values: (_, splits) => splits.map((second) => `${second} s`), space: 60 },
+      {
+        ...axis,
+        size: 20,
+        values: (_, splits) => splits.map((second) => (second < 0 ? '' : `${second} s`)),
+        space: 60,
+      },
       { ...axis, size: 46, values: (_, splits) => splits.map(joules), space: 28 },
     ],
     series: [{}, ...SERIES.map(([label, stroke]) => ({ label, stroke, width: 1.5, points: { show: false } }))],

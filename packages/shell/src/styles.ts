@@ -20,7 +20,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-bar button[aria-pressed=true] { background: var(--accent); border-color: transparent; color: #1c1503 }
 .game-bar svg { width: 18px; height: 18px; fill: currentColor }
 .game-side { position: absolute; top: 12px; right: 12px; width: 264px; max-height: calc(100% - 24px); overflow: hidden auto;
-  border: 1px solid var(--line); border-radius: 14px; background: var(--card); backdrop-filter: blur(14px);
+  border: 1px solid var(--line); border-radius: 14px; background: var(--card);
   scrollbar-width: thin; scrollbar-color: #ffffff30 transparent }
 .game-side .lil-gui { --background-color: transparent; --title-background-color: transparent; --text-color: var(--ink);
   --title-text-color: var(--ink); --widget-color: #ffffff14; --hover-color: #ffffff22; --focus-color: #ffffff2c;

@@ -1,0 +1,377 @@
+/** Plays the game of bouncing balls through its real page: keys, mouse, fingers, address. */
+import { readFileSync } from 'node:fs';
+import { stateHash, step } from '@principia/physics';
+import type { BodyState, GameState } from '@principia/shell';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { dress } from '../../games/bouncing-balls/looks.ts';
+import { createBalls, parameters } from '../../games/bouncing-balls/sim.ts';
+import { launchChromium } from '../support/chromium.ts';
+import { type ServedPage, servePage } from '../support/page.ts';
+
+const GRAVITY = 9.80665;
+const DT = 1 / 60;
+
+let browser: Browser;
+let served: ServedPage;
+let context: BrowserContext;
+let errors: string[] = [];
+
+beforeAll(async () => {
+  const html = readFileSync('games/bouncing-balls/index.html', 'utf8');
+  served = await servePage('games/bouncing-balls/main.ts', { html });
+  browser = await launchChromium();
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await served?.close();
+});
+
+afterEach(async () => {
+  await context?.close();
+  const seen = errors;
+  errors = [];
+  expect(seen).toEqual([]);
+});
+
+/** Opens the game and waits for its picture. */
+async function play(query: string, prepare?: () => void): Promise<Page> {
+  context = await browser.newContext({ viewport: { width: 900, height: 600 }, hasTouch: true });
+  const page = await context.newPage();
+  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  if (prepare !== undefined) await page.addInitScript(prepare);
+  await page.goto(`${served.url}?${query}`);
+  if (prepare === undefined) await page.waitForFunction(() => globalThis.__game?.state().ready);
+  return page;
+}
+
+const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
+const body = (page: Page, index: number): Promise<BodyState> => page.evaluate((i) => __game.body(i), index);
+const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
+
+/** Two pictures, as the display shows them, since a change of the world shows in the second at the latest. */
+const frames = (page: Page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** Pixels of the picture that are as bright and coloured as nothing but balls is. */
+async function brightPixels(page: Page): Promise<number> {
+  await frames(page);
+  const png = (await page.screenshot({ style: '.game > :not(.game-stage) { display: none }' })).toString('base64');
+  return page.evaluate(async (data) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+    const canvas = new OffscreenCanvas(image.width, image.height).getContext('2d') as OffscreenCanvasRenderingContext2D;
+    canvas.drawImage(image, 0, 0);
+    const { data: bytes } = canvas.getImageData(0, 0, image.width, image.height);
+    let bright = 0;
+    for (let i = 0; i < bytes.length; i += 4) {
+      const low = Math.min(bytes[i], bytes[i + 1], bytes[i + 2]);
+      const high = Math.max(bytes[i], bytes[i + 1], bytes[i + 2]);
+      if (high > 150 && high - low > 80) bright++;
+    }
+    return bright;
+  }, png);
+}
+
+/** CSS pixels per metre of the 2D picture, and the place of the world's origin on the canvas. */
+async function scaleOf(page: Page) {
+  const [a, b] = [await body(page, 0), await body(page, 1)];
+  const [p, q] = [a.screen, b.screen] as { x: number; y: number }[];
+  const pixels = Math.hypot(p.x - q.x, p.y - q.y) / Math.hypot(a.x - b.x, a.y - b.y);
+  return { pixels, x: p.x - a.x * pixels, y: p.y + a.y * pixels };
+}
+
+describe('the page', () => {
+  it('lets balls fall, and draws them', async () => {
+    const page = await play('');
+    const before = await state(page);
+    expect(before.count).toBe(5);
+    await page.waitForFunction((tick) => __game.state().tick > tick + 20, before.tick);
+    await page.evaluate(() => __game.pause());
+    const pixels = (await scaleOf(page)).pixels;
+    const after = await state(page);
+    expect(after.hash).not.toBe(before.hash);
+    expect(after.energy.potential).toBeLessThan(before.energy.potential);
+    // Highlights and marks are not coloured, and balls may cover each other.
+    const discs = 5 * Math.PI * (0.25 * pixels) ** 2;
+    const seen = await brightPixels(page);
+    expect(seen).toBeGreaterThan(0.5 * discs);
+    expect(seen).toBeLessThan(1.02 * discs);
+  });
+
+  it.each([2, 3] as const)('gives the bits that Node gives, in %iD', async (dimensions) => {
+    const page = await play(`manual&seed=7&count=300&drag=1.2&renderer=${dimensions === 2 ? 'pixi' : 'three'}`);
+    await steps(page, 200);
+    const values = { count: 300, gravity: parameters.gravity.initial, restitution: 0.8, drag: 1.2, friction: 0.3 };
+    const sim = createBalls({ values, seed: 7, dimensions });
+    dress(sim, 7);
+    for (let i = 0; i < 200; i++) step(sim.world, sim.dt);
+    expect((await state(page)).hash).toBe(stateHash(sim.world));
+  });
+
+  it('bounces to e² of the height', async () => {
+    const page = await play('manual&count=1&friction=0&restitution=0.7&seed=3');
+    const start = await body(page, 0);
+    expect(start.vy).toBeLessThan(2); // else it would meet the ceiling
+    const fallen = start.y - start.radius + start.vy ** 2 / (2 * GRAVITY);
+    const flight = await page.evaluate(() =>
+      Array.from({ length: 150 }, () => {
+        __game.step();
+        return __game.body(0);
+      }),
+    );
+    const bounce = flight.findIndex(({ vy }, i) => vy > 0 && flight[i - 1]?.vy < 0);
+    const apex = Math.max(...flight.slice(bounce).map(({ y, radius }) => y - radius));
+    // A step may straddle the apex: half a step away from it the ball is g dt²/8 lower.
+    const missed = (GRAVITY * DT ** 2) / 8 / (0.49 * fallen);
+    expect(apex / (0.49 * fallen)).toBeGreaterThan(1 - missed - 1e-4);
+    expect(apex / (0.49 * fallen)).toBeLessThan(1 + 1e-4);
+  });
+
+  it('says what it cannot take from the address, and plays on', async () => {
+    const page = await play('manual&count=abc&seed=-1&colour=red&renderer=four&gravity=1000');
+    const { banner, values, seed, renderer } = await state(page);
+    expect(await page.locator('.game-banner').isVisible()).toBe(true);
+    expect(banner).toContain('count must be a whole number from 1 to 100000, but it was “abc”. It stays 5.');
+    expect(banner).toContain('seed must be a whole number from 0 to 4294967295');
+    expect(banner).toContain('“colour”, which this game does not have');
+    expect(banner).toContain('renderer must be pixi or three');
+    expect(banner).toContain('gravity must be a number from 0 to 30 m/s²');
+    expect({ count: values.count, seed, renderer }).toEqual({ count: 5, seed: 1, renderer: 'pixi' });
+  });
+
+  it('says so when there is no WebGL', async () => {
+    const page = await play('', () => {
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string) {
+        return kind === '2d' ? getContext.call(this, kind as never) : null;
+      } as never;
+      OffscreenCanvas.prototype.getContext = (() => null) as never;
+      Object.defineProperty(navigator, 'gpu', { value: undefined });
+    });
+    await page.waitForSelector('.game-banner:not([hidden])');
+    expect(await page.locator('.game-banner p').textContent()).toContain('no WebGL 2');
+    await page.locator('button[title="Help (H)"]').click();
+    expect(await page.locator('dialog').isVisible()).toBe(true);
+  });
+
+  it('waits where the system asks for little motion', async () => {
+    context = await browser.newContext({ reducedMotion: 'reduce' });
+    const page = await context.newPage();
+    await page.goto(served.url);
+    await page.waitForFunction(() => globalThis.__game?.state().ready);
+    expect(await state(page)).toMatchObject({ paused: true, tick: 0 });
+    expect((await state(page)).banner).toContain('little motion');
+  });
+});
+
+describe('keys and the panel', () => {
+  it('pauses without changing a bit, steps once, and starts again at the same bits', async () => {
+    const page = await play('seed=5');
+    await page.waitForFunction(() => __game.state().tick > 3);
+    await page.keyboard.press('Space');
+    const paused = await state(page);
+    expect(paused.paused).toBe(true);
+    await page.waitForTimeout(300);
+    expect((await state(page)).hash).toBe(paused.hash);
+    await page.keyboard.press('.');
+    const stepped = await state(page);
+    expect(stepped.tick).toBe(paused.tick + 1);
+    expect(stepped.hash).not.toBe(paused.hash);
+    await page.keyboard.press('r');
+    const fresh = await state(page);
+    expect(fresh).toMatchObject({ tick: 0, time: 0 });
+    await steps(page, 50);
+    await page.keyboard.press('r');
+    expect((await state(page)).hash).toBe(fresh.hash);
+    await page.keyboard.press('Space');
+    await page.waitForFunction(() => __game.state().tick > 0);
+  });
+
+  it('changes the world with sliders and switches', async () => {
+    const page = await play('manual');
+    const rows = page.locator('.lil-gui .lil-controller');
+    const drag = async (label: string, to: number) => {
+      const box = await rows.filter({ hasText: label }).locator('.lil-slider').boundingBox();
+      if (box === null) throw new Error(`no slider ${label}`);
+      await page.mouse.move(box.x + 5, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + to * box.width, box.y + box.height / 2, { steps: 4 });
+      await page.mouse.up();
+    };
+    await drag('Balls', 0.6);
+    // The slider is logarithmic: 0.6 of the way from 1 to 100 000 is 1000, within a pixel of some ninety.
+    await page.waitForFunction(() => __game.state().count > 800 && __game.state().count < 1250);
+    await drag('Gravity', 0.5);
+    expect((await state(page)).values.gravity).toBeCloseTo(15, -0.5);
+    const restitution = rows.filter({ hasText: 'Restitution' }).locator('input');
+    await restitution.fill('0.25');
+    await restitution.press('Enter');
+    expect((await state(page)).values.restitution).toBe(0.25);
+    const typed = rows.filter({ hasText: 'Balls' }).locator('input');
+    await typed.fill('321');
+    await typed.press('Enter');
+    await page.waitForFunction(() => __game.state().count === 321);
+    await page.locator('canvas').first().focus();
+    await page.keyboard.press('t');
+    expect((await state(page)).values.trails).toBe(true);
+    await steps(page, 10);
+    await frames(page);
+  });
+
+  it('keeps the values from 2D to 3D and back', async () => {
+    const page = await play('manual&count=40&restitution=0.5&trails');
+    const flat = await state(page);
+    await page.keyboard.press('3');
+    await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'three');
+    const solid = await state(page);
+    expect(solid).toMatchObject({ count: 40, values: flat.values });
+    expect(solid.hash).not.toBe(flat.hash);
+    await steps(page, 40);
+    expect(Math.abs((await body(page, 3)).z)).toBeGreaterThan(0.01);
+    expect(await brightPixels(page)).toBeGreaterThan(500);
+    await page.keyboard.press('2');
+    await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'pixi');
+    expect(await state(page)).toMatchObject({ count: 40, values: flat.values, hash: flat.hash });
+    expect(await brightPixels(page)).toBeGreaterThan(500);
+  });
+});
+
+describe('holding and throwing', () => {
+  it.each(['pixi', 'three'])('a ball follows the mouse: %s', async (renderer) => {
+    const page = await play(`manual&renderer=${renderer}&friction=0`);
+    await steps(page, 20);
+    const ball = await body(page, 2);
+    const from = ball.screen as { x: number; y: number };
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    expect((await state(page)).held).toEqual([ball.id]);
+    await page.mouse.move(from.x + 72, from.y + 48, { steps: 6 });
+    await steps(page, 1);
+    const carried = await body(page, 2);
+    // What gravity does in the step that brings the ball there is left over: half a pixel.
+    expect(carried.screen?.x).toBeCloseTo(from.x + 72, -0.3);
+    expect(carried.screen?.y).toBeCloseTo(from.y + 48, -0.3);
+    await page.waitForTimeout(150);
+    await page.mouse.up();
+    // The mouse rested before it let go: the ball is dropped, not thrown.
+    expect((await state(page)).held).toEqual([]);
+    expect(await body(page, 2)).toMatchObject({ vx: 0, vy: 0 });
+  });
+
+  it.each(['pixi', 'three'])('a thrown ball leaves with the velocity of the mouse: %s', async (renderer) => {
+    const page = await play(`manual&friction=0&renderer=${renderer}`);
+    await steps(page, 20);
+    const client = await context.newCDPSession(page);
+    const { screen, x, y } = await body(page, 2);
+    const from = screen as { x: number; y: number };
+    // The browser takes these for what the mouse reported, with times of its own: a busy machine changes nothing.
+    const start = Date.now() / 1000;
+    const mouse = (type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', frame: number, dx: number, dy: number) =>
+      client.send('Input.dispatchMouseEvent', {
+        ...{ type, x: from.x + dx, y: from.y + dy, timestamp: start + frame / 100 },
+        ...{ button: 'left' as const, buttons: 1, clickCount: 1 },
+      });
+    await mouse('mousePressed', 0, 0, 0);
+    for (let i = 1; i <= 20; i++) await mouse('mouseMoved', i, 5 * i, 3 * i);
+    await steps(page, 1);
+    const carried = await body(page, 2);
+    await mouse('mouseReleased', 20, 100, 60);
+    const thrown = await body(page, 2);
+    // The ball went as far in its world as the mouse, in the 0.2 s that the mouse took; gravity moved it by g dt²/2 more.
+    const dropped = GRAVITY * DT ** 2;
+    expect(Math.abs(thrown.vx - (carried.x - x) / 0.2)).toBeLessThan(0.02 * thrown.vx);
+    expect(Math.abs(thrown.vy - (carried.y - y) / 0.2)).toBeLessThan(-0.02 * thrown.vy + dropped / 0.2);
+    expect(thrown.vx).toBeGreaterThan(3);
+    await steps(page, 6);
+    const flown = await body(page, 2);
+    expect(flown.x - thrown.x).toBeCloseTo(thrown.vx * 0.1, 3);
+    expect(flown.y - thrown.y).toBeCloseTo(thrown.vy * 0.1 - (GRAVITY * 0.1 ** 2) / 2, 3);
+  });
+
+  it('two fingers hold two balls', async () => {
+    const page = await play('manual&count=6&friction=0');
+    await steps(page, 20);
+    const client = await context.newCDPSession(page);
+    const before = [await body(page, 0), await body(page, 4)];
+    const fingers = before.map(({ screen }, id) => ({ x: screen?.x ?? 0, y: screen?.y ?? 0, id }));
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: typeof fingers) =>
+      client.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', fingers.slice(0, 1));
+    await touch('touchStart', fingers);
+    await page.waitForFunction(() => __game.state().held.length === 2);
+    expect((await state(page)).held).toEqual(before.map(({ id }) => id));
+    const moved = fingers.map(({ x, y, id }) => ({ x: x + 30, y: y + (id === 0 ? 40 : 25), id }));
+    await touch('touchMove', moved);
+    await page.waitForTimeout(100);
+    await steps(page, 2);
+    for (const [i, index] of [0, 4].entries()) {
+      const { screen } = await body(page, index);
+      expect(screen?.x).toBeCloseTo(moved[i].x, -0.5);
+      expect(screen?.y).toBeCloseTo(moved[i].y, -0.5);
+    }
+    await touch('touchEnd', moved.slice(1));
+    await page.waitForFunction(() => __game.state().held.length === 1);
+    expect((await state(page)).held).toEqual([before[0].id]);
+    await touch('touchEnd', moved.slice(0, 1));
+    await page.waitForFunction(() => __game.state().held.length === 0);
+  });
+
+  it('moves and scales the view beside the balls', async () => {
+    const page = await play('manual');
+    const before = await scaleOf(page);
+    await page.mouse.move(450, 480);
+    await page.mouse.down();
+    await page.mouse.move(480, 470, { steps: 3 });
+    await page.mouse.up();
+    const moved = await scaleOf(page);
+    expect(moved.x - before.x).toBeCloseTo(30, 1);
+    expect(moved.y - before.y).toBeCloseTo(-10, 1);
+    const { screen } = await body(page, 1);
+    await page.mouse.wheel(0, -200);
+    await page.waitForFunction((x) => __game.body(1).screen?.x !== x, screen?.x);
+    expect((await scaleOf(page)).pixels).toBeGreaterThan(1.2 * before.pixels);
+    await page.keyboard.press('f');
+    const fitted = await scaleOf(page);
+    expect(fitted.pixels).toBeCloseTo(before.pixels, 3);
+    expect(fitted.x).toBeCloseTo(before.x, 3);
+  });
+});
+
+describe('bad weather', () => {
+  it.each(['pixi', 'three'])('survives a window without size and a lost graphics card: %s', async (renderer) => {
+    const page = await play(`manual&count=30&renderer=${renderer}`);
+    await steps(page, 20);
+    const whole = await brightPixels(page);
+    await page.addStyleTag({
+      content: '.nothing { width: 0 !important; height: 0 !important; inset: auto !important }',
+    });
+    await page.evaluate(() => document.querySelector('.game-stage')?.classList.add('nothing'));
+    await frames(page);
+    await page.evaluate(() => document.querySelector('.game-stage')?.classList.remove('nothing'));
+    expect(await brightPixels(page)).toBe(whole);
+    await page.evaluate(() => {
+      const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
+      const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
+      const card = gl.getExtension('WEBGL_lose_context') as WEBGL_lose_context;
+      Object.assign(globalThis, { card });
+      card.loseContext();
+    });
+    await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+    await steps(page, 1);
+    await frames(page);
+    await page.evaluate(() => (globalThis as unknown as { card: WEBGL_lose_context }).card.restoreContext());
+    await page.waitForFunction(() => __game.state().banner === '');
+    expect(Math.abs((await brightPixels(page)) - whole)).toBeLessThan(0.2 * whole);
+  });
+
+  it('runs a hundred thousand balls', async () => {
+    const page = await play('count=100000');
+    await page.waitForFunction(() => __game.state().tick > 8);
+    const { count, timing, banner } = await state(page);
+    expect({ count, banner }).toEqual({ count: 100_000, banner: '' });
+    expect(timing.step).toBeGreaterThan(0);
+    await page.evaluate(() => __game.pause());
+    expect(await brightPixels(page)).toBeGreaterThan(1000);
+  });
+});
