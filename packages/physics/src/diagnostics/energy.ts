@@ -1,4 +1,4 @@
-import type { Vector, VectorInput } from '../faults/validate';
+import { checkVector, type Vector, type VectorInput } from '../faults/validate';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 
@@ -52,8 +52,8 @@ export function totalMass(world: PhysicsWorld): number {
 
 /** Centre of mass, m; the origin when nothing has mass. @throws PhysicsError E_DESTROYED */
 export function centreOfMass(world: PhysicsWorld): Vector {
-  const { kernels, addresses } = world;
   const mass = totalMass(world);
+  const { kernels, addresses } = world;
   const { Mass, Position } = addresses;
   const along = (axis: 'x' | 'y' | 'z') =>
     mass === 0 ? 0 : kernels.dotColumns(Mass.value, Position[axis], 0, world.lastId + 1) / mass;
@@ -63,13 +63,13 @@ export function centreOfMass(world: PhysicsWorld): Vector {
 /**
  * Total angular momentum about a point, orbital and spin, kg m²/s. In 2D only `z` is not zero.
  * @param about metres; default the origin
- * @throws PhysicsError E_DESTROYED
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_DESTROYED
  */
 export function angularMomentum(world: PhysicsWorld, about: VectorInput = {}): Vector {
   assertUsable(world);
   const { kernels, addresses } = world;
   const { Mass, Position: p, Velocity: v, Inertia, AngularVelocity: w } = addresses;
-  const { x = 0, y = 0, z = 0 } = about;
+  const { x, y, z } = checkVector(about, 'angularMomentum: about');
   const rows = world.lastId + 1;
   const spin = (axis: 'x' | 'y' | 'z') => kernels.dotColumns(Inertia.value, w[axis], 0, rows);
   return {

@@ -1,4 +1,4 @@
-import { checkFunction } from '../faults/validate';
+import { checkFunction, checkHas } from '../faults/validate';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import { PHASES, type Phase } from './phases';
@@ -29,7 +29,8 @@ export function stopProfile(world: PhysicsWorld): void {
   world.profile = undefined;
 }
 
-/** Sets all times to zero. */
+/** Sets all times to zero. @throws PhysicsError E_TYPE for what is no profile */
 export function resetProfile(profile: Profile): void {
+  checkHas(profile, 'clock', 'resetProfile: profile', 'Give what startProfile returned.');
   for (const phase of PHASES) profile.times[phase] = 0;
 }

@@ -1,3 +1,4 @@
+import { checkFunction } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
 import { assertUsable } from './guards';
 
@@ -7,6 +8,7 @@ import { assertUsable } from './guards';
  * kernels comes from `allocate(world.internal.arena, …)`.
  */
 export function resource<T>(create: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
+  checkFunction(create, 'resource: create');
   const key = {};
   return (world) => {
     assertUsable(world);

@@ -1,0 +1,148 @@
+import {
+  clearFaults,
+  createPhysicsWorld,
+  despawn,
+  on,
+  type PhysicsWorld,
+  spawn,
+  spawnMany,
+  step,
+} from '@principia/physics';
+import { addComponent, addEntity, removeEntity } from 'bitecs';
+import { describe, expect, it } from 'vitest';
+import { assertRefused, assertWorldAlive, ball, DT, groundWorld, refusal, steps } from '../support/worlds.ts';
+
+function fullWorld(capacity: number): PhysicsWorld {
+  const world = groundWorld({ capacity });
+  for (let i = 0; i < capacity; i++) ball(world, i, 1);
+  return world;
+}
+
+const FULL = { code: 'E_CAPACITY', field: 'capacity', hint: /larger `capacity`/ };
+
+describe('capacity', () => {
+  it.each([1, 15, 16, 1023, 1024])('65 a world filled to its capacity of %d steps', (capacity) => {
+    const world = fullWorld(capacity);
+    step(world, DT);
+    expect([world.lastId, world.faults.faults.length]).toEqual([capacity, 0]);
+    const speeds = world.components.Velocity.y.subarray(1, capacity + 1);
+    expect(new Set(speeds).size).toBe(1);
+    despawn(world, capacity);
+    assertWorldAlive(world);
+  });
+
+  it('66 one more than the capacity is refused and the world still steps', () => {
+    const world = fullWorld(100);
+    assertRefused(world, () => ball(world, 0, 1), FULL);
+    assertRefused(world, () => spawnMany(world, 1, { position: {} }), FULL);
+    step(world, DT);
+    despawn(world, 50);
+    assertRefused(world, () => spawnMany(world, 2, { position: {} }), FULL);
+    expect(ball(world, 0, 1)).toBe(50);
+    despawn(world, 7);
+    assertWorldAlive(world);
+  });
+
+  it('66 an entity made raw beyond the capacity is refused its first component', () => {
+    const world = fullWorld(100);
+    const { Position } = world.components;
+    const eid = addEntity(world);
+    assertRefused(world, () => addComponent(world, eid, Position), { ...FULL, entity: eid });
+    step(world, DT);
+    removeEntity(world, eid);
+    despawn(world, 3);
+    assertWorldAlive(world);
+  });
+
+  it('66 ids beyond the capacity that were freed do not stand in the way of others', () => {
+    const world = groundWorld({ capacity: 20 });
+    const raw = Array.from({ length: 40 }, () => addEntity(world));
+    for (const eid of raw) removeEntity(world, eid);
+    const ids = [ball(world, 0, 1), ...spawnMany(world, 10, { position: { x: 3 } }), ball(world, 1, 1)];
+    expect(Math.max(...ids)).toBeLessThanOrEqual(20);
+    expect(new Set(ids).size).toBe(12);
+    assertRefused(world, () => spawnMany(world, 9, { position: {} }), FULL);
+    spawnMany(world, 8, { position: {} });
+    assertRefused(world, () => ball(world, 0, 1), FULL);
+    despawn(world, ids[0]);
+    assertWorldAlive(world);
+  });
+
+  it('66 inside a step as well: the step is complete and the error comes out of it', () => {
+    const world = fullWorld(10);
+    world.phases.input.push(() => ball(world, 0, 1));
+    expect(() => step(world, DT)).toThrow(/E_CAPACITY/);
+    world.phases.input.pop();
+    expect(world.tick).toBe(1);
+    despawn(world, 3);
+    assertWorldAlive(world);
+  });
+
+  it('66 room that a progress callback takes away is not written beyond', () => {
+    const world = groundWorld({ capacity: 70_000 });
+    const steal = () => {
+      if (world.internal.counts.Position === 0) spawnMany(world, 1000, { position: {} });
+    };
+    expect(refusal(() => spawnMany(world, 69_900, { velocity: {} }, steal)).code).toBe('E_CAPACITY');
+    expect(world.internal.counts).toMatchObject({ Position: 1000, Velocity: 0 });
+    assertWorldAlive(world);
+  });
+
+  it.each([
+    [
+      'throws',
+      () => {
+        throw new RangeError('out of memory');
+      },
+    ],
+    ['is too small', () => new WebAssembly.Memory({ initial: 1 })],
+  ])('68 memory that %s at creation gives E_CAPACITY and leaves other worlds alone', (_, memoryFactory) => {
+    const other = fullWorld(10);
+    expect(refusal(() => createPhysicsWorld({ memoryFactory }))).toMatchObject({ code: 'E_CAPACITY', hint: /f32/ });
+    despawn(other, 1);
+    assertWorldAlive(other);
+  });
+
+  it('68 a world beyond the address space is refused before anything is tried', () => {
+    expect(refusal(() => createPhysicsWorld({ capacity: 2 ** 24 - 1 })).code).toBe('E_CAPACITY');
+    expect(refusal(() => createPhysicsWorld({ capacity: 2 ** 24 })).code).toBe('E_RANGE');
+  });
+
+  it('70 faults nobody reads stay bounded, and the rest is counted', () => {
+    const world = groundWorld();
+    const ids = spawnMany(world, 20, { position: { y: 5 }, velocity: {} });
+    for (let i = 0; i < 1000; i++) {
+      for (const eid of ids) world.components.Velocity.x[eid] = 1e30;
+      step(world, DT);
+    }
+    const { faults } = world;
+    expect([faults.faults.length, faults.lost]).toEqual([1024, 20_000 - 1024]);
+    expect(world.internal.stepFaults.length).toBe(20);
+    clearFaults(faults);
+    expect(world.faults).toMatchObject({ faults: [], lost: 0 });
+    assertWorldAlive(world);
+  });
+
+  it('70 handlers hear of every fault, also when the log is full', () => {
+    const world = groundWorld();
+    const eid = spawn(world, { position: { y: 5 }, velocity: {} });
+    let heard = 0;
+    on(world, 'fault', () => {
+      heard++;
+    });
+    for (let i = 0; i < 1500; i++) {
+      world.components.Velocity.x[eid] = 1e30;
+      step(world, DT);
+    }
+    expect([heard, world.faults.lost]).toEqual([1500, 476]);
+  });
+
+  it('70 nothing grows in a hundred thousand steps of a world that nobody asks anything', () => {
+    const world = groundWorld({ capacity: 20 });
+    ball(world, 0, 1, { x: 1 });
+    steps(world, 100_000);
+    const { commands, thrown, stepFaults, leaving } = world.internal;
+    expect([commands.length, thrown.length, stepFaults.length, leaving.size]).toEqual([0, 0, 0, 0]);
+    expect([world.tick, world.faults.faults.length]).toEqual([100_000, 0]);
+  });
+});
