@@ -19,14 +19,18 @@ export const compilerFlags = [
 
 /**
  * @typedef {{ wasm: Uint8Array, declarations: string }} CompiledKernels
- * @param {string} folder the folder of `index.ts`
+ * @param {string} folder the folder of the kernels
+ * @param {string} entry the module in it
  * @returns {Promise<{ f32: CompiledKernels, f64: CompiledKernels }>}
  */
-export async function compileKernels(folder) {
+export async function compileKernels(folder, entry = 'index.ts') {
   mkdirSync(cacheFolder, { recursive: true });
   const output = mkdtempSync(`${cacheFolder}/kernels-`);
   try {
-    const [f32, f64] = await Promise.all([compile(folder, 'f32', output), compile(folder, 'f64', output)]);
+    const [f32, f64] = await Promise.all([
+      compile(folder, entry, 'f32', output),
+      compile(folder, entry, 'f64', output),
+    ]);
     return { f32, f64 };
   } finally {
     rmSync(output, { recursive: true, force: true });
@@ -35,15 +39,16 @@ export async function compileKernels(folder) {
 
 /**
  * @param {string} folder
+ * @param {string} entry
  * @param {'f32' | 'f64'} real
  * @param {string} output
  * @returns {Promise<CompiledKernels>}
  */
-async function compile(folder, real, output) {
+async function compile(folder, entry, real, output) {
   const compiler = resolveInstalled('assemblyscript/bin/asc.js');
   const file = `${output}/${real}.wasm`;
   const args = [
-    `${folder}/index.ts`,
+    `${folder}/${entry}`,
     '--baseDir',
     folder,
     '--outFile',

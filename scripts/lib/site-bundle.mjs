@@ -1,6 +1,7 @@
 /** How esbuild turns `games/<name>/main.ts` into scripts that share their common chunks. */
 import { readdirSync, readFileSync } from 'node:fs';
-import { buildKernels, generatedFile, kernelFolder } from '../build-kernels.mjs';
+import { basename } from 'node:path';
+import { buildKernels, generatedFolder, kernelFolder } from '../build-kernels.mjs';
 import { bundleOptions } from './bundle.mjs';
 import { gameNames } from './site-pages.mjs';
 
@@ -30,8 +31,10 @@ export function siteOptions(options) {
 export const kernelsPlugin = {
   name: 'kernels',
   setup(build) {
-    build.onResolve({ filter: /\/modules\.gen(\.ts)?$/ }, () => ({ path: generatedFile }));
-    build.onLoad({ filter: /[\\/]kernels[\\/]modules\.gen\.ts$/ }, async () => {
+    build.onResolve({ filter: /\/[\w-]+\.gen(\.ts)?$/ }, ({ path }) => ({
+      path: `${generatedFolder}/${basename(path, '.ts')}.ts`,
+    }));
+    build.onLoad({ filter: /[\\/]kernels[\\/][\w-]+\.gen\.ts$/ }, async ({ path }) => {
       const entries = readdirSync(kernelFolder, { recursive: true, withFileTypes: true });
       const watched = {
         watchDirs: [kernelFolder, ...entries.filter((e) => e.isDirectory()).map((e) => `${e.parentPath}/${e.name}`)],
@@ -39,7 +42,7 @@ export const kernelsPlugin = {
       };
       try {
         await buildKernels();
-        return { ...watched, contents: readFileSync(generatedFile, 'utf8'), loader: 'ts' };
+        return { ...watched, contents: readFileSync(path, 'utf8'), loader: 'ts' };
       } catch (error) {
         return { ...watched, errors: [{ text: error instanceof Error ? error.message : String(error) }] };
       }
