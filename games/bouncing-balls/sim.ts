@@ -1,5 +1,5 @@
 /** The simulation: the scene, and how a running world takes a changed setting. Needs no screen. */
-import { uniformGravity } from '@principia/physics';
+import { replaceForce, uniformGravity } from '@principia/physics';
 import { type BouncingBalls, ballDrag, bouncingBalls } from '@principia/scenes';
 
 /** What the player may change about the balls. */
@@ -28,7 +28,7 @@ export function createBalls({ values, seed, dimensions }: BallOptions): Bouncing
 export function applyValue({ world, radius }: BouncingBalls, name: string, values: BallValues): boolean {
   const { Collider, QuadraticDrag } = world.components;
   const last = world.lastId + 1;
-  if (name === 'gravity') world.forces[0] = uniformGravity({ y: -values.gravity });
+  if (name === 'gravity') replaceForce(world, uniformGravity({ y: -values.gravity }));
   else if (name === 'restitution') Collider.restitution.fill(values.restitution, 1, last);
   else if (name === 'friction') Collider.friction.fill(values.friction, 1, last);
   else if (name === 'drag') QuadraticDrag.coefficient.fill(ballDrag(values.drag, radius), 1, last);

@@ -29,7 +29,9 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
     try {
       return read();
     } catch (error) {
-      problems.push(`In the address, ${(error as Error).message} It stays ${fallback}.`);
+      problems.push(
+        `In the address, ${(error as Error).message} It stays ${typeof fallback === 'boolean' ? (fallback ? 'on' : 'off') : fallback}.`,
+      );
       return fallback;
     }
   };

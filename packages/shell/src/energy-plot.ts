@@ -2,6 +2,7 @@ import { energy, type PhysicsWorld } from '@principia/physics';
 import uPlot from 'uplot';
 import { element } from './element.ts';
 import { EnergyHistory } from './energy-history.ts';
+import { joules } from './joules.ts';
 
 /** A plot of the world's energies over the last seconds. */
 export interface EnergyPlot {
@@ -78,12 +79,4 @@ function plotOptions(): uPlot.Options {
     ],
     series: [{}, ...SERIES.map(([label, stroke]) => ({ label, stroke, width: 1.5, points: { show: false } }))],
   };
-}
-
-/** An energy in as few characters as an axis has room for. */
-export function joules(value: number): string {
-  const size = Math.abs(value);
-  const [factor, prefix] =
-    size >= 1e6 ? [1e6, 'M'] : size >= 1e3 ? [1e3, 'k'] : size >= 1 || size === 0 ? [1, ''] : [1e-3, 'm'];
-  return `${Number((value / factor).toPrecision(3))} ${prefix}J`;
 }

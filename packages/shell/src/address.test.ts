@@ -1,0 +1,33 @@
+import { expect, it } from 'vitest';
+import { readAddress } from './address.ts';
+import { numberSetting, switchSetting } from './settings.ts';
+
+const settings = {
+  count: numberSetting({ unit: '', initial: 5, min: 1, max: 100, integer: true }, { label: 'Balls' }),
+  trails: switchSetting('Trails', false),
+};
+const read = (query: string) => readAddress(query, settings, ['pixi', 'three']);
+
+it('has the initial values when nothing is asked for', () => {
+  expect(read('')).toEqual({
+    ...{ values: { count: 5, trails: false }, seed: 1, renderer: 'pixi', manual: false, problems: [] },
+  });
+});
+
+it('takes what it can take', () => {
+  expect(read('?seed=7&count=20&trails&renderer=three&manual')).toEqual({
+    ...{ values: { count: 20, trails: true }, seed: 7, renderer: 'three', manual: true, problems: [] },
+  });
+});
+
+it('has a sentence for everything else, and keeps what there was', () => {
+  const { values, seed, renderer, problems } = read('?count=0&seed=x&renderer=toString&toString=1&trails=maybe');
+  expect({ values, seed, renderer }).toEqual({ values: { count: 5, trails: false }, seed: 1, renderer: 'pixi' });
+  expect(problems).toEqual([
+    'In the address, count must be a whole number from 1 to 100, but it was 0. It stays 5.',
+    'In the address, seed must be a whole number from 0 to 4294967295, but it was “x”. It stays 1.',
+    'In the address, renderer must be pixi or three, but it was “toString”. It stays pixi.',
+    'The address names “toString”, which this game does not have. It has count, trails, seed, renderer, manual.',
+    'In the address, trails must be on or off, but it was “maybe”. It stays off.',
+  ]);
+});

@@ -1,0 +1,87 @@
+import { createPhysicsWorld, despawn, type PhysicsWorld, spawn, step, uniformGravity } from '@principia/physics';
+import { expect, it } from 'vitest';
+import { holdBodies } from './holding.ts';
+
+const DT = 1 / 60;
+/** What gravity does to a held body in one step of velocity Verlet, m. */
+const SAG = (9.80665 * DT ** 2) / 2;
+
+function worldWithBalls(dimensions: 2 | 3 = 2): { world: PhysicsWorld; a: number; b: number } {
+  const world = createPhysicsWorld({ dimensions, capacity: 10, forces: [uniformGravity()] });
+  const a = spawn(world, { position: { x: 1, y: 2 }, velocity: { x: 3 }, mass: 1 });
+  const b = spawn(world, { position: { x: -1, y: 2 }, velocity: {}, mass: 5 });
+  return { world, a, b };
+}
+
+it('brings bodies to their pointers within a step, each to its own', () => {
+  const { world, a, b } = worldWithBalls();
+  const holding = holdBodies(world);
+  const { x, y } = world.components.Position;
+  holding.grab(7, a, 1.1, 2.2);
+  holding.grab(9, b, -1, 2);
+  expect(holding.held).toEqual([a, b]);
+  holding.move(7, 1.5, 2.4);
+  holding.move(9, -1.25, 1.75);
+  step(world, DT);
+  expect([x[a], x[b]]).toEqual([expect.closeTo(1.4, 12), expect.closeTo(-1.25, 12)]);
+  expect([y[a], y[b]]).toEqual([expect.closeTo(2.2 - SAG, 12), expect.closeTo(1.75 - SAG, 12)]);
+  for (let i = 0; i < 100; i++) step(world, DT);
+  expect([x[a], y[a]]).toEqual([expect.closeTo(1.4, 12), expect.closeTo(2.2 - SAG, 12)]);
+});
+
+it('throws with the given velocity, at most the highest', () => {
+  const { world, a, b } = worldWithBalls();
+  const holding = holdBodies(world, { maxSpeed: 10 });
+  const { Velocity } = world.components;
+  holding.grab(1, a, 1, 2);
+  holding.release(1, 4, -3);
+  expect([Velocity.x[a], Velocity.y[a]]).toEqual([4, -3]);
+  holding.grab(1, b, -1, 2);
+  holding.release(1, 60, 80);
+  expect([Velocity.x[b], Velocity.y[b]]).toEqual([6, 8]);
+  expect(holding.held).toEqual([]);
+  holding.release(1, 1, 1);
+  holding.move(1, 1, 1);
+});
+
+it('has a third dimension where the world has one', () => {
+  const { world, a } = worldWithBalls(3);
+  const holding = holdBodies(world);
+  holding.grab(1, a, 1, 2, 0.5);
+  holding.move(1, 1, 2, 1);
+  step(world, DT);
+  expect(world.components.Position.z[a]).toBeCloseTo(0.5, 12);
+  holding.release(1, 0, 0, 2);
+  expect(world.components.Velocity.z[a]).toBe(2);
+});
+
+it('keeps bodies where a limit wants them, and moves them without a step too', () => {
+  const { world, a } = worldWithBalls();
+  const holding = holdBodies(world, {
+    limit(point) {
+      point.x = Math.min(point.x, 2);
+    },
+  });
+  holding.grab(1, a, 1, 2);
+  holding.move(1, 5, 3);
+  const { pose } = world.versions;
+  holding.place();
+  expect([world.components.Position.x[a], world.components.Position.y[a], world.previous.Position.x[a]]).toEqual([
+    2, 3, 2,
+  ]);
+  expect(world.versions.pose).toBe(pose + 1);
+});
+
+it('forgets a body that is gone', () => {
+  const { world, a, b } = worldWithBalls();
+  const holding = holdBodies(world);
+  holding.grab(1, a, 1, 2);
+  holding.grab(2, b, -1, 2);
+  despawn(world, a);
+  holding.place();
+  step(world, DT);
+  expect(holding.held).toEqual([b]);
+  holding.releaseAll();
+  expect(holding.held).toEqual([]);
+  expect(world.faults.faults).toEqual([]);
+});

@@ -1,0 +1,102 @@
+import {
+  createPhysicsWorld,
+  type PhysicsWorld,
+  replaceForce,
+  spawn,
+  stateHash,
+  uniformGravity,
+} from '@principia/physics';
+import { expect, it } from 'vitest';
+import type { GameDefinition, Simulation } from './game.ts';
+import { Session } from './session.ts';
+import { initialValues, numberSetting } from './settings.ts';
+
+const settings = {
+  count: numberSetting({ unit: '', initial: 3, min: 1, max: 9, integer: true }, { label: 'Stones' }),
+  gravity: numberSetting({ unit: 'm/s²', initial: 10, min: 0, max: 30 }, { label: 'Gravity' }),
+};
+
+/** Stones that fall; the seed is how fast they start. */
+const game: GameDefinition<typeof settings, Simulation> = {
+  title: 'Stones',
+  settings,
+  renderers: {},
+  create({ values, seed, dimensions }) {
+    const world = createPhysicsWorld({ dimensions, capacity: 9, forces: [uniformGravity({ y: -values.gravity })] });
+    for (let i = 0; i < values.count; i++) spawn(world, { position: { x: i }, velocity: { y: seed }, mass: 1 });
+    return { world, dt: 0.01 };
+  },
+  apply(sim, name, values) {
+    if (name !== 'gravity') return false;
+    replaceForce(sim.world, uniformGravity({ y: -values.gravity }));
+    return true;
+  },
+};
+
+function started(): { session: Session<typeof settings, Simulation>; world: () => PhysicsWorld } {
+  let now = 0;
+  const session = new Session(game, initialValues(settings), 4, () => now++);
+  session.reset();
+  return { session, world: () => session.sim.world };
+}
+
+it('turns time into steps, slower in slow motion, and into none while paused', () => {
+  const { session, world } = started();
+  session.advance(0.025);
+  expect([world().tick, session.steps]).toEqual([2, 2]);
+  expect(session.alpha).toBeCloseTo(0.5, 9);
+  session.speed = 0.1;
+  session.advance(0.03);
+  expect(world().tick).toBe(2);
+  expect(session.alpha).toBeCloseTo(0.8, 9);
+  session.paused = true;
+  const hash = stateHash(world());
+  session.advance(10);
+  expect([stateHash(world()), session.steps]).toEqual([hash, 0]);
+  session.step(3);
+  expect([world().tick, session.alpha]).toEqual([5, 1]);
+});
+
+it('does not try to make up for a frame that took too long', () => {
+  const { session, world } = started();
+  session.advance(3);
+  expect(world().tick).toBe(4);
+});
+
+it('measures a step', () => {
+  const { session } = started();
+  session.advance(0.02);
+  expect(session.stepTime).toBe(0.5); // one tick of the clock for two steps
+});
+
+it('starts again at the same bits, and at others with another seed', () => {
+  const { session, world } = started();
+  session.step(10);
+  const hash = stateHash(world());
+  session.reset();
+  expect(world().tick).toBe(0);
+  session.step(10);
+  expect(stateHash(world())).toBe(hash);
+  session.reset(5);
+  session.step(10);
+  expect(session.seed).toBe(5);
+  expect(stateHash(world())).not.toBe(hash);
+});
+
+it('gives the running world what it can take, and asks for a new one else', () => {
+  const { session, world } = started();
+  expect(session.set('gravity', 2)).toBe(false);
+  session.step();
+  expect(world().components.Velocity.y[1]).toBeCloseTo(4 - 0.02, 12);
+  expect(session.set('count', 9)).toBe(true);
+  session.reset();
+  expect(world().components.Position.x[9]).toBe(8);
+  expect(world().forces[0].parameters?.gy.value).toBe(-2);
+});
+
+it('refuses what is no setting or does not fit, and stays as it was', () => {
+  const { session } = started();
+  expect(() => session.set('toString', 1)).toThrow('There is no setting “toString”. There are count, gravity.');
+  expect(() => session.set('count', 10)).toThrow('count must be a whole number from 1 to 9');
+  expect(session.values).toEqual({ count: 3, gravity: 10 });
+});
