@@ -10,7 +10,7 @@ import { build } from 'esbuild';
 import { root } from './lib/paths.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { siteOptions } from './lib/site-bundle.mjs';
-import { frontPage, gameNames, gamePage } from './lib/site-pages.mjs';
+import { frontPage, gameNames, gamePage, gamePicture } from './lib/site-pages.mjs';
 import { serveSite } from './lib/site-server.mjs';
 
 const { values } = parseArgs({
@@ -41,7 +41,11 @@ async function buildSite() {
     await build(siteOptions({ minify: true }));
     mkdirSync(folder, { recursive: true });
     writeFileSync(`${folder}/index.html`, frontPage());
-    for (const name of gameNames()) writeFileSync(`${folder}/${name}/index.html`, gamePage(name));
+    for (const name of gameNames()) {
+      writeFileSync(`${folder}/${name}/index.html`, gamePage(name));
+      const picture = gamePicture(name);
+      if (picture) writeFileSync(`${folder}/${name}/picture.png`, picture);
+    }
     process.stdout.write(`Wrote ${gameNames().length} games to dist/site: serve that folder with any web server\n`);
   } catch (error) {
     await reportFailure(error);

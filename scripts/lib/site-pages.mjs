@@ -27,6 +27,15 @@ export function gamePage(name) {
   return html;
 }
 
+/**
+ * The picture of a game on the front page, if its author has put one there.
+ * @param {string} name
+ */
+export function gamePicture(name) {
+  const file = `${gamesFolder}/${name}/picture.png`;
+  return existsSync(file) ? readFileSync(file) : undefined;
+}
+
 /** The front page: `games/index.html`, or a plain one; the list of games takes the place of `<!-- games -->`. */
 export function frontPage() {
   const file = `${gamesFolder}/index.html`;
@@ -35,7 +44,8 @@ export function frontPage() {
     const html = gamePage(name);
     const title = html.match(/<title>([^<]*)<\/title>/i)?.[1].trim() || name;
     const about = html.match(/<meta\s+name="description"\s+content="([^"]*)"/i)?.[1];
-    return `<li><a href="./${name}/">${title}</a>${about ? ` <span>${about}</span>` : ''}</li>`;
+    const picture = gamePicture(name) ? `<img src="./${name}/picture.png" alt="">` : '';
+    return `<li><a href="./${name}/">${picture}<b>${title}</b></a>${about ? ` <span>${about}</span>` : ''}</li>`;
   });
   const list = items.length > 0 ? `<ul class="games">\n${items.join('\n')}\n</ul>` : '<p>There is no game yet.</p>';
   return template.replace('<!-- games -->', list);
@@ -51,6 +61,7 @@ const plainFrontPage = `<!doctype html>
 <style>
 body { font: 1rem/1.6 system-ui, sans-serif; max-width: 42rem; margin: 3rem auto; padding: 0 1rem }
 span { color: #666 }
+img { display: block; max-width: 100% }
 </style>
 </head>
 <body>

@@ -4,7 +4,7 @@ import { relative } from 'node:path';
 import { context, formatMessages } from 'esbuild';
 import { root } from './paths.mjs';
 import { kernelsPlugin, siteOptions } from './site-bundle.mjs';
-import { frontPage, gameNames, gamePage } from './site-pages.mjs';
+import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 import { serveFiles } from './static-server.mjs';
 
 /** Reloads the page after a good build, covers it with the messages after a bad one. */
@@ -20,7 +20,7 @@ export async function serveSite({ ports, host }) {
   const server = await serveFiles({
     ports,
     host,
-    find: (path) => games.find(path) ?? page(path),
+    find: (path) => games.find(path) ?? picture(path) ?? page(path),
     special: (path, response) => path === '/live' && live.join(response),
   });
   const pages = setInterval(watchPages(live.announce, games.restart), 500);
@@ -73,6 +73,12 @@ async function watchGames(announce) {
 /** @param {string} path of an output file on disk, had it been written */
 function sitePath(path) {
   return `/${relative(`${root}/dist/site`, path).replaceAll('\\', '/')}`;
+}
+
+/** @param {string} path */
+function picture(path) {
+  const name = path.match(/^\/([\w-]+)\/picture\.png$/)?.[1];
+  return name && gameNames().includes(name) ? gamePicture(name) : undefined;
 }
 
 /**
