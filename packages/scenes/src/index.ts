@@ -1,5 +1,7 @@
 /** Scenes: pure functions that build a world from a seed and parameters. */
+export { attractors } from './attractors';
 export { type BouncingBalls, ballDrag, bouncingBalls } from './bouncing-balls';
 export { particles } from './particles';
 export { findScene, SCENES } from './registry';
 export type { Scene, SceneOptions, SceneParameter, SceneRun } from './scene';
+export { springs } from './springs';

@@ -1,9 +1,11 @@
+import { attractors } from './attractors';
 import { bouncingBalls } from './bouncing-balls';
 import { particles } from './particles';
 import type { Scene } from './scene';
+import { springs } from './springs';
 
 /** Every scene, in the order they are listed. */
-export const SCENES: readonly Scene[] = [particles, bouncingBalls];
+export const SCENES: readonly Scene[] = [particles, springs, attractors, bouncingBalls];
 
 /** The scene of a name, if there is one. */
 export function findScene(name: string): Scene | undefined {

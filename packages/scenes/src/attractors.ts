@@ -1,0 +1,67 @@
+// Test particles that circle several fixed centres of attraction and do not feel each other: every particle visits
+// every centre each step, the heaviest of local forces.
+import {
+  attractors as attraction,
+  createPhysicsWorld,
+  createRandom,
+  spawn,
+  spawnMany,
+  velocityVerlet,
+} from '@principia/physics';
+import { countOf, defineScene } from './scene';
+import { seededUniforms } from './seeded';
+
+/** Half the edge of the square or cube that particles start in, m. */
+const REACH = 100;
+/** Centres lie within this distance of the origin along each axis, m. */
+const CLUSTER = 50;
+
+export const attractors = defineScene({
+  name: 'attractors',
+  description: 'test particles round several fixed attractors',
+  precision: 'f32',
+  parameters: {
+    count: countOf('particles', 100_000, 8_000_000),
+    attractors: { about: 'fixed centres', unit: '', initial: 8, min: 1, max: 1000, integer: true },
+    mu: { about: 'gravitational parameter of all centres together', unit: 'm³/s²', initial: 16_000, min: 0, max: 1e9 },
+    softening: { about: 'softening length of a centre', unit: 'm', initial: 5, min: 0.1, max: 100 },
+  },
+  build({ dimensions, precision, seed, progress, parameters }) {
+    const { count, attractors: centres, mu, softening } = parameters;
+    const world = createPhysicsWorld({
+      dimensions,
+      precision,
+      seed,
+      capacity: count + centres,
+      integrator: velocityVerlet,
+      forces: [attraction()],
+    });
+    const random = createRandom(seed, 1);
+    for (let c = 0; c < centres; c++) {
+      const place = () => (centres === 1 ? 0 : random.uniform(-CLUSTER, CLUSTER));
+      const position = { x: place(), y: place(), ...(dimensions === 3 ? { z: place() } : {}) };
+      spawn(world, { position, attractor: { mu: mu / centres, softening } });
+    }
+    const uniform = seededUniforms(seed, count);
+    const position = {
+      x: uniform(-REACH, REACH),
+      y: uniform(-REACH, REACH),
+      ...(dimensions === 3 ? { z: uniform(-REACH, REACH) } : {}),
+    };
+    const velocity = circling(position.x, position.y, mu);
+    spawnMany(world, count, { position, velocity, mass: 1 }, progress);
+    return { world, dt: 1 / 60 };
+  },
+});
+
+/** Speeds of circles round the origin, as if everything that attracts were there and spread over the cluster. */
+function circling(x: Float64Array, y: Float64Array, mu: number) {
+  const velocity = { x: new Float64Array(x.length), y: new Float64Array(x.length) };
+  for (let i = 0; i < x.length; i++) {
+    const square = x[i] * x[i] + y[i] * y[i];
+    const rate = Math.sqrt(mu / Math.sqrt((square + CLUSTER * CLUSTER) ** 3));
+    velocity.x[i] = -rate * y[i];
+    velocity.y[i] = rate * x[i];
+  }
+  return velocity;
+}

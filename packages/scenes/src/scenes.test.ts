@@ -1,0 +1,63 @@
+import { energy, stateHash, step } from '@principia/physics';
+import { describe, expect, test } from 'vitest';
+import { SCENES } from './registry';
+import type { Scene, SceneRun } from './scene';
+
+function advance({ world, dt, advance: move }: SceneRun, steps: number): void {
+  for (let s = 0; s < steps; s++) {
+    if (move === undefined) step(world, dt);
+    else move(world);
+  }
+}
+
+describe.each(SCENES.map((scene) => [scene.name, scene] as const))('scene %s', (_, scene: Scene) => {
+  const count = Math.min(500, scene.parameters.count.max);
+
+  test.each([2, 3] as const)('is the same twice in %iD, and another with another seed', (dimensions) => {
+    const hashOf = (seed: number) => {
+      const run = scene.create({ count, dimensions, seed, precision: 'f32' });
+      advance(run, 30);
+      expect(run.world.faults.faults).toEqual([]);
+      return stateHash(run.world);
+    };
+    expect(hashOf(5)).toBe(hashOf(5));
+    expect(hashOf(6)).not.toBe(hashOf(5));
+  });
+
+  test.each(['f32', 'f64'] as const)('moves, and keeps its energy where it says so, in %s', (precision) => {
+    const run = scene.create({ count, precision });
+    const before = stateHash(run.world);
+    const start = energy(run.world).total;
+    advance(run, 120);
+    expect(stateHash(run.world)).not.toBe(before);
+    const drift = Math.abs(energy(run.world).total - start) / Math.abs(start);
+    if (run.losesEnergy === undefined) expect(drift).toBeLessThan(2e-3);
+    else expect(Number.isFinite(energy(run.world).total)).toBe(true);
+  });
+
+  test('is made with one of whatever it counts', () => {
+    const run = scene.create({ count: scene.parameters.count.min });
+    advance(run, 10);
+    expect(run.world.faults.faults).toEqual([]);
+  });
+
+  test('has parameters whose initial values lie in their ranges', () => {
+    for (const { initial, min, max, about } of Object.values(scene.parameters)) {
+      expect(initial).toBeGreaterThanOrEqual(min);
+      expect(initial).toBeLessThanOrEqual(max);
+      expect(about).not.toBe('');
+    }
+    expect(scene.description).not.toMatch(/\n/);
+  });
+
+  test('refuses what it does not know or cannot be', () => {
+    expect(() => scene.create({ cuont: 3 } as never)).toThrow(/E_UNKNOWN.*"cuont".*count/);
+    expect(() => scene.create({ count: 0.5 })).toThrow(/E_RANGE.*whole number/);
+    expect(() => scene.create({ count: Number.NaN })).toThrow(/E_NONFINITE/);
+    expect(() => scene.create({ count: '5' as never })).toThrow(/E_TYPE/);
+  });
+});
+
+test('names of scenes are unique', () => {
+  expect(new Set(SCENES.map(({ name }) => name)).size).toBe(SCENES.length);
+});
