@@ -1,12 +1,16 @@
 import type { SceneRun } from '@principia/scenes';
+import { attractorsJs } from './attractors-js';
 import { fusedJs } from './fused-js';
 import { fusedSimd } from './fused-simd';
 import type { Peer, PeerMaker } from './peer';
 import { queryIdiom } from './query-idiom';
+import { springsJs } from './springs-js';
 
 /** Who is measured beside us, by scene. */
 const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   particles: [fusedSimd, fusedJs, queryIdiom],
+  springs: [springsJs],
+  attractors: [attractorsJs],
 };
 
 /** The peers of a scene, ready to take the first step from the state `run` is in. */
