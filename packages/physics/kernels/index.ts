@@ -11,6 +11,3 @@ export * from './integrators/stages';
 export * from './integrators/spin';
 export * from './walls/box';
 export { staticEnd } from './columns';
-export { sine, cosine, arcTangent2, exponential, logarithm } from './math/elementary';
-export { power } from './math/power';
-export { randomWord, randomUnit, randomNormal } from './math/random';

@@ -12,6 +12,22 @@ export { MAX_ANGULAR_SPEED } from './components/rotation';
 export { MAX_SPEED } from './components/velocity';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy';
 export { stateHash } from './diagnostics/hash';
+export {
+  aliveCount,
+  type BurstOptions,
+  burst,
+  createEmitter,
+  destroyEmitter,
+  type Emitter,
+  type EmitterCounts,
+  type Endings,
+  emitterCounts,
+  endings,
+  moveEmitter,
+  setEmitter,
+  setRate,
+} from './emitters/emitter';
+export type { EmitterOptions, EmitterParameters, Range } from './emitters/options';
 export { type EventMap, type EventName, type Handler, on } from './events/handlers';
 export { clearFaults, type Fault, type FaultLog } from './faults/fault-log';
 export { type FaultCode, type FaultDetails, PhysicsError } from './faults/physics-error';

@@ -1,0 +1,112 @@
+// Birth of one particle: where, how fast and in which direction.
+import { columns, put } from '../columns';
+import { cosine, sine } from '../math/elementary';
+import { randomUnit } from '../math/random';
+import { dress } from './looks';
+import { NONE, link, nextGeneration, takeSlot } from './pool';
+import { Emitter, putWord, word } from './record';
+
+const TWO_PI: f64 = 6.283185307179586;
+
+let directionX: f64 = 0;
+let directionY: f64 = 0;
+let directionZ: f64 = 0;
+
+// @ts-ignore: decorator
+@inline function draws(e: Emitter): usize {
+  return changetype<usize>(e) + offsetof<Emitter>('random0');
+}
+
+// @ts-ignore: decorator
+@inline function between(e: Emitter, low: f64, high: f64): f64 {
+  return low + (high - low) * randomUnit(draws(e));
+}
+
+// Uniform by angle within the wedge about the emitter's direction.
+function aim2d(e: Emitter): void {
+  const angle = e.spread * between(e, -1, 1);
+  const c = cosine(angle);
+  const s = sine(angle);
+  directionX = e.directionX * c - e.directionY * s;
+  directionY = e.directionX * s + e.directionY * c;
+  directionZ = 0;
+}
+
+// Uniform by solid angle within the cone about the emitter's direction d: with u and w normal to d and to each other.
+function aim3d(e: Emitter): void {
+  const c = between(e, 1, e.cosSpread);
+  const turn = TWO_PI * randomUnit(draws(e));
+  const s = sqrt<f64>(max<f64>(0, 1 - c * c));
+  const upright = abs<f64>(e.directionZ) > 0.9;
+  let ux = upright ? 0 : e.directionY;
+  let uy = upright ? e.directionZ : -e.directionX;
+  let uz = upright ? -e.directionY : 0;
+  const norm = 1 / sqrt<f64>(ux * ux + uy * uy + uz * uz);
+  ux *= norm;
+  uy *= norm;
+  uz *= norm;
+  const wx = e.directionY * uz - e.directionZ * uy;
+  const wy = e.directionZ * ux - e.directionX * uz;
+  const wz = e.directionX * uy - e.directionY * ux;
+  const a = s * cosine(turn);
+  const b = s * sine(turn);
+  directionX = c * e.directionX + a * ux + b * wx;
+  directionY = c * e.directionY + a * uy + b * wy;
+  directionZ = c * e.directionZ + a * uz + b * wz;
+}
+
+// Bears a particle that left (x, y, z) `age` seconds ago and has moved since at the velocity it left with, to which
+// (vx, vy, vz) is added. Every particle takes the same number of draws in the plane and in space, dead at birth or not,
+// so that the step's length does not change who comes next.
+export function bear(e: Emitter, x: f64, y: f64, z: f64, vx: f64, vy: f64, vz: f64, age: f64, ramp: i32): void {
+  const life = between(e, e.lifeMin, e.lifeMax);
+  const speed = between(e, e.speedMin, e.speedMax);
+  const factor = between(e, e.factorMin, e.factorMax);
+  const chosen = ramp >= 0 ? ramp : <i32>(randomUnit(draws(e)) * <f64>e.rampCount);
+  if (e.dimensions == 2) aim2d(e);
+  else aim3d(e);
+  const ux = directionX * speed + e.scatterX * between(e, -1, 1) + vx;
+  const uy = directionY * speed + e.scatterY * between(e, -1, 1) + vy;
+  const uz = directionZ * speed + e.scatterZ * between(e, -1, 1) + vz;
+  const px = x + e.areaX * between(e, -1, 1) + ux * age;
+  const py = y + e.areaY * between(e, -1, 1) + uy * age;
+  const pz = z + e.areaZ * between(e, -1, 1) + uz * age;
+  e.born += 1;
+  if (age >= life) {
+    e.ended += 1;
+    return;
+  }
+  const slot = takeSlot(e);
+  if (slot == NONE) {
+    e.lost += 1;
+    e.born -= 1;
+    return;
+  }
+  const row = word(e.ids, slot);
+  place(e, row, px, py, pz);
+  const c = columns();
+  put(c.velocityX, row, <real>ux);
+  put(c.velocityY, row, <real>uy);
+  put(c.velocityZ, row, <real>uz);
+  put(c.mass, row, <real>e.mass);
+  put(c.radius, row, <real>e.radius);
+  store<f64>(e.bornAt + ((<usize>slot) << 3), e.clock - age);
+  store<f32>(e.life + ((<usize>slot) << 2), <f32>life);
+  store<f32>(e.factor + ((<usize>slot) << 2), <f32>factor);
+  putWord(e.ramp, slot, chosen);
+  nextGeneration(e, slot);
+  link(e, slot);
+  dress(e, slot, row, age / life);
+  e.changed = 1;
+}
+
+// The previous pose is the pose: a renderer must not draw the way from where the row's last life ended.
+function place(e: Emitter, row: u32, x: f64, y: f64, z: f64): void {
+  const c = columns();
+  put(c.positionX, row, <real>x);
+  put(c.positionY, row, <real>y);
+  put(c.positionZ, row, <real>z);
+  put(e.previousX, row, <real>x);
+  put(e.previousY, row, <real>y);
+  put(e.previousZ, row, <real>z);
+}

@@ -1,0 +1,158 @@
+// One emitter: its parameters, its counters, and where its pool's arrays and the columns are. All state is here, in the
+// world's memory, so that a copy of the memory is a copy of every emitter. src/emitters/record.ts has the same list.
+
+export const MOST_STOPS: i32 = 4;
+export const MOST_RAMPS: i32 = 8;
+
+// A pool has `capacity` slots; slot and entity id stand in `ids`.
+@unmanaged
+export class Emitter {
+  // u32 per slot: the entity; the generation of it that is ours; the next in the queue of free slots; neighbours in
+  // the list of the living by age.
+  ids: usize;
+  generation: usize;
+  free: usize;
+  older: usize;
+  newer: usize;
+  // Per slot: f64 time of birth by the emitter's clock, f32 lifetime (0 for a free slot), f32 factor of the size, u32 ramp.
+  bornAt: usize;
+  life: usize;
+  factor: usize;
+  ramp: usize;
+  // Columns that are not in the table of columns.
+  previousX: usize;
+  previousY: usize;
+  previousZ: usize;
+  color: usize;
+  size: usize;
+  generations: usize;
+  // Who ended in this step, and where, when somebody wants to know: u32 ids, and x, y, z, vx, vy, vz as f64.
+  endedIds: usize;
+  endedAt: usize;
+  endedNow: i32;
+  bursts: usize;
+  burstCount: i32;
+  capacity: i32;
+  freeHead: i32;
+  freeCount: i32;
+  alive: i32;
+  oldest: u32;
+  newest: u32;
+  dimensions: i32;
+  recyclesOldest: i32;
+  emits: i32;
+  rampCount: i32;
+  sizeStops: i32;
+  changed: i32;
+  random0: u32;
+  random1: u32;
+  random2: u32;
+  random3: u32;
+  color0: u32;
+  color1: u32;
+  color2: u32;
+  color3: u32;
+  color4: u32;
+  color5: u32;
+  color6: u32;
+  color7: u32;
+  color8: u32;
+  color9: u32;
+  color10: u32;
+  color11: u32;
+  color12: u32;
+  color13: u32;
+  color14: u32;
+  color15: u32;
+  color16: u32;
+  color17: u32;
+  color18: u32;
+  color19: u32;
+  color20: u32;
+  color21: u32;
+  color22: u32;
+  color23: u32;
+  color24: u32;
+  color25: u32;
+  color26: u32;
+  color27: u32;
+  color28: u32;
+  color29: u32;
+  color30: u32;
+  color31: u32;
+  stops0: u32;
+  stops1: u32;
+  stops2: u32;
+  stops3: u32;
+  stops4: u32;
+  stops5: u32;
+  stops6: u32;
+  stops7: u32;
+  // Time of the emitter, time since it last emitted, and births due but not made, a fraction of one.
+  clock: f64;
+  pending: f64;
+  owed: f64;
+  rate: f64;
+  lifeMin: f64;
+  lifeMax: f64;
+  speedMin: f64;
+  speedMax: f64;
+  // Unit vector, half-angle of the cone, and its cosine.
+  directionX: f64;
+  directionY: f64;
+  directionZ: f64;
+  spread: f64;
+  cosSpread: f64;
+  // Where it is, where it was, and the velocity every particle gets of it.
+  x: f64;
+  y: f64;
+  z: f64;
+  lastX: f64;
+  lastY: f64;
+  lastZ: f64;
+  velocityX: f64;
+  velocityY: f64;
+  velocityZ: f64;
+  areaX: f64;
+  areaY: f64;
+  areaZ: f64;
+  scatterX: f64;
+  scatterY: f64;
+  scatterZ: f64;
+  mass: f64;
+  radius: f64;
+  factorMin: f64;
+  factorMax: f64;
+  size0: f64;
+  size1: f64;
+  size2: f64;
+  size3: f64;
+  born: f64;
+  ended: f64;
+  lost: f64;
+}
+
+// A burst asked for: kept until the next step.
+@unmanaged
+export class Burst {
+  count: f64;
+  // 1 when it has a place of its own; the ramp to use, or -1.
+  placed: f64;
+  ramp: f64;
+  x: f64;
+  y: f64;
+  z: f64;
+  velocityX: f64;
+  velocityY: f64;
+  velocityZ: f64;
+}
+
+// @ts-ignore: decorator
+@inline export function word(base: usize, slot: u32): u32 {
+  return load<u32>(base + ((<usize>slot) << 2));
+}
+
+// @ts-ignore: decorator
+@inline export function putWord(base: usize, slot: u32, value: u32): void {
+  store<u32>(base + ((<usize>slot) << 2), value);
+}

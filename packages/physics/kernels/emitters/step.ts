@@ -1,0 +1,83 @@
+// What an emitter does in the `emit` phase: its particles grow older and some end, then new ones are born.
+//
+// The births of the time since the last step are made now, each at its own moment: the i-th when rate x time reaches a
+// whole number. So a stream of particles is the same for steps of any length, and has no gaps between frames.
+import { bear } from './birth';
+import { paint } from './looks';
+import { end, isOurs } from './pool';
+import { Burst, Emitter, word } from './record';
+
+export function stepEmitter(emitter: usize, dt: f64): void {
+  const e = changetype<Emitter>(emitter);
+  e.clock += e.pending;
+  e.endedNow = 0;
+  e.changed = 0;
+  age(e);
+  if (e.emits != 0) stream(e);
+  burst(e);
+  e.lastX = e.x;
+  e.lastY = e.y;
+  e.lastZ = e.z;
+  e.pending = dt;
+}
+
+function age(e: Emitter): void {
+  if (e.alive == 0) return;
+  const paints = e.sizeStops > 1 || anyRamp(e);
+  const clock = e.clock;
+  for (let slot: i32 = 0; slot < e.capacity; slot++) {
+    const life = <f64>load<f32>(e.life + ((<usize>slot) << 2));
+    if (life == 0) continue;
+    const years = clock - load<f64>(e.bornAt + ((<usize>slot) << 3));
+    if (years >= life || !isOurs(e, slot)) end(e, slot);
+    else if (paints) paint(e, slot, word(e.ids, slot), years / life);
+  }
+  if (paints) e.changed = 1;
+}
+
+function anyRamp(e: Emitter): bool {
+  for (let ramp: i32 = 0; ramp < e.rampCount; ramp++) {
+    if (word(changetype<usize>(e) + offsetof<Emitter>('stops0'), ramp) > 1) return true;
+  }
+  return false;
+}
+
+function stream(e: Emitter): void {
+  if (e.rate == 0 || e.pending == 0) return;
+  const due = e.owed + e.rate * e.pending;
+  const count = floor<f64>(due);
+  // What cannot even find a slot by ending all others is not worth drawing.
+  const skipped = max<f64>(0, count - <f64>e.capacity);
+  e.lost += skipped;
+  for (let i = skipped + 1; i <= count; i += 1) {
+    const since = (i - e.owed) / e.rate;
+    const t = since / e.pending;
+    bear(
+      e,
+      e.lastX + (e.x - e.lastX) * t,
+      e.lastY + (e.y - e.lastY) * t,
+      e.lastZ + (e.z - e.lastZ) * t,
+      e.velocityX,
+      e.velocityY,
+      e.velocityZ,
+      max<f64>(0, e.pending - since),
+      -1,
+    );
+  }
+  e.owed = due - count;
+}
+
+function burst(e: Emitter): void {
+  for (let b: i32 = 0; b < e.burstCount; b++) {
+    const asked = changetype<Burst>(e.bursts + <usize>b * offsetof<Burst>());
+    const placed = asked.placed != 0;
+    const x = placed ? asked.x : e.x;
+    const y = placed ? asked.y : e.y;
+    const z = placed ? asked.z : e.z;
+    const vx = asked.velocityX + (placed ? 0 : e.velocityX);
+    const vy = asked.velocityY + (placed ? 0 : e.velocityY);
+    const vz = asked.velocityZ + (placed ? 0 : e.velocityZ);
+    for (let i: f64 = 0; i < asked.count; i += 1) bear(e, x, y, z, vx, vy, vz, 0, <i32>asked.ramp);
+  }
+  e.burstCount = 0;
+}

@@ -1,0 +1,425 @@
+import { describe, expect, test } from 'vitest';
+import { despawn, spawn } from '../bodies/spawn';
+import { rgba } from '../components/appearance';
+import { momentum } from '../diagnostics/energy';
+import { stateHash } from '../diagnostics/hash';
+import { PhysicsError } from '../faults/physics-error';
+import { quadraticDrag } from '../forces/drag';
+import { uniformGravity } from '../forces/uniform-gravity';
+import { step } from '../step';
+import { entityRef, isAlive } from '../store/references';
+import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world';
+import {
+  aliveCount,
+  burst,
+  createEmitter,
+  destroyEmitter,
+  type Emitter,
+  emitterCounts,
+  endings,
+  moveEmitter,
+  setEmitter,
+  setRate,
+} from './emitter';
+import type { EmitterOptions } from './options';
+
+function emitting(options: Partial<EmitterOptions> = {}, more: PhysicsWorldOptions = {}) {
+  const world = createPhysicsWorld({ capacity: 5000, ...more });
+  return { world, emitter: createEmitter(world, { capacity: 1000, ...options }) };
+}
+
+function run(world: PhysicsWorld, seconds: number, dt = 1 / 60): void {
+  const steps = Math.round(seconds / dt);
+  for (let i = 0; i < steps; i++) step(world, dt);
+}
+
+/** Ids of the particles alive: an inert one has no mass. */
+function living({ world, ids }: Emitter): number[] {
+  return [...ids].filter((eid) => world.components.Mass.value[eid] > 0);
+}
+
+function codeOf(act: () => unknown): string {
+  try {
+    act();
+  } catch (error) {
+    return error instanceof PhysicsError ? error.code : String(error);
+  }
+  return 'nothing';
+}
+
+describe('how many are alive', () => {
+  test('rate × lifetime, exactly, when all live equally long', () => {
+    const { world, emitter } = emitting({ rate: 37.5, lifetime: 2 });
+    run(world, 10);
+    expect(Math.abs(aliveCount(emitter) - 75)).toBeLessThanOrEqual(1);
+    expect(living(emitter)).toHaveLength(aliveCount(emitter));
+    const { born, ended, lost } = emitterCounts(emitter);
+    expect(born - ended).toBe(aliveCount(emitter));
+    expect(lost).toBe(0);
+  });
+
+  test('rate × mean lifetime within statistics (ch12-sparks: 60 × 7)', () => {
+    const { world, emitter } = emitting({ rate: 60, lifetime: [6, 8] });
+    run(world, 10, 1 / 30);
+    let sum = 0;
+    const samples = 200;
+    for (let i = 0; i < samples; i++) {
+      run(world, 0.5, 1 / 30);
+      sum += aliveCount(emitter) / samples;
+    }
+    // Births are regular, deaths uniform over 2 s: sd below sqrt(60 · 2 / 6), and samples 2 s apart are independent.
+    expect(Math.abs(sum - 420)).toBeLessThan((3 * Math.sqrt(20)) / Math.sqrt(samples / 4) + 1);
+  });
+
+  test('fractions of a birth are not lost', () => {
+    const { world, emitter } = emitting({ rate: 0.7, lifetime: 1000 });
+    run(world, 100);
+    expect(emitterCounts(emitter).born).toBe(Math.floor(0.7 * (100 - 1 / 60)));
+  });
+
+  test('a full pool skips births and counts them, or ends the oldest (ch12-emitter)', () => {
+    const skipping = emitting({ capacity: 120, rate: 30, lifetime: 100 });
+    run(skipping.world, 10);
+    expect(emitterCounts(skipping.emitter)).toEqual({ alive: 120, born: 120, ended: 0, lost: 179 });
+    const recycling = emitting({ capacity: 120, rate: 30, lifetime: 100, whenFull: 'oldest', speed: 0 });
+    recycling.world.phases.input.push((w) => moveEmitter(recycling.emitter, { x: w.time }, true));
+    run(recycling.world, 10);
+    expect(emitterCounts(recycling.emitter)).toEqual({ alive: 120, born: 299, ended: 179, lost: 0 });
+    // Age at recycling: 120 births at 30 a second.
+    const ages = living(recycling.emitter).map((eid) => 10 - recycling.world.components.Position.x[eid]);
+    expect(Math.max(...ages)).toBeLessThan(4 + 0.1);
+    expect(Math.min(...ages)).toBeLessThan(0.1);
+  });
+
+  test('a rate beyond all room costs no time', () => {
+    const { world, emitter } = emitting({ capacity: 10, rate: 1e9, lifetime: 100 });
+    run(world, 1);
+    expect(aliveCount(emitter)).toBe(10);
+    expect(emitterCounts(emitter).lost).toBeGreaterThan(9e8);
+  });
+
+  test('a life shorter than a step is counted and seen by nobody', () => {
+    const { world, emitter } = emitting({ rate: 1000, lifetime: 0.001 });
+    run(world, 1, 0.1);
+    expect(emitterCounts(emitter).born).toBe(900);
+    expect(aliveCount(emitter)).toBeLessThanOrEqual(1);
+  });
+});
+
+describe('the length of the step', () => {
+  const stream: Partial<EmitterOptions> = {
+    rate: 200,
+    lifetime: [0.5, 1.5],
+    speed: [1, 3],
+    spread: 0.3,
+    positionSpread: { x: 0.1 },
+  };
+
+  /** What lives at 3 s, by position. */
+  function state(dt: number): string[] {
+    const { world, emitter } = emitting(stream);
+    const steps = Math.round(3 / dt) + 1;
+    for (let i = 0; i < steps - 1; i++) step(world, dt);
+    // A last, endless-small step shows the births up to 3 s.
+    step(world, 1e-9);
+    const { x, y } = world.components.Position;
+    return living(emitter)
+      .map((eid) => `${x[eid].toFixed(6)},${y[eid].toFixed(6)}`)
+      .sort();
+  }
+
+  test('changes nothing in a stream that no force bends', () => {
+    const fine = state(1 / 128);
+    expect(fine.length).toBeGreaterThan(180);
+    expect(state(1 / 64)).toEqual(fine);
+    expect(state(1 / 16)).toEqual(fine);
+  });
+
+  test('leaves no gaps along the way of a moving emitter', () => {
+    const { world, emitter } = emitting({ rate: 100, lifetime: 10, speed: 0 });
+    for (let i = 1; i <= 10; i++) {
+      moveEmitter(emitter, { x: i });
+      step(world, 0.1);
+    }
+    const x = living(emitter)
+      .map((eid) => world.components.Position.x[eid])
+      .sort((a, b) => a - b);
+    expect(x).toHaveLength(90);
+    for (let i = 1; i < x.length; i++) expect(x[i] - x[i - 1]).toBeCloseTo(0.1, 9);
+  });
+});
+
+describe('a particle', () => {
+  test('is born at the emitter and flies as a body does, under gravity and drag', () => {
+    const { world, emitter } = emitting(
+      { speed: 3, direction: { x: 4, y: 3 }, spread: 0, mass: 2, quadraticDrag: 0.1, lifetime: 10, position: { x: 5 } },
+      { forces: [uniformGravity({ y: -10 }), quadraticDrag()] },
+    );
+    const twin = spawn(world, { position: { x: 5 }, velocity: { x: 2.4, y: 1.8 }, mass: 2, quadraticDrag: 0.1 });
+    burst(emitter, 1);
+    run(world, 1);
+    const [eid] = living(emitter);
+    const { Position, Velocity } = world.components;
+    expect(Position.x[eid]).toBeCloseTo(Position.x[twin], 12);
+    expect(Position.y[eid]).toBeCloseTo(Position.y[twin], 12);
+    expect(Velocity.y[eid]).toBeCloseTo(Velocity.y[twin], 12);
+  });
+
+  test('is not drawn coming from where the last life of its entity ended', () => {
+    const { world, emitter } = emitting({ capacity: 1, lifetime: 0.05, speed: 100, spread: 0 });
+    for (let i = 0; i < 20; i++) {
+      burst(emitter, 1);
+      step(world, 1 / 60);
+      for (const eid of living(emitter)) {
+        const way = world.components.Position.y[eid] - world.previous.Position.y[eid];
+        expect(way).toBeCloseTo(100 / 60, 9);
+      }
+    }
+    expect(emitterCounts(emitter).ended).toBeGreaterThan(3);
+  });
+
+  test('when it ends it is inert: no mass, speed, size or collider', () => {
+    const collider = { radius: 0.2, restitution: 0.5 };
+    const { world, emitter } = emitting({ capacity: 10, size: 2, lifetime: 0.1, collider });
+    const { Mass, Velocity, Appearance, Collider } = world.components;
+    burst(emitter, 10);
+    step(world, 1 / 60);
+    for (const eid of emitter.ids) {
+      expect([Mass.value[eid], Appearance.size[eid], Collider.radius[eid]]).toEqual([1, 2, 0.2]);
+    }
+    run(world, 0.2);
+    for (const eid of emitter.ids) {
+      const row = [Mass.value[eid], Velocity.x[eid], Velocity.y[eid], Appearance.size[eid], Collider.radius[eid]];
+      expect(row).toEqual([0, 0, 0, 0, 0]);
+    }
+    expect(aliveCount(emitter)).toBe(0);
+    expect(momentum(world).y).toBe(0);
+  });
+
+  test('a reference to it dies with it and never names its successor', () => {
+    const { world, emitter } = emitting({ capacity: 1, lifetime: 0.1 });
+    const idle = entityRef(world, emitter.ids[0]);
+    burst(emitter, 1);
+    step(world, 0.01);
+    const ref = entityRef(world, emitter.ids[0]);
+    expect(isAlive(world, ref)).toBe(true);
+    expect(isAlive(world, idle)).toBe(false);
+    run(world, 0.2, 0.01);
+    expect(isAlive(world, ref)).toBe(false);
+    burst(emitter, 1);
+    step(world, 0.01);
+    expect(isAlive(world, ref)).toBe(false);
+  });
+
+  test('passes through its colours and sizes', () => {
+    const color = [rgba(1, 0, 0), rgba(0, 1, 0, 0.5), rgba(0, 0, 0, 0)];
+    const { world, emitter } = emitting({ capacity: 1, lifetime: 1, color, size: [1, 3, 0], sizeFactor: 2 });
+    const [eid] = emitter.ids;
+    const { Appearance } = world.components;
+    burst(emitter, 1);
+    const seen: [number, number][] = [];
+    for (let i = 0; i <= 8; i++) {
+      step(world, 1 / 8);
+      seen.push([Appearance.color[eid], Appearance.size[eid]]);
+    }
+    expect(seen[0]).toEqual([color[0], 2]);
+    const half = rgba(0.5, 0.5, 0, 0.75);
+    for (const shift of [0, 8, 16, 24]) {
+      expect(Math.abs(((seen[2][0] >>> shift) & 255) - ((half >>> shift) & 255))).toBeLessThanOrEqual(1);
+    }
+    expect(seen[2][1]).toBe(4);
+    expect(seen[4]).toEqual([color[1], 6]);
+    expect(seen[6][1]).toBeCloseTo(3, 12);
+    expect(seen[7][0]).toBeGreaterThan(0);
+    expect(seen[8][1]).toBe(0);
+  });
+
+  test('directions fill the wedge in the plane and the cone in space evenly', () => {
+    const plane = emitting({ spread: 0.5, direction: { x: 1 } });
+    burst(plane.emitter, 1000);
+    step(plane.world, 1e-9);
+    const angles = living(plane.emitter).map((eid) => {
+      const { x, y } = plane.world.components.Velocity;
+      return Math.atan2(y[eid], x[eid]);
+    });
+    expect(Math.max(...angles.map(Math.abs))).toBeLessThanOrEqual(0.5 + 1e-12);
+    const mean = angles.reduce((sum, angle) => sum + angle, 0) / 1000;
+    expect(Math.abs(mean)).toBeLessThan((3 * 0.5) / Math.sqrt(3 * 1000));
+    for (const direction of [{ x: 1 }, { y: 2 }, { z: -3 }, { x: 1, y: 1, z: 1 }]) {
+      const space = emitting({ spread: 0.5, direction }, { dimensions: 3 });
+      burst(space.emitter, 1000);
+      step(space.world, 1e-9);
+      const { x = 0, y = 0, z = 0 } = direction as { x?: number; y?: number; z?: number };
+      const v = space.world.components.Velocity;
+      const cosines = living(space.emitter).map(
+        (eid) => (v.x[eid] * x + v.y[eid] * y + v.z[eid] * z) / Math.hypot(x, y, z),
+      );
+      const low = Math.cos(0.5);
+      expect(Math.min(...cosines)).toBeGreaterThan(low - 1e-12);
+      const average = cosines.reduce((sum, c) => sum + c, 0) / 1000;
+      expect(Math.abs(average - (1 + low) / 2)).toBeLessThan((3 * (1 - low)) / Math.sqrt(12 * 1000));
+    }
+  });
+});
+
+describe('an emitter', () => {
+  test('follows its body, hands on its velocity, and stops when it goes', () => {
+    const world = createPhysicsWorld({ capacity: 1000 });
+    const ship = spawn(world, { position: {}, velocity: { x: 10 }, mass: 1 });
+    const emitter = createEmitter(world, {
+      capacity: 500,
+      entity: ship,
+      rate: 100,
+      speed: 0,
+      lifetime: 100,
+      inheritVelocity: 0.5,
+    });
+    run(world, 1, 0.1);
+    const ids = living(emitter);
+    expect(ids).toHaveLength(90);
+    for (const eid of ids) expect(world.components.Velocity.x[eid]).toBeCloseTo(5, 9);
+    world.components.Position.x[ship] = Number.NaN;
+    step(world, 0.1);
+    for (const eid of living(emitter)) expect(Number.isFinite(world.components.Position.x[eid])).toBe(true);
+    despawn(world, ship);
+    const { born } = emitterCounts(emitter);
+    run(world, 1, 0.1);
+    expect(emitterCounts(emitter).born).toBe(born);
+  });
+
+  test('is the same for the same seed, and differs from its neighbour', () => {
+    const result = (seed: number) => {
+      const world = createPhysicsWorld({ capacity: 1000, seed });
+      const [a, b] = [0, 1].map(() => createEmitter(world, { capacity: 100, rate: 50, speed: [1, 2] }));
+      run(world, 1);
+      const speeds = [a, b].map((e) => living(e).map((eid) => world.components.Velocity.x[eid]));
+      expect(speeds[0]).not.toEqual(speeds[1]);
+      return stateHash(world);
+    };
+    expect(result(3)).toBe(result(3));
+    expect(result(3)).not.toBe(result(4));
+  });
+
+  test('changes while it runs; bad values change nothing', () => {
+    const { world, emitter } = emitting({ rate: 10, lifetime: 100, speed: 1 });
+    run(world, 1, 0.1);
+    setRate(emitter, 100);
+    expect(codeOf(() => setRate(emitter, -1))).toBe('E_RANGE');
+    expect(codeOf(() => setEmitter(emitter, { rate: 5, speed: Number.NaN }))).toBe('E_NONFINITE');
+    expect(codeOf(() => setEmitter(emitter, { capacity: 5 } as never))).toBe('E_UNKNOWN');
+    const { born } = emitterCounts(emitter);
+    run(world, 1, 0.1);
+    expect(emitterCounts(emitter).born - born).toBe(100);
+  });
+
+  test('bursts where it is told to, with a velocity and colours of their own', () => {
+    const { world, emitter } = emitting({ color: [[1], [2, 3]], speed: 0, lifetime: 5 });
+    burst(emitter, 10, { position: { x: 7 }, velocity: { x: 1, y: 2 }, ramp: 0 });
+    step(world, 0.5);
+    const { Position, Velocity, Appearance } = world.components;
+    const ids = living(emitter);
+    expect(ids).toHaveLength(10);
+    for (const eid of ids) expect([Position.x[eid], Velocity.y[eid], Appearance.color[eid]]).toEqual([7.5, 2, 1]);
+    expect(codeOf(() => burst(emitter, -1))).toBe('E_RANGE');
+    expect(codeOf(() => burst(emitter, 1, { ramp: 2 }))).toBe('E_RANGE');
+    expect(codeOf(() => burst(emitter, 1, { position: { x: Number.NaN } }))).toBe('E_NONFINITE');
+    for (let i = 0; i < 256; i++) burst(emitter, 0);
+    expect(codeOf(() => burst(emitter, 1))).toBe('E_CAPACITY');
+  });
+
+  test('says who ended and where, for shells that burst (ch12-fireworks)', () => {
+    const { world, emitter } = emitting({ capacity: 10, reportEndings: true, lifetime: 0.5, speed: 2, spread: 0 });
+    const sparks = createEmitter(world, { capacity: 1000, velocitySpread: { x: 75, y: 50 }, speed: 0 });
+    burst(emitter, 10);
+    let seen = 0;
+    for (let i = 0; i < 60; i++) {
+      step(world, 1 / 60);
+      const { count, states } = endings(emitter);
+      for (let k = 0; k < count; k++) {
+        expect(states[6 * k + 1]).toBeCloseTo(1, 1);
+        expect(states[6 * k + 4]).toBe(2);
+        burst(sparks, 10, { position: { x: states[6 * k], y: states[6 * k + 1] } });
+      }
+      seen += count;
+    }
+    expect(seen).toBe(10);
+    expect(aliveCount(sparks)).toBe(100);
+    expect(codeOf(() => endings(sparks))).toBe('E_RANGE');
+  });
+
+  test('with bad options is not made, and leaves nothing behind', () => {
+    const world = createPhysicsWorld({ capacity: 100 });
+    const hash = stateHash(world);
+    const bad: [object, string][] = [
+      [{ capacity: 0 }, 'E_RANGE'],
+      [{ capacity: 101 }, 'E_RANGE'],
+      [{}, 'E_TYPE'],
+      [{ capacity: 1, rate: Number.NaN }, 'E_NONFINITE'],
+      [{ capacity: 1, rate: -1 }, 'E_RANGE'],
+      [{ capacity: 1, lifetime: 0 }, 'E_RANGE'],
+      [{ capacity: 1, lifetime: [2, 1] }, 'E_RANGE'],
+      [{ capacity: 1, lifetime: [1] }, 'E_RANGE'],
+      [{ capacity: 1, speed: 'fast' }, 'E_TYPE'],
+      [{ capacity: 1, direction: {} }, 'E_RANGE'],
+      [{ capacity: 1, position: { z: 1 } }, 'E_RANGE'],
+      [{ capacity: 1, spread: 4 }, 'E_RANGE'],
+      [{ capacity: 1, mass: 0 }, 'E_RANGE'],
+      [{ capacity: 1, color: [1, 2, 3, 4, 5] }, 'E_RANGE'],
+      [{ capacity: 1, size: [] }, 'E_RANGE'],
+      [{ capacity: 1, quadraticDrag: -1 }, 'E_RANGE'],
+      [{ capacity: 1, collider: { radius: 0 } }, 'E_RANGE'],
+      [{ capacity: 1, entity: 50 }, 'E_STALE'],
+      [{ capacity: 1, whenFull: 'wait' }, 'E_RANGE'],
+      [{ capacity: 1, colour: 1 }, 'E_UNKNOWN'],
+    ];
+    for (const [options, code] of bad) {
+      expect(`${JSON.stringify(options)} ${codeOf(() => createEmitter(world, options as EmitterOptions))}`).toBe(
+        `${JSON.stringify(options)} ${code}`,
+      );
+    }
+    expect(stateHash(world)).toBe(hash);
+    expect(world.lastId).toBe(0);
+    expect(codeOf(() => createEmitter(world, { capacity: 60 }))).toBe('nothing');
+    expect(codeOf(() => createEmitter(world, { capacity: 60 }))).toBe('E_CAPACITY');
+    step(world, 0.1);
+  });
+
+  test('destroyed gives its entities back, and its memory to the next', () => {
+    const world = createPhysicsWorld({ capacity: 1100 });
+    let top = 0;
+    for (let i = 0; i < 20; i++) {
+      const emitter = createEmitter(world, { capacity: 1000, rate: 1000, lifetime: 3 });
+      run(world, 0.1);
+      destroyEmitter(emitter);
+      destroyEmitter(emitter);
+      expect(codeOf(() => setRate(emitter, 1))).toBe('E_STALE');
+      expect(world.internal.counts.Position).toBe(0);
+      if (i === 0) ({ top } = world.internal.arena);
+    }
+    expect(world.internal.arena.top).toBe(top);
+    step(world, 0.1);
+  });
+
+  test('never touches an id of its pool that was removed and given to another', () => {
+    const { world, emitter } = emitting({ capacity: 10, rate: 100, lifetime: 0.2 });
+    run(world, 1);
+    const [eid] = emitter.ids;
+    despawn(world, eid);
+    const other = spawn(world, { position: { x: 99 }, velocity: {}, mass: 5 });
+    expect(other).toBe(eid);
+    run(world, 2);
+    expect(world.components.Position.x[other]).toBe(99);
+    expect(world.components.Mass.value[other]).toBe(5);
+    expect(aliveCount(emitter)).toBe(9);
+    destroyEmitter(emitter);
+    expect(world.internal.counts.Position).toBe(1);
+  });
+
+  test('makes and removes no entity while it runs', () => {
+    const { world } = emitting({ rate: 2000, lifetime: [0.1, 0.4] });
+    run(world, 0.5);
+    const { membership } = world.versions;
+    run(world, 1);
+    expect(world.versions.membership).toBe(membership);
+  });
+});

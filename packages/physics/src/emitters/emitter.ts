@@ -1,0 +1,282 @@
+import { PhysicsError } from '../faults/physics-error';
+import { checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { seedWords } from '../math/random';
+import { assertUsable } from '../store/guards';
+import { type EntityRef, entityRef } from '../store/references';
+import type { PhysicsWorld } from '../world';
+import { emitParticles, emittersOf } from './emit';
+import { emitterKernels } from './kernels';
+import {
+  type CheckedParameters,
+  checkOptionNames,
+  checkParameters,
+  type EmitterOptions,
+  type EmitterParameters,
+  parametersOf,
+} from './options';
+import {
+  type Block,
+  BURST_NUMBERS,
+  layOut,
+  MOST_BURSTS,
+  makeBodies,
+  removeBodies,
+  returnBlock,
+  takeBlock,
+} from './pool';
+import { type EmitterRecord, MOST_STOPS, N, W } from './record';
+
+/** A source of particles and the pool of entities they live in. */
+export interface Emitter {
+  readonly world: PhysicsWorld;
+  readonly capacity: number;
+  /** The entities of the pool, ascending: living particles and inert ones alike. */
+  readonly ids: Uint32Array;
+  /** Not for users. */
+  readonly internal: EmitterInternals;
+}
+
+export interface EmitterInternals {
+  readonly block: Block;
+  /** The body it follows, and its id. */
+  readonly followed: EntityRef | undefined;
+  readonly entity: number;
+  parameters: EmitterParameters;
+  destroyed: boolean;
+}
+
+/**
+ * Makes an emitter and, once and for all, the entities of its particles. From then on particles are born and end in
+ * the `emit` phase without an entity made or removed and without a byte of garbage.
+ *
+ * Births happen at their own moments between two steps, `1/rate` apart, and appear at the next step where they have got
+ * to. An inert entity of the pool has no mass, speed, size or collider.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE (entity), E_CAPACITY, E_REENTRANT (during a
+ *   step), E_DESTROYED: nothing is made
+ */
+export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
+  assertUsable(world);
+  checkOptionNames(options, 'createEmitter', false);
+  const capacity = checkNumber(options.capacity, 'capacity', { min: 1, max: world.capacity, integer: true });
+  if (options.whenFull !== undefined && options.whenFull !== 'skip' && options.whenFull !== 'oldest') {
+    throw new PhysicsError('E_RANGE', "whenFull must be 'skip' or 'oldest'.", { field: 'whenFull' });
+  }
+  const parameters = parametersOf(options);
+  const checked = checkParameters(world, parameters);
+  const followed = options.entity === undefined ? undefined : entityRef(world, options.entity);
+  const block = takeBlock(world, capacity, options.reportEndings === true);
+  let ids: Uint32Array;
+  try {
+    ids = makeBodies(world, options);
+  } catch (error) {
+    returnBlock(world, block);
+    throw error;
+  }
+  openRecord(world, block, options, checked, ids);
+  const emitter = {
+    world,
+    capacity,
+    ids,
+    internal: { block, followed, entity: options.entity ?? 0, parameters, destroyed: false },
+  };
+  emittersOf(world).list.push(emitter);
+  if (!world.phases.emit.includes(emitParticles)) world.phases.emit.push(emitParticles);
+  return emitter;
+}
+
+function openRecord(
+  world: PhysicsWorld,
+  block: Block,
+  options: EmitterOptions,
+  checked: CheckedParameters,
+  ids: Uint32Array,
+): void {
+  const { record } = block;
+  layOut(world, block, options.capacity);
+  record.words[W.recyclesOldest] = options.whenFull === 'oldest' ? 1 : 0;
+  record.words[W.emits] = 1;
+  record.numbers[N.radius] = options.collider?.radius ?? 0;
+  const stream = emittersOf(world).made++;
+  seedWords(record.words.subarray(W.random0, W.random0 + 4), world.seed, stream);
+  writeParameters(record, checked);
+  writePosition(record, checked.position, true);
+  new Uint32Array(world.memory.buffer, record.words[W.ids], ids.length).set(ids);
+  emitterKernels(world).openPool(record.at);
+  world.versions.style++;
+}
+
+function writeParameters({ words, numbers }: EmitterRecord, checked: CheckedParameters): void {
+  const { direction, positionSpread, velocitySpread, ramps, sizes } = checked;
+  numbers[N.rate] = checked.rate;
+  numbers.set(checked.lifetime, N.lifeMin);
+  numbers.set(checked.speed, N.speedMin);
+  numbers.set(checked.sizeFactor, N.factorMin);
+  numbers.set([direction.x, direction.y, direction.z, checked.spread, checked.cosSpread], N.directionX);
+  numbers.set([positionSpread.x, positionSpread.y, positionSpread.z], N.areaX);
+  numbers.set([velocitySpread.x, velocitySpread.y, velocitySpread.z], N.scatterX);
+  numbers[N.mass] = checked.mass;
+  numbers.set(sizes, N.size0);
+  words[W.sizeStops] = sizes.length;
+  words[W.rampCount] = ramps.length;
+  ramps.forEach((ramp, r) => {
+    words.set(ramp, W.color0 + r * MOST_STOPS);
+    words[W.stops0 + r] = ramp.length;
+  });
+}
+
+function writePosition({ numbers }: EmitterRecord, { x, y, z }: { x: number; y: number; z: number }, jump: boolean) {
+  numbers[N.x] = x;
+  numbers[N.y] = y;
+  numbers[N.z] = z;
+  if (!jump) return;
+  numbers[N.lastX] = x;
+  numbers[N.lastY] = y;
+  numbers[N.lastZ] = z;
+}
+
+/** @throws PhysicsError E_DESTROYED (the world), E_STALE (the emitter) */
+function recordOf({ world, internal }: Emitter): EmitterRecord {
+  assertUsable(world);
+  if (internal.destroyed) throw new PhysicsError('E_STALE', 'this emitter was destroyed.', { field: 'emitter' });
+  return internal.block.record;
+}
+
+/**
+ * Changes parameters while the world runs, as a slider does; those left out stay. A new colour or size shows on living
+ * particles too. A new position is moved to, see `moveEmitter`.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED: nothing is changed
+ */
+export function setEmitter(emitter: Emitter, changes: EmitterParameters): void {
+  const record = recordOf(emitter);
+  checkOptionNames(changes, 'setEmitter', true);
+  const parameters = { ...emitter.internal.parameters, ...parametersOf(changes) };
+  const checked = checkParameters(emitter.world, parameters);
+  emitter.internal.parameters = parameters;
+  writeParameters(record, checked);
+  if (changes.position !== undefined) writePosition(record, checked.position, false);
+}
+
+/**
+ * Sets the births a second.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_STALE, E_DESTROYED
+ */
+export function setRate(emitter: Emitter, rate: number): void {
+  setEmitter(emitter, { rate });
+}
+
+/**
+ * Moves the emitter. The births until the next step are spread along the way, and inherit the velocity of the way; with
+ * `jump` it is there at once. An emitter that follows a body is where the body is.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED
+ */
+export function moveEmitter(emitter: Emitter, position: VectorInput, jump = false): void {
+  setEmitter(emitter, { position });
+  if (!jump) return;
+  const { numbers } = emitter.internal.block.record;
+  numbers.copyWithin(N.lastX, N.x, N.x + 3);
+}
+
+/** What a burst can have of its own. */
+export interface BurstOptions {
+  /** Where, m; default where the emitter is. */
+  readonly position?: VectorInput;
+  /** Added to each particle's velocity, m/s. */
+  readonly velocity?: VectorInput;
+  /** Which of the emitter's lists of colours; default each particle draws. */
+  readonly ramp?: number;
+}
+
+/**
+ * Bears `count` particles together, at the next step.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond 256 bursts a step
+ */
+export function burst(emitter: Emitter, count: number, options: BurstOptions = {}): void {
+  const { words, at } = recordOf(emitter);
+  checkNumber(count, 'count', { min: 0, max: emitter.capacity, integer: true });
+  const { ramp = -1 } = options;
+  const { x, y, z } = checkVector(options.position ?? {}, 'position', { min: -1e15, max: 1e15 });
+  const velocity = checkVector(options.velocity ?? {}, 'velocity', { min: -1e9, max: 1e9 });
+  checkNumber(ramp, 'ramp', { min: -1, max: words[W.rampCount] - 1, integer: true });
+  if (emitter.world.dimensions === 2) checkNumber(z === 0 ? velocity.z : z, 'burst z', { min: 0, max: 0 });
+  const waiting = words[W.burstCount];
+  if (waiting >= MOST_BURSTS) {
+    throw new PhysicsError('E_CAPACITY', `${MOST_BURSTS} bursts of emitter ${at} wait for the next step already.`, {
+      field: 'burst',
+      value: count,
+    });
+  }
+  const start = words[W.bursts] + waiting * BURST_NUMBERS * 8;
+  const placed = options.position === undefined ? 0 : 1;
+  const values = [count, placed, ramp, x, y, z, velocity.x, velocity.y, velocity.z];
+  new Float64Array(emitter.world.memory.buffer, start, BURST_NUMBERS).set(values);
+  words[W.burstCount] = waiting + 1;
+}
+
+/** Particles alive now. @throws PhysicsError E_STALE, E_DESTROYED */
+export function aliveCount(emitter: Emitter): number {
+  return recordOf(emitter).words[W.alive];
+}
+
+/** Particles of an emitter since it was made. */
+export interface EmitterCounts {
+  readonly alive: number;
+  readonly born: number;
+  readonly ended: number;
+  /** Births that found no room. */
+  readonly lost: number;
+}
+
+/** @throws PhysicsError E_STALE, E_DESTROYED */
+export function emitterCounts(emitter: Emitter): EmitterCounts {
+  const { words, numbers } = recordOf(emitter);
+  return { alive: words[W.alive], born: numbers[N.born], ended: numbers[N.ended], lost: numbers[N.lost] };
+}
+
+/** Particles that ended in the last step. */
+export interface Endings {
+  readonly count: number;
+  /** Ids of pool entities, in use again or not. */
+  readonly ids: Uint32Array;
+  /** Six numbers each: x, y, z, m, and the velocity, m/s, of the last moment. */
+  readonly states: Float64Array;
+}
+
+/**
+ * Who ended in the last step and where: what shells that burst are made of. For emitters with `reportEndings`.
+ * @throws PhysicsError E_RANGE without that, E_STALE, E_DESTROYED
+ */
+export function endings(emitter: Emitter): Endings {
+  const { words } = recordOf(emitter);
+  if (words[W.endedIds] === 0) {
+    throw new PhysicsError('E_RANGE', 'this emitter does not report endings.', {
+      field: 'reportEndings',
+      hint: 'Make it with `reportEndings: true`.',
+    });
+  }
+  const { buffer } = emitter.world.memory;
+  const count = words[W.endedNow];
+  return {
+    count,
+    ids: new Uint32Array(buffer, words[W.endedIds], count),
+    states: new Float64Array(buffer, words[W.endedAt], 6 * count),
+  };
+}
+
+/**
+ * Removes the emitter and all entities of its pool; during a step, when the step ends. Twice is once.
+ * @throws PhysicsError E_DESTROYED
+ */
+export function destroyEmitter(emitter: Emitter): void {
+  const { world, internal } = emitter;
+  assertUsable(world);
+  if (internal.destroyed) return;
+  if (world.state === 'stepping') {
+    world.internal.commands.push(() => destroyEmitter(emitter));
+    return;
+  }
+  internal.destroyed = true;
+  const { list } = emittersOf(world);
+  list.splice(list.indexOf(emitter), 1);
+  removeBodies(world, internal.block.record);
+  returnBlock(world, internal.block);
+}
