@@ -1,8 +1,8 @@
 import { PhysicsError } from './faults/physics-error';
 import { collectThrown } from './faults/thrown';
 import { checkNumber } from './faults/validate';
-import { currentPlan, type Plan } from './schedule/plan';
 import { prepareForces } from './forces/evaluate';
+import { currentPlan, type Plan } from './schedule/plan';
 import { runPlan } from './schedule/run-plan';
 import { assertIdle } from './store/guards';
 import { refreshSpans } from './store/spans';
@@ -33,6 +33,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   const { internal } = world;
   internal.stepFaults.length = 0;
   prepareForces(world, dt);
+  world.integrator.prepare?.(world, dt);
   refreshSpans(world);
   internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
   world.state = 'stepping';

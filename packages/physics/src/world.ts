@@ -167,7 +167,8 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
     min: 0,
     max: 2 ** 32,
   });
-  const arena = createArena(memoryBytes(rows, precision) + extra, RESERVED_BYTES, options.memoryFactory);
+  const own = columnBytes(options.integrator?.columns ?? 0, rows, precision);
+  const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES, options.memoryFactory);
   const world = createWorld(worldRecord(options, arena, dimensions, precision, capacity, rows, seed)) as PhysicsWorld;
   world.internal.componentMap = contextOf(world).componentMap;
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
@@ -198,7 +199,12 @@ function memoryBytes(rows: number, precision: Precision): number {
   const { reals, words } = columnCounts();
   const realColumns = reals + SCRATCH_COLUMNS + PREVIOUS_COLUMNS;
   const wordColumns = words + 4;
-  return realColumns * (rows * realBytes(precision) + 8192) + wordColumns * (rows * 4 + 8192) + 65536;
+  return columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192) + 65536;
+}
+
+/** Room for columns of reals, each with a start of its own in the cache. */
+function columnBytes(columns: number, rows: number, precision: Precision): number {
+  return columns * (rows * realBytes(precision) + 8192);
 }
 
 function worldRecord(

@@ -11,8 +11,11 @@ export interface Fault {
   readonly value: number;
   /** `world.tick` of the step it was found in. */
   readonly step: number;
-  /** Where in the step: before it ('begin': someone wrote the value) or after ('finish': a force or contact made it). */
-  readonly phase: 'begin' | 'finish';
+  /**
+   * Where in the step: before it ('begin': someone wrote the value), in the integrator ('integrate': it could not keep its
+   * tolerance) or after ('finish': a force or contact made it).
+   */
+  readonly phase: 'begin' | 'integrate' | 'finish';
 }
 
 const MOST = 1024;

@@ -9,6 +9,8 @@ export type FaultCode =
   | 'E_REENTRANT'
   | 'E_DESTROYED'
   | 'E_STIFF'
+  | 'E_STEP'
+  | 'E_CONVERGENCE'
   | 'E_SPEED';
 
 /** Where and what: all optional, because not every fault has an entity or a field. */

@@ -5,7 +5,7 @@ import type { LocalSystem } from '../schedule/phases';
 export const integrate: LocalSystem = {
   name: 'integrate',
   usesScratch: true,
-  isLocal: allForcesLocal,
+  isLocal: (world) => world.integrator.wholeWorld !== true && allForcesLocal(world),
   run(world, spans, dt) {
     world.integrator.advance(world, spans, dt, evaluateForces);
   },

@@ -25,5 +25,11 @@ export interface Integrator {
    * ask before the step; without an answer they do not check.
    */
   isStable?(stiffness: number, damping: number): boolean;
+  /** Columns of reals it takes from the world's memory; a world made with it has room for them. */
+  readonly columns?: number;
+  /** It must see all bodies at once, so that no step of it runs tile by tile. */
+  readonly wholeWorld?: boolean;
+  /** Called once a step, before anything moves: takes memory. What it throws comes out of `step`. */
+  prepare?(world: PhysicsWorld, dt: number): void;
   advance(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: EvaluateForces): void;
 }

@@ -1,0 +1,45 @@
+// Sums of columns, for schemes of many stages: columns that belong together lie `stride` bytes apart in one block, and
+// their coefficients, reals, one after the other in memory.
+import { accelerationOf, add, at, LANES, mul, splat } from '../lanes';
+
+// to = base + sum of coefficient[k] column[k], for k < count.
+export function combineAxis(
+  to: usize,
+  base: usize,
+  columns: usize,
+  stride: usize,
+  coefficients: usize,
+  count: i32,
+  first: i32,
+  last: i32,
+): void {
+  for (let row = first; row < last; row += LANES) {
+    const o = at(row);
+    let sum = v128.load(base + o);
+    let column = columns + o;
+    let coefficient = coefficients;
+    for (let k = 0; k < count; k++) {
+      sum = add(sum, mul(v128.load(column), v128.load_splat<real>(coefficient)));
+      column += stride;
+      coefficient += sizeof<real>();
+    }
+    v128.store(to + o, sum);
+  }
+}
+
+// to = F/m.
+export function accelerationAxis(to: usize, force: usize, mass: usize, first: i32, last: i32): void {
+  for (let row = first; row < last; row += LANES) {
+    const o = at(row);
+    v128.store(to + o, accelerationOf(v128.load(force + o), v128.load(mass + o)));
+  }
+}
+
+// to = a + factor b.
+export function addScaledColumn(to: usize, a: usize, b: usize, factor: real, first: i32, last: i32): void {
+  const k = splat(factor);
+  for (let row = first; row < last; row += LANES) {
+    const o = at(row);
+    v128.store(to + o, add(v128.load(a + o), mul(v128.load(b + o), k)));
+  }
+}

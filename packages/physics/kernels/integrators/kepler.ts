@@ -1,0 +1,129 @@
+// Motion along a Kepler orbit of any kind (ellipse, parabola, hyperbola) by universal variables: with Stumpff's
+// functions c0 ... c3 and G_n = s^n c_n(beta s^2), the time equation r0 s + eta G2 + zeta G3 = dt is solved for s.
+// Stumpff, Himmelsmechanik I (1959); Danby, Fundamentals of Celestial Mechanics (1988), section 6.9; Rein and Tamayo,
+// MNRAS 452, 376 (2015), section 2. Only + - * / sqrt: the same bits everywhere.
+
+let c0: f64 = 0;
+let c1: f64 = 0;
+let c2: f64 = 0;
+let c3: f64 = 0;
+
+// c_n(z) = 1/n! - z/(n+2)! + z^2/(n+4)! - ..., with z divided by 4 until the series is short.
+function stumpff(argument: f64): void {
+  let z = argument;
+  let quarters = 0;
+  while (abs<f64>(z) > 0.1 && quarters < 600) {
+    z *= 0.25;
+    quarters++;
+  }
+  c3 =
+    1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880 - z * (1.0 / 39916800 - z * (1.0 / 6227020800)))));
+  c2 =
+    0.5 -
+    z *
+      (1.0 / 24 -
+        z * (1.0 / 720 - z * (1.0 / 40320 - z * (1.0 / 3628800 - z * (1.0 / 479001600 - z * (1.0 / 87178291200))))));
+  c1 = 1 - z * c3;
+  c0 = 1 - z * c2;
+  for (; quarters > 0; quarters--) {
+    c3 = 0.25 * (c2 + c0 * c3);
+    c2 = 0.5 * c1 * c1;
+    c1 = c0 * c1;
+    c0 = 2 * c0 * c0 - 1;
+  }
+}
+
+let toX: f64 = 0;
+let toY: f64 = 0;
+let toZ: f64 = 0;
+let toVX: f64 = 0;
+let toVY: f64 = 0;
+let toVZ: f64 = 0;
+
+export function keplerX(): f64 {
+  return toX;
+}
+export function keplerY(): f64 {
+  return toY;
+}
+export function keplerZ(): f64 {
+  return toZ;
+}
+export function keplerVX(): f64 {
+  return toVX;
+}
+export function keplerVY(): f64 {
+  return toVY;
+}
+export function keplerVZ(): f64 {
+  return toVZ;
+}
+
+// Largest number of iterations: the bracket halves at worst, and doubles hold 53 halvings and some thousand exponents.
+const MOST = 200;
+
+// Where a body at (x, y, z) with velocity (vx, vy, vz) about a centre of mu = G M at the origin is after `dt`; false for
+// a start in the centre, or when a value is not finite.
+export function advanceKepler(mu: f64, x: f64, y: f64, z: f64, vx: f64, vy: f64, vz: f64, dt: f64): bool {
+  const r0 = sqrt<f64>(x * x + y * y + z * z);
+  if (!(r0 > 0) || !(r0 < Infinity)) return false;
+  const beta = (2 * mu) / r0 - (vx * vx + vy * vy + vz * vz);
+  const eta = x * vx + y * vy + z * vz;
+  const zeta = mu - beta * r0;
+  const s = solveTime(r0, beta, eta, zeta, dt);
+  if (!(abs<f64>(s) < Infinity)) return false;
+  stumpff(beta * s * s);
+  const G1 = s * c1;
+  const G2 = s * s * c2;
+  const G3 = s * s * s * c3;
+  const r = r0 + eta * G1 + zeta * G2;
+  if (!(r > 0)) return false;
+  // Lagrange's f - 1, g, f', g' - 1: differences, so that short steps lose nothing.
+  const f = (-mu * G2) / r0;
+  const g = dt - mu * G3;
+  const fd = (-mu * G1) / (r0 * r);
+  const gd = (-mu * G2) / r;
+  toX = x + (f * x + g * vx);
+  toY = y + (f * y + g * vy);
+  toZ = z + (f * z + g * vz);
+  toVX = vx + (fd * x + gd * vx);
+  toVY = vy + (fd * y + gd * vy);
+  toVZ = vz + (fd * z + gd * vz);
+  return true;
+}
+
+// The root s of t(s) = dt. t grows with s everywhere (dt/ds = r > 0), so a bracket and Halley's steps inside it find it.
+function solveTime(r0: f64, beta: f64, eta: f64, zeta: f64, dt: f64): f64 {
+  if (dt == 0) return 0;
+  if (dt < 0) return -solveTime(r0, beta, -eta, zeta, -dt);
+  let low: f64 = 0;
+  let high: f64 = Infinity;
+  let s = guess(r0, beta, eta, zeta, dt);
+  for (let i = 0; i < MOST; i++) {
+    stumpff(beta * s * s);
+    const G1 = s * c1;
+    const G2 = s * s * c2;
+    const miss = r0 * s + eta * G2 + zeta * (s * s * s * c3) - dt;
+    const r = r0 + eta * G1 + zeta * G2;
+    // An s that is far too large overflows to NaN.
+    if (miss <= 0) low = s;
+    else high = s;
+    const slope = r - (0.5 * miss * (eta * c0 + zeta * G1)) / r;
+    let next = s - miss / (slope > 0 ? slope : r);
+    if (!(next > low && next < high)) next = high < Infinity ? 0.5 * (low + high) : 2 * s;
+    // Halley's error is the cube of the last step's, so what is left is far below rounding.
+    if (abs<f64>(next - s) <= 1e-7 * next) return next;
+    s = next;
+  }
+  return s;
+}
+
+// Three terms of the series of s in dt where the step is short against the orbit, else the mean motion.
+// @ts-ignore: decorator
+@inline function guess(r0: f64, beta: f64, eta: f64, zeta: f64, dt: f64): f64 {
+  const first = dt / r0;
+  const e = (eta * first) / r0;
+  const z = (zeta * first * first) / r0;
+  if (abs<f64>(e) < 0.5 && abs<f64>(z) < 0.5) return first * (1 - 0.5 * e + 0.5 * e * e - z / 6);
+  return beta > 0 ? (dt * beta) / (zeta + beta * r0) : first;
+}

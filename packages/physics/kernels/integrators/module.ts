@@ -1,0 +1,17 @@
+// The schemes of many stages: a module of its own, so that a game without them does not pay.
+export { accelerationAxis, addScaledColumn, combineAxis } from './combine';
+export { embeddedErrorAxis, rowOfWorstError, worstError } from './embedded-error';
+export { stormerAxis } from './stormer';
+export { borisTurn2d, borisTurn3d } from './boris';
+export {
+  radauBegin,
+  radauEnd,
+  radauForget,
+  radauLargest,
+  radauLastTerm,
+  radauPredict,
+  radauRefine,
+  radauState,
+  radauWorstRow,
+} from './radau';
+export { driftKepler, fromJacobi, gatherPlanets, kickJacobi, toJacobi } from './wisdom-holman';

@@ -1,0 +1,276 @@
+// The inner loops of the fifteenth-order Gauss-Radau scheme; src/integrators/gauss-radau.ts says what it does.
+//
+// Within a step of length dt the acceleration is a(h) = a0 + b0 h + b1 h^2 + ... + b6 h^7, h from 0 to 1. The same
+// polynomial in Newton's form has divided differences g0 ... g6, of which g[s-1] depends on the first s nodes alone.
+import { accelerationOf, add, at, LANES, mul, splat, sub } from '../lanes';
+
+// Where the columns of one axis begin in its block, in columns.
+const B: usize = 0;
+const G: usize = 7;
+const A0: usize = 14;
+const START_X: usize = 15;
+const START_V: usize = 16;
+const CARRY_X: usize = 17;
+const CARRY_V: usize = 18;
+
+// What a world's integrator knows; src/integrators/radau-table.ts writes it in this order.
+@unmanaged
+class RadauTable {
+  positionX: usize;
+  positionY: usize;
+  positionZ: usize;
+  velocityX: usize;
+  velocityY: usize;
+  velocityZ: usize;
+  forceX: usize;
+  forceY: usize;
+  forceZ: usize;
+  blockX: usize;
+  blockY: usize;
+  blockZ: usize;
+  mass: usize;
+  stride: usize;
+  axes: usize;
+  // Reals: per node 8 weights for x and 8 for v; per node the reciprocals of its distances to the nodes before it (8);
+  // the 7 x 7 coefficients that turn a divided difference into powers of h.
+  weights: usize;
+  reciprocals: usize;
+  powers: usize;
+}
+
+// @ts-ignore: decorator
+@inline function axisOf(table: usize, field: usize, axis: usize): usize {
+  return load<usize>(table + field + (axis << 2));
+}
+
+// @ts-ignore: decorator
+@inline function constant(column: usize, index: i32): v128 {
+  return v128.load_splat<real>(column + at(index));
+}
+
+// Keeps the state at the start of a step, and the acceleration there.
+export function radauBegin(table: usize, first: i32, last: i32): void {
+  const t = changetype<RadauTable>(table);
+  for (let axis: usize = 0; axis < t.axes; axis++) {
+    const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
+    const force = axisOf(table, offsetof<RadauTable>('forceX'), axis);
+    const x = axisOf(table, offsetof<RadauTable>('positionX'), axis);
+    const v = axisOf(table, offsetof<RadauTable>('velocityX'), axis);
+    for (let row = first; row < last; row += LANES) {
+      const o = at(row);
+      v128.store(block + A0 * t.stride + o, accelerationOf(v128.load(force + o), v128.load(t.mass + o)));
+      v128.store(block + START_X * t.stride + o, v128.load(x + o));
+      v128.store(block + START_V * t.stride + o, v128.load(v + o));
+    }
+  }
+}
+
+// Moves the bodies to where the polynomial says they are at a node; node 8 is the end of the step.
+export function radauState(table: usize, node: i32, h: f64, dt: f64, first: i32, last: i32): void {
+  const t = changetype<RadauTable>(table);
+  const w = t.weights + at(node << 4);
+  const time = splat(<real>(h * dt));
+  const step = splat(<real>dt);
+  for (let axis: usize = 0; axis < t.axes; axis++) {
+    const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
+    const x = axisOf(table, offsetof<RadauTable>('positionX'), axis);
+    const v = axisOf(table, offsetof<RadauTable>('velocityX'), axis);
+    for (let row = first; row < last; row += LANES) {
+      const start = block + at(row);
+      const v0 = v128.load(start + START_V * t.stride);
+      const dx = mul(weighted(start, t.stride, w), step);
+      const dv = mul(weighted(start, t.stride, w + at(8)), step);
+      const moved = add(mul(v0, time), mul(dx, step));
+      v128.store(
+        x + at(row),
+        add(v128.load(start + START_X * t.stride), sub(moved, v128.load(start + CARRY_X * t.stride))),
+      );
+      v128.store(v + at(row), add(v0, sub(dv, v128.load(start + CARRY_V * t.stride))));
+    }
+  }
+}
+
+// w7 b6 + ... + w1 b0 + w0 a0, the small terms first.
+// @ts-ignore: decorator
+@inline function weighted(start: usize, stride: usize, w: usize): v128 {
+  let sum = mul(v128.load(start + 6 * stride), constant(w, 7));
+  sum = add(sum, mul(v128.load(start + 5 * stride), constant(w, 6)));
+  sum = add(sum, mul(v128.load(start + 4 * stride), constant(w, 5)));
+  sum = add(sum, mul(v128.load(start + 3 * stride), constant(w, 4)));
+  sum = add(sum, mul(v128.load(start + 2 * stride), constant(w, 3)));
+  sum = add(sum, mul(v128.load(start + stride), constant(w, 2)));
+  sum = add(sum, mul(v128.load(start), constant(w, 1)));
+  return add(sum, mul(v128.load(start + A0 * stride), constant(w, 0)));
+}
+
+// Largest |a| met by the last `radauRefine` or `radauLastTerm`.
+let largest: f64 = 0;
+
+export function radauLargest(): f64 {
+  return largest;
+}
+
+// Learns from the force at node s: its divided difference, and with it b0 ... b[s-1]. Returns the largest change of the
+// difference, infinite where a value is not finite.
+export function radauRefine(table: usize, s: i32, first: i32, last: i32): f64 {
+  const t = changetype<RadauTable>(table);
+  const reciprocals = t.reciprocals + at(s << 3);
+  const powers = t.powers + at(7 * (s - 1));
+  let change = splat(0);
+  let most = splat(0);
+  for (let axis: usize = 0; axis < t.axes; axis++) {
+    const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
+    const force = axisOf(table, offsetof<RadauTable>('forceX'), axis);
+    for (let row = first; row < last; row += LANES) {
+      const o = at(row);
+      const start = block + o;
+      const a = accelerationOf(v128.load(force + o), v128.load(t.mass + o));
+      let r = mul(sub(a, v128.load(start + A0 * t.stride)), constant(reciprocals, 0));
+      let g = start + G * t.stride;
+      for (let k = 1; k < s; k++) {
+        r = mul(sub(r, v128.load(g)), constant(reciprocals, k));
+        g += t.stride;
+      }
+      const d = sub(r, v128.load(g));
+      v128.store(g, r);
+      let b = start;
+      for (let m = 0; m < s; m++) {
+        v128.store(b, add(v128.load(b), mul(d, constant(powers, m))));
+        b += t.stride;
+      }
+      change = v128.max<real>(change, v128.abs<real>(d));
+      most = v128.max<real>(most, v128.abs<real>(a));
+    }
+  }
+  largest = largestLane(most);
+  return largestLane(change);
+}
+
+// f64x2.max and f32x4.max hand NaN on, so one comparison at the end finds it.
+// @ts-ignore: decorator
+@inline function largestLane(v: v128): f64 {
+  let most: f64 = max<f64>(v128.extract_lane<real>(v, 0), v128.extract_lane<real>(v, 1));
+  if (sizeof<real>() == 4) {
+    most = max<f64>(most, max<f64>(f32x4.extract_lane(v, 2), f32x4.extract_lane(v, 3)));
+  }
+  return most < Infinity ? most : Infinity;
+}
+
+// The largest |b6|, which says how fast the series converges.
+export function radauLastTerm(table: usize, first: i32, last: i32): f64 {
+  const t = changetype<RadauTable>(table);
+  let most = splat(0);
+  for (let axis: usize = 0; axis < t.axes; axis++) {
+    const b6 = axisOf(table, offsetof<RadauTable>('blockX'), axis) + 6 * t.stride;
+    for (let row = first; row < last; row += LANES)
+      most = v128.max<real>(most, v128.abs<real>(v128.load(b6 + at(row))));
+  }
+  return largestLane(most);
+}
+
+// The body whose |b6| is the largest, or not finite.
+export function radauWorstRow(table: usize, first: i32, last: i32): i32 {
+  const t = changetype<RadauTable>(table);
+  let worst = 0;
+  let most: f64 = -1;
+  for (let row = first; row < last; row++) {
+    for (let axis: usize = 0; axis < t.axes; axis++) {
+      const b6 = axisOf(table, offsetof<RadauTable>('blockX'), axis) + 6 * t.stride;
+      const size = <f64>abs<real>(load<real>(b6 + at(row)));
+      if (size > most || size != size) {
+        if (size != size) return row;
+        most = size;
+        worst = row;
+      }
+    }
+  }
+  return worst;
+}
+
+// Guesses the polynomial of the next step from that of the last: `ratio` is the length of the next over that of the
+// last. With `onwards` the next begins where the last ended; without, both begin together (the last was too long).
+export function radauPredict(table: usize, ratio: f64, onwards: bool, first: i32, last: i32): void {
+  const t = changetype<RadauTable>(table);
+  for (let axis: usize = 0; axis < t.axes; axis++) {
+    const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
+    for (let row = first; row < last; row += LANES) {
+      const start = block + at(row);
+      if (onwards) shiftToEnd(start, t.stride);
+      let q: f64 = 1;
+      for (let k: usize = 0; k < 7; k++) {
+        q *= ratio;
+        const b = start + k * t.stride;
+        v128.store(b, mul(v128.load(b), splat(<real>q)));
+      }
+    }
+    for (let row = first; row < last; row += LANES) differences(t, block + at(row));
+  }
+}
+
+// Powers of h - 1 in place of powers of h: b[k] = sum over j >= k of (j+1 over k+1) b[j], by repeated addition.
+// @ts-ignore: decorator
+@inline function shiftToEnd(start: usize, stride: usize): void {
+  for (let k: usize = 0; k < 7; k++) {
+    let sum = v128.load(start + 6 * stride);
+    for (let j: usize = 6; j-- > k; ) {
+      const b = start + j * stride;
+      sum = add(sum, v128.load(b));
+      v128.store(b, sum);
+    }
+  }
+}
+
+// g from b, highest power first.
+// @ts-ignore: decorator
+@inline function differences(t: RadauTable, start: usize): void {
+  const g = start + G * t.stride;
+  for (let k: usize = 0; k < 7; k++) v128.store(g + k * t.stride, v128.load(start + k * t.stride));
+  for (let k = 6; k > 0; k--) {
+    const d = v128.load(g + <usize>k * t.stride);
+    const powers = t.powers + at(7 * k);
+    for (let m = 0; m < k; m++) {
+      const below = g + <usize>m * t.stride;
+      v128.store(below, sub(v128.load(below), mul(d, constant(powers, m))));
+    }
+  }
+}
+
+// Ends a step: x and v move by the integrals of the polynomial, and what rounding loses is carried to the next step
+// (Kahan, Comm. ACM 8, 40, 1965).
+export function radauEnd(table: usize, dt: f64, first: i32, last: i32): void {
+  const t = changetype<RadauTable>(table);
+  const w = t.weights + at(8 << 4);
+  const step = splat(<real>dt);
+  for (let axis: usize = 0; axis < t.axes; axis++) {
+    const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
+    const x = axisOf(table, offsetof<RadauTable>('positionX'), axis);
+    const v = axisOf(table, offsetof<RadauTable>('velocityX'), axis);
+    for (let row = first; row < last; row += LANES) {
+      const start = block + at(row);
+      const v0 = v128.load(start + START_V * t.stride);
+      const dx = mul(add(v0, mul(weighted(start, t.stride, w), step)), step);
+      const dv = mul(weighted(start, t.stride, w + at(8)), step);
+      compensated(x + at(row), v128.load(start + START_X * t.stride), dx, start + CARRY_X * t.stride);
+      compensated(v + at(row), v0, dv, start + CARRY_V * t.stride);
+    }
+  }
+}
+
+// @ts-ignore: decorator
+@inline function compensated(to: usize, from: v128, change: v128, carry: usize): void {
+  const y = sub(change, v128.load(carry));
+  const sum = add(from, y);
+  v128.store(carry, sub(sub(sum, from), y));
+  v128.store(to, sum);
+}
+
+// Forgets the last step: no polynomial to guess from, nothing carried.
+export function radauForget(table: usize, first: i32, last: i32): void {
+  const t = changetype<RadauTable>(table);
+  for (let axis: usize = 0; axis < t.axes; axis++) {
+    const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
+    for (let k: usize = 0; k <= CARRY_V; k++) {
+      if (k < A0 || k > START_V) memory.fill(block + k * t.stride + at(first), 0, at(last - first));
+    }
+  }
+}

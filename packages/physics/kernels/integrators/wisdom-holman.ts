@@ -1,0 +1,174 @@
+// Kepler drifts and interaction kicks in Jacobi coordinates; src/integrators/wisdom-holman.ts says what they are for.
+// Arithmetic is f64 whatever the columns are.
+import { columns, get, put } from '../columns';
+import { advanceKepler, keplerX, keplerY, keplerZ, keplerVX, keplerVY, keplerVZ } from './kepler';
+
+// One body: its Jacobi position and velocity, its mass, the mass of it and all before it, and G times the mass that
+// its Kepler orbit feels.
+@unmanaged
+class Planet {
+  x: f64;
+  y: f64;
+  z: f64;
+  vx: f64;
+  vy: f64;
+  vz: f64;
+  mass: f64;
+  enclosed: f64;
+  mu: f64;
+  row: i32;
+  unused: i32;
+}
+
+const SIZE: usize = offsetof<Planet>();
+
+// @ts-ignore: decorator
+@inline function planet(list: usize, index: i32): Planet {
+  return changetype<Planet>(list + <usize>index * SIZE);
+}
+
+// Lists bodies with mass: `central` first, then the others by ascending id. Returns how many.
+export function gatherPlanets(list: usize, ids: usize, count: i32, central: i32, G: f64): i32 {
+  const c = columns();
+  let n = 1;
+  let enclosed = <f64>get(c.mass, central);
+  const sun = enclosed;
+  planet(list, 0).row = central;
+  planet(list, 0).mass = sun;
+  planet(list, 0).enclosed = sun;
+  for (let i = 0; i < count; i++) {
+    const row = load<i32>(ids + ((<usize>i) << 2));
+    const mass = <f64>get(c.mass, row);
+    if (row == central || mass <= 0) continue;
+    const p = planet(list, n);
+    p.row = row;
+    p.mass = mass;
+    p.mu = (G * sun * (enclosed + mass)) / enclosed;
+    enclosed += mass;
+    p.enclosed = enclosed;
+    n++;
+  }
+  return n;
+}
+
+// Position and velocity columns to Jacobi coordinates: each body from the centre of mass of those before it; the first
+// from the origin to the centre of mass of all.
+export function toJacobi(list: usize, n: i32): void {
+  const c = columns();
+  let x: f64 = 0;
+  let y: f64 = 0;
+  let z: f64 = 0;
+  let vx: f64 = 0;
+  let vy: f64 = 0;
+  let vz: f64 = 0;
+  for (let i = 0; i < n; i++) {
+    const p = planet(list, i);
+    p.x = <f64>get(c.positionX, p.row) - x;
+    p.y = <f64>get(c.positionY, p.row) - y;
+    p.z = <f64>get(c.positionZ, p.row) - z;
+    p.vx = <f64>get(c.velocityX, p.row) - vx;
+    p.vy = <f64>get(c.velocityY, p.row) - vy;
+    p.vz = <f64>get(c.velocityZ, p.row) - vz;
+    const share = p.mass / p.enclosed;
+    x += share * p.x;
+    y += share * p.y;
+    z += share * p.z;
+    vx += share * p.vx;
+    vy += share * p.vy;
+    vz += share * p.vz;
+  }
+  const sun = planet(list, 0);
+  sun.x = x;
+  sun.y = y;
+  sun.z = z;
+  sun.vx = vx;
+  sun.vy = vy;
+  sun.vz = vz;
+}
+
+// And back.
+export function fromJacobi(list: usize, n: i32): void {
+  const c = columns();
+  const sun = planet(list, 0);
+  let x = sun.x;
+  let y = sun.y;
+  let z = sun.z;
+  let vx = sun.vx;
+  let vy = sun.vy;
+  let vz = sun.vz;
+  for (let i = n - 1; i > 0; i--) {
+    const p = planet(list, i);
+    const share = p.mass / p.enclosed;
+    x -= share * p.x;
+    y -= share * p.y;
+    z -= share * p.z;
+    vx -= share * p.vx;
+    vy -= share * p.vy;
+    vz -= share * p.vz;
+    write(p.row, x + p.x, y + p.y, z + p.z, vx + p.vx, vy + p.vy, vz + p.vz);
+  }
+  write(sun.row, x, y, z, vx, vy, vz);
+}
+
+// @ts-ignore: decorator
+@inline function write(row: i32, x: f64, y: f64, z: f64, vx: f64, vy: f64, vz: f64): void {
+  const c = columns();
+  put(c.positionX, row, <real>x);
+  put(c.positionY, row, <real>y);
+  put(c.positionZ, row, <real>z);
+  put(c.velocityX, row, <real>vx);
+  put(c.velocityY, row, <real>vy);
+  put(c.velocityZ, row, <real>vz);
+}
+
+// Drift: every body along its Kepler orbit, the centre of mass straight on. Returns the row of a body whose orbit could
+// not be followed, or 0; such a body stays where it is.
+export function driftKepler(list: usize, n: i32, dt: f64): i32 {
+  const sun = planet(list, 0);
+  sun.x += sun.vx * dt;
+  sun.y += sun.vy * dt;
+  sun.z += sun.vz * dt;
+  let lost = 0;
+  for (let i = 1; i < n; i++) {
+    const p = planet(list, i);
+    if (!advanceKepler(p.mu, p.x, p.y, p.z, p.vx, p.vy, p.vz, dt)) {
+      if (lost == 0) lost = p.row;
+      continue;
+    }
+    p.x = keplerX();
+    p.y = keplerY();
+    p.z = keplerZ();
+    p.vx = keplerVX();
+    p.vy = keplerVY();
+    p.vz = keplerVZ();
+  }
+  return lost;
+}
+
+// Kick: the Jacobi part of all forces, without the attraction that the Kepler drift has dealt with already.
+export function kickJacobi(list: usize, n: i32, fx: usize, fy: usize, fz: usize, dt: f64): void {
+  let ax: f64 = 0;
+  let ay: f64 = 0;
+  let az: f64 = 0;
+  for (let i = 0; i < n; i++) {
+    const p = planet(list, i);
+    const x = <f64>get(fx, p.row) / p.mass - ax;
+    const y = <f64>get(fy, p.row) / p.mass - ay;
+    const z = <f64>get(fz, p.row) / p.mass - az;
+    if (i > 0) {
+      const r2 = p.x * p.x + p.y * p.y + p.z * p.z;
+      const k = p.mu / (r2 * sqrt<f64>(r2));
+      p.vx += dt * (x + k * p.x);
+      p.vy += dt * (y + k * p.y);
+      p.vz += dt * (z + k * p.z);
+    }
+    const share = p.mass / p.enclosed;
+    ax += share * x;
+    ay += share * y;
+    az += share * z;
+  }
+  const sun = planet(list, 0);
+  sun.vx += dt * ax;
+  sun.vy += dt * ay;
+  sun.vz += dt * az;
+}

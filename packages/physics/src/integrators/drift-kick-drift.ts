@@ -1,0 +1,21 @@
+// Leapfrog as drift, kick, drift.
+//
+//   x½ = x + v dt/2        v' = v + F(x½, t½)/m dt        x' = x½ + v' dt/2
+//
+// Second order, symplectic and reversible for forces of position alone, with a single evaluation: the cheapest scheme
+// of its order. A force that depends on velocity makes it first order. Hairer, Lubich, Wanner: Geometric Numerical
+// Integration, I.1.4.
+import { compose, isStableComposition } from './composition';
+import type { Integrator } from './integrator';
+
+const DRIFTS = [1 / 2, 1 / 2];
+const KICKS = [1];
+
+export const driftKickDrift: Integrator = {
+  name: 'drift-kick-drift',
+  order: 2,
+  symplectic: true,
+  evaluations: 1,
+  isStable: (stiffness, damping) => isStableComposition(DRIFTS, KICKS, stiffness, damping),
+  advance: compose(DRIFTS, KICKS),
+};

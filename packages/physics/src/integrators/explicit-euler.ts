@@ -1,0 +1,21 @@
+// Explicit (forward) Euler: both moves use the state at the start.
+//
+//   x' = x + v dt        v' = v + F(x, v, t)/m dt
+//
+// First order. Not symplectic: every step multiplies the amplitude of an oscillator by √(1 + ω² dt²), so its energy
+// grows without bound. For comparison, and for what only decays. Euler, Institutionum calculi integralis I (1768),
+// §650; Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, I.7.
+import type { Integrator } from './integrator';
+import { drift, kick } from './moves';
+
+export const explicitEuler: Integrator = {
+  name: 'explicit Euler',
+  order: 1,
+  symplectic: false,
+  evaluations: 1,
+  advance(world, spans, dt, evaluateForces) {
+    evaluateForces(world, spans, world.time);
+    drift(world, spans, dt);
+    kick(world, spans, dt);
+  },
+};

@@ -1,0 +1,24 @@
+// The explicit midpoint rule: the derivative in the middle of the step, reached by half a step of explicit Euler.
+//
+//   k₁ = f(t, y)        y' = y + dt f(t + dt/2, y + k₁ dt/2)        y = (x, v),  f = (v, F/m)
+//
+// Second order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
+// oscillator grows by (ω dt)⁴/4 a step. Runge, Math. Ann. 46, 167 (1895); Hairer, Nørsett, Wanner: Solving Ordinary
+// Differential Equations I, II.1.
+import type { Integrator } from './integrator';
+import { clearSums, finishSums, rungeKuttaStage } from './runge-kutta-stages';
+
+export const midpoint: Integrator = {
+  name: 'midpoint',
+  order: 2,
+  symplectic: false,
+  evaluations: 2,
+  advance(world, spans, dt, evaluateForces) {
+    clearSums(world, spans);
+    evaluateForces(world, spans, world.time);
+    rungeKuttaStage(world, spans, 0, dt / 2);
+    evaluateForces(world, spans, world.time + dt / 2);
+    rungeKuttaStage(world, spans, 1, 0);
+    finishSums(world, spans, dt);
+  },
+};
