@@ -458,7 +458,7 @@ describe('bitECS by hand', () => {
 });
 
 describe('many worlds', () => {
-  it('64 a thousand worlds live side by side', () => {
+  it('64 a thousand worlds live side by side', { timeout: 60_000 }, () => {
     const worlds = Array.from({ length: 1000 }, (_, i) => {
       const world = createPhysicsWorld({ capacity: 8, arenaBytes: 0 });
       spawn(world, { position: { x: i }, velocity: { x: 1 } });

@@ -33,6 +33,8 @@ const ON_A_WORLD: Record<string, (world: PhysicsWorld) => unknown> = {
   isBody: (world) => physics.isBody(world, 1),
   momentum: (world) => physics.momentum(world),
   on: (world) => physics.on(world, 'fault', () => {}),
+  removedSprings: (world) => physics.removedSprings(world),
+  replaceForce: (world) => physics.replaceForce(world, physics.uniformGravity()),
   resolve: (world) => physics.resolve(world, 1 as EntityRef),
   'resource(…)': (world) => counter(world),
   spawn: (world) => physics.spawn(world, { position: {} }),
@@ -48,7 +50,7 @@ const ON_A_WORLD: Record<string, (world: PhysicsWorld) => unknown> = {
 const OTHERS = [
   ...['PhysicsError', 'boxWalls', 'clearFaults', 'createPhysicsWorld', 'defineForce', 'destroyWorld'],
   ...['evaluateForces', 'linearDrag', 'localSystem', 'quadraticDrag', 'resetProfile', 'resource', 'rgba', 'standard'],
-  ...['uniformGravity', 'atan2', 'cos', 'createRandom', 'exp', 'log', 'pow', 'sin'],
+  ...['uniformGravity', 'atan2', 'cos', 'createRandom', 'exp', 'log', 'pow', 'sin', 'attractors', 'springs', 'gusts'],
 ];
 
 describe('61 use after destroy', () => {

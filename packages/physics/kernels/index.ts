@@ -1,5 +1,6 @@
 // Every loop over bodies that runs each step, compiled once for f32 and once for f64.
 export * from './membership';
+export * from './absent';
 export * from './pose';
 export * from './hash';
 export * from './diagnostics';

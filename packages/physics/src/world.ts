@@ -101,6 +101,8 @@ export interface WorldInternals {
   readonly idsAt: number;
   readonly spansAt: number;
   readonly counts: Record<ComponentName, number>;
+  /** Entities with mass that forces cannot move, and such as move without a place or turn without an angle. */
+  readonly incomplete: { unmoved: number; strays: number };
   readonly tile: Spans;
   readonly slideScratch: (firstRow: number) => void;
   /** Edits made during a step, waiting for its end. */
@@ -269,6 +271,7 @@ function bookkeeping(components: Components) {
   const zeros = () => Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
   return {
     counts: zeros(),
+    incomplete: { unmoved: 0, strays: 0 },
     commands: [],
     leaving: new Map(),
     thrown: [],

@@ -23,8 +23,10 @@ class Centre {
 const CENTRE_BYTES: usize = offsetof<Centre>();
 
 // Copies the attractors with the given ids: the pull of a step must not depend on which tile their rows are moved in.
-export function gatherAttractors(ids: usize, count: i32, mu: usize, softening: usize, centres: usize): void {
+// One whose values are not finite pulls nothing, lest it take every body along; returns how many there are.
+export function gatherAttractors(ids: usize, count: i32, mu: usize, softening: usize, centres: usize): i32 {
   const c = columns();
+  let bad = 0;
   for (let i = 0; i < count; i++) {
     const row = load<i32>(ids + ((<usize>i) << 2));
     const centre = changetype<Centre>(centres + <usize>i * CENTRE_BYTES);
@@ -37,7 +39,13 @@ export function gatherAttractors(ids: usize, count: i32, mu: usize, softening: u
     centre.mu = get(mu, row);
     centre.softening = get(softening, row);
     centre.row = row;
+    const sum =
+      centre.x + centre.y + centre.z + centre.vx + centre.vy + centre.vz + centre.mu + centre.softening;
+    if (sum - sum == 0) continue;
+    memory.fill(changetype<usize>(centre), 0, offsetof<Centre>('row'));
+    bad++;
   }
+  return bad;
 }
 
 // Adds the pull of all centres to rows [first, last), `lead` seconds after they were gathered. Field mu/s^2 and

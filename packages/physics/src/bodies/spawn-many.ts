@@ -9,6 +9,7 @@ import { checkFunction, checkNumber } from '../faults/validate';
 import { contextOf, queryOf, removeWholly } from '../store/bitecs';
 import { capacityError, makeRoom } from '../store/entities';
 import { assertUsable } from '../store/guards';
+import { countIncomplete } from '../store/incomplete';
 import { cleanRow } from '../store/rows';
 import type { PhysicsWorld } from '../world';
 import { checkMany, type Filling, type Many, type ManyInput } from './many';
@@ -204,6 +205,7 @@ function finish(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Ar
     internal.members[eid] |= bits;
     if (bits !== 0 && eid > world.lastId) world.lastId = eid;
   }
+  countIncomplete(world, 0, bits, ids.length);
   versions.membership++;
   versions.style++;
   versions.pose++;

@@ -1,8 +1,8 @@
 import { defineComponent, real } from './define';
 
 /**
- * Mass, kg. A body without it (the column holds 0) is not moved by forces or contacts: it is static, or kinematic when
- * it has a velocity. Infinity is taken and means the same.
+ * Mass, kg. Forces and contacts move what has Position, Velocity and Mass. A body without Mass (the column holds 0) is
+ * static, or kinematic when it has a velocity; infinity is taken and means the same.
  */
 export const Mass = defineComponent({
   name: 'Mass',

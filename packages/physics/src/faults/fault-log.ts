@@ -1,3 +1,4 @@
+import type { PhysicsWorld } from '../world';
 import type { FaultCode } from './physics-error';
 import { checkList } from './validate';
 
@@ -31,10 +32,13 @@ export function createFaultLog(): FaultLog {
   return { faults: [], lost: 0 };
 }
 
-/** Enters a fault in the log, and in the list of the present step's, which handlers are told of. */
-export function reportFault(log: FaultLog, ofThisStep: Fault[], fault: Fault): void {
-  if (ofThisStep.length < MOST) ofThisStep.push(fault);
-  if (log.faults.length < MOST) log.faults.push(fault);
+/** Enters a fault of the present step in the log, and in the list of the step's that handlers are told of. */
+export function reportFault(world: PhysicsWorld, fault: Omit<Fault, 'step'>): void {
+  const { faults: log, internal } = world;
+  const { code, entity, field, value, phase } = fault;
+  const dated = { code, entity, field, value, step: world.tick, phase };
+  if (internal.stepFaults.length < MOST) internal.stepFaults.push(dated);
+  if (log.faults.length < MOST) log.faults.push(dated);
   else log.lost++;
 }
 

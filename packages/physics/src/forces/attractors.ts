@@ -10,6 +10,7 @@
 // A centre that moves is taken to go on at its velocity during the step, so that the force reads nothing but its own
 // body and the step runs in tiles. Cost: a square root, a division and 14 more operations a body and centre.
 import { bitOf } from '../components/all';
+import { reportFault } from '../faults/fault-log';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
@@ -65,8 +66,22 @@ function gather(world: PhysicsWorld): Centres {
     centres.version = versions.membership;
   }
   const { mu, softening } = addresses.Attractor;
-  kernels.gatherAttractors(centres.ids, centres.count, mu, softening, centres.at);
+  const bad = kernels.gatherAttractors(centres.ids, centres.count, mu, softening, centres.at);
+  if (bad > 0) repair(world, centres);
   return centres;
+}
+
+/** Coefficients that somebody made NaN or infinite become 0, with a fault; poses are put right when the step begins. */
+function repair(world: PhysicsWorld, { ids, count }: Centres): void {
+  const { Attractor } = world.components;
+  for (const entity of new Uint32Array(world.memory.buffer, ids, count)) {
+    for (const field of ['mu', 'softening'] as const) {
+      const value = Attractor[field][entity];
+      if (Number.isFinite(value)) continue;
+      Attractor[field][entity] = 0;
+      reportFault(world, { code: 'E_NONFINITE', entity, field: `Attractor.${field}`, value, phase: 'begin' });
+    }
+  }
 }
 
 function makeRoom(world: PhysicsWorld, centres: Centres): void {

@@ -1,4 +1,6 @@
 import { collectThrown } from '../faults/thrown';
+import { dropBadForces } from '../schedule/quarantine';
+import { holdUnmoved } from '../store/incomplete';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import type { Force } from './force';
@@ -15,6 +17,13 @@ export const evaluateForces: EvaluateForces = (world, spans, time) => {
     } catch (error) {
       collectThrown(world, error);
     }
+  }
+  const alone = world.internal.plan?.forcesLocal === true;
+  for (let r = 0; r < spans.count; r++) {
+    const first = spans.bounds[2 * r];
+    const last = spans.bounds[2 * r + 1];
+    holdUnmoved(world, first, last);
+    if (!alone) dropBadForces(world, first, last);
   }
 };
 

@@ -15,6 +15,8 @@ export interface Group {
 export interface Plan {
   readonly groups: readonly Group[];
   readonly signature: readonly unknown[];
+  /** No force looks at more than its own body. */
+  readonly forcesLocal: boolean;
 }
 
 function isTiled(world: PhysicsWorld, system: System): system is LocalSystem {
@@ -97,6 +99,7 @@ function makePlan(world: PhysicsWorld): Plan {
   const plainForces = world.forces.some((force) => force.usesForceColumns === true);
   return {
     signature,
+    forcesLocal: world.forces.every(({ local }) => local),
     groups: groups.map((group) => ({
       ...group,
       slides: group.tiled && !plainForces && scratchGroups.length === 1 && scratchGroups[0] === group,

@@ -8,13 +8,16 @@ import { MAX_POSITION } from '../components/position';
 import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_PART } from '../components/rotation';
 import { MAX_SPEED } from '../components/velocity';
 import { reportFault } from '../faults/fault-log';
-import type { FaultCode } from '../faults/physics-error';
 import { AXES } from '../store/axes';
+import { clearAbsent } from '../store/incomplete';
 import { isOpen } from '../store/rows';
 import type { PhysicsWorld } from '../world';
 import type { LocalSystem } from './phases';
 
 type When = 'begin' | 'finish';
+
+/** Largest |force| along an axis, N; f32 ends a little above. */
+const MAX_FORCE = 3e38;
 
 /** Saves poses, and puts right what was written between steps. First system of every preset. */
 export const begin: LocalSystem = {
@@ -73,6 +76,7 @@ function saveAngles(world: PhysicsWorld, first: number, last: number): void {
 function checkRun(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, addresses } = world;
   const { Position, Velocity } = addresses;
+  clearAbsent(world, first, last);
   let good = 1;
   for (const axis of AXES[world.dimensions]) {
     good &= kernels.checkAxis(Position[axis], Velocity[axis], MAX_POSITION, MAX_SPEED, first, last);
@@ -139,7 +143,13 @@ function capSpeeds(world: PhysicsWorld, row: number, when: When): void {
       if (Math.abs(columns[axis][row] as number) > limit && worst === undefined) worst = axis;
     }
     if (worst === undefined) continue;
-    report(world, row, `${name}.${worst}`, columns[worst][row] as number, when, 'E_SPEED');
+    reportFault(world, {
+      code: 'E_SPEED',
+      entity: row,
+      field: `${name}.${worst}`,
+      value: columns[worst][row],
+      phase: when,
+    });
     for (const axis of AXES[3]) {
       columns[axis][row] = Math.min(limit, Math.max(-limit, columns[axis][row] as number));
     }
@@ -156,13 +166,37 @@ function quarantine(world: PhysicsWorld, row: number, field: string, value: numb
   }
   components.Orientation.w[row] = previous.Orientation.w[row];
   components.Rotation.angle[row] = previous.Rotation.angle[row];
-  // bitECS is asked, not the rows: those learn of a quarantine, or of an entity's end, when the step is over.
-  const isBody = isOpen(world, row, 'Position') && entityExists(world, row);
-  if (!isBody || hasComponent(world, row, components.Quarantined)) return;
-  report(world, row, field, value, when, Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE');
-  addComponent(world, row, set(components.Quarantined, { step: world.tick }));
+  tag(world, row, field, value, when);
 }
 
-function report(world: PhysicsWorld, entity: number, field: string, value: number, phase: When, code: FaultCode): void {
-  reportFault(world.faults, world.internal.stepFaults, { code, entity, field, value, step: world.tick, phase });
+/** Reports a body that went wrong, once for as long as nobody puts it in order. */
+function tag(world: PhysicsWorld, row: number, field: string, value: number, when: When): void {
+  const { Quarantined } = world.components;
+  // bitECS is asked, not the rows: those learn of a quarantine, or of an entity's end, when the step is over.
+  const isBody = isOpen(world, row, 'Position') && entityExists(world, row);
+  if (!isBody || hasComponent(world, row, Quarantined)) return;
+  const code = Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
+  reportFault(world, { code, entity: row, field, value, phase: when });
+  addComponent(world, row, set(Quarantined, { step: world.tick }));
+}
+
+/**
+ * Drops forces that are not finite, of bodies that others are joined to: a spring would carry them on before the step
+ * is over. Called after each evaluation where forces look at more than their own body; elsewhere a bad force stays with
+ * its body, and is found when the step ends.
+ */
+export function dropBadForces(world: PhysicsWorld, first: number, last: number): void {
+  const { x, y, z } = world.scratch.at.force;
+  const { checkAxis } = world.kernels;
+  let good = checkAxis(x, y, MAX_FORCE, MAX_FORCE, first, last);
+  if (world.dimensions === 3) good &= checkAxis(z, z, MAX_FORCE, MAX_FORCE, first, last);
+  if (good === 1) return;
+  const { force } = world.scratch;
+  for (let row = first; row < last; row++) {
+    for (const axis of AXES[world.dimensions]) {
+      if (Math.abs(force[axis][row]) <= MAX_FORCE) continue;
+      tag(world, row, `force.${axis}`, force[axis][row], 'finish');
+      for (const each of AXES[world.dimensions]) force[each][row] = 0;
+    }
+  }
 }

@@ -3,6 +3,7 @@ import { removeComponent } from 'bitecs';
 import { bitOf, COMPONENTS, type ComponentName } from '../components/all';
 import type { ComponentSpec } from '../components/define';
 import type { PhysicsWorld } from '../world';
+import { countIncomplete } from './incomplete';
 import { type FieldValues, initialValues } from './values';
 
 type Writable = { [row: number]: number };
@@ -12,12 +13,18 @@ export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): b
   return (world.internal.members[eid] & bitOf(name)) !== 0;
 }
 
+function changeBits(world: PhysicsWorld, eid: number, bits: number): void {
+  const { members } = world.internal;
+  countIncomplete(world, members[eid], bits);
+  members[eid] = bits;
+}
+
 /** Begins a row with the component's initial values. */
 export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
   if (isOpen(world, eid, name)) return;
   const { internal, versions } = world;
   if (internal.members[eid] === 0) cleanRow(world, eid);
-  internal.members[eid] = internal.members[eid] | bitOf(name);
+  changeBits(world, eid, internal.members[eid] | bitOf(name));
   internal.counts[name]++;
   if (eid > world.lastId) world.lastId = eid;
   versions.membership++;
@@ -72,13 +79,16 @@ export function teleport(world: PhysicsWorld, eid: number): void {
 export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
   if (!isOpen(world, eid, name)) return;
   const { internal, versions } = world;
-  internal.members[eid] = internal.members[eid] & ~bitOf(name);
+  changeBits(world, eid, (internal.members[eid] & ~bitOf(name)) >>> 0);
   internal.counts[name]--;
   const columns = world.components[name] as Record<string, Writable>;
   for (const field of Object.keys(columns)) columns[field][eid] = 0;
   if (name in world.previous) teleport(world, eid);
   if (name === 'Position') internal.generations[eid]++;
-  if (internal.members[eid] === 0 && eid === world.lastId) lowerLastId(world);
+  if (internal.members[eid] === 0) {
+    cleanRow(world, eid);
+    if (eid === world.lastId) lowerLastId(world);
+  }
   versions.membership++;
   versions.style++;
 }

@@ -1,0 +1,154 @@
+/** Forces between bodies: what is singular stays finite, what is bad stays with its body. */
+import {
+  attractors,
+  createPhysicsWorld,
+  despawn,
+  energy,
+  type PhysicsWorld,
+  spawn,
+  springs,
+  stateHash,
+  step,
+} from '@principia/physics';
+import { addComponent, set } from 'bitecs';
+import { describe, expect, it } from 'vitest';
+import {
+  assertRefused,
+  assertWorldAlive,
+  ball,
+  bodyState,
+  DT,
+  groundWorld,
+  KINDS,
+  steps,
+  withWitness,
+} from '../support/worlds.ts';
+
+function finiteBodies(world: PhysicsWorld): boolean {
+  const { Position, Velocity } = world.components;
+  const rows = world.lastId + 1;
+  return [Position.x, Position.y, Position.z, Velocity.x, Velocity.y, Velocity.z].every((column) =>
+    column.subarray(0, rows).every(Number.isFinite),
+  );
+}
+
+describe.each(KINDS)('forces between bodies, $dimensions D $precision', (kind) => {
+  it.each([0, 0.01])('18 a body in the very centre of an attractor, softening %d, feels no pull', (softening) => {
+    const world = createPhysicsWorld({ ...kind, capacity: 10, forces: [attractors()] });
+    spawn(world, { position: { x: 1, y: 2 }, attractor: { mu: 1e9, softening } });
+    const eid = spawn(world, { position: { x: 1, y: 2 }, velocity: {}, mass: 1 });
+    steps(world, 10);
+    expect(bodyState(world, eid)).toBe('Position.x=1 Position.y=2 Mass.value=1');
+    expect(Number.isFinite(energy(world).total)).toBe(true);
+  });
+
+  it('18 a dive through an attractor without softening stays finite', () => {
+    const world = createPhysicsWorld({ ...kind, capacity: 10, forces: [attractors()] });
+    spawn(world, { position: {}, attractor: { mu: 1e6 } });
+    spawn(world, { position: { x: 1, y: 1e-9 }, velocity: {}, mass: 1 });
+    for (let i = 0; i < 200; i++) {
+      step(world, 1e-3);
+      expect(finiteBodies(world)).toBe(true);
+    }
+  });
+
+  it('19 two bodies in one place, joined by a spring, part along x, the same way each time', () => {
+    const run = () => {
+      const world = createPhysicsWorld({ ...kind, capacity: 10, forces: [springs()] });
+      const [a, b] = [0, 1].map(() => spawn(world, { position: { x: 5 }, velocity: {}, mass: 1 }));
+      spawn(world, { spring: { a, b, stiffness: 10, length: 1 } });
+      steps(world, 10);
+      const { x, y } = world.components.Position;
+      expect(x[b]).toBeGreaterThan(x[a]);
+      expect([y[a], y[b]]).toEqual([0, 0]);
+      return stateHash(world);
+    };
+    expect(run()).toBe(run());
+  });
+
+  it('22 a spring of 1e15 N/m is refused with E_STIFF before anything moves', () => {
+    const world = groundWorld(kind);
+    const [a, b] = [ball(world, 0, 1), ball(world, 1, 1)];
+    const spring = spawn(world, { spring: { a, b, stiffness: 1e15, length: 0.5 } });
+    world.forces.push(springs());
+    assertRefused(world, () => step(world, DT), { code: 'E_STIFF', entity: spring });
+    despawn(world, spring);
+    assertWorldAlive(world);
+  });
+
+  it.each([NaN, Infinity, 1e30])('6 an attractor whose own x is %d pulls nobody along', (bad) => {
+    const { world, victim } = withWitness(({ world, victim }) => {
+      world.forces.push(attractors());
+      addComponent(world, victim, set(world.components.Attractor, { mu: 1e-30 }));
+      world.components.Position.x[victim] = bad;
+      step(world, DT);
+    }, kind);
+    expect(world.faults.faults).toMatchObject([{ entity: victim, field: 'Position.x', step: 0 }]);
+    expect(finiteBodies(world)).toBe(true);
+  });
+
+  it.each(['mu', 'softening'] as const)(
+    '16 NaN in Attractor.%s is put right, said once, and pulls nobody along',
+    (field) => {
+      const { world, victim } = withWitness(({ world, victim }) => {
+        world.forces.push(attractors());
+        addComponent(world, victim, set(world.components.Attractor, { mu: 0 }));
+        world.components.Attractor[field][victim] = NaN;
+      }, kind);
+      expect(world.faults.faults).toMatchObject([{ code: 'E_NONFINITE', entity: victim, field: `Attractor.${field}` }]);
+      expect(world.components.Attractor[field][victim]).toBe(0);
+    },
+  );
+
+  it('16 a NaN force on one body of a chain is not handed on by the springs', () => {
+    const chain = (poisoned: boolean) => {
+      const world = createPhysicsWorld({ ...kind, capacity: 20, forces: [springs()] });
+      const ids = Array.from({ length: 8 }, (_, i) =>
+        spawn(world, { position: { x: i * 1.1 }, velocity: {}, mass: 1 }),
+      );
+      for (let i = 1; i < 8; i++) spawn(world, { spring: { a: ids[i - 1], b: ids[i], stiffness: 20, length: 1 } });
+      world.forces.push({
+        name: 'bad',
+        equation: '',
+        reads: [],
+        local: true,
+        accumulate({ scratch }, first, last) {
+          if (poisoned && ids[0] >= first && ids[0] < last) scratch.force.x[ids[0]] = NaN;
+        },
+      });
+      steps(world, 3);
+      return { world, ids };
+    };
+    const { world, ids } = chain(true);
+    expect(world.faults.faults).toMatchObject([{ code: 'E_NONFINITE', entity: ids[0], field: 'force.x', step: 0 }]);
+    expect(world.internal.counts.Quarantined).toBe(1);
+    expect(finiteBodies(world)).toBe(true);
+    const control = chain(false);
+    expect(bodyState(world, ids[7])).toBe(bodyState(control.world, control.ids[7]));
+  });
+});
+
+describe('bodies that lack what a force would change', () => {
+  const stage = (dimensions: 2 | 3) => {
+    const world = groundWorld({ dimensions });
+    ball(world, 0, 5); // a body that has everything, in the same block of rows
+    return world;
+  };
+
+  it.each([2, 3] as const)('mass without velocity stays where it is, %d D', (dimensions) => {
+    const world = stage(dimensions);
+    const eid = spawn(world, { position: { x: 1, y: 5 }, mass: 2 });
+    steps(world, 10);
+    expect(bodyState(world, eid)).toBe('Position.x=1 Position.y=5 Mass.value=2');
+    addComponent(world, eid, world.components.Velocity);
+    step(world, DT);
+    expect(world.components.Position.y[eid]).toBeLessThan(5);
+  });
+
+  it.each([2, 3] as const)('what has no position goes nowhere, %d D', (dimensions) => {
+    const world = stage(dimensions);
+    const eid = spawn(world, { velocity: { x: 3 }, mass: 2, angularVelocity: { z: 1 } });
+    steps(world, 10);
+    expect(bodyState(world, eid)).toBe('Velocity.x=3 Mass.value=2 AngularVelocity.z=1');
+  });
+});
