@@ -43,6 +43,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #sinceFigures = 0;
   /** Something threw; the world rests until it is made anew. */
   #broken = false;
+  /** The step shown last. */
+  #tick = 0;
   readonly #timing = { frame: 0, step: 0, draw: 0 };
 
   constructor(game: GameDefinition<S, Sim>, address: Address<S>) {
@@ -97,7 +99,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#plot.note(session.sim.world);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.frame += 0.1 * (seconds * 1000 - this.#timing.frame);
-    if (session.steps > 0) this.#timing.step += 0.1 * (session.stepTime - this.#timing.step);
+    if (session.sim.world.tick !== this.#tick) this.#timing.step += 0.1 * (session.stepTime - this.#timing.step);
+    this.#tick = session.sim.world.tick;
     if (this.#sinceFigures >= FIGURES_INTERVAL) this.#showFigures();
   }
 

@@ -77,8 +77,8 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   apply(sim: Sim, name: keyof S & string, values: Readonly<ValuesOf<S>>): boolean;
   /** How a held body's wanted place is changed, in place, as to keep it inside a room. */
   holdLimit?(sim: Sim): HoldingOptions['limit'];
-  /** Contacts between bodies in the last step, where the world has any. */
-  contacts?(sim: Sim): number;
+  /** Contacts between bodies in the last step; undefined while the world has none to count. */
+  contacts?(sim: Sim): number | undefined;
   /** Lines for the help: keys or gestures, and what they do. */
   readonly help?: readonly (readonly [string, string])[];
 }

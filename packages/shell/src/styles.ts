@@ -53,8 +53,11 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
 .u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }
 .uplot canvas { display: block; position: relative; width: 100%; height: 100% } .u-axis.u-off { display: none }
-@media (max-width: 759px) { .game-title { display: none } .game-side { top: 64px; max-height: calc(100% - 76px) }
-  .game-bar { padding-left: 12px } .game-bar button { min-width: 42px; height: 42px } }
+@media (min-width: 760px) { .game:has(.game-side:not([hidden])) .game-bar { right: 288px } }
+@media (max-width: 999px) { .game-title { display: none } .game-bar { padding-left: max(12px, env(safe-area-inset-left)) } }
+@media (max-width: 759px) { .game-side { top: 66px; max-height: calc(100% - 78px) }
+  .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
+  .game-bar button { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
 @media (prefers-reduced-motion: reduce) { .game * { transition: none !important; animation: none !important } }
 `;
 
