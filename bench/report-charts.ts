@@ -5,13 +5,15 @@ import { histogram, summarise } from './statistics';
 const WIDTH = 720;
 const LEFT = 64;
 const RIGHT = 12;
+/** A scale that shows hiccups of the machine in full would flatten everything else; what is above is cut off. */
+const MOST_MEDIANS = 4;
 
 /** Step times in order, with the median and the 99th percentile as lines; the scale ends a little above the latter. */
 export function traceChart(series: ArrayLike<number>, warmup: number): string {
   const HEIGHT = 220;
   const BOTTOM = 32;
   const { median, p99 } = summarise(series);
-  const top = Math.max(p99 * 1.15, median * 1.5);
+  const top = Math.max(Math.min(p99 * 1.15, median * MOST_MEDIANS), median * 1.5);
   const ticks = niceTicks(top, 4);
   const x = (i: number) => LEFT + ((i + 0.5) / series.length) * (WIDTH - LEFT - RIGHT);
   const y = (time: number) => 10 + (1 - Math.min(time, top) / top) * (HEIGHT - BOTTOM - 10);
@@ -22,9 +24,9 @@ export function traceChart(series: ArrayLike<number>, warmup: number): string {
       : '',
   ).join('');
   return svg(HEIGHT, [
-    ...ticks.map((time) => gridLine(y(time), ms(time))),
+    ...ticks.map((time) => gridLine(y(time), time === 0 ? '0' : ms(time))),
     `<polyline class="trace" points="${points}"/>`,
-    level(y(p99), `99 % under ${ms(p99)}`),
+    p99 < top ? level(y(p99), `99 % under ${ms(p99)}`) : '',
     level(y(median), `median ${ms(median)}`),
     `<g class="hover">${dots}</g>`,
     axisText(LEFT, HEIGHT - 10, 'start', `step ${warmup + 1}`),
@@ -37,7 +39,7 @@ export function histogramChart(series: ArrayLike<number>): string {
   const HEIGHT = 200;
   const BOTTOM = 32;
   const BINS = 40;
-  const { from, to, counts } = histogram(series, BINS);
+  const { from, to, counts } = histogram(series, BINS, MOST_MEDIANS * summarise(series).median);
   const most = Math.max(...counts);
   const width = (WIDTH - LEFT - RIGHT) / BINS;
   const y = (count: number) => 10 + (1 - count / most) * (HEIGHT - BOTTOM - 10);
@@ -81,7 +83,7 @@ export function barsChart(rows: readonly { name: string; value: number; note: st
   const most = Math.max(...rows.map(({ value }) => value));
   const bars = rows.map(({ name, value, note }, i) => {
     const y = i * ROW;
-    const width = Math.max(2, (value / most) * (WIDTH - 180));
+    const width = Math.max(2, (value / most) * (WIDTH - 240));
     return `<text class="name" x="0" y="${y + 12}">${escapeHtml(name)}</text>
 <rect class="${i === 0 ? 'ours' : 'theirs'}" x="0" y="${y + 18}" width="${width.toFixed(1)}" height="14" rx="3"><title>${escapeHtml(name)}: ${ms(value)}</title></rect>
 <text class="note" x="${(width + 8).toFixed(1)}" y="${y + 30}">${escapeHtml(note)}</text>`;

@@ -13,7 +13,7 @@ h1 { margin: 0; font-size: 1.75rem; letter-spacing: -0.01em }
 h2 { margin: 0 0 .25rem; font-size: 1.05rem }
 p { margin: .25rem 0 1rem; color: var(--soft) }
 section { margin-top: 1.25rem; padding: 1.25rem 1.5rem; background: var(--card); border: 1px solid var(--line); border-radius: 12px }
-.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(10rem, 1fr)); gap: .75rem; margin-top: 1.5rem }
+.tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); gap: .75rem; margin-top: 1.5rem }
 .tile { padding: .9rem 1.1rem; background: var(--card); border: 1px solid var(--line); border-radius: 12px }
 .tile span { display: block; color: var(--soft); font-size: .8rem }
 .tile b { font-size: 1.35rem; font-weight: 650; font-variant-numeric: tabular-nums }

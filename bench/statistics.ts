@@ -23,15 +23,23 @@ export function median(series: ArrayLike<number>): number {
   return summarise(series).median;
 }
 
-/** Counts of the values in equal bins from the smallest to the 99th percentile; what is beyond joins the last bin. */
-export function histogram(series: ArrayLike<number>, bins: number): { from: number; to: number; counts: number[] } {
+/**
+ * Counts of the values in equal bins from the smallest to the 99th percentile, or to `most` where that is less; what is
+ * beyond joins the last bin.
+ */
+export function histogram(
+  series: ArrayLike<number>,
+  bins: number,
+  most = Number.POSITIVE_INFINITY,
+): { from: number; to: number; counts: number[] } {
   const { min, p99 } = summarise(series);
-  const width = (p99 - min) / bins;
+  const to = Math.min(p99, most);
+  const width = (to - min) / bins;
   const counts = new Array<number>(bins).fill(0);
   for (let i = 0; i < series.length; i++) {
     const bin = width > 0 ? Math.floor(((series[i] as number) - min) / width) : 0;
     const place = Math.min(bins - 1, bin);
     counts[place] = (counts[place] as number) + 1;
   }
-  return { from: min, to: p99, counts };
+  return { from: min, to, counts };
 }

@@ -1,11 +1,12 @@
 import { attractors } from './attractors';
 import { bouncingBalls } from './bouncing-balls';
+import { emitters } from './emitters';
 import { particles } from './particles';
 import type { Scene } from './scene';
 import { springs } from './springs';
 
 /** Every scene, in the order they are listed. */
-export const SCENES: readonly Scene[] = [particles, springs, attractors, bouncingBalls];
+export const SCENES: readonly Scene[] = [particles, emitters, springs, attractors, bouncingBalls];
 
 /** The scene of a name, if there is one. */
 export function findScene(name: string): Scene | undefined {
