@@ -1,0 +1,3 @@
+import { chaosHashes } from '../../support/chaos.ts';
+
+Object.assign(globalThis, { chaosHashes });

@@ -1,0 +1,70 @@
+/** Scenes whose smallest difference grows: for tests that two runs are the same to the last bit. No test library here. */
+import {
+  attractors,
+  boxWalls,
+  createPhysicsWorld,
+  createRandom,
+  linearDrag,
+  type PhysicsWorld,
+  type Precision,
+  quadraticDrag,
+  spawn,
+  springs,
+  stateHash,
+  step,
+  uniformGravity,
+} from '@principia/physics';
+
+const SIDE = 20;
+
+/** Bodies on springs, tossed about by three attractors in a box: errors double every few dozen steps. */
+export function chaoticWorld(dimensions: 2 | 3, precision: Precision, seed = 7, count = 120): PhysicsWorld {
+  const world = createPhysicsWorld({
+    dimensions,
+    precision,
+    seed,
+    capacity: 1000,
+    forces: [uniformGravity({ y: -3 }), linearDrag({ x: 0.3 }), quadraticDrag(), attractors(), springs()],
+    walls: [boxWalls({ min: { x: 0, y: 0, z: 0 }, max: { x: SIDE, y: SIDE, z: SIDE }, restitution: 0.9 })],
+  });
+  const random = createRandom(seed);
+  const point = (low: number, high: number) => {
+    const [x, y] = [random.uniform(low, high), random.uniform(low, high)];
+    return dimensions === 2 ? { x, y } : { x, y, z: random.uniform(low, high) };
+  };
+  for (let i = 0; i < 3; i++) spawn(world, { position: point(5, 15), attractor: { mu: 40, softening: 0.3 } });
+  const ids = Array.from({ length: count }, () =>
+    spawn(world, {
+      position: point(1, SIDE - 1),
+      velocity: point(-6, 6),
+      mass: random.uniform(0.5, 2),
+      collider: { radius: 0.2, restitution: 0.8, friction: 0.3 },
+      linearDrag: random.uniform(0, 0.01),
+      quadraticDrag: random.uniform(0, 0.001),
+      inertia: 0.02,
+      angularVelocity: { z: random.uniform(-5, 5) },
+      ...(dimensions === 2 ? { rotation: {} } : { orientation: {} }),
+    }),
+  );
+  for (let i = 1; i < count; i += 2) {
+    spawn(world, { spring: { a: ids[i - 1], b: ids[i], stiffness: 30, damping: 0.1, length: 2 } });
+  }
+  return world;
+}
+
+/** The hash after `count` steps of 1/60 s. */
+export function hashAfter(world: PhysicsWorld, count: number): string {
+  for (let i = 0; i < count; i++) step(world, 1 / 60);
+  return stateHash(world);
+}
+
+/** One hash of each kind of chaotic world: what a browser must find as well. */
+export function chaosHashes(count = 1500): Record<string, string> {
+  const hashes: Record<string, string> = {};
+  for (const dimensions of [2, 3] as const) {
+    for (const precision of ['f32', 'f64'] as const) {
+      hashes[`${dimensions}D ${precision}`] = hashAfter(chaoticWorld(dimensions, precision), count);
+    }
+  }
+  return hashes;
+}
