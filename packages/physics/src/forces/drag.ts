@@ -24,6 +24,7 @@ export function linearDrag(wind: Wind = STILL): Force {
     parameters: windParameters(wind),
     reads: ['Velocity', 'LinearDrag'],
     local: true,
+    timeless: typeof wind !== 'function',
     accumulate(world, first, last, time) {
       const w = medium.at(world, time);
       const { kernels, addresses, dimensions } = world;
@@ -51,6 +52,7 @@ export function quadraticDrag(wind: Wind = STILL): Force {
     parameters: windParameters(wind),
     reads: ['Velocity', 'QuadraticDrag'],
     local: true,
+    timeless: typeof wind !== 'function',
     accumulate(world, first, last, time) {
       const w = medium.at(world, time);
       const { kernels, addresses } = world;

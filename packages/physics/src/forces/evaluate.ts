@@ -5,6 +5,14 @@ import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import type { Force } from './force';
 
+/**
+ * The moment `offset` seconds into the step, for forces that ask for it; zero where none does. A real number that is
+ * handed on through calls, tile by tile, becomes garbage, and a zero does not.
+ */
+export function momentOf(world: PhysicsWorld, offset: number): number {
+  return world.internal.plan?.forcesTimeless === true ? 0 : world.time + offset;
+}
+
 /** Evaluates all forces of the world on the bodies of `spans` at `time`, into `world.scratch.force`. */
 export type EvaluateForces = (world: PhysicsWorld, spans: Spans, time: number) => void;
 

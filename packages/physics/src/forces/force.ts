@@ -28,6 +28,8 @@ export interface Force {
    * throws comes out of `step`, which then has not happened.
    */
   prepare?(world: PhysicsWorld, dt: number): void;
+  /** Its `accumulate` does not look at `time`: where that goes for all forces, no step makes garbage. */
+  readonly timeless?: boolean;
   /** Adds this force, N, to the force on each body. `time` is the moment it is asked for, s. */
   accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
   /** Potential energy of the world under this force, J; only where the force is conservative. */

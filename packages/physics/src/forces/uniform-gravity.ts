@@ -28,6 +28,7 @@ export function uniformGravity(acceleration: VectorInput = { y: -STANDARD_GRAVIT
     },
     reads: ['Mass'],
     local: true,
+    timeless: true,
     accumulate(world, first, last) {
       const { kernels, addresses, dimensions } = world;
       const mass = addresses.Mass.value;

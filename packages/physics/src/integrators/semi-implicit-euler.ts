@@ -4,6 +4,7 @@
 //
 // First order; symplectic for forces that depend on position alone: the energy error of an oscillator stays within
 // ω dt/2 of the energy for ever. One force evaluation. Hairer, Lubich, Wanner: Geometric Numerical Integration, I.1.2.
+import { momentOf } from '../forces/evaluate';
 import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
@@ -20,7 +21,7 @@ export const semiImplicitEuler: Integrator = {
   // the unit circle when |trace| <= 1 + determinant and |determinant| <= 1 (Jury).
   isStable: (stiffness, damping) => stiffness + 2 * damping <= 4,
   advance(world, spans, dt, evaluateForces) {
-    evaluateForces(world, spans, world.time);
+    evaluateForces(world, spans, momentOf(world, 0));
     kickDrift(world, spans, dt);
   },
 };

@@ -5,6 +5,7 @@
 // with a' the acceleration at x'. A force that depends on velocity sees the predictor v + a dt there, which keeps the
 // scheme second order. For forces of position alone it is symplectic and exactly reversible; constant force is exact.
 // Two force evaluations: nothing is carried over from the last step, because contacts and users may have moved bodies.
+import { momentOf } from '../forces/evaluate';
 import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
@@ -23,9 +24,9 @@ export const velocityVerlet: Integrator = {
     return Math.abs(determinant) <= 1 + 1e-9 && Math.abs(trace) <= 1 + determinant + 1e-9;
   },
   advance(world, spans, dt, evaluateForces) {
-    evaluateForces(world, spans, world.time);
+    evaluateForces(world, spans, momentOf(world, 0));
     predict(world, spans, dt);
-    evaluateForces(world, spans, world.time + dt);
+    evaluateForces(world, spans, momentOf(world, dt));
     correct(world, spans, dt);
   },
 };

@@ -17,6 +17,8 @@ export interface Plan {
   readonly signature: readonly unknown[];
   /** No force looks at more than its own body. */
   readonly forcesLocal: boolean;
+  /** Every force ignores the time. */
+  readonly forcesTimeless: boolean;
 }
 
 function isTiled(world: PhysicsWorld, system: System): system is LocalSystem {
@@ -65,7 +67,8 @@ function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
   const { signature } = plan;
   let i = 0;
   if (signature[i++] !== world.integrator) return false;
-  for (const phase of PHASES) {
+  for (let p = 0; p < PHASES.length; p++) {
+    const phase = PHASES[p];
     const systems = world.phases[phase];
     for (let s = 0; s < systems.length; s++) if (signature[i++] !== systems[s]) return false;
     if (signature[i++] !== phase) return false;
@@ -100,6 +103,7 @@ function makePlan(world: PhysicsWorld): Plan {
   return {
     signature,
     forcesLocal: world.forces.every(({ local }) => local),
+    forcesTimeless: world.forces.every(({ timeless }) => timeless === true),
     groups: groups.map((group) => ({
       ...group,
       slides: group.tiled && !plainForces && scratchGroups.length === 1 && scratchGroups[0] === group,
