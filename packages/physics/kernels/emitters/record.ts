@@ -19,6 +19,8 @@ export class Emitter {
   life: usize;
   factor: usize;
   ramp: usize;
+  // Per ramp, 256 u32 colours of a life.
+  colors: usize;
   // Columns that are not in the table of columns.
   previousX: usize;
   previousY: usize;
@@ -44,6 +46,8 @@ export class Emitter {
   rampCount: i32;
   sizeStops: i32;
   changed: i32;
+  // 1 when colours or sizes were set anew: the living are painted once more.
+  repaint: i32;
   random0: u32;
   random1: u32;
   random2: u32;

@@ -3,8 +3,8 @@
 // The births of the time since the last step are made now, each at its own moment: the i-th when rate x time reaches a
 // whole number. So a stream of particles is the same for steps of any length, and has no gaps between frames.
 import { bear } from './birth';
-import { paint } from './looks';
-import { end, isOurs } from './pool';
+import { paintColor, paintSize } from './looks';
+import { end } from './pool';
 import { Burst, Emitter, word } from './record';
 
 export function stepEmitter(emitter: usize, dt: f64): void {
@@ -21,18 +21,40 @@ export function stepEmitter(emitter: usize, dt: f64): void {
   e.pending = dt;
 }
 
+// Everything the loop reads of the record stands in locals: stores to the columns could change the record for all the
+// compiler knows. A part of a life is below 1, so that it has a shade and a stop behind it.
 function age(e: Emitter): void {
   if (e.alive == 0) return;
-  const paints = e.sizeStops > 1 || anyRamp(e);
   const clock = e.clock;
-  for (let slot: i32 = 0; slot < e.capacity; slot++) {
-    const life = <f64>load<f32>(e.life + ((<usize>slot) << 2));
+  const lives = e.life;
+  const births = e.bornAt;
+  const ids = e.ids;
+  const ours = e.generation;
+  const generations = e.generations;
+  const colors = e.colors;
+  const ramps = e.ramp;
+  const color = e.color;
+  const sizes = changetype<usize>(e) + offsetof<Emitter>('size0');
+  const stops = e.sizeStops;
+  const factors = e.factor;
+  const size = e.size;
+  const colorful = e.repaint != 0 || anyRamp(e);
+  const growing = e.repaint != 0 || stops > 1;
+  for (let slot: i32 = 0, capacity = e.capacity; slot < capacity; slot++) {
+    const life = <f64>load<f32>(lives + ((<usize>slot) << 2));
     if (life == 0) continue;
-    const years = clock - load<f64>(e.bornAt + ((<usize>slot) << 3));
-    if (years >= life || !isOurs(e, slot)) end(e, slot);
-    else if (paints) paint(e, slot, word(e.ids, slot), years / life);
+    const years = clock - load<f64>(births + ((<usize>slot) << 3));
+    const row = word(ids, slot);
+    if (years >= life || word(generations, row) != word(ours, slot)) {
+      end(e, slot);
+      continue;
+    }
+    const part = years / life;
+    if (colorful) paintColor(colors, ramps, color, slot, row, part);
+    if (growing) paintSize(sizes, stops, factors, size, slot, row, part);
   }
-  if (paints) e.changed = 1;
+  e.repaint = 0;
+  if (colorful || growing) e.changed = 1;
 }
 
 function anyRamp(e: Emitter): bool {

@@ -310,6 +310,12 @@ describe('an emitter', () => {
     const { born } = emitterCounts(emitter);
     run(world, 1, 0.1);
     expect(emitterCounts(emitter).born - born).toBe(100);
+    setEmitter(emitter, { color: rgba(0, 0, 1), size: 3 });
+    step(world, 0.1);
+    const { color, size } = world.components.Appearance;
+    expect(new Set(living(emitter).map((eid) => `${color[eid]} ${size[eid]}`))).toEqual(
+      new Set([`${rgba(0, 0, 1)} 3`]),
+    );
   });
 
   test('bursts where it is told to, with a velocity and colours of their own', () => {

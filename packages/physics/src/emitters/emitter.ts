@@ -98,14 +98,14 @@ function openRecord(
   record.numbers[N.radius] = options.collider?.radius ?? 0;
   const stream = emittersOf(world).made++;
   seedWords(record.words.subarray(W.random0, W.random0 + 4), world.seed, stream);
-  writeParameters(record, checked);
+  writeParameters(world, record, checked);
   writePosition(record, checked.position, true);
   new Uint32Array(world.memory.buffer, record.words[W.ids], ids.length).set(ids);
   emitterKernels(world).openPool(record.at);
   world.versions.style++;
 }
 
-function writeParameters({ words, numbers }: EmitterRecord, checked: CheckedParameters): void {
+function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRecord, checked: CheckedParameters): void {
   const { direction, positionSpread, velocitySpread, ramps, sizes } = checked;
   numbers[N.rate] = checked.rate;
   numbers.set(checked.lifetime, N.lifeMin);
@@ -122,6 +122,8 @@ function writeParameters({ words, numbers }: EmitterRecord, checked: CheckedPara
     words.set(ramp, W.color0 + r * MOST_STOPS);
     words[W.stops0 + r] = ramp.length;
   });
+  emitterKernels(world).mixColors(at);
+  words[W.repaint] = 1;
 }
 
 function writePosition({ numbers }: EmitterRecord, { x, y, z }: { x: number; y: number; z: number }, jump: boolean) {
@@ -152,7 +154,7 @@ export function setEmitter(emitter: Emitter, changes: EmitterParameters): void {
   const parameters = { ...emitter.internal.parameters, ...parametersOf(changes) };
   const checked = checkParameters(emitter.world, parameters);
   emitter.internal.parameters = parameters;
-  writeParameters(record, checked);
+  writeParameters(emitter.world, record, checked);
   if (changes.position !== undefined) writePosition(record, checked.position, false);
 }
 

@@ -6,12 +6,14 @@ import { removeWholly } from '../store/bitecs';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 import type { EmitterOptions } from './options';
-import { type EmitterRecord, RECORD_BYTES, recordAt, W } from './record';
+import { type EmitterRecord, MOST_RAMPS, RECORD_BYTES, recordAt, W } from './record';
 
 /** Bursts that wait for the next step, and the bytes of one (kernels/emitters/record.ts). */
 export const MOST_BURSTS = 256;
 export const BURST_NUMBERS = 9;
 
+/** 256 shades of each ramp. */
+const COLOR_BYTES = MOST_RAMPS * 1024;
 const SLOT_BYTES = 40;
 const ENDING_BYTES = 52;
 
@@ -33,7 +35,8 @@ export function takeBlock(world: PhysicsWorld, capacity: number, reports: boolea
   const found = idle.findIndex(fits);
   if (found >= 0) return idle.splice(found, 1)[0];
   const { arena } = world.internal;
-  const bytes = RECORD_BYTES + MOST_BURSTS * BURST_NUMBERS * 8 + capacity * (SLOT_BYTES + (reports ? ENDING_BYTES : 0));
+  const slots = capacity * (SLOT_BYTES + (reports ? ENDING_BYTES : 0));
+  const bytes = RECORD_BYTES + MOST_BURSTS * BURST_NUMBERS * 8 + COLOR_BYTES + slots;
   return { record: recordAt(arena, allocate(arena, bytes + 64, `an emitter of ${capacity}`)), capacity, reports };
 }
 
@@ -52,6 +55,7 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
   words.fill(0);
   numbers.fill(0);
   words[W.bursts] = take(MOST_BURSTS * BURST_NUMBERS * 8);
+  words[W.colors] = take(COLOR_BYTES);
   words[W.bornAt] = take(capacity * 8);
   if (reports) words[W.endedAt] = take(capacity * 48);
   for (const name of ['ids', 'generation', 'free', 'older', 'newer', 'ramp', 'life', 'factor'] as const) {
