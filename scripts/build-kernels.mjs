@@ -16,8 +16,12 @@ import { resolveInstalled, root } from './lib/paths.mjs';
 export const kernelFolder = `${root}/packages/physics/kernels`;
 export const generatedFolder = `${root}/packages/physics/src/kernels`;
 
+/** Where the constants of feature modules begin in a world's memory, below its first column at 4096, and their room. */
+const FEATURE_CONSTANTS = 2048;
+const CONSTANTS_EACH = 256;
+
 /**
- * The modules below a kernel folder: the entry to compile, and the name of the generated file.
+ * The modules below a kernel folder: the entry to compile, the name of the generated file, where its constants go.
  * @param {string} folder
  */
 function modulesIn(folder) {
@@ -27,8 +31,9 @@ function modulesIn(folder) {
   const features = readdirSync(folder, { withFileTypes: true })
     .filter((entry) => entry.isDirectory() && existsSync(`${folder}/${entry.name}/module.ts`))
     .map(({ name }) => ({ name, entry: `${name}/module.ts`, file: `${name}.gen.ts` }))
-    .sort((a, b) => (a.name < b.name ? -1 : 1));
-  return [{ name: 'core', entry: 'index.ts', file: 'modules.gen.ts' }, ...features];
+    .sort((a, b) => (a.name < b.name ? -1 : 1))
+    .map((module, index) => ({ ...module, constants: FEATURE_CONSTANTS + index * CONSTANTS_EACH }));
+  return [{ name: 'core', entry: 'index.ts', file: 'modules.gen.ts', constants: 1024 }, ...features];
 }
 
 /** The build that runs now, if any: a bundler asks for several modules at once. */
@@ -60,11 +65,14 @@ async function buildModules({ quiet = false, force = false, from = kernelFolder,
   return compiled;
 }
 
-/** @param {{ name: string, entry: string, from: string, target: string, header: string, quiet: boolean }} module */
-async function buildModule({ name, entry, from, target, header, quiet }) {
+/**
+ * @param {{ name: string, entry: string, constants: number, from: string, target: string, header: string,
+ *   quiet: boolean }} module
+ */
+async function buildModule({ name, entry, constants, from, target, header, quiet }) {
   const start = performance.now();
   const { compileKernels, kernelInterface } = await import('./lib/compile-kernels.mjs');
-  const { f32, f64 } = await compileKernels(from, entry);
+  const { f32, f64 } = await compileKernels(from, entry, constants);
   const text = [
     header,
     "import type { EmbeddedModule } from './decode.ts';\n",

@@ -21,15 +21,16 @@ export const compilerFlags = [
  * @typedef {{ wasm: Uint8Array, declarations: string }} CompiledKernels
  * @param {string} folder the folder of the kernels
  * @param {string} entry the module in it
+ * @param {number} constants where its constants go: modules share one memory
  * @returns {Promise<{ f32: CompiledKernels, f64: CompiledKernels }>}
  */
-export async function compileKernels(folder, entry = 'index.ts') {
+export async function compileKernels(folder, entry = 'index.ts', constants = 1024) {
   mkdirSync(cacheFolder, { recursive: true });
   const output = mkdtempSync(`${cacheFolder}/kernels-`);
   try {
     const [f32, f64] = await Promise.all([
-      compile(folder, entry, 'f32', output),
-      compile(folder, entry, 'f64', output),
+      compile(folder, entry, 'f32', output, constants),
+      compile(folder, entry, 'f64', output, constants),
     ]);
     return { f32, f64 };
   } finally {
@@ -42,9 +43,10 @@ export async function compileKernels(folder, entry = 'index.ts') {
  * @param {string} entry
  * @param {'f32' | 'f64'} real
  * @param {string} output
+ * @param {number} constants
  * @returns {Promise<CompiledKernels>}
  */
-async function compile(folder, entry, real, output) {
+async function compile(folder, entry, real, output, constants) {
   const compiler = resolveInstalled('assemblyscript/bin/asc.js');
   const file = `${output}/${real}.wasm`;
   const args = [
@@ -55,6 +57,8 @@ async function compile(folder, entry, real, output) {
     file,
     '--use',
     `real=${real}`,
+    '--memoryBase',
+    String(constants),
     ...compilerFlags,
   ];
   try {
