@@ -1,10 +1,38 @@
 // Turning of bodies at their angular velocity. Symplectic Euler for the spin: omega += torque/I dt, then the angle.
 import { at } from '../lanes';
 
+// omega += torque/I dt about one axis, for the rows with inertia whose bits say that they have an angular velocity.
+export function kickSpinAxis(
+  omega: usize,
+  torque: usize,
+  inertia: usize,
+  members: usize,
+  bit: u32,
+  dt: real,
+  first: i32,
+  last: i32,
+): void {
+  for (let row = first; row < last; row++) {
+    const o = at(row);
+    const i = load<real>(inertia + o);
+    if (!(i > 0) || (load<u32>(members + ((<usize>row) << 2)) & bit) == 0) continue;
+    store<real>(omega + o, load<real>(omega + o) + (load<real>(torque + o) / i) * dt);
+  }
+}
+
 // 3D: q += dt/2 (omega) q, renormalised; a row whose quaternion is zero and that does not turn stays untouched.
 // Kuipers, Quaternions and Rotation Sequences, section 11.4 (first order in dt; the norm is restored each step).
 export function turnQuaternion(
-  qx: usize, qy: usize, qz: usize, qw: usize, wx: usize, wy: usize, wz: usize, dt: real, first: i32, last: i32,
+  qx: usize,
+  qy: usize,
+  qz: usize,
+  qw: usize,
+  wx: usize,
+  wy: usize,
+  wz: usize,
+  dt: real,
+  first: i32,
+  last: i32,
 ): void {
   const half = <real>0.5 * dt;
   for (let row = first; row < last; row++) {

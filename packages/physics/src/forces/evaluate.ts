@@ -55,6 +55,25 @@ function clearForces(world: PhysicsWorld, spans: Spans): void {
     kernels.zeroColumn(at.y, first, last);
     if (dimensions === 3) kernels.zeroColumn(at.z, first, last);
   }
+  if (anyForceTurns(world)) clearTorques(world, spans);
+}
+
+function clearTorques(world: PhysicsWorld, spans: Spans): void {
+  const { kernels, scratch } = world;
+  const at = scratch.at.torque;
+  for (let r = 0; r < spans.count; r++) {
+    const first = spans.bounds[2 * r] as number;
+    const last = spans.bounds[2 * r + 1] as number;
+    kernels.zeroColumn(at.x, first, last);
+    kernels.zeroColumn(at.y, first, last);
+    kernels.zeroColumn(at.z, first, last);
+  }
+}
+
+/** Whether some force of the world adds torque. */
+export function anyForceTurns({ forces }: PhysicsWorld): boolean {
+  for (let f = 0; f < forces.length; f++) if (forces[f].turns === true) return true;
+  return false;
 }
 
 /** Lets every force look at the world before the step. */

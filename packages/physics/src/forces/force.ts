@@ -28,6 +28,8 @@ export interface Force {
    * throws comes out of `step`, which then has not happened.
    */
   prepare?(world: PhysicsWorld, dt: number): void;
+  /** It adds to `world.scratch.torque` as well: the turn of the bodies is kicked by the torque of the last evaluation. */
+  readonly turns?: boolean;
   /** Its `accumulate` does not look at `time`: where that goes for all forces, no step makes garbage. */
   readonly timeless?: boolean;
   /** Adds this force, N, to the force on each body. `time` is the moment it is asked for, s. */
@@ -43,6 +45,8 @@ export interface CustomForce {
   readonly reads?: readonly string[];
   /** Default true: reads nothing but its own body. */
   readonly local?: boolean;
+  /** Default false: adds to `world.scratch.torque` as well. */
+  readonly turns?: boolean;
   prepare?(world: PhysicsWorld, dt: number): void;
   accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
   potential?(world: PhysicsWorld): number;
@@ -58,6 +62,7 @@ export function defineForce(force: CustomForce): Force {
     equation: force.equation ?? '',
     reads: force.reads ?? [],
     local: force.local ?? true,
+    turns: force.turns ?? false,
     usesForceColumns: true,
     accumulate: force.accumulate,
     ...(force.prepare === undefined ? {} : { prepare: force.prepare }),

@@ -1,16 +1,40 @@
-// Turns bodies at their angular velocity: the angle in 2D, the quaternion in 3D. Nothing to do while no body spins.
+// Turns bodies: the torque of the last evaluation of the forces kicks the angular velocity, then the angle in 2D or the
+// quaternion in 3D moves with the new one. Semi-implicit Euler, first order; nothing to do while no body spins.
+//
+//   ω' = ω + τ/I dt        θ' = θ + ω' dt
+import { bitOf } from '../components/all';
+import { anyForceTurns } from '../forces/evaluate';
 import type { LocalSystem } from '../schedule/phases';
 import type { PhysicsWorld } from '../world';
 
 export const turn: LocalSystem = {
   name: 'turn',
+  usesScratch: true,
   run(world, spans, dt) {
     if (world.internal.counts.AngularVelocity === 0) return;
+    const kicked = anyForceTurns(world);
     for (let r = 0; r < spans.count; r++) {
-      turnRun(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number, dt);
+      const first = spans.bounds[2 * r] as number;
+      const last = spans.bounds[2 * r + 1] as number;
+      if (kicked) kickRun(world, first, last, dt);
+      turnRun(world, first, last, dt);
     }
   },
 };
+
+/** A body without inertia, or without AngularVelocity, does not turn. */
+function kickRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
+  const { kernels, addresses, scratch, internal } = world;
+  const { AngularVelocity: w, Inertia } = addresses;
+  const bit = bitOf('AngularVelocity');
+  for (const axis of world.dimensions === 2 ? SPIN_2D : SPIN_3D) {
+    const torque = scratch.at.torque[axis];
+    kernels.kickSpinAxis(w[axis], torque, Inertia.value, internal.membersAt, bit, dt, first, last);
+  }
+}
+
+const SPIN_2D = ['z'] as const;
+const SPIN_3D = ['x', 'y', 'z'] as const;
 
 function turnRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
   const { kernels, addresses } = world;

@@ -12,8 +12,11 @@ import { type AxisAddresses, type AxisColumns, axisColumns, realBytes } from './
 export interface Scratch {
   /** Force on each body, N; writable by forces during `accumulate`, and only then. */
   readonly force: AxisColumns;
+  /** Torque on each body, N m, likewise, by forces that say `turns`; in 2D only z is used. */
+  readonly torque: AxisColumns;
   readonly at: {
     readonly force: AxisAddresses;
+    readonly torque: AxisAddresses;
     /** Velocity at the start of the step. */
     readonly startVelocity: AxisAddresses;
     /** Free for the integrator. */
@@ -22,7 +25,7 @@ export interface Scratch {
   };
 }
 
-const BUFFERS = ['force', 'startVelocity', 'stage1', 'stage2'] as const;
+const BUFFERS = ['force', 'startVelocity', 'stage1', 'stage2', 'torque'] as const;
 
 /** Number of real columns the scratch takes. */
 export const SCRATCH_COLUMNS = BUFFERS.length * 3;
@@ -36,14 +39,16 @@ interface ScratchOwner {
 export function createScratch(arena: Arena, precision: Precision, rows: number): ScratchOwner {
   const made = BUFFERS.map((name) => axisColumns(arena, precision, rows, name));
   type Buffer = (typeof made)[0];
-  const [force, startVelocity, stage1, stage2] = made as [Buffer, Buffer, Buffer, Buffer];
+  const [force, startVelocity, stage1, stage2, torque] = made as [Buffer, Buffer, Buffer, Buffer, Buffer];
   const base = made.map(([, at]) => ({ ...at }));
   const bytes = realBytes(precision);
   return {
     scratch: {
       force: force[0],
+      torque: torque[0],
       at: {
         force: force[1],
+        torque: torque[1],
         startVelocity: startVelocity[1],
         stage1: stage1[1],
         stage2: stage2[1],
