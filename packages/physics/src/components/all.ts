@@ -3,10 +3,13 @@ import { Attractor } from './attractor';
 import { Charge } from './charge';
 import { Collider } from './collider';
 import type { ColumnsOf } from './define';
-import { LinearDrag, QuadraticDrag } from './drag';
+import { AngularDrag, LinearDrag, QuadraticDrag } from './drag';
+import { Hull } from './hull';
 import { Inertia } from './inertia';
+import { Lift } from './lift';
 import { Mass } from './mass';
 import { Position } from './position';
+import { Engine, Motor, Thrust } from './propulsion';
 import { Quarantined } from './quarantined';
 import { AngularVelocity, Orientation, Rotation } from './rotation';
 import { Spring } from './spring';
@@ -31,6 +34,12 @@ export const COMPONENTS = {
   SegmentWall,
   PlaneWall,
   Charge,
+  Hull,
+  Lift,
+  AngularDrag,
+  Thrust,
+  Motor,
+  Engine,
   Quarantined,
 } as const;
 

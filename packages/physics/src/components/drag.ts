@@ -15,3 +15,11 @@ export const QuadraticDrag = defineComponent({
   scalar: 'coefficient',
   fields: { coefficient: real('kg/m', { bounds: { min: 0, max: 1e38 } }) },
 });
+
+/** Coefficient k of the drag on rotation τ = -k ω, N m s; Stokes: 8 π η r³ for a sphere. */
+export const AngularDrag = defineComponent({
+  name: 'AngularDrag',
+  key: 'angularDrag',
+  scalar: 'coefficient',
+  fields: { coefficient: real('N m s', { bounds: { min: 0, max: 1e38 } }) },
+});

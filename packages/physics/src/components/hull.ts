@@ -1,0 +1,16 @@
+import { defineComponent, real, u32 } from './define';
+
+/** What a body displaces when a fluid covers it: read by `upthrust`, `immersedDrag` and `addedMass`. */
+export const Hull = defineComponent({
+  name: 'Hull',
+  key: 'hull',
+  scalar: 'volume',
+  fields: {
+    /** Volume when wholly immersed, m³. */
+    volume: real('m³', { initial: 1, bounds: { min: 0, max: 1e38 } }),
+    /** Half the height from keel to top, m; zero takes the collider's radius. */
+    halfHeight: real('m', { bounds: { min: 0, max: 1e12 } }),
+    /** 0 a sphere, 1 an upright box, 2 and up a polygon that `polygonUpthrust` was given under this number. */
+    shape: u32('', { bounds: { max: 1000 } }),
+  },
+});
