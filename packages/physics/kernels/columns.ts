@@ -18,6 +18,9 @@ export class Columns {
   restitution: usize;
   friction: usize;
   members: usize;
+  // The bit of AngularVelocity in `members`, and the table of contacts (kernels/collision/table.ts), 0 without one.
+  angularVelocityBit: u32;
+  contacts: usize;
 }
 
 const TABLE: usize = 64;

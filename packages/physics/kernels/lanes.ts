@@ -14,7 +14,7 @@
 
 // @ts-ignore: decorator
 @inline export function at(row: i32): usize {
-  return (<usize>row) * sizeof<real>();
+  return <usize>row * sizeof<real>();
 }
 
 // @ts-ignore: decorator
@@ -46,4 +46,12 @@
 // @ts-ignore: decorator
 @inline export function accelerationOf(force: v128, mass: v128): v128 {
   return v128.and(div(force, mass), v128.gt<real>(mass, splat(0)));
+}
+
+// One lane of a vector, chosen at run time.
+// @ts-ignore: decorator
+@inline export function laneOf(v: v128, lane: i32): real {
+  if (lane == 0) return v128.extract_lane<real>(v, 0);
+  if (sizeof<real>() == 8 || lane == 1) return v128.extract_lane<real>(v, 1);
+  return lane == 2 ? <real>f32x4.extract_lane(v, 2) : <real>f32x4.extract_lane(v, 3);
 }

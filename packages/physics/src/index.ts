@@ -4,6 +4,17 @@ export type { Many, ManyInput } from './bodies/many';
 export { type BodyInput, despawn, spawn } from './bodies/spawn';
 export { type Progress, spawnMany } from './bodies/spawn-many';
 export { type BoxWallsOptions, boxWalls } from './collision/box-walls';
+export { collideBodies, openContacts } from './collision/collide';
+export {
+  type Contacts,
+  contactCapacity,
+  contacts,
+  tellContacts,
+  type WallContacts,
+  wallContacts,
+} from './collision/contacts';
+export { planeWalls } from './collision/plane-walls';
+export { segmentWalls } from './collision/segment-walls';
 export { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from './components/all';
 export { rgba } from './components/appearance';
 export type { ColumnsOf, ComponentSpec, FieldSpec, RealColumn } from './components/define';
@@ -47,6 +58,7 @@ export { velocityVerlet } from './integrators/velocity-verlet';
 export type { Precision } from './kernels/instantiate';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary';
 export { createRandom, type Random } from './math/random';
+export { colliding } from './presets/colliding';
 export type { Preset } from './presets/preset';
 export { standard } from './presets/standard';
 export { createRunner, type Runner, type RunnerOptions } from './runner';

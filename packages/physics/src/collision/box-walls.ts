@@ -47,16 +47,17 @@ export function boxWalls(options: BoxWallsOptions): LocalSystem {
   return {
     name: 'box walls',
     usesScratch: true,
-    run({ kernels, addresses, dimensions, scratch }, spans, dt) {
+    run({ kernels, addresses, dimensions, scratch, integrator }, spans, dt) {
       const { Position, Velocity } = addresses;
       const start = scratch.at.startVelocity;
+      const lag = (integrator.velocityLag ?? 0) * dt;
       for (let a = 0; a < dimensions; a++) {
         const axis = AXES[3][a] as 'x' | 'y' | 'z';
         const [x, v] = [Position[axis], Velocity[axis]];
         for (let r = 0; r < spans.count; r++) {
           const first = spans.bounds[2 * r] as number;
           const last = spans.bounds[2 * r + 1] as number;
-          kernels.boxAxis(a, x, v, start[axis], low[axis], high[axis], restitution, friction, dt, first, last);
+          kernels.boxAxis(a, x, v, start[axis], low[axis], high[axis], restitution, friction, dt, lag, first, last);
         }
       }
     },

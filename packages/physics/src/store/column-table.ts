@@ -1,4 +1,4 @@
-import type { Addresses } from '../components/all';
+import { type Addresses, bitOf } from '../components/all';
 
 /** Where the table of column addresses stands in the world's memory; kernels/columns.ts reads it there. */
 export const TABLE_ADDRESS = 64;
@@ -23,6 +23,8 @@ export const TABLE_COLUMNS = [
   'restitution',
   'friction',
   'members',
+  'angularVelocityBit',
+  'contacts',
 ] as const;
 
 /** Writes the table. */
@@ -44,6 +46,8 @@ export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, memb
     restitution: Collider.restitution,
     friction: Collider.friction,
     members,
+    angularVelocityBit: bitOf('AngularVelocity'),
+    contacts: 0,
   };
   new Uint32Array(memory.buffer, TABLE_ADDRESS, TABLE_COLUMNS.length).set(TABLE_COLUMNS.map((name) => table[name]));
 }

@@ -1,0 +1,8 @@
+// Collisions of bodies, and the walls that are entities: a module of its own, so that a game without them does not pay.
+export { findPairs2d } from './2d/pairs';
+export { findPairs3d } from './3d/pairs';
+export { beginContacts, beginWallContacts, sortContacts } from './order';
+export { rememberPositions, respond } from './respond';
+export { gatherSegments } from '../walls/wall-grid';
+export { confineToSegments, segmentWalls } from '../walls/segments';
+export { planeWalls } from '../walls/planes';

@@ -1,0 +1,99 @@
+// What the contacts of a world are kept in: a table of counters and addresses in the world's memory.
+// src/collision/contact-table.ts makes it, in this order of fields; a test holds the two against each other.
+import { columns } from '../columns';
+
+@unmanaged
+export class ContactTable {
+  // Length of the last step, s.
+  previousDt: f64;
+  // Contacts between bodies: ids a < b, unit normal from a to b, impulse of this step along it (N s), and the part of
+  // the impulse that holds up a resting contact, from which the next step starts.
+  capacity: i32;
+  count: i32;
+  // Candidates this step had no room or no time for.
+  lost: u32;
+  a: usize;
+  b: usize;
+  nx: usize;
+  ny: usize;
+  nz: usize;
+  impulse: usize;
+  holding: usize;
+  // Friction that holds it, three f32.
+  rubbing: usize;
+  // Points of contact. They lie over what the step is done with by then.
+  x: usize;
+  y: usize;
+  z: usize;
+  // Pairs as the grid finds them, then the order of the impacts and the flags of the contacts.
+  rawA: usize;
+  rawB: usize;
+  // The contacts of the last step.
+  previousCount: i32;
+  previousA: usize;
+  previousB: usize;
+  previousHolding: usize;
+  // Contacts with walls: body, wall (0 for a box), normal out of the wall, impulse, part that holds a resting body, and
+  // the gap to a wall that is near but was not touched.
+  wallCapacity: i32;
+  wallCount: i32;
+  wallLost: u32;
+  wallBody: usize;
+  wallId: usize;
+  wallNx: usize;
+  wallNy: usize;
+  wallNz: usize;
+  wallImpulse: usize;
+  wallHolding: usize;
+  wallGap: usize;
+  // Its coefficient of friction, the impulse that friction was reckoned with already, and the friction since.
+  wallFriction: usize;
+  wallRubbed: usize;
+  wallRubbing: usize;
+  // Grid: one word a row, first body of each bucket, bodies in the order of their buckets.
+  rowWords: usize;
+  starts: usize;
+  packed: usize;
+  maxBuckets: i32;
+  // Chosen each step: buckets (a power of two), distance in buckets between neighbours in y and z, bodies in the grid,
+  // bodies too large for it.
+  buckets: i32;
+  stride: i32;
+  layer: i32;
+  gridCount: i32;
+  largeCount: i32;
+  large: usize;
+  histogram: usize;
+  // Columns of the scratch: velocity at the start of the step, displacement that separates, position before contacts.
+  startX: usize;
+  startY: usize;
+  startZ: usize;
+  pushX: usize;
+  pushY: usize;
+  pushZ: usize;
+  fromX: usize;
+  fromY: usize;
+  fromZ: usize;
+}
+
+// @ts-ignore: decorator
+@inline export function contactTable(): ContactTable {
+  return changetype<ContactTable>(columns().contacts);
+}
+
+// @ts-ignore: decorator
+@inline export function word(column: usize, i: i32): i32 {
+  return load<i32>(column + ((<usize>i) << 2));
+}
+
+// @ts-ignore: decorator
+@inline export function putWord(column: usize, i: i32, value: i32): void {
+  store<i32>(column + ((<usize>i) << 2), value);
+}
+
+// Larger than any sound result and smaller than what overflows when it is used once more.
+export const FINITE: real = sizeof<real>() == 4 ? <real>1e37 : <real>1e300;
+
+// Contacts are looked for out to this multiple of the radius, or of the sum of the radii: bodies that lie on each other
+// keep their contact, and the impulse that holds them, while they come apart by less than this.
+export const REACH: real = 1.01;

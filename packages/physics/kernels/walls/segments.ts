@@ -1,0 +1,241 @@
+// Discs against walls that are straight segments: both sides and both ends are solid (2D).
+//
+// Each body's path through the step is followed from one wall to the next, the earliest first; every bounce starts a new
+// path that lasts from that instant to the end of the step. After MOST_BOUNCES in one step the body stays at the last
+// point it came to.
+import { Columns, columns, get, put } from '../columns';
+import { ContactTable, REACH, contactTable, word } from '../collision/table';
+import { rub } from '../collision/friction';
+import { LANES, add, at, mul, splat, sub } from '../lanes';
+import { distanceOut } from './impact';
+import { recordNearWall, recordWallContact } from './record';
+import {
+  aX,
+  aY,
+  duration,
+  findHit,
+  fromX,
+  fromY,
+  hitDepth,
+  hitEnd,
+  hitSince,
+  hitSpeed,
+  hitWall,
+  hitX,
+  hitY,
+  pX,
+  pY,
+  setPath,
+  setStart,
+  uX,
+  uY,
+} from './sweep';
+import { Segment, WallGrid, columnX, columnY, segment, wallsMaxX, wallsMaxY, wallsMinX, wallsMinY } from './wall-grid';
+
+const MOST_BOUNCES: i32 = 8;
+
+// Bounces rows [first, last). `previousX` and `previousY` are the positions at the start of the step, `startX` and
+// `startY` the velocities then, `lag` the time by which the integrator's velocities lag its positions.
+export function segmentWalls(
+  grid: usize,
+  previousX: usize,
+  previousY: usize,
+  startX: usize,
+  startY: usize,
+  dt: real,
+  lag: real,
+  first: i32,
+  last: i32,
+): void {
+  const g = changetype<WallGrid>(grid);
+  const c = columns();
+  const zero = splat(0);
+  const reach = splat(c.contacts == 0 ? <real>1 : REACH);
+  for (let row = first; row < last; row += LANES) {
+    const o = at(row);
+    const r = mul(v128.load(c.radius + o), reach);
+    const x = v128.load(c.positionX + o);
+    const y = v128.load(c.positionY + o);
+    const fx = v128.load(previousX + o);
+    const fy = v128.load(previousY + o);
+    const near = v128.and(
+      meets(x, fx, r, splat(wallsMinX), splat(wallsMaxX)),
+      meets(y, fy, r, splat(wallsMinY), splat(wallsMaxY)),
+    );
+    const solid = v128.and(v128.gt<real>(r, zero), v128.gt<real>(v128.load(c.mass + o), zero));
+    if (!v128.any_true(v128.and(near, solid)) || (g.side == 1 && !meetsAny(g, x, y, fx, fy, r))) continue;
+    for (let body = row; body < row + LANES; body++) {
+      if (!(get(c.radius, body) > 0 && get(c.mass, body) > 0)) continue;
+      const fromX = get(previousX, body);
+      const fromY = get(previousY, body);
+      follow(g, c, body, fromX, fromY, startX, startY, dt, lag);
+    }
+  }
+}
+
+// Lanes whose path along one axis, widened by the radius, meets the interval [low, high].
+// @ts-ignore: decorator
+@inline function meets(x: v128, from: v128, radius: v128, low: v128, high: v128): v128 {
+  return v128.and(
+    v128.ge<real>(add(v128.max<real>(x, from), radius), low),
+    v128.le<real>(sub(v128.min<real>(x, from), radius), high),
+  );
+}
+
+// Whether any lane comes near any of a few walls.
+function meetsAny(g: WallGrid, x: v128, y: v128, fx: v128, fy: v128, r: v128): bool {
+  for (let i = 0; i < g.count; i++) {
+    const s = segment(g, i);
+    const near = v128.and(meets(x, fx, r, splat(s.minX), splat(s.maxX)), meets(y, fy, r, splat(s.minY), splat(s.maxY)));
+    if (v128.any_true(near)) return true;
+  }
+  return false;
+}
+
+// Follows one body from wall to wall.
+function follow(
+  g: WallGrid,
+  c: Columns,
+  row: i32,
+  x: real,
+  y: real,
+  startX: usize,
+  startY: usize,
+  dt: real,
+  lag: real,
+): void {
+  const ax = (get(c.velocityX, row) - get(startX, row)) / dt;
+  const ay = (get(c.velocityY, row) - get(startY, row)) / dt;
+  setStart(x, y, dt, get(c.radius, row));
+  setPath(
+    get(c.positionX, row),
+    get(c.positionY, row),
+    get(c.velocityX, row) + ax * lag,
+    get(c.velocityY, row) + ay * lag,
+    ax,
+    ay,
+  );
+  let wall = -1;
+  for (let bounce = 1; ; bounce++) {
+    findHit(g, wall);
+    if (hitWall < 0) break;
+    wall = hitWall;
+    const since = hitSince;
+    const half = <real>0.5 * since;
+    const metX = pX - since * (uX - half * aX);
+    const metY = pY - since * (uY - half * aY);
+    bounceOff(segment(g, hitWall), c, row, startX, startY);
+    if (bounce == MOST_BOUNCES) setPath(metX, metY, 0, 0, 0, 0);
+    put(c.positionX, row, pX);
+    put(c.positionY, row, pY);
+    if (bounce == MOST_BOUNCES) break;
+    setStart(metX, metY, since, get(c.radius, row));
+  }
+  if (c.contacts != 0) noteNear(g, c, row);
+}
+
+// Records the walls near the body where the step took it.
+function noteNear(g: WallGrid, c: Columns, row: i32): void {
+  const radius = get(c.radius, row);
+  const x = get(c.positionX, row);
+  const y = get(c.positionY, row);
+  const column = columnX(g, x);
+  const line = columnY(g, y);
+  const cell = line * g.side + column;
+  const end = word(g.starts, cell + 1);
+  for (let k = word(g.starts, cell); k < end; k++) {
+    const s = segment(g, word(g.items, k));
+    const along = min<real>(s.length, max<real>(0, (x - s.ax) * s.tx + (y - s.ay) * s.ty));
+    const dx = x - (s.ax + along * s.tx);
+    const dy = y - (s.ay + along * s.ty);
+    const distance = sqrt<real>(dx * dx + dy * dy);
+    const gap = distance - radius;
+    if (distance > 0 && gap < (REACH - <real>1) * radius) {
+      const friction = sqrt<real>(get(c.friction, row) * s.friction);
+      recordNearWall(row, s.id, dx / distance, dy / distance, 0, friction, gap);
+    }
+  }
+}
+
+// Applies the hit that was found: the rebound if the step can resolve it, else the body rests on the wall.
+function bounceOff(s: Segment, c: Columns, row: i32, startX: usize, startY: usize): void {
+  const nx = hitX;
+  const ny = hitY;
+  const pull = -(aX * nx + aY * ny);
+  const leave = max<real>(get(c.restitution, row), s.restitution) * hitSpeed;
+  const out = distanceOut<real>(leave, pull, hitSince, 0.5);
+  const flies = out > 0 && hitSpeed > 0;
+  const vx = get(c.velocityX, row);
+  const vy = get(c.velocityY, row);
+  const change = flies ? leave + hitSpeed : max<real>(0, -(vx * nx + vy * ny));
+  const shift = !flies ? hitDepth : hitEnd ? change * hitSince : hitDepth + out;
+  const impulse = change * get(c.mass, row);
+  put(c.velocityX, row, vx + change * nx);
+  put(c.velocityY, row, vy + change * ny);
+  const friction = sqrt<real>(get(c.friction, row) * s.friction);
+  rub(c, 0, row, nx, ny, 0, friction, impulse);
+  const dx = get(c.velocityX, row) - vx;
+  const dy = get(c.velocityY, row) - vy;
+  // Neither an impact nor friction is an acceleration of this step; but a body at rest is held by the wall.
+  let sx = get(startX, row) + dx;
+  let sy = get(startY, row) + dy;
+  let ax = aX;
+  let ay = aY;
+  let ux = uX + dx;
+  let uy = uY + dy;
+  if (!flies) {
+    const held = ax * nx + ay * ny;
+    ax -= held * nx;
+    ay -= held * ny;
+    const moving = ux * nx + uy * ny;
+    ux -= moving * nx;
+    uy -= moving * ny;
+    const kept = (get(c.velocityX, row) - sx) * nx + (get(c.velocityY, row) - sy) * ny;
+    sx += kept * nx;
+    sy += kept * ny;
+  }
+  put(startX, row, sx);
+  put(startY, row, sy);
+  setPath(pX + shift * nx, pY + shift * ny, ux, uy, ax, ay);
+  recordWallContact(row, s.id, nx, ny, 0, friction, impulse, flies ? <real>0 : impulse);
+}
+
+// Keeps the bodies of this step's contacts, which contacts moved since `fromX`, `fromY` of the table, on their side of
+// the walls. Only positions change: the next step finds the body at the wall and its velocity into it.
+export function confineToSegments(grid: usize): void {
+  const g = changetype<WallGrid>(grid);
+  const c = columns();
+  const t = contactTable();
+  for (let i = 0; i < t.count; i++) {
+    confine(g, c, t, word(t.a, i));
+    confine(g, c, t, word(t.b, i));
+  }
+}
+
+function confine(g: WallGrid, c: Columns, t: ContactTable, row: i32): void {
+  let x = get(t.fromX, row);
+  let y = get(t.fromY, row);
+  const radius = get(c.radius, row);
+  const goalX = get(c.positionX, row);
+  const goalY = get(c.positionY, row);
+  if ((goalX == x && goalY == y) || !(radius > 0 && get(c.mass, row) > 0)) return;
+  setPath(goalX, goalY, goalX - x, goalY - y, 0, 0);
+  setStart(x, y, 1, radius);
+  let wall = -1;
+  for (let k = 0; k < MOST_BOUNCES; k++) {
+    findHit(g, wall);
+    if (hitWall < 0) break;
+    wall = hitWall;
+    x = pX - hitSince * uX;
+    y = pY - hitSince * uY;
+    const into = uX * hitX + uY * hitY;
+    const ux = k == MOST_BOUNCES - 1 ? <real>0 : uX - into * hitX;
+    const uy = k == MOST_BOUNCES - 1 ? <real>0 : uY - into * hitY;
+    setPath(x + ux * hitSince, y + uy * hitSince, ux, uy, 0, 0);
+    setStart(x, y, hitSince, radius);
+  }
+  put(c.positionX, row, pX);
+  put(c.positionY, row, pY);
+  put(t.fromX, row, pX);
+  put(t.fromY, row, pY);
+}

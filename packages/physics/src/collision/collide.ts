@@ -1,0 +1,48 @@
+// Collisions of round bodies: discs in 2D, balls in 3D.
+//
+//   broad phase   uniform grid of hashed cells                              kernels/collision/grid.ts, {2d,3d}/pairs.ts
+//   order         ascending (a, b)                                          kernels/collision/order.ts
+//   impacts       restitution and friction at the instant of touching       kernels/collision/impacts.ts
+//   rest          sequential impulses, started from the last step's         kernels/collision/rest.ts
+//   overlap       displacement at bounded speed                             kernels/collision/separate.ts
+//
+// A contact's restitution is the larger of the two bodies', its friction coefficient the geometric mean, as for walls.
+// Bodies are looked at where they are when the step ends: two that pass through each other within one step, which takes
+// a relative speed above the sum of their diameters a step, do not collide. Cost at 100 000 discs: see docs.
+import type { LocalSystem } from '../schedule/phases';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
+import { useContacts } from './contact-table';
+import { collisionKernels } from './kernels';
+import { confineToSegments } from './segment-walls';
+
+const opened = resource((world) => {
+  useContacts(world);
+  return true;
+});
+
+/** System of the `collide` phase. Acts on bodies with Mass and Collider; bodies without Mass do not give way. */
+export const collideBodies: LocalSystem = {
+  name: 'collide bodies',
+  usesScratch: true,
+  isLocal: () => false,
+  run(world, _spans, dt) {
+    const { internal, lastId, integrator } = world;
+    const kernels = collisionKernels(world);
+    opened(world);
+    kernels.beginContacts();
+    if (world.dimensions === 2) kernels.findPairs2d(internal.idsAt, internal.bodyList.count);
+    else kernels.findPairs3d(internal.idsAt, internal.bodyList.count);
+    kernels.sortContacts(lastId);
+    const confined = world.dimensions === 2 && internal.counts.SegmentWall > 0;
+    if (confined) kernels.rememberPositions();
+    kernels.respond(dt, (integrator.velocityLag ?? 0) * dt, lastId);
+    if (confined) confineToSegments(world);
+  },
+};
+
+/** System of the `begin` phase: forgets the last step's contacts with walls. */
+export function openContacts(world: PhysicsWorld): void {
+  opened(world);
+  collisionKernels(world).beginWallContacts();
+}
