@@ -2,7 +2,7 @@
 import { startGame } from '@principia/shell';
 import { dress } from './looks.ts';
 import { settings } from './settings.ts';
-import { applyValue, createBalls, keepInRoom } from './sim.ts';
+import { applyValue, countContacts, createBalls, keepInRoom } from './sim.ts';
 
 await startGame({
   title: 'Bouncing balls',
@@ -14,6 +14,7 @@ await startGame({
   },
   apply: (sim, name, values) => name === 'trails' || applyValue(sim, name, values),
   holdLimit: keepInRoom,
+  contacts: countContacts,
   renderers: {
     pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view-2d.ts')).openView2D(stage) },
     three: { label: '3D', dimensions: 3, open: async (stage) => (await import('./view-3d.ts')).openView3D(stage) },

@@ -10,6 +10,7 @@ export const settings = {
   restitution: numberSetting(restitution, { label: 'Restitution' }),
   friction: numberSetting(friction, { label: 'Friction', max: 1 }),
   drag: numberSetting(drag, { label: 'Air', max: 100, step: 0.1 }),
+  collisions: switchSetting('Collisions', false, { key: 'c', about: 'Whether balls meet or pass through each other' }),
   trails: switchSetting('Trails', false, { key: 't', about: 'Shows the way each ball came' }),
 };
 

@@ -1,5 +1,5 @@
 /** The simulation: the scene, and how a running world takes a changed setting. Needs no screen. */
-import { replaceForce, uniformGravity } from '@principia/physics';
+import { contacts, replaceForce, uniformGravity } from '@principia/physics';
 import { type BouncingBalls, ballDrag, bouncingBalls } from '@principia/scenes';
 
 /** What the player may change about the balls. */
@@ -9,6 +9,7 @@ export interface BallValues {
   readonly restitution: number;
   readonly drag: number;
   readonly friction: number;
+  readonly collisions: boolean;
 }
 
 export interface BallOptions {
@@ -21,19 +22,27 @@ export const { parameters } = bouncingBalls;
 
 export function createBalls({ values, seed, dimensions }: BallOptions): BouncingBalls {
   const { count, gravity, restitution, drag, friction } = values;
-  return bouncingBalls.create({ seed, dimensions, count, gravity, restitution, drag, friction });
+  const collisions = values.collisions ? 1 : 0;
+  return bouncingBalls.create({ seed, dimensions, count, gravity, restitution, drag, friction, collisions });
 }
 
 /** Gives the running world a changed value; false where only a new world can have it. */
-export function applyValue({ world, radius }: BouncingBalls, name: string, values: BallValues): boolean {
+export function applyValue(sim: BouncingBalls, name: string, values: BallValues): boolean {
+  const { world, radius } = sim;
   const { Collider, QuadraticDrag } = world.components;
   const last = world.lastId + 1;
   if (name === 'gravity') replaceForce(world, uniformGravity({ y: -values.gravity }));
   else if (name === 'restitution') Collider.restitution.fill(values.restitution, 1, last);
   else if (name === 'friction') Collider.friction.fill(values.friction, 1, last);
   else if (name === 'drag') QuadraticDrag.coefficient.fill(ballDrag(values.drag, radius), 1, last);
+  else if (name === 'collisions') sim.setCollisions(values.collisions);
   else return false;
   return true;
+}
+
+/** Contacts between balls in the last step; none where they pass through each other. */
+export function countContacts({ world }: BouncingBalls): number | undefined {
+  return world.phases.collide.length === 0 ? undefined : contacts(world).count;
 }
 
 /** Keeps the centre a held ball is wanted at inside the room, in place. */

@@ -102,7 +102,14 @@ describe('the page', () => {
   it.each([2, 3] as const)('gives the bits that Node gives, in %iD', async (dimensions) => {
     const page = await play(`manual&seed=7&count=300&drag=1.2&renderer=${dimensions === 2 ? 'pixi' : 'three'}`);
     await steps(page, 200);
-    const values = { count: 300, gravity: parameters.gravity.initial, restitution: 0.8, drag: 1.2, friction: 0.3 };
+    const values = {
+      count: 300,
+      gravity: parameters.gravity.initial,
+      restitution: 0.8,
+      drag: 1.2,
+      friction: 0.3,
+      collisions: false,
+    };
     const sim = createBalls({ values, seed: 7, dimensions });
     dress(sim, 7);
     for (let i = 0; i < 200; i++) step(sim.world, sim.dt);
@@ -247,9 +254,9 @@ describe('holding and throwing', () => {
     await page.mouse.down();
     expect((await state(page)).held).toEqual([ball.id]);
     await page.mouse.move(from.x + 72, from.y + 48, { steps: 6 });
-    await steps(page, 1);
+    // A hand moves a ball at 50 m/s at most: it takes a few steps to get there.
+    await steps(page, 4);
     const carried = await body(page, 2);
-    // What gravity does in the step that brings the ball there is left over: half a pixel.
     expect(carried.screen?.x).toBeCloseTo(from.x + 72, -0.3);
     expect(carried.screen?.y).toBeCloseTo(from.y + 48, -0.3);
     await page.waitForTimeout(150);
@@ -274,19 +281,42 @@ describe('holding and throwing', () => {
       });
     await mouse('mousePressed', 0, 0, 0);
     for (let i = 1; i <= 20; i++) await mouse('mouseMoved', i, 5 * i, 3 * i);
-    await steps(page, 1);
+    // A hand moves a ball at 50 m/s at most: it takes a few steps to get there.
+    await steps(page, 4);
     const carried = await body(page, 2);
     await mouse('mouseReleased', 20, 100, 60);
     const thrown = await body(page, 2);
-    // The ball went as far in its world as the mouse, in the 0.2 s that the mouse took; gravity moved it by g dt²/2 more.
-    const dropped = GRAVITY * DT ** 2;
-    expect(Math.abs(thrown.vx - (carried.x - x) / 0.2)).toBeLessThan(0.02 * thrown.vx);
-    expect(Math.abs(thrown.vy - (carried.y - y) / 0.2)).toBeLessThan(-0.02 * thrown.vy + dropped / 0.2);
+    // The ball went as far in its world as the mouse, in the 0.2 s that the mouse took; the browser's clock for events
+    // is rounded to 0.1 ms, of the 80 ms that the estimate looks back.
+    expect(Math.abs(thrown.vx / ((carried.x - x) / 0.2) - 1)).toBeLessThan(0.005);
+    expect(Math.abs(thrown.vy / ((carried.y - y) / 0.2) - 1)).toBeLessThan(0.005);
     expect(thrown.vx).toBeGreaterThan(3);
     await steps(page, 6);
     const flown = await body(page, 2);
     expect(flown.x - thrown.x).toBeCloseTo(thrown.vx * 0.1, 3);
     expect(flown.y - thrown.y).toBeCloseTo(thrown.vy * 0.1 - (GRAVITY * 0.1 ** 2) / 2, 3);
+  });
+
+  it('a held ball pushes the others, where balls meet', async () => {
+    // Thick air stops both on the floor, far from the walls.
+    const page = await play('manual&count=2&collisions&restitution=0&friction=0&drag=100');
+    await steps(page, 300);
+    const [held, other] = [await body(page, 0), await body(page, 1)];
+    const from = held.screen as { x: number; y: number };
+    const to = other.screen as { x: number; y: number };
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    for (let i = 1; i <= 60; i++) {
+      await page.mouse.move(from.x + (i * (to.x - from.x)) / 60, from.y);
+      await steps(page, 1);
+    }
+    const [after, pushed] = [await body(page, 0), await body(page, 1)];
+    expect(after.x).toBeCloseTo(other.x, 1);
+    expect(Math.hypot(pushed.x - after.x, pushed.y - after.y)).toBeGreaterThan(1.9 * held.radius);
+    expect((await state(page)).contacts).toBeGreaterThanOrEqual(0);
+    await page.mouse.up();
+    await page.keyboard.press('c');
+    expect((await state(page)).contacts).toBeUndefined();
   });
 
   it('two fingers hold two balls', async () => {

@@ -2,8 +2,10 @@
 // shrinks so that they never fill more than a fixed part of the room. Balls may meet each other or pass through.
 import {
   boxWalls,
+  colliding,
   createPhysicsWorld,
   type ManyInput,
+  type PhysicsWorld,
   quadraticDrag,
   spawnMany,
   uniformGravity,
@@ -19,6 +21,8 @@ export interface BouncingBalls extends SceneRun {
   readonly radius: number;
   /** Ids of the balls, ascending. */
   readonly balls: Uint32Array;
+  /** Whether balls meet each other from the next step on, or pass through. */
+  setCollisions(on: boolean): void;
 }
 
 interface Point {
@@ -54,10 +58,11 @@ export const bouncingBalls = defineScene({
     gravity: { about: 'acceleration of free fall', unit: 'm/s²', initial: 9.80665, min: 0, max: 100 },
     restitution: { about: 'speed after a bounce over speed before', unit: '', initial: 0.8, min: 0, max: 1 },
     drag: { about: 'density of the medium that drags; air has 1.2', unit: 'kg/m³', initial: 0, min: 0, max: 1000 },
+    collisions: { about: 'whether balls meet each other: 1 or 0', unit: '', initial: 0, min: 0, max: 1, integer: true },
     friction: { about: 'friction of balls and walls, which makes them spin', unit: '', initial: 0.3, min: 0, max: 2 },
   },
   build({ dimensions, precision, seed, progress, parameters }): BouncingBalls {
-    const { count, gravity, restitution, drag, friction } = parameters;
+    const { count, gravity, restitution, drag, friction, collisions } = parameters;
     const depth = dimensions === 3 ? DEPTH / 2 : 0;
     const room = { min: { x: 0, y: 0, z: -depth }, max: { x: WIDTH, y: HEIGHT, z: depth } };
     const radius = radiusFor(count, dimensions);
@@ -67,6 +72,7 @@ export const bouncingBalls = defineScene({
       precision,
       seed,
       capacity: count,
+      preset: colliding,
       forces: [uniformGravity({ y: -gravity }), quadraticDrag()],
       walls: [boxWalls(dimensions === 3 ? room : { min: flat(room.min), max: flat(room.max) })],
     });
@@ -84,9 +90,20 @@ export const bouncingBalls = defineScene({
       appearance: {},
     };
     const balls = spawnMany(world, count, values, progress);
-    return { world, dt: 1 / 60, losesEnergy: 'bounces, friction and drag take energy out', room, radius, balls };
+    const setCollisions = collisionSwitch(world);
+    setCollisions(collisions === 1);
+    const losesEnergy = 'bounces, friction and drag take energy out';
+    return { world, dt: 1 / 60, losesEnergy, room, radius, balls, setCollisions };
   },
 });
+
+/** Takes the systems of the `collide` phase out and puts them back. */
+function collisionSwitch({ phases }: PhysicsWorld): (on: boolean) => void {
+  const systems = [...phases.collide];
+  return (on) => {
+    phases.collide.splice(0, phases.collide.length, ...(on ? systems : []));
+  };
+}
 
 function flat({ x, y }: Point) {
   return { x, y };

@@ -95,7 +95,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sinceReset += seconds;
     this.#sinceFigures += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
-    if (!this.#broken) session.advance(this.#manual ? 0 : seconds);
+    if (!this.#broken && !this.#manual) session.advance(seconds);
     this.#plot.note(session.sim.world);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.frame += 0.1 * (seconds * 1000 - this.#timing.frame);

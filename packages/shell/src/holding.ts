@@ -1,12 +1,13 @@
-// Bodies that follow pointers. A held body gets, at the start of every step, the velocity that brings it to its pointer
-// by the step's end; so it moves through the world like any other body, pushes what it meets and stops at walls.
-import { isBody, type PhysicsWorld } from '@principia/physics';
+// Bodies that follow pointers. A held body is kinematic: its mass is taken away, so that it pushes what it meets and
+// nothing pushes it, and at the start of every step it gets the velocity that brings it to its pointer by the step's
+// end. Letting go gives the mass back and throws.
+import { type EntityRef, entityRef, isAlive, type PhysicsWorld } from '@principia/physics';
 
 /** Bodies held by pointers, any number at once. Points are metres, velocities metres per second. */
 export interface Holding {
   /** The held bodies, in the order they were taken. */
   readonly held: readonly number[];
-  /** Takes body `id` at a point of it; the body keeps its place under the pointer. */
+  /** Takes body `id` at a point of it, unless another pointer has it; the body keeps its place under the pointer. */
   grab(pointer: number, id: number, x: number, y: number, z?: number): void;
   move(pointer: number, x: number, y: number, z?: number): void;
   /** Lets go and throws. */
@@ -32,6 +33,10 @@ interface Point {
 
 interface Grip {
   readonly id: number;
+  /** Another body may have the id by now. */
+  readonly ref: EntityRef;
+  /** What the body weighs when it is let go, kg. */
+  readonly mass: number;
   /** From the pointer to the body's centre when it was taken. */
   readonly offset: Point;
   readonly target: Point;
@@ -41,7 +46,7 @@ interface Grip {
 export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): Holding {
   const { maxSpeed = 50, limit } = options;
   const grips = new Map<number, Grip>();
-  const { Position, Velocity, AngularVelocity } = world.components;
+  const { Position, Velocity, AngularVelocity, Mass } = world.components;
   const aim = (grip: Grip, x: number, y: number, z: number) => {
     const { offset, target } = grip;
     target.x = x + offset.x;
@@ -57,11 +62,11 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
     if (world.dimensions === 3) Velocity.z[id] = vz * factor;
   };
   const follow = (_: PhysicsWorld, dt: number) => {
-    for (const [pointer, { id, target }] of grips) {
-      if (!isBody(world, id)) grips.delete(pointer);
+    for (const [pointer, { id, ref, target }] of grips) {
+      if (!isAlive(world, ref)) grips.delete(pointer);
       else {
         push(id, (target.x - Position.x[id]) / dt, (target.y - Position.y[id]) / dt, (target.z - Position.z[id]) / dt);
-        AngularVelocity.z[id] = 0;
+        for (const axis of ['x', 'y', 'z'] as const) AngularVelocity[axis][id] = 0;
       }
     }
   };
@@ -69,15 +74,20 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
   const release = (pointer: number, vx: number, vy: number, vz = 0) => {
     const grip = grips.get(pointer);
     grips.delete(pointer);
-    if (grip !== undefined && isBody(world, grip.id)) push(grip.id, vx, vy, vz);
+    if (grip === undefined || !isAlive(world, grip.ref)) return;
+    Mass.value[grip.id] = grip.mass;
+    push(grip.id, vx, vy, vz);
   };
   return {
     get held() {
       return [...grips.values()].map(({ id }) => id);
     },
     grab(pointer, id, x, y, z = 0) {
+      for (const grip of grips.values()) if (grip.id === id) return;
       const offset = { x: Position.x[id] - x, y: Position.y[id] - y, z: Position.z[id] - z };
-      const grip = { id, offset, target: { x: 0, y: 0, z: 0 } };
+      const ref = entityRef(world, id);
+      const grip = { id, ref, mass: Mass.value[id], offset, target: { x: 0, y: 0, z: 0 } };
+      Mass.value[id] = 0;
       aim(grip, x, y, z);
       grips.set(pointer, grip);
     },
@@ -95,8 +105,8 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
 
 function placeBodies(world: PhysicsWorld, grips: Iterable<Grip>): void {
   const { components, previous, versions } = world;
-  for (const { id, target } of grips) {
-    if (!isBody(world, id)) continue;
+  for (const { id, ref, target } of grips) {
+    if (!isAlive(world, ref)) continue;
     for (const axis of ['x', 'y', 'z'] as const) {
       components.Position[axis][id] = target[axis];
       previous.Position[axis][id] = target[axis];
