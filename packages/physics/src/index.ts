@@ -43,14 +43,53 @@ export { type EventMap, type EventName, type Handler, on } from './events/handle
 export { clearFaults, type Fault, type FaultLog } from './faults/fault-log';
 export { type FaultCode, type FaultDetails, PhysicsError } from './faults/physics-error';
 export type { Vector, VectorInput } from './faults/validate';
+export { addedMass } from './forces/added-mass';
 export { attractors } from './forces/attractors';
+export { type BendOptions, bendGrip } from './forces/bend-grip';
+export type { CentreOptions } from './forces/central';
+export { type CorrelatedGustOptions, correlatedGusts } from './forces/correlated-gusts';
 export { linearDrag, quadraticDrag } from './forces/drag';
+export { electricField } from './forces/electric-field';
+export {
+  type EnclosedMassOptions,
+  enclosedMassGravity,
+  GRAVITATIONAL_CONSTANT,
+} from './forces/enclosed-mass-gravity';
 export { type EvaluateForces, evaluateForces } from './forces/evaluate';
+export { accelerationField, type Field, type FieldOptions, forceField } from './forces/field-force';
+export { COULOMB_CONSTANT, fixedCharges } from './forces/fixed-charges';
 export { type CustomForce, defineForce, type Force, type ForceParameter } from './forces/force';
+export { immersedDrag } from './forces/immersed-drag';
+export { applyImpulse, type ExplosionOptions, explode } from './forces/impulse';
+export { type LennardJonesOptions, lennardJones } from './forces/lennard-jones';
+export { type LiftOptions, lift } from './forces/lift';
+export { type Limits, limited, type Region } from './forces/limited';
+export { magneticField } from './forces/magnetic-field';
+export { type MagnusOptions, magnus } from './forces/magnus';
+export { type MotorOptions, motors } from './forces/motors';
+export { type PaczynskiWiitaOptions, paczynskiWiita } from './forces/paczynski-wiita';
+export { type PeriodicDriveOptions, periodicDrive } from './forces/periodic-drive';
+export { type PlaneSupportOptions, planeSupport } from './forces/plane-support';
+export { type PointerPull, type PointerPullOptions, pointerPull } from './forces/pointer-pull';
+export { type PolygonHull, polygonUpthrust } from './forces/polygon-upthrust';
+export type { Pool } from './forces/pool';
+export { type PowerLawOptions, powerLaw } from './forces/power-law';
+export { type RandomDriveOptions, randomDrive } from './forces/random-drive';
 export { replaceForce } from './forces/replace-force';
+export { type RocketOptions, rocketEngines } from './forces/rocket-engines';
+export { type FluidOptions, sphereDrag, sphereDragCoefficient } from './forces/sphere-drag';
 export { removedSprings, springs } from './forces/springs';
+export { type StringOptions, stringTension } from './forces/string-tension';
+export { type ThrustOptions, thrust } from './forces/thrust';
+export type { VectorOverTime } from './forces/time-vector';
+export { angularDrag, constantTorque } from './forces/torque';
+export { type TurbulenceOptions, turbulentDrag } from './forces/turbulent-drag';
 export { STANDARD_GRAVITY, uniformGravity } from './forces/uniform-gravity';
+export { type UniformSphereOptions, uniformSphereGravity } from './forces/uniform-sphere-gravity';
+export { upthrust } from './forces/upthrust';
+export { type VortexOptions, vortex } from './forces/vortex';
 export { type GustOptions, gusts, type Wind } from './forces/wind';
+export { type YukawaOptions, yukawa } from './forces/yukawa';
 export type { Integrator } from './integrators/integrator';
 export { rungeKutta4 } from './integrators/runge-kutta-4';
 export { semiImplicitEuler } from './integrators/semi-implicit-euler';

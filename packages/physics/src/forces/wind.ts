@@ -1,53 +1,15 @@
 // How a medium moves: steadily, or as a function of time.
-import { MAX_SPEED } from '../components/velocity';
-import { collectThrown } from '../faults/thrown';
 import { checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
 import { createRandom } from '../math/random';
-import type { PhysicsWorld } from '../world';
+import { SPEEDS } from './bounds';
+import { type TimeVector, timeVector, type VectorOverTime } from './time-vector';
 
-/**
- * Velocity of a medium, m/s: a vector, or a function of the time in seconds that returns one. The function must give the
- * same vector for the same time, and may return the same object each time, which makes no garbage.
- */
-export type Wind = VectorInput | ((time: number) => VectorInput);
+/** Velocity of a medium, m/s, steady or over time. */
+export type Wind = VectorOverTime;
 
-const SPEEDS = { min: -MAX_SPEED, max: MAX_SPEED };
-
-/** The wind at a moment. */
-export interface WindState {
-  at(world: PhysicsWorld, time: number): Vector;
-}
-
-/**
- * A steady wind is checked here. One that changes is asked once per moment; when it throws, or returns what is no
- * velocity, the step reports that and the last good wind goes on blowing.
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
- */
-export function windState(wind: Wind, caller: string): WindState {
-  if (typeof wind !== 'function') {
-    const steady = checkVector(wind, caller, SPEEDS);
-    return { at: () => steady };
-  }
-  const now = { x: 0, y: 0, z: 0 };
-  let asked = Number.NaN;
-  return {
-    at(world, time) {
-      if (time === asked) return now;
-      asked = time;
-      try {
-        const { x = 0, y = 0, z = 0 } = wind(time);
-        checkNumber(x, 'wind.x', SPEEDS);
-        checkNumber(y, 'wind.y', SPEEDS);
-        checkNumber(z, 'wind.z', SPEEDS);
-        now.x = x;
-        now.y = y;
-        now.z = z;
-      } catch (error) {
-        collectThrown(world, error);
-      }
-      return now;
-    },
-  };
+/** The wind at a moment: see `timeVector`. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+export function windState(wind: Wind, caller: string): TimeVector {
+  return timeVector(wind, caller, 'wind', SPEEDS);
 }
 
 /** Turbulence: how it is drawn. */

@@ -1,0 +1,76 @@
+// Fields of your own: a function of place and time gives the acceleration, or the force, at every body.
+//
+//   accelerationField   F = m a(r, t)        forceField   F = f(r, t)
+//
+//   m  mass, kg    a  m/s²    f  N    r  position, m    t  time, s
+//
+// The function writes to `out` and must depend on its arguments alone, or two runs differ; use the portable sine and its
+// kin of this package. With a `potential` (J/kg, or J) given, the energy of the world closes.
+// Cost: one call of the function a body and evaluation, in TypeScript.
+import { checkFunction, checkKeys } from '../faults/validate';
+import type { PhysicsWorld } from '../world';
+import type { Force } from './force';
+
+/** Writes the field at (x, y, z) and time t to `out`, which holds zeros. */
+export type Field = (x: number, y: number, z: number, t: number, out: { x: number; y: number; z: number }) => void;
+
+export interface FieldOptions {
+  /** Potential per kilogram (of an acceleration) or itself (of a force), at a place; only where there is one. */
+  readonly potential?: (x: number, y: number, z: number) => number;
+  /** Default 'acceleration field' or 'force field'. */
+  readonly name?: string;
+}
+
+/** A field that gives every body with mass the same acceleration at a place. @throws PhysicsError E_TYPE, E_UNKNOWN */
+export function accelerationField(field: Field, options: FieldOptions = {}): Force {
+  return fieldForce(field, options, true, 'acceleration field', 'F = m a(r, t)');
+}
+
+/** A field that gives every body with mass the same force at a place. @throws PhysicsError E_TYPE, E_UNKNOWN */
+export function forceField(field: Field, options: FieldOptions = {}): Force {
+  return fieldForce(field, options, false, 'force field', 'F = f(r, t)');
+}
+
+function fieldForce(field: Field, options: FieldOptions, perMass: boolean, name: string, equation: string): Force {
+  checkFunction(field, name);
+  checkKeys(options, `the options of the ${name}`, ['potential', 'name']);
+  const { potential } = options;
+  if (potential !== undefined) checkFunction(potential, `the potential of the ${name}`);
+  const out = { x: 0, y: 0, z: 0 };
+  const force: Force = {
+    name: options.name ?? name,
+    equation,
+    reads: ['Position', 'Mass'],
+    local: true,
+    usesForceColumns: true,
+    accumulate({ components: { Position, Mass }, scratch, dimensions }, first, last, time) {
+      const total = scratch.force;
+      for (let eid = first; eid < last; eid++) {
+        const mass = Mass.value[eid];
+        if (!(mass > 0)) continue;
+        out.x = 0;
+        out.y = 0;
+        out.z = 0;
+        field(Position.x[eid], Position.y[eid], Position.z[eid], time, out);
+        const scale = perMass ? mass : 1;
+        total.x[eid] += scale * out.x;
+        total.y[eid] += scale * out.y;
+        if (dimensions === 3) total.z[eid] += scale * out.z;
+      }
+    },
+  };
+  return potential === undefined ? force : { ...force, potential: (world) => sumOf(world, potential, perMass) };
+}
+
+function sumOf(
+  { components: { Position, Mass }, lastId }: PhysicsWorld,
+  potential: (x: number, y: number, z: number) => number,
+  perMass: boolean,
+): number {
+  let sum = 0;
+  for (let eid = 1; eid <= lastId; eid++) {
+    const mass = Mass.value[eid];
+    if (mass > 0) sum += (perMass ? mass : 1) * potential(Position.x[eid], Position.y[eid], Position.z[eid]);
+  }
+  return sum;
+}

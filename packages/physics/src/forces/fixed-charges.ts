@@ -1,0 +1,83 @@
+// The Coulomb force of fixed charges: every body with Charge and no Mass acts on every body with Charge and Mass.
+//
+//   F = k q Q r/|r|³        potential  U = k q Q/|r|
+//
+//   q, Q  charges, C    k = 1/(4π ε₀)  Coulomb constant, N m²/C²    r  from the source to the body, m
+//
+// Coulomb (1785). Like charges repel. A source acts outside its collider's radius only; inside, the potential is that at
+// the surface, as in a hollow conductor. Valid for sources at rest: their fields do not lag behind and are not magnetic.
+// The pull of mobile charges on each other is not included. Cost: a square root, a division and some 15 operations a
+// body and source.
+import { bitOf } from '../components/all';
+import { checkNumber } from '../faults/validate';
+import { allocate } from '../store/arena';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
+import { POSITIVE } from './bounds';
+import type { Force } from './force';
+import { lawKernels } from './law-kernels';
+
+/** 1/(4π ε₀), N m²/C²: CODATA 2018. */
+export const COULOMB_CONSTANT = 8.9875517923e9;
+
+/** Bytes of one source, kernels/forces/electromagnetic.ts. */
+const SOURCE_BYTES = 40;
+
+interface Sources {
+  ids: number;
+  at: number;
+  room: number;
+  listed: number;
+  version: number;
+  count: number;
+}
+
+/**
+ * @param constant k, N m²/C²
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function fixedCharges(constant: number = COULOMB_CONSTANT): Force {
+  const k = checkNumber(constant, 'fixedCharges', POSITIVE);
+  const sourcesOf = resource((): Sources => ({ ids: 0, at: 0, room: 0, listed: 0, version: -1, count: 0 }));
+  return {
+    name: 'fixed charges',
+    equation: 'F = k q Q r / |r|³',
+    parameters: { constant: { unit: 'N m²/C²', value: k } },
+    reads: ['Position', 'Charge', 'Mass'],
+    local: true,
+    prepare(world) {
+      gather(world, sourcesOf(world), k);
+    },
+    accumulate(world, first, last) {
+      const { at, count } = sourcesOf(world);
+      const { x, y, z } = world.scratch.at.force;
+      lawKernels(world).coulombForce(x, y, z, world.addresses.Charge.value, at, count, first, last);
+    },
+    potential(world) {
+      const { at, count } = gather(world, sourcesOf(world), k);
+      return lawKernels(world).coulombPotential(world.addresses.Charge.value, at, count, world.lastId + 1);
+    },
+  };
+}
+
+/** Lists the charges anew when entities changed, and copies those without mass as they are now. */
+function gather(world: PhysicsWorld, sources: Sources, k: number): Sources {
+  const { kernels, internal, versions, addresses } = world;
+  if (sources.version !== versions.membership) {
+    makeRoom(world, sources);
+    const wanted = bitOf('Charge') | bitOf('Position');
+    sources.listed = kernels.listIds(internal.membersAt, wanted, world.lastId + 1, sources.ids);
+    sources.version = versions.membership;
+  }
+  const charge = addresses.Charge.value;
+  sources.count = lawKernels(world).gatherCharges(sources.ids, sources.listed, charge, k, sources.at);
+  return sources;
+}
+
+function makeRoom(world: PhysicsWorld, sources: Sources): void {
+  const { arena, counts } = world.internal;
+  if (counts.Charge <= sources.room) return;
+  sources.room = Math.min(world.rows, Math.max(16, 2 * counts.Charge));
+  sources.ids = allocate(arena, sources.room * 4, 'charges');
+  sources.at = allocate(arena, sources.room * SOURCE_BYTES, 'charges');
+}

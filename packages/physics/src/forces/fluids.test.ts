@@ -1,0 +1,226 @@
+import { describe, expect, test } from 'vitest';
+import { forceOn, lawOn, run, single, slope } from '../../../../test/support/laws';
+import {
+  addedMass,
+  angularDrag,
+  energy,
+  immersedDrag,
+  lift,
+  magnus,
+  PhysicsError,
+  polygonUpthrust,
+  rungeKutta4,
+  sphereDrag,
+  sphereDragCoefficient,
+  uniformGravity,
+  upthrust,
+} from '../index';
+
+describe('sphere drag', () => {
+  test('the drag curve: Stokes at Re → 0, measured values at 1, 10, 100, 1000 and 10⁵ within 6 %', () => {
+    expect(sphereDragCoefficient(1e-4) * 1e-4).toBeCloseTo(24, 1);
+    // Clift, Grace and Weber, Bubbles, Drops and Particles (1978), table 5.1.
+    for (const [re, measured] of [
+      [1, 26.5],
+      [10, 4.26],
+      [100, 1.087],
+      [1000, 0.471],
+      [1e4, 0.4],
+      [1e5, 0.5],
+    ]) {
+      expect(sphereDragCoefficient(re) / measured).toBeGreaterThan(0.82);
+      expect(sphereDragCoefficient(re) / measured).toBeLessThan(1.07);
+    }
+  });
+
+  test('the force follows the curve, and is Stokes law to rounding when slow', () => {
+    const [density, viscosity, r, v] = [1000, 1e-3, 0.01, 0.3];
+    const force = lawOn(sphereDrag({ density, viscosity }), { velocity: { x: v }, collider: r }).x;
+    const re = (2 * r * v * density) / viscosity;
+    expect(force).toBeCloseTo(-0.5 * density * sphereDragCoefficient(re) * Math.PI * r * r * v * v, 12);
+    const slow = lawOn(sphereDrag({ density, viscosity: 1e6 }), { velocity: { x: 1e-6 }, collider: 1 }).x;
+    expect(slow / (-6 * Math.PI * 1e6 * 1e-6)).toBeCloseTo(1, 6);
+  });
+
+  test('a raindrop of 1 mm falls at about 4 m/s, a fog droplet of 10 µm at 3 mm/s', () => {
+    for (const [diameter, terminal, within] of [
+      [1e-3, 4.0, 0.2],
+      [1e-5, 3.03e-3, 2e-5],
+    ]) {
+      const r = diameter / 2;
+      const mass = (1000 * 4 * Math.PI * r ** 3) / 3;
+      const forces = [uniformGravity(), sphereDrag({ density: 1.2, viscosity: 1.8e-5 })];
+      const { world, speed } = single(forces, { mass, collider: r });
+      run(world, 4 * (terminal / 9.8), terminal / 9.8 / 200);
+      run(world, 4 * (terminal / 9.8), terminal / 9.8 / 200);
+      expect(Math.abs(speed() - terminal)).toBeLessThan(within);
+    }
+  });
+
+  test('at rest in the medium there is no drag', () => {
+    const law = sphereDrag({ density: 1, viscosity: 1, wind: { x: 3 } });
+    expect(lawOn(law, { velocity: { x: 3 }, collider: 1 })).toEqual({ x: 0, y: 0, z: 0, torque: 0 });
+  });
+});
+
+describe('lift and the Magnus force', () => {
+  test('both are across the motion, do no work, and agree in 2D and 3D', () => {
+    const body = { velocity: { x: 3, y: 4 }, lift: 0.5, collider: 2, angularVelocity: { z: 7 } };
+    for (const law of [lift(), magnus({ density: 1.2 })]) {
+      const force = lawOn(law, body);
+      expect(force.x * 3 + force.y * 4).toBeCloseTo(0, 12);
+      expect(lawOn(law, body, { dimensions: 3 })).toEqual(force);
+    }
+    expect(lawOn(lift(), body)).toMatchObject({ x: -0.5 * 5 * 4, y: 0.5 * 5 * 3 });
+    const size = Math.PI * 1.2 * 8 * 7 * 5;
+    expect(Math.hypot(lawOn(magnus({ density: 1.2 }), body).x, lawOn(magnus({ density: 1.2 }), body).y)).toBeCloseTo(
+      size,
+      10,
+    );
+  });
+
+  test('a wing that rolls on its side lifts sideways', () => {
+    const half = Math.SQRT1_2;
+    const body = { velocity: { x: 10 }, lift: 0.1, orientation: { x: half, w: half } };
+    const force = lawOn(lift({ frame: 'body' }), body, { dimensions: 3 });
+    expect(force.y).toBeCloseTo(0, 12);
+    expect(force.z).toBeCloseTo(10, 12);
+    const along = lawOn(lift({ span: { x: 1 } }), body, { dimensions: 3 });
+    expect(Math.hypot(along.x, along.y, along.z)).toBe(0);
+  });
+
+  test('topspin dips: a ball that rolls forward in flight is pushed down', () => {
+    const body = { velocity: { x: 10 }, collider: 0.03, angularVelocity: { z: -100 } };
+    expect(lawOn(magnus({ density: 1.2 }), body).y).toBeLessThan(0);
+  });
+});
+
+describe('upthrust', () => {
+  const pool = { density: 1000, gravity: { y: -10 }, level: 2 };
+
+  test('grows with immersion: nothing above, half at the surface, all below; in between by volume', () => {
+    const at = (y: number, shape: 0 | 1) =>
+      lawOn(upthrust(pool), { position: { y }, hull: { volume: 3, halfHeight: 0.5, shape } }).y / 3e4;
+    for (const shape of [0, 1] as const) {
+      expect(at(2.5, shape)).toBe(0);
+      expect(at(9, shape)).toBe(0);
+      expect(at(2, shape)).toBe(0.5);
+      expect(at(1.5, shape)).toBe(1);
+      expect(at(-9, shape)).toBe(1);
+    }
+    // The cap of a sphere of height h = R/2 below the surface: h²(3R - h)/4R³ = 5/32.
+    expect(at(2.25, 0)).toBeCloseTo(5 / 32, 15);
+    expect(at(2.25, 1)).toBeCloseTo(1 / 4, 15);
+  });
+
+  test('the force is minus the gradient of the energy, and a bob without drag keeps it', () => {
+    for (const shape of [0, 1]) {
+      for (const y of [2.6, 2.3, 1.9, 1.2]) {
+        const body = { position: { y }, hull: { volume: 3, shape }, collider: 0.5 };
+        const { world, eid } = single([upthrust(pool)], body);
+        expect(forceOn(world, eid).y).toBeCloseTo(slope(world, eid).y, 4);
+      }
+    }
+    const body = { position: { y: 3 }, mass: 1500, hull: 3, collider: 0.5 };
+    const { world } = single([uniformGravity({ y: -10 }), upthrust(pool)], body, { integrator: rungeKutta4 });
+    const before = energy(world).total;
+    run(world, 20, 1e-3);
+    expect(energy(world).total / before).toBeCloseTo(1, 7);
+  });
+
+  test('up is against gravity, whichever way that points', () => {
+    const sideways = { density: 1, gravity: { x: 3, y: 4 }, level: 100 };
+    const force = lawOn(upthrust(sideways), { position: {}, hull: 2, collider: 1 });
+    expect(force.x).toBeCloseTo(-6, 12);
+    expect(force.y).toBeCloseTo(-8, 12);
+  });
+
+  test('drag acts on the immersed share alone, relative to the flow', () => {
+    const law = immersedDrag({ ...pool, flow: { x: 1 } });
+    const body = { velocity: { x: 4 }, hull: { volume: 1, halfHeight: 1 }, quadraticDrag: 2, linearDrag: 5 };
+    expect(lawOn(law, { ...body, position: { y: 9 } }).x).toBeCloseTo(0, 15);
+    expect(lawOn(law, { ...body, position: { y: 2 } }).x).toBe(-0.5 * (2 * 3 + 5) * 3);
+    expect(lawOn(law, { ...body, position: { y: 0 } }).x).toBe(-(2 * 3 + 5) * 3);
+  });
+
+  test('an empty bubble rises at no more than 2 g with added mass, and at 999 g without', () => {
+    const deep = { density: 1000, gravity: { y: -10 } };
+    const bubble = { mass: 1e-3, hull: 1e-3 };
+    const forces = [uniformGravity({ y: -10 }), upthrust(deep)];
+    const without = single(forces, bubble);
+    expect(forceOn(without.world, without.eid).y / 1e-3).toBeCloseTo(9990, 9);
+    const light = single([...forces, addedMass(deep)], bubble);
+    expect(forceOn(light.world, light.eid).y / 1e-3).toBeCloseTo(9.99 / 0.501, 9);
+  });
+});
+
+describe('upthrust on a polygon', () => {
+  const pool = { density: 1000, gravity: { y: -10 }, level: 0 };
+  const box = [
+    { x: -1, y: -0.5 },
+    { x: 1, y: -0.5 },
+    { x: 1, y: 0.5 },
+    { x: -1, y: 0.5 },
+  ];
+  const hull = { shape: 2, vertices: box };
+
+  test('an upright rectangle is an upright box, whichever way round it is given', () => {
+    for (const vertices of [box, [...box].reverse()]) {
+      for (const y of [-0.6, -0.2, 0, 0.4, 0.5, 0.7]) {
+        const body = { position: { y }, hull: { volume: 2, shape: 2 } };
+        const boxed = { position: { y }, hull: { volume: 2, halfHeight: 0.5, shape: 1 } };
+        const force = lawOn(polygonUpthrust(pool, { shape: 2, vertices }), body);
+        expect(force.y).toBeCloseTo(lawOn(upthrust(pool), boxed).y, 9);
+        expect(force.torque).toBeCloseTo(0, 9);
+      }
+    }
+  });
+
+  test('a beamy hull rights itself, by the metacentric height I/V - BG for small angles', () => {
+    // Half immersed: displaced area 1, second moment of the waterline 2³/12, centre of buoyancy 0.25 below the centre.
+    const metacentre = 8 / 12 / 1 - 0.25;
+    const angle = 1e-4;
+    const force = lawOn(polygonUpthrust(pool, hull), { rotation: angle, hull: { volume: 2, shape: 2 } });
+    expect(force.y).toBeCloseTo(1e4, 6);
+    expect(force.torque / (-1e4 * metacentre * angle)).toBeCloseTo(1, 5);
+  });
+
+  test('it swings upright when damped, and bodies of another shape number float on their own', () => {
+    const forces = [uniformGravity({ y: -10 }), polygonUpthrust(pool, hull), immersedDrag(pool), angularDrag()];
+    const body = {
+      ...{ mass: 1000, inertia: 400, rotation: 0.5, angularVelocity: {}, hull: { volume: 2, shape: 2 } },
+      ...{ linearDrag: 1000, angularDrag: 1000 },
+    };
+    const { world, eid, at } = single(forces, body);
+    run(world, 60, 1 / 120);
+    expect(world.components.Rotation.angle[eid]).toBeCloseTo(0, 3);
+    expect(at().y).toBeCloseTo(0, 3);
+    expect(lawOn(polygonUpthrust(pool, hull), { hull: { volume: 2, shape: 3 } }).y).toBe(0);
+  });
+
+  test('a concave outline counts what is under the surface only', () => {
+    // Two legs down, joined above: the notch between them displaces nothing.
+    const bridge = [
+      [-2, -1],
+      [-1, -1],
+      [-1, 0],
+      [1, 0],
+      [1, -1],
+      [2, -1],
+      [2, 1],
+      [-2, 1],
+    ].map(([x, y]) => ({ x, y }));
+    const force = lawOn(polygonUpthrust(pool, { shape: 2, vertices: bridge }), {
+      position: { y: 0.5 },
+      hull: { volume: 6, shape: 2 },
+    });
+    expect(force.y).toBeCloseTo(1000 * 10 * 2 * 0.5, 8);
+  });
+
+  test('refuse outlines without area', () => {
+    expect(() => polygonUpthrust(pool, { shape: 2, vertices: box.slice(0, 2) })).toThrow(PhysicsError);
+    expect(() => polygonUpthrust(pool, { shape: 1, vertices: box })).toThrow(PhysicsError);
+    expect(() => upthrust({ density: 0 })).toThrow(PhysicsError);
+    expect(() => upthrust({ density: 1, gravity: {} })).toThrow(/no direction/);
+  });
+});

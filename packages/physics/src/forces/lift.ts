@@ -1,0 +1,71 @@
+// Lift of a wing: across the flow, and with the square of its speed.
+//
+//   F = k |w| (s × w)        in the plane:  F = k |w| (-w_y, w_x), the flow turned a quarter anticlockwise
+//
+//   k = ½ ρ C_L A, kg/m: the column Lift    w  velocity through the medium, m/s    s  unit vector along the span, from
+//   the left wing tip to the right: a body that flies along +x with s = +z is lifted along +y.
+//
+// Kutta (1902), Joukowski (1906); the coefficient is constant, so the angle of attack must be small and steady, or the
+// game changes `Lift.coefficient`. It does no work. Anderson, Fundamentals of Aerodynamics, section 1.5.
+// Cost: one square root and a cross product a body.
+import { PhysicsError } from '../faults/physics-error';
+import { checkKeys, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import type { Force } from './force';
+import { lawKernels } from './law-kernels';
+import { shownVector } from './time-vector';
+import { type Wind, windState } from './wind';
+
+export interface LiftOptions {
+  /** Span axis s; default +z. In 2D it is +z. */
+  readonly span?: VectorInput;
+  /** Whether s is an axis of the world (default) or of the body, turning with its Orientation. */
+  readonly frame?: 'world' | 'body';
+  /** How the medium moves, m/s; default not. */
+  readonly wind?: Wind;
+}
+
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+export function lift(options: LiftOptions = {}): Force {
+  checkKeys(options, 'lift', ['span', 'frame', 'wind']);
+  const span = unit(checkVector(options.span ?? { z: 1 }, 'lift.span', { min: -1e12, max: 1e12 }), 'lift.span');
+  const turned = checkFrame(options.frame ?? 'world', 'lift.frame') === 'body';
+  const medium = windState(options.wind ?? {}, 'lift.wind');
+  return {
+    name: 'lift',
+    equation: 'F = k |w| (s × w)',
+    parameters: shownVector('span', '', span),
+    reads: ['Velocity', 'Lift', ...(turned ? ['Orientation'] : [])],
+    local: true,
+    accumulate(world, first, last, time) {
+      const { Lift, Orientation: q } = world.addresses;
+      const { x, y, z } = world.scratch.at.force;
+      const w = medium.at(world, time);
+      const solid = world.dimensions === 3;
+      const s = solid ? span : OUT_OF_PLANE;
+      const ofBody = solid && turned ? 1 : 0;
+      const wz = solid ? w.z : 0;
+      const k = Lift.coefficient;
+      const kernels = lawKernels(world);
+      kernels.liftForce(x, y, z, k, q.x, q.y, q.z, q.w, ofBody, s.x, s.y, s.z, w.x, w.y, wz, first, last);
+    },
+  };
+}
+
+const OUT_OF_PLANE: Vector = { x: 0, y: 0, z: 1 };
+
+/** A vector of length 1 in the same direction. @throws PhysicsError E_RANGE when there is none */
+export function unit(vector: Vector, field: string): Vector {
+  const length = Math.sqrt(vector.x * vector.x + vector.y * vector.y + vector.z * vector.z);
+  if (length > 1e-12) return { x: vector.x / length, y: vector.y / length, z: vector.z / length };
+  throw new PhysicsError('E_RANGE', `${field} has no direction.`, {
+    field,
+    value: vector,
+    hint: 'Give a vector that is not zero.',
+  });
+}
+
+/** @throws PhysicsError E_RANGE */
+export function checkFrame(value: unknown, field: string): 'world' | 'body' {
+  if (value === 'world' || value === 'body') return value;
+  throw new PhysicsError('E_RANGE', `${field} must be 'world' or 'body', got ${String(value)}.`, { field, value });
+}

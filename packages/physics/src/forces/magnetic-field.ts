@@ -1,0 +1,40 @@
+// The magnetic part of the Lorentz force in a uniform field, steady or changing with time.
+//
+//   F = q v × B(t)        in the plane, B = B_z out of it:  F = q B_z (v_y, -v_x)
+//
+//   q  charge, C    v  velocity, m/s    B  flux density, T
+//
+// It does no work: a charge circles with radius m v/(|q| B) and period 2π m/(|q| B). As a force it works with every
+// integrator, but none of them knows that the speed must not change: with Ω = q B/m, semi-implicit and explicit Euler
+// gain (Ω dt)²/2 of it a step, velocity Verlet is stable with a bounded error, Runge-Kutta 4 loses (Ω dt)⁶/144 a step.
+// Boris's integrator turns the velocity instead and keeps the speed to rounding for any dt: prefer it for many turns,
+// and then leave this force out. A field that changes with time induces an electric one, which is not included.
+// Lorentz (1895); Jackson, Classical Electrodynamics, section 12.2; Birdsall and Langdon, Plasma Physics via Computer
+// Simulation, section 4.3. Cost: four to twelve operations a body.
+import { ANY } from './bounds';
+import type { Force } from './force';
+import { lawKernels } from './law-kernels';
+import { shownVector, timeVector, type VectorOverTime } from './time-vector';
+
+/**
+ * @param field B, T, or a function of the time, s, that returns it; in 2D only its z acts
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function magneticField(field: VectorOverTime): Force {
+  const state = timeVector(field, 'magneticField', 'magneticField', ANY);
+  return {
+    name: 'magnetic field',
+    equation: 'F = q v × B(t)',
+    parameters: shownVector('field', 'T', state.steady),
+    reads: ['Velocity', 'Charge'],
+    local: true,
+    accumulate(world, first, last, time) {
+      const b = state.at(world, time);
+      const kernels = lawKernels(world);
+      const charge = world.addresses.Charge.value;
+      const { x, y, z } = world.scratch.at.force;
+      if (world.dimensions === 2) kernels.magneticForce2d(x, y, charge, b.z, first, last);
+      else kernels.magneticForce3d(x, y, z, charge, b.x, b.y, b.z, first, last);
+    },
+  };
+}
