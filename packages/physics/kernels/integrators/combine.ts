@@ -1,6 +1,6 @@
 // Sums of columns, for schemes of many stages: columns that belong together lie `stride` bytes apart in one block, and
 // their coefficients, reals, one after the other in memory.
-import { accelerationOf, add, at, LANES, mul, splat } from '../lanes';
+import { accelerationOf, add, at, LANES, mul, splat, sub } from '../lanes';
 
 // to = base + sum of coefficient[k] column[k], for k < count.
 export function combineAxis(
@@ -41,5 +41,32 @@ export function addScaledColumn(to: usize, a: usize, b: usize, factor: real, fir
   for (let row = first; row < last; row += LANES) {
     const o = at(row);
     v128.store(to + o, add(v128.load(a + o), mul(v128.load(b + o), k)));
+  }
+}
+
+// residual = v - start - dt F/m: zero where v is the velocity of implicit Euler.
+export function implicitResidualAxis(
+  residual: usize,
+  v: usize,
+  start: usize,
+  force: usize,
+  mass: usize,
+  dt: real,
+  first: i32,
+  last: i32,
+): void {
+  const h = splat(dt);
+  for (let row = first; row < last; row += LANES) {
+    const o = at(row);
+    const a = accelerationOf(v128.load(force + o), v128.load(mass + o));
+    v128.store(residual + o, sub(sub(v128.load(v + o), v128.load(start + o)), mul(a, h)));
+  }
+}
+
+// to = factor a.
+export function scaleColumn(to: usize, a: usize, factor: real, first: i32, last: i32): void {
+  const k = splat(factor);
+  for (let row = first; row < last; row += LANES) {
+    v128.store(to + at(row), mul(v128.load(a + at(row)), k));
   }
 }

@@ -56,8 +56,8 @@ export function rowOfWorstError(): i32 {
   return worstRow;
 }
 
-// The largest ratio of error to size over all bodies, positions and velocities alike; infinite where a value is not
-// finite. A body that is at rest in the origin and feels nothing has no error.
+// The larger of `most` and the largest ratio of error to size over all bodies, positions and velocities alike; infinite
+// where a value is not finite. A body that is at rest in the origin and feels nothing has no error.
 export function worstError(
   errorX: usize,
   errorV: usize,
@@ -65,10 +65,11 @@ export function worstError(
   sizeV: usize,
   floorX: f64,
   floorV: f64,
+  most: f64,
   first: i32,
   last: i32,
 ): f64 {
-  let worst: f64 = 0;
+  let worst = most * most;
   for (let row = first; row < last; row++) {
     const o = at(row);
     const ofX = ratio(load<real>(errorX + o), load<real>(sizeX + o), floorX);

@@ -1,5 +1,5 @@
 // The schemes of many stages: a module of its own, so that a game without them does not pay.
-export { accelerationAxis, addScaledColumn, combineAxis } from './combine';
+export { accelerationAxis, addScaledColumn, combineAxis, implicitResidualAxis, scaleColumn } from './combine';
 export { embeddedErrorAxis, rowOfWorstError, worstError } from './embedded-error';
 export { stormerAxis } from './stormer';
 export { borisTurn2d, borisTurn3d } from './boris';
@@ -8,7 +8,7 @@ export {
   radauEnd,
   radauForget,
   radauLargest,
-  radauLastTerm,
+  radauLargestOf,
   radauPredict,
   radauRefine,
   radauState,

@@ -59,10 +59,20 @@ export function radauBegin(table: usize, first: i32, last: i32): void {
     for (let row = first; row < last; row += LANES) {
       const o = at(row);
       v128.store(block + A0 * t.stride + o, accelerationOf(v128.load(force + o), v128.load(t.mass + o)));
-      v128.store(block + START_X * t.stride + o, v128.load(x + o));
-      v128.store(block + START_V * t.stride + o, v128.load(v + o));
+      begins(block + o, START_X, CARRY_X, t.stride, v128.load(x + o));
+      begins(block + o, START_V, CARRY_V, t.stride, v128.load(v + o));
     }
   }
+}
+
+// What rounding left is kept only where it can belong to this value: somebody may have moved the body.
+// @ts-ignore: decorator
+@inline function begins(block: usize, start: usize, carry: usize, stride: usize, value: v128): void {
+  const kept = block + carry * stride;
+  const left = v128.load(kept);
+  const most = mul(v128.abs<real>(value), splat(sizeof<real>() == 4 ? <real>1.2e-7 : <real>2.3e-16));
+  v128.store(kept, v128.and(left, v128.le<real>(v128.abs<real>(left), most)));
+  v128.store(block + start * stride, value);
 }
 
 // Moves the bodies to where the polynomial says they are at a node; node 8 is the end of the step.
@@ -103,7 +113,7 @@ export function radauState(table: usize, node: i32, h: f64, dt: f64, first: i32,
   return add(sum, mul(v128.load(start + A0 * stride), constant(w, 0)));
 }
 
-// Largest |a| met by the last `radauRefine` or `radauLastTerm`.
+// Largest |a| met by the last `radauRefine`.
 let largest: f64 = 0;
 
 export function radauLargest(): f64 {
@@ -156,14 +166,15 @@ export function radauRefine(table: usize, s: i32, first: i32, last: i32): f64 {
   return most < Infinity ? most : Infinity;
 }
 
-// The largest |b6|, which says how fast the series converges.
-export function radauLastTerm(table: usize, first: i32, last: i32): f64 {
+// The largest value of one of the columns: 6 for b6, which says how fast the series converges, 14 for a0.
+export function radauLargestOf(table: usize, column: i32, first: i32, last: i32): f64 {
   const t = changetype<RadauTable>(table);
   let most = splat(0);
   for (let axis: usize = 0; axis < t.axes; axis++) {
-    const b6 = axisOf(table, offsetof<RadauTable>('blockX'), axis) + 6 * t.stride;
-    for (let row = first; row < last; row += LANES)
-      most = v128.max<real>(most, v128.abs<real>(v128.load(b6 + at(row))));
+    const values = axisOf(table, offsetof<RadauTable>('blockX'), axis) + <usize>column * t.stride;
+    for (let row = first; row < last; row += LANES) {
+      most = v128.max<real>(most, v128.abs<real>(v128.load(values + at(row))));
+    }
   }
   return largestLane(most);
 }
@@ -264,13 +275,11 @@ export function radauEnd(table: usize, dt: f64, first: i32, last: i32): void {
   v128.store(to, sum);
 }
 
-// Forgets the last step: no polynomial to guess from, nothing carried.
+// Forgets the polynomial of the last step.
 export function radauForget(table: usize, first: i32, last: i32): void {
   const t = changetype<RadauTable>(table);
   for (let axis: usize = 0; axis < t.axes; axis++) {
     const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
-    for (let k: usize = 0; k <= CARRY_V; k++) {
-      if (k < A0 || k > START_V) memory.fill(block + k * t.stride + at(first), 0, at(last - first));
-    }
+    for (let k: usize = 0; k < A0; k++) memory.fill(block + k * t.stride + at(first), 0, at(last - first));
   }
 }

@@ -1,0 +1,163 @@
+// One sub-step of Dormand and Prince's pair over the columns: its stages and its error.
+import type { RealColumn } from '../components/define';
+import type { EvaluateForces } from '../forces/evaluate';
+import { allocate } from '../store/arena';
+import { AXES } from '../store/axes';
+import { realBytes, realColumn } from '../store/columns';
+import { resource } from '../store/resource';
+import type { Spans } from '../store/spans';
+import type { PhysicsWorld } from '../world';
+import { A, AA, C, E, EA } from './dormand-prince-tableau';
+import { integratorKernels } from './kernels';
+
+/** What a world remembers from sub-step to sub-step: the wanted length, the last error, length and end. */
+export const WANTED = 0;
+export const RATIO = 1;
+export const LENGTH = 2;
+export const END = 3;
+
+const STAGES = 7;
+
+/** Per axis nine columns: the position at the start, then the velocity and the seven accelerations in a row. */
+const COLUMNS = 2 + STAGES;
+
+export type Stages = ReturnType<typeof makeStages>;
+type Axis = 'x' | 'y' | 'z';
+
+export const stagesOf = resource(makeStages);
+
+function makeStages(world: PhysicsWorld) {
+  const { precision, rows } = world;
+  const { arena } = world.internal;
+  const bytes = realBytes(precision);
+  const stride = rows * bytes + 320;
+  const at = { x: 0, y: 0, z: 0 };
+  for (const axis of AXES[world.dimensions]) at[axis] = allocate(arena, COLUMNS * stride, 'Dormand-Prince');
+  const [weights, weightsAt] = realColumn(arena, precision, 2 * (STAGES + 1), 'Dormand-Prince weights');
+  const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 4 * 8, 'Dormand-Prince'), 4);
+  const Column = precision === 'f32' ? Float32Array : Float64Array;
+  const column = (axis: Axis, index: number): RealColumn =>
+    new Column(arena.memory.buffer, at[axis] + index * stride, rows);
+  return { at, stride, column, weights, weightsAt, bytes, scalars, kernels: integratorKernels(world) };
+}
+
+/** Keeps the present state as the start of a sub-step; its acceleration comes from the forces last evaluated. */
+export function begin(world: PhysicsWorld, spans: Spans, { at, stride, kernels }: Stages): void {
+  const { Position, Velocity, Mass } = world.addresses;
+  for (const axis of AXES[world.dimensions]) {
+    for (let r = 0; r < spans.count; r++) {
+      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      world.kernels.copyColumn(at[axis], Position[axis], first, last);
+      world.kernels.copyColumn(at[axis] + stride, Velocity[axis], first, last);
+      const force = world.scratch.at.force[axis];
+      kernels.accelerationAxis(at[axis] + 2 * stride, force, Mass.value, first, last);
+    }
+  }
+}
+
+/** Goes back to the start of the sub-step. */
+export function restore(world: PhysicsWorld, spans: Spans, { at, stride }: Stages): void {
+  const { Position, Velocity } = world.addresses;
+  for (const axis of AXES[world.dimensions]) {
+    for (let r = 0; r < spans.count; r++) {
+      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      world.kernels.copyColumn(Position[axis], at[axis], first, last);
+      world.kernels.copyColumn(Velocity[axis], at[axis] + stride, first, last);
+    }
+  }
+}
+
+/** Tries a sub-step of length h from `time`: bodies are where it leads, and the forces are those there. */
+export function takeSubStep(
+  world: PhysicsWorld,
+  spans: Spans,
+  stages: Stages,
+  time: number,
+  h: number,
+  evaluateForces: EvaluateForces,
+): void {
+  for (let i = 1; i < STAGES; i++) {
+    setWeights(stages, h * C[i], AA[i], h * h, A[i], h);
+    moveToStage(world, spans, stages, i);
+    evaluateForces(world, spans, time + C[i] * h);
+    keepAcceleration(world, spans, stages, i);
+  }
+}
+
+/** The first half of the table: start velocity and accelerations in a position; the second: accelerations in a velocity. */
+function setWeights(
+  { weights }: Stages,
+  ofVelocity: number,
+  inPosition: readonly number[],
+  scaleX: number,
+  inVelocity: readonly number[],
+  scaleV: number,
+): void {
+  weights[0] = ofVelocity;
+  for (let j = 0; j < STAGES; j++) {
+    weights[1 + j] = scaleX * inPosition[j];
+    weights[1 + STAGES + j] = scaleV * (inVelocity[j] ?? 0);
+  }
+}
+
+function moveToStage(world: PhysicsWorld, spans: Spans, stages: Stages, i: number): void {
+  const { at, stride, kernels, weightsAt, bytes } = stages;
+  const { Position, Velocity } = world.addresses;
+  const inVelocity = weightsAt + (1 + STAGES) * bytes;
+  for (const axis of AXES[world.dimensions]) {
+    const x = at[axis];
+    const v = x + stride;
+    const a = v + stride;
+    for (let r = 0; r < spans.count; r++) {
+      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      kernels.combineAxis(Position[axis], x, v, stride, weightsAt, i + 1, first, last);
+      kernels.combineAxis(Velocity[axis], v, a, stride, inVelocity, i, first, last);
+    }
+  }
+}
+
+function keepAcceleration(world: PhysicsWorld, spans: Spans, stages: Stages, i: number): void {
+  const { at, stride, kernels } = stages;
+  for (const axis of AXES[world.dimensions]) {
+    const force = world.scratch.at.force[axis];
+    for (let r = 0; r < spans.count; r++) {
+      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      kernels.accelerationAxis(at[axis] + (2 + i) * stride, force, world.addresses.Mass.value, first, last);
+    }
+  }
+}
+
+/** The worst error of the sub-step just tried, in parts of the size of position and velocity. */
+export function worstRatio(
+  world: PhysicsWorld,
+  spans: Spans,
+  stages: Stages,
+  h: number,
+  positionFloor: number,
+  velocityFloor: number,
+): number {
+  const { at, stride, kernels, weightsAt, bytes } = stages;
+  const { Position, Velocity } = world.addresses;
+  const { x: errorX, y: errorV, z: sizeX } = world.scratch.at.stage1;
+  const sizeV = world.scratch.at.stage2.x;
+  setWeights(stages, 0, EA, h * h, E, h);
+  let worst = 0;
+  for (let r = 0; r < spans.count; r++) {
+    const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+    for (const sum of [errorX, errorV, sizeX, sizeV]) world.kernels.zeroColumn(sum, first, last);
+    for (const axis of AXES[world.dimensions]) {
+      const [x0, v0, a] = [at[axis], at[axis] + stride, at[axis] + 2 * stride];
+      const [wx, wv] = [weightsAt + bytes, weightsAt + (1 + STAGES) * bytes];
+      const [x, v] = [Position[axis], Velocity[axis]];
+      kernels.embeddedErrorAxis(errorX, errorV, sizeX, sizeV, x, v, x0, v0, a, stride, wx, wv, STAGES, first, last);
+    }
+    worst = kernels.worstError(errorX, errorV, sizeX, sizeV, positionFloor, velocityFloor, worst, first, last);
+  }
+  return worst;
+}
+
+/** The start of the last sub-step for one body and axis. */
+export function startOf(stages: Stages, axis: Axis, entity: number): { x: number; v: number; a: number[] } {
+  const value = (index: number) => stages.column(axis, index)[entity];
+  return { x: value(0), v: value(1), a: C.map((_, j) => value(2 + j)) };
+}

@@ -1,0 +1,75 @@
+// The equation that a step of implicit Euler solves, and the columns its solution needs.
+import type { EvaluateForces } from '../forces/evaluate';
+import { AXES } from '../store/axes';
+import { axisColumns } from '../store/columns';
+import { resource } from '../store/resource';
+import type { Spans } from '../store/spans';
+import type { PhysicsWorld } from '../world';
+import { integratorKernels } from './kernels';
+import { addScaled, type BodyVector, copyVector } from './vectors';
+
+/** Dimensions of the space in which a linear system is solved: as many force evaluations at most. */
+export const BASIS = 24;
+
+/** Vectors of an equation. */
+export const VECTORS = BASIS + 1 + 7;
+
+export type Equation = ReturnType<typeof makeEquation>;
+
+export const equationOf = resource(makeEquation);
+
+function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
+  const make = (what: string) => axisColumns(arena, precision, rows, `implicit Euler: ${what}`);
+  const [residualColumns, residual] = make('residual');
+  return {
+    /** Position and velocity at the start of the step. */
+    from: make('start position')[1],
+    start: make('start velocity')[1],
+    /** The best velocities so far, and their residual. */
+    best: make('velocity')[1],
+    residual,
+    residualColumns,
+    /** Velocities being tried, and their residual. */
+    trial: make('trial')[1],
+    trialResidual: make('residual of the trial')[1],
+    /** The Newton step. */
+    change: make('change')[1],
+    basis: Array.from({ length: BASIS + 1 }, () => make('basis')[1]) as readonly BodyVector[],
+    /** Column k of the small triangular system, from k (BASIS + 1) on; rotations; right-hand side; solution. */
+    triangle: new Float64Array(BASIS * (BASIS + 1)),
+    cosines: new Float64Array(BASIS),
+    sines: new Float64Array(BASIS),
+    right: new Float64Array(BASIS + 1),
+    solution: new Float64Array(BASIS),
+  };
+}
+
+/** Gives the bodies velocities v and the positions they lead to in a step: x = start + v dt. */
+export function moveTo(world: PhysicsWorld, spans: Spans, equation: Equation, v: BodyVector, dt: number): void {
+  const { Position, Velocity } = world.addresses;
+  copyVector(world, spans, Velocity, v);
+  addScaled(world, spans, Position, equation.from, v, dt);
+}
+
+/** R(v) = v - start - F/m dt with the forces where velocities v lead. */
+export function residualAt(
+  world: PhysicsWorld,
+  spans: Spans,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+  v: BodyVector,
+  to: BodyVector,
+): void {
+  moveTo(world, spans, equation, v, dt);
+  evaluate(world, spans, world.time + dt);
+  const { implicitResidualAxis } = integratorKernels(world);
+  const { force } = world.scratch.at;
+  const mass = world.addresses.Mass.value;
+  for (const axis of AXES[world.dimensions]) {
+    for (let r = 0; r < spans.count; r++) {
+      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      implicitResidualAxis(to[axis], v[axis], equation.start[axis], force[axis], mass, dt, first, last);
+    }
+  }
+}

@@ -1,0 +1,134 @@
+// Implicit (backward) Euler: both moves use the state at the end.
+//
+//   v' = v + F(x', v', t')/m dt        x' = x + v' dt        residual  R(v') = v' - v - F(x + v' dt, v', t')/m dt
+//
+// First order. Every step divides the amplitude of an oscillator by √(1 + ω² dt²), so it is stable for springs of any
+// stiffness at any step, and loses energy fast. For what is stiff and heavily damped, where only the slow motion
+// matters. The residual is brought to zero by Newton's method; the linear systems are solved by GMRES from differences
+// of forces, without a matrix (Knoll and Keyes, J. Comp. Phys. 193, 357, 2004). It ends when |R| is below `tolerance`
+// times the velocities; when it does not get there, the step keeps the best velocities found and the log gets an
+// E_CONVERGENCE that names the body with the largest residual. Some 5 to 100 force evaluations, by stiffness.
+// Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
+import { reportFault } from '../faults/fault-log';
+import { checkKeys, checkNumber } from '../faults/validate';
+import type { EvaluateForces } from '../forces/evaluate';
+import { AXES } from '../store/axes';
+import type { Spans } from '../store/spans';
+import type { PhysicsWorld } from '../world';
+import { type Equation, equationOf, moveTo, residualAt, VECTORS } from './implicit-equation';
+import type { Integrator } from './integrator';
+import { solveLinear } from './krylov';
+import { addScaled, copyVector, norm } from './vectors';
+
+/** When the equation counts as solved. */
+export interface ImplicitEulerOptions {
+  /** Largest residual, in parts of the velocities; default 1e-10, in f32 at least 1e-5. */
+  readonly tolerance?: number;
+}
+
+/** Newton steps; each gains some four digits, fewer where forces bend. */
+const MOST_STEPS = 40;
+
+/** Halvings of a Newton step that leads uphill. */
+const MOST_HALVINGS = 10;
+
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
+  checkKeys(options, 'implicitEuler', ['tolerance']);
+  const tolerance = checkNumber(options.tolerance ?? 1e-10, 'tolerance', { min: 1e-14, max: 0.1 });
+  return {
+    name: 'implicit Euler',
+    order: 1,
+    symplectic: false,
+    velocityLag: 0.5,
+    evaluations: 5,
+    columns: 3 * VECTORS,
+    wholeWorld: true,
+    isStable: () => true,
+    prepare(world) {
+      equationOf(world);
+    },
+    advance(world, spans, dt, evaluateForces) {
+      const equation = equationOf(world);
+      const { Position, Velocity } = world.addresses;
+      copyVector(world, spans, equation.from, Position);
+      copyVector(world, spans, equation.start, Velocity);
+      copyVector(world, spans, equation.best, Velocity);
+      const enough = Math.max(tolerance, world.precision === 'f32' ? 1e-5 : 0);
+      if (!newton(world, spans, dt, evaluateForces, equation, enough)) report(world, spans, equation);
+      moveTo(world, spans, equation, equation.best, dt);
+    },
+  };
+}
+
+/** Brings the residual of `best` to zero; whether it succeeded. */
+function newton(
+  world: PhysicsWorld,
+  spans: Spans,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+  tolerance: number,
+): boolean {
+  const { start, best, residual } = equation;
+  residualAt(world, spans, dt, evaluate, equation, best, residual);
+  let size = norm(world, spans, residual);
+  for (let i = 0; i < MOST_STEPS; i++) {
+    const velocities = Math.max(norm(world, spans, start), norm(world, spans, best));
+    if (size <= tolerance * velocities) return true;
+    if (!(size < Number.POSITIVE_INFINITY)) return false;
+    solveLinear(world, spans, dt, evaluate, equation, size);
+    const smaller = search(world, spans, dt, evaluate, equation, size);
+    if (!(smaller < size)) return size === 0;
+    size = smaller;
+  }
+  return false;
+}
+
+/** Goes along the Newton step, half as far each time, until the residual is smaller; its size then, or as it was. */
+function search(
+  world: PhysicsWorld,
+  spans: Spans,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+  size: number,
+): number {
+  const { best, trial, change, residual, trialResidual } = equation;
+  let part = 1;
+  for (let i = 0; i < MOST_HALVINGS; i++) {
+    addScaled(world, spans, trial, best, change, part);
+    residualAt(world, spans, dt, evaluate, equation, trial, trialResidual);
+    const there = norm(world, spans, trialResidual);
+    if (there < (1 - 1e-4 * part) * size) {
+      copyVector(world, spans, best, trial);
+      copyVector(world, spans, residual, trialResidual);
+      return there;
+    }
+    part /= 2;
+  }
+  return size;
+}
+
+function report(world: PhysicsWorld, spans: Spans, { residualColumns }: Equation): void {
+  let worst = 0;
+  let most = -1;
+  for (let r = 0; r < spans.count; r++) {
+    for (let row = spans.bounds[2 * r]; row < spans.bounds[2 * r + 1]; row++) {
+      for (const axis of AXES[world.dimensions]) {
+        const here = Math.abs(residualColumns[axis][row]);
+        if (here > most || Number.isNaN(here)) {
+          most = here;
+          worst = row;
+        }
+      }
+    }
+  }
+  reportFault(world, {
+    code: 'E_CONVERGENCE',
+    entity: worst,
+    field: 'Velocity',
+    value: most,
+    phase: 'integrate',
+  });
+}

@@ -1,0 +1,93 @@
+// GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7, 856, 1986) for the linear systems of Newton's method: the matrix
+// is never formed, its products with vectors are differences of residuals.
+import type { EvaluateForces } from '../forces/evaluate';
+import type { Spans } from '../store/spans';
+import type { PhysicsWorld } from '../world';
+import { BASIS, type Equation, residualAt } from './implicit-equation';
+import { addScaled, type BodyVector, dot, norm, scale } from './vectors';
+
+/** How exactly a linear system is solved, in parts of the residual: about as exactly as differences allow. */
+const ENOUGH = 1e-6;
+
+/** Finds `equation.change`, to which the residual at `best` answers with its own negative; `size` is its norm. */
+export function solveLinear(
+  world: PhysicsWorld,
+  spans: Spans,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+  size: number,
+): void {
+  const { basis, right, triangle } = equation;
+  scale(world, spans, basis[0], equation.residual, -1 / size);
+  right.fill(0);
+  right[0] = size;
+  let used = 0;
+  while (used < BASIS) {
+    const column = used * (BASIS + 1);
+    multiply(world, spans, dt, evaluate, equation, basis[used], basis[used + 1]);
+    for (let i = 0; i <= used; i++) {
+      const part = dot(world, spans, basis[used + 1], basis[i]);
+      triangle[column + i] = part;
+      addScaled(world, spans, basis[used + 1], basis[used + 1], basis[i], -part);
+    }
+    const length = norm(world, spans, basis[used + 1]);
+    triangle[column + used + 1] = length;
+    rotate(equation, used);
+    used++;
+    if (!(length > 0) || Math.abs(right[used]) <= ENOUGH * size) break;
+    scale(world, spans, basis[used], basis[used], 1 / length);
+  }
+  combine(world, spans, equation, used);
+}
+
+/** to = J direction, by a difference of residuals. */
+function multiply(
+  world: PhysicsWorld,
+  spans: Spans,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+  direction: BodyVector,
+  to: BodyVector,
+): void {
+  const { best, residual, trial, from } = equation;
+  // Far enough to show against the rounding of positions and velocities, near enough for the forces to be straight.
+  const speeds = Math.max(norm(world, spans, best), norm(world, spans, residual));
+  const reach = Math.max(speeds, (1e-3 * norm(world, spans, from)) / dt);
+  const h = reach * (world.precision === 'f32' ? 3e-4 : 1e-8);
+  addScaled(world, spans, trial, best, direction, h);
+  residualAt(world, spans, dt, evaluate, equation, trial, to);
+  addScaled(world, spans, to, to, residual, -1);
+  scale(world, spans, to, to, 1 / h);
+}
+
+/** Givens rotations: the newest column joins the triangle. */
+function rotate({ triangle, cosines, sines, right }: Equation, k: number): void {
+  const column = k * (BASIS + 1);
+  for (let i = 0; i < k; i++) {
+    const [a, b] = [triangle[column + i], triangle[column + i + 1]];
+    triangle[column + i] = cosines[i] * a + sines[i] * b;
+    triangle[column + i + 1] = cosines[i] * b - sines[i] * a;
+  }
+  const [a, b] = [triangle[column + k], triangle[column + k + 1]];
+  const length = Math.sqrt(a * a + b * b);
+  cosines[k] = length > 0 ? a / length : 1;
+  sines[k] = length > 0 ? b / length : 0;
+  triangle[column + k] = length;
+  right[k + 1] = -sines[k] * right[k];
+  right[k] *= cosines[k];
+}
+
+/** change = sum of basis vectors with the weights that solve the triangle. */
+function combine(world: PhysicsWorld, spans: Spans, equation: Equation, used: number): void {
+  const { triangle, right, solution, basis, change } = equation;
+  for (let k = used - 1; k >= 0; k--) {
+    let sum = right[k];
+    for (let j = k + 1; j < used; j++) sum -= triangle[j * (BASIS + 1) + k] * solution[j];
+    const pivot = triangle[k * (BASIS + 1) + k];
+    solution[k] = pivot > 0 ? sum / pivot : 0;
+  }
+  scale(world, spans, change, basis[0], solution[0]);
+  for (let k = 1; k < used; k++) addScaled(world, spans, change, change, basis[k], solution[k]);
+}
