@@ -1,4 +1,5 @@
 // What things cost in memory. All figures need `--expose-gc`; without it they are NaN rather than wrong.
+import { median } from './statistics';
 
 const collect = (globalThis as { gc?: () => void }).gc;
 
@@ -21,19 +22,24 @@ export function bytesInUse(): number {
   return heapUsed + rss - heapTotal;
 }
 
+/** Most steps to wait for the compiler, and most milliseconds. */
+const PATIENCE = { steps: 5000, ms: 3000 };
+
 /**
- * Bytes of garbage a step leaves on the heap: the median growth over rounds of steps in which nothing else allocates.
- * Asking for the figure costs some bytes itself; a round of no steps tells how many.
+ * Bytes of garbage a step leaves on the heap once the compiler is done with it: the median growth over rounds of steps
+ * in which nothing else allocates. Asking for the figure costs some bytes itself; a round of no steps tells how many.
  */
-export function garbageBytesPerStep(advance: () => void, steps: number): number {
+export function garbageBytesPerStep(advance: () => void): number {
   const ROUNDS = 7;
+  const STEPS = 20;
+  const end = performance.now() + PATIENCE.ms;
+  for (let s = 0; s < PATIENCE.steps && performance.now() < end; s++) advance();
   const growths: number[] = [];
   for (let round = 0; round < ROUNDS; round++) {
     const asking = growth(advance, 0);
-    growths.push(Math.max(0, growth(advance, steps) - asking) / steps);
+    growths.push(Math.max(0, growth(advance, STEPS) - asking) / STEPS);
   }
-  growths.sort((a, b) => a - b);
-  return Math.round(growths[(ROUNDS - 1) / 2] as number);
+  return Math.round(median(growths));
 }
 
 function growth(advance: () => void, steps: number): number {

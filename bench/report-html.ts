@@ -91,7 +91,7 @@ function creationSection({ create, count }: Result): string {
 function parametersTable(result: Result, scene: Scene): string {
   const rows = Object.entries(scene.parameters).map(([name, { about, unit, initial }]) => {
     const value = name === 'count' ? result.count : initial;
-    return [name, `${value.toLocaleString('en')} ${unit}`.trim(), about] as const;
+    return [name, `${value.toLocaleString('en', { maximumSignificantDigits: 6 })} ${unit}`.trim(), about] as const;
   });
   return table(rows);
 }

@@ -46,8 +46,8 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     hash,
     energyDrift: run.losesEnergy === undefined && Number.isFinite(drift) ? drift : null,
     energyNote: run.losesEnergy ?? null,
-    garbageBytesPerStep: garbageBytesPerStep(advance, 20),
     profile: phaseTimes(run, advance),
+    garbageBytesPerStep: garbageBytesPerStep(advance),
     peers: peers.map(({ name }, p) => {
       const msPerStep = summarise(measured.peers[p] as Float64Array).median;
       return { name, msPerStep, ratio: msPerStep / ours.median };
