@@ -44,7 +44,7 @@ function checkComponent(space: Space, name: ComponentName, data: unknown, count:
   }
   const given = (isScalar ? { [spec.scalar as string]: data } : data) as Record<string, unknown>;
   checkKeys(given, spec.key, Object.keys(spec.fields));
-  const columns: Record<string, Many> = initialValues(name);
+  const columns: Record<string, Many> = { ...initialValues(name) };
   for (const [field, many] of Object.entries(given)) {
     columns[field] = checkColumn(space, fieldName(spec, field), spec.fields[field], many, count);
   }

@@ -55,7 +55,12 @@ export type Addresses = {
 
 export const COMPONENT_NAMES = Object.keys(COMPONENTS) as ComponentName[];
 
+const BITS = Object.fromEntries(COMPONENT_NAMES.map((name, at) => [name, (1 << at) >>> 0])) as Record<
+  ComponentName,
+  number
+>;
+
 /** The membership bit of a component. */
 export function bitOf(name: ComponentName): number {
-  return (1 << COMPONENT_NAMES.indexOf(name)) >>> 0;
+  return BITS[name];
 }

@@ -49,7 +49,7 @@ export function readRow(world: PhysicsWorld, eid: number, name: ComponentName): 
 }
 
 /** Writes checked values to a row in use; others are left alone. */
-export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, values: FieldValues): void {
+export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, values: Readonly<FieldValues>): void {
   if (!isOpen(world, eid, name)) return;
   const columns = world.components[name] as Record<string, Writable>;
   for (const field of Object.keys(values)) columns[field][eid] = values[field];

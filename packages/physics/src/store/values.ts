@@ -1,5 +1,5 @@
 // Values of a component as a caller gives them, checked before the world is touched.
-import { COMPONENTS, type ComponentName } from '../components/all';
+import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all';
 import type { ComponentSpec, FieldSpec } from '../components/define';
 import { describe, PhysicsError } from '../faults/physics-error';
 import { checkNumber } from '../faults/validate';
@@ -37,7 +37,7 @@ export function completeValues(
   space: Space,
   name: ComponentName,
   values: FieldValues,
-  present: () => FieldValues,
+  present: () => Readonly<FieldValues>,
   entity?: number,
 ): FieldValues {
   const spec: ComponentSpec = COMPONENTS[name];
@@ -48,11 +48,16 @@ export function completeValues(
   return all;
 }
 
+const INITIAL = Object.fromEntries(
+  COMPONENT_NAMES.map((name) => [
+    name,
+    Object.freeze(Object.fromEntries(Object.entries(COMPONENTS[name].fields).map(([f, { initial }]) => [f, initial]))),
+  ]),
+) as Record<ComponentName, Readonly<FieldValues>>;
+
 /** What a row holds when its component was added without values. */
-export function initialValues(name: ComponentName): FieldValues {
-  const values: FieldValues = {};
-  for (const [field, spec] of Object.entries(COMPONENTS[name].fields)) values[field] = spec.initial;
-  return values;
+export function initialValues(name: ComponentName): Readonly<FieldValues> {
+  return INITIAL[name];
 }
 
 /** A field as messages name it: "position.x", or "mass" where a bare number sets it. */
