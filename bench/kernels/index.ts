@@ -72,12 +72,18 @@ class Columns {
   return good;
 }
 
+// A body so fast that it crosses the box within a step meets both walls; after this many it is put inside.
+const MOST_BOUNCES: i32 = 4;
+
+// The velocity at the start of the step, which a rebound moves along.
+let start: v128 = i32x4.splat(0);
+
 // One wall: the instant of impact inside the step, and the flight after it. The lanes of `hit` are beyond `plane`.
+// Semi-implicit Euler's velocities lag its positions by half a step.
 // @ts-ignore: decorator
 @inline function rebound(
   x: usize,
   v: usize,
-  start: v128,
   plane: v128,
   side: v128,
   hit: v128,
@@ -85,63 +91,82 @@ class Columns {
   dt: v128,
 ): void {
   const zero = splat(0);
-  const two = splat(2);
   const position = v128.load(x);
   const velocity = v128.load(v);
+  const lag = mul(splat(0.5), dt);
   const depth = mul(side, sub(plane, position));
-  const speed = v128.neg<real>(mul(side, velocity));
   const pull = v128.div<real>(mul(side, sub(start, velocity)), dt);
-  const square = sub(mul(speed, speed), mul(mul(two, pull), depth));
-  const impact = v128.sqrt<real>(v128.max<real>(square, zero));
-  const since = v128.min<real>(v128.div<real>(mul(two, depth), add(impact, speed)), dt);
+  const speed = add(v128.neg<real>(mul(side, velocity)), mul(pull, lag));
+  const twice = add(depth, depth);
+  const then = v128.sqrt<real>(v128.max<real>(sub(mul(speed, speed), mul(pull, twice)), zero));
+  const since = v128.min<real>(v128.div<real>(twice, add(then, speed)), dt);
+  const impact = v128.max<real>(sub(speed, mul(pull, since)), zero);
   const leave = mul(restitution, impact);
-  const fall = mul(pull, since);
-  const out = mul(since, sub(leave, mul(splat(0.5), fall)));
-  const flies = v128.and(v128.gt<real>(out, zero), v128.gt<real>(impact, zero));
+  const out = mul(since, sub(leave, mul(splat(0.5), mul(pull, since))));
   const entering = v128.and(hit, v128.gt<real>(speed, zero));
-  const away = v128.and(sub(leave, fall), flies);
-  v128.store(x, v128.bitselect(add(plane, v128.and(mul(side, out), v128.and(flies, entering))), position, hit));
-  v128.store(v, v128.bitselect(mul(side, away), velocity, entering));
+  const flies = v128.and(entering, v128.and(v128.gt<real>(out, zero), v128.gt<real>(impact, zero)));
+  const after = mul(side, v128.and(sub(leave, mul(pull, sub(since, lag))), flies));
+  v128.store(x, v128.bitselect(add(plane, v128.and(mul(side, out), flies)), position, hit));
+  v128.store(v, v128.bitselect(after, velocity, entering));
+  start = v128.bitselect(add(start, v128.and(sub(after, velocity), flies)), start, flies);
+  start = v128.andnot(start, v128.andnot(entering, flies));
 }
 
-// Kick, drift, walls and the last look for one axis of one vector of bodies.
+// The rare case: some bodies of a vector are beyond a wall.
+function bounce(x: usize, v: usize, mass: usize, radius: usize, bounciness: usize, setting: usize): void {
+  const s = changetype<Setting>(setting);
+  const zero = splat(0);
+  const dt = splat(s.dt);
+  const r = v128.load(radius);
+  const lower = add(splat(s.low), r);
+  const upper = sub(splat(s.high), r);
+  const solid = v128.and(v128.gt<real>(r, zero), v128.gt<real>(v128.load(mass), zero));
+  const fits = v128.and(solid, v128.le<real>(lower, upper));
+  const e = v128.max<real>(v128.load(bounciness), splat(s.restitution));
+  for (let turn = 0; turn < MOST_BOUNCES; turn++) {
+    const position = v128.load(x);
+    const hitLow = v128.and(v128.lt<real>(position, lower), fits);
+    const hitHigh = v128.and(v128.gt<real>(position, upper), fits);
+    if (!v128.any_true(v128.or(hitLow, hitHigh))) break;
+    if (v128.any_true(hitLow)) rebound(x, v, lower, splat(1), hitLow, e, dt);
+    if (v128.any_true(hitHigh)) rebound(x, v, upper, splat(-1), hitHigh, e, dt);
+  }
+  const position = v128.load(x);
+  const inside = v128.min<real>(v128.max<real>(position, lower), upper);
+  const tight = v128.and(solid, v128.gt<real>(lower, upper));
+  const held = v128.bitselect(mul(splat(0.5), add(lower, upper)), position, tight);
+  v128.store(x, v128.bitselect(inside, held, fits));
+  v128.store(v, v128.andnot(v128.load(v), tight));
+}
+
+// Kick, drift, walls and the last look for one axis of the vector of bodies at `o`.
 // @ts-ignore: decorator
 @inline function finishAxis(
+  c: Columns,
+  s: Setting,
+  o: usize,
   x: usize,
   v: usize,
   position: v128,
-  start: v128,
+  before: v128,
   force: v128,
   mass: v128,
   radius: v128,
-  bounce: usize,
   low: v128,
   high: v128,
-  wall: v128,
   maxPosition: v128,
   maxSpeed: v128,
   dt: v128,
 ): v128 {
-  const zero = splat(0);
-  const massive = v128.gt<real>(mass, zero);
-  const acceleration = v128.and(v128.div<real>(force, mass), massive);
-  const velocity = add(start, mul(acceleration, dt));
+  const acceleration = v128.and(v128.div<real>(force, mass), v128.gt<real>(mass, splat(0)));
+  const velocity = add(before, mul(acceleration, dt));
   const moved = add(position, mul(velocity, dt));
   v128.store(v, velocity);
   v128.store(x, moved);
-  const lower = add(low, radius);
-  const upper = sub(high, radius);
-  const below = v128.lt<real>(moved, lower);
-  const above = v128.gt<real>(moved, upper);
-  if (!v128.any_true(v128.or(below, above))) {
-    return v128.and(inRange(moved, maxPosition), inRange(velocity, maxSpeed));
-  }
-  const solid = v128.and(v128.gt<real>(radius, zero), massive);
-  const e = v128.max<real>(v128.load(bounce), wall);
-  const hitLow = v128.and(below, solid);
-  const hitHigh = v128.andnot(v128.and(above, solid), below);
-  if (v128.any_true(hitLow)) rebound(x, v, start, lower, splat(1), hitLow, e, dt);
-  if (v128.any_true(hitHigh)) rebound(x, v, start, upper, splat(-1), hitHigh, e, dt);
+  const outside = v128.or(v128.lt<real>(moved, add(low, radius)), v128.gt<real>(moved, sub(high, radius)));
+  if (!v128.any_true(outside)) return v128.and(inRange(moved, maxPosition), inRange(velocity, maxSpeed));
+  start = before;
+  bounce(x, v, c.mass + o, c.radius + o, c.restitution + o, changetype<usize>(s));
   return v128.and(inRange(v128.load(x), maxPosition), inRange(v128.load(v), maxSpeed));
 }
 
@@ -155,7 +180,6 @@ export function fused2d(columns: usize, setting: usize, first: i32, last: i32): 
   const gy = splat(s.gravityY);
   const low = splat(s.low);
   const high = splat(s.high);
-  const wall = splat(s.restitution);
   const dt = splat(s.dt);
   let good = i32x4.splat(-1);
   for (let row = first; row < last; row += LANES) {
@@ -173,9 +197,8 @@ export function fused2d(columns: usize, setting: usize, first: i32, last: i32): 
     const k = mul(v128.load(c.drag + o), speed);
     const fx = sub(mul(mass, gx), mul(k, vx));
     const fy = sub(mul(mass, gy), mul(k, vy));
-    const bounce = c.restitution + o;
-    const afterX = finishAxis(c.x + o, c.vx + o, x, vx, fx, mass, radius, bounce, low, high, wall, maxX, maxV, dt);
-    const afterY = finishAxis(c.y + o, c.vy + o, y, vy, fy, mass, radius, bounce, low, high, wall, maxX, maxV, dt);
+    const afterX = finishAxis(c, s, o, c.x + o, c.vx + o, x, vx, fx, mass, radius, low, high, maxX, maxV, dt);
+    const afterY = finishAxis(c, s, o, c.y + o, c.vy + o, y, vy, fy, mass, radius, low, high, maxX, maxV, dt);
     good = v128.and(v128.and(good, before), v128.and(afterX, afterY));
   }
   return i32(i32x4.all_true(good));
@@ -192,7 +215,6 @@ export function fused3d(columns: usize, setting: usize, first: i32, last: i32): 
   const gz = splat(s.gravityZ);
   const low = splat(s.low);
   const high = splat(s.high);
-  const wall = splat(s.restitution);
   const dt = splat(s.dt);
   let good = i32x4.splat(-1);
   for (let row = first; row < last; row += LANES) {
@@ -215,10 +237,9 @@ export function fused3d(columns: usize, setting: usize, first: i32, last: i32): 
     const fx = sub(mul(mass, gx), mul(k, vx));
     const fy = sub(mul(mass, gy), mul(k, vy));
     const fz = sub(mul(mass, gz), mul(k, vz));
-    const bounce = c.restitution + o;
-    const afterX = finishAxis(c.x + o, c.vx + o, x, vx, fx, mass, radius, bounce, low, high, wall, maxX, maxV, dt);
-    const afterY = finishAxis(c.y + o, c.vy + o, y, vy, fy, mass, radius, bounce, low, high, wall, maxX, maxV, dt);
-    const afterZ = finishAxis(c.z + o, c.vz + o, z, vz, fz, mass, radius, bounce, low, high, wall, maxX, maxV, dt);
+    const afterX = finishAxis(c, s, o, c.x + o, c.vx + o, x, vx, fx, mass, radius, low, high, maxX, maxV, dt);
+    const afterY = finishAxis(c, s, o, c.y + o, c.vy + o, y, vy, fy, mass, radius, low, high, maxX, maxV, dt);
+    const afterZ = finishAxis(c, s, o, c.z + o, c.vz + o, z, vz, fz, mass, radius, low, high, maxX, maxV, dt);
     good = v128.and(v128.and(good, before), v128.and(afterX, v128.and(afterY, afterZ)));
   }
   return i32(i32x4.all_true(good));

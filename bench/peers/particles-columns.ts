@@ -33,7 +33,10 @@ export function particleColumns({ world, dt }: SceneRun) {
 export type ParticleColumns = ReturnType<typeof particleColumns>;
 export type Column = Float32Array | Float64Array;
 
-/** Brings body `i`, beyond the wall at `plane` whose inside is towards `side`, back in; see kernels/walls/box.ts. */
+/**
+ * Brings body `i`, beyond the wall at `plane` whose inside is towards `side`, back in: the instant of impact inside the
+ * step, as in kernels/walls. Velocities of semi-implicit Euler lag its positions by half a step.
+ */
 export function rebound(
   x: Column,
   v: Column,
@@ -44,17 +47,18 @@ export function rebound(
   e: number,
   dt: number,
 ): void {
-  const depth = side * (plane - (x[i] as number));
-  const speed = -side * (v[i] as number);
+  const depth = side * (plane - x[i]);
+  const pull = (side * (start - v[i])) / dt;
+  const speed = 0.5 * pull * dt - side * v[i];
   if (!(speed > 0)) {
     x[i] = plane;
     return;
   }
-  const pull = (side * (start - (v[i] as number))) / dt;
-  const impact = Math.sqrt(Math.max(speed * speed - 2 * pull * depth, 0));
-  const since = Math.min((2 * depth) / (impact + speed), dt);
+  const then = Math.sqrt(Math.max(speed * speed - 2 * pull * depth, 0));
+  const since = Math.min((2 * depth) / (then + speed), dt);
+  const impact = Math.max(speed - pull * since, 0);
   const out = since * (e * impact - 0.5 * pull * since);
   const flies = out > 0 && impact > 0;
   x[i] = flies ? plane + side * out : plane;
-  v[i] = flies ? side * (e * impact - pull * since) : 0;
+  v[i] = flies ? side * (e * impact - pull * (since - 0.5 * dt)) : 0;
 }

@@ -9,6 +9,7 @@ import type { Peer } from './peer';
 describe.each([2, 3] as const)('in %iD', (dimensions) => {
   test.each(['f32', 'f64'] as const)(
     'the hand-fused kernel ends in the same state to the last bit, %s',
+    { timeout: 60_000 },
     async (precision) => {
       const make = () => particles.create({ count: 3000, dimensions, precision, seed: 3 });
       const composed = make();
@@ -29,7 +30,7 @@ describe.each([2, 3] as const)('in %iD', (dimensions) => {
     ['particles', () => particles.create({ count: 500, dimensions, precision: 'f64' })],
     ['springs', () => springs.create({ count: 500, dimensions, precision: 'f64' })],
     ['attractors', () => attractors.create({ count: 500, dimensions, precision: 'f64' })],
-  ] as const)('every peer of %s goes the same way', async (scene, create) => {
+  ] as const)('every peer of %s goes the same way', { timeout: 60_000 }, async (scene, create) => {
     const run: SceneRun = create();
     const peers = await makePeers(scene, run);
     expect(peers.length).toBeGreaterThan(0);
