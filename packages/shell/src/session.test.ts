@@ -16,6 +16,15 @@ const settings = {
   gravity: numberSetting({ unit: 'm/s²', initial: 10, min: 0, max: 30 }, { label: 'Gravity' }),
 };
 
+/** A clock that goes on by `milliseconds` whenever it is read. */
+function ticking(milliseconds: number): () => number {
+  let now = 0;
+  return () => {
+    now += milliseconds;
+    return now;
+  };
+}
+
 /** Stones that fall; the seed is how fast they start. */
 const game: GameDefinition<typeof settings, Simulation> = {
   title: 'Stones',
@@ -33,9 +42,8 @@ const game: GameDefinition<typeof settings, Simulation> = {
   },
 };
 
-function started(): { session: Session<typeof settings, Simulation>; world: () => PhysicsWorld } {
-  let now = 0;
-  const session = new Session(game, initialValues(settings), 4, () => now++);
+function started(clock = ticking(1)): { session: Session<typeof settings, Simulation>; world: () => PhysicsWorld } {
+  const session = new Session(game, initialValues(settings), 4, clock);
   session.reset();
   return { session, world: () => session.sim.world };
 }
@@ -61,6 +69,14 @@ it('does not try to make up for a frame that took too long', () => {
   const { session, world } = started();
   session.advance(3);
   expect(world().tick).toBe(4);
+});
+
+it('takes one step a frame where steps are slow', () => {
+  const { session, world } = started(ticking(120));
+  session.advance(0.04);
+  expect([world().tick, session.stepTime]).toEqual([4, 30]);
+  session.advance(0.04);
+  expect([world().tick, session.stepTime]).toEqual([5, 120]);
 });
 
 it('measures a step', () => {

@@ -5,6 +5,8 @@ import { checkValue, type Settings, type ValuesOf } from './settings.ts';
 
 /** Longest real time one frame may make up for, in steps: a slow machine gets slow motion, not a frozen page. */
 const MAX_STEPS_A_FRAME = 4;
+/** Milliseconds of steps in a frame from which on one step must do. */
+const STEPS_BUDGET = 50;
 
 /** A game being played, without a page: its world, its values and its clock. */
 export class Session<S extends Settings, Sim extends Simulation> {
@@ -97,7 +99,8 @@ export class Session<S extends Settings, Sim extends Simulation> {
       return;
     }
     const start = this.#clock();
-    this.steps = this.#runner.advance(seconds * this.speed);
+    const most = Math.max(1, Math.floor(STEPS_BUDGET / Math.max(this.stepTime, 1e-3)));
+    this.steps = this.#runner.advance(Math.min(seconds * this.speed, most * this.#runner.dt));
     this.#note(start, this.steps);
     if (this.steps > 0) this.#steppedByHand = false;
   }
