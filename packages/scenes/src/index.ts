@@ -1,6 +1,7 @@
 /** Scenes: pure functions that build a world from a seed and parameters. */
 export { attractors } from './attractors';
 export { type BouncingBalls, ballDrag, bouncingBalls } from './bouncing-balls';
+export { circles } from './circles';
 export { emitters, type Sparks } from './emitters';
 export { particles } from './particles';
 export { findScene, SCENES } from './registry';
