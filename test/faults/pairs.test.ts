@@ -5,12 +5,13 @@ import {
   despawn,
   energy,
   type PhysicsWorld,
+  removedSprings,
   spawn,
   springs,
   stateHash,
   step,
 } from '@principia/physics';
-import { addComponent, set } from 'bitecs';
+import { addComponent, entityExists, set } from 'bitecs';
 import { describe, expect, it } from 'vitest';
 import {
   assertRefused,
@@ -150,5 +151,54 @@ describe('bodies that lack what a force would change', () => {
     const eid = spawn(world, { velocity: { x: 3 }, mass: 2, angularVelocity: { z: 1 } });
     steps(world, 10);
     expect(bodyState(world, eid)).toBe('Velocity.x=3 Mass.value=2 AngularVelocity.z=1');
+  });
+});
+
+describe('springs and the bodies they join', () => {
+  const stage = () => {
+    const world = createPhysicsWorld({ capacity: 20, forces: [springs()] });
+    return { world, a: spawn(world, { position: {} }), b: spawn(world, { position: { x: 1 } }) };
+  };
+
+  it('53 a spring to a body that is gone, to itself, to nobody or to another kind of entity is refused', () => {
+    const { world, a, b } = stage();
+    const gone = spawn(world, { position: {} });
+    despawn(world, gone);
+    const drag = spawn(world, { linearDrag: 1 });
+    for (const end of [gone, drag, 19, 1e6]) {
+      assertRefused(world, () => spawn(world, { spring: { a, b: end } }), { code: 'E_STALE', field: 'spring.b' });
+    }
+    assertRefused(world, () => spawn(world, { spring: { a, b: a } }), { code: 'E_RANGE' });
+    assertRefused(world, () => spawn(world, { spring: { a } }), { code: 'E_RANGE' });
+    assertRefused(world, () => spawn(world, { spring: { a: 1.5, b } }), { code: 'E_RANGE' });
+    assertRefused(world, () => spawn(world, { spring: { a: -1, b } }), { code: 'E_RANGE' });
+  });
+
+  it('54 a body that goes takes its springs along, and they are listed', () => {
+    const { world, a, b } = stage();
+    const c = spawn(world, { position: { x: 2 } });
+    const [ab, bc] = [spawn(world, { spring: { a, b } }), spawn(world, { spring: { a: b, b: c } })];
+    step(world, DT);
+    despawn(world, a);
+    const heir = spawn(world, { position: { x: 9 }, velocity: {}, mass: 1 });
+    expect(heir).toBe(a);
+    step(world, DT);
+    expect(removedSprings(world)).toEqual([ab]);
+    expect([world.internal.counts.Spring, entityExists(world, ab), entityExists(world, bc)]).toEqual([1, false, true]);
+    expect(world.components.Position.x[heir]).toBe(9); // the spring did not pass to the heir of the id
+    step(world, DT);
+    expect(removedSprings(world)).toEqual([]);
+  });
+
+  it('53 ends written into the columns that are no bodies join nothing', () => {
+    const { world, a, b } = stage();
+    const spring = spawn(world, { spring: { a, b, stiffness: 5 } });
+    for (const nonsense of [0, 19, 1e6, 0xffffffff]) {
+      world.components.Spring.b[spring] = nonsense;
+      if (!entityExists(world, spring)) continue;
+      step(world, DT);
+    }
+    expect(finiteBodies(world)).toBe(true);
+    expect(world.faults.faults).toEqual([]);
   });
 });

@@ -2,6 +2,7 @@
 import {
   attractors,
   boxWalls,
+  colliding,
   createPhysicsWorld,
   createRandom,
   linearDrag,
@@ -17,9 +18,10 @@ import {
 
 const SIDE = 20;
 
-/** Bodies on springs, tossed about by three attractors in a box: errors double every few dozen steps. */
+/** Discs or balls on springs that collide, tossed about by three attractors in a box: errors grow with every contact. */
 export function chaoticWorld(dimensions: 2 | 3, precision: Precision, seed = 7, count = 120): PhysicsWorld {
   const world = createPhysicsWorld({
+    preset: colliding,
     dimensions,
     precision,
     seed,
