@@ -1,13 +1,10 @@
 import {
-  bodies,
   createPhysicsWorld,
-  defineForce,
   despawn,
   destroyWorld,
   entityRef,
   isAlive,
   isBody,
-  on,
   type PhysicsWorld,
   resolve,
   spawn,
@@ -17,11 +14,9 @@ import {
 import {
   addComponent,
   addEntity,
-  entityExists,
   getComponent,
   hasComponent,
   observe,
-  onAdd,
   onRemove,
   query,
   removeComponent,
@@ -42,16 +37,6 @@ import {
   steps,
   worldState,
 } from '../support/worlds.ts';
-
-/** What the step threw. */
-function thrownBy(world: PhysicsWorld): unknown[] {
-  try {
-    step(world, DT);
-  } catch (error) {
-    return (error as AggregateError).errors;
-  }
-  return [];
-}
 
 describe('references', () => {
   it('51 a body removed twice gives E_STALE and the hash does not change', () => {
@@ -106,253 +91,6 @@ describe('references', () => {
       seen.add(ref);
       despawn(world, eid);
     }
-  });
-});
-
-describe('edits during a step', () => {
-  /** Ways of a user's code to run inside a step. */
-  const INSIDE: readonly [string, (world: PhysicsWorld, act: () => void) => void][] = [
-    ['a system', (world, act) => world.phases.input.push(once(act))],
-    ['a handler', inHandler],
-    ['a force law', (world, act) => world.forces.push(defineForce({ name: 'act', accumulate: once(act) }))],
-    ['a query loop in a system', (world, act) => world.phases.events.push(once(() => inLoop(world, act)))],
-  ];
-
-  function once(act: () => void): () => void {
-    let done = false;
-    return () => {
-      if (!done) act();
-      done = true;
-    };
-  }
-
-  function inHandler(world: PhysicsWorld, act: () => void): void {
-    on(world, 'fault', once(act));
-    const eid = ball(world, 40, 1);
-    world.components.Position.x[eid] = NaN;
-  }
-
-  function inLoop(world: PhysicsWorld, act: () => void): void {
-    // bitECS's array is live: bodies made in the loop join it, so the loop must know when to stop.
-    const loop = query(world, [world.components.Position]);
-    for (let i = 0, count = loop.length; i < count; i++) act();
-  }
-
-  it.each(INSIDE)('55 a body removed in %s goes when the step ends', (_, inside) => {
-    const world = groundWorld();
-    const eid = ball(world, 0, 1);
-    const other = ball(world, 1, 1);
-    let during: boolean | undefined;
-    let told = 0;
-    inside(world, () => {
-      if (told++ > 0) return;
-      despawn(world, eid);
-      during = isBody(world, eid) && entityExists(world, eid);
-    });
-    step(world, DT);
-    expect(during).toBe(true);
-    expect([isBody(world, eid), entityExists(world, eid), bodyState(world, eid)]).toEqual([false, false, '']);
-    expect(isBody(world, other)).toBe(true);
-    assertWorldAlive(world);
-  });
-
-  it.each(INSIDE)('55 a body removed raw in %s goes when the step ends', (_, inside) => {
-    const world = groundWorld();
-    const eid = ball(world, 0, 1);
-    ball(world, 1, 1);
-    inside(world, () => removeEntity(world, eid));
-    step(world, DT);
-    expect([isBody(world, eid), bodyState(world, eid)]).toEqual([false, '']);
-    assertWorldAlive(world);
-  });
-
-  it('55 all bodies removed in a query loop outside a step, by despawn and raw', () => {
-    const world = groundWorld();
-    for (let i = 0; i < 100; i++) ball(world, i, 1);
-    const loop = query(world, [world.components.Position]);
-    for (let i = 0; i < loop.length; i++) {
-      if (i % 2 === 0) despawn(world, loop[i]);
-      else removeEntity(world, loop[i]);
-    }
-    expect([bodies(world).count, world.lastId]).toEqual([0, 0]);
-    expect(query(world, [world.components.Position])).toHaveLength(0);
-    assertWorldAlive(world);
-  });
-
-  it('55 an observer that removes the body it is told of, and others', () => {
-    const world = groundWorld();
-    const [a, b, c] = [0, 1, 2].map((x) => ball(world, x, 1));
-    observe(world, onRemove(world.components.Position), (eid) => {
-      if (eid === a) despawn(world, b);
-    });
-    observe(world, onAdd(world.components.LinearDrag), (eid) => despawn(world, eid));
-    despawn(world, a);
-    // bitECS itself trips over an observer that removes the very entity being added to; nothing is left of it.
-    expect(() => addComponent(world, c, world.components.LinearDrag)).toThrow(TypeError);
-    expect([a, b, c].map((eid) => isBody(world, eid))).toEqual([false, false, false]);
-    expect(world.internal.counts.LinearDrag).toBe(0);
-    assertWorldAlive(world);
-  });
-
-  it.each(INSIDE)('56 a body made in %s appears in the next step', (_, inside) => {
-    const world = groundWorld();
-    ball(world, 0, 5);
-    let made = 0;
-    let during: boolean | undefined;
-    inside(world, () => {
-      made = ball(world, 20, 5);
-      during = isBody(world, made);
-    });
-    step(world, DT);
-    expect(during).toBe(false);
-    expect([isBody(world, made), world.components.Position.y[made]]).toEqual([true, 5]);
-    step(world, DT);
-    expect(world.components.Position.y[made]).toBeLessThan(5);
-  });
-
-  it('56 a body made and removed in the same step was never there', () => {
-    const world = groundWorld();
-    ball(world, 0, 5);
-    world.phases.events.push(() => despawn(world, ball(world, 20, 5)));
-    const before = bodies(world).count;
-    step(world, DT);
-    expect([bodies(world).count, world.internal.counts.Mass]).toEqual([before, 1]);
-  });
-
-  it('56 a body removed raw and another made on its id in one step: only the new one is left', () => {
-    const world = groundWorld();
-    const eid = ball(world, 0, 5, { x: 3 });
-    const last = ball(world, 9, 5);
-    let heir = 0;
-    world.phases.input.push(() => {
-      if (heir !== 0) return;
-      addComponent(world, eid, set(world.components.Velocity, { x: 8 }));
-      despawn(world, eid);
-      removeEntity(world, eid);
-      heir = spawn(world, { position: { x: 50, y: 5 } });
-    });
-    step(world, DT);
-    expect(heir).toBe(eid);
-    expect(bodyState(world, heir)).toBe('Position.x=50 Position.y=5');
-    expect(isBody(world, last)).toBe(true);
-  });
-
-  it('57 a velocity set in a handler counts from the next step', () => {
-    const world = emptySpace();
-    const eid = ball(world, 0, 0, { x: 1 });
-    inHandler(world, () => addComponent(world, eid, set(world.components.Velocity, { x: 5 })));
-    const { Position, Velocity } = world.components;
-    step(world, 0.5);
-    expect([Position.x[eid], Velocity.x[eid]]).toEqual([0.5, 5]);
-    step(world, 0.5);
-    expect(Position.x[eid]).toBe(3);
-  });
-
-  it('57 edits of a body that is being removed leave nothing behind', () => {
-    const world = groundWorld();
-    const eid = ball(world, 0, 1);
-    const last = ball(world, 1, 1);
-    world.phases.input.push(() => {
-      if (!isBody(world, eid)) return;
-      despawn(world, eid);
-      addComponent(world, eid, set(world.components.Position, { x: 3 }));
-      addComponent(world, eid, set(world.components.LinearDrag, 2));
-      removeComponent(world, eid, world.components.Mass);
-      expect(refusal(() => despawn(world, eid)).code).toBe('E_STALE');
-    });
-    step(world, DT);
-    expect([bodyState(world, eid), world.internal.counts.LinearDrag, world.lastId]).toEqual(['', 0, last]);
-  });
-
-  it('58 a step inside a step is refused with E_REENTRANT, also when edits take effect', () => {
-    const world = groundWorld();
-    const eid = ball(world, 0, 1);
-    const codes: string[] = [];
-    const attempt = () => codes.push(refusal(() => step(world, DT)).code);
-    world.phases.input.push(attempt);
-    observe(world, onRemove(world.components.Position), attempt);
-    world.phases.input.push(() => isBody(world, eid) && despawn(world, eid));
-    step(world, DT);
-    // The observer hears of the removal from bitECS at once, or when the edit takes effect: inside the step either way.
-    expect(codes).toEqual(['E_REENTRANT', 'E_REENTRANT']);
-    expect(world.tick).toBe(1);
-    assertWorldAlive(emptied(world));
-  });
-
-  function emptied(world: PhysicsWorld): PhysicsWorld {
-    world.phases.input.length = 0;
-    return world;
-  }
-
-  it('59 a handler that throws: the step is complete, the others are told, and the world goes on', () => {
-    const world = groundWorld();
-    const eid = ball(world, 0, 1);
-    const heard: string[] = [];
-    on(world, 'fault', () => {
-      throw new Error('first');
-    });
-    on(world, 'fault', ({ field }) => heard.push(field));
-    world.phases.events.push(() => {
-      throw new Error('second');
-    });
-    world.components.Position.x[eid] = NaN;
-    expect(thrownBy(world).map(String)).toEqual(['Error: first', 'Error: second']);
-    expect(heard).toEqual(['Position.x']);
-    expect([world.tick, world.state]).toEqual([1, 'idle']);
-    world.phases.events.pop();
-    assertWorldAlive(world);
-  });
-
-  it('59 handlers may come and go while they are told', () => {
-    const world = groundWorld();
-    const heard: string[] = [];
-    const offFirst = on(world, 'fault', () => {
-      heard.push('first');
-      offFirst();
-      offThird();
-      on(world, 'fault', () => heard.push('late'));
-    });
-    on(world, 'fault', () => heard.push('second'));
-    const offThird = on(world, 'fault', () => heard.push('third'));
-    const poison = (x: number) => {
-      world.components.Position.x[ball(world, x, 1)] = NaN;
-    };
-    poison(0);
-    step(world, DT);
-    expect(heard).toEqual(['first', 'second']);
-    poison(9);
-    step(world, DT);
-    expect(heard).toEqual(['first', 'second', 'second', 'late']);
-  });
-
-  it('59 an observer that throws does not leave half a body', () => {
-    const world = groundWorld();
-    const { Position, Velocity } = world.components;
-    const kept = ball(world, 3, 1);
-    const offAdd = observe(world, onAdd(Velocity), () => {
-      throw new Error('no');
-    });
-    const before = worldState(world);
-    expect(() => ball(world, 0, 1)).toThrow('no');
-    expect(worldState(world)).toEqual(before);
-    offAdd();
-    observe(world, onRemove(Position), () => {
-      throw new Error('stay');
-    });
-    observe(world, onRemove(Velocity, Position), () => {
-      throw new Error('stay too');
-    });
-    expect(() => despawn(world, kept)).toThrow('stay');
-    expect([entityExists(world, kept), bodyState(world, kept), world.internal.counts.Mass]).toEqual([false, '', 0]);
-  });
-
-  it('59 with onFault "throw" a fault comes out of the step as well', () => {
-    const world = groundWorld({ onFault: 'throw' });
-    const eid = ball(world, 0, 1);
-    world.components.Velocity.y[eid] = NaN;
-    expect(thrownBy(world)).toMatchObject([{ code: 'E_NONFINITE', entity: eid, field: 'Velocity.y' }]);
-    expect(thrownBy(world)).toEqual([]);
-    assertWorldAlive(world);
   });
 });
 
