@@ -42,8 +42,17 @@ export function run(world: PhysicsWorld, seconds: number, dt = 1 / 60, each?: ()
 export function forceOn(world: PhysicsWorld, eid: number, time = world.time) {
   bodies(world);
   for (const force of world.forces) force.prepare?.(world, 1e-3);
+  const { kernels, addresses, scratch } = world;
+  for (const axis of ['x', 'y', 'z'] as const) {
+    kernels.copyColumn(
+      scratch.at.startVelocity[axis],
+      addresses.Velocity[axis],
+      0,
+      16 * Math.ceil((world.lastId + 1) / 16),
+    );
+  }
   evaluateForces(world, world.spans, time);
-  const { force, torque } = world.scratch;
+  const { force, torque } = scratch;
   return { x: force.x[eid], y: force.y[eid], z: force.z[eid], torque: torque.z[eid] };
 }
 

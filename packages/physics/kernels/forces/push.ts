@@ -134,12 +134,14 @@ export function burnFuel(
     const mass = get(c.mass, row);
     const left = get(fuel, row);
     const wanted = <real>(<f64>get(rate, row) * <f64>get(throttle, row) * dt);
-    // A hull of no mass at all would be left with infinite speed: a millionth of the mass always stays.
-    const burnt = max<real>(0, min<real>(min<real>(wanted, left), mass * <real>0.999999));
+    // A rocket of nothing but fuel would end with infinite speed: a millionth of its mass stays, and the fire dies.
+    const most = mass * <real>0.999999;
+    const asked = max<real>(0, min<real>(wanted, left));
+    const burnt = min<real>(asked, most);
     const rest = mass - burnt;
     const gain = rest > 0 ? <f64>get(exhaust, row) * logarithm(<f64>mass / <f64>rest) : 0;
     const size = (<f64>rest * gain) / dt;
-    put(fuel, row, left - burnt);
+    put(fuel, row, asked > most ? 0 : left - burnt);
     if (mass > 0) put(c.mass, row, rest);
     put(tx, row, <real>(size * <f64>get(x, row)));
     put(ty, row, <real>(size * <f64>get(y, row)));

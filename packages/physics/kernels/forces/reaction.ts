@@ -89,9 +89,10 @@ export class Support {
 }
 
 // The normal force cancels what presses into the plane. Friction opposes the slip u = v_t - r omega x n of the point of
-// contact. Sticking, it is what keeps the slip as it is, D / (1 + m r^2 / I) against the driving force D and at most
-// mu_s N; slipping, mu_k N against the slip, and never more than stops it within the step. A body that cannot turn
-// (no inertia, or without `bit`, that of AngularVelocity) has 1/I = 0: a block.
+// contact: what holds is (D + m u/dt) / (1 + m r^2/I), which answers the driving force D and ends the slip within the
+// step; sticking, it may be mu_s N, slipping, mu_k N against the slip. A body that cannot turn (no inertia, or without
+// `bit`, that of AngularVelocity) has 1/I = 0: a block. Slip and spin are those at the start of the step (v0), in every
+// evaluation: the angular velocity moves only when the step is over, and the two must belong together.
 export function supportForce(
   support: usize,
   inertia: usize,
@@ -102,6 +103,9 @@ export function supportForce(
   tx: usize,
   ty: usize,
   tz: usize,
+  v0x: usize,
+  v0y: usize,
+  v0z: usize,
   dt: f64,
   first: i32,
   last: i32,
@@ -130,17 +134,16 @@ export function supportForce(
     const ox = arm * <f64>get(c.angularVelocityX, row);
     const oy = arm * <f64>get(c.angularVelocityY, row);
     const oz = arm * <f64>get(c.angularVelocityZ, row);
-    let ux = <f64>get(c.velocityX, row) - (oy * s.nz - oz * s.ny);
-    let uy = <f64>get(c.velocityY, row) - (oz * s.nx - ox * s.nz);
-    let uz = <f64>get(c.velocityZ, row) - (ox * s.ny - oy * s.nx);
+    let ux = <f64>get(v0x, row) - (oy * s.nz - oz * s.ny);
+    let uy = <f64>get(v0y, row) - (oz * s.nx - ox * s.nz);
+    let uz = <f64>get(v0z, row) - (ox * s.ny - oy * s.nx);
     const into = ux * s.nx + uy * s.ny + uz * s.nz;
     ux -= into * s.nx;
     uy -= into * s.ny;
     uz -= into * s.nz;
     const slip = sqrt<f64>(ux * ux + uy * uy + uz * uz);
     const slipping = slip > s.stick;
-    // What would stop the slip within the step; sticking, what keeps it as it is.
-    const hurry = slipping ? mass / dt : 0;
+    const hurry = mass / dt;
     let rx = -(x + normal * s.nx + hurry * ux) / (1 + lever);
     let ry = -(y + normal * s.ny + hurry * uy) / (1 + lever);
     let rz = -(z + normal * s.nz + hurry * uz) / (1 + lever);

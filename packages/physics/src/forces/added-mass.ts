@@ -26,6 +26,7 @@ export function addedMass(pool: Pool, coefficient = 0.5): Force {
     parameters: { ...parameters, coefficient: { unit: '', value: c } },
     reads: ['Position', 'Mass', 'Hull', 'Collider'],
     local: true,
+    timeless: true,
     accumulate(world, first, last) {
       if (world.internal.counts.Hull === 0) return;
       const { x, y, z } = world.scratch.at.force;

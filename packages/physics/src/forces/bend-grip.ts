@@ -35,6 +35,7 @@ export function bendGrip(options: BendOptions): Force {
     parameters: { friction: { unit: '', value: friction }, gravity: { unit: 'm/s²', value: gravity } },
     reads: ['Position', 'Velocity', 'Mass'],
     local: true,
+    timeless: true,
     accumulate(world, first, last) {
       const { x, y, z } = world.scratch.at.force;
       const cz = world.dimensions === 3 ? centre.z : 0;

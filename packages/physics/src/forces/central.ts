@@ -50,6 +50,7 @@ export function centralForce(spec: CentralLaw, options: CentreOptions, caller: s
     parameters: spec.parameters,
     reads: ['Position', couplesTo],
     local: true,
+    timeless: !moves,
     accumulate(world, first, last, time) {
       const [p, q, s] = values(world);
       const { x, y, z } = world.scratch.at.force;

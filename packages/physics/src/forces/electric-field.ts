@@ -24,6 +24,7 @@ export function electricField(field: VectorOverTime): Force {
     parameters: shownVector('field', 'V/m', steady),
     reads: ['Charge'],
     local: true,
+    timeless: steady !== undefined,
     accumulate(world, first, last, time) {
       const e = state.at(world, time);
       const { kernels, addresses, dimensions } = world;

@@ -45,6 +45,7 @@ export function fixedCharges(constant: number = COULOMB_CONSTANT): Force {
     parameters: { constant: { unit: 'N m²/C²', value: k } },
     reads: ['Position', 'Charge', 'Mass'],
     local: true,
+    timeless: true,
     prepare(world) {
       gather(world, sourcesOf(world), k);
     },

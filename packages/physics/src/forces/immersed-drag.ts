@@ -21,6 +21,7 @@ export function immersedDrag(pool: Pool): Force {
     parameters,
     reads: ['Position', 'Velocity', 'Hull', 'Collider', 'QuadraticDrag', 'LinearDrag'],
     local: true,
+    timeless: true,
     accumulate(world, first, last) {
       const { x, y, z } = world.scratch.at.force;
       lawKernels(world).immersedDrag(at(world), hullTable(world), x, y, z, first, last);

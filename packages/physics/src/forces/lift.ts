@@ -36,6 +36,7 @@ export function lift(options: LiftOptions = {}): Force {
     parameters: shownVector('span', '', span),
     reads: ['Velocity', 'Lift', ...(turned ? ['Orientation'] : [])],
     local: true,
+    timeless: medium.steady !== undefined,
     accumulate(world, first, last, time) {
       const { Lift, Orientation: q } = world.addresses;
       const { x, y, z } = world.scratch.at.force;

@@ -53,6 +53,7 @@ export function limited(force: Force, limits: Limits): Force {
   return {
     ...force,
     name: `${force.name} (limited)`,
+    timeless: force.timeless === true && from === -Infinity && until === Infinity,
     accumulate(world, first, last, time) {
       if (time < from || time >= until) return;
       if (everywhere) force.accumulate(world, first, last, time);

@@ -28,6 +28,7 @@ export function magneticField(field: VectorOverTime): Force {
     parameters: shownVector('field', 'T', state.steady),
     reads: ['Velocity', 'Charge'],
     local: true,
+    timeless: state.steady !== undefined,
     accumulate(world, first, last, time) {
       const b = state.at(world, time);
       const kernels = lawKernels(world);

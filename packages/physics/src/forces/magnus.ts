@@ -36,6 +36,7 @@ export function magnus(options: MagnusOptions): Force {
     parameters: { density: { unit: 'kg/m³', value: density }, coefficient: { unit: '', value: coefficient } },
     reads: ['Velocity', 'AngularVelocity', 'Collider'],
     local: true,
+    timeless: medium.steady !== undefined,
     accumulate(world, first, last, time) {
       const w = medium.at(world, time);
       const { x, y, z } = world.scratch.at.force;

@@ -29,6 +29,7 @@ export function motors(options: MotorOptions = {}): Force {
     parameters: shownVector('heading', '', heading),
     reads: ['Velocity', 'Motor'],
     local: true,
+    timeless: true,
     accumulate(world, first, last) {
       if (world.internal.counts.Motor === 0) return;
       const { power, maxForce } = world.addresses.Motor;

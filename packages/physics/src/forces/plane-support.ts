@@ -1,11 +1,11 @@
 // A slope, floor or runway that bodies stand, slide and roll on: normal force and dry friction, without contacts.
 //
 //   normal   N = -F·n where that presses
-//   sticking  f = D/(1 + m r²/I) against the driving force D, as long as f ≤ μ_s N
-//   slipping  f = μ_k N against the slip u, and never more than stops it within the step
+//   sticking  f = (D + m u/dt)/(1 + m r²/I) against the driving force D and the slip u, as long as f ≤ μ_s N
+//   slipping  f = μ_k N against u, and never more than stops it within the step
 //
 //   F  force of all laws listed before this one, N    n  unit normal out of the plane    D = F + N n  along the plane, N
-//   u = v_t - r ω × n  slip of the point of contact, m/s    r  radius of the collider, m    I  moment of inertia, kg m²
+//   u = v_t - r ω × n  slip of the point of contact when the step began, m/s    r  radius of the collider, m    I  moment of inertia, kg m²
 //
 // It answers the forces before it: list it last. N is what the other forces leave, so a lifting wing is lighter on the
 // runway. A body with Inertia and AngularVelocity rolls, a (solid) ball down a slope with g sinθ/(1 + 2/5); one without
@@ -64,6 +64,7 @@ export function planeSupport(options: PlaneSupportOptions = {}): Force {
     parameters: { staticFriction: { unit: '', value: still }, kineticFriction: { unit: '', value: kinetic } },
     reads: ['Position', 'Velocity', 'Mass', 'Collider', 'Inertia', 'AngularVelocity'],
     local: true,
+    timeless: true,
     turns: true,
     prepare(_world, dt) {
       length = dt;
@@ -71,8 +72,10 @@ export function planeSupport(options: PlaneSupportOptions = {}): Force {
     accumulate(world, first, last) {
       const { force: f, torque: t } = world.scratch.at;
       const inertia = world.addresses.Inertia.value;
+      const { x, y, z } = world.scratch.at.startVelocity;
       const kernels = lawKernels(world);
-      kernels.supportForce(planeAt(world), inertia, TURNS, f.x, f.y, f.z, t.x, t.y, t.z, length, first, last);
+      const plane = planeAt(world);
+      kernels.supportForce(plane, inertia, TURNS, f.x, f.y, f.z, t.x, t.y, t.z, x, y, z, length, first, last);
     },
   };
 }

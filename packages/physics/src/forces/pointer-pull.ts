@@ -52,6 +52,7 @@ export function pointerPull(options: PointerPullOptions = {}): PointerPull {
     },
     reads: ['Position', 'Velocity', 'Mass'],
     local: true,
+    timeless: true,
     grab(world, eid, point) {
       assertBody(world, eid);
       target = checkVector(point, 'pointerPull.point', PLACES);

@@ -42,6 +42,7 @@ export function polygonUpthrust(pool: Pool, hull: PolygonHull): Force {
     parameters: { ...parameters, area: { unit: 'm²', value: area } },
     reads: ['Position', 'Rotation', 'Hull'],
     local: true,
+    timeless: true,
     turns: true,
     accumulate(world, first, last) {
       if (world.dimensions === 3 || world.internal.counts.Hull === 0) return;

@@ -38,6 +38,7 @@ export function randomDrive(options: RandomDriveOptions): Force {
     parameters: shownVector('spectralDensity', 'N² s', density),
     reads: ['Mass'],
     local: true,
+    timeless: true,
     prepare(_world, dt) {
       length = dt;
     },

@@ -30,6 +30,7 @@ export function rocketEngines(options: RocketOptions = {}): Force {
     equation: 'F = v_e μ n, dm/dt = -μ',
     reads: ['Engine', 'Mass', ...(frame === 'body' ? ['Rotation', 'Orientation'] : [])],
     local: true,
+    timeless: true,
     prepare(world, dt) {
       if (world.internal.counts.Engine === 0) return;
       const e = world.addresses.Engine;

@@ -38,6 +38,7 @@ export function sphereDrag(options: FluidOptions): Force {
     parameters: { density: { unit: 'kg/m³', value: density }, viscosity: { unit: 'Pa s', value: viscosity } },
     reads: ['Velocity', 'Collider'],
     local: true,
+    timeless: medium.steady !== undefined,
     accumulate(world, first, last, time) {
       const w = medium.at(world, time);
       const { x, y, z } = world.scratch.at.force;

@@ -35,6 +35,7 @@ export function stringTension(options: StringOptions): Force {
     parameters: { length: { unit: 'm', value: length } },
     reads: ['Position', 'Velocity', 'Mass'],
     local: true,
+    timeless: true,
     accumulate(world, first, last) {
       const { x, y, z } = world.scratch.at.force;
       const pz = world.dimensions === 3 ? pivot.z : 0;

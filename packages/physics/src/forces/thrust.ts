@@ -26,6 +26,7 @@ export function thrust(options: ThrustOptions = {}): Force {
     equation: frame === 'world' ? 'F = T' : 'F = R T',
     reads: ['Thrust', ...(frame === 'body' ? ['Rotation', 'Orientation'] : [])],
     local: true,
+    timeless: true,
     accumulate(world, first, last) {
       if (world.internal.counts.Thrust === 0) return;
       const { x, y, z } = world.addresses.Thrust;

@@ -25,6 +25,7 @@ export function constantTorque(torque: VectorInput): Force {
     parameters: shownVector('torque', 'N m', t),
     reads: ['Inertia'],
     local: true,
+    timeless: true,
     turns: true,
     accumulate(world, first, last) {
       const kernels = lawKernels(world);
@@ -45,6 +46,7 @@ export function angularDrag(): Force {
     equation: 'τ = -k ω',
     reads: ['AngularVelocity', 'AngularDrag'],
     local: true,
+    timeless: true,
     turns: true,
     accumulate(world, first, last) {
       const { kernels, addresses } = world;

@@ -23,6 +23,7 @@ export function upthrust(pool: Pool): Force {
     parameters,
     reads: ['Position', 'Hull', 'Collider'],
     local: true,
+    timeless: true,
     accumulate(world, first, last) {
       if (world.internal.counts.Hull === 0) return;
       const { x, y, z } = world.scratch.at.force;

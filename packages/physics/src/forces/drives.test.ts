@@ -1,0 +1,135 @@
+import { describe, expect, test } from 'vitest';
+import { forceOn, lawOn, read, run, single } from '../../../../test/support/laws';
+import {
+  createPhysicsWorld,
+  despawn,
+  linearDrag,
+  periodicDrive,
+  pointerPull,
+  powerLaw,
+  randomDrive,
+  semiImplicitEuler,
+  spawn,
+  step,
+  uniformGravity,
+  velocityVerlet,
+} from '../index';
+
+describe('periodic drive', () => {
+  test('a constant force for Ω = 0, and both amplitudes at their times', () => {
+    expect(lawOn(periodicDrive({ cosine: { x: 3 }, angularFrequency: 0 }), { mass: 7 }).x).toBe(3);
+    const law = periodicDrive({ cosine: { x: 3 }, sine: { y: 4 }, angularFrequency: 2 });
+    const { world, eid } = single([law], {});
+    expect(forceOn(world, eid, Math.PI / 4).y).toBeCloseTo(4, 14);
+    expect(forceOn(world, eid, Math.PI / 2).x).toBeCloseTo(-3, 14);
+  });
+});
+
+/** Mean square velocity and position of many bodies under the same law, each with its own noise. */
+function crowd(forces: Parameters<typeof single>[0], seconds: number, dt: number, body = {}) {
+  const count = 4000;
+  const world = createPhysicsWorld({ capacity: count, forces, integrator: velocityVerlet });
+  for (let i = 0; i < count; i++) spawn(world, { position: {}, velocity: {}, mass: 2, ...body });
+  run(world, seconds, dt);
+  const { Position: p, Velocity: v } = world.components;
+  const mean = (column: ArrayLike<number>) => {
+    let sum = 0;
+    for (let eid = 1; eid <= count; eid++) sum += column[eid] ** 2;
+    return sum / count;
+  };
+  return { vx: mean(v.x), vy: mean(v.y), x: mean(p.x) };
+}
+
+describe('random drive', () => {
+  // Of 4000 normal numbers the mean square is good to √(2/4000) = 2.2 %: 8 % is beyond three and a half sigma.
+  const near = (value: number, expected: number) => expect(Math.abs(value / expected - 1)).toBeLessThan(0.08);
+
+  test('a free body gains S t/m² an axis, whatever the step', () => {
+    for (const dt of [0.1, 0.01]) {
+      const { vx, vy } = crowd([randomDrive({ spectralDensity: { x: 12, y: 3 } })], 2, dt);
+      near(vx, (12 * 2) / 4);
+      near(vy, (3 * 2) / 4);
+    }
+  });
+
+  test('a damped oscillator keeps S/(2 k c), and linear drag comes to its temperature S/(2 c)', () => {
+    for (const dt of [0.1, 0.025]) {
+      const spring = powerLaw({ strength: -5, exponent: 1 });
+      const { x, vx } = crowd([randomDrive({ spectralDensity: 8 }), spring, linearDrag()], 12, dt, { linearDrag: 2 });
+      near(x, 8 / (2 * 10 * 2));
+      near(2 * vx, 8 / (2 * 2));
+    }
+  });
+
+  test('the same seed gives the same noise, in tiles or not; another seed another', () => {
+    const path = (seed: number, precision: 'f32' | 'f64' = 'f64') => {
+      const { world, at } = single([randomDrive({ spectralDensity: 1 })], {}, { seed, precision });
+      run(world, 1);
+      return at();
+    };
+    expect(path(1)).toEqual(path(1));
+    expect(path(1)).not.toEqual(path(2));
+    expect(path(1, 'f32').x).toBeCloseTo(path(1).x, 4);
+  });
+
+  test('axes are independent in space, and bodies are', () => {
+    const world = createPhysicsWorld({ capacity: 3000, dimensions: 3, forces: [randomDrive({ spectralDensity: 1 })] });
+    for (let i = 0; i < 3000; i++) spawn(world, { position: {}, velocity: {}, mass: 1 });
+    step(world, 1);
+    const { x, y, z } = world.components.Velocity;
+    const correlation = (a: ArrayLike<number>, b: ArrayLike<number>, lag: number) => {
+      let sum = 0;
+      for (let i = 1; i <= 3000 - lag; i++) sum += a[i] * b[i + lag];
+      return Math.abs(sum / 3000);
+    };
+    for (const pair of [correlation(x, y, 0), correlation(y, z, 0), correlation(x, z, 0), correlation(x, x, 1)]) {
+      expect(pair).toBeLessThan(4 / Math.sqrt(3000));
+    }
+  });
+});
+
+describe('pointer pull', () => {
+  test('brings the body to the point without overshoot, and lets go without a jump', () => {
+    const hand = pointerPull({ frequency: 1 });
+    const { world, eid, at, speed } = single([hand], { mass: 40 });
+    hand.grab(world, eid, { x: 3, y: 4 });
+    let furthest = 0;
+    run(world, 3, 1 / 120, () => {
+      furthest = Math.max(furthest, at().x);
+    });
+    expect(furthest).toBeLessThanOrEqual(3);
+    expect(at().x).toBeCloseTo(3, 4);
+    hand.moveTo({ x: 0 });
+    step(world, 0.01);
+    const before = speed();
+    expect(before).toBeGreaterThan(0);
+    hand.release();
+    step(world, 0.01);
+    expect(speed()).toBe(before);
+  });
+
+  test('hangs mg/(m ω²) below the point, for every mass, and gives no more than its most', () => {
+    for (const mass of [1, 100]) {
+      const hand = pointerPull({ frequency: 1 });
+      const { world, eid, at } = single([hand, uniformGravity({ y: -10 })], { mass });
+      hand.grab(world, eid, {});
+      run(world, 5);
+      expect(at().y).toBeCloseTo(-10 / (2 * Math.PI) ** 2, 6);
+    }
+    const weak = pointerPull({ maxForce: 5 });
+    const { world, eid } = single([weak]);
+    weak.grab(world, eid, { x: 300, y: 400 });
+    expect(forceOn(world, eid)).toMatchObject({ x: 3, y: 4 });
+  });
+
+  test('a body that goes while held is let go, and the id that comes again is not held', () => {
+    const hand = pointerPull();
+    const { world, eid } = single([hand], {}, { integrator: semiImplicitEuler });
+    hand.grab(world, eid, { x: 10 });
+    despawn(world, eid);
+    const heir = spawn(world, { position: {}, velocity: {}, mass: 1 });
+    step(world, 0.1);
+    expect(read(world, heir).speed()).toBe(0);
+    expect(() => hand.grab(world, 15, {})).toThrow(/E_STALE/);
+  });
+});

@@ -1,0 +1,125 @@
+import { describe, expect, test } from 'vitest';
+import { forceOn, lawOn, run, single } from '../../../../test/support/laws';
+import { correlatedGusts, createPhysicsWorld, linearDrag, PhysicsError, spawn, turbulentDrag } from '../index';
+
+describe('correlated gusts', () => {
+  const options = { mean: { x: 5 }, deviation: { x: 2, y: 3 }, time: 0.5, seed: 7 };
+
+  test('mean, deviation and correlation time, however often it is looked at', () => {
+    // 4000 correlation times hold some 4000 independent gusts: the mean is good to 2 % of a deviation, twice over.
+    for (const dt of [0.05, 0.2]) {
+      const wind = correlatedGusts(options);
+      const ahead = correlatedGusts(options);
+      const lag = 0.5;
+      let [n, sum, square, product] = [0, 0, 0, 0];
+      for (let t = 0; t < 2000; t += dt) {
+        const now = wind(t).y;
+        const later = ahead(t + lag).y;
+        n++;
+        sum += now;
+        square += now * now;
+        product += now * later;
+      }
+      expect(Math.abs(sum / n)).toBeLessThan(0.2);
+      expect(Math.sqrt(square / n)).toBeCloseTo(3, 0);
+      expect(product / square).toBeCloseTo(Math.exp(-1), 1);
+    }
+  });
+
+  test('it is a function of time: in any order, from any start, the same bits', () => {
+    const [forward, back] = [correlatedGusts(options), correlatedGusts(options)];
+    const times = Array.from({ length: 300 }, (_, i) => i * 0.137);
+    const read = (wind: typeof forward, t: number) => ({ ...wind(t) });
+    const first = times.map((t) => read(forward, t));
+    const last = [...times].reverse().map((t) => read(back, t));
+    expect(last.reverse()).toEqual(first);
+    expect(read(correlatedGusts({ ...options, seed: 8 }), 1)).not.toEqual(first[7]);
+    expect(first[3].z).toBe(0);
+  });
+
+  test('carries a body with the wind: the mean drift of linear drag is the mean wind', () => {
+    const { world, at } = single([linearDrag(correlatedGusts({ ...options, time: 0.05 }))], { linearDrag: 10 });
+    run(world, 200, 0.02);
+    expect(at().x / 200).toBeCloseTo(5, 0);
+  });
+});
+
+describe('turbulent drag', () => {
+  const options = { deviation: 2, largest: 10, seed: 3 };
+  const wind = (law = turbulentDrag(options), x = 0, y = 0, z = 0, dimensions: 2 | 3 = 2) => {
+    const at = dimensions === 2 ? { x, y } : { x, y, z };
+    return lawOn(law, { position: at, linearDrag: 1 }, { dimensions });
+  };
+
+  test('the air has no divergence, in the plane and in space', () => {
+    const law = turbulentDrag(options);
+    // Its gradients are some 40 1/s.
+    const h = 5e-4;
+    for (const [x, y] of [
+      [0, 0],
+      [3, -7],
+      [120, 45],
+    ]) {
+      const flat = (wind(law, x + h, y).x - wind(law, x - h, y).x + wind(law, x, y + h).y - wind(law, x, y - h).y) / h;
+      expect(Math.abs(flat)).toBeLessThan(1e-3);
+      const solid =
+        (wind(law, x + h, y, 1, 3).x - wind(law, x - h, y, 1, 3).x) / h +
+        (wind(law, x, y + h, 1, 3).y - wind(law, x, y - h, 1, 3).y) / h +
+        (wind(law, x, y, 1 + h, 3).z - wind(law, x, y, 1 - h, 3).z) / h;
+      expect(Math.abs(solid)).toBeLessThan(1e-3);
+    }
+  });
+
+  test('each component has the deviation asked for, over a wide square', () => {
+    for (const dimensions of [2, 3] as const) {
+      const world = createPhysicsWorld({
+        capacity: 5000,
+        dimensions,
+        forces: [turbulentDrag({ ...options, modes: 200 })],
+      });
+      for (let i = 0; i < 4900; i++) {
+        const position = {
+          x: (i % 70) * 13.7,
+          y: Math.floor(i / 70) * 11.3,
+          ...(dimensions === 3 ? { z: i * 0.77 } : {}),
+        };
+        spawn(world, { position, velocity: {}, mass: 1, linearDrag: 1 });
+      }
+      forceOn(world, 1);
+      const { x, y, z } = world.scratch.force;
+      for (const column of dimensions === 3 ? [x, y, z] : [x, y]) {
+        const values = Array.from(column.subarray(1, 4901));
+        expect(Math.abs(values.reduce((a, b) => a + b, 0) / 4900)).toBeLessThan(0.2);
+        const deviation = Math.sqrt(values.reduce((a, b) => a + b * b, 0) / 4900);
+        expect(deviation).toBeGreaterThan(1.6);
+        expect(deviation).toBeLessThan(2.4);
+      }
+    }
+  });
+
+  test('the field does not depend on the frame rate, and changes with time', () => {
+    const after = (dt: number) => {
+      const { world, eid } = single([turbulentDrag(options)], { linearDrag: 1e-12 });
+      run(world, 4, dt);
+      const { x, y } = world.scratch.force;
+      return [x[eid], y[eid]];
+    };
+    const [coarse, fine] = [after(0.5), after(0.01)];
+    expect(coarse[0]).toBeCloseTo(fine[0], 22);
+    expect(coarse[1]).toBeCloseTo(fine[1], 22);
+    expect(coarse[0]).not.toBeCloseTo(after(4)[0] * 2, 13);
+  });
+
+  test('f32 sees the same air', () => {
+    const force = (precision: 'f32' | 'f64') =>
+      lawOn(turbulentDrag(options), { position: { x: 3, y: 4 }, velocity: { x: 1 }, quadraticDrag: 1 }, { precision });
+    expect(force('f32').x).toBeCloseTo(force('f64').x, 3);
+    expect(force('f32').y).toBeCloseTo(force('f64').y, 3);
+  });
+
+  test('refuses a spectrum upside down', () => {
+    expect(() => turbulentDrag({ ...options, smallest: 11 })).toThrow(PhysicsError);
+    expect(() => turbulentDrag({ ...options, modes: 0 })).toThrow(PhysicsError);
+    expect(() => correlatedGusts({ deviation: {}, time: 0 })).toThrow(PhysicsError);
+  });
+});

@@ -1,0 +1,108 @@
+import { describe, expect, test } from 'vitest';
+import { forceOn, read, run, single } from '../../../../test/support/laws';
+import {
+  createPhysicsWorld,
+  linearDrag,
+  motors,
+  PhysicsError,
+  rocketEngines,
+  semiImplicitEuler,
+  spawn,
+  step,
+  thrust,
+  velocityVerlet,
+} from '../index';
+
+describe('rocket engines', () => {
+  const engine = { exhaustSpeed: 200, burnRate: 0.5, fuel: 3.5 };
+
+  test('Δv is v_e ln(m₀/m₁) to rounding, with every integrator and step, also when fuel ends inside a step', () => {
+    for (const integrator of [semiImplicitEuler, velocityVerlet]) {
+      for (const dt of [1 / 60, 0.3, 10]) {
+        const { world, eid, going } = single([rocketEngines()], { mass: 10, engine }, { integrator });
+        run(world, 10, dt);
+        expect(going().y).toBeCloseTo(200 * Math.log(10 / 6.5), 10);
+        expect(world.components.Engine.fuel[eid]).toBe(0);
+        expect(world.components.Mass.value[eid]).toBeCloseTo(6.5, 12);
+        step(world, dt);
+        expect(world.components.Engine.thrustY[eid]).toBe(0);
+      }
+    }
+  });
+
+  test('momentum of rocket and exhaust: m dv = -v_e dm in every step', () => {
+    const { world, eid, going } = single([rocketEngines()], { mass: 10, engine });
+    const { Mass } = world.components;
+    let [exhaust, speed, mass] = [0, 0, 10];
+    for (let i = 0; i < 100; i++) {
+      step(world, 1e-3);
+      exhaust += (mass - Mass.value[eid]) * ((speed + going().y) / 2 - 200);
+      [speed, mass] = [going().y, Mass.value[eid]];
+    }
+    expect(exhaust + mass * speed).toBeCloseTo(0, 6);
+  });
+
+  test('the throttle scales it, and the engine turns with the body', () => {
+    const quarter = { engine: { ...engine, throttle: 0.25 }, mass: 1e6, rotation: Math.PI / 2 };
+    const { world, eid } = single([rocketEngines()], quarter);
+    expect(forceOn(world, eid).x).toBeCloseTo(-25, 4);
+    const half = Math.SQRT1_2;
+    const turned = { engine, mass: 1e6, orientation: { x: half, w: half } };
+    const solid = single([rocketEngines()], turned, { dimensions: 3 });
+    expect(forceOn(solid.world, solid.eid).z).toBeCloseTo(100, 3);
+    const fixed = single([rocketEngines({ frame: 'world' })], quarter);
+    expect(forceOn(fixed.world, fixed.eid).y).toBeCloseTo(25, 4);
+  });
+
+  test('two worlds may share the law, and a rocket of fuel alone keeps a mass', () => {
+    const law = rocketEngines();
+    const a = single([law], { mass: 1, engine: { ...engine, fuel: 1 } });
+    const b = single([law], { mass: 1 });
+    run(a.world, 10);
+    run(b.world, 10);
+    expect(a.world.components.Mass.value[a.eid]).toBeGreaterThan(0);
+    expect(Number.isFinite(a.speed())).toBe(true);
+    expect(b.speed()).toBe(0);
+    expect(() => single([law], { engine: { ...engine, y: 0 } })).toThrow(PhysicsError);
+  });
+});
+
+describe('thrust', () => {
+  test('in axes of the world or of the body, written while the world runs', () => {
+    const { world, eid, going } = single([thrust()], { mass: 2, thrust: { x: 4 } });
+    run(world, 1);
+    world.components.Thrust.x[eid] = 0;
+    run(world, 1);
+    expect(going().x).toBeCloseTo(2, 12);
+    const turned = single([thrust({ frame: 'body' })], { thrust: { x: 4 }, rotation: Math.PI / 2 });
+    expect(forceOn(turned.world, turned.eid).y).toBeCloseTo(4, 14);
+    expect(() => thrust({ frame: 'sideways' as never })).toThrow(PhysicsError);
+  });
+});
+
+describe('motors', () => {
+  test('kinetic energy grows with the power; with linear drag v² tends to P/c', () => {
+    const { world, speed } = single([motors()], { mass: 3, velocity: { x: 3, y: 4 }, motor: 50 });
+    run(world, 10);
+    expect(0.5 * 3 * speed() ** 2).toBeCloseTo(0.5 * 3 * 25 + 500, 1);
+    const dragged = single([motors(), linearDrag()], { motor: { power: 50, maxForce: 20 }, linearDrag: 0.1 });
+    run(dragged.world, 120);
+    expect(dragged.speed()).toBeCloseTo(Math.sqrt(500), 6);
+  });
+
+  test('from rest it sets off along the heading with no more than its most', () => {
+    const { world, eid } = single([motors({ heading: { y: 2 } })], { motor: { power: 50, maxForce: 8 } });
+    expect(forceOn(world, eid)).toMatchObject({ x: 0, y: 8 });
+    const slow = single([motors()], { velocity: { x: -1 }, motor: { power: 50, maxForce: 8 } });
+    expect(forceOn(slow.world, slow.eid).x).toBe(-8);
+  });
+
+  test('negative power brakes, and does not push a body at rest', () => {
+    const world = createPhysicsWorld({ capacity: 5, forces: [motors()] });
+    const moving = spawn(world, { position: {}, velocity: { x: 10 }, mass: 1, motor: -20 });
+    const still = spawn(world, { position: {}, velocity: {}, mass: 1, motor: -20 });
+    expect(forceOn(world, moving).x).toBe(-2);
+    step(world, 0.1);
+    expect(read(world, still).speed()).toBe(0);
+  });
+});
