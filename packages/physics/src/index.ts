@@ -73,6 +73,7 @@ export { type PlaneSupportOptions, planeSupport } from './forces/plane-support';
 export { type PointerPull, type PointerPullOptions, pointerPull } from './forces/pointer-pull';
 export { type PolygonHull, polygonUpthrust } from './forces/polygon-upthrust';
 export type { Pool } from './forces/pool';
+export { type PostNewtonianOptions, postNewtonian } from './forces/post-newtonian';
 export { type PowerLawOptions, powerLaw } from './forces/power-law';
 export { type RandomDriveOptions, randomDrive } from './forces/random-drive';
 export { replaceForce } from './forces/replace-force';
@@ -90,10 +91,31 @@ export { upthrust } from './forces/upthrust';
 export { type VortexOptions, vortex } from './forces/vortex';
 export { type GustOptions, gusts, type Wind } from './forces/wind';
 export { type YukawaOptions, yukawa } from './forces/yukawa';
+export { INTEGRATORS, type IntegratorName, type IntegratorRecord } from './integrators/all';
+export { type BorisOptions, boris } from './integrators/boris';
+export {
+  type DenseState,
+  type DormandPrinceOptions,
+  denseInterval,
+  denseState,
+  dormandPrince,
+} from './integrators/dormand-prince';
+export { driftKickDrift } from './integrators/drift-kick-drift';
+export { explicitEuler } from './integrators/explicit-euler';
+export { type GaussRadauOptions, gaussRadau } from './integrators/gauss-radau';
+export { heun } from './integrators/heun';
+export { type ImplicitEulerOptions, implicitEuler } from './integrators/implicit-euler';
 export type { Integrator } from './integrators/integrator';
+export { leapfrog } from './integrators/leapfrog';
+export { midpoint } from './integrators/midpoint';
+export { positionFirstEuler } from './integrators/position-first-euler';
+export { positionVerlet } from './integrators/position-verlet';
 export { rungeKutta4 } from './integrators/runge-kutta-4';
 export { semiImplicitEuler } from './integrators/semi-implicit-euler';
 export { velocityVerlet } from './integrators/velocity-verlet';
+export { type WisdomHolmanOptions, wisdomHolman } from './integrators/wisdom-holman';
+export { yoshida4 } from './integrators/yoshida4';
+export { yoshida6 } from './integrators/yoshida6';
 export type { Precision } from './kernels/instantiate';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary';
 export { createRandom, type Random } from './math/random';

@@ -70,19 +70,14 @@ export function advanceKepler(mu: f64, x: f64, y: f64, z: f64, vx: f64, vy: f64,
   const beta = (2 * mu) / r0 - (vx * vx + vy * vy + vz * vz);
   const eta = x * vx + y * vy + z * vz;
   const zeta = mu - beta * r0;
-  const s = solveTime(r0, beta, eta, zeta, dt);
-  if (!(abs<f64>(s) < Infinity)) return false;
-  stumpff(beta * s * s);
-  const G1 = s * c1;
-  const G2 = s * s * c2;
-  const G3 = s * s * s * c3;
-  const r = r0 + eta * G1 + zeta * G2;
+  if (!solveTime(r0, beta, eta, zeta, dt)) return false;
+  const r = r0 + eta * g1 + zeta * g2;
   if (!(r > 0)) return false;
   // Lagrange's f - 1, g, f', g' - 1: differences, so that short steps lose nothing.
-  const f = (-mu * G2) / r0;
-  const g = dt - mu * G3;
-  const fd = (-mu * G1) / (r0 * r);
-  const gd = (-mu * G2) / r;
+  const f = (-mu * g2) / r0;
+  const g = dt - mu * g3;
+  const fd = (-mu * g1) / (r0 * r);
+  const gd = (-mu * g2) / r;
   toX = x + (f * x + g * vx);
   toY = y + (f * y + g * vy);
   toZ = z + (f * z + g * vz);
@@ -92,30 +87,45 @@ export function advanceKepler(mu: f64, x: f64, y: f64, z: f64, vx: f64, vy: f64,
   return true;
 }
 
-// The root s of t(s) = dt. t grows with s everywhere (dt/ds = r > 0), so a bracket and Halley's steps inside it find it.
-function solveTime(r0: f64, beta: f64, eta: f64, zeta: f64, dt: f64): f64 {
-  if (dt == 0) return 0;
-  if (dt < 0) return -solveTime(r0, beta, -eta, zeta, -dt);
+// G1, G2, G3 at the root of the time equation.
+let g1: f64 = 0;
+let g2: f64 = 0;
+let g3: f64 = 0;
+
+// Finds s with t(s) = dt; false when there is none in the range of numbers. t grows with s everywhere (dt/ds = r > 0), so
+// a bracket and Halley's steps inside it find it.
+function solveTime(r0: f64, beta: f64, eta: f64, zeta: f64, dt: f64): bool {
+  // Backwards is forwards with the velocity turned round: eta, G1 and G3 change their signs.
+  const sign: f64 = dt < 0 ? -1 : 1;
+  const turned = sign * eta;
+  const time = abs<f64>(dt);
   let low: f64 = 0;
   let high: f64 = Infinity;
-  let s = guess(r0, beta, eta, zeta, dt);
+  let s = guess(r0, beta, turned, zeta, time);
   for (let i = 0; i < MOST; i++) {
     stumpff(beta * s * s);
     const G1 = s * c1;
     const G2 = s * s * c2;
-    const miss = r0 * s + eta * G2 + zeta * (s * s * s * c3) - dt;
-    const r = r0 + eta * G1 + zeta * G2;
+    const G3 = s * s * s * c3;
+    const miss = r0 * s + turned * G2 + zeta * G3 - time;
+    const r = r0 + turned * G1 + zeta * G2;
     // An s that is far too large overflows to NaN.
     if (miss <= 0) low = s;
     else high = s;
-    const slope = r - (0.5 * miss * (eta * c0 + zeta * G1)) / r;
-    let next = s - miss / (slope > 0 ? slope : r);
-    if (!(next > low && next < high)) next = high < Infinity ? 0.5 * (low + high) : 2 * s;
-    // Halley's error is the cube of the last step's, so what is left is far below rounding.
-    if (abs<f64>(next - s) <= 1e-7 * next) return next;
-    s = next;
+    const slope = r - (0.5 * miss * (turned * c0 + zeta * G1)) / r;
+    const d = -miss / (slope > 0 ? slope : r);
+    if (abs<f64>(d) <= 1e-6 * s) {
+      // Halley's error is the cube of its step, so this is the last; two terms of Taylor carry the functions there.
+      const half = 0.5 * d;
+      g1 = sign * (G1 + d * (c0 - half * beta * G1));
+      g2 = G2 + d * (G1 + half * c0);
+      g3 = sign * (G3 + d * (G2 + half * G1));
+      return true;
+    }
+    const next = s + d;
+    s = next > low && next < high ? next : high < Infinity ? 0.5 * (low + high) : 2 * s;
   }
-  return s;
+  return false;
 }
 
 // Three terms of the series of s in dt where the step is short against the orbit, else the mean motion.

@@ -218,12 +218,14 @@ export function radauPredict(table: usize, ratio: f64, onwards: bool, first: i32
   }
 }
 
-// Powers of h - 1 in place of powers of h: b[k] = sum over j >= k of (j+1 over k+1) b[j], by repeated addition.
+// Powers of h - 1 in place of powers of h: b[k] = sum over j >= k of (j+1 over k+1) b[j], by repeated addition: once
+// through all terms for a0, which is not kept, then for b0, b1, and so on.
 // @ts-ignore: decorator
 @inline function shiftToEnd(start: usize, stride: usize): void {
-  for (let k: usize = 0; k < 7; k++) {
+  for (let pass: usize = 0; pass < 7; pass++) {
+    const lowest: usize = pass == 0 ? 0 : pass - 1;
     let sum = v128.load(start + 6 * stride);
-    for (let j: usize = 6; j-- > k; ) {
+    for (let j: usize = 6; j-- > lowest; ) {
       const b = start + j * stride;
       sum = add(sum, v128.load(b));
       v128.store(b, sum);

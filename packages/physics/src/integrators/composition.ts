@@ -1,4 +1,5 @@
 // Schemes made of drifts and kicks alone.
+import { momentOf } from '../forces/evaluate';
 import type { Integrator } from './integrator';
 import { drift, kick } from './moves';
 
@@ -12,7 +13,7 @@ export function compose(drifts: Lengths, kicks: Lengths): Integrator['advance'] 
     for (let stage = 0; stage < kicks.length; stage++) {
       passed += drifts[stage];
       drift(world, spans, drifts[stage] * dt);
-      evaluateForces(world, spans, world.time + passed * dt);
+      evaluateForces(world, spans, momentOf(world, passed * dt));
       kick(world, spans, kicks[stage] * dt);
     }
     if (drifts.length > kicks.length) drift(world, spans, drifts[kicks.length] * dt);

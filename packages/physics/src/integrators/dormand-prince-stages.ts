@@ -1,6 +1,6 @@
 // One sub-step of Dormand and Prince's pair over the columns: its stages and its error.
 import type { RealColumn } from '../components/define';
-import type { EvaluateForces } from '../forces/evaluate';
+import { type EvaluateForces, momentOf } from '../forces/evaluate';
 import { allocate } from '../store/arena';
 import { AXES } from '../store/axes';
 import { realBytes, realColumn } from '../store/columns';
@@ -67,19 +67,19 @@ export function restore(world: PhysicsWorld, spans: Spans, { at, stride }: Stage
   }
 }
 
-/** Tries a sub-step of length h from `time`: bodies are where it leads, and the forces are those there. */
+/** Tries a sub-step of length h, `passed` seconds into the step: bodies are where it leads, and the forces are those there. */
 export function takeSubStep(
   world: PhysicsWorld,
   spans: Spans,
   stages: Stages,
-  time: number,
+  passed: number,
   h: number,
   evaluateForces: EvaluateForces,
 ): void {
   for (let i = 1; i < STAGES; i++) {
     setWeights(stages, h * C[i], AA[i], h * h, A[i], h);
     moveToStage(world, spans, stages, i);
-    evaluateForces(world, spans, time + C[i] * h);
+    evaluateForces(world, spans, momentOf(world, passed + C[i] * h));
     keepAcceleration(world, spans, stages, i);
   }
 }

@@ -9,7 +9,7 @@
 // tolerance a sub-step. Where the force is singular or jumps, the step is crossed without error control and the log gets
 // an E_STEP that names the body. Sources: dormand-prince-tableau.ts.
 import { checkKeys, checkNumber, type Vector } from '../faults/validate';
-import type { EvaluateForces } from '../forces/evaluate';
+import { type EvaluateForces, momentOf } from '../forces/evaluate';
 import { pow } from '../math/elementary';
 import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
@@ -78,7 +78,7 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
   const tolerance = Math.max(limits.tolerance, world.precision === 'f32' ? 1e-6 : 0);
   let passed = 0;
   let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : dt;
-  evaluateForces(world, spans, world.time);
+  evaluateForces(world, spans, momentOf(world, 0));
   begin(world, spans, stages);
   for (let tries = 0; passed < dt; tries++) {
     if (wanted < SHORTEST * dt || tries > MOST_TRIES) {
@@ -88,7 +88,7 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
     }
     const rest = dt - passed;
     const h = subStep(wanted, rest);
-    takeSubStep(world, spans, stages, world.time + passed, h, evaluateForces);
+    takeSubStep(world, spans, stages, passed, h, evaluateForces);
     const error = worstRatio(world, spans, stages, h, limits.positionFloor, limits.velocityFloor) / tolerance;
     if (error <= 1) {
       passed = h === rest ? dt : passed + h;
@@ -118,7 +118,7 @@ function crossBlindly(world: PhysicsWorld, spans: Spans, passed: number, dt: num
   const h = (dt - passed) / LAST_RESORT;
   restore(world, spans, stages);
   for (let i = 0; i < LAST_RESORT; i++) {
-    takeSubStep(world, spans, stages, world.time + passed + i * h, h, evaluate);
+    takeSubStep(world, spans, stages, passed + i * h, h, evaluate);
     begin(world, spans, stages);
   }
   stages.scalars.fill(0);

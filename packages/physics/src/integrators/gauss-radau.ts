@@ -12,7 +12,7 @@
 //
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
 import { checkKeys, checkNumber } from '../faults/validate';
-import type { EvaluateForces } from '../forces/evaluate';
+import { type EvaluateForces, momentOf } from '../forces/evaluate';
 import { pow } from '../math/elementary';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
@@ -30,10 +30,10 @@ export interface GaussRadauOptions {
 const MOST_ITERATIONS = 12;
 
 /** The polynomial has settled when its last term changes by less than this part of the acceleration. */
-const SETTLED = 1e-16;
+const SETTLED = { f32: 1e-7, f64: 1e-16 };
 
 /** Changes that no longer shrink are rounding when they are below this. */
-const STALLED = 1e-9;
+const STALLED = { f32: 0.1, f64: 1e-9 };
 
 /** A sub-step that should have been shorter than this part of its length is done again. */
 const TOO_LONG = 0.25;
@@ -77,10 +77,9 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluate: Evaluate
       return;
     }
     const h = subStep(wanted, rest);
-    const time = world.time + passed;
-    if (isNew) begin(world, spans, radau, time, evaluate);
+    if (isNew) begin(world, spans, radau, passed, evaluate);
     predict(spans, radau, h, isNew);
-    const converged = iterate(world, spans, radau, time, h, evaluate);
+    const converged = iterate(world, spans, radau, passed, h, evaluate);
     const next = converged ? lengthAfter(spans, radau, h, most) : 0;
     isNew = next >= TOO_LONG * h;
     if (isNew) {
@@ -96,8 +95,8 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluate: Evaluate
   scalars[WANTED] = wanted;
 }
 
-function begin(world: PhysicsWorld, spans: Spans, { table, kernels }: Radau, time: number, evaluate: EvaluateForces) {
-  evaluate(world, spans, time);
+function begin(world: PhysicsWorld, spans: Spans, { table, kernels }: Radau, passed: number, evaluate: EvaluateForces) {
+  evaluate(world, spans, momentOf(world, passed));
   for (let r = 0; r < spans.count; r++) kernels.radauBegin(table, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
 }
 
@@ -123,17 +122,18 @@ function iterate(
   world: PhysicsWorld,
   spans: Spans,
   radau: Radau,
-  time: number,
+  passed: number,
   h: number,
   evaluate: EvaluateForces,
 ): boolean {
+  const settled = SETTLED[world.precision];
   let before = Number.POSITIVE_INFINITY;
   for (let i = 0; i < MOST_ITERATIONS; i++) {
-    const change = sweepNodes(world, spans, radau, time, h, evaluate);
-    if (change <= SETTLED) return true;
-    if (!(change < before)) return before < STALLED;
+    const change = sweepNodes(world, spans, radau, passed, h, evaluate);
+    if (change <= settled) return true;
+    if (!(change < before)) return before < STALLED[world.precision];
     // Each sweep shortens the change by about the same factor: what the next one would bring is known.
-    if (i > 0 && change * (change / before) <= SETTLED) return true;
+    if (i > 0 && change * (change / before) <= settled) return true;
     before = change;
   }
   return false;
@@ -144,7 +144,7 @@ function sweepNodes(
   world: PhysicsWorld,
   spans: Spans,
   { table, kernels }: Radau,
-  time: number,
+  passed: number,
   h: number,
   evaluate: EvaluateForces,
 ): number {
@@ -153,7 +153,7 @@ function sweepNodes(
   let largest = 0;
   for (let s = 1; s < NODES.length; s++) {
     for (let r = 0; r < count; r++) kernels.radauState(table, s, NODES[s], h, bounds[2 * r], bounds[2 * r + 1]);
-    evaluate(world, spans, time + NODES[s] * h);
+    evaluate(world, spans, momentOf(world, passed + NODES[s] * h));
     change = 0;
     for (let r = 0; r < count; r++) {
       change = Math.max(change, kernels.radauRefine(table, s, bounds[2 * r], bounds[2 * r + 1]));
@@ -199,10 +199,10 @@ function crossBlindly(
     kernels.radauState(table, 0, 0, h, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
   }
   for (let i = 0; i < LAST_RESORT; i++) {
-    const time = world.time + passed + i * h;
+    const sofar = passed + i * h;
     forget(spans, radau);
-    begin(world, spans, radau, time, evaluate);
-    iterate(world, spans, radau, time, h, evaluate);
+    begin(world, spans, radau, sofar, evaluate);
+    iterate(world, spans, radau, sofar, h, evaluate);
     end(spans, radau, h);
   }
   forget(spans, radau);

@@ -1,5 +1,5 @@
 // The equation that a step of implicit Euler solves, and the columns its solution needs.
-import type { EvaluateForces } from '../forces/evaluate';
+import { type EvaluateForces, momentOf } from '../forces/evaluate';
 import { AXES } from '../store/axes';
 import { axisColumns } from '../store/columns';
 import { resource } from '../store/resource';
@@ -62,7 +62,7 @@ export function residualAt(
   to: BodyVector,
 ): void {
   moveTo(world, spans, equation, v, dt);
-  evaluate(world, spans, world.time + dt);
+  evaluate(world, spans, momentOf(world, dt));
   const { implicitResidualAxis } = integratorKernels(world);
   const { force } = world.scratch.at;
   const mass = world.addresses.Mass.value;

@@ -5,6 +5,7 @@
 // Second order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
 // oscillator grows by (ω dt)⁴/4 a step. Runge, Math. Ann. 46, 167 (1895); Hairer, Nørsett, Wanner: Solving Ordinary
 // Differential Equations I, II.1.
+import { momentOf } from '../forces/evaluate';
 import type { Integrator } from './integrator';
 import { clearSums, finishSums, rungeKuttaStage } from './runge-kutta-stages';
 
@@ -15,9 +16,9 @@ export const midpoint: Integrator = {
   evaluations: 2,
   advance(world, spans, dt, evaluateForces) {
     clearSums(world, spans);
-    evaluateForces(world, spans, world.time);
+    evaluateForces(world, spans, momentOf(world, 0));
     rungeKuttaStage(world, spans, 0, dt / 2);
-    evaluateForces(world, spans, world.time + dt / 2);
+    evaluateForces(world, spans, momentOf(world, dt / 2));
     rungeKuttaStage(world, spans, 1, 0);
     finishSums(world, spans, dt);
   },

@@ -10,6 +10,7 @@
 // keep the order. Symplectic for forces of position alone and equal steps: the energy error is bounded.
 // Størmer, Arch. Sci. Phys. Nat. 24 (1907); Verlet, Phys. Rev. 159, 98 (1967); Hairer, Lubich, Wanner: Geometric
 // Numerical Integration, I.1.4.
+import { momentOf } from '../forces/evaluate';
 import { AXES } from '../store/axes';
 import { axisColumns } from '../store/columns';
 import { resource } from '../store/resource';
@@ -45,7 +46,7 @@ export const positionVerlet: Integrator = {
       memory.tick = world.tick;
       memory.dt = dt;
     }
-    evaluateForces(world, spans, world.time);
+    evaluateForces(world, spans, momentOf(world, 0));
     move(world, spans, dt, memory.before === 0 ? 0 : dt / memory.before);
   },
 };

@@ -1,0 +1,46 @@
+// First post-Newtonian correction of the pull of one dominant body: what turns Mercury's perihelion by 43″ a century.
+//
+//   F = m μ/(c² r³) [(4 μ/r - v²) r + 4 (r·v) v]
+//
+//   m  mass, kg    μ = G M of the dominant body, m³/s²    r, v  position and velocity from it    c  speed of light, m/s
+//
+// An addition to Newton's attraction, on every body with mass except the dominant one; its own recoil, smaller by the
+// ratio of the masses, is left out. Valid for v²/c² and μ/(c² r) far below one, and one body far heavier than all others.
+// In the harmonic gauge of general relativity: Einstein, Infeld, Hoffmann (1938); Will, Theory and Experiment in
+// Gravitational Physics, section 6.2. No potential: the force depends on velocity. Cost: a square root a body.
+import { checkKeys, checkNumber } from '../faults/validate';
+import { GRAVITATIONAL_CONSTANT } from './enclosed-mass-gravity';
+import type { Force } from './force';
+import { lawKernels } from './law-kernels';
+
+/** The dominant body and the constants, in the units of the world. */
+export interface PostNewtonianOptions {
+  /** Entity of the dominant body. */
+  readonly central: number;
+  /** Gravitational constant; default 6.6743e-11 m³/(kg s²). */
+  readonly G?: number;
+  /** Speed of light; default 299 792 458 m/s. */
+  readonly speedOfLight?: number;
+}
+
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+export function postNewtonian(options: PostNewtonianOptions): Force {
+  checkKeys(options, 'postNewtonian', ['central', 'G', 'speedOfLight']);
+  const central = checkNumber(options.central, 'central', { min: 1, integer: true });
+  const G = checkNumber(options.G ?? GRAVITATIONAL_CONSTANT, 'G', { above: 0, max: 1e30 });
+  const c = checkNumber(options.speedOfLight ?? 299_792_458, 'speedOfLight', { above: 0, max: 1e30 });
+  return {
+    name: 'post-Newtonian',
+    equation: 'F = m μ/(c² r³) [(4 μ/r - v²) r + 4 (r·v) v]',
+    parameters: { G: { unit: 'm³/(kg s²)', value: G }, speedOfLight: { unit: 'm/s', value: c } },
+    reads: ['Position', 'Velocity', 'Mass'],
+    local: false,
+    accumulate(world, first, last) {
+      const mass = world.components.Mass.value[central];
+      if (!(mass > 0)) return;
+      const { x, y, z } = world.scratch.at.force;
+      const inSpace = world.dimensions === 3 ? z : 0;
+      lawKernels(world).postNewtonian(x, y, inSpace, central, G * mass, c, first, last);
+    },
+  };
+}

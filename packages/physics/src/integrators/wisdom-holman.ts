@@ -1,0 +1,104 @@
+// Wisdom and Holman's map for planetary systems: one body dominates, all others move on Kepler orbits about it that
+// perturb each other.
+//
+//   H = Σ Kepler(Jacobi coordinates) + interaction        step: drift dt/2, kick dt, drift dt/2
+//
+// The drift follows the Kepler orbits exactly (universal variables, kernels/integrators/kepler.ts: ellipses and
+// hyperbolas alike); the kick is all that the world's forces do beyond it, so they must contain the attraction of all
+// pairs, and may contain corrections such as `postNewtonian`. Second order; the error is that of leapfrog times the mass
+// of the planets over that of the star, so steps of a twentieth of the shortest period do. Symplectic and reversible for
+// forces of position alone: energy errors stay bounded for ever. No close encounters: what comes near a planet needs
+// another scheme. One force evaluation.
+//
+// Jacobi coordinates count each body from the centre of mass of those before it: make the star first (or name it), then
+// the bodies by growing distance, moons not at all. Bodies without mass are not moved: give a test particle a mass that
+// is small. A body whose orbit leads through the centre of the star stays, and the log gets an E_STEP.
+//
+// Wisdom and Holman, Astron. J. 102, 1528 (1991); Rein and Tamayo, MNRAS 452, 376 (2015).
+
+import { bitOf } from '../components/all';
+import { checkKeys, checkNumber } from '../faults/validate';
+import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity';
+import { momentOf } from '../forces/evaluate';
+import { allocate } from '../store/arena';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
+import type { Integrator } from './integrator';
+import { integratorKernels } from './kernels';
+import { reportUnderflow } from './sub-steps';
+
+/** Which attraction the orbits obey. */
+export interface WisdomHolmanOptions {
+  /** Gravitational constant, that of the world's gravity; default 6.6743e-11 m³/(kg s²). */
+  readonly G?: number;
+  /** The dominant body; default the heaviest. */
+  readonly central?: number;
+}
+
+/** Bytes of a body, kernels/integrators/wisdom-holman.ts. */
+const PLANET_BYTES = 80;
+
+const planetsOf = resource((): { at: number; ids: number; room: number } => ({ at: 0, ids: 0, room: 0 }));
+
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
+  checkKeys(options, 'wisdomHolman', ['G', 'central']);
+  const G = checkNumber(options.G ?? GRAVITATIONAL_CONSTANT, 'G', { above: 0, max: 1e30 });
+  const central = checkNumber(options.central ?? 0, 'central', { min: 0, integer: true });
+  return {
+    name: 'Wisdom-Holman',
+    order: 2,
+    symplectic: true,
+    evaluations: 1,
+    wholeWorld: true,
+    isStable: () => true,
+    prepare: makeRoom,
+    advance(world, spans, dt, evaluateForces) {
+      const { at } = planetsOf(world);
+      const star = isMassive(world, central) ? central : heaviest(world);
+      if (star === 0) return;
+      const kernels = integratorKernels(world);
+      const { force } = world.scratch.at;
+      const n = gather(world, star, G);
+      kernels.toJacobi(at, n);
+      const lost = kernels.driftKepler(at, n, dt / 2);
+      kernels.fromJacobi(at, n);
+      evaluateForces(world, spans, momentOf(world, dt / 2));
+      kernels.kickJacobi(at, n, force.x, force.y, world.dimensions === 3 ? force.z : 0, dt);
+      const lostLater = kernels.driftKepler(at, n, dt / 2);
+      kernels.fromJacobi(at, n);
+      if (lost + lostLater > 0) reportUnderflow(world, lost > 0 ? lost : lostLater, dt / 2);
+    },
+  };
+}
+
+function isMassive({ components, internal, rows }: PhysicsWorld, entity: number): boolean {
+  const both = bitOf('Position') | bitOf('Mass');
+  return entity > 0 && entity < rows && (internal.members[entity] & both) === both && components.Mass.value[entity] > 0;
+}
+
+function heaviest(world: PhysicsWorld): number {
+  const { value } = world.components.Mass;
+  const { ids, count } = world.internal.bodyList;
+  let most = 0;
+  for (let i = 0; i < count; i++) if (value[ids[i]] > value[most]) most = ids[i];
+  return most;
+}
+
+/** Takes memory for as many bodies as there are, and as many again. */
+function makeRoom(world: PhysicsWorld): void {
+  const planets = planetsOf(world);
+  const { arena, counts } = world.internal;
+  if (counts.Position <= planets.room) return;
+  planets.room = Math.max(32, 2 * counts.Position);
+  planets.at = allocate(arena, planets.room * PLANET_BYTES, 'Wisdom-Holman');
+  planets.ids = allocate(arena, planets.room * 4, 'Wisdom-Holman');
+}
+
+/** Lists the bodies with mass, the star first. Returns how many. */
+function gather(world: PhysicsWorld, star: number, G: number): number {
+  const { at, ids } = planetsOf(world);
+  const bits = bitOf('Position') | bitOf('Mass');
+  const count = world.kernels.listIds(world.internal.membersAt, bits, world.lastId + 1, ids);
+  return integratorKernels(world).gatherPlanets(at, ids, count, star, G);
+}
