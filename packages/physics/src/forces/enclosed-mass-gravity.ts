@@ -17,7 +17,7 @@ import { LENGTHS, NOT_NEGATIVE, POSITIVE } from './bounds';
 import { CENTRE_KEYS, type CentreOptions, centralForce, LAW, type LawParameters } from './central';
 import type { Force } from './force';
 
-/** Newton's constant of gravitation, m³/(kg s²): CODATA 2018. */
+/** Newton's constant of gravitation, m³/(kg s²): CODATA 2022. */
 export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
 export interface EnclosedMassOptions extends CentreOptions {

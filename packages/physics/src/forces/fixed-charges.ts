@@ -6,7 +6,7 @@
 //
 // Coulomb (1785). Like charges repel. A source acts outside its collider's radius only; inside, the potential is that at
 // the surface, as in a hollow conductor. Valid for sources at rest: their fields do not lag behind and are not magnetic.
-// The pull of mobile charges on each other is not included. Cost: a square root, a division and some 15 operations a
+// The pull of mobile charges on each other is in `mutualCoulomb`, which takes fixed ones along. Cost: a square root, a division and some 15 operations a
 // body and source.
 import { bitOf } from '../components/all';
 import { checkNumber } from '../faults/validate';
@@ -17,8 +17,8 @@ import { POSITIVE } from './bounds';
 import type { Force } from './force';
 import { lawKernels } from './law-kernels';
 
-/** 1/(4π ε₀), N m²/C²: CODATA 2018. */
-export const COULOMB_CONSTANT = 8.9875517923e9;
+/** 1/(4π ε₀), N m²/C²: CODATA 2022. */
+export const COULOMB_CONSTANT = 8.9875517862e9;
 
 /** Bytes of one source, kernels/forces/electromagnetic.ts. */
 const SOURCE_BYTES = 40;

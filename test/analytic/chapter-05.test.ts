@@ -1,0 +1,140 @@
+// Newton's laws, projectiles with drag, floating, energy, rotation. y points down.
+import {
+  angularMomentum,
+  constantTorque,
+  createPhysicsWorld,
+  energy,
+  immersedDrag,
+  linearDrag,
+  momentum,
+  quadraticDrag,
+  rungeKutta4,
+  spawn,
+  springs,
+  step,
+  uniformGravity,
+  upthrust,
+  velocityVerlet,
+} from '@principia/physics';
+import { expect, test } from 'vitest';
+import { forceOn, run, single } from '../support/laws';
+import { crossings } from '../support/orbits';
+
+test('ch05-newton-laws: no force, no change; internal forces keep the momentum', () => {
+  const { world, going } = single([], { velocity: { x: 0.1, y: -0.7 } });
+  run(world, 100);
+  expect(going()).toEqual({ x: 0.1, y: -0.7, z: 0 });
+  const pair = createPhysicsWorld({ capacity: 5, forces: [springs()] });
+  const a = spawn(pair, { position: {}, velocity: { x: 1, y: 3 }, mass: 2 });
+  const b = spawn(pair, { position: { x: 5 }, velocity: { y: -1 }, mass: 7 });
+  spawn(pair, { spring: { a, b, stiffness: 30, length: 2, damping: 0.1 } });
+  const { x, y } = momentum(pair);
+  run(pair, 100);
+  expect(momentum(pair).x).toBeCloseTo(x, 12);
+  expect(momentum(pair).y).toBeCloseTo(y, 12);
+});
+
+test('ch05-forces-object: the forces of a world add, axis by axis', () => {
+  const body = { velocity: { x: 3, y: -4 }, mass: 2, linearDrag: 0.5, quadraticDrag: 0.1 };
+  const laws = [uniformGravity({ x: 1, y: 10 }), linearDrag(), quadraticDrag({ x: 1 })];
+  const each = laws.map((law) => single([law], body)).map(({ world, eid }) => forceOn(world, eid));
+  const all = single(laws, body);
+  const sum = forceOn(all.world, all.eid);
+  expect(sum.x).toBe(each.reduce((total, { x }) => total + x, 0));
+  expect(sum.y).toBe(each.reduce((total, { y }) => total + y, 0));
+});
+
+test('ch05-projectile-drag: apex at 4.700 s, and where it is after 10 s', () => {
+  for (const integrator of [velocityVerlet, rungeKutta4]) {
+    const body = { position: { x: 50, y: 400 }, velocity: { x: 60, y: -60 }, linearDrag: 0.1 };
+    const { world, at, going } = single([uniformGravity({ y: 10 }), linearDrag()], body, { integrator });
+    let apex = { time: 0, y: 400 };
+    for (let i = 0; i < 600; i++) {
+      const before = going().y;
+      step(world, 1 / 60);
+      if (before < 0 && going().y >= 0) apex = { time: world.time - going().y / 6000, y: at().y };
+    }
+    expect(apex.time).toBeCloseTo(4.7, 1);
+    expect(apex.y).toBeCloseTo(270, 1);
+    expect(Math.abs(at().x - 429.27)).toBeLessThan(0.01);
+    expect(Math.abs(at().y - 388.61)).toBeLessThan(0.01);
+  }
+});
+
+/** A ball dropped into water. */
+function floatingBall(
+  gravity: number,
+  radius: number,
+  level: number,
+  density: number,
+  position: { x: number; y: number },
+) {
+  const pool = { density, gravity: { y: gravity }, level: -level };
+  const forces = [uniformGravity({ y: gravity }), upthrust(pool), immersedDrag(pool)];
+  const body = { position, hull: 1, collider: radius, quadraticDrag: 0.01 };
+  return { forces, body };
+}
+
+const EQUAL = 2 / 3;
+/** Depth at which a sphere of relative density 2/3 floats: ½ + ¼ d (3 - d²) = 2/3. */
+const FLOATS_AT = 0.2261;
+
+test.each([
+  ['ch05-floating-ball: rest, bob and plunge', 50, 40, 300, 1.5, 309.043, 5.439, 416.8],
+  ['ch07-floating-ball: rest, bob and plunge in shallow units', 10, 20, 100, 1.5, 104.521, 8.6, 153.0],
+] as const)('%s', (_, gravity, radius, level, density, rest, period, deepest) => {
+  const { forces, body } = floatingBall(gravity, radius, level, density, { x: 50, y: 50 });
+  const share = 0.5 + 0.25 * FLOATS_AT * (3 - FLOATS_AT ** 2);
+  expect(share).toBeCloseTo(EQUAL, 3);
+  // At rest the force is zero.
+  const resting = single(forces, { ...body, position: { x: 50, y: rest } });
+  expect(Math.abs(forceOn(resting.world, resting.eid).y)).toBeLessThan(1e-4 * gravity);
+  // A small bob.
+  const bob = single(forces, { ...body, quadraticDrag: 0, position: { x: 50, y: rest + 0.02 * radius } });
+  const [first, second] = crossings(bob.world, () => bob.at().y, rest, 3 * period, 1 / 240);
+  expect((second - first) / period).toBeCloseTo(1, 2);
+  // The first plunge of the thrown ball.
+  const thrown = single(forces, { ...body, velocity: { x: 40, y: -20 } });
+  let depth = 0;
+  run(thrown.world, 60, 1 / 60, () => {
+    depth = Math.max(depth, thrown.at().y);
+  });
+  expect(depth / deepest).toBeCloseTo(1, 2);
+  if (gravity === 10) expect(thrown.speed()).toBeGreaterThan(0.1);
+});
+
+test('ch05-fall-drag-analytic: s(10) = 160.270, v(10) = 19.8652', () => {
+  for (const integrator of [velocityVerlet, rungeKutta4]) {
+    const body = { position: { y: 20 }, linearDrag: 0.5 };
+    const { world, at, going } = single([uniformGravity({ y: 10 }), linearDrag()], body, { integrator });
+    run(world, 10);
+    expect((at().y - 20) / 160.27).toBeCloseTo(1, 4);
+    expect(going().y / 19.8652).toBeCloseTo(1, 4);
+  }
+});
+
+test('ch05-projectile-energy: 1250 J throughout, and the apex 125 up after 5 s', () => {
+  const { world, at } = single([uniformGravity({ y: -10 })], { velocity: { y: 50 } }, { integrator: velocityVerlet });
+  let evenly = Number.POSITIVE_INFINITY;
+  run(world, 5, 1 / 60, () => {
+    const { total, kinetic, potential } = energy(world);
+    expect(total).toBeCloseTo(1250, 9);
+    if (Math.abs(kinetic - potential) < evenly) evenly = Math.abs(kinetic - potential);
+  });
+  expect(at().y).toBeCloseTo(125, 9);
+  run(world, 5);
+  expect(energy(world).total).toBeCloseTo(1250, 6);
+  const half = single([uniformGravity({ y: -10 })], { position: { y: 62.5 }, velocity: { y: Math.sqrt(1250) } });
+  expect(energy(half.world).kinetic).toBeCloseTo(energy(half.world).potential, 9);
+});
+
+test('ch05-rotational-laws: α = τ/I = 0.2, and L stays without torque', () => {
+  const body = { inertia: 5, rotation: {}, angularVelocity: {} };
+  const { world, eid } = single([constantTorque({ z: 1 })], body);
+  step(world, 1);
+  expect(world.components.AngularVelocity.z[eid]).toBeCloseTo(0.2, 15);
+  world.forces.length = 0;
+  const before = angularMomentum(world).z;
+  run(world, 100);
+  expect(angularMomentum(world).z).toBeCloseTo(before, 14);
+});

@@ -1,0 +1,222 @@
+// Gravity, orbits and rockets.
+import {
+  angularMomentum,
+  attractors,
+  createPhysicsWorld,
+  energy,
+  type Integrator,
+  momentum,
+  mutualGravity,
+  positionFirstEuler,
+  rocketEngines,
+  rungeKutta4,
+  spawn,
+  step,
+  uniformGravity,
+  uniformSphereGravity,
+  velocityVerlet,
+} from '@principia/physics';
+import { describe, expect, test } from 'vitest';
+import { forceOn, lawOn, read, run, single } from '../support/laws';
+import { measureOrbit } from '../support/orbits';
+
+const SUN = { x: 275, y: 200 };
+
+/** A planet 167.705 from a fixed sun of GM = 10⁶. */
+function launch(x: number, y: number, integrator: Integrator = rungeKutta4) {
+  const world = createPhysicsWorld({ capacity: 5, forces: [attractors()], integrator });
+  spawn(world, { position: SUN, attractor: 1e6 });
+  const planet = spawn(world, { position: { x: 200, y: 50 }, velocity: { x, y }, mass: 1 });
+  return { world, planet };
+}
+
+test('ch06-gravity-law: doubling the distance quarters the force, and action is reaction', () => {
+  const pull = (r: number) => {
+    const world = createPhysicsWorld({ capacity: 5, forces: [mutualGravity({ G: 1 })] });
+    const a = spawn(world, { position: {}, velocity: {}, mass: 3 });
+    const b = spawn(world, { position: { x: r }, velocity: {}, mass: 5 });
+    return [forceOn(world, a).x, forceOn(world, b).x];
+  };
+  expect(pull(2)[0]).toBe(15 / 4);
+  expect(pull(4)[0] / pull(2)[0]).toBe(0.25);
+  expect(pull(1.7)[0]).toBe(-pull(1.7)[1]);
+});
+
+test('ch06-orbits: a closed ellipse; angular momentum and energy over 1000 s for each scheme', () => {
+  for (const [integrator, bound, momentumBound] of [
+    [positionFirstEuler, 2.3e-3, 1e-11],
+    [velocityVerlet, 1.3e-5, 1e-11],
+    [rungeKutta4, 2e-10, 2e-10],
+  ] as const) {
+    const { world } = launch(80, -40, integrator);
+    const start = energy(world).total;
+    let worst = 0;
+    run(world, 1000, 1 / 60, () => {
+      worst = Math.max(worst, Math.abs(energy(world).total / start - 1));
+    });
+    expect(worst, integrator.name).toBeLessThan(1.05 * bound);
+    expect(Math.abs(angularMomentum(world, SUN).z / 15000 - 1)).toBeLessThan(momentumBound);
+  }
+  const { world, planet } = launch(80, -40);
+  const { near, far, period } = measureOrbit(world, planet, SUN, 55, 1 / 60);
+  expect(near).toBeCloseTo(167.705, 2);
+  expect(far).toBeCloseTo(341.76, 2);
+  expect(period).toBeCloseTo(25.545, 2);
+});
+
+test('ch06-orbits-presets: axis, eccentricity, period, and Kepler’s third law', () => {
+  for (const [vx, vy, a, e, T] of [
+    [80, -40, 254.73, 0.3416, 25.545],
+    [70, -40, 184.31, 0.1057, 15.722],
+    [85, -40, 322.51, 0.4805, 36.391],
+    [80, 0, 180.97, 0.452, 15.297],
+    [100, 0, 519.29, 0.7528, 74.353],
+    [105, 0, 1110.25, 0.8812, 232.44],
+  ]) {
+    const { world, planet } = launch(vx, vy);
+    const { near, far, period } = measureOrbit(world, planet, SUN, 2.2 * T, T / 5000);
+    const axis = (near + far) / 2;
+    expect(axis / a).toBeCloseTo(1, 4);
+    expect((far - near) / (far + near)).toBeCloseTo(e, 3);
+    expect(period / T).toBeCloseTo(1, 3);
+    expect(period ** 2 / axis ** 3 / 3.9478e-5).toBeCloseTo(1, 3);
+  }
+});
+
+test('ch06-escape-velocity: 1 % more never returns, 1 % less does', () => {
+  const r = Math.hypot(75, 150);
+  const escaping = Math.sqrt(2e6 / r);
+  expect(escaping).toBeCloseTo(109.2, 2);
+  const away = (factor: number, seconds: number) => {
+    const scale = (factor * escaping) / r;
+    const { world, planet } = launch(-75 * scale, -150 * scale);
+    const { at, speed } = read(world, planet);
+    let furthest = 0;
+    run(world, seconds, 0.1, () => {
+      furthest = Math.max(furthest, Math.hypot(at().x - SUN.x, at().y - SUN.y));
+    });
+    return { now: Math.hypot(at().x - SUN.x, at().y - SUN.y), furthest, speed: speed() };
+  };
+  const fast = away(1.01, 5_000);
+  expect(fast.now).toBe(fast.furthest);
+  const limit = escaping * Math.sqrt(1.01 ** 2 - 1);
+  expect(Math.sqrt(fast.speed ** 2 - 2e6 / fast.now) / limit).toBeCloseTo(1, 4);
+  // Up for some 850 s, and not yet back at the sun.
+  const slow = away(0.99, 1400);
+  expect(slow.now).toBeLessThan(slow.furthest);
+  expect(slow.furthest / (r / (1 - 0.99 ** 2))).toBeCloseTo(1, 3);
+});
+
+describe('ch06-two-masses', () => {
+  const pair = (m1: number, m2: number, v1: number, v2: number) => {
+    const world = createPhysicsWorld({ capacity: 5, forces: [mutualGravity({ G: 1e5 })], integrator: rungeKutta4 });
+    const a = spawn(world, { position: { x: 150, y: 200 }, velocity: { y: v1 }, mass: m1 });
+    const b = spawn(world, { position: { x: 350, y: 200 }, velocity: { y: v2 }, mass: m2 });
+    return { world, a, b };
+  };
+  /** Time between two least distances. */
+  const period = ({ world, a, b }: ReturnType<typeof pair>, seconds: number) => {
+    const { x, y } = world.components.Position;
+    const times: number[] = [];
+    let [r2, r1] = [Infinity, Infinity];
+    let far = 0;
+    run(world, seconds, 1 / 960, () => {
+      const r = Math.hypot(x[a] - x[b], y[a] - y[b]);
+      if (r1 < r2 && r1 < r) times.push(world.time - (1 + (r - r2) / 2 / (r2 - 2 * r1 + r)) / 960);
+      far = Math.max(far, r);
+      [r2, r1] = [r1, r];
+    });
+    return { time: times[1] - times[0], far };
+  };
+
+  test('ch06-two-masses: momentum, drift of the centre of mass, apoapsis and period', () => {
+    const bodies = pair(1, 60, 150, 0);
+    const { time, far } = period(bodies, 12);
+    expect(time).toBeCloseTo(5.074, 2);
+    expect(far).toBeCloseTo(200, 3);
+    expect(momentum(bodies.world).x).toBeCloseTo(0, 10);
+    expect(momentum(bodies.world).y).toBeCloseTo(150, 10);
+    expect(momentum(bodies.world).y / 61).toBeCloseTo(2.459, 4);
+  });
+
+  test('ch06-two-masses: the presets at rest together, and of equal mass', () => {
+    const still = pair(1, 60, 150, -2.5);
+    expect(momentum(still.world).y).toBe(0);
+    expect(period(still, 12).time).toBeCloseTo(5.227, 2);
+    expect(period(pair(1, 1, 10, -10), 45).time).toBeCloseTo(19.635, 2);
+  });
+});
+
+test('ch06-near-earth-gravity: 9.820 m/s², and 0.0314 % less a kilometre up', () => {
+  const world = createPhysicsWorld({ capacity: 5, forces: [attractors()] });
+  spawn(world, { position: {}, attractor: 3.986e14 });
+  const g = (height: number) => {
+    const body = spawn(world, { position: { y: 6.371e6 + height }, velocity: {}, mass: 1 });
+    return -forceOn(world, body).y;
+  };
+  expect(g(0)).toBeCloseTo(9.82, 3);
+  expect((g(1000) / g(0) - 1) * 100).toBeCloseTo(-0.0314, 4);
+});
+
+test('ch06-g-with-height: linear inside, inverse square outside', () => {
+  const law = uniformSphereGravity({ mu: 9.81, radius: 1 });
+  for (const [r, g] of [
+    [0.5, 4.905],
+    [1, 9.81],
+    [2, 2.4525],
+    [10, 0.0981],
+  ]) {
+    expect(-lawOn(law, { position: { y: r } }).y).toBeCloseTo(g, 12);
+  }
+});
+
+test('ch06-celestial-gravity: Moon, Mars and Jupiter; the fall goes as 1/√g', () => {
+  for (const [mu, radius, g] of [
+    [4902.8e9, 1737.4e3, 1.624],
+    [42828.4e9, 3389.5e3, 3.728],
+    [1.26713e17, 69911e3, 25.93],
+  ]) {
+    expect(-lawOn(uniformSphereGravity({ mu, radius }), { position: { y: radius } }).y).toBeCloseTo(g, 2);
+    const { world, at } = single([uniformGravity({ y: -g })], { position: { y: 10 } });
+    run(world, Math.sqrt(20 / g));
+    expect(at().y).toBeCloseTo(0, 10);
+  }
+});
+
+describe('ch06-rocket', () => {
+  // The planet fills r < 100 about (400, 400); the rocket stands on top of it, and y points down.
+  const rocket = () => {
+    const world = createPhysicsWorld({
+      ...{ capacity: 5, integrator: rungeKutta4 },
+      forces: [attractors(), rocketEngines({ frame: 'world' })],
+    });
+    spawn(world, { position: { x: 400, y: 400 }, attractor: 1e5 });
+    const engine = { exhaustSpeed: 200, burnRate: 0.5, fuel: 3.5, y: -1 };
+    const eid = spawn(world, { position: { x: 400, y: 300 }, velocity: {}, mass: 10, engine });
+    return { world, eid, ...read(world, eid) };
+  };
+
+  test('ch06-rocket: thrust is weight at lift-off; burn-out at 7 s, 50.87 up at 27.145; peak at r = 339.69', () => {
+    const { world, eid, at, going } = rocket();
+    step(world, 1e-6);
+    expect(going().y / 1e-6).toBeCloseTo(0, 4);
+    expect(world.components.Engine.fuel[eid]).toBeCloseTo(3.5 - 0.5e-6, 12);
+    run(world, 7 - 1e-6, 1 / 240);
+    expect(world.components.Engine.fuel[eid]).toBeCloseTo(0, 9);
+    expect((300 - at().y) / 50.87).toBeCloseTo(1, 3);
+    expect(-going().y / 27.145).toBeCloseTo(1, 3);
+    expect(Math.sqrt(2e5 / (400 - at().y))).toBeCloseTo(36.41, 1);
+    let peak = 0;
+    run(world, 60, 1 / 60, () => {
+      peak = Math.max(peak, 400 - at().y);
+    });
+    expect(peak / 339.69).toBeCloseTo(1, 3);
+  });
+
+  test('ch06-rocket: without gravity Δv = v_e ln(10/6.5) = 86.157', () => {
+    const { world, going } = rocket();
+    world.forces.shift();
+    run(world, 8);
+    expect(-going().y).toBeCloseTo(86.157, 3);
+  });
+});

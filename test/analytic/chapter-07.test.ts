@@ -1,0 +1,252 @@
+// Contact and fluid forces. y points down where screens are meant.
+import {
+  createPhysicsWorld,
+  energy,
+  gusts,
+  lift,
+  linearDrag,
+  planeSupport,
+  quadraticDrag,
+  rungeKutta4,
+  spawn,
+  step,
+  stringTension,
+  thrust,
+  uniformGravity,
+  upthrust,
+  velocityVerlet,
+  vortex,
+} from '@principia/physics';
+import { describe, expect, test } from 'vitest';
+import { forceOn, lawOn, read, run, single } from '../support/laws';
+
+const accurate = { integrator: rungeKutta4 };
+
+test('ch07-normal-tension: a block on a slope, and a mass that hangs', () => {
+  const angle = 0.4;
+  const normal = { x: Math.sin(angle), y: Math.cos(angle) };
+  const block = single([uniformGravity({ y: -10 }), planeSupport({ normal })], { mass: 3 });
+  const { x, y } = forceOn(block.world, block.eid);
+  const reaction = Math.hypot(x, y + 30);
+  expect(reaction).toBeCloseTo(30 * Math.cos(angle), 12);
+  const hanging = single([uniformGravity({ y: -10 }), stringTension({ length: 2 })], { position: { y: -2 }, mass: 3 });
+  expect(forceOn(hanging.world, hanging.eid).y).toBe(0);
+});
+
+describe('ch07-sliding', () => {
+  // Down a slope of 100 in 400, on the screen from (50, 150) to (450, 250).
+  const root = Math.sqrt(17);
+  const slide = (staticFriction: number, kineticFriction: number) => {
+    const support = planeSupport({
+      point: { x: 50, y: 150 },
+      normal: { x: 1, y: -4 },
+      staticFriction,
+      kineticFriction,
+    });
+    return single([uniformGravity({ y: 10 }), support], { position: { x: 50, y: 150 } });
+  };
+
+  test('ch07-sliding: exactly at the threshold it stays at rest', () => {
+    const { world, eid, at, speed } = slide(0.25, 0.2);
+    const { x, y } = forceOn(world, eid);
+    expect(Math.hypot(x, y)).toBeLessThan(2e-15);
+    run(world, 30);
+    expect(speed()).toBeLessThan(1e-12);
+    expect(at().x).toBeCloseTo(50, 10);
+  });
+
+  test('ch07-sliding: beyond it, a = g (sinθ - μ cosθ), and 412.31 take 41.23 s', () => {
+    for (const [still, moving, expected] of [
+      [0.24, 0.2, 0.48507],
+      [0, 0, 2.42536],
+    ]) {
+      const { world, at, speed } = slide(still, moving);
+      run(world, 4);
+      expect(speed() / 4).toBeCloseTo(expected, 5);
+      expect((10 * (1 - 4 * moving)) / root / (speed() / 4)).toBeCloseTo(1, 6);
+      expect((at().y - 150) / (at().x - 50)).toBeCloseTo(0.25, 9);
+      if (moving === 0) continue;
+      run(world, Math.sqrt((2 * 100 * root) / expected) - 4);
+      expect(world.time).toBeCloseTo(41.23, 2);
+      expect(at().x).toBeCloseTo(450, 2);
+    }
+  });
+});
+
+test('ch07-pressure-depth: 10 m of water weigh 98.1 kPa', () => {
+  // The pressures on the ends of a column of one square metre, 10 m high, differ by its upthrust.
+  const law = upthrust({ density: 1000, gravity: { y: -9.81 }, level: 0 });
+  const column = { position: { y: -5 }, hull: { volume: 10, halfHeight: 5, shape: 1 } };
+  expect(lawOn(law, column).y / 1000).toBeCloseTo(98.1, 10);
+});
+
+test('ch07-static-dynamic-pressure: ½ρv² = 60 Pa', () => {
+  const wall = { velocity: { x: -10 }, quadraticDrag: 0.5 * 1.2 };
+  expect(lawOn(quadraticDrag(), wall).x).toBeCloseTo(60, 12);
+});
+
+test('ch07-apparent-weight: (ρ - ρ_fluid) V g; floats 90 % immersed; neutral when equal', () => {
+  const deep = { density: 1000, gravity: { y: -10 } };
+  const weight = (mass: number) => {
+    const { world, eid } = single([uniformGravity({ y: -10 }), upthrust(deep)], { mass, hull: 2 });
+    return forceOn(world, eid).y;
+  };
+  expect(weight(2500)).toBe(-5000);
+  expect(Math.abs(weight(2000) / 2000)).toBeLessThan(1e-12);
+  const pool = { ...deep, level: 0 };
+  // A box of half height 1 with a tenth of it in the air.
+  const ice = { position: { y: -0.8 }, mass: 1800, hull: { volume: 2, halfHeight: 1, shape: 1 } };
+  const { world, eid } = single([uniformGravity({ y: -10 }), upthrust(pool)], ice);
+  expect(forceOn(world, eid).y).toBeCloseTo(0, 10);
+});
+
+describe('balloon', () => {
+  const balloon = (density: number, drag: number) => {
+    const air = { density: 1.2, gravity: { y: 10 } };
+    const forces = [uniformGravity({ y: 10 }), upthrust(air), quadraticDrag()];
+    return single(forces, { position: { y: 450 }, hull: 1 / density, quadraticDrag: drag });
+  };
+
+  test('ch07-balloon: a₀ = g(ρ/ρ_b - 1), v = v_T tanh(a₀t/v_T), neutral at 1.2', () => {
+    const { world, eid, going } = balloon(1.1, 0.01);
+    expect(-forceOn(world, eid).y).toBeCloseTo(0.90909, 5);
+    run(world, 10);
+    expect(-going().y / 7.0685).toBeCloseTo(1, 3);
+    run(world, 90);
+    expect(-going().y / 9.5346).toBeCloseTo(1, 3);
+    const neutral = balloon(1.2, 0.01);
+    expect(Math.abs(forceOn(neutral.world, neutral.eid).y)).toBeLessThan(1e-14);
+  });
+
+  test('ch07-balloon-no-drag: height ½ · 0.90909 t², and the energy closes', () => {
+    const { world, at } = balloon(1.1, 0);
+    const before = energy(world).total;
+    run(world, 10);
+    expect(450 - at().y).toBeCloseTo(0.5 * (10 / 11) * 100, 9);
+    expect(energy(world).total).toBeCloseTo(before, 9);
+  });
+});
+
+test('ch07-drag-laws: 12.131 after 5 s of linear drag, 1.8182 of quadratic', () => {
+  const linear = single([linearDrag()], { velocity: { x: 20 }, linearDrag: 0.1 }, accurate);
+  const quadratic = single([quadraticDrag()], { velocity: { x: 20 }, quadraticDrag: 0.1 }, accurate);
+  run(linear.world, 5);
+  run(quadratic.world, 5);
+  expect(Math.abs(linear.speed() - 12.1306)).toBeLessThan(1e-4);
+  expect(Math.abs(quadratic.speed() - 1.81818)).toBeLessThan(1e-4);
+});
+
+test('ch07-terminal-velocity: mg/k and √(mg/k)', () => {
+  const fall = (body: Parameters<typeof single>[1]) => {
+    const { world, speed } = single([uniformGravity({ y: -10 }), linearDrag(), quadraticDrag()], body);
+    run(world, 100);
+    return speed();
+  };
+  expect(fall({ linearDrag: 0.5 })).toBeCloseTo(20, 6);
+  expect(fall({ quadraticDrag: 0.01 })).toBeCloseTo(31.62, 2);
+});
+
+test('ch07-parachute: 30 before opening, 10 after, and the way between', () => {
+  const forces = [uniformGravity({ y: 10 }), upthrust({ density: 0.1, gravity: { y: 10 } }), quadraticDrag()];
+  const { world, eid, speed } = single(forces, { hull: 1, quadraticDrag: 0.01 });
+  run(world, 5);
+  expect(speed() / 27.154).toBeCloseTo(1, 3);
+  run(world, 45);
+  expect(speed()).toBeCloseTo(30, 3);
+  world.components.QuadraticDrag.coefficient[eid] = 0.09;
+  run(world, 1);
+  const opened = 10 / Math.tanh(0.9 + Math.atanh(1 / 3));
+  expect(speed() / opened).toBeCloseTo(1, 3);
+  run(world, 30);
+  expect(speed()).toBeCloseTo(10, 3);
+});
+
+test('ch07-lift: k v² across the velocity', () => {
+  const { x, y } = lawOn(lift(), { velocity: { x: 6, y: 8 }, lift: 0.5 });
+  expect(Math.hypot(x, y)).toBeCloseTo(50, 12);
+  expect(x * 6 + y * 8).toBeCloseTo(0, 12);
+});
+
+test('ch07-airplane: rolls as 22.361 tanh(0.22361 t), lifts off at 20 after 6.456 s and 130.47', () => {
+  const forces = [uniformGravity({ y: -10 }), thrust(), quadraticDrag(), lift(), planeSupport()];
+  const { world, at, going } = single(forces, {
+    ...{ position: { x: 50 }, thrust: { x: 5 }, quadraticDrag: 0.01, lift: 0.025 },
+  });
+  run(world, 5);
+  expect(going().x / (22.361 * Math.tanh(0.22361 * 5))).toBeCloseTo(1, 4);
+  expect(at().y).toBe(0);
+  let taken: { time: number; x: number; v: number } | undefined;
+  for (let i = 0; i < 180 && taken === undefined; i++) {
+    step(world, 1 / 60);
+    if (going().y > 0) taken = { time: world.time, x: at().x, v: going().x };
+  }
+  expect((taken?.time ?? 0) / 6.456).toBeCloseTo(1, 2);
+  expect((taken?.v ?? 0) / 20).toBeCloseTo(1, 2);
+  expect((taken?.x ?? 0) / 130.47).toBeCloseTo(1, 2);
+});
+
+test('ch07-wind: at wind speed nothing, and from rest w = w₀/(1 + k w₀ t/m)', () => {
+  const law = quadraticDrag({ x: 40 });
+  expect(lawOn(law, { velocity: { x: 40 }, quadraticDrag: 5e-4 }).x).toBeCloseTo(0, 15);
+  const { world, going } = single([law], { quadraticDrag: 5e-4 });
+  run(world, 30);
+  expect(40 - going().x).toBeCloseTo(40 / (1 + 5e-4 * 40 * 30), 4);
+});
+
+test('ch07-bubbles-wind: still-air rise speeds, and the drift in a wind', () => {
+  const bubble = (r: number) => {
+    const mass = (4 / 3) * Math.PI * r ** 3;
+    return { mass, hull: mass / 0.99, quadraticDrag: 0.01 * Math.PI * r * r };
+  };
+  const forces = (wind: number) => [
+    uniformGravity({ y: 10 }),
+    upthrust({ density: 1, gravity: { y: 10 } }),
+    quadraticDrag({ x: wind }),
+  ];
+  for (const [r, rise] of [
+    [5, 8.206],
+    [15, 14.213],
+    [25, 18.349],
+  ]) {
+    const still = single(forces(0), bubble(r));
+    expect(-forceOn(still.world, still.eid).y / bubble(r).mass).toBeCloseTo(0.10101, 5);
+    run(still.world, 2000, 0.1);
+    expect(-still.going().y / rise).toBeCloseTo(1, 4);
+    const blown = single(forces(40), { ...bubble(r), velocity: { x: 10 } });
+    run(blown.world, 10);
+    expect(-blown.going().y).toBeLessThan(0.10101 * 10);
+    run(blown.world, 10_000, 0.1);
+    const { x, y } = blown.going();
+    expect(x / 40).toBeCloseTo(1, 2);
+    expect(((0.0075 / r) * Math.hypot(x - 40, y) ** 2) / 0.10101).toBeCloseTo(1, 2);
+  }
+});
+
+test('ch07-bubbles-turbulence: gusts of mean (20, 0) ± 289/√N, the same for every frame rate and run', () => {
+  const options = { mean: { x: 20 }, spread: { x: 500, y: 500 }, hold: 0.1, seed: 4 };
+  const wind = gusts(options);
+  const count = 20_000;
+  let [x, y] = [0, 0];
+  for (let i = 0; i < count; i++) {
+    const now = wind((i + 0.5) * 0.1);
+    x += now.x / count;
+    y += now.y / count;
+  }
+  expect(Math.abs(x - 20)).toBeLessThan((3.5 * 289) / Math.sqrt(count));
+  expect(Math.abs(y)).toBeLessThan((3.5 * 289) / Math.sqrt(count));
+  const after = (dt: number) => {
+    const world = createPhysicsWorld({ capacity: 5, forces: [linearDrag(gusts(options))], integrator: velocityVerlet });
+    const eid = spawn(world, { position: {}, velocity: {}, mass: 1, linearDrag: 1 });
+    run(world, 2, dt);
+    return read(world, eid).at().x;
+  };
+  expect(after(1 / 200)).toBe(after(1 / 200));
+  expect(after(1 / 200) / after(1 / 400)).toBeCloseTo(1, 1);
+});
+
+test('ch07-vortex: k r₀ on either side of the rim, outwards within and inwards beyond', () => {
+  const law = vortex({ strength: 3, radius: 2 });
+  expect(lawOn(law, { position: { x: 2 } }).x).toBe(6);
+  expect(lawOn(law, { position: { x: 2 * (1 + 1e-12) } }).x).toBeCloseTo(-6, 9);
+  expect(lawOn(law, { position: { x: 4 } }).x).toBe(-3 * 4 * 0.5 ** 4);
+});

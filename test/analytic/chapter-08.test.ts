@@ -1,0 +1,282 @@
+// Springs and oscillations. y points down.
+import {
+  createPhysicsWorld,
+  energy,
+  type Force,
+  type Integrator,
+  linearDrag,
+  periodicDrive,
+  pointerPull,
+  positionFirstEuler,
+  powerLaw,
+  quadraticDrag,
+  randomDrive,
+  rungeKutta4,
+  spawn,
+  springs,
+  uniformGravity,
+  velocityVerlet,
+} from '@principia/physics';
+import { describe, expect, test } from 'vitest';
+import { forceOn, read, run, single } from '../support/laws';
+import { crossings } from '../support/orbits';
+
+interface Hung {
+  readonly from: { x: number; y: number };
+  readonly at: { x: number; y: number };
+  readonly velocity?: { x?: number; y?: number };
+  readonly stiffness?: number;
+  readonly damping?: number;
+  readonly length?: number;
+  readonly cord?: number;
+  readonly body?: object;
+}
+
+/** A ball on a spring from a fixed point. */
+function hang(hung: Hung, forces: readonly Force[] = [], integrator: Integrator = velocityVerlet) {
+  const { stiffness = 1, damping = 0, length = 0, cord = 0 } = hung;
+  const world = createPhysicsWorld({ capacity: 5, forces: [...forces, springs()], integrator });
+  const a = spawn(world, { position: hung.from });
+  const b = spawn(world, { position: hung.at, velocity: hung.velocity ?? {}, mass: 1, ...hung.body });
+  spawn(world, { spring: { a, b, stiffness, damping, length, cord } });
+  return { world, eid: b, ...read(world, b) };
+}
+
+test('ch08-basic-oscillator: T = 2π whatever the amplitude, through the centre, or an ellipse about it', () => {
+  for (const velocity of [{}, { x: 200 }]) {
+    for (const at of [
+      { x: 100, y: 50 },
+      { x: 340, y: 242 },
+    ]) {
+      const ball = hang({ from: { x: 350, y: 250 }, at, velocity }, [], rungeKutta4);
+      let nearest = Infinity;
+      run(ball.world, 2 * Math.PI, 1e-3, () => {
+        nearest = Math.min(nearest, Math.hypot(ball.at().x - 350, ball.at().y - 250));
+      });
+      expect(ball.at().x).toBeCloseTo(at.x, 6);
+      expect(ball.at().y).toBeCloseTo(at.y, 6);
+      if (velocity.x === undefined) expect(nearest).toBeLessThan(0.5);
+      else expect(nearest).toBeGreaterThan(5);
+    }
+  }
+});
+
+const FREE = { from: { x: 350, y: 50 }, at: { x: 100, y: 50 } };
+
+test('ch08-free-oscillations: -250 cos t; period and energy of each scheme', () => {
+  const euler = hang(FREE, [], positionFirstEuler);
+  const times = crossings(euler.world, () => euler.at().x, 350, 200, 1 / 60);
+  const period = (times[times.length - 1] - times[0]) / (times.length - 1);
+  expect(period).toBeCloseTo(6.283113, 5);
+  for (const [integrator, bound] of [
+    [positionFirstEuler, 8.4e-3],
+    [velocityVerlet, 7e-5],
+    [rungeKutta4, 4e-10],
+  ] as const) {
+    const ball = hang(FREE, [], integrator);
+    const start = energy(ball.world).total;
+    let worst = 0;
+    run(ball.world, 20, 1 / 60, () => {
+      worst = Math.max(worst, Math.abs(energy(ball.world).total / start - 1));
+    });
+    expect(worst, integrator.name).toBeLessThan(1.1 * bound);
+  }
+  const exact = hang(FREE, [], rungeKutta4);
+  run(exact.world, 5);
+  expect(exact.at().x - 350).toBeCloseTo(-250 * Math.cos(5), 5);
+});
+
+test('ch08-free-accuracy: largest error over 20 s, and how it falls with the step', () => {
+  const worst = (integrator: Integrator, dt: number) => {
+    const { world, at } = hang({ ...FREE, velocity: { y: 50 } }, [], integrator);
+    let error = 0;
+    run(world, 20, dt, () => {
+      const t = world.time;
+      error = Math.max(error, Math.abs(at().x - 350 + 250 * Math.cos(t)), Math.abs(at().y - 50 - 50 * Math.sin(t)));
+    });
+    return error;
+  };
+  expect(worst(positionFirstEuler, 1 / 60)).toBeCloseTo(2.079, 2);
+  expect(worst(positionFirstEuler, 1 / 120)).toBeCloseTo(1.041, 2);
+  expect(worst(velocityVerlet, 1 / 60)).toBeCloseTo(0.0528, 3);
+  expect(worst(velocityVerlet, 1 / 120)).toBeCloseTo(0.0132, 3);
+  expect(worst(rungeKutta4, 1 / 60)).toBeLessThan(4e-6);
+});
+
+describe('damped', () => {
+  const gamma = 0.25;
+  const omega = Math.sqrt(10 - gamma * gamma);
+  const exact = (x: number, v: number, t: number) =>
+    Math.exp(-gamma * t) * (x * Math.cos(omega * t) + ((v + gamma * x) / omega) * Math.sin(omega * t));
+  const damped = (integrator: Integrator, c = 0.5, velocity = {}) =>
+    hang({ ...FREE, velocity, stiffness: 10, body: { linearDrag: c } }, [linearDrag()], integrator);
+
+  test('ch08-damped: period 1.993156 s, ratio 0.607569 a period; critical and beyond do not swing', () => {
+    for (const integrator of [velocityVerlet, rungeKutta4]) {
+      const { world, at } = damped(integrator);
+      run(world, 1.993156, 1e-2 / 6);
+      expect((at().x - 350) / -250 / 0.607569).toBeCloseTo(1, 3);
+    }
+    const ball = damped(rungeKutta4);
+    const times = crossings(ball.world, () => ball.at().x, 350, 10, 1e-3);
+    expect(times[1] - times[0]).toBeCloseTo(1.993156, 4);
+    for (const c of [2 * Math.sqrt(10), 20]) {
+      const slow = damped(rungeKutta4, c);
+      run(slow.world, 20, 1 / 60, () => expect(slow.at().x).toBeLessThan(350 + 1e-9));
+    }
+  });
+
+  test('ch08-damped-analytic: largest error over 20 s', () => {
+    for (const [integrator, low, high] of [
+      [positionFirstEuler, 4.9, 5.5],
+      [rungeKutta4, 0, 2e-4],
+    ] as const) {
+      const { world, at } = damped(integrator, 0.5, { y: 200 });
+      let error = 0;
+      run(world, 20, 1 / 60, () => {
+        const { x, y } = at();
+        const [ex, ey] = [exact(-250, 0, world.time), exact(0, 200, world.time)];
+        error = Math.max(error, Math.abs(x - 350 - ex), Math.abs(y - 50 - ey));
+      });
+      expect(error).toBeGreaterThanOrEqual(low);
+      expect(error).toBeLessThan(high);
+    }
+  });
+
+  test.each([
+    ['2ω', 2 * omega, 9.454],
+    ['ω/2', omega / 2, 37.429],
+    ['ω', omega, 179.306],
+    ['resonance', 3.14245, 179.447],
+  ] as const)('ch08-forced-periodic: amplitude at %s', (_, angularFrequency, amplitude) => {
+    const drive = periodicDrive({ cosine: { x: 200 }, sine: { x: 200 }, angularFrequency });
+    const spring = powerLaw({ strength: -10, exponent: 1 });
+    const { world, at } = single([spring, linearDrag(), drive], { linearDrag: 0.5 }, { integrator: rungeKutta4 });
+    run(world, 60);
+    let [low, high] = [0, 0];
+    run(world, (4 * Math.PI) / angularFrequency, 1 / 240, () => {
+      low = Math.min(low, at().x);
+      high = Math.max(high, at().x);
+    });
+    expect((high - low) / 2 / amplitude).toBeCloseTo(1, 3);
+  });
+
+  test('ch08-forced-random: mean 50 of a one-sided force; rms 11.785 of noise, for every step', () => {
+    // Uniform within ±500, drawn 60 times a second: a spectral density of 10⁶/12/60 N² s.
+    const noise = randomDrive({ spectralDensity: 1e6 / 12 / 60 });
+    const mean = periodicDrive({ cosine: { x: 500 }, angularFrequency: 0 });
+    for (const dt of [1 / 30, 1 / 60]) {
+      const count = 2000;
+      const forces = [powerLaw({ strength: -10, exponent: 1 }), linearDrag(), noise, mean];
+      const world = createPhysicsWorld({ capacity: count, forces });
+      for (let i = 0; i < count; i++) spawn(world, { position: { x: 50 }, velocity: {}, mass: 1, linearDrag: 0.5 });
+      run(world, 25, dt);
+      const x = Array.from(world.components.Position.x.subarray(1, count + 1));
+      const centre = x.reduce((sum, each) => sum + each / count, 0);
+      const rms = Math.sqrt(x.reduce((sum, each) => sum + (each - 50) ** 2 / count, 0));
+      // Of 2000 bodies: the mean is good to 11.8/√2000 = 0.26, the rms to 1.6 %.
+      expect(Math.abs(centre - 50)).toBeLessThan(1);
+      expect(Math.abs(rms / 11.785 - 1)).toBeLessThan(0.06);
+    }
+  });
+});
+
+describe('ch08-bungee', () => {
+  const jump = (quadratic: number) =>
+    hang(
+      {
+        ...{ from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, cord: 1 },
+        body: { mass: 90, quadraticDrag: quadratic },
+      },
+      [uniformGravity({ y: 20 }), quadraticDrag()],
+    );
+
+  test('ch08-bungee: free fall to 63.246 in 3.162 s, lowest at 361.94, or 356.1 with drag; rest at 222', () => {
+    const free = jump(0);
+    run(free.world, Math.sqrt(10));
+    expect(free.at().y).toBeCloseTo(150, 6);
+    expect(free.going().y).toBeCloseTo(63.246, 2);
+    for (const [drag, lowest] of [
+      [0, 361.94],
+      [0.02, 356.1],
+    ]) {
+      const { world, at } = jump(drag);
+      let low = 0;
+      run(world, 12, 1 / 60, () => {
+        low = Math.max(low, at().y);
+      });
+      expect(Math.abs(low / lowest - 1)).toBeLessThan(0.005);
+    }
+    const resting = hang(
+      { from: { x: 350, y: 50 }, at: { x: 350, y: 222 }, stiffness: 25, length: 100, cord: 1, body: { mass: 90 } },
+      [uniformGravity({ y: 20 })],
+    );
+    run(resting.world, 1e-3, 1e-3);
+    expect(resting.speed()).toBeLessThan(1e-12);
+  });
+});
+
+test('ch08-drag-spring: rests at 270, bobs with 2π, and is let go without a jump', () => {
+  const hand = pointerPull();
+  const forces = [uniformGravity({ y: 20 }), quadraticDrag(), hand];
+  const figure = (drag: number) =>
+    hang({ from: { x: 350, y: 50 }, at: { x: 350, y: 270.5 }, length: 200, body: { quadraticDrag: drag } }, forces);
+  const free = figure(0);
+  const times = crossings(free.world, () => free.at().y, 270, 20, 1 / 240);
+  expect(times[1] - times[0]).toBeCloseTo(2 * Math.PI, 2);
+  const { world, eid, at, speed } = figure(0.1);
+  hand.grab(world, eid, { x: 420, y: 200 });
+  run(world, 5);
+  expect(Math.hypot(at().x - 420, at().y - 200)).toBeLessThan(2);
+  const before = at();
+  hand.release();
+  run(world, 1e-6, 1e-6);
+  expect(Math.hypot(at().x - before.x, at().y - before.y)).toBeLessThan(1e-3);
+  expect(speed()).toBeLessThan(1);
+});
+
+describe('ch08-coupled-chain', () => {
+  const rests = [112, 172, 230, 286, 340, 392];
+  const chain = (damping: number, displace = 0, mode = 1) => {
+    const forces = [uniformGravity({ y: 20 }), linearDrag(), springs()];
+    const world = createPhysicsWorld({ capacity: 20, forces, integrator: rungeKutta4 });
+    let above = spawn(world, { position: { x: 350, y: 50 } });
+    const balls = rests.map((_, i) => {
+      const part = displace * Math.sin(((2 * mode - 1) * Math.PI * (i + 1)) / 13);
+      const y = restOf(i) + part;
+      const ball = spawn(world, { position: { x: 350, y }, velocity: {}, mass: 1, linearDrag: damping });
+      spawn(world, { spring: { a: above, b: ball, stiffness: 10, length: 50 } });
+      above = ball;
+      return ball;
+    });
+    return { world, balls };
+  };
+  /** Below it hang the others: each spring is stretched by the weight it carries. */
+  const restOf = (i: number) => {
+    let y = 50;
+    for (let j = 0; j <= i; j++) y += 50 + ((6 - j) * 20) / 10;
+    return y;
+  };
+
+  test('ch08-coupled-chain: hangs at rest, also after settling', () => {
+    rests.forEach((rest, i) => {
+      expect(restOf(i)).toBeCloseTo(rest, 2);
+    });
+    const { world, balls } = chain(0.5, 3);
+    run(world, 80);
+    balls.forEach((ball, i) => {
+      expect(read(world, ball).at().y).toBeCloseTo(rests[i], 2);
+    });
+  });
+
+  test('ch08-coupled-chain: the vertical normal modes', () => {
+    [0.7623, 2.2427, 3.5928, 4.734, 5.6001, 6.1408].forEach((omega, j) => {
+      const { world, balls } = chain(0, 1, j + 1);
+      const last = read(world, balls[5]);
+      const times = crossings(world, () => last.at().y, 392, 20, 1 / 240);
+      expect((2 * Math.PI) / (times[1] - times[0]) / omega).toBeCloseTo(1, 2);
+      expect(Math.abs((2 * Math.PI) / (times[1] - times[0]) / omega - 1)).toBeLessThan(0.005);
+    });
+    expect(forceOn(chain(0).world, 2).y).toBeCloseTo(0, 9);
+  });
+});
