@@ -26,6 +26,7 @@ export const physicsLayers: readonly string[] = [
   'schedule',
   'bodies',
   'forces',
+  'n-body',
   'integrators',
   'emitters',
   'collision',

@@ -120,6 +120,15 @@ export type { Precision } from './kernels/instantiate';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary';
 export { createRandom, type Random } from './math/random';
 export { colliding } from './presets/colliding';
+export {
+  type DistanceLaw,
+  type MutualForce,
+  type MutualForceReport,
+  type MutualOptions,
+  type SumMethod,
+} from './n-body/mutual-force';
+export { type MutualCoulombOptions, mutualCoulomb } from './n-body/mutual-coulomb';
+export { type MutualGravityOptions, mutualGravity } from './n-body/mutual-gravity';
 export type { Preset } from './presets/preset';
 export { standard } from './presets/standard';
 export { createRunner, type Runner, type RunnerOptions } from './runner';

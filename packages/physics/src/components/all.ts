@@ -13,6 +13,7 @@ import { Engine, Motor, Thrust } from './propulsion';
 import { Quarantined } from './quarantined';
 import { AngularVelocity, Orientation, Rotation } from './rotation';
 import { Spring } from './spring';
+import { TestParticle } from './test-particle';
 import { Velocity } from './velocity';
 import { PlaneWall, SegmentWall } from './wall';
 
@@ -40,6 +41,7 @@ export const COMPONENTS = {
   Thrust,
   Motor,
   Engine,
+  TestParticle,
   Quarantined,
 } as const;
 

@@ -1,0 +1,88 @@
+// The field of all bodies that pull at one point, summed directly: for test particles, and to know the tree's error.
+import { get, put } from '../columns';
+import { LANES, add, at, mul, sub, splat } from '../lanes';
+import { laneSum, pull } from './direct';
+import { NBody, SAMPLES } from './workspace';
+
+export let fieldX: f64 = 0;
+export let fieldY: f64 = 0;
+export let fieldZ: f64 = 0;
+
+// Sums over a tile round less than one long sum.
+const TILE: i32 = 1024;
+
+// @ts-ignore: decorator
+@inline function sumField(w: NBody, px: real, py: real, pz: real, inverseSquare: bool): void {
+  const soft = splat(<real>w.softening2);
+  const x = splat(px);
+  const y = splat(py);
+  const z = splat(pz);
+  fieldX = 0;
+  fieldY = 0;
+  fieldZ = 0;
+  for (let tile = 0; tile < w.tests; tile += TILE) {
+    const end = min(tile + TILE, w.tests);
+    let ax = splat(0);
+    let ay = splat(0);
+    let az = splat(0);
+    for (let j = tile; j < end; j += LANES) {
+      const dx = sub(v128.load(w.x + at(j)), x);
+      const dy = sub(v128.load(w.y + at(j)), y);
+      const dz = sub(v128.load(w.z + at(j)), z);
+      const u = add(add(mul(dx, dx), mul(dy, dy)), add(mul(dz, dz), soft));
+      const k = pull(v128.load(w.s + at(j)), u, inverseSquare);
+      ax = add(ax, mul(dx, k));
+      ay = add(ay, mul(dy, k));
+      az = add(az, mul(dz, k));
+    }
+    fieldX += <f64>laneSum(ax);
+    fieldY += <f64>laneSum(ay);
+    fieldZ += <f64>laneSum(az);
+  }
+}
+
+// Acceleration, in units of strength over length^power, at a point given in units of length.
+export function fieldAt(w: NBody, x: real, y: real, z: real, inverseSquare: bool): void {
+  if (inverseSquare) sumField(w, x, y, z, true);
+  else sumField(w, x, y, z, false);
+}
+
+// Accelerations of the test particles, directly.
+export function directOntoTests(w: NBody, inverseSquare: bool): void {
+  for (let slot = w.tests; slot < w.end; slot++) {
+    fieldAt(w, get(w.x, slot), get(w.y, slot), get(w.z, slot), inverseSquare);
+    put(w.ax, slot, <real>fieldX);
+    put(w.ay, slot, <real>fieldY);
+    put(w.az, slot, <real>fieldZ);
+  }
+}
+
+// RMS over `samples` bodies, evenly spread over the tree order, of the tree's error over the size of the direct field.
+// A body whose field nearly cancels counts as if it felt this share of the mean field.
+const LEAST_FIELD: f64 = 0.1;
+
+export function sampleError(w: NBody, samples: i32, inverseSquare: bool): f64 {
+  const n = min(min(samples, SAMPLES), w.bodies);
+  if (n == 0) return 0;
+  let mean: f64 = 0;
+  for (let k = 0; k < n; k++) {
+    const place = <i32>(((2 * <i64>k + 1) * <i64>w.bodies) / (2 * <i64>n));
+    fieldAt(w, get(w.px, place), get(w.py, place), get(w.pz, place), inverseSquare);
+    const dx = <f64>get(w.ax, place) - fieldX;
+    const dy = <f64>get(w.ay, place) - fieldY;
+    const dz = <f64>get(w.az, place) - fieldZ;
+    const size2 = fieldX * fieldX + fieldY * fieldY + fieldZ * fieldZ;
+    mean += sqrt<f64>(size2) / <f64>n;
+    const at = w.sample + ((<usize>k) << 4);
+    store<f64>(at, dx * dx + dy * dy + dz * dz);
+    store<f64>(at, size2, 8);
+  }
+  const least = LEAST_FIELD * LEAST_FIELD * mean * mean;
+  if (least == 0) return 0;
+  let sum: f64 = 0;
+  for (let k = 0; k < n; k++) {
+    const at = w.sample + ((<usize>k) << 4);
+    sum += load<f64>(at) / max<f64>(least, load<f64>(at, 8));
+  }
+  return sqrt<f64>(sum / <f64>n);
+}

@@ -1,0 +1,122 @@
+// The mutual force on all bodies: directly, or by the tree with the error that was asked for.
+import { get, put } from '../columns';
+import { direct2d, direct3d } from './direct';
+import { evaluate2d } from './evaluate-2d';
+import { evaluate3d } from './evaluate-3d';
+import { directOntoTests, sampleError } from './field';
+import { buildTree } from './tree';
+import { boundGroup, fieldScale, walkGroup } from './walk';
+import { NBody } from './workspace';
+
+// A group whose field nearly cancels is given this share of the mean field: the error there is small against the
+// errors elsewhere, and the walk would open everything.
+const LEAST_SHARE: f64 = 0.1;
+
+// Evaluations between two looks at the error, and the bodies it is measured at: a look costs about one evaluation more.
+const LOOK_EVERY: i32 = 32;
+const LOOK_AT: i32 = 512;
+
+// Tolerance over relative error that Plummer spheres, uniform boxes and discs need on average.
+const CALIBRATION: f64 = 6;
+
+// Builds the tree of the packed bodies if it is not built; `law` is 2 for 1/r², 1 for 1/r.
+export function prepareTree(w: NBody, dimensions: i32, law: i32): void {
+  if (w.treeValid != 0 || w.bodies == 0) return;
+  buildTree(w, dimensions, law == 2 ? 3 : 2);
+  let sum: f64 = 0;
+  for (let g = 0; g < w.groupCount; g++) {
+    const at = w.groups + ((<usize>g) << 3);
+    boundGroup(w, load<i32>(at), load<i32>(at, 4));
+    const scale = fieldScale(w, law == 2);
+    put(w.groupFields, g, scale);
+    sum += <f64>scale;
+  }
+  const least = <real>((LEAST_SHARE * sum) / <f64>w.groupCount);
+  for (let g = 0; g < w.groupCount; g++) put(w.groupFields, g, max<real>(least, get(w.groupFields, g)));
+}
+
+// Fills the lists of group `g`.
+export function listGroup(w: NBody, g: i32, law: i32): void {
+  const at = w.groups + ((<usize>g) << 3);
+  boundGroup(w, load<i32>(at), load<i32>(at, 4));
+  walkGroup(w, <real>(w.tolerance * <f64>get(w.groupFields, g)), law == 2);
+}
+
+// Accelerations of all bodies, in tree order. `signed`: strengths of both signs, so that cells have dipoles.
+function treeForces(w: NBody, dimensions: i32, law: i32, signed: bool): void {
+  let cellPairs: f64 = 0;
+  let bodyPairs: f64 = 0;
+  for (let g = 0; g < w.groupCount; g++) {
+    const at = w.groups + ((<usize>g) << 3);
+    const first = load<i32>(at);
+    const last = load<i32>(at, 4);
+    listGroup(w, g, law);
+    const count = <f64>(last - first);
+    cellPairs += count * <f64>w.cellCount;
+    bodyPairs += count * <f64>w.listedBodies;
+    if (dimensions == 3) evaluate3d(w, first, last, signed);
+    else evaluate2d(w, first, last, law == 2, signed);
+  }
+  w.cellPairs = cellPairs;
+  w.bodyPairs = bodyPairs;
+  w.evaluations++;
+}
+
+// Changes the tolerance by the error measured; returns whether it has to be done again with the new one. The error
+// grows more slowly than the tolerance, roughly as its 2/3 power, so a step down goes further than the ratio.
+function correct(w: NBody, wanted: f64): bool {
+  const ratio = (0.8 * wanted) / max<f64>(w.error, 1e-300);
+  if (w.error > wanted) {
+    w.tolerance *= max<f64>(ratio * sqrt<f64>(ratio), 0.02);
+    return true;
+  }
+  if (w.error < 0.65 * wanted) w.tolerance = min<f64>(w.tolerance * min<f64>(ratio, 2), 100);
+  return false;
+}
+
+function byTree(w: NBody, dimensions: i32, law: i32, signed: bool, relativeError: f64): void {
+  prepareTree(w, dimensions, law);
+  if (w.tolerance == 0) w.tolerance = CALIBRATION * relativeError;
+  const look = relativeError > 0 && w.evaluations % LOOK_EVERY == 0;
+  treeForces(w, dimensions, law, signed);
+  if (!look) return;
+  for (let attempt = 0; attempt < 8; attempt++) {
+    w.error = sampleError(w, LOOK_AT, law == 2);
+    if (!correct(w, relativeError)) return;
+    treeForces(w, dimensions, law, signed);
+    w.evaluations--;
+  }
+}
+
+// Evaluates the packed bodies, unless the results are still those of the same bodies at the same places.
+export function nBodyEvaluate(
+  address: usize,
+  dimensions: i32,
+  law: i32,
+  signed: i32,
+  useTree: i32,
+  relativeError: f64,
+): void {
+  const w = changetype<NBody>(address);
+  if (w.resultsValid != 0 && w.resultsByTree == useTree) return;
+  w.resultsByTree = useTree;
+  w.resultsValid = 1;
+  if (w.bodies == 0) return;
+  if (useTree != 0) {
+    byTree(w, dimensions, law, signed != 0, relativeError);
+    return;
+  }
+  if (dimensions == 3) direct3d(w);
+  else direct2d(w, law == 2);
+  directOntoTests(w, law == 2);
+  w.cellPairs = 0;
+  w.bodyPairs = 0.5 * <f64>w.sources * <f64>(w.sources - 1) + <f64>w.sources * <f64>(w.end - w.tests);
+  w.error = 0;
+  w.evaluations++;
+}
+
+// The tree's RMS relative error at up to 1024 bodies; 0 for the direct sum.
+export function nBodyError(address: usize, law: i32, samples: i32): f64 {
+  const w = changetype<NBody>(address);
+  return w.resultsByTree ? sampleError(w, samples, law == 2) : 0;
+}

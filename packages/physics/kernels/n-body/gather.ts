@@ -1,0 +1,184 @@
+// Packs the bodies of a mutual force and hands its results back. Bodies come in ascending id: first those that pull,
+// then test particles. Values that are not finite stay out: they neither pull nor feel until they are put right.
+import { columns, get, put } from '../columns';
+import { LANES } from '../lanes';
+import { NBody, coincident2 } from './workspace';
+
+let changed: bool = false;
+
+// Stores a value and notes whether it is another one.
+// @ts-ignore: decorator
+@inline function keep(column: usize, slot: i32, value: real): void {
+  if (get(column, slot) != value) {
+    changed = true;
+    put(column, slot, value);
+  }
+}
+
+// @ts-ignore: decorator
+@inline function isFinite3(x: real, y: real, z: real, s: real): bool {
+  const sum = x * 0 + y * 0 + z * 0 + s * 0;
+  return sum == 0 && s != 0;
+}
+
+// The power of two above a positive number.
+function powerAbove(value: f64): f64 {
+  const exponent = <i64>((reinterpret<u64>(value) >> 52) & 0x7ff) - 1022;
+  const most: i64 = sizeof<real>() == 4 ? 120 : 1000;
+  const clamped = min<i64>(most, max<i64>(-most, exponent));
+  return reinterpret<f64>((<u64>(clamped + 1023)) << 52);
+}
+
+let count: i32 = 0;
+let testCount: i32 = 0;
+
+// Finds extent and units; counts the bodies.
+function survey(w: NBody, column: usize, required: u32, testBit: u32, rows: i32): void {
+  const c = columns();
+  let lowX: real = Infinity;
+  let lowY: real = Infinity;
+  let lowZ: real = Infinity;
+  let highX: real = -Infinity;
+  let highY: real = -Infinity;
+  let highZ: real = -Infinity;
+  let strongest: real = 0;
+  count = 0;
+  testCount = 0;
+  for (let row = 0; row < rows; row++) {
+    const bits = load<u32>(c.members + ((<usize>row) << 2));
+    if ((bits & required) != required) continue;
+    const x = get(c.positionX, row);
+    const y = get(c.positionY, row);
+    const z = get(c.positionZ, row);
+    const s = get(column, row);
+    if (!isFinite3(x, y, z, s)) continue;
+    lowX = min<real>(lowX, x);
+    lowY = min<real>(lowY, y);
+    lowZ = min<real>(lowZ, z);
+    highX = max<real>(highX, x);
+    highY = max<real>(highY, y);
+    highZ = max<real>(highZ, z);
+    if (bits & testBit) {
+      testCount++;
+    } else {
+      strongest = max<real>(strongest, abs<real>(s));
+      count++;
+    }
+  }
+  const extent = max<real>(highX - lowX, max<real>(highY - lowY, highZ - lowZ));
+  const length = extent > 0 ? powerAbove(<f64>extent) : 1;
+  const strength = strongest > 0 ? powerAbove(<f64>strongest) : 1;
+  if (length != w.length || strength != w.strength) changed = true;
+  w.length = length;
+  w.strength = strength;
+  const farthest = max<real>(
+    max<real>(max<real>(abs<real>(lowX), abs<real>(highX)), max<real>(abs<real>(lowY), abs<real>(highY))),
+    max<real>(abs<real>(lowZ), abs<real>(highZ)),
+  );
+  const epsilon: f64 = sizeof<real>() == 4 ? 5e-7 : 1e-15;
+  w.grain = max<f64>((epsilon * <f64>farthest) / length, sizeof<real>() == 4 ? 1e-5 : 1e-12);
+  w.lowX = <f64>lowX / length;
+  w.lowY = <f64>lowY / length;
+  w.lowZ = <f64>lowZ / length;
+}
+
+// Fills slots from `slot` with the bodies whose test bit is `wanted`; returns the slot after the last.
+function pack(w: NBody, column: usize, required: u32, testBit: u32, wanted: u32, rows: i32, slot: i32): i32 {
+  const c = columns();
+  const perLength = <real>(1 / w.length);
+  const perStrength = <real>(1 / w.strength);
+  for (let row = 0; row < rows; row++) {
+    const bits = load<u32>(c.members + ((<usize>row) << 2));
+    if ((bits & required) != required || (bits & testBit) != wanted) continue;
+    const x = get(c.positionX, row);
+    const y = get(c.positionY, row);
+    const z = get(c.positionZ, row);
+    const s = get(column, row);
+    if (!isFinite3(x, y, z, s)) continue;
+    const idAt = w.ids + ((<usize>slot) << 2);
+    if (load<u32>(idAt) != row) changed = true;
+    store<u32>(idAt, row);
+    keep(w.x, slot, x * perLength);
+    keep(w.y, slot, y * perLength);
+    keep(w.z, slot, z * perLength);
+    keep(w.s, slot, wanted != 0 ? 0 : s * perStrength);
+    slot++;
+  }
+  return slot;
+}
+
+// Empties slots [slot, end): no strength, at the place of an actual body.
+function pad(w: NBody, slot: i32, end: i32): void {
+  const from = slot > 0 ? slot - 1 : 0;
+  for (; slot < end; slot++) {
+    store<u32>(w.ids + ((<usize>slot) << 2), 0);
+    put(w.x, slot, get(w.x, from));
+    put(w.y, slot, get(w.y, from));
+    put(w.z, slot, get(w.z, from));
+    put(w.s, slot, 0);
+  }
+}
+
+// Packs rows [0, rows) that have all `required` bits, with strengths from `column`. Returns how many bodies there are;
+// where anything differs from the last time, results and tree are no longer valid.
+export function nBodyGather(
+  address: usize,
+  column: usize,
+  required: u32,
+  testBit: u32,
+  softening: f64,
+  rows: i32,
+): i32 {
+  const w = changetype<NBody>(address);
+  changed = false;
+  survey(w, column, required, testBit, rows);
+  const sources = count;
+  const tests = (sources + 7) & ~7;
+  const end = tests + testCount;
+  if (sources != w.sources || end != w.end) changed = true;
+  const bodies = sources + testCount;
+  if (end + 2 * LANES > w.capacity + 64) return -1;
+  const scaled = softening / w.length;
+  const softening2 = max<f64>(scaled * scaled, coincident2());
+  if (softening2 != w.softening2) changed = true;
+  pad(w, pack(w, column, required, testBit, 0, rows, 0), tests);
+  if (testCount > 0) pack(w, column, required, testBit, testBit, rows, tests);
+  pad(w, end, (end + 7) & ~7);
+  w.sources = sources;
+  w.tests = tests;
+  w.end = end;
+  w.bodies = bodies;
+  w.softening2 = softening2;
+  if (changed) {
+    w.treeValid = 0;
+    w.resultsValid = 0;
+  }
+  return bodies;
+}
+
+// Adds the results to the force columns, N. `coefficient` makes newtons of strength²/length^power.
+export function nBodyScatter(
+  address: usize,
+  column: usize,
+  fx: usize,
+  fy: usize,
+  fz: usize,
+  coefficient: f64,
+  power: i32,
+): void {
+  const w = changetype<NBody>(address);
+  const perLength = power == 2 ? 1 / (w.length * w.length) : 1 / w.length;
+  const scale = coefficient * w.strength * perLength;
+  const last = w.resultsByTree ? w.bodies : w.end;
+  for (let place = 0; place < last; place++) {
+    const slot = w.resultsByTree ? load<i32>(w.order + ((<usize>place) << 2)) : place;
+    const row = load<u32>(w.ids + ((<usize>slot) << 2));
+    if (row == 0) continue;
+    // The direct sum holds forces between the bodies that pull, equal and opposite to the last bit.
+    const own = w.resultsByTree || slot >= w.tests ? <f64>get(column, row) : w.strength;
+    const k = scale * own;
+    put(fx, row, get(fx, row) + <real>(k * <f64>get(w.ax, place)));
+    put(fy, row, get(fy, row) + <real>(k * <f64>get(w.ay, place)));
+    if (fz != 0) put(fz, row, get(fz, row) + <real>(k * <f64>get(w.az, place)));
+  }
+}

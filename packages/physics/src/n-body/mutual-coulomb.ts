@@ -1,0 +1,43 @@
+// The electrostatic force between all charges.
+//
+//   F_i = -Σ_j k q_i q_j (r_j - r_i) / (r² + ε²)^(3/2)       U = Σ_pairs k q_i q_j / √(r² + ε²)
+//   F_i = -Σ_j k q_i q_j (r_j - r_i) / (r² + ε²)             U = -Σ_pairs k q_i q_j ln √(r² + ε²)   (law 1/r)
+//
+//   k  Coulomb constant, N m²/C² (N m/C² for the law 1/r)      q  charge, C: equal signs repel
+//
+// Valid for charges at rest or slow against light, in vacuum. A charge without Mass pulls and stays where it is.
+// The tree's cells carry dipoles, which do not vanish where signs mix (centre: that of the absolute charges). In
+// matter that is neutral on average far fields cancel and an error is relative to what is left: the tree then opens
+// more and gains less than for gravity. Coulomb 1785; tree and cost as in mutual-gravity.ts.
+import { checkNumber } from '../faults/validate';
+import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force';
+
+/** The Coulomb constant 1/(4π ε₀), N m²/C²: CODATA 2022. */
+const COULOMB_CONSTANT = 8.9875517862e9;
+
+export interface MutualCoulombOptions extends MutualOptions {
+  /** Default 8.9875517862e9 N m²/C². */
+  readonly k?: number;
+}
+
+/**
+ * The electrostatic force between all bodies that have Charge.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function mutualCoulomb(options: MutualCoulombOptions = {}): MutualForce {
+  checkMutualOptions('mutualCoulomb', options, ['k']);
+  const k = checkNumber(options.k ?? COULOMB_CONSTANT, 'mutualCoulomb.k', { min: -1e30, max: 1e30 });
+  const square = options.law !== 'inverse-distance';
+  return createMutualForce({
+    name: 'mutual Coulomb',
+    equation: square ? 'F = -k q₁ q₂ r/(r² + ε²)^(3/2)' : 'F = -k q₁ q₂ r/(r² + ε²)',
+    parameters: {
+      k: { unit: square ? 'N m²/C²' : 'N m/C²', value: k },
+      softening: { unit: 'm', value: options.softening ?? 0 },
+    },
+    strength: 'Charge',
+    coefficient: -k,
+    signed: true,
+    options,
+  });
+}

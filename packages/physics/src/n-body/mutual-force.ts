@@ -1,0 +1,179 @@
+// What gravity and the Coulomb force between all bodies have in common: who takes part, how the sum is done, and what
+// is known about the last one. kernels/n-body does the work, in memory of its own in the world's arena.
+import { bitOf } from '../components/all';
+import { PhysicsError } from '../faults/physics-error';
+import { checkKeys, checkNumber } from '../faults/validate';
+import type { Force, ForceParameter } from '../forces/force';
+import { allocate } from '../store/arena';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
+import { nBodyKernels } from './kernels';
+
+/**
+ * How the force falls with distance: 'inverse-square' 1/r², or 'inverse-distance' 1/r, which in the plane is the field
+ * of parallel lines (logarithmic potential, ln of metres).
+ */
+export type DistanceLaw = 'inverse-square' | 'inverse-distance';
+
+/** 'direct' sums all pairs, 'tree' is Barnes and Hut's, 'auto' takes the faster one by the number of bodies. */
+export type SumMethod = 'auto' | 'direct' | 'tree';
+
+/** What every mutual force takes. */
+export interface MutualOptions {
+  /** Plummer softening length ε, m: the pull is r/(r² + ε²)^(3/2), or r/(r² + ε²). Default 0. */
+  readonly softening?: number;
+  /** Default 'inverse-square'. */
+  readonly law?: DistanceLaw;
+  /**
+   * RMS relative error of the forces that the tree may make; default 0.005. It is measured now and then at some bodies
+   * and the tree follows. 0 opens every cell: the direct sum by way of the tree. An f32 world resolves about 1e-5.
+   */
+  readonly relativeError?: number;
+  /** Default 'auto'. */
+  readonly method?: SumMethod;
+}
+
+/** What the last evaluation did. */
+export interface MutualForceReport {
+  /** Bodies that took part. */
+  readonly bodies: number;
+  readonly method: 'direct' | 'tree';
+  /** Target-source pairs with a cell as source, and with a body. */
+  readonly cellPairs: number;
+  readonly bodyPairs: number;
+  /** Nodes of the tree, and the deepest level split. */
+  readonly nodes: number;
+  readonly depth: number;
+  /** RMS relative error measured last, and the share of the field a cell may spend for it. */
+  readonly error: number;
+  readonly tolerance: number;
+  /** Evaluations so far. One on bodies that have not moved since the last is none. */
+  readonly evaluations: number;
+}
+
+/** A force between all bodies. */
+export interface MutualForce extends Force {
+  potential(world: PhysicsWorld): number;
+  /** About the last evaluation in a world. */
+  report(world: PhysicsWorld): MutualForceReport;
+  /** RMS relative error of the forces as they are now against the direct sum, at up to 1024 bodies. */
+  rmsError(world: PhysicsWorld, samples?: number): number;
+}
+
+interface MutualSpec {
+  readonly name: string;
+  readonly equation: string;
+  readonly parameters: Readonly<Record<string, ForceParameter>>;
+  /** The component whose `value` says how strongly a body pulls and is pulled. */
+  readonly strength: 'Mass' | 'Charge';
+  /** N m²/strength² (N m/strength² for 1/r); positive where equal signs attract. */
+  readonly coefficient: number;
+  /** Strengths may have both signs. */
+  readonly signed: boolean;
+  readonly options: MutualOptions;
+}
+
+/** Bodies from which on the tree is faster, by precision and dimensions; measured at an error of 0.5 %. */
+export const TREE_FROM = { f32: { 2: 3000, 3: 4000 }, f64: { 2: 2000, 3: 3000 } } as const;
+
+const SAMPLES = 1024;
+
+/** Checks the options that all mutual forces share. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+export function checkMutualOptions(name: string, options: MutualOptions, own: readonly string[]): void {
+  checkKeys(options, name, [...own, 'softening', 'law', 'relativeError', 'method']);
+  checkNumber(options.softening ?? 0, `${name}.softening`, { min: 0, max: 1e12 });
+  checkNumber(options.relativeError ?? 0, `${name}.relativeError`, { min: 0, max: 0.5 });
+  checkOneOf(`${name}.law`, options.law, ['inverse-square', 'inverse-distance']);
+  checkOneOf(`${name}.method`, options.method, ['auto', 'direct', 'tree']);
+}
+
+function checkOneOf(field: string, value: string | undefined, choices: readonly string[]): void {
+  if (value === undefined || choices.includes(value)) return;
+  throw new PhysicsError('E_RANGE', `${field} must be ${choices.join(' or ')}, got ${value}.`, { field, value });
+}
+
+/** The force of a description whose options were checked. */
+export function createMutualForce(spec: MutualSpec): MutualForce {
+  const sum = createSum(spec);
+  return {
+    name: spec.name,
+    equation: spec.equation,
+    parameters: spec.parameters,
+    reads: ['Position', spec.strength],
+    local: false,
+    accumulate(world) {
+      const work = sum.evaluate(world);
+      const { force } = world.scratch.at;
+      const fz = world.dimensions === 3 ? force.z : 0;
+      const column = world.addresses[spec.strength].value;
+      nBodyKernels(world).nBodyScatter(work, column, force.x, force.y, fz, spec.coefficient, sum.power);
+    },
+    potential(world) {
+      const work = sum.evaluate(world);
+      const column = world.addresses[spec.strength].value;
+      const tree = sum.usesTree(world, work);
+      return -spec.coefficient * nBodyKernels(world).nBodyPotential(work, column, world.dimensions, sum.power, tree);
+    },
+    report: (world) => reportOf(world, sum.workOf(world)),
+    rmsError(world, samples = SAMPLES) {
+      checkNumber(samples, 'rmsError.samples', { min: 1, max: SAMPLES, integer: true });
+      return nBodyKernels(world).nBodyError(sum.evaluate(world), sum.power, samples);
+    },
+  };
+}
+
+/** Its working memory in each world, and how to bring the results in it up to date. */
+function createSum(spec: MutualSpec) {
+  const { softening = 0, law = 'inverse-square', relativeError = 0.005, method = 'auto' } = spec.options;
+  const power = law === 'inverse-square' ? 2 : 1;
+  const required = (bitOf('Position') | bitOf(spec.strength)) >>> 0;
+  const treeFrom = (world: PhysicsWorld) => TREE_FROM[world.precision][world.dimensions];
+  const workOf = resource((world) => {
+    if (world.dimensions === 3 && power === 1) {
+      throw new PhysicsError('E_RANGE', `${spec.name}: the law inverse-distance is one of the plane.`, {
+        field: 'law',
+        value: law,
+        hint: 'Make the world with `dimensions: 2`, or use inverse-square.',
+      });
+    }
+    const hasTree = method === 'tree' || (method === 'auto' && world.capacity >= treeFrom(world)) ? 1 : 0;
+    const kernels = nBodyKernels(world);
+    const bytes = kernels.nBodyBytes(world.capacity, hasTree);
+    const work = allocate(world.internal.arena, bytes, spec.name);
+    kernels.nBodyBegin(work, world.capacity, hasTree);
+    return work;
+  });
+  const usesTree = (world: PhysicsWorld, work: number): number => {
+    if (method !== 'auto') return method === 'tree' ? 1 : 0;
+    return nBodyKernels(world).nBodyNumber(work, 0) >= treeFrom(world) ? 1 : 0;
+  };
+  return {
+    power,
+    workOf,
+    usesTree,
+    evaluate(world: PhysicsWorld): number {
+      const work = workOf(world);
+      const kernels = nBodyKernels(world);
+      const column = world.addresses[spec.strength].value;
+      kernels.nBodyGather(work, column, required, bitOf('TestParticle'), softening, world.lastId + 1);
+      const tree = usesTree(world, work);
+      kernels.nBodyEvaluate(work, world.dimensions, power, spec.signed ? 1 : 0, tree, relativeError);
+      return work;
+    },
+  };
+}
+
+function reportOf(world: PhysicsWorld, work: number): MutualForceReport {
+  const about = (index: number) => nBodyKernels(world).nBodyNumber(work, index);
+  return {
+    bodies: about(0),
+    method: about(1) === 1 ? 'tree' : 'direct',
+    cellPairs: about(2),
+    bodyPairs: about(3),
+    error: about(4),
+    tolerance: about(5),
+    nodes: about(6),
+    depth: about(7),
+    evaluations: about(8),
+  };
+}

@@ -1,0 +1,49 @@
+// Gravity between all bodies that have mass.
+//
+//   F_i = Σ_j G m_i m_j (r_j - r_i) / (r² + ε²)^(3/2)        U = -Σ_pairs G m_i m_j / √(r² + ε²)
+//   F_i = Σ_j G m_i m_j (r_j - r_i) / (r² + ε²)              U =  Σ_pairs G m_i m_j ln √(r² + ε²)   (law 1/r)
+//
+//   G  gravitational constant, N m²/kg² (N m/kg² for the law 1/r)      m  mass, kg
+//   ε  softening, m (Plummer 1911)                                     r  distance, m
+//
+// Valid for bodies that are points, or spheres that do not overlap; ε says below which distance a body stands for a
+// cloud of many. A body nearer than 10⁻¹² (f32; f64: 10⁻¹⁰⁰) of the system's extent to another counts as being at its
+// place, where the force is zero. Test particles feel the others and pull nobody, so that their momentum and energy
+// come from outside.
+//
+// Direct sum: every pair once, forces equal and opposite. Tree: Barnes & Hut, Nature 324, 446 (1986), with quadrupoles
+// (Hernquist, ApJS 64, 715, 1987), one walk a group of bodies (Barnes, J. Comput. Phys. 87, 161, 1990) and cells
+// accepted by the error they make (Salmon & Warren, J. Comput. Phys. 111, 136, 1994). It does not conserve momentum
+// exactly: action and reaction are approximated separately. Cost: N²/2 pairs, or about N log N.
+import { checkNumber } from '../faults/validate';
+import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force';
+
+/** The gravitational constant, m³/(kg s²): CODATA 2022. */
+const GRAVITATIONAL_CONSTANT = 6.6743e-11;
+
+export interface MutualGravityOptions extends MutualOptions {
+  /** Default 6.6743e-11 N m²/kg². */
+  readonly G?: number;
+}
+
+/**
+ * Gravity between all bodies that have Mass.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function mutualGravity(options: MutualGravityOptions = {}): MutualForce {
+  checkMutualOptions('mutualGravity', options, ['G']);
+  const G = checkNumber(options.G ?? GRAVITATIONAL_CONSTANT, 'mutualGravity.G', { min: -1e30, max: 1e30 });
+  const square = options.law !== 'inverse-distance';
+  return createMutualForce({
+    name: 'mutual gravity',
+    equation: square ? 'F = G m₁ m₂ r/(r² + ε²)^(3/2)' : 'F = G m₁ m₂ r/(r² + ε²)',
+    parameters: {
+      G: { unit: square ? 'N m²/kg²' : 'N m/kg²', value: G },
+      softening: { unit: 'm', value: options.softening ?? 0 },
+    },
+    strength: 'Mass',
+    coefficient: G,
+    signed: false,
+    options,
+  });
+}
