@@ -232,3 +232,30 @@ export function polygonUpthrust(
     put(torque, row, get(torque, row) + <real>(perArea * (momentX * p.upY - momentY * p.upX)));
   }
 }
+
+// The work done against the upthrust on polygons of one shape, J: each part of the outline under the level counts with
+// its depth, whose slope along the height is the area and about the centre the torque.
+export function polygonPotential(
+  pool: usize,
+  hulls: usize,
+  shape: i32,
+  polygon: usize,
+  count: i32,
+  whole: f64,
+  angle: usize,
+  rows: i32,
+): f64 {
+  const p = changetype<Pool>(pool);
+  const h = changetype<Hulls>(hulls);
+  const c = columns();
+  let total: f64 = 0;
+  for (let row = 0; row < rows; row++) {
+    const volume = <f64>get(h.volume, row);
+    if (volume == 0 || shapeOf(h, row) != <u32>shape) continue;
+    const depth = p.level - (p.upX * <f64>get(c.positionX, row) + p.upY * <f64>get(c.positionY, row));
+    clip(p, polygon, count, get(angle, row), depth);
+    const work = area * depth - (momentX * p.upX + momentY * p.upY);
+    total += ((p.density * p.gravity * volume) / whole) * work;
+  }
+  return total;
+}

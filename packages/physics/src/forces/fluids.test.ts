@@ -185,6 +185,19 @@ describe('upthrust on a polygon', () => {
     expect(force.torque / (-1e4 * metacentre * angle)).toBeCloseTo(1, 5);
   });
 
+  test('force and torque are minus the gradient of the energy', () => {
+    const body = { position: { y: 0.1 }, rotation: 0.7, hull: { volume: 2, shape: 2 } };
+    const { world, eid } = single([polygonUpthrust(pool, hull)], body);
+    const force = forceOn(world, eid);
+    expect(force.y).toBeCloseTo(slope(world, eid).y, 3);
+    const { angle } = world.components.Rotation;
+    const at = (turned: number) => {
+      angle[eid] = 0.7 + turned;
+      return energy(world).potential;
+    };
+    expect(force.torque).toBeCloseTo(-(at(1e-5) - at(-1e-5)) / 2e-5, 3);
+  });
+
   test('it swings upright when damped, and bodies of another shape number float on their own', () => {
     const forces = [uniformGravity({ y: -10 }), polygonUpthrust(pool, hull), immersedDrag(pool), angularDrag()];
     const body = {

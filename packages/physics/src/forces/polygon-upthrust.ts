@@ -1,6 +1,6 @@
 // Upthrust on a hull of any outline in the plane, at its centre of buoyancy, so that it rights or capsizes the body.
 //
-//   F = -ρ V (A'/A) g        τ = r_B × F
+//   F = -ρ V (A'/A) g        τ = r_B × F        potential  U = ρ V g/A ∫ depth dA'
 //
 //   A'/A  share of the outline's area under the surface    r_B  centroid of that part, from the centre of mass, m
 //   V  volume of the whole hull, m³: Hull.volume
@@ -52,6 +52,12 @@ export function polygonUpthrust(pool: Pool, hull: PolygonHull): Force {
       const { x, y } = force;
       const kernels = lawKernels(world);
       kernels.polygonUpthrust(pool, hulls, shape, corners, count, area, angle, x, y, torque.z, first, last);
+    },
+    potential(world) {
+      if (world.dimensions === 3 || world.internal.counts.Hull === 0) return 0;
+      const [pool, hulls, angle] = [at(world), hullTable(world), world.addresses.Rotation.angle];
+      const [corners, count, rows] = [cornersAt(world), outline.length / 2, world.lastId + 1];
+      return lawKernels(world).polygonPotential(pool, hulls, shape, corners, count, area, angle, rows);
     },
   };
 }

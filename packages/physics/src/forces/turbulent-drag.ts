@@ -9,7 +9,7 @@
 // 1/largest to 1/smallest eddy with the energies of Kolmogorov's spectrum (aⱼ² ∝ κ^(-2/3) a band), frequencies go as
 // κ^(2/3), and directions, signs and phases come from the seed: Kraichnan, Phys. Fluids 13, 22 (1970); Fung and others,
 // J. Fluid Mech. 236, 281 (1992). u is a function of place and time, not of the step: its statistics cannot depend on
-// the frame rate. Lists no other drag beside it. Modes add 40 bytes of memory each to a world, once.
+// the frame rate. List no other drag beside it. Each mode takes 56 bytes of a world's memory, once.
 // Cost: some 1.5 ns a body and mode in f32, 3 ns in f64.
 import { checkKeys, checkNumber } from '../faults/validate';
 import { cos, pow, sin } from '../math/elementary';
