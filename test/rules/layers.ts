@@ -28,6 +28,8 @@ export const physicsLayers: readonly string[] = [
   'forces',
   'n-body',
   'integrators',
+  'constraints',
+  'networks',
   'emitters',
   'collision',
   'solver',

@@ -21,6 +21,9 @@ export type { ColumnsOf, ComponentSpec, FieldSpec, RealColumn } from './componen
 export { MAX_POSITION } from './components/position';
 export { MAX_ANGULAR_SPEED } from './components/rotation';
 export { MAX_SPEED } from './components/velocity';
+export { type BrokenSprings, breakSprings, brokenSprings } from './constraints/breaking';
+export { largestStretch } from './constraints/stretch';
+export { type XpbdOptions, xpbd } from './constraints/xpbd';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy';
 export { stateHash } from './diagnostics/hash';
 export {
@@ -119,6 +122,13 @@ export { yoshida6 } from './integrators/yoshida6';
 export type { Precision } from './kernels/instantiate';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary';
 export { createRandom, type Random } from './math/random';
+export { type Cloth, type ClothOptions, createCloth } from './networks/cloth';
+export { type ClothWindOptions, clothWind } from './networks/cloth-wind';
+export { enclosedGas, type GasOptions } from './networks/gas';
+export type { Network, SpringOptions } from './networks/network';
+export { movePin, pin, unpin } from './networks/pins';
+export { createRope, type RopeOptions } from './networks/rope';
+export { createSoftBody, type SoftBody, type SoftBodyOptions } from './networks/soft-body';
 export { colliding } from './presets/colliding';
 export {
   type DistanceLaw,

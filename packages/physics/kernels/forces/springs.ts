@@ -139,7 +139,10 @@ export function springForces3d(table: usize, fx: usize, fy: usize, fz: usize): v
   }
 }
 
-// Sum of k (d - L)^2 / 2, J; slack cords hold none.
+// A stiffness from here on is a rod's, whose length is held by a constraint.
+const RIGID: f64 = 1e29;
+
+// Sum of k (d - L)^2 / 2, J; slack cords hold none, and rods do not stretch.
 export function springPotential(table: usize): f64 {
   const t = changetype<SpringTable>(table);
   const c = columns();
@@ -153,8 +156,9 @@ export function springPotential(table: usize): f64 {
     const y = <f64>get(c.positionY, b) - <f64>get(c.positionY, a);
     const z = <f64>get(c.positionZ, b) - <f64>get(c.positionZ, a);
     const extension = sqrt<f64>(x * x + y * y + z * z) - <f64>get(t.length, spring);
-    if (extension < 0 && word(t.cord, spring) != 0) continue;
-    sum += 0.5 * <f64>get(t.stiffness, spring) * extension * extension;
+    const stiffness = <f64>get(t.stiffness, spring);
+    if (stiffness >= RIGID || (extension < 0 && word(t.cord, spring) != 0)) continue;
+    sum += 0.5 * stiffness * extension * extension;
   }
   return sum;
 }

@@ -15,14 +15,16 @@ export const Spring = defineComponent({
     /** Which life of those ids is meant; filled in by the engine. */
     aLife: u32(''),
     bLife: u32(''),
-    /** Force per extension, N/m. */
-    stiffness: real('N/m', { bounds: { min: 0, max: 1e30 } }),
+    /** Force per extension, N/m. Infinity makes a rod, or an inextensible string: for the integrator `xpbd` only. */
+    stiffness: real('N/m', { bounds: { min: 0, max: 1e30 }, infinite: 1e30 }),
     /** Force per speed of extension, N s/m. */
     damping: real('N s/m', { bounds: { min: 0, max: 1e30 } }),
     /** Natural length, m. */
     length: real('m', { bounds: { min: 0, max: 1e12 } }),
     /** 1 for a cord, which pulls when longer than its natural length and never pushes. */
     cord: u32('', { bounds: { max: 1 } }),
+    /** Pull at which it breaks where the system `breakSprings` runs, N; 0 for never. */
+    breakForce: real('N', { bounds: { min: 0, max: 1e30 } }),
   },
   complete({ a, b }, entity) {
     if (a !== 0 && b !== 0 && a !== b) return;

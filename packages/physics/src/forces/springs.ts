@@ -27,12 +27,13 @@ export function springs(): Force {
     reads: ['Position', 'Velocity'],
     local: false,
     prepare(world, dt) {
+      if (world.integrator.solvesSprings === true) return;
       const table = scanSprings(world);
       refuseStiff(world, table, dt);
       removeLost(world, table);
     },
     accumulate(world) {
-      if (world.internal.counts.Spring === 0) return;
+      if (world.internal.counts.Spring === 0 || world.integrator.solvesSprings === true) return;
       const { x, y, z } = world.scratch.at.force;
       const { at } = springTable(world);
       if (world.dimensions === 2) world.kernels.springForces2d(at, x, y);
@@ -82,6 +83,6 @@ function stiffError(spring: number, stiffness: number, stiff: number, damped: nu
     entity: spring,
     field: 'spring.stiffness',
     value: stiffness,
-    hint: `Use steps of at most ${most.toPrecision(2)} s, a softer spring or heavier bodies.`,
+    hint: `Use steps of at most ${most.toPrecision(2)} s, a softer spring, heavier bodies or the integrator xpbd().`,
   });
 }

@@ -27,6 +27,8 @@ export interface Integrator {
   isStable?(stiffness: number, damping: number): boolean;
   /** Columns of reals it takes from the world's memory; a world made with it has room for them. */
   readonly columns?: number;
+  /** It solves springs itself, as constraints: the force `springs()` then adds nothing but its potential. */
+  readonly solvesSprings?: boolean;
   /** It must see all bodies at once, so that no step of it runs tile by tile. */
   readonly wholeWorld?: boolean;
   /** Called once a step, before anything moves: takes memory. What it throws comes out of `step`. */

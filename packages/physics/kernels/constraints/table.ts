@@ -1,0 +1,87 @@
+// The memory of a world's constraints; src/constraints/constraint-table.ts writes the addresses, in this order.
+//
+// A row is one spring as the solver sees it. Rows stand in the order they are solved: first chains, row after row along
+// each; then colours, groups of rows that share no movable body, each filled up to a multiple of four with rows of
+// nothing; then the few that found no colour. Bodies are packed as x, y, z, inverse mass.
+
+@unmanaged
+export class ConstraintTable {
+  // The list of springs: kernels/forces/springs.ts.
+  springs: usize;
+  breakForce: usize;
+  // Ids of the bodies that springs join, ascending.
+  nodes: usize;
+  // Per body: x, y, z, inverse mass; inverse mass; colours taken; number of springs; the first two of them.
+  packed: usize;
+  inverse: usize;
+  masks: usize;
+  degree: usize;
+  joined: usize;
+  // Per spring of the list: its colour, and whether it belongs to a chain.
+  state: usize;
+  // Per row: id of the spring (0: nothing), its ends, natural length (negative for a cord), gain, softness, tension h^2.
+  source: usize;
+  a: usize;
+  b: usize;
+  length: usize;
+  gain: usize;
+  softness: usize;
+  tension: usize;
+  // First row of each chain and, after the last, the end of all; where each colour ends.
+  chains: usize;
+  colours: usize;
+  // Eight f64 a row of a chain.
+  work: usize;
+  // Ids of springs pulled beyond their limit.
+  broken: usize;
+  nodeCount: i32;
+  chainCount: i32;
+  // All there is are rods in chains.
+  rigid: i32;
+  serialFirst: i32;
+  rowCount: i32;
+  damped: i32;
+  breakable: i32;
+}
+
+// Colours there are; rows beyond them are solved one by one.
+export const COLOURS: i32 = 63;
+
+// A stiffness from here on is a rod's: src/components/spring.ts stores infinity as 1e30.
+export const RIGID: f64 = 1e29;
+
+// @ts-ignore: decorator
+@inline export function tableAt(address: usize): ConstraintTable {
+  return changetype<ConstraintTable>(address);
+}
+
+// @ts-ignore: decorator
+@inline export function word(column: usize, row: i32): u32 {
+  return load<u32>(column + ((<usize>row) << 2));
+}
+
+// @ts-ignore: decorator
+@inline export function putWord(column: usize, row: i32, value: u32): void {
+  store<u32>(column + ((<usize>row) << 2), value);
+}
+
+// Where a body is packed.
+// @ts-ignore: decorator
+@inline export function packedAt(t: ConstraintTable, body: u32): usize {
+  return t.packed + <usize>body * 4 * sizeof<real>();
+}
+
+// @ts-ignore: decorator
+@inline export function part(packed: usize, index: i32): real {
+  return load<real>(packed + <usize>index * sizeof<real>());
+}
+
+// @ts-ignore: decorator
+@inline export function putPart(packed: usize, index: i32, value: real): void {
+  store<real>(packed + <usize>index * sizeof<real>(), value);
+}
+
+// @ts-ignore: decorator
+@inline export function isCord(length: real): bool {
+  return copysign<real>(1, length) < 0;
+}

@@ -1,0 +1,99 @@
+// The memory of a world's constraints: the class of kernels/constraints/table.ts, field by field, and when its rows are
+// made anew. Rows keep their order while no spring and no body comes or goes; their numbers are read every step.
+import { bitOf } from '../components/all';
+import { removeLost, scanSprings, springTable } from '../forces/spring-table';
+import { allocate } from '../store/arena';
+import { realBytes } from '../store/columns';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
+import { constraintKernels } from './kernels';
+
+const WORDS = [
+  ...['springs', 'breakForce'],
+  ...['nodes', 'packed', 'inverse', 'masks', 'degree', 'joined'],
+  ...['state', 'source', 'a', 'b', 'length', 'gain', 'softness', 'tension'],
+  ...['chains', 'colours', 'work', 'broken'],
+  ...['nodeCount', 'chainCount', 'rigid', 'serialFirst', 'rowCount', 'damped', 'breakable'],
+] as const;
+
+/** Rows that only fill colours up: at most three for each of 64, and three behind the chains. */
+const FILLING = 256;
+
+/** What forces and constraints can move. */
+const MOVABLE = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
+
+export interface ConstraintTable {
+  /** Its address. */
+  readonly at: number;
+  readonly words: Uint32Array;
+  /** Springs there is room for. */
+  room: number;
+  /** Membership version the order of the rows belongs to. */
+  version: number;
+  /** Sub-step the tensions belong to, s; 0 before the first. */
+  substep: number;
+}
+
+/** A counter or an address of the table. */
+export function wordOf({ words }: ConstraintTable, name: (typeof WORDS)[number]): number {
+  return words[WORDS.indexOf(name)];
+}
+
+function put({ words }: ConstraintTable, name: string, value: number): void {
+  words[(WORDS as readonly string[]).indexOf(name)] = value;
+}
+
+/** @throws PhysicsError E_CAPACITY */
+export const constraintTable = resource((world): ConstraintTable => {
+  const { arena } = world.internal;
+  const at = allocate(arena, 4 * WORDS.length, 'constraints');
+  const words = new Uint32Array(arena.memory.buffer, at, WORDS.length);
+  const table = { at, words, room: 0, version: -1, substep: 0 };
+  const { rows } = world;
+  const real = realBytes(world.precision);
+  const take = (name: string, bytes: number) => put(table, name, allocate(arena, bytes, 'constraints'));
+  put(table, 'springs', springTable(world).at);
+  put(table, 'breakForce', world.addresses.Spring.breakForce);
+  take('nodes', 4 * rows);
+  take('packed', 4 * real * rows);
+  take('inverse', real * rows);
+  take('masks', 8 * rows);
+  take('degree', 4 * rows);
+  take('joined', 8 * rows);
+  take('colours', 4 * 65);
+  return table;
+});
+
+/**
+ * Brings the rows up to date, for sub-steps of `h` seconds. Springs that lost an end are removed.
+ * @throws PhysicsError E_CAPACITY
+ */
+export function refreshConstraints(world: PhysicsWorld, h: number): ConstraintTable {
+  const table = constraintTable(world);
+  const kernels = constraintKernels(world);
+  const springs = springTable(world);
+  if (springs.removed.length > 0) springs.removed = [];
+  if (table.version === world.versions.membership && kernels.readConstraints(table.at, MOVABLE, h) === 1) return table;
+  removeLost(world, scanSprings(world));
+  makeRows(world, table);
+  kernels.arrangeConstraints(table.at, MOVABLE, world.lastId);
+  kernels.readConstraints(table.at, MOVABLE, h);
+  table.version = world.versions.membership;
+  table.substep = 0;
+  return table;
+}
+
+/** Room for as many rows as there are springs, and for the list of those that broke. @throws PhysicsError E_CAPACITY */
+export function makeRows(world: PhysicsWorld, table: ConstraintTable): void {
+  const { arena, counts } = world.internal;
+  if (counts.Spring <= table.room) return;
+  const room = Math.min(world.rows, Math.max(64, Math.ceil(1.5 * counts.Spring)));
+  const rows = room + FILLING;
+  const real = realBytes(world.precision);
+  const take = (name: string, bytes: number) =>
+    put(table, name, allocate(arena, bytes, `${counts.Spring} springs as constraints`));
+  for (const name of ['state', 'source', 'a', 'b', 'chains', 'broken']) take(name, 4 * (rows + 1));
+  for (const name of ['length', 'gain', 'softness', 'tension']) take(name, real * rows);
+  take('work', 96 * rows);
+  table.room = room;
+}

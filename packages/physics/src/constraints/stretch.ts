@@ -1,0 +1,16 @@
+import { scanSprings } from '../forces/spring-table';
+import type { PhysicsWorld } from '../world';
+import { constraintTable } from './constraint-table';
+import { constraintKernels } from './kernels';
+
+/**
+ * Largest |d - L|/L of all springs at least as stiff as `stiffness`, N/m: how far from inextensible the world is. Slack
+ * cords and springs without length do not count.
+ * @throws PhysicsError E_DESTROYED
+ */
+export function largestStretch(world: PhysicsWorld, stiffness = 0): number {
+  const { at } = constraintTable(world);
+  if (world.internal.counts.Spring === 0) return 0;
+  scanSprings(world);
+  return constraintKernels(world).largestStretch(at, stiffness);
+}

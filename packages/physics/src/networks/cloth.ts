@@ -1,0 +1,176 @@
+// A cloth: a grid of nodes with springs along the threads, and where wanted across the meshes (against shear) and from
+// each node to the next but one (against bending).
+import { spawnMany } from '../bodies/spawn-many';
+import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import type { PhysicsWorld } from '../world';
+import { COUNTS, checkStiffness, type Network, SPRING_OPTIONS, SpringList, type SpringOptions } from './network';
+
+export interface ClothOptions extends SpringOptions {
+  /** Place of the node of column 0 and row 0, m. */
+  readonly corner: VectorInput;
+  readonly columns: number;
+  readonly rows: number;
+  /** Distance of neighbours along a thread, m. */
+  readonly spacing: number;
+  /** Mass of the whole cloth, kg, shared equally by its nodes. */
+  readonly mass: number;
+  /** Unit vectors along a row and down a column; default +x and -y. */
+  readonly right?: VectorInput;
+  readonly down?: VectorInput;
+  /** Stiffness of the threads, N/m; default Infinity, which needs the integrator `xpbd`. */
+  readonly structural?: number;
+  /** Stiffness across the meshes, N/m; default 0: none. */
+  readonly shear?: number;
+  /** Stiffness from a node to the next but one, N/m; default 0: none. */
+  readonly bend?: number;
+  /** An inextensible cord from every node to the nearest held one, which takes the load off the threads; default false. */
+  readonly tethers?: boolean;
+  /** Which nodes are held: the first row, its two corners, none, or pairs [column, row]; default 'top'. */
+  readonly pins?: 'none' | 'top' | 'corners' | readonly (readonly [number, number])[];
+}
+
+/** A cloth that was made. */
+export interface Cloth extends Network {
+  readonly columns: number;
+  readonly rows: number;
+  /** The node at a place of the grid. */
+  at(column: number, row: number): number;
+  /** Entity ids of the corners of its triangles, three each: what `clothWind` takes. */
+  readonly triangles: Uint32Array;
+}
+
+const OPTIONS = [
+  ...[
+    'corner',
+    'columns',
+    'rows',
+    'spacing',
+    'mass',
+    'right',
+    'down',
+    'structural',
+    'shear',
+    'bend',
+    'tethers',
+    'pins',
+  ],
+  ...SPRING_OPTIONS,
+];
+
+/**
+ * Makes a cloth, flat and at rest. Its nodes are numbered row by row.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
+ */
+export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
+  checkKeys(options, 'createCloth', OPTIONS);
+  const columns = checkNumber(options.columns, 'cloth.columns', COUNTS);
+  const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);
+  const nodes = spawnNodes(world, options, columns, rows);
+  const list = new SpringList();
+  addThreads(list, options, columns, rows);
+  addShear(list, options, columns, rows);
+  addBend(list, options, columns, rows);
+  if (options.tethers === true) addTethers(list, options, columns, rows);
+  const springs = list.spawn(world, nodes, options);
+  const at = (column: number, row: number) => nodes[row * columns + column];
+  return { nodes, springs, columns, rows, at, triangles: trianglesOf(at, columns, rows) };
+}
+
+function spawnNodes(world: PhysicsWorld, options: ClothOptions, columns: number, rows: number): Uint32Array {
+  const corner = checkVector(options.corner, 'cloth.corner');
+  const right = checkVector(options.right ?? { x: 1 }, 'cloth.right');
+  const down = checkVector(options.down ?? { y: -1 }, 'cloth.down');
+  const spacing = checkNumber(options.spacing, 'cloth.spacing', { above: 0 });
+  const count = columns * rows;
+  const mass = checkNumber(options.mass, 'cloth.mass', { above: 0 }) / count;
+  const place = (axis: keyof Vector) =>
+    Float64Array.from({ length: count }, (_, i) => {
+      const [column, row] = [i % columns, Math.floor(i / columns)];
+      return corner[axis] + spacing * (right[axis] * column + down[axis] * row);
+    });
+  const masses = new Float64Array(count).fill(mass);
+  for (const node of pinnedNodes(options.pins ?? 'top', columns, rows)) masses[node] = Infinity;
+  const position = { x: place('x'), y: place('y'), z: place('z') };
+  return spawnMany(world, count, { ...options.components, position, velocity: {}, mass: masses });
+}
+
+function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, rows: number): number[] {
+  if (pins === 'none') return [];
+  if (pins === 'top') return Array.from({ length: columns }, (_, column) => column);
+  if (pins === 'corners') return [0, columns - 1];
+  return pins.map(([column, row]) => {
+    checkNumber(column, 'cloth.pins: column', { min: 0, max: columns - 1, integer: true });
+    checkNumber(row, 'cloth.pins: row', { min: 0, max: rows - 1, integer: true });
+    return row * columns + column;
+  });
+}
+
+/** All springs from a node to the one `right` columns and `down` rows on, row by row: so each kind takes two colours. */
+function addKind(
+  list: SpringList,
+  [columns, rows]: readonly [number, number],
+  [right, down]: readonly [number, number],
+  stiffness: number,
+  length: number,
+): void {
+  if (stiffness === 0) return;
+  for (let row = 0; row + down < rows; row++) {
+    for (let column = Math.max(0, -right); column + Math.max(0, right) < columns; column++) {
+      const node = row * columns + column;
+      list.add(node, node + down * columns + right, stiffness, length);
+    }
+  }
+}
+
+function addThreads(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const stiffness = checkStiffness(options.structural ?? Infinity, 'cloth.structural');
+  addKind(list, [columns, rows], [1, 0], stiffness, options.spacing);
+  addKind(list, [columns, rows], [0, 1], stiffness, options.spacing);
+}
+
+function addShear(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const stiffness = checkStiffness(options.shear ?? 0, 'cloth.shear');
+  const diagonal = Math.SQRT2 * options.spacing;
+  addKind(list, [columns, rows], [1, 1], stiffness, diagonal);
+  addKind(list, [columns, rows], [-1, 1], stiffness, diagonal);
+}
+
+function addBend(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const stiffness = checkStiffness(options.bend ?? 0, 'cloth.bend');
+  addKind(list, [columns, rows], [2, 0], stiffness, 2 * options.spacing);
+  addKind(list, [columns, rows], [0, 2], stiffness, 2 * options.spacing);
+}
+
+/**
+ * Cords as long as the way to the nearest held node along the threads: shear can straighten that way (Kim, Chentanez,
+ * Müller: Long Range Attachments, SCA 2012). A cloth that does not shear cannot: there the straight distance counts.
+ */
+function addTethers(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const pins = pinnedNodes(options.pins ?? 'top', columns, rows);
+  const held = new Set(pins);
+  const shears = (options.shear ?? 0) === 0;
+  for (let node = 0; node < columns * rows; node++) {
+    let nearest = -1;
+    let least = Infinity;
+    for (const pin of pins) {
+      const across = Math.abs((node % columns) - (pin % columns));
+      const down = Math.abs(Math.floor(node / columns) - Math.floor(pin / columns));
+      const way = shears ? across + down : Math.sqrt(across * across + down * down);
+      if (way >= least) continue;
+      least = way;
+      nearest = pin;
+    }
+    if (nearest >= 0 && !held.has(node)) list.add(nearest, node, Infinity, least * options.spacing, 1);
+  }
+}
+
+function trianglesOf(at: Cloth['at'], columns: number, rows: number): Uint32Array {
+  const triangles: number[] = [];
+  for (let row = 0; row + 1 < rows; row++) {
+    for (let column = 0; column + 1 < columns; column++) {
+      const [a, b, c, d] = [at(column, row), at(column + 1, row), at(column, row + 1), at(column + 1, row + 1)];
+      triangles.push(a, c, b, b, c, d);
+    }
+  }
+  return Uint32Array.from(triangles);
+}

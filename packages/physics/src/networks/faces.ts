@@ -1,0 +1,44 @@
+// Edges or triangles of a network in the world's memory, for kernels: per face its corners and which lives they are.
+import { PhysicsError } from '../faults/physics-error';
+import { allocate } from '../store/arena';
+import { assertBody } from '../store/references';
+import type { PhysicsWorld } from '../world';
+
+export interface Faces {
+  readonly at: number;
+  readonly count: number;
+}
+
+/**
+ * Puts them there once for each world.
+ * @throws PhysicsError E_TYPE, E_RANGE (not whole faces); and when asked for a world: E_STALE, E_CAPACITY
+ */
+export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): (world: PhysicsWorld) => Faces {
+  if (typeof ids?.length !== 'number') throw new PhysicsError('E_TYPE', `${field} must be an array of ids.`, { field });
+  if (ids.length % corners !== 0) {
+    throw new PhysicsError('E_RANGE', `${field} must hold ${corners} ids a face, got ${ids.length}.`, { field });
+  }
+  const places = new WeakMap<PhysicsWorld, Faces>();
+  return (world) => {
+    let faces = places.get(world);
+    if (faces === undefined) {
+      faces = place(world, ids, corners, field);
+      places.set(world, faces);
+    }
+    return faces;
+  };
+}
+
+function place(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, field: string): Faces {
+  const { arena, generations } = world.internal;
+  for (let i = 0; i < ids.length; i++) assertBody(world, ids[i]);
+  const count = ids.length / corners;
+  const at = allocate(arena, 8 * ids.length, field);
+  const words = new Uint32Array(arena.memory.buffer, at, 2 * ids.length);
+  for (let i = 0; i < ids.length; i++) {
+    const word = 2 * corners * Math.floor(i / corners) + (i % corners);
+    words[word] = ids[i];
+    words[word + corners] = generations[ids[i]];
+  }
+  return { at, count };
+}

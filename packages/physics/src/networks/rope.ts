@@ -1,0 +1,74 @@
+// A rope: nodes in a row, a spring from each to the next.
+//
+// A rope of N links of stiffness k stretches as one spring of stiffness k/N. Under `xpbd` it is a chain and solved
+// directly: an inextensible one (stiffness Infinity) does not stretch, as long as no link turns far within a sub-step and
+// the load below it is no more than some hundred links. Longer ones converge slowly; `tethers` keep their length (Kim,
+// Chentanez, Müller: Long Range Attachments, SCA 2012), at the price of links that no longer carry all of the load.
+
+import { spawnMany } from '../bodies/spawn-many';
+import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import type { PhysicsWorld } from '../world';
+import { COUNTS, checkStiffness, type Network, SPRING_OPTIONS, SpringList, type SpringOptions } from './network';
+
+export interface RopeOptions extends SpringOptions {
+  /** Places of the first and last node, m. */
+  readonly from: VectorInput;
+  readonly to: VectorInput;
+  /** Number of nodes, both ends included. */
+  readonly nodes: number;
+  /** Mass of the whole rope, kg, shared equally by its nodes. */
+  readonly mass: number;
+  /** Natural length of the whole rope, m; default the distance of its ends. */
+  readonly length?: number;
+  /** Stiffness of a link, N/m; default Infinity, which needs the integrator `xpbd`. */
+  readonly stiffness?: number;
+  /** Links pull and never push; default false. */
+  readonly cord?: boolean;
+  /** Inextensible cords from every node to each held end, no longer than the rope between; default false. */
+  readonly tethers?: boolean;
+  /** Which ends are held; default 'start'. */
+  readonly pins?: 'none' | 'start' | 'end' | 'both';
+}
+
+const OPTIONS = ['from', 'to', 'nodes', 'mass', 'length', 'stiffness', 'cord', 'tethers', 'pins', ...SPRING_OPTIONS];
+
+/**
+ * Makes a rope, straight from one end to the other, at rest.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
+ */
+export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
+  checkKeys(options, 'createRope', OPTIONS);
+  const from = checkVector(options.from, 'rope.from');
+  const to = checkVector(options.to, 'rope.to');
+  const count = checkNumber(options.nodes, 'rope.nodes', COUNTS);
+  const mass = checkNumber(options.mass, 'rope.mass', { above: 0 }) / count;
+  const [dx, dy, dz] = [to.x - from.x, to.y - from.y, to.z - from.z];
+  const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+  const length = checkNumber(options.length ?? distance, 'rope.length', { min: 0, max: 1e12 }) / (count - 1);
+  const stiffness = checkStiffness(options.stiffness ?? Infinity, 'rope.stiffness');
+  const { pins = 'start', cord = false, tethers = false } = options;
+  const along = (start: number, way: number) =>
+    Float64Array.from({ length: count }, (_, i) => start + (way * i) / (count - 1));
+  const isHeld = (i: number) =>
+    (i === 0 && (pins === 'start' || pins === 'both')) || (i === count - 1 && (pins === 'end' || pins === 'both'));
+  const nodes = spawnMany(world, count, {
+    ...options.components,
+    position: { x: along(from.x, dx), y: along(from.y, dy), z: along(from.z, dz) },
+    velocity: {},
+    mass: Float64Array.from({ length: count }, (_, i) => (isHeld(i) ? Infinity : mass)),
+  });
+  const list = new SpringList();
+  for (let i = 1; i < count; i++) list.add(i - 1, i, stiffness, length, cord ? 1 : 0);
+  if (tethers) addTethers(list, isHeld, count, length);
+  return { nodes, springs: list.spawn(world, nodes, options) };
+}
+
+function addTethers(list: SpringList, isHeld: (node: number) => boolean, count: number, link: number): void {
+  for (const end of [0, count - 1]) {
+    if (!isHeld(end)) continue;
+    for (let i = 0; i < count; i++) {
+      const links = Math.abs(i - end);
+      if (links > 1 && !isHeld(i)) list.add(end, i, Infinity, links * link, 1);
+    }
+  }
+}
