@@ -18,13 +18,14 @@ export const simulationImports: readonly string[] = ['@principia/physics', '@pri
 
 /** Folders and root files of `packages/physics/src`, in the order of the step: each imports from those above it. */
 export const physicsLayers: readonly string[] = [
-  'math',
   'faults',
   'kernels',
+  'math',
   'components',
   'store',
   'schedule',
   'bodies',
+  'events',
   'forces',
   'n-body',
   'integrators',
@@ -34,7 +35,6 @@ export const physicsLayers: readonly string[] = [
   'collision',
   'solver',
   'joints',
-  'events',
   'queries',
   'diagnostics',
   'record',

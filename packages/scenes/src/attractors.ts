@@ -59,7 +59,8 @@ function circling(x: Float64Array, y: Float64Array, mu: number) {
   const velocity = { x: new Float64Array(x.length), y: new Float64Array(x.length) };
   for (let i = 0; i < x.length; i++) {
     const square = x[i] * x[i] + y[i] * y[i];
-    const rate = Math.sqrt(mu / Math.sqrt((square + CLUSTER * CLUSTER) ** 3));
+    const spread = square + CLUSTER * CLUSTER;
+    const rate = Math.sqrt(mu / (spread * Math.sqrt(spread)));
     velocity.x[i] = -rate * y[i];
     velocity.y[i] = rate * x[i];
   }

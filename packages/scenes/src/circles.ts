@@ -9,8 +9,8 @@ const SMALLEST = 0.7;
 /** Part of the box that the bodies fill: of its area in 2D, of its volume in 3D. */
 const FILLED = { 2: 0.4, 3: 0.3 } as const;
 /** Mean of r² and of r³ for radii uniform from `SMALLEST` to 1. */
-const MEAN_SQUARE = (1 - SMALLEST ** 3) / (3 * (1 - SMALLEST));
-const MEAN_CUBE = (1 - SMALLEST ** 4) / (4 * (1 - SMALLEST));
+const MEAN_SQUARE = (1 - SMALLEST * SMALLEST * SMALLEST) / (3 * (1 - SMALLEST));
+const MEAN_CUBE = (1 - SMALLEST * SMALLEST * SMALLEST * SMALLEST) / (4 * (1 - SMALLEST));
 /** Density of water, kg/m³; in 2D the discs are a metre thick. */
 const DENSITY = 1000;
 /** Room for contacts and what finds them. */
