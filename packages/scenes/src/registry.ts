@@ -1,13 +1,15 @@
 import { attractors } from './attractors';
 import { bouncingBalls } from './bouncing-balls';
 import { circles } from './circles';
+import { cloth } from './cloth';
 import { emitters } from './emitters';
 import { particles } from './particles';
+import { rope } from './rope';
 import type { Scene } from './scene';
 import { springs } from './springs';
 
 /** Every scene, in the order they are listed. */
-export const SCENES: readonly Scene[] = [particles, emitters, circles, springs, attractors, bouncingBalls];
+export const SCENES: readonly Scene[] = [particles, emitters, circles, springs, rope, cloth, attractors, bouncingBalls];
 
 /** The scene of a name, if there is one. */
 export function findScene(name: string): Scene | undefined {

@@ -1,0 +1,37 @@
+// A rope hung between two points, longer than the gap: it falls, swings and settles as a catenary.
+import { createPhysicsWorld, createRope, linearDrag, springs, uniformGravity, xpbd } from '@principia/physics';
+import { countOf, defineScene } from './scene';
+import { shake } from './shake';
+
+/** Length of the rope, m, and distance of its ends. */
+const LENGTH = 10;
+const GAP = 8;
+
+export const rope = defineScene({
+  name: 'rope',
+  description: 'an inextensible rope hung between two points',
+  precision: 'f64',
+  parameters: {
+    count: countOf('nodes', 1000, 1_000_000, 2),
+    mass: { about: 'mass of the rope', unit: 'kg', initial: 1, min: 0.01, max: 1000 },
+    drag: { about: 'drag of a node by its mass', unit: '1/s', initial: 0.5, min: 0, max: 20 },
+    push: { about: 'largest initial speed of a node along an axis', unit: 'm/s', initial: 0.05, min: 0, max: 10 },
+    substeps: countOf('sub-steps of a step', 1, 100),
+    iterations: countOf('iterations of a sub-step', 10, 100),
+  },
+  build({ dimensions, precision, seed, parameters }) {
+    const { count, mass, drag, push, substeps, iterations } = parameters;
+    const world = createPhysicsWorld({
+      ...{ dimensions, precision, seed },
+      capacity: 4 * count,
+      integrator: xpbd({ substeps, iterations }),
+      forces: [uniformGravity(), linearDrag(), springs()],
+    });
+    const { nodes } = createRope(world, {
+      ...{ from: {}, to: { x: GAP }, length: LENGTH, nodes: count, mass, pins: 'both', tethers: true },
+      components: { linearDrag: (drag * mass) / count },
+    });
+    shake(world, nodes, push, seed);
+    return { world, dt: 1 / 60, losesEnergy: 'air drags on the rope, and what becomes taut does not bounce' };
+  },
+});
