@@ -1,5 +1,6 @@
 import type { SceneRun } from '@principia/scenes';
 import { attractorsJs } from './attractors-js';
+import { circlesJs } from './circles-js';
 import { fusedJs } from './fused-js';
 import { fusedSimd } from './fused-simd';
 import type { Peer, PeerMaker } from './peer';
@@ -11,6 +12,7 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   particles: [fusedSimd, fusedJs, queryIdiom],
   springs: [springsJs],
   attractors: [attractorsJs],
+  gas: [circlesJs],
 };
 
 /** The peers of a scene, ready to take the first step from the state `run` is in. */

@@ -44,7 +44,10 @@ export interface PhysicsWorldOptions {
   readonly preset?: Preset;
   /** A fault found in a step: 'quarantine' (default) goes on without the body, 'throw' also throws when the step ends. */
   readonly onFault?: 'quarantine' | 'throw';
-  /** Bytes for features that need memory of their own (contacts, grids); default 256 per entity and at least 1 MiB. */
+  /**
+   * Bytes for features that need memory of their own (contacts, grids); default what the preset asks for, or 256, per
+   * entity, and at least 1 MiB.
+   */
   readonly arenaBytes?: number;
   /** How the memory is made; for tests. */
   readonly memoryFactory?: MemoryFactory;
@@ -165,7 +168,9 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   checkNumber(seed, 'seed', { min: 0, max: 2 ** 53 - 1, integer: true });
   checkParts(options);
   const rows = Math.ceil((capacity + 1) / 1024) * 1024;
-  const extra = checkNumber(options.arenaBytes ?? Math.max(2 ** 20, 256 * rows), 'arenaBytes', {
+  const preset = options.preset ?? standard;
+  const perEntity = preset.bytesPerEntity?.(dimensions, precision) ?? 256;
+  const extra = checkNumber(options.arenaBytes ?? Math.max(2 ** 20, perEntity * rows), 'arenaBytes', {
     min: 0,
     max: 2 ** 32,
   });
@@ -175,7 +180,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   world.internal.componentMap = contextOf(world).componentMap;
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
   observeComponents(world);
-  (options.preset ?? standard)(world);
+  preset(world);
   for (const system of options.walls ?? []) world.phases.walls.push(system);
   return world;
 }

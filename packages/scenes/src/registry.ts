@@ -3,13 +3,14 @@ import { bouncingBalls } from './bouncing-balls';
 import { circles } from './circles';
 import { cloth } from './cloth';
 import { emitters } from './emitters';
+import { gas } from './gas';
 import { particles } from './particles';
 import { rope } from './rope';
 import type { Scene } from './scene';
 import { springs } from './springs';
 
 /** Every scene, in the order they are listed. */
-export const SCENES: readonly Scene[] = [particles, emitters, circles, springs, rope, cloth, attractors, bouncingBalls];
+export const SCENES: readonly Scene[] = [particles, emitters, circles, gas, springs, rope, cloth, attractors, bouncingBalls];
 
 /** The scene of a name, if there is one. */
 export function findScene(name: string): Scene | undefined {

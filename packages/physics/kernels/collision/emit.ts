@@ -17,7 +17,7 @@ export const MOST_CONTACTS: i32 = 128;
     return 0;
   }
   t.count = i + 1;
-  putWord(t.rawA, i, min<i32>(p, q));
-  putWord(t.rawB, i, max<i32>(p, q));
+  putWord(t.slotA, i, min<i32>(p, q));
+  putWord(t.slotB, i, max<i32>(p, q));
   return 1;
 }

@@ -13,9 +13,26 @@
 // that is within the step the bodies are at rest on each other and `rest.ts` holds them; one that came in fast still
 // gives up its speed here, at the right instant.
 import { Columns, get, put } from '../columns';
-import { aX, aY, aZ, accelerationSquare, dX, dY, dZ, distance, nX, nY, nZ, readApproach, vX, vY, vZ } from './approach';
-import { frictionX, frictionY, frictionZ, inverseMass, rub } from './friction';
-import { follow, kick } from './impulse';
+import {
+  aX,
+  aY,
+  aZ,
+  dX,
+  dY,
+  dZ,
+  distance,
+  nX,
+  nY,
+  nZ,
+  readMotions,
+  readNormal,
+  readPlace,
+  vX,
+  vY,
+  vZ,
+} from './approach';
+import { body, kick } from './body';
+import { rub } from './friction';
 import { ContactTable, FINITE, putWord, word } from './table';
 import { touchSpeed, touchTime, touchX, touchY, touchZ } from './touch';
 
@@ -27,10 +44,10 @@ const SLICES: i32 = 64;
 const MOST_SWEEPS: i32 = 4;
 
 export function resolveImpacts(c: Columns, t: ContactTable, dt: real, lag: real): void {
-  const count = orderByTime(c, t, dt, lag);
+  const count = orderByTime(t, dt, lag);
   if (count == 0) return;
   let hit = 0;
-  for (let k = 0; k < count; k++) hit += collide(c, t, word(t.rawA, k), dt, lag);
+  for (let k = 0; k < count; k++) hit += collide(c, t, word(t.order, k), dt, lag);
   for (let sweep = 1; sweep < MOST_SWEEPS && hit > 0; sweep++) {
     hit = 0;
     for (let i = 0; i < t.count; i++) hit += collide(c, t, i, dt, lag);
@@ -38,38 +55,40 @@ export function resolveImpacts(c: Columns, t: ContactTable, dt: real, lag: real)
 }
 
 // Lists the contacts that may collide, earliest slice first, and returns their number.
-function orderByTime(c: Columns, t: ContactTable, dt: real, lag: real): i32 {
+function orderByTime(t: ContactTable, dt: real, lag: real): i32 {
   const ends = t.histogram;
   memory.fill(ends, 0, (SLICES + 1) << 2);
   const rate = <real>1 / dt;
   for (let i = 0; i < t.count; i++) {
-    const slice = sliceOf(c, t, i, dt, rate, lag);
-    putWord(t.rawB, i, slice << 2);
+    const slice = sliceOf(t, i, dt, rate, lag);
+    putWord(t.flags, i, slice << 2);
     if (slice >= 0) putWord(ends, slice + 1, word(ends, slice + 1) + 1);
   }
   for (let s = 0; s < SLICES; s++) putWord(ends, s + 1, word(ends, s + 1) + word(ends, s));
   const total = word(ends, SLICES);
   for (let i = 0; i < t.count; i++) {
-    const slice = word(t.rawB, i) >> 2;
-    putWord(t.rawB, i, 0);
+    const slice = word(t.flags, i) >> 2;
+    putWord(t.flags, i, 0);
     if (slice < 0) continue;
     const place = word(ends, slice);
     putWord(ends, slice, place + 1);
-    putWord(t.rawA, place, i);
+    putWord(t.order, place, i);
   }
   return total;
 }
 
 // The slice of the step in which a contact happened, 0 the earliest; -1 for one that cannot collide.
-function sliceOf(c: Columns, t: ContactTable, i: i32, dt: real, rate: real, lag: real): i32 {
-  const a = word(t.a, i);
-  const b = word(t.b, i);
-  readApproach(c, t, a, b, rate, lag);
+function sliceOf(t: ContactTable, i: i32, dt: real, rate: real, lag: real): i32 {
+  const a = body(t, word(t.slotA, i));
+  const b = body(t, word(t.slotB, i));
+  readPlace(a, b);
+  readNormal(word(t.a, i), word(t.b, i), t.layer == 0);
   put(t.nx, i, nX);
   put(t.ny, i, nY);
   put(t.nz, i, nZ);
-  const reach = get(c.radius, a) + get(c.radius, b);
+  const reach = a.radius + b.radius;
   if (!(distance < reach)) return -1;
+  readMotions(a, b, lag);
   const since = touchTime(dX, dY, dZ, vX, vY, vZ, 0, 0, 0, reach, dt);
   if (since >= 0) return max<i32>(0, SLICES - 1 - <i32>(since * rate * <real>SLICES));
   return vX * nX + vY * nY + vZ * nZ < 0 ? 0 : -1;
@@ -77,13 +96,17 @@ function sliceOf(c: Columns, t: ContactTable, i: i32, dt: real, rate: real, lag:
 
 // Lets contact i collide when it can. Returns 1 when it did.
 function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real): i32 {
-  const a = word(t.a, i);
-  const b = word(t.b, i);
-  const reach = get(c.radius, a) + get(c.radius, b);
-  readApproach(c, t, a, b, <real>1 / dt, lag);
+  const a = body(t, word(t.slotA, i));
+  const b = body(t, word(t.slotB, i));
+  const reach = a.radius + b.radius;
+  readPlace(a, b);
   if (!(distance < reach)) return 0;
+  const rowA = word(t.a, i);
+  const rowB = word(t.b, i);
+  readNormal(rowA, rowB, t.layer == 0);
+  readMotions(a, b, lag);
   const closing = -(vX * nX + vY * nY + vZ * nZ);
-  const flags = word(t.rawB, i);
+  const flags = word(t.flags, i);
   // Bodies that passed each other within the step move apart by now; those that have collided also do.
   if (!(closing > 0) && (flags & COLLIDED) != 0) return 0;
   let since = touchTime(dX, dY, dZ, vX, vY, vZ, aX, aY, aZ, reach, dt);
@@ -100,9 +123,9 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real): i32 
     since = 0;
   }
   if (!(speed > 0)) return 0;
-  let e = max<real>(get(c.restitution, a), get(c.restitution, b));
-  const wa = inverseMass(c, a);
-  const wb = inverseMass(c, b);
+  let e = max<real>(get(c.restitution, rowA), get(c.restitution, rowB));
+  const wa = a.inverseMass;
+  const wb = b.inverseMass;
   // What presses on a pile comes through it, and is not yet seen in the accelerations: the last step tells.
   const pressed = get(t.holding, i) * (wa + wb);
   const pull = max<real>(pressed, -(aX * x + aY * y + aZ * z) * dt);
@@ -116,31 +139,11 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real): i32 
   put(t.ny, i, y);
   put(t.nz, i, z);
   put(t.impulse, i, get(t.impulse, i) + impulse);
-  putWord(t.rawB, i, flags | COLLIDED);
-  strike(c, t, a, b, x, y, z, impulse, wa, wb, since);
-  return 1;
-}
-
-// The impulse and its friction on both bodies.
-function strike(
-  c: Columns,
-  t: ContactTable,
-  a: i32,
-  b: i32,
-  x: real,
-  y: real,
-  z: real,
-  impulse: real,
-  wa: real,
-  wb: real,
-  since: real,
-): void {
+  putWord(t.flags, i, flags | COLLIDED);
   const ja = -impulse * wa;
   const jb = impulse * wb;
-  if (wa > 0) kick(c, t, a, ja * x, ja * y, ja * z, since);
-  if (wb > 0) kick(c, t, b, jb * x, jb * y, jb * z, since);
-  const friction = sqrt<real>(get(c.friction, a) * get(c.friction, b));
-  if (!(friction > 0) || rub(c, a, b, x, y, z, friction, impulse) == 0) return;
-  if (wa > 0) follow(c, t, a, -wa * frictionX, -wa * frictionY, -wa * frictionZ, since);
-  if (wb > 0) follow(c, t, b, wb * frictionX, wb * frictionY, wb * frictionZ, since);
+  kick(a, ja * x, ja * y, ja * z, since);
+  kick(b, jb * x, jb * y, jb * z, since);
+  rub(a, b, x, y, z, sqrt<real>(get(c.friction, rowA) * get(c.friction, rowB)), impulse, since);
+  return 1;
 }

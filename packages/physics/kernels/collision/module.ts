@@ -2,7 +2,7 @@
 export { findPairs2d } from './2d/pairs';
 export { findPairs3d } from './3d/pairs';
 export { beginContacts, beginWallContacts, sortContacts } from './order';
-export { rememberPositions, respond } from './respond';
+export { respond } from './respond';
 export { gatherSegments } from '../walls/wall-grid';
 export { confineToSegments, segmentWalls } from '../walls/segments';
 export { planeWalls } from '../walls/planes';

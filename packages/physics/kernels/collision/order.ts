@@ -30,7 +30,7 @@ export function sortContacts(lastId: i32): void {
   const cursor = t.rowWords;
   memory.fill(cursor, 0, (<usize>(lastId + 1)) << 2);
   for (let i = 0; i < count; i++) {
-    const a = word(t.rawA, i);
+    const a = word(t.slotA, i);
     putWord(cursor, a, word(cursor, a) + 1);
   }
   let sum = 0;
@@ -40,10 +40,10 @@ export function sortContacts(lastId: i32): void {
     sum += size;
   }
   // A place that is still empty must not look like one of this a.
-  memory.fill(t.a, 0, <usize>count << 2);
+  memory.fill(t.a, 0, (<usize>count) << 2);
   for (let i = 0; i < count; i++) {
-    const a = word(t.rawA, i);
-    const b = word(t.rawB, i);
+    const a = word(t.slotA, i);
+    const b = word(t.slotB, i);
     let place = word(cursor, a);
     putWord(cursor, a, place + 1);
     putWord(t.a, place, a);

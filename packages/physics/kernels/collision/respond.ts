@@ -1,5 +1,7 @@
 // The response to the contacts of a step, after the broad phase found and ordered them.
-import { Columns, columns, get, put } from '../columns';
+import { columns, get, put } from '../columns';
+import { distance, readPlace } from './approach';
+import { body, gatherBodies, scatterBodies } from './body';
 import { resolveImpacts } from './impacts';
 import { joinPrevious } from './order';
 import { holdResting } from './rest';
@@ -8,21 +10,56 @@ import { linkWalls } from './support';
 import { ContactTable, contactTable, putWord, word } from './table';
 
 // Impacts, resting contacts, overlaps; then only those contacts stay in the list that touched. `lag` is the time by
-// which the integrator's velocities lag its positions, `lastId` the highest id.
-export function respond(dt: real, lag: real, lastId: i32): void {
+// which the integrator's velocities lag its positions, `lastId` the highest id. With `remember`, where
+// the bodies were is kept for `confineToSegments`.
+export function respond(dt: real, lag: real, lastId: i32, remember: bool): void {
   const c = columns();
   const t = contactTable();
   const scale: real = t.previousDt > 0 ? <real>(<f64>dt / t.previousDt) : 0;
   t.previousDt = <f64>dt;
   if (t.count > 0) {
     joinPrevious(scale);
+    gatherBodies(c, dt, lastId);
+    linkWalls(t);
     resolveImpacts(c, t, dt, lag);
-    holdResting(c, t, dt, lag, lastId);
-    linkWalls(t, lastId);
-    separate(c, t, dt);
-    keepTouching(c, t);
+    holdResting(c, t, dt, lag);
+    separate(t, dt);
+    keepTouching(t);
+    scatterBodies(c, t, remember);
+  } else {
+    t.bodyCount = 0;
   }
   keepTouchingWalls(t);
+}
+
+// Drops the contacts that were only near, and works out the points of the others.
+function keepTouching(t: ContactTable): void {
+  let kept = 0;
+  for (let i = 0; i < t.count; i++) {
+    const a = body(t, word(t.slotA, i));
+    const b = body(t, word(t.slotB, i));
+    readPlace(a, b);
+    const overlap = a.radius + b.radius - distance;
+    const impulse = get(t.impulse, i);
+    if (!(impulse > 0 || overlap > 0)) continue;
+    const nx = get(t.nx, i);
+    const ny = get(t.ny, i);
+    const nz = get(t.nz, i);
+    putWord(t.a, kept, word(t.a, i));
+    putWord(t.b, kept, word(t.b, i));
+    put(t.nx, kept, nx);
+    put(t.ny, kept, ny);
+    put(t.nz, kept, nz);
+    put(t.impulse, kept, impulse);
+    put(t.holding, kept, get(t.holding, i));
+    const arm = a.radius - <real>0.5 * overlap;
+    put(t.x, kept, a.x + nx * arm);
+    put(t.y, kept, a.y + ny * arm);
+    // In 2D z shares the zeros of nz.
+    if (t.z != t.nz) put(t.z, kept, a.z + nz * arm);
+    kept++;
+  }
+  t.count = kept;
 }
 
 function keepTouchingWalls(t: ContactTable): void {
@@ -39,52 +76,4 @@ function keepTouchingWalls(t: ContactTable): void {
     kept++;
   }
   t.wallCount = kept;
-}
-
-function keepTouching(c: Columns, t: ContactTable): void {
-  let kept = 0;
-  for (let i = 0; i < t.count; i++) {
-    const a = word(t.a, i);
-    const b = word(t.b, i);
-    const dx = get(c.positionX, b) - get(c.positionX, a);
-    const dy = get(c.positionY, b) - get(c.positionY, a);
-    const dz = get(c.positionZ, b) - get(c.positionZ, a);
-    const ra = get(c.radius, a);
-    const overlap = ra + get(c.radius, b) - sqrt<real>(dx * dx + dy * dy + dz * dz);
-    const impulse = get(t.impulse, i);
-    if (!(impulse > 0 || overlap > 0)) continue;
-    const nx = get(t.nx, i);
-    const ny = get(t.ny, i);
-    const nz = get(t.nz, i);
-    putWord(t.a, kept, a);
-    putWord(t.b, kept, b);
-    put(t.nx, kept, nx);
-    put(t.ny, kept, ny);
-    put(t.nz, kept, nz);
-    put(t.impulse, kept, impulse);
-    put(t.holding, kept, get(t.holding, i));
-    const arm = ra - <real>0.5 * overlap;
-    put(t.x, kept, get(c.positionX, a) + nx * arm);
-    put(t.y, kept, get(c.positionY, a) + ny * arm);
-    if (t.z != t.nz) put(t.z, kept, get(c.positionZ, a) + nz * arm);
-    kept++;
-  }
-  t.count = kept;
-}
-
-// Remembers where the bodies with contacts are, before contacts move them.
-export function rememberPositions(): void {
-  const c = columns();
-  const t = contactTable();
-  for (let i = 0; i < t.count; i++) {
-    remember(c, t, word(t.a, i));
-    remember(c, t, word(t.b, i));
-  }
-}
-
-// @ts-ignore: decorator
-@inline function remember(c: Columns, t: ContactTable, row: i32): void {
-  put(t.fromX, row, get(c.positionX, row));
-  put(t.fromY, row, get(c.positionY, row));
-  put(t.fromZ, row, get(c.positionZ, row));
 }

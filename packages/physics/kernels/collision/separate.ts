@@ -2,88 +2,85 @@
 //
 // Each contact asks for a part of the overlap that will not have gone by itself when the next step ends, shared by
 // inverse mass, so that the centre of mass stays. No body is moved by more than `MOST_SPEED` radii a second: a heap of
-// bodies in one place comes apart at a pace the eye can follow.
-import { Columns, get, put } from '../columns';
-import { inverseMass } from './friction';
+// bodies in one place comes apart at a pace the eye can follow. The accelerations of the step have served by now, and
+// their place takes the displacements.
+import { get } from '../columns';
+import { distance, readPlace } from './approach';
+import { Body, body } from './body';
 import { leave, leftX, leftY, leftZ, share } from './support';
-import { ContactTable, word } from './table';
+import { ContactTable, putWord, word } from './table';
 
 const PART: real = 0.5;
 const MOST_SPEED: real = 4;
 
-export function separate(c: Columns, t: ContactTable, dt: real): void {
+export function separate(t: ContactTable, dt: real): void {
+  let count = 0;
   for (let i = 0; i < t.count; i++) {
-    clear(t, word(t.a, i));
-    clear(t, word(t.b, i));
+    if (!(depthOf(t, i, dt) > 0)) continue;
+    putWord(t.order, count++, i);
+    clear(body(t, word(t.slotA, i)));
+    clear(body(t, word(t.slotB, i)));
   }
-  let any = false;
-  for (let i = 0; i < t.count; i++) any = push(c, t, i, dt) || any;
-  if (!any) return;
-  for (let i = 0; i < t.count; i++) {
-    move(c, t, word(t.a, i), dt);
-    move(c, t, word(t.b, i), dt);
+  for (let k = 0; k < count; k++) push(t, word(t.order, k), dt);
+  for (let k = 0; k < count; k++) {
+    const i = word(t.order, k);
+    move(body(t, word(t.slotA, i)), dt);
+    move(body(t, word(t.slotB, i)), dt);
   }
+}
+
+// The overlap of contact i that will be left when the next step ends.
+function depthOf(t: ContactTable, i: i32, dt: real): real {
+  const a = body(t, word(t.slotA, i));
+  const b = body(t, word(t.slotB, i));
+  readPlace(a, b);
+  const overlap = a.radius + b.radius - distance;
+  const speed = (b.vx - a.vx) * get(t.nx, i) + (b.vy - a.vy) * get(t.ny, i) + (b.vz - a.vz) * get(t.nz, i);
+  return overlap - max<real>(0, speed * dt);
 }
 
 // @ts-ignore: decorator
-@inline function clear(t: ContactTable, row: i32): void {
-  put(t.pushX, row, 0);
-  put(t.pushY, row, 0);
-  put(t.pushZ, row, 0);
+@inline function clear(b: Body): void {
+  b.ax = b.ay = b.az = 0;
 }
 
-function push(c: Columns, t: ContactTable, i: i32, dt: real): bool {
-  const a = word(t.a, i);
-  const b = word(t.b, i);
+function push(t: ContactTable, i: i32, dt: real): void {
+  const a = body(t, word(t.slotA, i));
+  const b = body(t, word(t.slotB, i));
   const x = get(t.nx, i);
   const y = get(t.ny, i);
   const z = get(t.nz, i);
-  const dx = get(c.positionX, b) - get(c.positionX, a);
-  const dy = get(c.positionY, b) - get(c.positionY, a);
-  const dz = get(c.positionZ, b) - get(c.positionZ, a);
-  const overlap = get(c.radius, a) + get(c.radius, b) - sqrt<real>(dx * dx + dy * dy + dz * dz);
-  if (!(overlap > 0)) return false;
-  const speed =
-    (get(c.velocityX, b) - get(c.velocityX, a)) * x +
-    (get(c.velocityY, b) - get(c.velocityY, a)) * y +
-    (get(c.velocityZ, b) - get(c.velocityZ, a)) * z;
-  const depth = overlap - max<real>(0, speed * dt);
-  if (!(depth > 0)) return false;
+  const depth = depthOf(t, i, dt);
   // A body that leaves its wall by less than this will not have room in the next step either.
   const slow = (<real>0.01 * depth) / dt;
-  leave(c, t, a, -x, -y, -z, dt, slow);
-  const wa = inverseMass(c, a);
+  leave(t, a, -x, -y, -z, dt, slow);
   const ax = leftX;
   const ay = leftY;
   const az = leftZ;
-  const shareA = wa * share;
-  leave(c, t, b, x, y, z, dt, slow);
-  const wb = inverseMass(c, b);
-  const sum = shareA + wb * share;
-  if (!(sum > 0)) return false;
+  const sharing = a.inverseMass * share;
+  leave(t, b, x, y, z, dt, slow);
+  const sum = sharing + b.inverseMass * share;
+  if (!(sum > 0)) return;
   const size = (PART * depth) / sum;
-  add(t, a, ax, ay, az, size * wa);
-  add(t, b, leftX, leftY, leftZ, size * wb);
-  return true;
+  add(a, ax, ay, az, size * a.inverseMass);
+  add(b, leftX, leftY, leftZ, size * b.inverseMass);
 }
 
 // @ts-ignore: decorator
-@inline function add(t: ContactTable, row: i32, x: real, y: real, z: real, size: real): void {
-  put(t.pushX, row, get(t.pushX, row) + x * size);
-  put(t.pushY, row, get(t.pushY, row) + y * size);
-  put(t.pushZ, row, get(t.pushZ, row) + z * size);
+@inline function add(b: Body, x: real, y: real, z: real, size: real): void {
+  b.ax += x * size;
+  b.ay += y * size;
+  b.az += z * size;
 }
 
-function move(c: Columns, t: ContactTable, row: i32, dt: real): void {
-  const x = get(t.pushX, row);
-  const y = get(t.pushY, row);
-  const z = get(t.pushZ, row);
-  const length = sqrt<real>(x * x + y * y + z * z);
+// Moves a body by its displacement, once.
+function move(b: Body, dt: real): void {
+  const length = sqrt<real>(b.ax * b.ax + b.ay * b.ay + b.az * b.az);
   if (!(length > 0)) return;
-  const most = MOST_SPEED * get(c.radius, row) * dt;
+  const most = MOST_SPEED * b.radius * dt;
   const scale = length > most ? most / length : <real>1;
-  put(c.positionX, row, get(c.positionX, row) + x * scale);
-  put(c.positionY, row, get(c.positionY, row) + y * scale);
-  put(c.positionZ, row, get(c.positionZ, row) + z * scale);
-  clear(t, row);
+  b.x += b.ax * scale;
+  b.y += b.ay * scale;
+  b.z += b.az * scale;
+  clear(b);
 }

@@ -4,7 +4,8 @@
 // left is the part along the wall, n - (n.m) m, and the body's inverse mass along n shrinks to w (1 - (n.m)^2). Solving
 // the two together is exact and costs nothing; solved in turns, a heavy ball on a light one on the floor would take as
 // many sweeps as the ratio of their masses.
-import { Columns, get, put } from '../columns';
+import { get, put } from '../columns';
+import { Body, body } from './body';
 import { ContactTable, putWord, word } from './table';
 
 // What is left of the direction given to `leave`, the share of the inverse mass, and the wall (-1 without one) with the
@@ -16,30 +17,36 @@ export let share: real = 1;
 export let wall: i32 = -1;
 export let cosine: real = 0;
 
-// Notes for each body which contact with a wall holds it most: rowWords holds its index + 1.
-export function linkWalls(t: ContactTable, lastId: i32): void {
-  memory.fill(t.rowWords, 0, (<usize>(lastId + 1)) << 2);
+// Notes for each body with contacts which contact with a wall holds it most, and for each contact with a wall where its
+// body is, -1 where no other body touches that one.
+export function linkWalls(t: ContactTable): void {
   for (let k = 0; k < t.wallCount; k++) {
-    const body = word(t.wallBody, k);
-    const known = word(t.rowWords, body) - 1;
-    if (known < 0 || get(t.wallHolding, k) > get(t.wallHolding, known)) putWord(t.rowWords, body, k + 1);
+    const slot = word(t.rowWords, word(t.wallBody, k)) - 1;
+    putWord(t.wallSlot, k, slot);
+    if (slot < 0) continue;
+    const b = body(t, slot);
+    if (b.wall == 0 || get(t.wallHolding, k) > get(t.wallHolding, b.wall - 1)) b.wall = k + 1;
   }
 }
 
-// How far `row` can follow a push in direction (x, y, z). A body lies on its wall when it comes no slower than it takes
-// to close the gap to it by the end of the next step; `slow` is a speed that makes no difference.
-export function leave(c: Columns, t: ContactTable, row: i32, x: real, y: real, z: real, dt: real, slow: real): void {
+// How far a body can follow a push in direction (x, y, z). It lies on its wall when it comes off no faster than it takes
+// to close the gap by the end of the next step; `slow` is a speed that makes no difference.
+// @ts-ignore: decorator
+@inline export function leave(t: ContactTable, b: Body, x: real, y: real, z: real, dt: real, slow: real): void {
   leftX = x;
   leftY = y;
   leftZ = z;
   share = 1;
-  wall = word(t.rowWords, row) - 1;
-  if (wall < 0) return;
+  wall = b.wall - 1;
+  if (wall >= 0) leaveWall(t, b, x, y, z, dt, slow);
+}
+
+function leaveWall(t: ContactTable, b: Body, x: real, y: real, z: real, dt: real, slow: real): void {
   const mx = get(t.wallNx, wall);
   const my = get(t.wallNy, wall);
   const mz = get(t.wallNz, wall);
   cosine = x * mx + y * my + z * mz;
-  const off = get(c.velocityX, row) * mx + get(c.velocityY, row) * my + get(c.velocityZ, row) * mz;
+  const off = b.vx * mx + b.vy * my + b.vz * mz;
   if (!(cosine < 0) || off + get(t.wallGap, wall) / dt > slow) {
     wall = -1;
     return;

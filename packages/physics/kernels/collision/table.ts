@@ -6,8 +6,8 @@ import { columns } from '../columns';
 export class ContactTable {
   // Length of the last step, s.
   previousDt: f64;
-  // Contacts between bodies: ids a < b, unit normal from a to b, impulse of this step along it (N s), and the part of
-  // the impulse that holds up a resting contact, from which the next step starts.
+  // Contacts between bodies: ids a < b, unit normal from a to b, impulse of this step along it (N s), the part of the
+  // impulse that holds a resting contact, from which the next step starts, and what friction has done (RUBBING_SIZE).
   capacity: i32;
   count: i32;
   // Candidates this step had no room or no time for.
@@ -19,20 +19,21 @@ export class ContactTable {
   nz: usize;
   impulse: usize;
   holding: usize;
-  // Friction that holds it, three f32.
   rubbing: usize;
-  // Points of contact. They lie over what the step is done with by then.
-  x: usize;
-  y: usize;
-  z: usize;
-  // Pairs as the grid finds them, then the order of the impacts and the flags of the contacts.
-  rawA: usize;
-  rawB: usize;
-  // The contacts of the last step.
+  // Where the two bodies of a contact are in `bodies`; before that, the pairs as the grid finds them.
+  slotA: usize;
+  slotB: usize;
+  // The contacts of the last step; then an order of this step's, their flags and their gaps; then points of contact.
   previousCount: i32;
   previousA: usize;
   previousB: usize;
   previousHolding: usize;
+  order: usize;
+  flags: usize;
+  gap: usize;
+  x: usize;
+  y: usize;
+  z: usize;
   // Contacts with walls: body, wall (0 for a box), normal out of the wall, impulse, part that holds a resting body, and
   // the gap to a wall that is near but was not touched.
   wallCapacity: i32;
@@ -46,14 +47,27 @@ export class ContactTable {
   wallImpulse: usize;
   wallHolding: usize;
   wallGap: usize;
-  // Its coefficient of friction, the impulse that friction was reckoned with already, and the friction since.
+  // Its coefficient of friction, the impulse that friction was reckoned with already, the friction since (three f32), and
+  // where its body is in `bodies`.
   wallFriction: usize;
   wallRubbed: usize;
   wallRubbing: usize;
-  // Grid: one word a row, first body of each bucket, bodies in the order of their buckets.
+  wallSlot: usize;
+  // Bodies with contacts, gathered, and their rows.
+  bodies: usize;
+  bodyRows: usize;
+  bodyCount: i32;
+  // Grid: one word a row, first body of each bucket, bodies in the order of their buckets. The last two lie where
+  // `bodies` come later.
   rowWords: usize;
   starts: usize;
   packed: usize;
+  // The same bodies as columns. They lie where normals and impulses come later.
+  sortedX: usize;
+  sortedY: usize;
+  sortedZ: usize;
+  sortedRadius: usize;
+  sortedBucket: usize;
   maxBuckets: i32;
   // Chosen each step: buckets (a power of two), distance in buckets between neighbours in y and z, bodies in the grid,
   // bodies too large for it.
@@ -64,16 +78,20 @@ export class ContactTable {
   largeCount: i32;
   large: usize;
   histogram: usize;
-  // Columns of the scratch: velocity at the start of the step, displacement that separates, position before contacts.
+  // Columns of the scratch: velocity at the start of the step, position before contacts.
   startX: usize;
   startY: usize;
   startZ: usize;
-  pushX: usize;
-  pushY: usize;
-  pushZ: usize;
   fromX: usize;
   fromY: usize;
-  fromZ: usize;
+}
+
+// Friction of a contact between bodies: the tangential impulse so far as three f32, and the coefficient.
+export const RUBBING_SIZE: usize = 16;
+
+// @ts-ignore: decorator
+@inline export function rubbing(t: ContactTable, i: i32): usize {
+  return t.rubbing + <usize>i * RUBBING_SIZE;
 }
 
 // @ts-ignore: decorator

@@ -1,7 +1,7 @@
 // Bodies inside an axis-aligned box, one axis at a time. kernels/walls/impact.ts has the formula.
 import { Columns, columns, get } from '../columns';
 import { BLOCK, LANES, add, at, div, laneOf, mul, splat, sub } from '../lanes';
-import { rub } from '../collision/friction';
+import { rubWall } from '../collision/friction';
 import { REACH } from '../collision/table';
 import { distanceOut, impactSpeed, timeSince } from './impact';
 import { recordNearWall, recordWallContact } from './record';
@@ -65,7 +65,7 @@ function settle(c: Columns, row: i32, change: v128, axis: i32, side: real, frict
     if (!(impulse > 0)) continue;
     const own = get(c.friction, body);
     const mu = friction < 0 ? own : sqrt<real>(own * friction);
-    rub(c, 0, body, nx, ny, nz, mu, impulse);
+    rubWall(c, body, nx, ny, nz, mu, impulse);
     recordWallContact(body, 0, nx, ny, nz, mu, impulse, laneOf(still, lane) != 0 ? impulse : <real>0);
   }
 }
@@ -166,9 +166,7 @@ function bounce(
 }
 
 // Records the bodies that are near a wall without being beyond it.
-function noteNear(
-  c: Columns, row: i32, axis: i32, x: usize, plane: real, side: real, friction: real,
-): void {
+function noteNear(c: Columns, row: i32, axis: i32, x: usize, plane: real, side: real, friction: real): void {
   for (let body = row; body < row + LANES; body++) {
     const radius = get(c.radius, body);
     const gap = (get(x, body) - plane) * side - radius;

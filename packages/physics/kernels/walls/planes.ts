@@ -1,6 +1,6 @@
 // Round bodies against half-spaces: solid where n.x < offset (2D and 3D). kernels/walls/impact.ts has the formula.
 import { Columns, columns, get, put } from '../columns';
-import { rub } from '../collision/friction';
+import { rubWall } from '../collision/friction';
 import { REACH, word } from '../collision/table';
 import { LANES, add, at, mul, splat, sub } from '../lanes';
 import { distanceOut, impactSpeed, timeSince } from './impact';
@@ -127,7 +127,7 @@ function bounce(
   put(c.velocityY, row, vy + change * ny);
   put(c.velocityZ, row, vz + change * nz);
   const friction = sqrt<real>(get(c.friction, row) * get(p.friction, id));
-  rub(c, 0, row, nx, ny, nz, friction, change * mass);
+  rubWall(c, row, nx, ny, nz, friction, change * mass);
   recordWallContact(row, id, nx, ny, nz, friction, change * mass, flies ? <real>0 : change * mass);
   return true;
 }

@@ -19,13 +19,21 @@ export function recordWallContact(
 }
 
 // A body is near a wall: it may be pushed against it before the step ends.
-export function recordNearWall(
-  body: i32, wall: i32, nx: real, ny: real, nz: real, friction: real, gap: real,
-): void {
+export function recordNearWall(body: i32, wall: i32, nx: real, ny: real, nz: real, friction: real, gap: real): void {
   record(body, wall, nx, ny, nz, friction, 0, 0, max<real>(0, gap));
 }
 
-function record(body: i32, wall: i32, nx: real, ny: real, nz: real, friction: real, impulse: real, holding: real, gap: real): void {
+function record(
+  body: i32,
+  wall: i32,
+  nx: real,
+  ny: real,
+  nz: real,
+  friction: real,
+  impulse: real,
+  holding: real,
+  gap: real,
+): void {
   const t = contactTable();
   if (changetype<usize>(t) == 0) return;
   const i = t.wallCount;

@@ -5,7 +5,7 @@
 // point it came to.
 import { Columns, columns, get, put } from '../columns';
 import { ContactTable, REACH, contactTable, word } from '../collision/table';
-import { rub } from '../collision/friction';
+import { rubWall } from '../collision/friction';
 import { LANES, add, at, mul, splat, sub } from '../lanes';
 import { distanceOut } from './impact';
 import { recordNearWall, recordWallContact } from './record';
@@ -173,7 +173,7 @@ function bounceOff(s: Segment, c: Columns, row: i32, startX: usize, startY: usiz
   put(c.velocityX, row, vx + change * nx);
   put(c.velocityY, row, vy + change * ny);
   const friction = sqrt<real>(get(c.friction, row) * s.friction);
-  rub(c, 0, row, nx, ny, 0, friction, impulse);
+  rubWall(c, row, nx, ny, 0, friction, impulse);
   const dx = get(c.velocityX, row) - vx;
   const dy = get(c.velocityY, row) - vy;
   // Neither an impact nor friction is an acceleration of this step; but a body at rest is held by the wall.
@@ -206,10 +206,7 @@ export function confineToSegments(grid: usize): void {
   const g = changetype<WallGrid>(grid);
   const c = columns();
   const t = contactTable();
-  for (let i = 0; i < t.count; i++) {
-    confine(g, c, t, word(t.a, i));
-    confine(g, c, t, word(t.b, i));
-  }
+  for (let slot = 0; slot < t.bodyCount; slot++) confine(g, c, t, word(t.bodyRows, slot));
 }
 
 function confine(g: WallGrid, c: Columns, t: ContactTable, row: i32): void {
@@ -218,7 +215,7 @@ function confine(g: WallGrid, c: Columns, t: ContactTable, row: i32): void {
   const radius = get(c.radius, row);
   const goalX = get(c.positionX, row);
   const goalY = get(c.positionY, row);
-  if ((goalX == x && goalY == y) || !(radius > 0 && get(c.mass, row) > 0)) return;
+  if (!(radius > 0 && get(c.mass, row) > 0) || (goalX == x && goalY == y)) return;
   setPath(goalX, goalY, goalX - x, goalY - y, 0, 0);
   setStart(x, y, 1, radius);
   let wall = -1;
@@ -236,6 +233,4 @@ function confine(g: WallGrid, c: Columns, t: ContactTable, row: i32): void {
   }
   put(c.positionX, row, pX);
   put(c.positionY, row, pY);
-  put(t.fromX, row, pX);
-  put(t.fromY, row, pY);
 }

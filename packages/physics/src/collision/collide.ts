@@ -31,12 +31,11 @@ export const collideBodies: LocalSystem = {
     const kernels = collisionKernels(world);
     opened(world);
     kernels.beginContacts();
-    if (world.dimensions === 2) kernels.findPairs2d(internal.idsAt, internal.bodyList.count);
-    else kernels.findPairs3d(internal.idsAt, internal.bodyList.count);
+    if (world.dimensions === 2) kernels.findPairs2d(internal.sweptRows, internal.bodyList.count);
+    else kernels.findPairs3d(internal.sweptRows, internal.bodyList.count);
     kernels.sortContacts(lastId);
     const confined = world.dimensions === 2 && internal.counts.SegmentWall > 0;
-    if (confined) kernels.rememberPositions();
-    kernels.respond(dt, (integrator.velocityLag ?? 0) * dt, lastId);
+    kernels.respond(dt, (integrator.velocityLag ?? 0) * dt, lastId, confined ? 1 : 0);
     if (confined) confineToSegments(world);
   },
 };

@@ -1,5 +1,7 @@
 // The memory of a world's contacts: a table of counters and addresses that kernels/collision/table.ts lays out, and
 // the lists it points to, all in the world's arena.
+
+import type { Precision } from '../kernels/instantiate';
 import { allocate } from '../store/arena';
 import { TABLE_ADDRESS, TABLE_COLUMNS } from '../store/column-table';
 import { realBytes } from '../store/columns';
@@ -19,15 +21,18 @@ export const TABLE_WORDS = [
   'impulse',
   'holding',
   'rubbing',
-  'x',
-  'y',
-  'z',
-  'rawA',
-  'rawB',
+  'slotA',
+  'slotB',
   'previousCount',
   'previousA',
   'previousB',
   'previousHolding',
+  'order',
+  'flags',
+  'gap',
+  'x',
+  'y',
+  'z',
   'wallCapacity',
   'wallCount',
   'wallLost',
@@ -42,9 +47,18 @@ export const TABLE_WORDS = [
   'wallFriction',
   'wallRubbed',
   'wallRubbing',
+  'wallSlot',
+  'bodies',
+  'bodyRows',
+  'bodyCount',
   'rowWords',
   'starts',
   'packed',
+  'sortedX',
+  'sortedY',
+  'sortedZ',
+  'sortedRadius',
+  'sortedBucket',
   'maxBuckets',
   'buckets',
   'stride',
@@ -56,12 +70,8 @@ export const TABLE_WORDS = [
   'startX',
   'startY',
   'startZ',
-  'pushX',
-  'pushY',
-  'pushZ',
   'fromX',
   'fromY',
-  'fromZ',
 ] as const;
 
 type Word = (typeof TABLE_WORDS)[number];
@@ -76,29 +86,45 @@ export interface ContactTable {
   readonly at: Readonly<Record<Word, number>>;
 }
 
-/** Of what the arena has left, contacts take this part: other features may come later. */
-const SHARE = 0.8;
+/** Of what the arena has left, contacts take at most this part: other features may come later. */
+const SHARE = 0.9;
 
-/** Contacts a body may be expected to have at most, on average: a dense packing of balls has six. */
-const CONTACTS_A_BODY = 8;
+/** Contacts there is room for, by bodies and dimensions: a dense packing has three a disc and six a ball. */
+const CONTACTS_A_BODY = { 2: 4, 3: 8 } as const;
+
+/** Small worlds have room for a heap: a hundred bodies in one place are 4950 contacts. */
+const LEAST_CONTACTS = 8192;
+
+/** Bytes of a gathered body (kernels/collision/body.ts): fifteen reals and a word. */
+const bodyBytes = (bytes: number) => 16 * bytes;
+
+/** Bytes of a contact: its lists in `takeContacts`. */
+const contactBytes = (bytes: number) => 40 + 6 * bytes;
+
+/** Bytes of a contact with a wall: its lists in `takeWallContacts`. There is room for one every other body. */
+const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
+
+/** What contacts need in the world's memory for each entity, besides what other features may: for `Preset`. */
+export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): number {
+  const bytes = realBytes(precision);
+  const grid = 4 + 4 + Math.max(bodyBytes(bytes), 16 + (dimensions + 2) * bytes);
+  const lists = CONTACTS_A_BODY[dimensions] * contactBytes(bytes) + wallContactBytes(bytes) / 2;
+  return Math.ceil((grid + lists) / SHARE);
+}
 
 /** Takes the memory, the first time it is asked for. @throws PhysicsError E_CAPACITY */
 export const contactTable = resource<ContactTable>((world) => {
   const { arena } = world.internal;
-  const bytes = realBytes(world.precision);
   const take = (size: number) => allocate(arena, size, 'contacts');
   const words: Record<Word, number> = Object.fromEntries(TABLE_WORDS.map((name) => [name, 0])) as Record<Word, number>;
   const table = take(8 + 4 * TABLE_WORDS.length);
   takeGrid(world, words, take);
   takeWallContacts(world, words, take);
-  takeContacts(words, take, bytes, world.dimensions, world.rows, SHARE * (arena.bytes - arena.top));
-  for (const axis of ['x', 'y', 'z'] as const) {
-    const { startVelocity, stage1, stage2 } = world.scratch.at;
-    const upper = axis.toUpperCase() as 'X' | 'Y' | 'Z';
-    words[`start${upper}`] = startVelocity[axis];
-    words[`push${upper}`] = stage1[axis];
-    words[`from${upper}`] = stage2[axis];
-  }
+  takeContacts(world, words, take);
+  takeSorted(world, words, take);
+  const { startVelocity, stage2 } = world.scratch.at;
+  Object.assign(words, { startX: startVelocity.x, startY: startVelocity.y, startZ: startVelocity.z });
+  Object.assign(words, { fromX: stage2.x, fromY: stage2.y });
   const view = new Uint32Array(world.memory.buffer, table + 8, TABLE_WORDS.length);
   for (let w = 0; w < TABLE_WORDS.length; w++) view[w] = words[TABLE_WORDS[w]];
   return { table, at: words, read: (word) => view[TABLE_WORDS.indexOf(word)] };
@@ -118,10 +144,28 @@ function takeGrid(world: PhysicsWorld, words: Record<Word, number>, take: Take):
   while (buckets < 2 * rows) buckets *= 2;
   words.maxBuckets = buckets;
   words.rowWords = take(4 * rows);
-  words.starts = take(4 * (buckets + 2));
-  words.packed = take((dimensions + 2) * realBytes(world.precision) * rows);
+  words.bodyRows = take(4 * rows);
+  // The broad phase is over before the first body is gathered, so that the two can share their memory.
+  const bytes = realBytes(world.precision);
+  const starts = 4 * (buckets + 16);
+  const region = take(Math.max(bodyBytes(bytes) * rows, starts + (dimensions + 2) * bytes * rows));
+  words.starts = region;
+  words.packed = region + starts;
+  words.bodies = region;
   words.large = take(4 * 16);
   words.histogram = take(4 * 256);
+}
+
+/** Likewise, it is over before the first normal is written. */
+function takeSorted(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
+  const length = world.rows + 16;
+  const shared = words.capacity >= length;
+  const column = (name: Word) => (shared ? words[name] : take(length * realBytes(world.precision)));
+  words.sortedX = column('nx');
+  words.sortedY = column('ny');
+  words.sortedZ = column('nz');
+  words.sortedRadius = column('impulse');
+  words.sortedBucket = column('holding');
 }
 
 function takeWallContacts(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
@@ -134,32 +178,30 @@ function takeWallContacts(world: PhysicsWorld, words: Record<Word, number>, take
   }
   for (const name of ['wallGap', 'wallFriction', 'wallRubbed'] as const) words[name] = take(bytes * capacity);
   words.wallRubbing = take(12 * capacity);
+  words.wallSlot = take(4 * capacity);
 }
 
-function takeContacts(
-  words: Record<Word, number>,
-  take: Take,
-  bytes: number,
-  dimensions: 2 | 3,
-  rows: number,
-  room: number,
-): void {
-  const each = 36 + 6 * bytes;
-  const most = Math.min(CONTACTS_A_BODY * rows, Math.floor((room - 65536) / each));
+function takeContacts(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
+  const { dimensions, rows, precision, internal } = world;
+  const bytes = realBytes(precision);
+  // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
+  const room = SHARE * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
+  const wanted = Math.max(LEAST_CONTACTS, CONTACTS_A_BODY[dimensions] * rows);
+  const most = Math.min(wanted, Math.floor(room / contactBytes(bytes)));
   const capacity = Math.max(256, Math.floor(most / 16) * 16);
   words.capacity = capacity;
-  for (const name of ['a', 'b'] as const) words[name] = take(4 * capacity);
+  for (const name of ['a', 'b', 'slotA', 'slotB'] as const) words[name] = take(4 * capacity);
   for (const name of ['nx', 'ny', 'nz', 'impulse', 'holding'] as const) words[name] = take(bytes * capacity);
-  words.rubbing = take(12 * capacity);
-  const raw = take(8 * capacity);
-  words.rawA = raw;
-  words.rawB = raw + 4 * capacity;
+  words.rubbing = take(16 * capacity);
   const previous = take((8 + bytes) * capacity);
   words.previousA = previous;
   words.previousB = previous + 4 * capacity;
   words.previousHolding = previous + 8 * capacity;
+  words.order = words.previousA;
+  words.flags = words.previousB;
+  words.gap = words.previousHolding;
   // Points are worked out when the step has no more use for these lists. In 2D z is zero, as nz is.
   words.x = previous;
   words.y = previous + bytes * capacity;
-  words.z = dimensions === 3 ? raw : words.nz;
+  words.z = dimensions === 3 ? words.rubbing : words.nz;
 }

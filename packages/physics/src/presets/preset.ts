@@ -1,4 +1,9 @@
+import type { Precision } from '../kernels/instantiate';
 import type { PhysicsWorld } from '../world';
 
 /** Fills a new world's phases: which systems run, in which order. */
-export type Preset = (world: PhysicsWorld) => void;
+export interface Preset {
+  (world: PhysicsWorld): void;
+  /** Memory its features need, bytes an entity: what a world then has by default in place of 256. */
+  readonly bytesPerEntity?: (dimensions: 2 | 3, precision: Precision) => number;
+}

@@ -1,7 +1,7 @@
 // Broad phase for balls: the pairs of bodies closer than REACH times the sum of their radii.
 import { Columns, columns, get } from '../../columns';
 import { emit, MOST_CONTACTS, MOST_TESTS } from '../emit';
-import { cellOf, chooseGrid, gridRadius, isRound, sumStarts } from '../grid';
+import { chooseGrid, countBuckets } from '../grid';
 import { ContactTable, REACH, contactTable, putWord, word } from '../table';
 
 // A body in the grid, 20 bytes in f32.
@@ -22,12 +22,12 @@ const SIZE: usize = (offsetof<Ball>() + sizeof<real>() - 1) & ~(sizeof<real>() -
   return changetype<Ball>(t.packed + <usize>i * SIZE);
 }
 
-// Finds the pairs among the bodies `ids`, ascending, into the raw list.
-export function findPairs3d(ids: usize, count: i32): void {
+// Finds the pairs among the `count` bodies in rows [0, rows) into the raw list.
+export function findPairs3d(rows: i32, count: i32): void {
   const c = columns();
   const t = contactTable();
-  chooseGrid(c, t, ids, count, 3);
-  fill(c, t, ids, count);
+  chooseGrid(c, t, rows, count, 3);
+  fill(c, t, rows);
   const mask = t.buckets - 1;
   for (let bucket = 0; bucket <= mask; bucket++) {
     const first = word(t.starts, bucket);
@@ -37,40 +37,20 @@ export function findPairs3d(ids: usize, count: i32): void {
   for (let l = 0; l < t.largeCount; l++) scanLarge(c, t, l);
 }
 
-// Sorts the bodies into buckets: count, sum, place. Ids ascend within a bucket because they are placed in order.
-function fill(c: Columns, t: ContactTable, ids: usize, count: i32): void {
-  const mask = t.buckets - 1;
-  const stride = t.stride;
-  const layer = t.layer;
-  memory.fill(t.starts, 0, (<usize>(mask + 2)) << 2);
-  t.largeCount = 0;
-  for (let i = 0; i < count; i++) {
-    const row = word(ids, i);
-    const radius = get(c.radius, row);
-    if (!isRound(radius)) continue;
-    if (radius > gridRadius) {
-      putWord(t.large, t.largeCount++, row);
-      continue;
-    }
-    const bucket =
-      (cellOf(get(c.positionX, row)) + stride * cellOf(get(c.positionY, row)) + layer * cellOf(get(c.positionZ, row))) &
-      mask;
-    putWord(t.rowWords, row, bucket);
-    putWord(t.starts, bucket + 1, word(t.starts, bucket + 1) + 1);
-  }
-  sumStarts(t);
-  for (let i = 0; i < count; i++) {
-    const row = word(ids, i);
-    const radius = get(c.radius, row);
-    if (!isRound(radius) || radius > gridRadius) continue;
-    const cursor = t.starts + ((<usize>word(t.rowWords, row)) << 2) + 4;
+// Sorts the bodies into buckets. Rows ascend within a bucket because they are placed in order.
+function fill(c: Columns, t: ContactTable, rows: i32): void {
+  countBuckets(c, t, rows);
+  for (let row = 0; row < rows; row++) {
+    const bucket = word(t.rowWords, row);
+    if (bucket < 0) continue;
+    const cursor = t.starts + ((<usize>bucket) << 2) + 4;
     const place = load<i32>(cursor);
     store<i32>(cursor, place + 1);
     const to = ball(t, place);
     to.x = get(c.positionX, row);
     to.y = get(c.positionY, row);
     to.z = get(c.positionZ, row);
-    to.radius = radius;
+    to.radius = get(c.radius, row);
     to.row = row;
   }
 }
