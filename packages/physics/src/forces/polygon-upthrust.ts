@@ -7,7 +7,7 @@
 //
 // Euler, Scientia navalis (1749); the outline is cut at the surface and summed by the shoelace formula, so it may be
 // concave. Acts on bodies whose Hull.shape is the number given here, turned by their Rotation. In 2D only. With an
-// Inertia and an AngularVelocity the body turns; damp it with `angularDrag`. Cost: some 15 ns a vertex.
+// Inertia and an AngularVelocity the body turns; damp it with `angularDrag`. Cost: some 10 ns a vertex.
 import { PhysicsError } from '../faults/physics-error';
 import { checkKeys, checkList, checkNumber } from '../faults/validate';
 import { allocate } from '../store/arena';

@@ -7,8 +7,8 @@
 //
 // n = 1 is a spring, n = -2 gravity; by Bertrand's theorem (1873) only these two close every bound orbit. Within
 // `innerRadius`, and at r = 0, there is no force, and the potential is that at `innerRadius`.
-// Goldstein, Classical Mechanics, 3rd ed., sections 3.5 and 3.6. Cost: one square root and one power, some 60 ns a body;
-// 5 ns for n = 1 and n = -2.
+// Goldstein, Classical Mechanics, 3rd ed., sections 3.5 and 3.6. Cost: one square root and one power, some 65 ns a body;
+// 6 ns for n = 1 and n = -2.
 import { checkKeys, checkNumber } from '../faults/validate';
 import { ANY } from './bounds';
 import { CENTRE_KEYS, type CentreOptions, centralForce, LAW, type LawParameters } from './central';

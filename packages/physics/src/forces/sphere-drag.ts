@@ -8,7 +8,7 @@
 // Clift and Gauvin, Proc. Chemeca 70, 14 (1970), within 6 % of the standard drag curve for Re < 3·10⁵; its first term
 // is Schiller and Naumann (1933), and Re → 0 is Stokes' law 6π η r w. Beyond Re = 3·10⁵ a smooth sphere's drag drops
 // to a third, which is not modelled. Steady drag: no added mass, no history force. For 2D too the body is a sphere.
-// Cost: one square root and two powers, some 130 ns a body; for many bodies in one range of Re use linear or quadratic
+// Cost: one square root and two powers, some 190 ns a body; for many bodies in one range of Re use linear or quadratic
 // drag.
 import { checkKeys, checkNumber } from '../faults/validate';
 import { pow } from '../math/elementary';

@@ -5,7 +5,7 @@
 //   q  charge (k in N m²/C) or mass (k in N m²/kg)    k  strength, negative attracts    λ  screening length, m
 //
 // Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935); Debye and Hückel (1923) for charges in an electrolyte. At r = 0
-// there is no direction and no force. Cost: one square root and one exponential, some 30 ns a body.
+// there is no direction and no force. Cost: one square root and one exponential, some 25 ns a body.
 import { checkKeys, checkNumber } from '../faults/validate';
 import { ANY, LENGTHS } from './bounds';
 import { CENTRE_KEYS, type CentreOptions, centralForce, LAW, type LawParameters } from './central';
