@@ -138,7 +138,8 @@ describe('bodies that lack what a force would change', () => {
 
   it.each([2, 3] as const)('mass without velocity stays where it is, %d D', (dimensions) => {
     const world = stage(dimensions);
-    const eid = spawn(world, { position: { x: 1, y: 5 }, mass: 2 });
+    const eid = spawn(world, { position: { x: 1, y: 5 } });
+    addComponent(world, eid, set(world.components.Mass, 2));
     steps(world, 10);
     expect(bodyState(world, eid)).toBe('Position.x=1 Position.y=5 Mass.value=2');
     addComponent(world, eid, world.components.Velocity);

@@ -4,7 +4,7 @@ import type { ComponentSpec, FieldSpec } from '../components/define';
 import { describe, PhysicsError } from '../faults/physics-error';
 import { checkKeys } from '../faults/validate';
 import { checkField, completeValues, type FieldValues, fieldName, initialValues, type Space } from '../store/values';
-import { type BodyInput, componentOfKey } from './spawn';
+import { type BodyInput, componentOfKey, lacksVelocity } from './spawn';
 
 /** A value for each body: one number for all, or as many as there are bodies. */
 export type Many = number | ArrayLike<number>;
@@ -30,6 +30,9 @@ export function checkMany(space: Space, values: ManyInput, count: number): Filli
     if (data === undefined) continue;
     const name = componentOfKey(key, 'spawnMany');
     fillings.push({ name, fields: checkComponent(space, name, data, count) });
+  }
+  if (lacksVelocity(fillings.map(({ name }) => name))) {
+    fillings.push({ name: 'Velocity', fields: Object.entries(initialValues('Velocity')) });
   }
   return fillings;
 }

@@ -37,7 +37,7 @@ export function componentOfKey(key: string, caller: string): ComponentName {
 
 /**
  * Makes one entity with the given components. A component given as `{}` gets its initial values; one left out, or
- * undefined, is absent. All values are checked before anything is made. During a step the body appears when the step
+ * undefined, is absent; but a body with mass gets a velocity, at rest. All values are checked before anything is made. During a step the body appears when the step
  * ends. An exception of an observer of yours takes the entity back and comes out of here.
  * @returns the entity id
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_DESTROYED
@@ -70,7 +70,16 @@ function checkBody(world: PhysicsWorld, body: BodyInput): [ComponentName, FieldV
     const values = checkValues(world, name, data);
     checked.push([name, completeValues(world, name, values, () => initialValues(name))]);
   }
+  if (lacksVelocity(checked.map(([name]) => name))) checked.push(['Velocity', initialValues('Velocity')]);
   return checked;
+}
+
+/**
+ * Whoever gives a body mass means it to move: without Velocity it would hang in the air. Only the two spawn functions
+ * add what they were not given; components attached by hand stay as they are.
+ */
+export function lacksVelocity(names: readonly ComponentName[]): boolean {
+  return names.includes('Position') && names.includes('Mass') && !names.includes('Velocity');
 }
 
 /**

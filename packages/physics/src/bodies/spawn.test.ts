@@ -1,0 +1,28 @@
+import { addComponent, addEntity, hasComponent, set } from 'bitecs';
+import { expect, it } from 'vitest';
+import { uniformGravity } from '../forces/uniform-gravity';
+import { step } from '../step';
+import { createPhysicsWorld } from '../world';
+import { spawn } from './spawn';
+import { spawnMany } from './spawn-many';
+
+it('a body spawned with mass and no velocity falls from rest', () => {
+  const world = createPhysicsWorld({ forces: [uniformGravity({ y: -10 })] });
+  const one = spawn(world, { position: { y: 5 }, mass: 2 });
+  const [first] = spawnMany(world, 1, { position: { y: 5 }, mass: 2 });
+  step(world, 0.5);
+  // Velocity Verlet is exact under constant force: 5 − 10 · 0.5² / 2.
+  expect(world.components.Position.y[one]).toBe(3.75);
+  expect(world.components.Position.y[first as number]).toBe(3.75);
+});
+
+it('components attached by hand, and bodies without mass, get nothing they were not given', () => {
+  const world = createPhysicsWorld();
+  const { Position, Mass, Velocity } = world.components;
+  const byHand = addEntity(world);
+  addComponent(world, byHand, set(Position, {}));
+  addComponent(world, byHand, set(Mass, 1));
+  const anchor = spawn(world, { position: {} });
+  expect(hasComponent(world, byHand, Velocity)).toBe(false);
+  expect(hasComponent(world, anchor, Velocity)).toBe(false);
+});
