@@ -1,4 +1,5 @@
 import { attractors } from './attractors';
+import { blackHole } from './black-hole';
 import { bouncingBalls } from './bouncing-balls';
 import { circles } from './circles';
 import { cloth } from './cloth';
@@ -10,7 +11,7 @@ import type { Scene } from './scene';
 import { springs } from './springs';
 
 /** Every scene, in the order they are listed. */
-export const SCENES: readonly Scene[] = [particles, emitters, circles, gas, springs, rope, cloth, attractors, bouncingBalls];
+export const SCENES: readonly Scene[] = [particles, emitters, circles, gas, springs, rope, cloth, attractors, bouncingBalls, blackHole];
 
 /** The scene of a name, if there is one. */
 export function findScene(name: string): Scene | undefined {

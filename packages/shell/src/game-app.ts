@@ -1,6 +1,7 @@
 import { bodies } from '@principia/physics';
 import type { Address } from './address.ts';
 import { type Banner, createBanner } from './banner.ts';
+import { type ControlListener, listenToControls } from './controls.ts';
 import { createEnergyPlot, type EnergyPlot } from './energy-plot.ts';
 import type { GameDefinition, Simulation, Stage } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
@@ -8,6 +9,7 @@ import { helpLines } from './help-lines.ts';
 import { type Keys, listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
+import { createOutcomeCard, type OutcomeCard } from './outcome-card.ts';
 import { createPanel, type Panel } from './panel.ts';
 import { Session } from './session.ts';
 import type { Settings } from './settings.ts';
@@ -35,6 +37,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #plot: EnergyPlot;
   readonly #stats: Stats;
   readonly #help: HelpDialog;
+  readonly #controls: ControlListener | undefined;
+  readonly #outcome: OutcomeCard | undefined;
   readonly #reducedMotion = matchMedia('(prefers-reduced-motion: reduce)').matches;
   #renderer: string;
   /** A setting asked for a new world. */
@@ -63,6 +67,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#plot = createEnergyPlot(this.#layout.side);
     this.#stats = createStats(this.#layout.side);
     this.#help = createHelpDialog(this.#layout.root, game.title, helpLines(game));
+    this.#controls = this.#listen();
+    this.#outcome = game.outcome && createOutcomeCard(this.#layout.root, game.title, () => this.#again());
     this.#views = new ViewHost(this.#stage(), `${game.title}, drawn live; press H for help`, {
       onTrouble: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#renderer)]),
       onRecovery: () => this.#banner.hide(),
@@ -95,7 +101,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sinceReset += seconds;
     this.#sinceFigures += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
+    this.#controls?.poll();
     if (!this.#broken && !this.#manual) session.advance(seconds);
+    this.#outcome?.show(this.#game.outcome?.(session.sim));
     this.#plot.note(session.sim.world);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.frame += 0.1 * (seconds * 1000 - this.#timing.frame);
@@ -156,6 +164,18 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#panel.refresh();
   }
 
+  /** Keys, touch pad and gamepad, for a game that is steered. */
+  #listen(): ControlListener | undefined {
+    const { controls } = this.#game;
+    return controls && listenToControls(this.#layout.root, controls, () => this.#session.sim);
+  }
+
+  /** Another game after one has ended: with the next seed, so that it is not the same. */
+  #again(): void {
+    this.#guard(() => this.#reset((this.#session.seed + 1) % 2 ** 32));
+    this.#views.view?.canvas.focus();
+  }
+
   /** Does something at the player's wish; what goes wrong becomes a sentence. */
   #guard(action: () => void): void {
     try {
@@ -202,6 +222,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     for (const [name, { dimensions }] of Object.entries(this.#game.renderers)) {
       keys[String(dimensions)] = () => void this.#show(name);
     }
+    for (const { keys: own } of Object.values(this.#game.controls?.buttons ?? {})) {
+      for (const key of own) delete keys[key];
+    }
     for (const [name, setting] of Object.entries(this.#game.settings)) {
       if (setting.kind !== 'switch' || setting.key === undefined) continue;
       keys[setting.key] = () =>
@@ -233,6 +256,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         ...sessionState(session),
         ...{ ready: this.#views.view !== undefined, renderer: this.#renderer, banner: this.#banner.text },
         timing: { ...this.#timing },
+        game: this.#game.tell?.(session.sim) ?? {},
       }),
       body: (index) => bodyState(session, this.#views.view, index),
       step: (count) => session.step(count),

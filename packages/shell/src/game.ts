@@ -1,6 +1,8 @@
 /** What a game tells the shell about itself, and what the shell hands to its views. */
 import type { PhysicsWorld } from '@principia/physics';
+import type { Controls } from './controls.ts';
 import type { Holding, HoldingOptions } from './holding.ts';
+import type { Outcome } from './outcome-card.ts';
 import type { Settings, ValuesOf } from './settings.ts';
 
 /** A world and how it moves; a `SceneRun` of the scenes package is one. */
@@ -79,6 +81,12 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   holdLimit?(sim: Sim): HoldingOptions['limit'];
   /** Contacts between bodies in the last step; undefined while the world has none to count. */
   contacts?(sim: Sim): number | undefined;
+  /** How the player steers. */
+  readonly controls?: Controls<Sim>;
+  /** How the game ended, for the card with the high scores; undefined while it goes on. */
+  outcome?(sim: Sim): Outcome | undefined;
+  /** Lives, score and the like, for tests: `__game.state().game`. */
+  tell?(sim: Sim): Readonly<Record<string, unknown>>;
   /** Lines for the help: keys or gestures, and what they do. */
   readonly help?: readonly (readonly [string, string])[];
 }

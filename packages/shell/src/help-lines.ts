@@ -11,10 +11,11 @@ export function helpLines<S extends Settings, Sim extends Simulation>(
       ? [[setting.key.toUpperCase(), `${setting.label} on or off`] as const]
       : [],
   );
+  const isArrowTaken = Object.values(game.controls?.buttons ?? {}).some(({ keys }) => keys.includes('arrowright'));
   return [
     ...(game.help ?? []),
     ['Space', 'pause and go on'],
-    ['. or →', 'one step'],
+    [isArrowTaken ? '.' : '. or →', 'one step'],
     ['R', 'start again'],
     ['S', 'slow motion'],
     ...(renderers.length > 1

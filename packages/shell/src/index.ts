@@ -1,7 +1,10 @@
 /** What every game has around its simulation: loop, panel, plot, keys, help, error messages. */
 export { type Address, readAddress } from './address.ts';
+export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
 export type { GameDefinition, Insets, Renderer, Simulation, SimulationOptions, Stage, View } from './game.ts';
+export { type HighScore, HighScores, type ScoreStorage } from './high-scores.ts';
 export { type Holding, type HoldingOptions, holdBodies } from './holding.ts';
+export type { Outcome } from './outcome-card.ts';
 export { pickBody2D } from './pick.ts';
 export { Session } from './session.ts';
 export {

@@ -49,6 +49,27 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help h2 { margin: 0 0 12px; font-size: 17px }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
+.game-pad { position: absolute; right: max(20px, env(safe-area-inset-right)); bottom: max(24px, env(safe-area-inset-bottom));
+  display: none; grid: "action up ." 64px "left . right" 64px ". down ." 64px / 64px 64px 64px; gap: 4px; z-index: 2 }
+.game-pad button { border: 1px solid #ffffff38; border-radius: 20px; background: #ffffff1c; color: var(--ink);
+  font: 600 20px/1 inherit; font-family: inherit; touch-action: none }
+.game-pad button:active { background: #ffffff48 }
+.game-pad [data-name=up] { grid-area: up } .game-pad [data-name=down] { grid-area: down }
+.game-pad [data-name=left] { grid-area: left } .game-pad [data-name=right] { grid-area: right }
+.game-pad [data-name=action] { grid-area: action }
+@media (pointer: coarse) { .game-pad { display: grid } }
+.game-outcome { position: absolute; left: 50%; top: 50%; translate: -50% -50%; min-width: 240px; padding: 24px 32px 26px;
+  border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;
+  z-index: 2 }
+.game-outcome h2 { margin: 0 0 6px; font-size: 26px; letter-spacing: -0.01em }
+.game-outcome p { margin: 0 }
+.game-outcome ol { margin: 14px auto 18px; padding: 0; width: max-content; color: var(--dim); text-align: left;
+  list-style-position: inside; font-variant-numeric: tabular-nums }
+.game-outcome li b { display: inline-block; min-width: 44px; color: var(--ink); text-align: right }
+.game-outcome li.new, .game-outcome li.new b { color: var(--accent) }
+.game-outcome button { border: 0; border-radius: 11px; padding: 9px 20px; background: var(--accent); color: #1c1503;
+  font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
+.game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
 .game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
 .u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }

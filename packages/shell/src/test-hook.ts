@@ -35,6 +35,8 @@ export interface GameState {
   readonly banner: string;
   /** Milliseconds: from picture to picture, a step, handing the world to the renderer. */
   readonly timing: { readonly frame: number; readonly step: number; readonly draw: number };
+  /** What the game itself tells: lives, score. */
+  readonly game: Readonly<Record<string, unknown>>;
 }
 
 /** `globalThis.__game`: how tests, and curious people in the console, work a game. */

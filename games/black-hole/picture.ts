@@ -1,0 +1,133 @@
+/** Everything drawn of one game. */
+import { type Camera2D, type ViewportSize, worldSource } from '@principia/render-core';
+import { applyCamera, createTrailLayer, type TrailLayer } from '@principia/render-pixi';
+import { BLACK_HOLE } from '@principia/scenes';
+import { Container, Graphics, type Texture } from 'pixi.js';
+import { DIRECTIONS } from './heading.ts';
+import { MOST_LENSES } from './lens-program.ts';
+import type { News } from './rules.ts';
+import type { Values } from './settings.ts';
+import { createPathView, createShipView } from './ship-view.ts';
+import type { BlackHoleGame } from './sim.ts';
+import { createBentSky, createPlainSky, type HoleTable, type SkyView } from './sky-view.ts';
+import { createSparks, type Sparks } from './sparks.ts';
+
+export interface Picture {
+  /** The player changed what is shown. */
+  show(values: Readonly<Values>): void;
+  update(alpha: number, seconds: number, camera: Camera2D, size: ViewportSize): void;
+  /** Something happened: sparks. */
+  celebrate(news: News): void;
+  /** The ship between two steps. */
+  readonly ship: { x: number; y: number };
+  destroy(): void;
+}
+
+export interface PictureOptions {
+  readonly sim: BlackHoleGame;
+  readonly parent: Container;
+  readonly sky: Texture;
+  readonly spot: Texture;
+  /** Whether the renderer takes the shader. */
+  readonly canBend: boolean;
+  readonly isCalm: boolean;
+}
+
+export function createPicture({ sim, parent, sky, spot, canBend, isCalm }: PictureOptions): Picture {
+  const ship = { x: BLACK_HOLE.start.x, y: BLACK_HOLE.start.y };
+  const holes: HoleTable = { values: new Float32Array(4 * MOST_LENSES), count: 0 };
+  const skyPlace = new Container();
+  const world = new Container();
+  const trailPlace = new Container();
+  const path = createPathView(spot);
+  const shipView = createShipView();
+  const sparks = createSparks(spot);
+  world.addChild(createLines(), trailPlace, path.container, sparks.container, shipView.container);
+  const root = new Container({ children: [skyPlace, world] });
+  parent.addChild(root);
+  let skyView: SkyView | undefined;
+  let isBent: boolean | undefined;
+  let trail: TrailLayer | undefined;
+  let isPathShown = true;
+  let time = 0;
+  return {
+    ship,
+    show(values) {
+      isPathShown = values.path;
+      if (isBent !== (values.lens && canBend)) {
+        skyView?.destroy();
+        isBent = values.lens && canBend;
+        skyView = isBent ? createBentSky(sky) : createPlainSky(sky);
+        skyPlace.addChild(skyView.container);
+      }
+      if (values.trail === (trail !== undefined)) return;
+      trail?.destroy();
+      trail = values.trail ? createTrail(sim) : undefined;
+      if (trail !== undefined) trailPlace.addChild(trail.container);
+    },
+    update(alpha, seconds, camera, size) {
+      time += isCalm ? 0 : seconds;
+      readPlaces(sim, alpha, ship, holes);
+      skyView?.update(holes, camera, size, time);
+      applyCamera(world, camera, size);
+      trail?.update(alpha);
+      path.container.visible = isPathShown && sim.rules.phase === 'flying';
+      if (path.container.visible) path.update(sim);
+      shipView.update(sim, ship.x, ship.y, seconds);
+      if (!isCalm) exhaust(sim, ship, sparks.burst);
+      sparks.update(seconds);
+    },
+    celebrate({ kind, x, y }) {
+      if (isCalm) return;
+      if (kind === 'fall' || kind === 'over') sparks.burst(x, y, 70, 120, 0xff7a3c);
+      if (kind === 'goal') sparks.burst(x, y, 60, 150, 0x7dffb0);
+      if (kind === 'sling') sparks.burst(x, y, 24, 60, 0x9fd0ff);
+    },
+    destroy() {
+      skyView?.destroy();
+      trail?.destroy();
+      root.destroy({ children: true });
+    },
+  };
+}
+
+function createTrail({ world, scene }: BlackHoleGame): TrailLayer {
+  return createTrailLayer({
+    source: worldSource(world),
+    bodies: [scene.ship],
+    ...{ length: 120, interval: 2, thickness: 3.5, color: 0xff8f5c, opacity: 0.6, maxSegment: 30, blendMode: 'add' },
+  });
+}
+
+/** The goal, the foot of the holes' zone, and the edge of the stage. */
+function createLines(): Graphics {
+  const { width, height, goal, zone } = BLACK_HOLE;
+  const lines = new Graphics().rect(0, -height, width, height).stroke({ width: 1.5, color: 0x9fb4ff, alpha: 0.28 });
+  for (let i = 0; i < 5; i++) {
+    lines.rect(0, -goal - 2 * (i + 1), width, 4 * (i + 1)).fill({ color: 0x6bff9e, alpha: 0.035 });
+  }
+  lines.moveTo(0, -goal).lineTo(width, -goal).stroke({ width: 2, color: 0x8dffb6, alpha: 0.9 });
+  return lines.moveTo(0, -zone.min).lineTo(width, -zone.min).stroke({ width: 1.5, color: 0x7fc4ff, alpha: 0.45 });
+}
+
+/** Where everything is between two steps. */
+function readPlaces({ world, scene }: BlackHoleGame, alpha: number, ship: { x: number; y: number }, holes: HoleTable) {
+  const { Position, Collider } = world.components;
+  const old = world.previous.Position;
+  const mix = (from: number, to: number) => from + (to - from) * alpha;
+  ship.x = mix(old.x[scene.ship], Position.x[scene.ship]);
+  ship.y = mix(old.y[scene.ship], Position.y[scene.ship]);
+  holes.count = Math.min(MOST_LENSES, scene.holeIds.length);
+  for (let i = 0; i < holes.count; i++) {
+    const id = scene.holeIds[i];
+    holes.values[4 * i] = mix(old.x[id], Position.x[id]);
+    holes.values[4 * i + 1] = mix(old.y[id], Position.y[id]);
+    holes.values[4 * i + 2] = Collider.radius[id];
+  }
+}
+
+function exhaust({ rules }: BlackHoleGame, { x, y }: { x: number; y: number }, burst: Sparks['burst']): void {
+  if (rules.phase !== 'flying' || rules.heading === undefined || !rules.hasFuel) return;
+  const way = DIRECTIONS[rules.heading];
+  burst(x - 8 * way.x, y - 8 * way.y, 1, 14, 0xffa04c, -70 * way.x, -70 * way.y);
+}

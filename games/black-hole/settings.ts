@@ -1,0 +1,14 @@
+/** What the panel offers. */
+import { switchSetting, type ValuesOf } from '@principia/shell';
+
+export const settings = {
+  fuel: switchSetting('Fuel', true, { key: 'u', about: 'A tank for every flight; what is left gives bonus points' }),
+  moving: switchSetting('Moving holes', true, { about: 'From level 5 on, some holes run on circles' }),
+  path: switchSetting('Path ahead', true, { key: 'v', about: 'Where the ship goes in the next two seconds' }),
+  trail: switchSetting('Trail', true, { key: 't', about: 'Where the ship came from' }),
+  lens: switchSetting('Bent light', true, { key: 'l', about: 'Holes bend the light of the stars behind them' }),
+  autopilot: switchSetting('Autopilot', false, { key: 'a', about: 'The game plays itself' }),
+};
+
+export type Settings = typeof settings;
+export type Values = ValuesOf<Settings>;

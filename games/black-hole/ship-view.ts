@@ -1,0 +1,82 @@
+/** The ship, its flame, and the dots of its way to come. */
+import { Container, Graphics, Sprite, type Texture } from 'pixi.js';
+import { Flight } from './flight.ts';
+import { DIRECTIONS, thrustOf } from './heading.ts';
+import type { BlackHoleGame } from './sim.ts';
+
+/** Seconds of the way to come, how often it is stepped, and how many of these steps lie between two dots. */
+const AHEAD = 2;
+const AHEAD_DT = 1 / 120;
+const STEPS_A_DOT = 6;
+const DOTS = AHEAD / AHEAD_DT / STEPS_A_DOT;
+
+export interface ShipView {
+  readonly container: Container;
+  update(sim: BlackHoleGame, x: number, y: number, seconds: number): void;
+}
+
+export function createShipView(): ShipView {
+  const flame = new Graphics().poly([-3.2, 5, 0, 20, 3.2, 5]).fill({ color: 0xff9d3c, alpha: 0.85 });
+  flame.poly([-1.8, 5, 0, 13, 1.8, 5]).fill(0xfff2c4);
+  flame.blendMode = 'add';
+  const hull = new Graphics().poly([0, -8, 6.4, 6, 0, 3.2, -6.4, 6]).fill(0xff4d57);
+  hull.poly([0, -8, 6.4, 6, 0, 3.2]).fill({ color: 0x9c1634, alpha: 0.75 });
+  hull.circle(0, -0.5, 1.7).fill(0xcfefff);
+  const container = new Container({ children: [flame, hull] });
+  let time = 0;
+  return {
+    container,
+    update({ rules, world }, x, y, seconds) {
+      time += seconds;
+      container.visible = rules.phase !== 'over';
+      container.position.set(x, -y);
+      const { heading } = rules;
+      if (heading !== undefined) {
+        const { x: dx, y: dy } = DIRECTIONS[heading];
+        // The shorter way round, most of it in a tenth of a second.
+        const wanted = Math.atan2(dx, dy);
+        const turn = Math.atan2(Math.sin(wanted - container.rotation), Math.cos(wanted - container.rotation));
+        container.rotation += turn * (1 - Math.exp(-18 * Math.max(seconds, 1 / 60)));
+      } else if (world.tick === 0) container.rotation = 0;
+      flame.visible = heading !== undefined && rules.hasFuel && rules.phase === 'flying';
+      flame.scale.set(1, 0.85 + 0.2 * Math.sin(70 * time) + 0.1 * Math.sin(113 * time));
+    },
+  };
+}
+
+export interface PathView {
+  readonly container: Container;
+  update(sim: BlackHoleGame): void;
+}
+
+export function createPathView(spot: Texture): PathView {
+  const container = new Container();
+  const flight = new Flight();
+  const dots = Array.from({ length: DOTS }, (_, i) => {
+    const dot = new Sprite({ texture: spot, anchor: 0.5, alpha: 0.85 * (1 - i / DOTS) + 0.08 });
+    dot.scale.set((5.5 - (2.5 * i) / DOTS) / 32);
+    container.addChild(dot);
+    return dot;
+  });
+  return {
+    container,
+    update({ scene, rules }) {
+      const { ship, world, holes, holeTime } = scene;
+      const { Position, Velocity } = world.components;
+      const craft = { x: Position.x[ship], y: Position.y[ship], vx: Velocity.x[ship], vy: Velocity.y[ship] };
+      flight.begin(craft, holes, holeTime);
+      const push = thrustOf(rules.hasFuel ? rules.heading : undefined);
+      for (const dot of dots) {
+        for (let s = 0; s < STEPS_A_DOT; s++) flight.step(AHEAD_DT, push.x, push.y);
+        dot.visible = flight.fate === 'flying';
+        dot.position.set(flight.craft.x, -flight.craft.y);
+        dot.tint = 0x9fd0ff;
+      }
+      if (flight.fate === 'flying') return;
+      // The last dot says how it ends: a fall, the goal, or out of the stage.
+      const last = dots.find((dot) => !dot.visible) as Sprite;
+      last.visible = flight.fate !== 'gone';
+      last.tint = flight.fate === 'fallen' ? 0xff3b4a : 0x7dffb0;
+    },
+  };
+}

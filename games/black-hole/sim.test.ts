@@ -1,0 +1,355 @@
+import { energy, step } from '@principia/physics';
+import { BLACK_HOLE } from '@principia/scenes';
+import { describe, expect, it, test } from 'vitest';
+import { Flight } from './flight.ts';
+import { TANK } from './rules.ts';
+import { applyValue, type BlackHoleGame, createGame, IDLE_SECONDS, type Input } from './sim.ts';
+
+const CLASSIC = { fuel: false, moving: false, autopilot: false };
+
+function play(seed = 1, values: Partial<typeof CLASSIC> = {}): BlackHoleGame {
+  return createGame({ values: { ...CLASSIC, ...values }, seed });
+}
+
+function run(game: BlackHoleGame, seconds: number): void {
+  const steps = Math.round(seconds / game.dt);
+  for (let i = 0; i < steps; i++) step(game.world, game.dt);
+}
+
+/** Takes the ship somewhere, with a speed. */
+function put(game: BlackHoleGame, x: number, y: number, vx = 0, vy = 0): void {
+  const { Velocity } = game.world.components;
+  game.scene.placeShip(x, y);
+  Velocity.x[game.scene.ship] = vx;
+  Velocity.y[game.scene.ship] = vy;
+}
+
+function ship(game: BlackHoleGame) {
+  const { Position, Velocity } = game.world.components;
+  const id = game.scene.ship;
+  return { x: Position.x[id], y: Position.y[id], vx: Velocity.x[id], vy: Velocity.y[id] };
+}
+
+/** Takes the first hole to the middle, and tells its radius. */
+function centre({ scene }: BlackHoleGame): number {
+  const { Position, Collider } = scene.world.components;
+  Position.x[scene.holeIds[0]] = 400;
+  Position.y[scene.holeIds[0]] = 300;
+  return Collider.radius[scene.holeIds[0]];
+}
+
+/** Takes the pull out of all holes of the present layout. */
+function calm({ scene }: BlackHoleGame): void {
+  for (const id of scene.holeIds) {
+    scene.world.components.Attractor.mu[id] = 0;
+    scene.world.components.Collider.radius[id] = 0;
+  }
+}
+
+function win(game: BlackHoleGame): void {
+  calm(game);
+  put(game, 400, BLACK_HOLE.goal - 0.1, 0, 50);
+  step(game.world, game.dt);
+}
+
+function fall(game: BlackHoleGame): void {
+  const { Position } = game.world.components;
+  const [id] = game.scene.holeIds;
+  put(game, Position.x[id] + 0.8 * game.world.components.Collider.radius[id], Position.y[id]);
+  step(game.world, game.dt);
+}
+
+/** A random player's inputs: enough to fall, leave, win now and then. */
+function fidget(game: BlackHoleGame, seconds: number): void {
+  const inputs: Input[] = ['up', 'left', 'release', 'up', 'right', 'down', 'up', 'release', 'redraw', 'up'];
+  for (let i = 0; i < seconds * 2; i++) {
+    game.press(inputs[(i * 7 + (i >> 3)) % inputs.length]);
+    run(game, 0.5);
+  }
+}
+
+describe('the laws', () => {
+  it('an escape from the rim of any hole takes the speed of light', () => {
+    const game = play(3);
+    game.press('up');
+    for (let level = 1; level <= 12; level++) {
+      const { Attractor, Collider } = game.world.components;
+      expect(game.scene.holeIds).toHaveLength(level);
+      for (const id of game.scene.holeIds) {
+        expect(Math.sqrt((2 * Attractor.mu[id]) / Collider.radius[id])).toBeCloseTo(200, 9);
+        expect(Collider.radius[id]).toBeLessThanOrEqual(30);
+      }
+      step(game.world, game.dt);
+      win(game);
+    }
+  });
+
+  it.each([1, 2, 3, 4, 5, 6])('energy is conserved without thrust, layout %i', (seed) => {
+    const game = play(seed);
+    game.press('up');
+    game.press('release');
+    const { scene } = game;
+    const start = energy(game.world).total;
+    const own = () => {
+      const { x, y, vx, vy } = ship(game);
+      const depth = scene.holes.reduce((sum, h) => sum + (20_000 * h.radius) / Math.hypot(x - h.x, y - h.y), 0);
+      return 0.5 * (vx * vx + vy * vy) - depth;
+    };
+    expect(own()).toBeCloseTo(start, 6);
+    for (let i = 0; i < 3000 && game.rules.newsCount === 1; i++) {
+      step(game.world, game.dt);
+      const { x, y } = ship(game);
+      if (scene.holes.some((h) => Math.hypot(x - h.x, y - h.y) < 2 * h.radius)) break;
+      if (game.rules.newsCount === 1) expect(Math.abs(own() / start - 1)).toBeLessThan(1e-3);
+    }
+  });
+
+  it('keeps the energy of an orbit close by', () => {
+    const game = play(1);
+    game.press('up');
+    game.press('release');
+    step(game.world, game.dt);
+    const radius = centre(game);
+    const d = 2.2 * radius;
+    put(game, 400 + d, 300, 0, Math.sqrt((20_000 * radius) / d));
+    const start = energy(game.world).total;
+    for (let i = 0; i < 600; i++) {
+      step(game.world, game.dt);
+      expect(Math.abs(energy(game.world).total / start - 1)).toBeLessThan(1e-3);
+    }
+    expect(game.rules.lives).toBe(3);
+  });
+
+  it('climbs 500 m in 10 s where nothing pulls', () => {
+    const game = play(1);
+    calm(game);
+    game.press('up');
+    run(game, 9.99);
+    expect(game.rules.score).toBe(0);
+    expect(ship(game).vy).toBeCloseTo(1199 / 12, 6);
+    run(game, 0.03);
+    expect(game.rules.score).toBe(1);
+  });
+
+  it('the copy flies as the world does', () => {
+    const game = play(8, { moving: true });
+    game.rules.dodged = 6;
+    game.rules.redraw();
+    expect(game.scene.holes.filter(({ orbit }) => orbit > 0)).toHaveLength(2);
+    game.press('up');
+    const flight = new Flight();
+    flight.begin(ship(game), game.scene.holes, game.scene.holeTime);
+    for (let i = 0; i < 240 && game.rules.lives === 3; i++) {
+      step(game.world, game.dt);
+      flight.step(game.dt, 0, 10);
+    }
+    expect(flight.craft.x).toBeCloseTo(ship(game).x, 3);
+    expect(flight.craft.y).toBeCloseTo(ship(game).y, 3);
+  });
+});
+
+describe('the rules', () => {
+  it('waits for the first input', () => {
+    const game = play(1);
+    run(game, 3);
+    expect(ship(game)).toEqual({ x: 400, y: 50, vx: 0, vy: 0 });
+    expect(game.rules.phase).toBe('ready');
+  });
+
+  it('the last key decides, and any key that is let go cuts the thrust', () => {
+    const game = play(1);
+    const { Thrust } = game.world.components;
+    const pushed = (input: Input) => {
+      game.press(input);
+      step(game.world, game.dt);
+      return [Thrust.x[game.scene.ship], Thrust.y[game.scene.ship]];
+    };
+    expect(pushed('up')).toEqual([0, 10]);
+    expect(pushed('left')).toEqual([-10, 0]);
+    expect(pushed('right')).toEqual([10, 0]);
+    expect(pushed('down')).toEqual([0, -10]);
+    expect(pushed('release')).toEqual([0, 0]);
+  });
+
+  it('gives n (n + 1) / 2 points for n levels, and one more hole each', () => {
+    const game = play(5);
+    game.press('up');
+    step(game.world, game.dt);
+    for (let n = 1; n <= 10; n++) {
+      expect(game.scene.holes).toHaveLength(n);
+      win(game);
+      expect([game.rules.score, game.rules.dodged]).toEqual([(n * (n + 1)) / 2, n]);
+      expect(ship(game)).toEqual({ x: 400, y: 50, vx: 0, vy: 0 });
+    }
+    expect(game.rules.bonus).toBe(0);
+  });
+
+  it('a fall costs one life, also where holes overlap, and the third ends the game', () => {
+    const game = play(2);
+    game.press('up');
+    step(game.world, game.dt);
+    win(game);
+    win(game);
+    for (const lives of [2, 1, 0]) {
+      const { Position } = game.world.components;
+      const [a, ...others] = game.scene.holeIds;
+      for (const id of others) {
+        Position.x[id] = Position.x[a];
+        Position.y[id] = Position.y[a];
+      }
+      fall(game);
+      expect(game.rules.lives).toBe(lives);
+    }
+    expect(game.rules.phase).toBe('over');
+    const hash = game.hash();
+    game.press('up');
+    game.press('redraw');
+    run(game, 2);
+    expect(game.hash()).toBe(hash);
+  });
+
+  it('leaving the stage costs nothing and keeps the holes', () => {
+    for (const [x, y, vx, vy] of [
+      [1, 300, -200, 0],
+      [799, 300, 200, 0],
+      [400, 1, 0, -200],
+    ]) {
+      const game = play(2);
+      game.press('release');
+      game.press('up');
+      step(game.world, game.dt);
+      const { holes } = game.scene;
+      calm(game);
+      put(game, x, y, vx, vy);
+      step(game.world, game.dt);
+      expect(ship(game)).toEqual({ x: 400, y: 50, vx: 0, vy: 0 });
+      expect(game.scene.holes).toBe(holes);
+      expect([game.rules.lives, game.rules.score]).toEqual([3, 0]);
+    }
+  });
+
+  it('other holes take a point off the prize, then a life', () => {
+    const game = play(2);
+    game.press('up');
+    step(game.world, game.dt);
+    win(game);
+    const wish = () => {
+      const { holes } = game.scene;
+      game.press('redraw');
+      step(game.world, game.dt);
+      expect(game.scene.holes).not.toBe(holes);
+      return [game.rules.prize, game.rules.lives];
+    };
+    expect(wish()).toEqual([1, 3]);
+    expect(wish()).toEqual([0, 3]);
+    expect(wish()).toEqual([0, 2]);
+    win(game);
+    expect([game.rules.score, game.rules.prize]).toEqual([1, 3]);
+  });
+});
+
+describe('fuel, slingshots, moving holes', () => {
+  it('an empty tank pushes nothing', () => {
+    const game = play(1, { fuel: true });
+    calm(game);
+    put(game, 400, 50);
+    game.press('down');
+    step(game.world, game.dt);
+    game.rules.fuel = 0.5 * TANK;
+    game.press('right');
+    put(game, 10, 300);
+    run(game, 5);
+    expect(game.rules.fuel).toBeCloseTo(0.5 * TANK - 50, 6);
+    game.rules.fuel = 0.01;
+    run(game, 0.1);
+    const { vx } = ship(game);
+    run(game, 0.3);
+    expect(ship(game).vx).toBe(vx);
+    expect(game.rules.news.filter(({ kind }) => kind === 'empty')).toHaveLength(1);
+  });
+
+  it('counts a slingshot once, and pays at the goal', () => {
+    const game = play(1, { fuel: true });
+    game.press('up');
+    game.press('release');
+    step(game.world, game.dt);
+    const radius = centre(game);
+    calm(game);
+    game.world.components.Collider.radius[game.scene.holeIds[0]] = radius;
+    put(game, 400 - 7 * radius, 300 - 2 * radius, 100, 0);
+    run(game, (15 * radius) / 100);
+    expect(game.rules.slings).toBe(1);
+    win(game);
+    expect([game.rules.score, game.rules.bonus]).toEqual([1, 1 + 5]);
+  });
+
+  it('holes run on their circles from level 5 on', () => {
+    const game = play(4, { moving: true });
+    game.press('up');
+    game.press('release');
+    step(game.world, game.dt);
+    for (let i = 0; i < 4; i++) win(game);
+    expect(game.scene.holes.map(({ orbit }) => orbit > 0)).toEqual([true, false, false, false, false]);
+    const [hole] = game.scene.holes;
+    const [id] = game.scene.holeIds;
+    const { x, y } = game.world.components.Position;
+    put(game, 400, 50);
+    run(game, 1.5);
+    if (game.rules.lives === 3) {
+      expect(Math.hypot(x[id] - hole.x, y[id] - hole.y)).toBeCloseTo(hole.orbit, 6);
+      expect(Math.hypot(x[id] - hole.x - hole.orbit * Math.cos(hole.phase), y[id] - hole.y)).toBeGreaterThan(1);
+    }
+  });
+});
+
+describe('determinism', () => {
+  it('a game played again from its log is the same to the bit', () => {
+    const values = { fuel: true, moving: true, autopilot: false };
+    const game = createGame({ values, seed: 11 });
+    run(game, 0.7);
+    fidget(game, 40);
+    const again = createGame({ values, seed: 11, log: game.log.entries });
+    run(again, 40.7);
+    expect(again.hash()).toBe(game.hash());
+    expect(game.rules.newsCount).toBeGreaterThan(4);
+    const other = createGame({ values, seed: 12, log: game.log.entries });
+    run(other, 40.7);
+    expect(other.hash()).not.toBe(game.hash());
+  });
+});
+
+describe('the autopilot', () => {
+  test('takes over after a while, and the first key gives a fresh game', () => {
+    const game = play(6);
+    const fresh = game.scene.holes;
+    run(game, IDLE_SECONDS + 8);
+    expect(game.isDemo).toBe(true);
+    game.press('up');
+    run(game, 0.2);
+    expect(game.isDemo).toBe(false);
+    expect(game.scene.holes).toEqual(fresh);
+    expect(game.rules).toMatchObject({ score: 0, lives: 3, phase: 'flying' });
+  });
+
+  test('wins levels', () => {
+    let cleared = 0;
+    for (let seed = 1; seed <= 4; seed++) {
+      const game = play(seed, { autopilot: true, fuel: true, moving: true });
+      for (let t = 0; t < 90 && game.rules.phase !== 'over' && game.rules.dodged < 3; t++) run(game, 1);
+      cleared += game.rules.dodged;
+    }
+    expect(cleared).toBeGreaterThanOrEqual(8);
+  }, 60_000);
+
+  test('can be switched on and off while flying', () => {
+    const game = play(6);
+    expect(applyValue(game, 'autopilot', { ...CLASSIC, autopilot: true })).toBe(true);
+    run(game, 0.5);
+    expect(game.rules.phase).toBe('flying');
+    applyValue(game, 'autopilot', CLASSIC);
+    run(game, 0.1);
+    expect(game.rules.heading).toBeUndefined();
+    expect(applyValue(game, 'moving', CLASSIC)).toBe(false);
+    expect(applyValue(game, 'lens', CLASSIC)).toBe(true);
+  });
+});

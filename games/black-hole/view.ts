@@ -1,0 +1,110 @@
+/** The view: the picture, what is written over it, and the pointer that steers. */
+import { type Camera2D, fit, toScreen, watchViewport } from '@principia/render-core';
+import { BLACK_HOLE } from '@principia/scenes';
+import type { Stage, View } from '@principia/shell';
+import { Application, Container, RendererType } from 'pixi.js';
+import { createHud } from './hud.ts';
+import { createPicture, type Picture } from './picture.ts';
+import type { Settings } from './settings.ts';
+import type { BlackHoleGame } from './sim.ts';
+import { paintSky, paintSpot } from './stars.ts';
+import { listenToSteering } from './steering.ts';
+
+const MARGIN = 14;
+const { width: STAGE_WIDTH, height: STAGE_HEIGHT } = BLACK_HOLE;
+
+export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<View> {
+  const app = new Application();
+  const options = { background: '#04060e', autoStart: false, autoDensity: true, antialias: true } as const;
+  await app.init({ preference: ['webgl', 'webgpu'], ...options });
+  const { canvas } = app;
+  stage.element.append(canvas);
+  app.stage.eventMode = 'none';
+  const content = new Container();
+  app.stage.addChild(content);
+  const [sky, spot] = [paintSky(5), paintSpot()];
+  const canBend = app.renderer.type === RendererType.WEBGL;
+  const paint = (): Picture => {
+    const sim = stage.sim();
+    const made = createPicture({ sim, parent: content, sky, spot, canBend, isCalm: stage.reducedMotion });
+    made.show(stage.values());
+    return made;
+  };
+  let picture = paint();
+  let told = 0;
+  const hud = createHud(stage.element);
+  const camera: Camera2D = { x: STAGE_WIDTH / 2, y: STAGE_HEIGHT / 2, pixelsPerMetre: 1 };
+  let zoomed = 1;
+  const viewport = watchViewport(canvas, (width, height, resolution) => {
+    app.renderer.resize(width, height, resolution);
+  });
+  const place = (x: number, y: number) => toScreen(camera, viewport, x, y, { x: 0, y: 0 });
+  const steering = listenToSteering(canvas, {
+    ship: () => place(picture.ship.x, picture.ship.y),
+    press: (input) => stage.sim().press(input),
+  });
+  const tellNews = (sim: BlackHoleGame) => {
+    const { news, newsCount } = sim.rules;
+    const fresh = Math.min(news.length, newsCount - told);
+    for (const item of fresh > 0 ? news.slice(-fresh) : []) {
+      picture.celebrate(item);
+      hud.toast(item, sim);
+    }
+    told = newsCount;
+  };
+  return {
+    canvas,
+    refresh(change) {
+      if (change === 'setting') {
+        picture.show(stage.values());
+        return;
+      }
+      picture.destroy();
+      picture = paint();
+      told = 0;
+    },
+    draw(alpha, seconds) {
+      const sim = stage.sim();
+      look(camera, stage, viewport, zoomed);
+      tellNews(sim);
+      picture.update(alpha, seconds, camera, viewport);
+      steering.update();
+      const { x, y } = place(0, STAGE_HEIGHT);
+      const { pixelsPerMetre: scale } = camera;
+      hud.update(sim, { left: x, top: y, width: STAGE_WIDTH * scale, height: STAGE_HEIGHT * scale });
+      app.render();
+    },
+    fit() {
+      zoomed = 1;
+    },
+    zoom(factor) {
+      zoomed = Math.min(4, Math.max(0.5, zoomed * factor));
+    },
+    toScreen: place,
+    destroy() {
+      steering.destroy();
+      viewport.destroy();
+      hud.destroy();
+      picture.destroy();
+      app.destroy({ removeView: true, releaseGlobalResources: false }, { children: true });
+      sky.destroy(true);
+      spot.destroy(true);
+    },
+  };
+}
+
+/** Shows the whole stage in the part of the window that nothing covers. */
+function look(
+  camera: Camera2D,
+  stage: Stage<Settings, BlackHoleGame>,
+  size: { readonly width: number; readonly height: number },
+  zoomed: number,
+): void {
+  const { top, right, bottom, left } = stage.insets();
+  const free = { width: size.width - left - right, height: size.height - top - bottom };
+  if (!(free.width > 0 && free.height > 0)) return;
+  fit(camera, { minX: 0, minY: 0, maxX: STAGE_WIDTH, maxY: STAGE_HEIGHT }, free, MARGIN);
+  camera.pixelsPerMetre *= zoomed;
+  camera.x += (right - left) / 2 / camera.pixelsPerMetre;
+  camera.y += (top - bottom) / 2 / camera.pixelsPerMetre;
+}

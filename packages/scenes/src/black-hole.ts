@@ -1,0 +1,150 @@
+// A ship of mass 1 among black holes that are fixed, or run on circles of their own. In stage units, a metre each; y
+// points up. The rules of the game are not here: this is the world they are played in.
+import {
+  attractors,
+  createPhysicsWorld,
+  createRandom,
+  despawn,
+  type PhysicsWorld,
+  type Random,
+  spawn,
+  thrust,
+  velocityVerlet,
+} from '@principia/physics';
+import { BLACK_HOLE, drawHoles, type Hole, holeMu, holePlace } from './black-hole-layout';
+import { countOf, defineScene, type SceneRun } from './scene';
+
+/** A ship among black holes. */
+export interface BlackHole extends SceneRun {
+  /** Id of the ship; write its `Thrust` to steer. */
+  readonly ship: number;
+  /** The present layout. */
+  readonly holes: readonly Hole[];
+  /** Ids of the holes, in the order of the layout. */
+  readonly holeIds: readonly number[];
+  /** Time on the holes' circles, s. */
+  readonly holeTime: number;
+  /** Draws another layout, and moves, makes and removes holes to fit it. @param moving how many run on circles */
+  redraw(count: number, moving: number): void;
+  /** Forgets the draws there were: the next ones are again the first of the seed. */
+  rewind(): void;
+  /** Puts the ship somewhere at rest, without a streak in the picture. */
+  placeShip(x: number, y: number): void;
+}
+
+export const blackHole = defineScene({
+  name: 'black-hole',
+  description: 'a ship among black holes whose discs are their horizons',
+  parameters: {
+    count: countOf('black holes', 1, BLACK_HOLE.most),
+    moving: { about: 'holes on circles', unit: '', initial: 0, min: 0, max: BLACK_HOLE.most, integer: true },
+  },
+  build({ dimensions, precision, seed, parameters }): BlackHole {
+    const { count, moving } = parameters;
+    const world = createPhysicsWorld({
+      dimensions,
+      precision,
+      seed,
+      capacity: 2 * BLACK_HOLE.most + 1,
+      integrator: velocityVerlet,
+      forces: [attractors(), thrust()],
+    });
+    const ship = spawn(world, {
+      position: BLACK_HOLE.start,
+      velocity: {},
+      mass: 1,
+      collider: { radius: 6 },
+      thrust: {},
+      appearance: {},
+    });
+    const sky = new Sky(world, seed, 1 / 120);
+    world.phases.input.push(() => sky.drive());
+    sky.redraw(count, moving);
+    const placeShip = (x: number, y: number) => teleport(world, ship, x, y);
+    return {
+      ...{ world, dt: sky.dt, ship, placeShip },
+      ...(moving > 0 ? { losesEnergy: 'moving holes give energy to the ship and take it' } : {}),
+      get holes() {
+        return sky.holes;
+      },
+      get holeIds() {
+        return sky.ids;
+      },
+      get holeTime() {
+        return sky.time;
+      },
+      redraw: (holes, onCircles) => sky.redraw(holes, onCircles),
+      rewind: () => sky.rewind(),
+    };
+  },
+});
+
+/** The holes of a world, and how they move. */
+class Sky {
+  holes: readonly Hole[] = [];
+  readonly ids: number[] = [];
+  time = 0;
+  readonly dt: number;
+  readonly #world: PhysicsWorld;
+  readonly #seed: number;
+  #random: Random;
+  readonly #place = { x: 0, y: 0 };
+
+  constructor(world: PhysicsWorld, seed: number, dt: number) {
+    this.#world = world;
+    this.#seed = seed;
+    this.#random = createRandom(seed, 1);
+    this.dt = dt;
+  }
+
+  rewind(): void {
+    this.#random = createRandom(this.#seed, 1);
+  }
+
+  redraw(count: number, moving: number): void {
+    this.holes = drawHoles(this.#random, count, moving);
+    this.time = 0;
+    while (this.ids.length > count) despawn(this.#world, this.ids.pop() as number);
+    for (const [i, hole] of this.holes.entries()) this.#put(i, hole);
+  }
+
+  /** Gives every moving hole the velocity that takes it to its next place, so that the forces know it too. */
+  drive(): void {
+    const { Position, Velocity } = this.#world.components;
+    this.time += this.dt;
+    for (let i = 0; i < this.holes.length; i++) {
+      if (this.holes[i].orbit === 0) continue;
+      const next = holePlace(this.holes[i], this.time, this.#place);
+      Velocity.x[this.ids[i]] = (next.x - Position.x[this.ids[i]]) / this.dt;
+      Velocity.y[this.ids[i]] = (next.y - Position.y[this.ids[i]]) / this.dt;
+    }
+  }
+
+  #put(index: number, hole: Hole): void {
+    const { x, y } = holePlace(hole, 0, this.#place);
+    const mu = holeMu(hole.radius);
+    const id = this.ids[index];
+    if (id === undefined) {
+      const values = { position: { x, y }, velocity: {}, attractor: { mu }, collider: { radius: hole.radius } };
+      this.ids.push(spawn(this.#world, { ...values, appearance: {} }));
+      return;
+    }
+    const { Attractor, Collider } = this.#world.components;
+    Attractor.mu[id] = mu;
+    Collider.radius[id] = hole.radius;
+    teleport(this.#world, id, x, y);
+  }
+}
+
+/** Moves a body at once, and leaves it at rest. */
+function teleport({ components, previous, versions }: PhysicsWorld, id: number, x: number, y: number): void {
+  const { Position, Velocity } = components;
+  Position.x[id] = x;
+  Position.y[id] = y;
+  Velocity.x[id] = 0;
+  Velocity.y[id] = 0;
+  // Pictures between two steps would else show it on the way.
+  previous.Position.x[id] = x;
+  previous.Position.y[id] = y;
+  versions.pose++;
+}

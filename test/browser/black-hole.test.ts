@@ -1,0 +1,278 @@
+/** Plays the game of black holes through its real page: keys, mouse, fingers, a gamepad. */
+import { readFileSync } from 'node:fs';
+import { step } from '@principia/physics';
+import type { BlackHole, LoggedInput } from '@principia/scenes';
+import type { GameState } from '@principia/shell';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { Autopilot } from '../../games/black-hole/autopilot.ts';
+import type { Heading } from '../../games/black-hole/heading.ts';
+import { createGame, type Input } from '../../games/black-hole/sim.ts';
+import { launchChromium } from '../support/chromium.ts';
+import { type ServedPage, servePage } from '../support/page.ts';
+
+const VALUES = { fuel: true, moving: true, autopilot: false };
+const KEYS: Record<Heading, string> = { up: 'ArrowUp', left: 'ArrowLeft', down: 'ArrowDown', right: 'ArrowRight' };
+
+/** What the game tells of itself. */
+interface Told {
+  readonly phase: string;
+  readonly lives: number;
+  readonly score: number;
+  readonly dodged: number;
+  readonly heading: string;
+  readonly prize: number;
+  readonly isDemo: boolean;
+  readonly hash: string;
+  readonly log: LoggedInput<Input>[];
+  readonly holes: BlackHole['holes'];
+}
+
+let browser: Browser;
+let served: ServedPage;
+let context: BrowserContext;
+let errors: string[] = [];
+
+beforeAll(async () => {
+  const html = readFileSync('games/black-hole/index.html', 'utf8');
+  served = await servePage('games/black-hole/main.ts', { html });
+  browser = await launchChromium();
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await served?.close();
+});
+
+afterEach(async () => {
+  await context?.close();
+  const seen = errors;
+  errors = [];
+  expect(seen).toEqual([]);
+});
+
+async function play(query: string, size = { width: 640, height: 420 }): Promise<Page> {
+  context = await browser.newContext({ viewport: size, hasTouch: true });
+  const page = await context.newPage();
+  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  await page.goto(`${served.url}?${query}`);
+  await page.waitForFunction(() => globalThis.__game?.state().ready);
+  return page;
+}
+
+const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
+const told = async (page: Page) => (await state(page)).game as unknown as Told;
+const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
+const frames = (page: Page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const picture = async (page: Page) => {
+  await frames(page);
+  return page.screenshot({ style: '.game > :not(.game-stage), .bh-hud { display: none }' });
+};
+
+/** Where the ship is on the page. */
+async function shipPlace(page: Page) {
+  const { screen } = await page.evaluate(() => __game.body(0));
+  return screen as { x: number; y: number };
+}
+
+/** The headings that win the first level of a seed, found without a page: for every step the key to hold. */
+function winningKeys(seed: number): (Heading | undefined)[] {
+  const game = createGame({ values: VALUES, seed });
+  const pilot = new Autopilot(game.scene, 99);
+  const keys: (Heading | undefined)[] = ['up'];
+  game.press('up');
+  step(game.world, game.dt);
+  while (game.rules.dodged === 0 && keys.length < 6000) {
+    // A hand is no faster than this.
+    const last = keys[keys.length - 1];
+    const heading = keys.length % 30 === 0 ? pilot.steer(game.dt * 30) : last;
+    if (heading !== last) game.press(heading ?? 'release');
+    keys.push(heading);
+    step(game.world, game.dt);
+  }
+  expect(game.rules.dodged).toBe(1);
+  return keys;
+}
+
+describe('playing', () => {
+  it('a player who steers with the arrow keys wins a level, and the log plays the same game in Node', async () => {
+    const page = await play('manual&seed=4');
+    expect(await told(page)).toMatchObject({ phase: 'ready', lives: 3, score: 0 });
+    const keys = winningKeys(4);
+    let held: Heading | undefined;
+    for (let from = 0; from < keys.length; ) {
+      const heading = keys[from];
+      let to = from + 1;
+      while (to < keys.length && keys[to] === heading) to++;
+      // The next key goes down before the last comes up, and only what the plan wants is held in the end.
+      if (held !== undefined) await page.keyboard.up(KEYS[held]);
+      if (heading !== undefined) await page.keyboard.down(KEYS[heading]);
+      held = heading;
+      await steps(page, to - from);
+      from = to;
+    }
+    if (held !== undefined) await page.keyboard.up(KEYS[held]);
+    await steps(page, 1);
+    const won = await told(page);
+    expect(won).toMatchObject({ dodged: 1, score: 1, prize: 2, lives: 3 });
+    expect(won.holes).toHaveLength(2);
+    expect(await page.locator('.bh-score').textContent()).toBe('1 hole dodged');
+    const again = createGame({ values: VALUES, seed: 4, log: won.log });
+    for (let i = (await state(page)).tick; i > 0; i--) step(again.world, again.dt);
+    expect(again.hash()).toBe(won.hash);
+  });
+
+  it('a player who launches and lets go loses three ships, sees the scores and plays again', async () => {
+    const page = await play('manual&seed=2');
+    for (let i = 0; i < 40 && (await told(page)).phase !== 'over'; i++) {
+      await page.keyboard.press('ArrowUp');
+      await steps(page, 600);
+    }
+    expect(await told(page)).toMatchObject({ phase: 'over', lives: 0 });
+    const card = page.locator('.game-outcome');
+    await card.waitFor({ state: 'visible' });
+    expect(await card.textContent()).toContain('Game over');
+    await card.locator('button').click();
+    expect(await told(page)).toMatchObject({ phase: 'ready', lives: 3, score: 0 });
+    expect((await state(page)).seed).toBe(3);
+    await frames(page);
+    expect(await card.isVisible()).toBe(false);
+  });
+
+  it('any key let go cuts the thrust, the last one pressed decides', async () => {
+    const page = await play('manual&seed=4');
+    const heading = async () => {
+      await steps(page, 1);
+      return (await told(page)).heading;
+    };
+    await page.keyboard.down('ArrowUp');
+    expect(await heading()).toBe('up');
+    await page.keyboard.down('ArrowRight');
+    expect(await heading()).toBe('right');
+    await page.keyboard.up('ArrowUp');
+    expect(await heading()).toBe('');
+    await page.keyboard.down('ArrowLeft');
+    expect(await heading()).toBe('left');
+  });
+
+  it('pauses, and starts again at the same holes', async () => {
+    const page = await play('seed=4');
+    const { holes } = await told(page);
+    await page.keyboard.down('ArrowUp');
+    await page.waitForFunction(() => __game.state().tick > 5);
+    await page.keyboard.press('Space');
+    const paused = await state(page);
+    await page.waitForTimeout(200);
+    expect((await state(page)).hash).toBe(paused.hash);
+    await page.keyboard.press('r');
+    expect(await told(page)).toMatchObject({ phase: 'ready', holes });
+  });
+});
+
+describe('other hands', () => {
+  it('the ship is pushed towards the mouse; a double click draws other holes', async () => {
+    const page = await play('manual&seed=4');
+    const { x, y } = await shipPlace(page);
+    await page.mouse.move(x - 80, y - 20);
+    await page.mouse.down();
+    await steps(page, 1);
+    expect((await told(page)).heading).toBe('left');
+    await page.mouse.move(x + 5, y - 90);
+    await steps(page, 1);
+    expect((await told(page)).heading).toBe('up');
+    await page.mouse.up();
+    await steps(page, 1);
+    const before = await told(page);
+    expect(before.heading).toBe('');
+    await page.mouse.dblclick(300, 200);
+    await steps(page, 1);
+    const after = await told(page);
+    expect(after.prize).toBe(0);
+    expect(after.holes).not.toEqual(before.holes);
+  });
+
+  it('a finger steers', async () => {
+    const page = await play('manual&seed=4');
+    const client = await context.newCDPSession(page);
+    const { x, y } = await shipPlace(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: { x: number; y: number }[]) =>
+      client.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', [{ x: x + 70, y: y - 10 }]);
+    await steps(page, 1);
+    expect((await told(page)).heading).toBe('right');
+    await touch('touchEnd', []);
+    await steps(page, 1);
+    expect((await told(page)).heading).toBe('');
+  });
+
+  it('the buttons of the touch pad and a gamepad steer', async () => {
+    const page = await play('manual&seed=4');
+    await page.addStyleTag({ content: '.game-pad { display: grid !important }' });
+    await page.locator('.game-pad [data-name=left]').hover();
+    await page.mouse.down();
+    await steps(page, 1);
+    expect((await told(page)).heading).toBe('left');
+    await page.mouse.up();
+    await page.evaluate(() => {
+      const buttons = Array.from({ length: 17 }, () => ({ pressed: false, touched: false, value: 0 }));
+      const gamepad = { connected: true, index: 0, axes: [0, -1, 0, 0], buttons };
+      Object.assign(globalThis, { gamepad });
+      navigator.getGamepads = () => [gamepad as unknown as Gamepad];
+    });
+    await frames(page);
+    await steps(page, 1);
+    expect((await told(page)).heading).toBe('up');
+    await page.evaluate(() => {
+      (globalThis as unknown as { gamepad: { axes: number[] } }).gamepad.axes[1] = 0;
+    });
+    await frames(page);
+    await steps(page, 1);
+    expect((await told(page)).heading).toBe('');
+  });
+
+  it('plays itself when nobody does, until somebody does', async () => {
+    const page = await play('manual&seed=4');
+    await steps(page, 120 * 14);
+    expect(await told(page)).toMatchObject({ isDemo: true, phase: 'flying' });
+    await frames(page);
+    expect(await page.locator('.bh-call').textContent()).toContain('Demo');
+    await page.keyboard.down('ArrowUp');
+    await steps(page, 2);
+    expect(await told(page)).toMatchObject({ isDemo: false, phase: 'flying', score: 0, heading: 'up' });
+  });
+});
+
+describe('the picture', () => {
+  it('changes as the ship flies, and with bent light', async () => {
+    const page = await play('manual&seed=4');
+    const waiting = await picture(page);
+    await page.keyboard.down('ArrowUp');
+    await steps(page, 120);
+    const flying = await picture(page);
+    expect(flying.equals(waiting)).toBe(false);
+    await page.keyboard.press('l');
+    expect((await state(page)).values.lens).toBe(false);
+    expect((await picture(page)).equals(flying)).toBe(false);
+  });
+
+  it('survives the loss of the graphics card', async () => {
+    const page = await play('manual&seed=4');
+    const whole = await picture(page);
+    await page.evaluate(() => {
+      const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
+      const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
+      const card = gl.getExtension('WEBGL_lose_context') as WEBGL_lose_context;
+      Object.assign(globalThis, { card });
+      card.loseContext();
+    });
+    await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+    await steps(page, 1);
+    await frames(page);
+    await page.evaluate(() => (globalThis as unknown as { card: WEBGL_lose_context }).card.restoreContext());
+    await page.waitForFunction(() => __game.state().banner === '');
+    const back = await picture(page);
+    // Compressed size tells a sky of stars from a black picture.
+    expect(back.length).toBeGreaterThan(0.8 * whole.length);
+  });
+});
