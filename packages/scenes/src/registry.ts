@@ -5,13 +5,29 @@ import { circles } from './circles';
 import { cloth } from './cloth';
 import { emitters } from './emitters';
 import { gas } from './gas';
+import { nbodyDirect, nbodyTree } from './n-body/cluster';
+import { galaxy } from './n-body/galaxy';
 import { particles } from './particles';
 import { rope } from './rope';
 import type { Scene } from './scene';
 import { springs } from './springs';
 
 /** Every scene, in the order they are listed. */
-export const SCENES: readonly Scene[] = [particles, emitters, circles, gas, springs, rope, cloth, attractors, bouncingBalls, blackHole];
+export const SCENES: readonly Scene[] = [
+  particles,
+  emitters,
+  circles,
+  gas,
+  springs,
+  rope,
+  cloth,
+  attractors,
+  nbodyDirect,
+  nbodyTree,
+  galaxy,
+  bouncingBalls,
+  blackHole,
+];
 
 /** The scene of a name, if there is one. */
 export function findScene(name: string): Scene | undefined {
