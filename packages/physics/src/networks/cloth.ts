@@ -1,9 +1,16 @@
 // A cloth: a grid of nodes with springs along the threads, and where wanted across the meshes (against shear) and from
 // each node to the next but one (against bending).
-import { spawnMany } from '../bodies/spawn-many';
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
-import { COUNTS, checkStiffness, type Network, SPRING_OPTIONS, SpringList, type SpringOptions } from './network';
+import {
+  COUNTS,
+  checkStiffness,
+  type Network,
+  SPRING_OPTIONS,
+  SpringList,
+  type SpringOptions,
+  spawnNetwork,
+} from './network';
 
 export interface ClothOptions extends SpringOptions {
   /** Place of the node of column 0 and row 0, m. */
@@ -65,18 +72,18 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   checkKeys(options, 'createCloth', OPTIONS);
   const columns = checkNumber(options.columns, 'cloth.columns', COUNTS);
   const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);
-  const nodes = spawnNodes(world, options, columns, rows);
   const list = new SpringList();
   addThreads(list, options, columns, rows);
   addShear(list, options, columns, rows);
   addBend(list, options, columns, rows);
   if (options.tethers === true) addTethers(list, options, columns, rows);
-  const springs = list.spawn(world, nodes, options);
+  const bodies = placeNodes(options, columns, rows);
+  const { nodes, springs } = spawnNetwork(world, columns * rows, bodies, list, options);
   const at = (column: number, row: number) => nodes[row * columns + column];
   return { nodes, springs, columns, rows, at, triangles: trianglesOf(at, columns, rows) };
 }
 
-function spawnNodes(world: PhysicsWorld, options: ClothOptions, columns: number, rows: number): Uint32Array {
+function placeNodes(options: ClothOptions, columns: number, rows: number) {
   const corner = checkVector(options.corner, 'cloth.corner');
   const right = checkVector(options.right ?? { x: 1 }, 'cloth.right');
   const down = checkVector(options.down ?? { y: -1 }, 'cloth.down');
@@ -91,7 +98,7 @@ function spawnNodes(world: PhysicsWorld, options: ClothOptions, columns: number,
   const masses = new Float64Array(count).fill(mass);
   for (const node of pinnedNodes(options.pins ?? 'top', columns, rows)) masses[node] = Infinity;
   const position = { x: place('x'), y: place('y'), z: place('z') };
-  return spawnMany(world, count, { ...options.components, position, velocity: {}, mass: masses });
+  return { position, mass: masses };
 }
 
 function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, rows: number): number[] {

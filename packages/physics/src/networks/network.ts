@@ -2,6 +2,8 @@
 import type { ManyInput } from '../bodies/many';
 import { spawnMany } from '../bodies/spawn-many';
 import { type Bounds, checkNumber } from '../faults/validate';
+import { makeRoom } from '../store/entities';
+import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 
 /** A network that was made: entity ids. */
@@ -46,12 +48,27 @@ export class SpringList {
     this.length.push(length);
     this.cord.push(cord);
   }
+}
 
-  /** Makes them, between bodies whose index is given. */
-  spawn(world: PhysicsWorld, nodes: Uint32Array, { damping = 0, breakForce = 0 }: SpringOptions): Uint32Array {
-    const { stiffness, length, cord } = this;
-    const end = (list: readonly number[]) => Uint32Array.from(list, (node) => nodes[node]);
-    const spring = { a: end(this.a), b: end(this.b), stiffness, length, cord, damping, breakForce };
-    return spawnMany(world, this.a.length, { spring });
-  }
+/**
+ * Makes the bodies and the springs between them, or nothing: springs name bodies by their index.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT, E_DESTROYED
+ */
+export function spawnNetwork(
+  world: PhysicsWorld,
+  count: number,
+  bodies: Pick<ManyInput, 'position' | 'mass'>,
+  list: SpringList,
+  { damping = 0, breakForce = 0, components }: SpringOptions,
+): Network {
+  assertUsable(world);
+  checkNumber(damping, 'damping', { min: 0, max: 1e30 });
+  checkNumber(breakForce, 'breakForce', { min: 0, max: 1e30 });
+  const springs = list.a.length;
+  makeRoom(world, count + springs);
+  const nodes = spawnMany(world, count, { ...components, velocity: {}, ...bodies });
+  const end = (ends: readonly number[]) => Uint32Array.from(ends, (node) => nodes[node]);
+  const { stiffness, length, cord } = list;
+  const spring = { a: end(list.a), b: end(list.b), stiffness, length, cord, damping, breakForce };
+  return { nodes, springs: spawnMany(world, springs, { spring }) };
 }

@@ -60,12 +60,23 @@ describe('a rope', () => {
   });
 
   test('tethers hold the length of a thousand links within a per cent', () => {
-    const world = network({ capacity: 3000, precision: 'f32' });
+    const world = network({ capacity: 14_000, precision: 'f32', integrator: xpbd({ substeps: 10, iterations: 1 }) });
     const rope = createRope(world, { from: {}, to: { y: -10 }, nodes: 1000, mass: 1, tethers: true });
     run(world, 120);
     expect(-world.components.Position.y[rope.nodes[999]]).toBeLessThan(10.1);
     expect(largestStretch(world)).toBeLessThan(0.01);
   });
+});
+
+test('a network that does not fit, or is given nonsense, leaves nothing behind', () => {
+  const world = network({ capacity: 15 });
+  const size = { from: {}, to: { x: 1 }, nodes: 10, mass: 1 };
+  expect(() => createRope(world, size)).toThrow(/E_CAPACITY/);
+  expect(() => createRope(world, { ...size, nodes: 4, damping: -1 })).toThrow(/E_RANGE/);
+  expect(() => createRope(world, { ...size, nodes: 1 })).toThrow(/E_RANGE/);
+  expect(() => createRope(world, { ...size, lenght: 1 } as never)).toThrow(/E_UNKNOWN/);
+  expect(world.lastId).toBe(0);
+  expect(createRope(world, { ...size, nodes: 4 }).springs).toHaveLength(3);
 });
 
 describe('a cloth', () => {

@@ -7,10 +7,17 @@
 // Attachments, SCA 2012). A rope satisfies them all anyway, so they take its load without changing its motion; but the
 // links no longer carry all of it, and are not solved directly any more.
 
-import { spawnMany } from '../bodies/spawn-many';
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
-import { COUNTS, checkStiffness, type Network, SPRING_OPTIONS, SpringList, type SpringOptions } from './network';
+import {
+  COUNTS,
+  checkStiffness,
+  type Network,
+  SPRING_OPTIONS,
+  SpringList,
+  type SpringOptions,
+  spawnNetwork,
+} from './network';
 
 export interface RopeOptions extends SpringOptions {
   /** Places of the first and last node, m. */
@@ -53,16 +60,12 @@ export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
     Float64Array.from({ length: count }, (_, i) => start + (way * i) / (count - 1));
   const isHeld = (i: number) =>
     (i === 0 && (pins === 'start' || pins === 'both')) || (i === count - 1 && (pins === 'end' || pins === 'both'));
-  const nodes = spawnMany(world, count, {
-    ...options.components,
-    position: { x: along(from.x, dx), y: along(from.y, dy), z: along(from.z, dz) },
-    velocity: {},
-    mass: Float64Array.from({ length: count }, (_, i) => (isHeld(i) ? Infinity : mass)),
-  });
   const list = new SpringList();
   for (let i = 1; i < count; i++) list.add(i - 1, i, stiffness, length, cord ? 1 : 0);
   if (tethers) addTethers(list, isHeld, count, length);
-  return { nodes, springs: list.spawn(world, nodes, options) };
+  const position = { x: along(from.x, dx), y: along(from.y, dy), z: along(from.z, dz) };
+  const masses = Float64Array.from({ length: count }, (_, i) => (isHeld(i) ? Infinity : mass));
+  return spawnNetwork(world, count, { position, mass: masses }, list, options);
 }
 
 function addTethers(list: SpringList, isHeld: (node: number) => boolean, count: number, link: number): void {

@@ -1,12 +1,11 @@
 // A soft body: a skin of springs around a gas. In 2D a ring, in 3D a ball made of a divided icosahedron.
-import { spawnMany } from '../bodies/spawn-many';
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
 import type { Force } from '../forces/force';
 import { cos, sin } from '../math/elementary';
 import type { PhysicsWorld } from '../world';
 import { enclosedGas } from './gas';
 import { icosphere } from './icosphere';
-import { checkStiffness, type Network, SPRING_OPTIONS, SpringList, type SpringOptions } from './network';
+import { checkStiffness, type Network, SPRING_OPTIONS, SpringList, type SpringOptions, spawnNetwork } from './network';
 
 export interface SoftBodyOptions extends SpringOptions {
   /** Place of the centre, m. */
@@ -58,13 +57,9 @@ export function createSoftBody(world: PhysicsWorld, options: SoftBodyOptions): S
   const count = skin.points.length / 3;
   const along = (axis: number, start: number) =>
     Float64Array.from({ length: count }, (_, i) => start + radius * skin.points[3 * i + axis]);
-  const nodes = spawnMany(world, count, {
-    ...options.components,
-    position: { x: along(0, centre.x), y: along(1, centre.y), z: flat ? centre.z : along(2, centre.z) },
-    velocity: {},
-    mass: mass / count,
-  });
-  const springs = edges(skin, flat ? 2 : 3, radius, stiffness).spawn(world, nodes, options);
+  const position = { x: along(0, centre.x), y: along(1, centre.y), z: flat ? centre.z : along(2, centre.z) };
+  const list = edges(skin, flat ? 2 : 3, radius, stiffness);
+  const { nodes, springs } = spawnNetwork(world, count, { position, mass: mass / count }, list, options);
   const faces = Uint32Array.from(skin.faces, (node) => nodes[node]);
   const volume = enclosedBy(skin, flat) * (flat ? radius * radius : radius * radius * radius);
   const amount = (pressure + ambient) * volume;
