@@ -248,6 +248,19 @@ describe('the rules', () => {
   });
 });
 
+test('who just holds the up key clears two first levels in three', () => {
+  const ends: string[] = [];
+  for (let seed = 1; seed <= 150; seed++) {
+    const game = play(seed);
+    game.press('up');
+    while (game.rules.newsCount < 2) step(game.world, game.dt);
+    ends.push(game.rules.news[1].kind);
+  }
+  const share = (kind: string) => ends.filter((end) => end === kind).length / ends.length;
+  expect(Math.abs(share('goal') - 0.66)).toBeLessThan(0.12);
+  expect(Math.abs(share('fall') - 0.21)).toBeLessThan(0.12);
+}, 60_000);
+
 describe('fuel, slingshots, moving holes', () => {
   it('an empty tank pushes nothing', () => {
     const game = play(1, { fuel: true });

@@ -1,5 +1,6 @@
 import { createRandom } from '@principia/physics';
 import { expect, test } from 'vitest';
+import { blackHole } from './black-hole';
 import { findCorridor, isClear } from './black-hole-corridor';
 import { BLACK_HOLE, drawHoles, type Hole, holeMu } from './black-hole-layout';
 
@@ -35,6 +36,14 @@ test('even the largest crowd leaves a corridor', () => {
     const holes = drawHoles(createRandom(seed, 1), BLACK_HOLE.most, 13);
     expect(findCorridor(holes, BLACK_HOLE)).toBeDefined();
   }
+});
+
+test('first holes lie all over their zone', () => {
+  const places = Array.from({ length: 100 }, (_, seed) => blackHole.create({ seed }).holes[0]);
+  const left = places.filter(({ x }) => x < 400).length;
+  const low = places.filter(({ y }) => y < 375).length;
+  expect(Math.abs(left - 50)).toBeLessThan(20);
+  expect(Math.abs(low - 50)).toBeLessThan(20);
 });
 
 test('the disc is the horizon', () => {

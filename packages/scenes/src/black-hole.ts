@@ -93,12 +93,12 @@ class Sky {
   constructor(world: PhysicsWorld, seed: number, dt: number) {
     this.#world = world;
     this.#seed = seed;
-    this.#random = createRandom(seed, 1);
+    this.#random = layoutRandom(seed);
     this.dt = dt;
   }
 
   rewind(): void {
-    this.#random = createRandom(this.#seed, 1);
+    this.#random = layoutRandom(this.#seed);
   }
 
   redraw(count: number, moving: number): void {
@@ -134,6 +134,13 @@ class Sky {
     Collider.radius[id] = hole.radius;
     teleport(this.#world, id, x, y);
   }
+}
+
+/** The first words of a generator hardly depend on a small seed: every first hole would lie at the same place. */
+function layoutRandom(seed: number): Random {
+  const random = createRandom(seed, 1);
+  for (let i = 0; i < 8; i++) random.word();
+  return random;
 }
 
 /** Moves a body at once, and leaves it at rest. */
