@@ -24,7 +24,15 @@ export function dotColumns(a: usize, b: usize, first: i32, last: i32): f64 {
 
 // Sum of m (p vq - q vp): angular momentum about the axis normal to the p-q plane, about the point (p0, q0), kg m^2/s.
 export function angularMomentumAxis(
-  mass: usize, p: usize, q: usize, vp: usize, vq: usize, p0: f64, q0: f64, first: i32, last: i32,
+  mass: usize,
+  p: usize,
+  q: usize,
+  vp: usize,
+  vq: usize,
+  p0: f64,
+  q0: f64,
+  first: i32,
+  last: i32,
 ): f64 {
   let sum: f64 = 0;
   for (let row = first; row < last; row++) {

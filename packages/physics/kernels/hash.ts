@@ -32,7 +32,7 @@ export function hashReals(column: usize, rows: i32): void {
 
 export function hashWords(column: usize, rows: i32): void {
   let h = state;
-  for (let row = 0; row < rows; row++) h = stir(h, load<u32>(column + (<usize>row << 2)));
+  for (let row = 0; row < rows; row++) h = stir(h, load<u32>(column + ((<usize>row) << 2)));
   state = h;
 }
 

@@ -12,15 +12,15 @@ export function buildRuns(members: usize, required: u32, rows: i32, gap: i32, ru
   for (let row = 0; row < rows; row += BLOCK) {
     let hit = false;
     for (let i = 0; i < BLOCK; i += 4) {
-      const bits = v128.and(v128.load(members + (<usize>(row + i) << 2)), want);
+      const bits = v128.and(v128.load(members + ((<usize>(row + i)) << 2)), want);
       if (v128.any_true(i32x4.eq(bits, want))) hit = true;
     }
     if (!hit) continue;
     if (count > 0 && row - last <= gap * BLOCK) {
-      store<i32>(runs + (<usize>(count - 1) << 3), row + BLOCK, 4);
+      store<i32>(runs + ((<usize>(count - 1)) << 3), row + BLOCK, 4);
     } else {
-      store<i32>(runs + (<usize>count << 3), row);
-      store<i32>(runs + (<usize>count << 3), row + BLOCK, 4);
+      store<i32>(runs + ((<usize>count) << 3), row);
+      store<i32>(runs + ((<usize>count) << 3), row + BLOCK, 4);
       count++;
     }
     last = row + BLOCK;
@@ -32,8 +32,8 @@ export function buildRuns(members: usize, required: u32, rows: i32, gap: i32, ru
 export function listIds(members: usize, required: u32, rows: i32, ids: usize): i32 {
   let count = 0;
   for (let row = 0; row < rows; row++) {
-    if ((load<u32>(members + (<usize>row << 2)) & required) == required) {
-      store<u32>(ids + (<usize>count << 2), row);
+    if ((load<u32>(members + ((<usize>row) << 2)) & required) == required) {
+      store<u32>(ids + ((<usize>count) << 2), row);
       count++;
     }
   }
@@ -43,7 +43,7 @@ export function listIds(members: usize, required: u32, rows: i32, ids: usize): i
 // Sets `bits` on the given ids and clears nothing; used when bodies are made in bulk.
 export function markMembers(members: usize, bits: u32, ids: usize, count: i32): void {
   for (let i = 0; i < count; i++) {
-    const p = members + (<usize>load<u32>(ids + (<usize>i << 2)) << 2);
+    const p = members + ((<usize>load<u32>(ids + ((<usize>i) << 2))) << 2);
     store<u32>(p, load<u32>(p) | bits);
   }
 }

@@ -39,8 +39,7 @@ export function gatherAttractors(ids: usize, count: i32, mu: usize, softening: u
     centre.mu = get(mu, row);
     centre.softening = get(softening, row);
     centre.row = row;
-    const sum =
-      centre.x + centre.y + centre.z + centre.vx + centre.vy + centre.vz + centre.mu + centre.softening;
+    const sum = centre.x + centre.y + centre.z + centre.vx + centre.vy + centre.vz + centre.mu + centre.softening;
     if (sum - sum == 0) continue;
     memory.fill(changetype<usize>(centre), 0, offsetof<Centre>('row'));
     bad++;
