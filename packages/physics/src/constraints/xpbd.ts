@@ -49,6 +49,7 @@ export function xpbd(options: XpbdOptions = {}): Integrator {
   const bounds = { min: 1, max: 10_000, integer: true };
   const substeps = checkNumber(options.substeps ?? 1, 'xpbd.substeps', bounds);
   const iterations = checkNumber(options.iterations ?? 10, 'xpbd.iterations', bounds);
+  let times = timesOf(Number.NaN, substeps);
   return {
     name: 'XPBD',
     order: 2,
@@ -57,25 +58,48 @@ export function xpbd(options: XpbdOptions = {}): Integrator {
     wholeWorld: true,
     solvesSprings: true,
     prepare(world, dt) {
-      if (world.internal.counts.Spring > 0) refreshConstraints(world, dt / substeps);
+      if (times.dt !== dt) times = timesOf(dt, substeps);
+      if (world.internal.counts.Spring > 0) refreshConstraints(world, times.list[H] as number);
     },
     advance(world, spans, dt, evaluateForces) {
-      const h = dt / substeps;
+      if (times.dt !== dt) times = timesOf(dt, substeps);
+      const { list } = times;
       force(world, spans, evaluateForces, 0);
-      for (let s = 1; s <= substeps; s++) {
-        kick(world, spans, h / 2);
-        drift(world, spans, h);
-        const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
-        const rigid = table === undefined || wordOf(table, 'rigid') === 1;
-        if (!rigid) kickNodes(world, table, h / 2, h);
-        if (table !== undefined) correctPositions(world, table, h, iterations);
-        force(world, spans, evaluateForces, s * h);
-        kick(world, spans, h / 2);
-        if (!rigid) kickNodes(world, table, -h / 2, 0);
-        else if (table !== undefined) constraintKernels(world).solveChainVelocities(table.at);
-      }
+      for (let s = 0; s < substeps; s++) subStep(world, spans, list, iterations, evaluateForces, s);
     },
   };
+}
+
+/** The times of a step. In a list that holds something else as well, reading a number makes no garbage. */
+function timesOf(dt: number, substeps: number) {
+  const h = dt / substeps;
+  const list: (number | undefined)[] = [undefined, h, h / 2, -h / 2];
+  for (let s = 1; s <= substeps; s++) list.push(s * h);
+  return { dt, list };
+}
+
+const [H, HALF, BACK, ENDS] = [1, 2, 3, 4];
+
+function subStep(
+  world: PhysicsWorld,
+  spans: Spans,
+  times: readonly (number | undefined)[],
+  iterations: number,
+  evaluateForces: EvaluateForces,
+  s: number,
+): void {
+  const h = times[H] as number;
+  const half = times[HALF] as number;
+  kick(world, spans, half);
+  drift(world, spans, h);
+  const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
+  const rigid = table === undefined || wordOf(table, 'rigid') === 1;
+  if (!rigid) kickNodes(world, table, half, h);
+  if (table !== undefined) correctPositions(world, table, h, iterations);
+  force(world, spans, evaluateForces, times[ENDS + s] as number);
+  kick(world, spans, half);
+  if (!rigid) kickNodes(world, table, times[BACK] as number, 0);
+  else if (table !== undefined) constraintKernels(world).solveChainVelocities(table.at);
 }
 
 /**
