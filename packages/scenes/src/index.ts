@@ -9,6 +9,8 @@ export { cloth } from './cloth';
 export { emitters, type Sparks } from './emitters';
 export { type GasRun, gas } from './gas';
 export { InputLog, type LoggedInput } from './input-log';
+export { type ClusterRun, nbodyDirect, nbodyTree } from './n-body/cluster';
+export { galaxy } from './n-body/galaxy';
 export { particles } from './particles';
 export { findScene, SCENES } from './registry';
 export { rope } from './rope';

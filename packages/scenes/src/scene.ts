@@ -31,6 +31,8 @@ export interface SceneRun {
   readonly dt: number;
   /** Moves the scene by one step; absent where that is `step(world, dt)`. */
   readonly advance?: (world: PhysicsWorld) => void;
+  /** RMS relative error of forces that are approximated, as they are now; absent where they are exact. */
+  readonly forceError?: (world: PhysicsWorld) => number;
   /** Why the energy of this scene is not constant; absent where it is. */
   readonly losesEnergy?: string;
 }

@@ -74,7 +74,7 @@ interface MutualSpec {
 }
 
 /** Bodies from which on the tree is faster, by precision and dimensions; measured at an error of 0.5 %. */
-export const TREE_FROM = { f32: { 2: 3000, 3: 4000 }, f64: { 2: 2000, 3: 3000 } } as const;
+export const TREE_FROM = { f32: { 2: 1200, 3: 2600 }, f64: { 2: 800, 3: 2200 } } as const;
 
 const SAMPLES = 1024;
 

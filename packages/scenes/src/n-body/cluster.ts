@@ -1,0 +1,83 @@
+// A star cluster in equilibrium, by the direct sum and by the tree: a Plummer sphere in space, a Kuzmin disc in the
+// plane. N-body units (Heggie & Mathieu 1986): G = 1, mass 1, virial radius 1, so that the energy is -1/4 and a star
+// crosses the cluster in 2√2 s.
+import {
+  createPhysicsWorld,
+  type MutualForce,
+  mutualGravity,
+  type PhysicsWorld,
+  pow,
+  rgba,
+  spawnMany,
+  velocityVerlet,
+} from '@principia/physics';
+import { countOf, defineScene, type SceneRun, type Setup } from '../scene';
+import { inDimensions, kuzminDisc, plummerSphere } from './stars';
+
+/** A scene whose forces are a mutual force. */
+export interface ClusterRun extends SceneRun {
+  readonly gravity: MutualForce;
+  /** RMS relative error of the forces, measured against the direct sum at some stars. */
+  readonly forceError: (world: PhysicsWorld) => number;
+}
+
+/** Scale length of a Plummer sphere whose virial radius is 1: 3π/16. */
+const SCALE = (3 * Math.PI) / 16;
+
+export const relativeErrorParameter = {
+  about: 'RMS relative error of the forces that the tree may make',
+  unit: '',
+  initial: 0.005,
+  min: 0,
+  max: 0.1,
+} as const;
+
+/**
+ * The softening that errs least for so many stars, in scale lengths: less, and stars scatter each other; more, and the
+ * field is blurred (Dehnen, MNRAS 324, 273, 2001).
+ */
+function bestSoftening(count: number): number {
+  return 0.98 * pow(count, -0.26);
+}
+
+function clusterOf(
+  { dimensions, precision, seed, progress, parameters }: Setup<never>,
+  gravity: MutualForce,
+): ClusterRun {
+  const { count } = parameters;
+  const world = createPhysicsWorld({
+    dimensions,
+    precision,
+    seed,
+    capacity: count,
+    integrator: velocityVerlet,
+    forces: [gravity],
+  });
+  const stars = dimensions === 3 ? plummerSphere(count, SCALE, seed) : kuzminDisc(count, SCALE, seed);
+  const appearance = { color: rgba(1, 0.93, 0.8), size: 0.004 };
+  spawnMany(world, count, { ...inDimensions(stars, dimensions), mass: 1 / count, appearance }, progress);
+  return { world, dt: 1 / 256, gravity, forceError: (of) => gravity.rmsError(of, 1000) };
+}
+
+export const nbodyDirect = defineScene({
+  name: 'nbody-direct',
+  description: 'a star cluster in equilibrium, all pairs summed',
+  precision: 'f32',
+  parameters: { count: countOf('stars', 2000, 100_000) },
+  build(setup): ClusterRun {
+    const softening = SCALE * bestSoftening(setup.parameters.count);
+    return clusterOf(setup, mutualGravity({ G: 1, softening, method: 'direct' }));
+  },
+});
+
+export const nbodyTree = defineScene({
+  name: 'nbody-tree',
+  description: 'a star cluster in equilibrium, by a Barnes-Hut tree',
+  precision: 'f32',
+  parameters: { count: countOf('stars', 100_000, 4_000_000), relativeError: relativeErrorParameter },
+  build(setup): ClusterRun {
+    const softening = SCALE * bestSoftening(setup.parameters.count);
+    const { relativeError } = setup.parameters;
+    return clusterOf(setup, mutualGravity({ G: 1, softening, method: 'tree', relativeError }));
+  },
+});

@@ -1,0 +1,76 @@
+import { centreOfMass, energy, momentum, stateHash, step } from '@principia/physics';
+import { describe, expect, test } from 'vitest';
+import { nbodyDirect, nbodyTree } from './cluster';
+import { galaxy } from './galaxy';
+
+describe('the cluster', () => {
+  test('is in virial equilibrium with energy -1/4 in space', () => {
+    const { world } = nbodyTree.create({ count: 20_000, dimensions: 3 });
+    const { kinetic, potential, total } = energy(world);
+    expect(kinetic / -potential).toBeCloseTo(0.5, 1);
+    expect(total).toBeCloseTo(-0.25, 1);
+    const { x, y, z } = momentum(world);
+    expect(Math.hypot(x, y, z)).toBeLessThan(1e-6);
+  });
+
+  test('is in virial equilibrium in the plane', () => {
+    const { world } = nbodyTree.create({ count: 20_000, dimensions: 2 });
+    const { kinetic, potential } = energy(world);
+    expect(Math.abs(kinetic / -potential - 0.5)).toBeLessThan(0.05);
+  });
+
+  test('stays as large as it is for a crossing time', () => {
+    const run = nbodyTree.create({ count: 4000, dimensions: 3 });
+    const { world, dt } = run;
+    const half = () => {
+      const { x, y, z } = world.components.Position;
+      const radii = Float64Array.from({ length: 4000 }, (_, i) => Math.hypot(x[i + 1], y[i + 1], z[i + 1]));
+      return radii.sort()[2000];
+    };
+    const before = half();
+    for (let i = 0; i < Math.round(2.83 / dt); i++) step(world, dt);
+    expect(Math.abs(half() / before - 1)).toBeLessThan(0.08);
+    expect(run.forceError(world)).toBeLessThan(0.007);
+  });
+
+  test('by the tree goes the way it goes by the direct sum', () => {
+    const [a, b] = [nbodyDirect, nbodyTree].map((scene) => {
+      const { world, dt } = scene.create({ count: 1500, dimensions: 3, seed: 4 });
+      for (let i = 0; i < 100; i++) step(world, dt);
+      return { x: world.components.Position.x.slice(1, 1501), total: energy(world).total };
+    });
+    let sum = 0;
+    for (let i = 0; i < 1500; i++) sum += (a.x[i] - b.x[i]) ** 2;
+    expect(Math.sqrt(sum / 1500)).toBeLessThan(2e-3);
+    expect(a.total / b.total).toBeCloseTo(1, 3);
+  });
+});
+
+describe('the galaxy', () => {
+  test.each([2, 3] as const)('keeps its size, its spin and its centre in %s dimensions', (dimensions) => {
+    const run = galaxy.create({ count: 4000, dimensions, seed: 2 });
+    const { world, dt } = run;
+    const { x, y } = world.components.Position;
+    const meanRadius = () => {
+      let sum = 0;
+      for (let i = 2; i <= 4001; i++) sum += Math.hypot(x[i], y[i]);
+      return sum / 4000;
+    };
+    const [radius, start] = [meanRadius(), energy(world).total];
+    for (let i = 0; i < 640; i++) step(world, dt);
+    expect(Math.abs(meanRadius() / radius - 1)).toBeLessThan(0.15);
+    expect(Math.abs(energy(world).total / start - 1)).toBeLessThan(5e-3);
+    const centre = centreOfMass(world);
+    expect(Math.hypot(centre.x, centre.y)).toBeLessThan(0.05);
+    expect(run.forceError(world)).toBeLessThan(0.01);
+  });
+
+  test('is the same to the last bit for the same seed', () => {
+    const hashes = [0, 1].map(() => {
+      const { world, dt } = galaxy.create({ count: 5000, seed: 9 });
+      for (let i = 0; i < 20; i++) step(world, dt);
+      return stateHash(world);
+    });
+    expect(hashes[0]).toBe(hashes[1]);
+  });
+});

@@ -1,0 +1,97 @@
+// Positions and velocities of stars, and how they are drawn from the models of the scenes.
+import { createRandom, pow, type Random, type Vector } from '@principia/physics';
+
+/** Columns for `spawnMany`. */
+export interface Stars {
+  readonly position: { readonly x: Float64Array; readonly y: Float64Array; readonly z: Float64Array };
+  readonly velocity: { readonly x: Float64Array; readonly y: Float64Array; readonly z: Float64Array };
+}
+
+export function emptyStars(count: number): Stars {
+  const axes = () => ({ x: new Float64Array(count), y: new Float64Array(count), z: new Float64Array(count) });
+  return { position: axes(), velocity: axes() };
+}
+
+export function putStar(stars: Stars, i: number, position: Vector, velocity: Vector): void {
+  for (const axis of ['x', 'y', 'z'] as const) {
+    stars.position[axis][i] = position[axis];
+    stars.velocity[axis][i] = velocity[axis];
+  }
+}
+
+/** Equal masses: moves the stars so that their centre is at rest at the origin. */
+export function centreStars(stars: Stars): void {
+  for (const columns of [stars.position, stars.velocity]) {
+    for (const axis of ['x', 'y', 'z'] as const) {
+      const column = columns[axis];
+      const mean = column.reduce((sum, value) => sum + value, 0) / column.length;
+      for (let i = 0; i < column.length; i++) column[i] -= mean;
+    }
+  }
+}
+
+/** The columns without the z axis in the plane. */
+export function inDimensions({ position, velocity }: Stars, dimensions: 2 | 3) {
+  if (dimensions === 3) return { position, velocity };
+  return { position: { x: position.x, y: position.y }, velocity: { x: velocity.x, y: velocity.y } };
+}
+
+/** Radius that a share `inside` of a Plummer sphere's mass lies within, in scale lengths (Plummer 1911). */
+export function plummerRadius(inside: number): number {
+  return 1 / Math.sqrt(pow(inside, -2 / 3) - 1);
+}
+
+/** Radius that a share `inside` of a Kuzmin disc's mass lies within, in scale lengths (Kuzmin 1956). */
+export function kuzminRadius(inside: number): number {
+  const root = 1 / (1 - inside);
+  return Math.sqrt(root * root - 1);
+}
+
+/**
+ * Speed in a Plummer sphere by the speed of escape, drawn from q²(1 - q²)^(7/2) by rejection: Aarseth, Hénon & Wielen,
+ * Astron. Astrophys. 37, 183 (1974).
+ */
+function plummerSpeed(random: Random): number {
+  for (;;) {
+    const q = random.uniform();
+    const left = 1 - q * q;
+    const density = q * q * left * left * left * Math.sqrt(left);
+    // The density is below 0.0923.
+    if (random.uniform(0, 0.1) < density) return q;
+  }
+}
+
+/** A Plummer sphere of mass 1 and the given scale length in equilibrium, with G = 1. */
+export function plummerSphere(count: number, scale: number, seed: number): Stars {
+  const random = createRandom(seed, 2);
+  const stars = emptyStars(count);
+  for (let i = 0; i < count; i++) {
+    // Shares of the mass in equal strata; the outermost thousandth is left away, which holds the virial ratio to 0.1 %.
+    const radius = scale * plummerRadius((0.999 * (i + random.uniform())) / count + 1e-12);
+    const leaving = Math.sqrt(2 / Math.sqrt(radius * radius + scale * scale));
+    putStar(stars, i, random.onSphere(radius), random.onSphere(leaving * plummerSpeed(random)));
+  }
+  centreStars(stars);
+  return stars;
+}
+
+/** Share of a disc's support that is rotation; the rest is random motion, which keeps it from falling to pieces. */
+const ROTATION = 0.8;
+
+/** A Kuzmin disc of mass 1 in virial equilibrium, with G = 1: a Plummer sphere's field in its own plane. */
+export function kuzminDisc(count: number, scale: number, seed: number): Stars {
+  const random = createRandom(seed, 2);
+  const stars = emptyStars(count);
+  const spread = Math.sqrt((1 - ROTATION * ROTATION) / 2);
+  for (let i = 0; i < count; i++) {
+    const radius = scale * kuzminRadius((0.97 * (i + random.uniform())) / count);
+    const p = random.onCircle();
+    const square = radius * radius + scale * scale;
+    const circular = radius / Math.sqrt(square * Math.sqrt(square));
+    const x = circular * (-ROTATION * p.y + spread * random.gaussian());
+    const y = circular * (ROTATION * p.x + spread * random.gaussian());
+    putStar(stars, i, { x: radius * p.x, y: radius * p.y, z: 0 }, { x, y, z: 0 });
+  }
+  centreStars(stars);
+  return stars;
+}
