@@ -1,6 +1,7 @@
 // A cloth: a grid of nodes with springs along the threads, and where wanted across the meshes (against shear) and from
 // each node to the next but one (against bending).
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import {
   COUNTS,
@@ -69,6 +70,7 @@ const OPTIONS = [
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
  */
 export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
+  assertUsable(world);
   checkKeys(options, 'createCloth', OPTIONS);
   const columns = checkNumber(options.columns, 'cloth.columns', COUNTS);
   const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);

@@ -8,6 +8,7 @@
 // links no longer carry all of it, and are not solved directly any more.
 
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import {
   COUNTS,
@@ -46,6 +47,7 @@ const OPTIONS = ['from', 'to', 'nodes', 'mass', 'length', 'stiffness', 'cord', '
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
  */
 export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
+  assertUsable(world);
   checkKeys(options, 'createRope', OPTIONS);
   const from = checkVector(options.from, 'rope.from');
   const to = checkVector(options.to, 'rope.to');

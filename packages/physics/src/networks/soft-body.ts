@@ -2,6 +2,7 @@
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
 import type { Force } from '../forces/force';
 import { cos, sin } from '../math/elementary';
+import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import { enclosedGas } from './gas';
 import { icosphere } from './icosphere';
@@ -45,6 +46,7 @@ interface Skin {
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
  */
 export function createSoftBody(world: PhysicsWorld, options: SoftBodyOptions): SoftBody {
+  assertUsable(world);
   checkKeys(options, 'createSoftBody', OPTIONS);
   const centre = checkVector(options.centre, 'softBody.centre');
   const radius = checkNumber(options.radius, 'softBody.radius', { above: 0 });
