@@ -15,4 +15,8 @@ export { particles } from './particles';
 export { findScene, SCENES } from './registry';
 export { rope } from './rope';
 export type { Scene, SceneOptions, SceneParameter, SceneRun } from './scene';
+export { type SolarSystemRun, solarSystem } from './solar-system';
+export { buildSolarSystem, type SolarSystem, type SolarSystemOptions } from './solar-system/build';
+export { advanceTo, type ErrorsKm, type ErrorTable, errorsAt, measureErrors } from './solar-system/errors';
+export { BODY_NAMES, type BodyName, EPOCH, STATES as SOLAR_STATES } from './solar-system/states';
 export { springs } from './springs';

@@ -10,6 +10,7 @@ import { galaxy } from './n-body/galaxy';
 import { particles } from './particles';
 import { rope } from './rope';
 import type { Scene } from './scene';
+import { solarSystem } from './solar-system';
 import { springs } from './springs';
 
 /** Every scene, in the order they are listed. */
@@ -27,6 +28,7 @@ export const SCENES: readonly Scene[] = [
   galaxy,
   bouncingBalls,
   blackHole,
+  solarSystem,
 ];
 
 /** The scene of a name, if there is one. */

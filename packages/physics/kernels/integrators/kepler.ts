@@ -33,57 +33,50 @@ function stumpff(argument: f64): void {
   }
 }
 
-let toX: f64 = 0;
-let toY: f64 = 0;
-let toZ: f64 = 0;
-let toVX: f64 = 0;
-let toVY: f64 = 0;
-let toVZ: f64 = 0;
-
-export function keplerX(): f64 {
-  return toX;
-}
-export function keplerY(): f64 {
-  return toY;
-}
-export function keplerZ(): f64 {
-  return toZ;
-}
-export function keplerVX(): f64 {
-  return toVX;
-}
-export function keplerVY(): f64 {
-  return toVY;
-}
-export function keplerVZ(): f64 {
-  return toVZ;
-}
-
 // Largest number of iterations: the bracket halves at worst, and doubles hold 53 halvings and some thousand exponents.
 const MOST = 200;
 
-// Where a body at (x, y, z) with velocity (vx, vy, vz) about a centre of mu = G M at the origin is after `dt`; false for
-// a start in the centre, or when a value is not finite.
-export function advanceKepler(mu: f64, x: f64, y: f64, z: f64, vx: f64, vy: f64, vz: f64, dt: f64): bool {
+// A body on its orbit about a centre of mu = G M at the origin.
+@unmanaged
+export class Orbit {
+  x: f64;
+  y: f64;
+  z: f64;
+  vx: f64;
+  vy: f64;
+  vz: f64;
+}
+
+// Moves a body on by `dt`; false, and the body unmoved, for one in the centre, or when a value is not finite. Few
+// divisions: they are what the time goes into.
+export function advanceKepler(o: Orbit, mu: f64, dt: f64): bool {
+  const x = o.x;
+  const y = o.y;
+  const z = o.z;
+  const vx = o.vx;
+  const vy = o.vy;
+  const vz = o.vz;
   const r0 = sqrt<f64>(x * x + y * y + z * z);
   if (!(r0 > 0) || !(r0 < Infinity)) return false;
-  const beta = (2 * mu) / r0 - (vx * vx + vy * vy + vz * vz);
+  const inverse = 1 / r0;
+  const beta = 2 * mu * inverse - (vx * vx + vy * vy + vz * vz);
   const eta = x * vx + y * vy + z * vz;
   const zeta = mu - beta * r0;
-  if (!solveTime(r0, beta, eta, zeta, dt)) return false;
+  if (!solveTime(r0, inverse, beta, eta, zeta, dt)) return false;
   const r = r0 + eta * g1 + zeta * g2;
-  if (!(r > 0)) return false;
+  if (!(r > 0) || !(r < Infinity)) return false;
   // Lagrange's f - 1, g, f', g' - 1: differences, so that short steps lose nothing.
-  const f = (-mu * g2) / r0;
+  const pull = -mu / r;
+  const f = -mu * g2 * inverse;
   const g = dt - mu * g3;
-  const fd = (-mu * g1) / (r0 * r);
-  const gd = (-mu * g2) / r;
-  toX = x + (f * x + g * vx);
-  toY = y + (f * y + g * vy);
-  toZ = z + (f * z + g * vz);
-  toVX = vx + (fd * x + gd * vx);
-  toVY = vy + (fd * y + gd * vy);
-  toVZ = vz + (fd * z + gd * vz);
+  const fd = pull * g1 * inverse;
+  const gd = pull * g2;
+  o.x = x + (f * x + g * vx);
+  o.y = y + (f * y + g * vy);
+  o.z = z + (f * z + g * vz);
+  o.vx = vx + (fd * x + gd * vx);
+  o.vy = vy + (fd * y + gd * vy);
+  o.vz = vz + (fd * z + gd * vz);
   return true;
 }
 
@@ -94,14 +87,14 @@ let g3: f64 = 0;
 
 // Finds s with t(s) = dt; false when there is none in the range of numbers. t grows with s everywhere (dt/ds = r > 0), so
 // a bracket and Halley's steps inside it find it.
-function solveTime(r0: f64, beta: f64, eta: f64, zeta: f64, dt: f64): bool {
+function solveTime(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f64): bool {
   // Backwards is forwards with the velocity turned round: eta, G1 and G3 change their signs.
   const sign: f64 = dt < 0 ? -1 : 1;
   const turned = sign * eta;
   const time = abs<f64>(dt);
   let low: f64 = 0;
   let high: f64 = Infinity;
-  let s = guess(r0, beta, turned, zeta, time);
+  let s = guess(r0, inverse, beta, turned, zeta, time);
   for (let i = 0; i < MOST; i++) {
     stumpff(beta * s * s);
     const G1 = s * c1;
@@ -112,14 +105,18 @@ function solveTime(r0: f64, beta: f64, eta: f64, zeta: f64, dt: f64): bool {
     // An s that is far too large overflows to NaN.
     if (miss <= 0) low = s;
     else high = s;
-    const slope = r - (0.5 * miss * (turned * c0 + zeta * G1)) / r;
-    const d = -miss / (slope > 0 ? slope : r);
-    if (abs<f64>(d) <= 1e-6 * s) {
-      // Halley's error is the cube of its step, so this is the last; two terms of Taylor carry the functions there.
+    const bend = miss * (turned * c0 + zeta * G1);
+    const slope = 2 * r * r - bend;
+    const d = slope > r * r ? (-2 * miss * r) / slope : -miss / r;
+    if (abs<f64>(d) <= 2e-6 * s) {
+      // Halley's error is the cube of its step, so this is the last; three terms of Taylor carry the functions there.
       const half = 0.5 * d;
-      g1 = sign * (G1 + d * (c0 - half * beta * G1));
-      g2 = G2 + d * (G1 + half * c0);
-      g3 = sign * (G3 + d * (G2 + half * G1));
+      const third = d * (1.0 / 3);
+      const G0 = c0;
+      const bent = beta * G1;
+      g1 = sign * (G1 + d * (G0 - half * (bent + third * beta * G0)));
+      g2 = G2 + d * (G1 + half * (G0 - third * bent));
+      g3 = sign * (G3 + d * (G2 + half * (G1 + third * G0)));
       return true;
     }
     const next = s + d;
@@ -128,12 +125,15 @@ function solveTime(r0: f64, beta: f64, eta: f64, zeta: f64, dt: f64): bool {
   return false;
 }
 
-// Three terms of the series of s in dt where the step is short against the orbit, else the mean motion.
+// Four terms of the series of s in dt where the step is short against the orbit, else the mean motion.
 // @ts-ignore: decorator
-@inline function guess(r0: f64, beta: f64, eta: f64, zeta: f64, dt: f64): f64 {
-  const first = dt / r0;
-  const e = (eta * first) / r0;
-  const z = (zeta * first * first) / r0;
-  if (abs<f64>(e) < 0.5 && abs<f64>(z) < 0.5) return first * (1 - 0.5 * e + 0.5 * e * e - z / 6);
+@inline function guess(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f64): f64 {
+  const first = dt * inverse;
+  const e = eta * first * inverse;
+  const z = zeta * first * first * inverse;
+  if (abs<f64>(e) < 0.3 && abs<f64>(z) < 0.3) {
+    const b = beta * first * first;
+    return first * (1 - 0.5 * e + 0.5 * e * e - z * (1.0 / 6) + e * ((5.0 / 12) * z + b * (1.0 / 24) - 0.625 * e * e));
+  }
   return beta > 0 ? (dt * beta) / (zeta + beta * r0) : first;
 }

@@ -1,7 +1,7 @@
 // Kepler drifts and interaction kicks in Jacobi coordinates; src/integrators/wisdom-holman.ts says what they are for.
 // Arithmetic is f64 whatever the columns are.
 import { columns, get, put } from '../columns';
-import { advanceKepler, keplerX, keplerY, keplerZ, keplerVX, keplerVY, keplerVZ } from './kepler';
+import { advanceKepler, Orbit } from './kepler';
 
 // One body: its Jacobi position and velocity, its mass, the mass of it and all before it, and G times the mass that
 // its Kepler orbit feels.
@@ -131,16 +131,7 @@ export function driftKepler(list: usize, n: i32, dt: f64): i32 {
   let lost = 0;
   for (let i = 1; i < n; i++) {
     const p = planet(list, i);
-    if (!advanceKepler(p.mu, p.x, p.y, p.z, p.vx, p.vy, p.vz, dt)) {
-      if (lost == 0) lost = p.row;
-      continue;
-    }
-    p.x = keplerX();
-    p.y = keplerY();
-    p.z = keplerZ();
-    p.vx = keplerVX();
-    p.vy = keplerVY();
-    p.vz = keplerVZ();
+    if (!advanceKepler(changetype<Orbit>(p), p.mu, dt) && lost == 0) lost = p.row;
   }
   return lost;
 }

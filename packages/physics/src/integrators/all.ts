@@ -26,7 +26,7 @@ export interface IntegratorRecord {
   readonly name: string;
   /** Order of the global error in dt, for forces of position alone. */
   readonly order: number;
-  /** Order when forces depend on velocity. */
+  /** Order when forces depend on velocity; of Boris, when others than the magnetic do. */
   readonly orderWithVelocity: number;
   /** Keeps the energy of a conservative system bounded for ever. */
   readonly symplectic: boolean;
@@ -131,7 +131,7 @@ export const INTEGRATORS = {
   }),
   boris: record(() => boris({ field: {} }), {
     code: 'boris({ field })',
-    orderWithVelocity: 2,
+    orderWithVelocity: 1,
     reversible: true,
     chooseWhen: 'charges gyrate in a magnetic field',
   }),

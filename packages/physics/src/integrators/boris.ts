@@ -6,7 +6,7 @@
 // Second order. A magnetic field turns the velocity and does nothing else, so in it alone the speed is constant to
 // rounding whatever the step: no other scheme here does that. The angle is a little too small, by (q B dt/m)²/12 of it,
 // so gyration lags. It preserves the volume of phase space, is reversible, and its energy error is bounded. One force
-// evaluation. Give the field here, not to `world.forces`; the electric field stays a force.
+// evaluation. Drag makes it first order. Give the field here, not to `world.forces`; the electric field stays a force.
 //
 // Boris, Proc. 4th Conf. Numerical Simulation of Plasmas (1970), p. 3; Qin et al., Phys. Plasmas 20, 084503 (2013).
 

@@ -51,7 +51,7 @@ export function dormandPrince(options: DormandPrinceOptions = {}): Integrator {
   checkKeys(options, 'dormandPrince', ['tolerance', 'positionFloor', 'velocityFloor']);
   const { tolerance = 1e-9, positionFloor = 0, velocityFloor = 0 } = options;
   const limits = {
-    tolerance: checkNumber(tolerance, 'tolerance', { min: 1e-15, max: 0.1 }),
+    tolerance: checkNumber(tolerance, 'tolerance', { min: 1e-15, max: 1e9 }),
     positionFloor: checkNumber(positionFloor, 'positionFloor', { min: 0 }),
     velocityFloor: checkNumber(velocityFloor, 'velocityFloor', { min: 0 }),
   };

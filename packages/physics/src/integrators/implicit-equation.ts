@@ -9,7 +9,7 @@ import { integratorKernels } from './kernels';
 import { addScaled, type BodyVector, copyVector } from './vectors';
 
 /** Dimensions of the space in which a linear system is solved: as many force evaluations at most. */
-export const BASIS = 24;
+export const BASIS = 64;
 
 /** Vectors of an equation. */
 export const VECTORS = BASIS + 1 + 7;

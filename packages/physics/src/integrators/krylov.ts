@@ -7,9 +7,12 @@ import { BASIS, type Equation, residualAt } from './implicit-equation';
 import { addScaled, type BodyVector, dot, norm, scale } from './vectors';
 
 /** How exactly a linear system is solved, in parts of the residual: about as exactly as differences allow. */
-const ENOUGH = 1e-6;
+const ENOUGH = 1e-5;
 
-/** Finds `equation.change`, to which the residual at `best` answers with its own negative; `size` is its norm. */
+/**
+ * Finds `equation.change`, to which the residual at `best` answers with its own negative; `size` is its norm. Returns
+ * what is left of it.
+ */
 export function solveLinear(
   world: PhysicsWorld,
   spans: Spans,
@@ -17,7 +20,7 @@ export function solveLinear(
   evaluate: EvaluateForces,
   equation: Equation,
   size: number,
-): void {
+): number {
   const { basis, right, triangle } = equation;
   scale(world, spans, basis[0], equation.residual, -1 / size);
   right.fill(0);
@@ -39,6 +42,7 @@ export function solveLinear(
     scale(world, spans, basis[used], basis[used], 1 / length);
   }
   combine(world, spans, equation, used);
+  return Math.abs(right[used]);
 }
 
 /** to = J direction, by a difference of residuals. */

@@ -1,0 +1,59 @@
+// The solar system as it was at noon of 1 January 2000, from JPL's ephemeris: Sun, planets, Moon and Pluto attract each
+// other, and asteroids that weigh next to nothing circle between Mars and Jupiter. Kilometres, seconds, and GM (km³/s²)
+// for masses, so that G = 1. After 50 years the planets are within 20 km of the ephemeris, the Moon within 800 km.
+import { cos, createRandom, gaussRadau, leapfrog, sin, spawnMany } from '@principia/physics';
+import { countOf, defineScene, type SceneRun } from './scene';
+import { buildSolarSystem, type SolarSystem } from './solar-system/build';
+import { DAY } from './solar-system/errors';
+import { ASTRONOMICAL_UNIT, STATES } from './solar-system/states';
+
+/** A scene that knows its planets. */
+export type SolarSystemRun = SceneRun & SolarSystem;
+
+/** Mass of an asteroid, km³/s²: a few kilometres of rock. */
+const ASTEROID = 1e-6;
+
+export const solarSystem = defineScene({
+  name: 'solar-system',
+  description: 'Sun, planets, Moon and Pluto from JPL’s states of 2000, and asteroids',
+  precision: 'f64',
+  parameters: {
+    count: countOf('asteroids', 0, 500, 0),
+    moon: { about: '1 for Earth and Moon, 0 for one body in their place', unit: '', initial: 1, min: 0, max: 1 },
+    relativity: { about: '1 for the post-Newtonian term of the Sun', unit: '', initial: 1, min: 0, max: 1 },
+  },
+  build({ dimensions, precision, seed, progress, parameters }): SolarSystemRun {
+    const { count, moon, relativity } = parameters;
+    const system = buildSolarSystem({
+      dimensions,
+      precision,
+      seed,
+      others: count,
+      moon: moon > 0,
+      relativity: relativity > 0,
+      // The fifteenth order is below the rounding of f32.
+      integrator: precision === 'f64' ? gaussRadau() : leapfrog,
+    });
+    if (count > 0) spawnMany(system.world, count, asteroids(count, seed), progress);
+    return { ...system, dt: DAY };
+  },
+});
+
+/** Circles in the ecliptic, 2.1 to 3.3 astronomical units from the Sun. */
+function asteroids(count: number, seed: number) {
+  const random = createRandom(seed, 2);
+  const axis = () => new Float64Array(count);
+  const position = { x: axis(), y: axis() };
+  const velocity = { x: axis(), y: axis() };
+  for (let i = 0; i < count; i++) {
+    const radius = random.uniform(2.1, 3.3) * ASTRONOMICAL_UNIT;
+    const angle = random.uniform(0, 2 * Math.PI);
+    const speed = Math.sqrt(STATES.sun.gm / radius);
+    const [along, across] = [cos(angle), sin(angle)];
+    position.x[i] = radius * along;
+    position.y[i] = radius * across;
+    velocity.x[i] = -speed * across;
+    velocity.y[i] = speed * along;
+  }
+  return { position, velocity, mass: ASTEROID };
+}

@@ -1,0 +1,78 @@
+// The solar system from JPL's states: Sun, planets, Moon and Pluto as points that attract each other, with the first
+// post-Newtonian term of the Sun. Lengths are kilometres, times seconds, and a mass is its GM in km³/s², so that G = 1.
+// Axes are those of the ecliptic of J2000; in two dimensions everything is projected onto it.
+import {
+  createPhysicsWorld,
+  gaussRadau,
+  type Integrator,
+  mutualGravity,
+  type PhysicsWorld,
+  type Precision,
+  postNewtonian,
+  spawn,
+} from '@principia/physics';
+import { BODY_NAMES, type BodyName, type EpochState, OBLIQUITY, SPEED_OF_LIGHT, STATES } from './states';
+
+export interface SolarSystemOptions {
+  readonly dimensions?: 2 | 3;
+  readonly precision?: Precision;
+  readonly seed?: number;
+  /** Default Gauss-Radau 15. One that needs the gravitational constant gets G = 1. */
+  readonly integrator?: Integrator;
+  /** Default true; without it the Earth stands for both, at their centre of mass. */
+  readonly moon?: boolean;
+  /** The post-Newtonian term of the Sun; default true. */
+  readonly relativity?: boolean;
+  /** Room for other bodies; default 0. */
+  readonly others?: number;
+}
+
+/** The world and who is who in it. */
+export interface SolarSystem {
+  readonly world: PhysicsWorld;
+  readonly ids: Readonly<Partial<Record<BodyName, number>>>;
+}
+
+/** @throws PhysicsError E_CAPACITY */
+export function buildSolarSystem(options: SolarSystemOptions = {}): SolarSystem {
+  const { dimensions = 3, precision = 'f64', seed = 1, moon = true, relativity = true, others = 0 } = options;
+  const world = createPhysicsWorld({
+    dimensions,
+    precision,
+    seed,
+    capacity: BODY_NAMES.length + others,
+    integrator: options.integrator ?? gaussRadau(),
+    forces: [mutualGravity({ G: 1 })],
+  });
+  const ids: Partial<Record<BodyName, number>> = {};
+  for (const name of BODY_NAMES) {
+    if (name === 'moon' && !moon) continue;
+    const { gm, position, velocity } = name === 'earth' && !moon ? earthAndMoon() : STATES[name];
+    ids[name] = spawn(world, {
+      position: ecliptic(position, dimensions),
+      velocity: ecliptic(velocity, dimensions),
+      mass: gm,
+    });
+  }
+  if (relativity) world.forces.push(postNewtonian({ central: ids.sun as number, G: 1, speedOfLight: SPEED_OF_LIGHT }));
+  return { world, ids };
+}
+
+/** From the axes of the equator to those of the ecliptic. */
+function ecliptic(
+  [x, y, z]: readonly [number, number, number],
+  dimensions: 2 | 3,
+): { x: number; y: number; z?: number } {
+  const { cos, sin } = OBLIQUITY;
+  const inPlane = { x, y: cos * y + sin * z };
+  return dimensions === 2 ? inPlane : { ...inPlane, z: cos * z - sin * y };
+}
+
+/** The two as one body in their centre of mass. */
+function earthAndMoon(): EpochState {
+  const { earth, moon } = STATES;
+  const gm = earth.gm + moon.gm;
+  const mean = (a: readonly [number, number, number], b: readonly [number, number, number]) =>
+    a.map((value, axis) => (earth.gm * value + moon.gm * b[axis]) / gm) as [number, number, number];
+  return { ...earth, gm, position: mean(earth.position, moon.position), velocity: mean(earth.velocity, moon.velocity) };
+}

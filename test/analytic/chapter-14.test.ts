@@ -1,0 +1,260 @@
+// Numerical integration: what each scheme does to the same few motions.
+import {
+  attractors,
+  boxWalls,
+  createPhysicsWorld,
+  defineForce,
+  energy,
+  explicitEuler,
+  type Force,
+  heun,
+  type Integrator,
+  implicitEuler,
+  linearDrag,
+  positionFirstEuler,
+  positionVerlet,
+  rungeKutta4,
+  semiImplicitEuler,
+  spawn,
+  step,
+  uniformGravity,
+  velocityVerlet,
+} from '@principia/physics';
+import { expect, test } from 'vitest';
+import { orders, springAndDamper } from '../support/integrator-problems';
+
+const DT = 1 / 60;
+
+/** Distance from the exact place of a projectile with drag after 10 s. */
+function projectileError(integrator: Integrator, steps = 600): number {
+  const world = createPhysicsWorld({
+    capacity: 10,
+    integrator,
+    forces: [uniformGravity({ y: 10 }), linearDrag()],
+  });
+  const ball = spawn(world, {
+    position: { x: 50, y: 400 },
+    velocity: { x: 60, y: -60 },
+    mass: 1,
+    linearDrag: 0.1,
+  });
+  for (let i = 0; i < steps; i++) step(world, 10 / steps);
+  const fade = 1 - Math.exp(-1);
+  const { x, y } = world.components.Position;
+  return Math.hypot(x[ball] - (50 + 600 * fade), y[ball] - (400 + 1000 - 1600 * fade));
+}
+
+test('ch14-schemes-projectile-drag: errors after 10 s, and the order of each scheme', () => {
+  expect(projectileError(explicitEuler)).toBeCloseTo(0.524, 3);
+  expect(projectileError(semiImplicitEuler)).toBeCloseTo(1.28, 2);
+  expect(projectileError(heun)).toBeCloseTo(2.9e-4, 5);
+  expect(projectileError(rungeKutta4)).toBeLessThan(1e-10);
+  // Ours predicts the velocity at the end of the step, so that drag costs it no order.
+  expect(projectileError(velocityVerlet)).toBeLessThan(1e-3);
+  for (const [integrator, order, steps] of [
+    [explicitEuler, 1, 600],
+    [semiImplicitEuler, 1, 600],
+    [velocityVerlet, 2, 600],
+    [heun, 2, 600],
+    [rungeKutta4, 4, 50],
+  ] as const) {
+    for (const measured of orders((n) => projectileError(integrator, n), steps)) {
+      expect(Math.abs(measured - order), integrator.name).toBeLessThan(0.1);
+    }
+  }
+});
+
+/** An oscillator of ω = 1 that starts 200 from its centre at rest. */
+function oscillate(integrator: Integrator, dt: number, steps: number, each?: (x: number, v: number) => void) {
+  const world = createPhysicsWorld({ capacity: 10, integrator, forces: [springAndDamper(1, 0)] });
+  const ball = spawn(world, { position: { x: -200 }, velocity: {}, mass: 1 });
+  const { Position, Velocity } = world.components;
+  for (let i = 0; i < steps; i++) {
+    step(world, dt);
+    each?.(Position.x[ball], Velocity.x[ball]);
+  }
+  return { world, x: Position.x[ball], v: Velocity.x[ball], amplitude: Math.hypot(Position.x[ball], Velocity.x[ball]) };
+}
+
+test('ch14-explicit-euler: the amplitude grows by √(1 + ω² dt²) a step', () => {
+  const { amplitude } = oscillate(explicitEuler, DT, 6000);
+  expect(amplitude).toBeCloseTo(200 * (1 + DT * DT) ** 3000, 8);
+  expect(amplitude).toBeCloseTo(460.1, 1);
+});
+
+test('ch14-implicit-euler: the amplitude shrinks by √(1 + ω² dt²) a step, and a step of 10 s is stable', () => {
+  const { amplitude, world } = oscillate(implicitEuler(), DT, 6000);
+  expect(amplitude).toBeCloseTo(86.93, 2);
+  expect(amplitude).toBeCloseTo(200 / (1 + DT * DT) ** 3000, 5);
+  expect(world.faults.faults).toEqual([]);
+  const long = oscillate(implicitEuler(), 10, 5);
+  expect(long.amplitude).toBeCloseTo(200 / Math.sqrt(101) ** 5, 6);
+  expect(long.world.faults.faults).toEqual([]);
+});
+
+test('ch14-semi-implicit-euler: both orderings stay bounded, with an energy error of ω dt/2', () => {
+  for (const integrator of [semiImplicitEuler, positionFirstEuler]) {
+    let worst = 0;
+    let last = 0;
+    oscillate(integrator, DT, 100_000, (x, v) => {
+      last = Math.abs((x * x + v * v) / 40_000 - 1);
+      worst = Math.max(worst, last);
+    });
+    expect(worst).toBeLessThan((1.02 * DT) / 2);
+    expect(worst).toBeGreaterThan((0.98 * DT) / 2);
+    const errors = [60, 120, 240].map((n) => Math.abs(oscillate(integrator, 1 / n, n).x + 200 * Math.cos(1)));
+    for (const [i, wanted] of [1.4, 0.702, 0.351].entries()) expect(errors[i]).toBeCloseTo(wanted, 2);
+  }
+});
+
+test('ch14-springs: errors of place and velocity at t = 1 in 60, 120 and 240 steps', () => {
+  for (const [integrator, wanted] of [
+    [explicitEuler, [1.67, 0.835, 0.417]],
+    [velocityVerlet, [4.99e-3, 1.25e-3, 3.12e-4]],
+    [heun, [9.26e-3, 2.31e-3, 5.79e-4]],
+    [rungeKutta4, [1.29e-7, 8.04e-9, 5.0e-10]],
+  ] as const) {
+    for (const [i, n] of [60, 120, 240].entries()) {
+      const { x, v } = oscillate(integrator, 1 / n, n);
+      const error = Math.hypot(x + 200 * Math.cos(1), v - 200 * Math.sin(1));
+      expect(Math.abs(error / wanted[i] - 1), integrator.name).toBeLessThan(0.006);
+    }
+  }
+});
+
+test('ch14-orbits: energy errors over 200 s of an orbit with a = 228.571, e = 0.125', () => {
+  for (const [integrator, wanted] of [
+    [explicitEuler, 0.287],
+    [positionFirstEuler, 6.65e-4],
+    [velocityVerlet, 3.23e-6],
+    [heun, 1.33e-5],
+    [rungeKutta4, 1.17e-11],
+  ] as const) {
+    const world = createPhysicsWorld({ capacity: 10, integrator, forces: [attractors()] });
+    spawn(world, { position: { x: 400, y: 300 }, attractor: 1e6 });
+    const planet = spawn(world, { position: { x: 400, y: 100 }, velocity: { x: 75 }, mass: 1 });
+    const start = energy(world).total;
+    expect(-1e6 / (2 * start)).toBeCloseTo(228.571, 3);
+    let [worst, farthest] = [0, 0];
+    for (let i = 0; i < 12_000; i++) {
+      step(world, DT);
+      worst = Math.max(worst, Math.abs(energy(world).total / start - 1));
+      const { x, y } = world.components.Position;
+      farthest = Math.max(farthest, Math.hypot(x[planet] - 400, y[planet] - 300));
+    }
+    expect(Math.abs(worst / wanted - 1), integrator.name).toBeLessThan(0.02);
+    if (integrator === rungeKutta4) expect(farthest).toBeCloseTo(257.143, 2);
+  }
+});
+
+test('ch14-projectile-verlet: the exact parabola, and what leaving out half a step of gravity would cost', () => {
+  const world = createPhysicsWorld({
+    capacity: 10,
+    integrator: positionVerlet,
+    forces: [uniformGravity({ y: 10 })],
+  });
+  const ball = spawn(world, { position: { x: 50, y: 550 }, velocity: { x: 30, y: -100 }, mass: 1 });
+  const { Position } = world.components;
+  let worst = 0;
+  for (let i = 1; i <= 1000; i++) {
+    step(world, 0.02);
+    const t = i * 0.02;
+    worst = Math.max(worst, Math.hypot(Position.x[ball] - 50 - 30 * t, Position.y[ball] - 550 + 100 * t - 5 * t * t));
+    if (i === 500) expect([Position.x[ball], Position.y[ball]].map(Math.round)).toEqual([350, 50]);
+  }
+  expect([Position.x[ball], Position.y[ball]].map(Math.round)).toEqual([650, 550]);
+  expect(worst).toBeLessThan(1e-8);
+  // With the last place taken as x - v dt the same ball would be a whole metre off after 10 s.
+  let [before, now] = [550 + 100 * 0.02, 550];
+  for (let i = 0; i < 500; i++) [before, now] = [now, 2 * now - before + 10 * 0.02 ** 2];
+  expect(now - 50).toBeCloseTo((10 * 0.02 * 10) / 2, 8);
+});
+
+/** The rope's links: springs, and dampers for velocity differences in every direction. */
+function links(ids: readonly number[]): Force {
+  return defineForce({
+    name: 'links',
+    local: false,
+    accumulate({ components: { Position: p, Velocity: v }, scratch: { force } }) {
+      for (let i = 1; i < ids.length; i++) {
+        const [a, b] = [ids[i - 1], ids[i]];
+        const [dx, dy] = [p.x[b] - p.x[a], p.y[b] - p.y[a]];
+        const pull = 500 * (1 - 20 / Math.hypot(dx, dy));
+        const [fx, fy] = [pull * dx + 20 * (v.x[b] - v.x[a]), pull * dy + 20 * (v.y[b] - v.y[a])];
+        force.x[a] += fx;
+        force.y[a] += fy;
+        force.x[b] -= fx;
+        force.y[b] -= fy;
+      }
+    },
+  });
+}
+
+/** Largest speed in the rope after a time, and where its middle is. */
+function rope(integrator: Integrator, dt: number, time = 60) {
+  const world = createPhysicsWorld({ capacity: 60, integrator, forces: [uniformGravity({ y: 10 })] });
+  const ids = Array.from({ length: 16 }, (_, i) => {
+    const held = i === 0 || i === 15;
+    return spawn(world, { position: { x: 100 + 20 * i, y: 100 }, velocity: {}, ...(held ? {} : { mass: 10 }) });
+  });
+  world.forces.push(links(ids));
+  for (let i = 0; i < time / dt; i++) step(world, dt);
+  const { Position, Velocity } = world.components;
+  const fastest = Math.max(...ids.map((id) => Math.hypot(Velocity.x[id], Velocity.y[id])));
+  return { fastest, faults: world.faults.faults.length, x: Position.x[ids[8]], y: Position.y[ids[8]] };
+}
+
+test('ch14-rope-euler: explicit Euler holds below dt = c/k, semi-implicit far beyond, implicit everywhere', () => {
+  expect(rope(explicitEuler, 0.038, 600).fastest).toBeLessThan(1e-3);
+  expect(rope(explicitEuler, 0.05).fastest).toBeGreaterThan(20);
+  expect(rope(explicitEuler, 0.1, 4).fastest).toBeGreaterThan(100);
+  expect(rope(semiImplicitEuler, 0.1, 600).fastest).toBeLessThan(1e-3);
+  expect(rope(semiImplicitEuler, 0.15).faults).toBeGreaterThan(0);
+  const { fastest, x, y } = rope(implicitEuler(), 0.15, 300);
+  expect(fastest).toBeLessThan(1e-3);
+  expect(x).toBeCloseTo(260.9, 1);
+  expect(y).toBeCloseTo(159.757, 1);
+});
+
+test('ch14-timestep-tips: an apex after a bounce is off by less than g dt², because the impact is found in the step', () => {
+  for (const dt of [0.02, 0.01, 0.005]) {
+    const world = createPhysicsWorld({
+      capacity: 10,
+      integrator: velocityVerlet,
+      forces: [uniformGravity({ y: -10 })],
+      walls: [boxWalls({ min: { y: 0 } })],
+    });
+    const ball = spawn(world, {
+      position: { y: 1.1 },
+      velocity: {},
+      mass: 1,
+      collider: { radius: 0.1, restitution: 0.8 },
+    });
+    let apex = 0;
+    for (let t = 0; t < 0.9; t += dt) {
+      step(world, dt);
+      if (world.components.Velocity.y[ball] > 0 || apex > 0) apex = Math.max(apex, world.components.Position.y[ball]);
+    }
+    expect(Math.abs(apex - 0.1 - 0.64)).toBeLessThan(10 * dt * dt);
+  }
+});
+
+test('ch14-scale-model: 200 px at 400 px/s² take a second', () => {
+  const world = createPhysicsWorld({ capacity: 10, forces: [uniformGravity({ y: 400 })] });
+  const ball = spawn(world, { position: { x: 300, y: 96 }, velocity: {}, mass: 1 });
+  for (let i = 0; i < 60; i++) step(world, DT);
+  expect(world.components.Position.y[ball]).toBeCloseTo(296, 9);
+});
+
+test('ch14-rescaling: an orbit in SI units and in astronomical units is the same to 1e-12', () => {
+  const [au, year, mu] = [1.495978707e11, 3.15576e7, 1.32712440018e20];
+  const orbit = (length: number, time: number) => {
+    const world = createPhysicsWorld({ capacity: 10, integrator: rungeKutta4, forces: [attractors()] });
+    spawn(world, { position: {}, attractor: (mu * time ** 2) / length ** 3 });
+    const planet = spawn(world, { position: { x: au / length }, velocity: { y: (30_000 * time) / length }, mass: 1 });
+    for (let i = 0; i < 500; i++) step(world, year / time / 500);
+    return [world.components.Position.x[planet] * length, world.components.Position.y[planet] * length];
+  };
+  const [si, scaled] = [orbit(1, 1), orbit(au, year)];
+  for (const axis of [0, 1]) expect(Math.abs(si[axis] - scaled[axis]) / au).toBeLessThan(1e-12);
+});
