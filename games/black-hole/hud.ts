@@ -5,13 +5,14 @@ import type { BlackHoleGame } from './sim.ts';
 
 const STYLE = `
 .bh-hud { position: absolute; pointer-events: none; color: #eaf0ff; font: 600 15px/1.3 system-ui, sans-serif;
-  text-shadow: 0 1px 6px #000c; font-variant-numeric: tabular-nums }
+  text-shadow: 0 1px 3px #000, 0 0 10px #000c; font-variant-numeric: tabular-nums }
 .bh-hud > * { position: absolute }
 .bh-lives { left: 14px; top: 10px; display: flex; gap: 9px; align-items: center }
 .bh-lives i { width: 0; height: 0; border: 6px solid transparent; border-bottom: 13px solid #ff5660; border-top: 0 }
 .bh-lives i.lost { border-bottom-color: #ffffff26 }
 .bh-score { left: 50%; top: 8px; translate: -50% 0; font-size: 18px; white-space: nowrap }
-.bh-level { right: 14px; top: 10px; text-align: right } .bh-level small { display: block; color: #9fb0dc; font-weight: 500 }
+.bh-level { right: 14px; top: 10px; display: flex; flex-direction: row-reverse; gap: 12px; align-items: baseline; white-space: nowrap }
+.bh-level small { color: #9fb0dc; font-weight: 500 }
 .bh-fuel { left: 14px; bottom: 12px; width: 150px } .bh-fuel small { color: #9fb0dc; font-weight: 500 }
 .bh-fuel div { height: 6px; margin-top: 4px; border-radius: 3px; background: #ffffff1f; overflow: hidden }
 .bh-fuel b { display: block; height: 100%; border-radius: 3px; background: linear-gradient(90deg, #ff8a3c, #ffd98a); transform-origin: 0 }
@@ -23,7 +24,10 @@ const STYLE = `
 .bh-toast { left: 50%; top: 15%; translate: -50% 0; font-size: 22px; white-space: nowrap; opacity: 0 }
 .bh-toast.on { animation: bh-rise 1.7s ease-out both }
 @keyframes bh-rise { 0% { opacity: 0; transform: translateY(12px) } 12%, 60% { opacity: 1; transform: none } 100% { opacity: 0; transform: translateY(-10px) } }
-@media (max-width: 620px) { .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px } }
+@media (max-width: 800px) { .bh-speed { display: none } }
+@media (max-width: 620px) { .bh-level { flex-direction: column; gap: 0; align-items: end }
+  .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px }
+  .bh-call { top: 52% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
 `;
 
 /** Where the stage is on the canvas, CSS pixels. */

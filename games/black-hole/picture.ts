@@ -99,10 +99,22 @@ function createTrail({ world, scene }: BlackHoleGame): TrailLayer {
   });
 }
 
+/** Farther than any window reaches, m. */
+const FAR = 8000;
+
 /** The goal, the foot of the holes' zone, and the edge of the stage. */
 function createLines(): Graphics {
   const { width, height, goal, zone } = BLACK_HOLE;
   const lines = new Graphics().rect(0, -height, width, height).stroke({ width: 1.5, color: 0x9fb4ff, alpha: 0.28 });
+  // What lies outside is out of play: it steps back.
+  for (const [x, y, w, h] of [
+    [-FAR, -FAR, FAR, 2 * FAR],
+    [width, -FAR, FAR, 2 * FAR],
+    [0, -FAR, width, FAR - height],
+    [0, 0, width, FAR],
+  ]) {
+    lines.rect(x, y, w, h).fill({ color: 0x02030a, alpha: 0.5 });
+  }
   for (let i = 0; i < 5; i++) {
     lines.rect(0, -goal - 2 * (i + 1), width, 4 * (i + 1)).fill({ color: 0x6bff9e, alpha: 0.035 });
   }

@@ -11,6 +11,7 @@ import { paintSky, paintSpot } from './stars.ts';
 import { listenToSteering } from './steering.ts';
 
 const MARGIN = 14;
+const COARSE = matchMedia('(pointer: coarse)');
 const { width: STAGE_WIDTH, height: STAGE_HEIGHT } = BLACK_HOLE;
 
 export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<View> {
@@ -104,6 +105,11 @@ function look(
   const free = { width: size.width - left - right, height: size.height - top - bottom };
   if (!(free.width > 0 && free.height > 0)) return;
   fit(camera, { minX: 0, minY: 0, maxX: STAGE_WIDTH, maxY: STAGE_HEIGHT }, free, MARGIN);
+  // The touch pad covers the lower right: the stage moves to the other side.
+  if (COARSE.matches) {
+    camera.x += (free.width / 2 - MARGIN) / camera.pixelsPerMetre - STAGE_WIDTH / 2;
+    camera.y -= (free.height / 2 - MARGIN) / camera.pixelsPerMetre - STAGE_HEIGHT / 2;
+  }
   camera.pixelsPerMetre *= zoomed;
   camera.x += (right - left) / 2 / camera.pixelsPerMetre;
   camera.y += (top - bottom) / 2 / camera.pixelsPerMetre;

@@ -3,8 +3,8 @@ import type { GameDefinition, Simulation } from './game.ts';
 import { type Holding, holdBodies } from './holding.ts';
 import { checkValue, type Settings, type ValuesOf } from './settings.ts';
 
-/** Longest real time one frame may make up for, in steps: a slow machine gets slow motion, not a frozen page. */
-const MAX_STEPS_A_FRAME = 4;
+/** Longest real time one frame may make up for, s: a slow machine gets slow motion, not a frozen page. */
+const LONGEST_FRAME = 1 / 15;
 /** Milliseconds of steps in a frame from which on one step must do. */
 const STEPS_BUDGET = 50;
 
@@ -63,7 +63,7 @@ export class Session<S extends Settings, Sim extends Simulation> {
     this.#sim = sim;
     const limit = this.game.holdLimit?.(sim);
     this.#holding = holdBodies(sim.world, limit === undefined ? {} : { limit });
-    this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: MAX_STEPS_A_FRAME * sim.dt });
+    this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: Math.max(LONGEST_FRAME, sim.dt) });
     this.#steppedByHand = true;
   }
 
