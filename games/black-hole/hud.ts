@@ -21,10 +21,11 @@ const STYLE = `
 .bh-call { left: 50%; top: 64%; translate: -50% 0; text-align: center; width: max-content; max-width: 92% }
 .bh-call.low { top: auto; bottom: 10px; font-size: 13px }
 .bh-call h2 { margin: 0; font-size: clamp(26px, 5vw, 46px); letter-spacing: -0.02em } .bh-call p { margin: 4px 0 0; color: #c4d2f6 }
-.bh-toast { left: 50%; top: 15%; translate: -50% 0; font-size: 22px; white-space: nowrap; opacity: 0 }
-.bh-toast.on { animation: bh-rise 1.7s ease-out both }
+.bh-toast { left: 50%; top: 15%; translate: -50% 0; font-size: 22px; width: max-content; max-width: 92%; text-align: center; opacity: 0 }
+.bh-toast.on { opacity: 1; animation: bh-rise 1.7s ease-out both }
 @keyframes bh-rise { 0% { opacity: 0; transform: translateY(12px) } 12%, 60% { opacity: 1; transform: none } 100% { opacity: 0; transform: translateY(-10px) } }
 @media (max-width: 800px) { .bh-speed { display: none } }
+@media (max-height: 480px) { .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
 @media (max-width: 620px) { .bh-level { flex-direction: column; gap: 0; align-items: end }
   .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px }
   .bh-call { top: 52% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
@@ -61,6 +62,7 @@ export function createHud(parent: HTMLElement): Hud {
   };
   const icons = [...root.querySelectorAll('.bh-lives i')];
   const toast = find('.bh-toast');
+  let timer = 0;
   return {
     update(sim, { left, top, width, height }) {
       root.style.cssText = `left:${left}px;top:${top}px;width:${width}px;height:${height}px`;
@@ -92,8 +94,14 @@ export function createHud(parent: HTMLElement): Hud {
       // Reading the layout makes the animation begin anew.
       void toast.offsetWidth;
       toast.classList.add('on');
+      // Where the system wants no animation, this alone takes it away.
+      clearTimeout(timer);
+      timer = window.setTimeout(() => toast.classList.remove('on'), 1700);
     },
-    destroy: () => root.remove(),
+    destroy() {
+      clearTimeout(timer);
+      root.remove();
+    },
   };
 }
 
