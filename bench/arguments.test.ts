@@ -25,6 +25,17 @@ test('every option is read', () => {
   expect(request.html).toBe(resolve('b.html'));
 });
 
+test('parameters of the scene are options', () => {
+  expect(run('nbody-tree', '--relative-error', '0.01', '--falloff', '1').parameters).toEqual({
+    relativeError: 0.01,
+    falloff: 1,
+  });
+  expect(run('particles').parameters).toEqual({});
+  expect(() => run('particles', '--relative-error', '0.01')).toThrow('The scene particles has no --relative-error.');
+  expect(() => run('nbody-tree', '--relative-error', '9')).toThrow('--relative-error must be a number from 0 to 0.1');
+  expect(() => run('nbody-tree', '--falloff', '1.5')).toThrow('--falloff must be a whole number from 1 to 2');
+});
+
 test('a short run has a short warm-up', () => {
   expect(run('particles', '--steps', '5').warmup).toBe(1);
   expect(run('particles', '--steps', '1').warmup).toBe(0);

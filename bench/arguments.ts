@@ -2,7 +2,7 @@ import { existsSync, statSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import type { Precision } from '@principia/physics';
-import { findScene, SCENES, type Scene } from '@principia/scenes';
+import { findScene, SCENES, type Scene, type SceneParameter } from '@principia/scenes';
 
 /** What the command line asks for. */
 export type Request = { readonly kind: 'help' } | { readonly kind: 'list' } | RunRequest;
@@ -20,6 +20,8 @@ export interface RunRequest {
   readonly peers: boolean;
   readonly json: string | undefined;
   readonly html: string | undefined;
+  /** The scene's own parameters that were given. */
+  readonly parameters: Readonly<Record<string, number>>;
 }
 
 /** A command line that cannot be carried out; the message is one sentence for the person who wrote it. */
@@ -38,6 +40,13 @@ const OPTIONS = {
   list: { type: 'boolean' },
   help: { type: 'boolean' },
 } as const;
+
+/** Parameters of scenes, as options: relativeError is --relative-error. Those that are options of the bench stay its own. */
+const PARAMETERS = new Map(
+  SCENES.flatMap(({ parameters }) => Object.keys(parameters))
+    .filter((name) => !(name in OPTIONS))
+    .map((name) => [name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`), name]),
+);
 
 const MOST_STEPS = 1_000_000;
 const optionNames = Object.keys(OPTIONS).map((name) => `--${name}`);
@@ -66,12 +75,19 @@ export function readArguments(args: readonly string[]): Request {
     peers: values.peers ?? false,
     json: outputFile('json', values.json),
     html: outputFile('html', values.html),
+    parameters: parametersOf(scene, values as Record<string, unknown>),
   };
 }
 
 function parse(args: readonly string[]) {
   try {
-    return parseArgs({ args: [...args], options: OPTIONS, allowPositionals: true });
+    const more = Object.fromEntries([...PARAMETERS.keys()].map((option) => [option, { type: 'string' as const }]));
+    const { values, positionals } = parseArgs({
+      args: [...args],
+      options: { ...more, ...OPTIONS },
+      allowPositionals: true,
+    });
+    return { values, positionals };
   } catch (error) {
     const problem = (error as Error).message.split(/[.\n]/)[0] as string;
     throw new ArgumentError(`${problem}: the options are ${optionNames.join(', ')}.`);
@@ -86,6 +102,25 @@ function sceneOf(positionals: readonly string[]): Scene {
   const scene = findScene(name);
   if (scene === undefined) throw new ArgumentError(`There is no scene "${name}": the scenes are ${list}.`);
   return scene;
+}
+
+/** What was given of the scene's own parameters, within their ranges. */
+function parametersOf(scene: Scene, values: Readonly<Record<string, unknown>>): Record<string, number> {
+  const given: Record<string, number> = {};
+  for (const [option, name] of PARAMETERS) {
+    const text = values[option];
+    if (typeof text !== 'string') continue;
+    const parameter = (scene.parameters as Record<string, SceneParameter | undefined>)[name];
+    if (parameter === undefined) throw new ArgumentError(`The scene ${scene.name} has no --${option}.`);
+    const { min, max, integer = false } = parameter;
+    const value = text.trim() === '' ? Number.NaN : Number(text);
+    if (!(value >= min && value <= max) || (integer && !Number.isInteger(value))) {
+      const kind = integer ? 'a whole number' : 'a number';
+      throw new ArgumentError(`--${option} must be ${kind} from ${min} to ${max}, not "${text}".`);
+    }
+    given[name] = value;
+  }
+  return given;
 }
 
 function wholeNumber(option: string, text: string | undefined, initial: number, min: number, max: number): number {
@@ -133,5 +168,7 @@ Options
   --json FILE         write the result as JSON
   --html FILE         write a report that opens in any browser, offline
   --list              list the scenes
-  --help              this text`;
+  --help              this text
+
+The scene's own parameters are options too, such as --relative-error 0.01 of nbody-tree.`;
 }

@@ -17,9 +17,15 @@ export function resultTable(result: Result): string {
         ? `not constant: ${result.energyNote ?? 'none to speak of'}`
         : drift(result.energyDrift),
     ],
+    ...forceError(result),
     ['hash', result.hash],
   ];
   return [title(result), '', ...aligned(rows), '', ...profileLines(result), ...peerLines(result)].join('\n');
+}
+
+/** A line where forces are approximated. */
+function forceError({ rmsForceError }: Result): [string, string][] {
+  return rmsForceError === null ? [] : [['force error', `${rmsForceError.toExponential(2)} RMS, relative`]];
 }
 
 function title({ scene, count, dimensions, precision, steps, warmup, seed }: Result): string {

@@ -19,6 +19,8 @@ export interface Result {
   readonly hash: string;
   /** Relative change of the total energy over the timed steps; null where the scene does not keep it. */
   readonly energyDrift: number | null;
+  /** RMS relative error of forces that are approximated; null where they are exact. */
+  readonly rmsForceError: number | null;
   /** Milliseconds a step spends in each phase. */
   readonly profile: Readonly<Record<string, number>>;
   readonly peers: readonly PeerResult[];

@@ -17,9 +17,9 @@ export interface Outcome {
 }
 
 export async function runBench(request: RunRequest): Promise<Outcome> {
-  const { scene, count, dimensions, precision, seed, steps, warmup } = request;
+  const { scene, count, dimensions, precision, seed, steps, warmup, parameters } = request;
   const making = startProgress('creating', count);
-  const create = () => scene.create({ count, dimensions, precision, seed, progress: making.update });
+  const create = () => scene.create({ count, dimensions, precision, seed, progress: making.update, ...parameters });
   const { creation, run } = measureCreation(create, count, request.peers);
   making.end();
   const advance = stepOf(run);
@@ -46,6 +46,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     hash,
     energyDrift: run.losesEnergy === undefined && Number.isFinite(drift) ? drift : null,
     energyNote: run.losesEnergy ?? null,
+    rmsForceError: run.forceError?.(run.world) ?? null,
     profile: phaseTimes(run, advance),
     garbageBytesPerStep: garbageBytesPerStep(advance),
     peers: peers.map(({ name }, p) => {

@@ -9,5 +9,5 @@ export interface Peer {
   readonly positions: (axis: 'x' | 'y') => ArrayLike<number>;
 }
 
-/** Makes a peer from a scene just made; nothing has stepped yet. */
-export type PeerMaker = (run: SceneRun) => Peer | Promise<Peer>;
+/** Makes a peer from a scene just made; nothing has stepped yet. None where it cannot do this run's work. */
+export type PeerMaker = (run: SceneRun) => Peer | Promise<Peer> | undefined;

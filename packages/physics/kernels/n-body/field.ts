@@ -57,7 +57,8 @@ export function directOntoTests(w: NBody, inverseSquare: bool): void {
   }
 }
 
-// RMS over `samples` bodies, evenly spread over the tree order, of the tree's error over the size of the direct field.
+// RMS over `samples` bodies, evenly spread over the order of the results, of their error over the size of the field
+// summed directly: that of the tree, or the rounding of the direct sum.
 // A body whose field nearly cancels counts as if it felt this share of the mean field.
 const LEAST_FIELD: f64 = 0.1;
 
@@ -66,11 +67,15 @@ export function sampleError(w: NBody, samples: i32, inverseSquare: bool): f64 {
   if (n == 0) return 0;
   let mean: f64 = 0;
   for (let k = 0; k < n; k++) {
-    const place = <i32>(((2 * <i64>k + 1) * <i64>w.bodies) / (2 * <i64>n));
-    fieldAt(w, get(w.px, place), get(w.py, place), get(w.pz, place), inverseSquare);
-    const dx = <f64>get(w.ax, place) - fieldX;
-    const dy = <f64>get(w.ay, place) - fieldY;
-    const dz = <f64>get(w.az, place) - fieldZ;
+    const body = <i32>(((2 * <i64>k + 1) * <i64>w.bodies) / (2 * <i64>n));
+    const place = w.resultsByTree || body < w.sources ? body : body - w.sources + w.tests;
+    if (w.resultsByTree) fieldAt(w, get(w.px, place), get(w.py, place), get(w.pz, place), inverseSquare);
+    else fieldAt(w, get(w.x, place), get(w.y, place), get(w.z, place), inverseSquare);
+    // The direct sum has forces where the tree has accelerations.
+    const per = w.resultsByTree || place >= w.sources ? 1 : 1 / <f64>get(w.s, place);
+    const dx = <f64>get(w.ax, place) * per - fieldX;
+    const dy = <f64>get(w.ay, place) * per - fieldY;
+    const dz = <f64>get(w.az, place) * per - fieldZ;
     const size2 = fieldX * fieldX + fieldY * fieldY + fieldZ * fieldZ;
     mean += sqrt<f64>(size2) / <f64>n;
     const at = w.sample + ((<usize>k) << 4);

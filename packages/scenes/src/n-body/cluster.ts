@@ -3,6 +3,7 @@
 // crosses the cluster in 2√2 s.
 import {
   createPhysicsWorld,
+  type DistanceLaw,
   type MutualForce,
   mutualGravity,
   type PhysicsWorld,
@@ -12,11 +13,12 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { countOf, defineScene, type SceneRun, type Setup } from '../scene';
-import { inDimensions, kuzminDisc, plummerSphere } from './stars';
+import { discOf, inDimensions, plummerSphere } from './stars';
 
 /** A scene whose forces are a mutual force. */
 export interface ClusterRun extends SceneRun {
   readonly gravity: MutualForce;
+  readonly law: DistanceLaw;
   /** RMS relative error of the forces, measured against the direct sum at some stars. */
   readonly forceError: (world: PhysicsWorld) => number;
 }
@@ -40,10 +42,12 @@ function bestSoftening(count: number): number {
   return 0.98 * pow(count, -0.26);
 }
 
-function clusterOf(
-  { dimensions, precision, seed, progress, parameters }: Setup<never>,
-  gravity: MutualForce,
-): ClusterRun {
+interface Gravity {
+  readonly gravity: MutualForce;
+  readonly law: DistanceLaw;
+}
+
+function clusterOf({ dimensions, precision, seed, progress, parameters }: Setup<never>, { gravity, law }: Gravity) {
   const { count } = parameters;
   const world = createPhysicsWorld({
     dimensions,
@@ -53,10 +57,10 @@ function clusterOf(
     integrator: velocityVerlet,
     forces: [gravity],
   });
-  const stars = dimensions === 3 ? plummerSphere(count, SCALE, seed) : kuzminDisc(count, SCALE, seed);
+  const stars = dimensions === 3 ? plummerSphere(count, SCALE, seed) : discOf(law, count, SCALE, seed);
   const appearance = { color: rgba(1, 0.93, 0.8), size: 0.004 };
   spawnMany(world, count, { ...inDimensions(stars, dimensions), mass: 1 / count, appearance }, progress);
-  return { world, dt: 1 / 256, gravity, forceError: (of) => gravity.rmsError(of, 1000) };
+  return { world, dt: 1 / 256, gravity, law, forceError: (of: PhysicsWorld) => gravity.rmsError(of, 1000) };
 }
 
 export const nbodyDirect = defineScene({
@@ -66,7 +70,8 @@ export const nbodyDirect = defineScene({
   parameters: { count: countOf('stars', 2000, 100_000) },
   build(setup): ClusterRun {
     const softening = SCALE * bestSoftening(setup.parameters.count);
-    return clusterOf(setup, mutualGravity({ G: 1, softening, method: 'direct' }));
+    const gravity = mutualGravity({ G: 1, softening, method: 'direct' });
+    return clusterOf(setup, { gravity, law: 'inverse-square' });
   },
 });
 
@@ -74,10 +79,23 @@ export const nbodyTree = defineScene({
   name: 'nbody-tree',
   description: 'a star cluster in equilibrium, by a Barnes-Hut tree',
   precision: 'f32',
-  parameters: { count: countOf('stars', 100_000, 4_000_000), relativeError: relativeErrorParameter },
+  parameters: {
+    count: countOf('stars', 100_000, 4_000_000),
+    relativeError: relativeErrorParameter,
+    falloff: {
+      about: 'power of the distance: 2, or 1 in the plane',
+      unit: '',
+      initial: 2,
+      min: 1,
+      max: 2,
+      integer: true,
+    },
+  },
   build(setup): ClusterRun {
     const softening = SCALE * bestSoftening(setup.parameters.count);
-    const { relativeError } = setup.parameters;
-    return clusterOf(setup, mutualGravity({ G: 1, softening, method: 'tree', relativeError }));
+    const { relativeError, falloff } = setup.parameters;
+    const law = falloff === 2 || setup.dimensions === 3 ? 'inverse-square' : 'inverse-distance';
+    const gravity = mutualGravity({ G: 1, softening, method: 'tree', relativeError, law });
+    return clusterOf(setup, { gravity, law });
   },
 });

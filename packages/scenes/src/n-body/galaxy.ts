@@ -77,7 +77,7 @@ export const galaxy = defineScene({
     );
     const looks = { color, size: 0.012 };
     spawnMany(world, count, { ...inDimensions(stars, dimensions), mass: 1 / count, appearance: looks }, progress);
-    return { world, dt: 1 / 64, gravity, forceError: (of) => gravity.rmsError(of, 1000) };
+    return { world, dt: 1 / 64, gravity, law: 'inverse-square', forceError: (of) => gravity.rmsError(of, 1000) };
   },
 });
 

@@ -1,5 +1,5 @@
 // Positions and velocities of stars, and how they are drawn from the models of the scenes.
-import { createRandom, pow, type Random, type Vector } from '@principia/physics';
+import { createRandom, type DistanceLaw, pow, type Random, type Vector } from '@principia/physics';
 
 /** Columns for `spawnMany`. */
 export interface Stars {
@@ -78,8 +78,11 @@ export function plummerSphere(count: number, scale: number, seed: number): Stars
 /** Share of a disc's support that is rotation; the rest is random motion, which keeps it from falling to pieces. */
 const ROTATION = 0.8;
 
-/** A Kuzmin disc of mass 1 in virial equilibrium, with G = 1: a Plummer sphere's field in its own plane. */
-export function kuzminDisc(count: number, scale: number, seed: number): Stars {
+/**
+ * A Kuzmin disc of mass 1 in virial equilibrium, with G = 1. By the law 1/r² it has a Plummer sphere's field in its own
+ * plane; by 1/r the mass within R pulls as 1/R, as Gauss's law is in the plane.
+ */
+export function discOf(law: DistanceLaw, count: number, scale: number, seed: number): Stars {
   const random = createRandom(seed, 2);
   const stars = emptyStars(count);
   const spread = Math.sqrt((1 - ROTATION * ROTATION) / 2);
@@ -87,7 +90,10 @@ export function kuzminDisc(count: number, scale: number, seed: number): Stars {
     const radius = scale * kuzminRadius((0.97 * (i + random.uniform())) / count);
     const p = random.onCircle();
     const square = radius * radius + scale * scale;
-    const circular = radius / Math.sqrt(square * Math.sqrt(square));
+    const circular =
+      law === 'inverse-square'
+        ? radius / Math.sqrt(square * Math.sqrt(square))
+        : Math.sqrt(Math.max(0, 1 - scale / Math.sqrt(square)));
     const x = circular * (-ROTATION * p.y + spread * random.gaussian());
     const y = circular * (ROTATION * p.x + spread * random.gaussian());
     putStar(stars, i, { x: radius * p.x, y: radius * p.y, z: 0 }, { x, y, z: 0 });

@@ -1,0 +1,77 @@
+// All pairs in plain JavaScript: a double loop over typed arrays of f64 that meets each pair once.
+import type { SceneRun } from '@principia/scenes';
+import { kick, kickDrift, type NBodyState, nBodyState } from './n-body-columns';
+import type { Peer } from './peer';
+
+export function nBodyJs(run: SceneRun): Peer {
+  const state = nBodyState(run);
+  const pull = state.dimensions === 2 ? pull2d : pull3d;
+  pull(state);
+  return {
+    name: 'plain JavaScript, f64, each pair once',
+    step() {
+      kickDrift(state);
+      pull(state);
+      kick(state);
+    },
+    positions: (axis) => state.x[axis],
+  };
+}
+
+function pull3d({ count, G, softening, x: { x, y, z }, mass, a }: NBodyState): void {
+  const { x: ax, y: ay, z: az } = a;
+  const soft = softening * softening;
+  ax.fill(0);
+  ay.fill(0);
+  az.fill(0);
+  for (let i = 0; i < count; i++) {
+    const [px, py, pz, m] = [x[i], y[i], z[i], G * mass[i]];
+    let sx = 0;
+    let sy = 0;
+    let sz = 0;
+    for (let j = i + 1; j < count; j++) {
+      const dx = x[j] - px;
+      const dy = y[j] - py;
+      const dz = z[j] - pz;
+      const u = dx * dx + dy * dy + dz * dz + soft;
+      const k = 1 / (u * Math.sqrt(u));
+      const own = G * mass[j] * k;
+      const theirs = m * k;
+      sx += own * dx;
+      sy += own * dy;
+      sz += own * dz;
+      ax[j] -= theirs * dx;
+      ay[j] -= theirs * dy;
+      az[j] -= theirs * dz;
+    }
+    ax[i] += sx;
+    ay[i] += sy;
+    az[i] += sz;
+  }
+}
+
+function pull2d({ count, G, softening, x: { x, y }, mass, a }: NBodyState): void {
+  const { x: ax, y: ay } = a;
+  const soft = softening * softening;
+  ax.fill(0);
+  ay.fill(0);
+  for (let i = 0; i < count; i++) {
+    const [px, py, m] = [x[i], y[i], G * mass[i]];
+    let sx = 0;
+    let sy = 0;
+    for (let j = i + 1; j < count; j++) {
+      const dx = x[j] - px;
+      const dy = y[j] - py;
+      const u = dx * dx + dy * dy + soft;
+      const k = 1 / (u * Math.sqrt(u));
+      const own = G * mass[j] * k;
+      const theirs = m * k;
+      sx += own * dx;
+      sy += own * dy;
+      ax[j] -= theirs * dx;
+      ay[j] -= theirs * dy;
+    }
+    ax[i] += sx;
+    ay[i] += sy;
+  }
+}
