@@ -31,7 +31,8 @@ describe.each(SCENES.map((scene) => [scene.name, scene] as const))('scene %s', (
     advance(run, 120);
     expect(stateHash(run.world)).not.toBe(before);
     const drift = Math.abs(energy(run.world).total - start) / Math.abs(start);
-    if (run.losesEnergy === undefined) expect(drift).toBeLessThan(2e-3);
+    // The largest relative force error that a scene asks for is 0.005; the integrators' own error is smaller.
+    if (run.losesEnergy === undefined) expect(drift).toBeLessThan(5e-3);
     else expect(Number.isFinite(energy(run.world).total)).toBe(true);
   });
 

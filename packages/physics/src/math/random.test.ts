@@ -18,6 +18,14 @@ function moments(draw: () => number): { mean: number; variance: number } {
 }
 
 describe('seeded random numbers', () => {
+  test('begin differently for every seed, and spread over the whole range', () => {
+    const firsts = Array.from({ length: 1000 }, (_, seed) => createRandom(seed).uniform());
+    expect(new Set(firsts).size).toBe(1000);
+    const mean = firsts.reduce((sum, value) => sum + value, 0) / 1000;
+    // A uniform number has variance 1/12: three standard deviations of the mean of a thousand.
+    expect(Math.abs(mean - 0.5)).toBeLessThan(3 * Math.sqrt(1 / 12 / 1000));
+  });
+
   test('follow the reference xoshiro128** from state 1, 2, 3, 4', () => {
     const random = createRandom(0);
     random.state.set([1, 2, 3, 4]);

@@ -44,10 +44,15 @@ export function createRandom(seed: number, stream = 0): Random {
 export function seedWords(state: Uint32Array, seed: number, stream: number): void {
   const low = mix((seed >>> 0) ^ mix(stream));
   const high = mix(Math.floor(seed / 2 ** 32) + mix(stream ^ 0x5bd1e995));
-  state[0] = mix(low + GOLDEN);
-  state[1] = mix(high + 2 * GOLDEN);
-  state[2] = mix((low ^ rotate(high, 16)) + 3 * GOLDEN);
-  state[3] = mix((stream ^ (state[0] as number)) + 4 * GOLDEN);
+  // Each word takes up the one before it, so that all of the seed is in every word: the first number drawn depends on
+  // the second word alone.
+  let word = mix(low + GOLDEN);
+  state[0] = word;
+  word = mix((high ^ word) + 2 * GOLDEN);
+  state[1] = word;
+  word = mix((low ^ word) + 3 * GOLDEN);
+  state[2] = word;
+  state[3] = mix((stream ^ word) + 4 * GOLDEN);
   if (state.every((word) => word === 0)) state[0] = 1;
 }
 
