@@ -1,7 +1,7 @@
 import { existsSync, statSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import type { Precision } from '@principia/physics';
+import { INTEGRATORS, type IntegratorName, type Precision } from '@principia/physics';
 import { findScene, SCENES, type Scene, type SceneParameter } from '@principia/scenes';
 
 /** What the command line asks for. */
@@ -17,6 +17,8 @@ export interface RunRequest {
   readonly dimensions: 2 | 3;
   readonly precision: Precision;
   readonly seed: number;
+  /** Undefined for the scene's own. */
+  readonly integrator: IntegratorName | undefined;
   readonly peers: boolean;
   readonly json: string | undefined;
   readonly html: string | undefined;
@@ -34,6 +36,7 @@ const OPTIONS = {
   dimensions: { type: 'string' },
   precision: { type: 'string' },
   seed: { type: 'string' },
+  integrator: { type: 'string' },
   peers: { type: 'boolean' },
   json: { type: 'string' },
   html: { type: 'string' },
@@ -50,6 +53,7 @@ const PARAMETERS = new Map(
 
 const MOST_STEPS = 1_000_000;
 const optionNames = Object.keys(OPTIONS).map((name) => `--${name}`);
+const integratorNames = Object.keys(INTEGRATORS) as IntegratorName[];
 const sceneNames = SCENES.map(({ name }) => name);
 
 /**
@@ -72,6 +76,7 @@ export function readArguments(args: readonly string[]): Request {
     dimensions: choice('dimensions', values.dimensions ?? '2', ['2', '3']) === '2' ? 2 : 3,
     precision: choice('precision', values.precision ?? 'f32', ['f32', 'f64']),
     seed: wholeNumber('seed', values.seed, 1, 0, Number.MAX_SAFE_INTEGER),
+    integrator: values.integrator === undefined ? undefined : choice('integrator', values.integrator, integratorNames),
     peers: values.peers ?? false,
     json: outputFile('json', values.json),
     html: outputFile('html', values.html),
@@ -164,6 +169,7 @@ Options
   --dimensions 2|3    (2)
   --precision f32|f64 type of every column (f32)
   --seed S            equal seeds give equal states (1)
+  --integrator NAME   the scheme, such as rungeKutta4 (the scene's own)
   --peers             measure other ways to do the same work, step by step in turn with ours
   --json FILE         write the result as JSON
   --html FILE         write a report that opens in any browser, offline

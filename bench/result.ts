@@ -21,6 +21,8 @@ export interface Result {
   readonly energyDrift: number | null;
   /** RMS relative error of forces that are approximated; null where they are exact. */
   readonly rmsForceError: number | null;
+  /** Distance from where each body should be, km, by body and time; null where that is not known. */
+  readonly errorKm: Readonly<Record<string, Readonly<Record<string, number>>>> | null;
   /** Milliseconds a step spends in each phase. */
   readonly profile: Readonly<Record<string, number>>;
   readonly peers: readonly PeerResult[];

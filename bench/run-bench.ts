@@ -1,5 +1,5 @@
 // One run of the bench: make the scene, step it in turns with its peers, and see what it cost.
-import { energy, startProfile, stateHash, step, stopProfile } from '@principia/physics';
+import { energy, INTEGRATORS, startProfile, stateHash, step, stopProfile } from '@principia/physics';
 import type { SceneRun } from '@principia/scenes';
 import type { RunRequest } from './arguments';
 import { measureCreation } from './creation';
@@ -18,8 +18,10 @@ export interface Outcome {
 
 export async function runBench(request: RunRequest): Promise<Outcome> {
   const { scene, count, dimensions, precision, seed, steps, warmup, parameters } = request;
+  const scheme = request.integrator === undefined ? {} : { integrator: INTEGRATORS[request.integrator].create() };
   const making = startProgress('creating', count);
-  const create = () => scene.create({ count, dimensions, precision, seed, progress: making.update, ...parameters });
+  const create = () =>
+    scene.create({ count, dimensions, precision, seed, progress: making.update, ...scheme, ...parameters });
   const { creation, run } = measureCreation(create, count, request.peers);
   making.end();
   const advance = stepOf(run);
@@ -47,6 +49,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     energyDrift: run.losesEnergy === undefined && Number.isFinite(drift) ? drift : null,
     energyNote: run.losesEnergy ?? null,
     rmsForceError: run.forceError?.(run.world) ?? null,
+    errorKm: run.errorKm?.() ?? null,
     profile: phaseTimes(run, advance),
     garbageBytesPerStep: garbageBytesPerStep(advance),
     peers: peers.map(({ name }, p) => {

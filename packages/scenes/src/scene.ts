@@ -1,4 +1,4 @@
-import { PhysicsError, type PhysicsWorld, type Precision, type Progress } from '@principia/physics';
+import { type Integrator, PhysicsError, type PhysicsWorld, type Precision, type Progress } from '@principia/physics';
 
 /** A number a scene is made with. */
 export interface SceneParameter {
@@ -20,6 +20,8 @@ export interface SceneOptions {
   readonly precision?: Precision;
   /** Equal seeds and parameters give equal worlds. */
   readonly seed?: number;
+  /** The scheme it moves by; default the scene's own choice. */
+  readonly integrator?: Integrator;
   /** Called as bodies are made. */
   readonly progress?: Progress;
 }
@@ -33,6 +35,8 @@ export interface SceneRun {
   readonly advance?: (world: PhysicsWorld) => void;
   /** RMS relative error of forces that are approximated, as they are now; absent where they are exact. */
   readonly forceError?: (world: PhysicsWorld) => number;
+  /** Distance of each body from where it should be, km, by body and time, of a run of its own; absent where unknown. */
+  readonly errorKm?: () => Readonly<Record<string, Readonly<Record<string, number>>>>;
   /** Why the energy of this scene is not constant; absent where it is. */
   readonly losesEnergy?: string;
 }
@@ -42,6 +46,8 @@ export interface Setup<Name extends string> {
   readonly dimensions: 2 | 3;
   readonly precision: Precision;
   readonly seed: number;
+  /** The scheme asked for. A scene that does not look at it is given it afterwards. */
+  readonly integrator: Integrator | undefined;
   readonly progress: Progress | undefined;
   readonly parameters: Readonly<Record<Name | 'count', number>>;
 }
@@ -65,7 +71,7 @@ export interface Scene<Name extends string = never, Run extends SceneRun = Scene
   create(options?: SceneOptions & { readonly [Parameter in Name]?: number }): Run;
 }
 
-const COMMON = ['dimensions', 'precision', 'seed', 'progress'];
+const COMMON = ['dimensions', 'precision', 'seed', 'integrator', 'progress'];
 
 /** A scene from its description: checks what it is made with, so that `build` need not. */
 export function defineScene<Name extends string, Run extends SceneRun>(spec: SceneSpec<Name, Run>): Scene<Name, Run> {
@@ -83,10 +89,12 @@ export function defineScene<Name extends string, Run extends SceneRun>(spec: Sce
           hint: `Valid: ${[...names, ...COMMON].join(', ')}.`,
         });
       }
-      const { dimensions = 2, precision = spec.precision ?? 'f64', seed = 1, progress } = options;
+      const { dimensions = 2, precision = spec.precision ?? 'f64', seed = 1, integrator, progress } = options;
       const values = names.map((name) => [name, checkParameter(name, spec.parameters[name], given[name])]);
       const parameters = Object.fromEntries(values) as Record<Name | 'count', number>;
-      return spec.build({ dimensions, precision, seed, progress, parameters });
+      const run = spec.build({ dimensions, precision, seed, integrator, progress, parameters });
+      if (integrator !== undefined && run.world.integrator.name !== integrator.name) run.world.integrator = integrator;
+      return run;
     },
   };
 }

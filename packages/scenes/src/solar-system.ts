@@ -4,7 +4,7 @@
 import { cos, createRandom, gaussRadau, leapfrog, sin, spawnMany } from '@principia/physics';
 import { countOf, defineScene, type SceneRun } from './scene';
 import { buildSolarSystem, type SolarSystem } from './solar-system/build';
-import { DAY } from './solar-system/errors';
+import { DAY, errorsOf } from './solar-system/errors';
 import { ASTRONOMICAL_UNIT, STATES } from './solar-system/states';
 
 /** A scene that knows its planets. */
@@ -18,24 +18,26 @@ export const solarSystem = defineScene({
   description: 'Sun, planets, Moon and Pluto from JPL’s states of 2000, and asteroids',
   precision: 'f64',
   parameters: {
-    count: countOf('asteroids', 0, 500, 0),
+    count: countOf('bodies in all, those beyond Sun, planets, Moon and Pluto asteroids', 11, 511, 11),
     moon: { about: '1 for Earth and Moon, 0 for one body in their place', unit: '', initial: 1, min: 0, max: 1 },
     relativity: { about: '1 for the post-Newtonian term of the Sun', unit: '', initial: 1, min: 0, max: 1 },
   },
-  build({ dimensions, precision, seed, progress, parameters }): SolarSystemRun {
-    const { count, moon, relativity } = parameters;
+  build({ dimensions, precision, seed, integrator, progress, parameters }): SolarSystemRun {
+    const { moon, relativity } = parameters;
+    const others = parameters.count - (moon > 0 ? 11 : 10);
+    // The fifteenth order is below the rounding of f32.
+    const scheme = integrator ?? (precision === 'f64' ? gaussRadau() : leapfrog);
     const system = buildSolarSystem({
       dimensions,
       precision,
       seed,
-      others: count,
+      others,
       moon: moon > 0,
       relativity: relativity > 0,
-      // The fifteenth order is below the rounding of f32.
-      integrator: precision === 'f64' ? gaussRadau() : leapfrog,
+      integrator: scheme,
     });
-    if (count > 0) spawnMany(system.world, count, asteroids(count, seed), progress);
-    return { ...system, dt: DAY };
+    if (others > 0) spawnMany(system.world, others, asteroids(others, seed), progress);
+    return { ...system, dt: DAY, errorKm: () => errorsOf(scheme) };
   },
 });
 

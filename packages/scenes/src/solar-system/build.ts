@@ -10,6 +10,7 @@ import {
   type Precision,
   postNewtonian,
   spawn,
+  wisdomHolman,
 } from '@principia/physics';
 import { BODY_NAMES, type BodyName, type EpochState, OBLIQUITY, SPEED_OF_LIGHT, STATES } from './states';
 
@@ -17,7 +18,7 @@ export interface SolarSystemOptions {
   readonly dimensions?: 2 | 3;
   readonly precision?: Precision;
   readonly seed?: number;
-  /** Default Gauss-Radau 15. One that needs the gravitational constant gets G = 1. */
+  /** Default Gauss-Radau 15. Wisdom-Holman gets the gravitational constant of this world, G = 1. */
   readonly integrator?: Integrator;
   /** Default true; without it the Earth stands for both, at their centre of mass. */
   readonly moon?: boolean;
@@ -41,7 +42,7 @@ export function buildSolarSystem(options: SolarSystemOptions = {}): SolarSystem 
     precision,
     seed,
     capacity: BODY_NAMES.length + others,
-    integrator: options.integrator ?? gaussRadau(),
+    integrator: inTheseUnits(options.integrator ?? gaussRadau()),
     forces: [mutualGravity({ G: 1 })],
   });
   const ids: Partial<Record<BodyName, number>> = {};
@@ -56,6 +57,12 @@ export function buildSolarSystem(options: SolarSystemOptions = {}): SolarSystem 
   }
   if (relativity) world.forces.push(postNewtonian({ central: ids.sun as number, G: 1, speedOfLight: SPEED_OF_LIGHT }));
   return { world, ids };
+}
+
+/** A default Wisdom-Holman would take G in SI units. */
+function inTheseUnits(integrator: Integrator): Integrator {
+  const map = wisdomHolman({ G: 1 });
+  return integrator.name === map.name ? map : integrator;
 }
 
 /** From the axes of the equator to those of the ecliptic. */

@@ -1,8 +1,8 @@
 // How far the simulated solar system is from JPL's after a day, a month, 1, 10 and 50 years.
-import { type PhysicsWorld, step } from '@principia/physics';
-import type { SolarSystem } from './build';
+import { type Integrator, type PhysicsWorld, step } from '@principia/physics';
+import { buildSolarSystem, type SolarSystem } from './build';
 import { REFERENCES, type Reference } from './references';
-import { BODY_NAMES, type BodyName, OBLIQUITY } from './states';
+import { BODY_NAMES, type BodyName, OBLIQUITY, STATES } from './states';
 
 export const DAY = 86400;
 
@@ -10,7 +10,7 @@ export const DAY = 86400;
 export type ErrorsKm = Partial<Record<BodyName, number>>;
 
 /** Errors by body, then by time: `d1`, `d30`, `y1`, `y10`, `y50`. */
-export type ErrorTable = Partial<Record<BodyName, Record<string, number>>>;
+export type ErrorTable = Record<string, Record<string, number>>;
 
 /** Moves the world to `time` in steps of dt, of which the last may be shorter. */
 export function advanceTo(world: PhysicsWorld, time: number, dt: number): void {
@@ -18,16 +18,18 @@ export function advanceTo(world: PhysicsWorld, time: number, dt: number): void {
   while (time - world.time > 1e-6 * dt) step(world, Math.min(dt, time - world.time));
 }
 
-/** The errors of a world with the Moon that has come to the time of a reference. */
+/** The errors of a world that has come to the time of a reference. */
 export function errorsAt({ world, ids }: SolarSystem, reference: Reference): ErrorsKm {
   const { Position } = world.components;
+  const where = (name: BodyName) =>
+    name === 'earth' && ids.moon === undefined ? earthAndMoon(reference) : reference.positions[name];
   const errors: ErrorsKm = {};
   for (const name of BODY_NAMES) {
     const id = ids[name];
     const centre = name === 'moon' ? 'earth' : 'sun';
     if (id === undefined || name === 'sun') continue;
     const origin = ids[centre] as number;
-    const wanted = reference.positions[name].map((value, axis) => value - reference.positions[centre][axis]);
+    const wanted = where(name).map((value, axis) => value - where(centre)[axis]);
     const { cos, sin } = OBLIQUITY;
     const dx = Position.x[id] - Position.x[origin] - wanted[0];
     const dy = Position.y[id] - Position.y[origin] - (cos * wanted[1] + sin * wanted[2]);
@@ -37,17 +39,34 @@ export function errorsAt({ world, ids }: SolarSystem, reference: Reference): Err
   return errors;
 }
 
+/** Their centre of mass. */
+function earthAndMoon({ positions }: Reference): readonly number[] {
+  const share = STATES.moon.gm / (STATES.earth.gm + STATES.moon.gm);
+  return positions.earth.map((value, axis) => value + share * (positions.moon[axis] - value));
+}
+
 /** Runs a fresh system to each reference in turn, up to `years`, and returns the errors there. */
 export function measureErrors(system: SolarSystem, dt = 32 * DAY, years = 50): ErrorTable {
   const table: ErrorTable = {};
   for (const reference of REFERENCES) {
     if (reference.days > years * 365.25) break;
     advanceTo(system.world, reference.days * DAY, dt);
-    for (const [name, error] of Object.entries(errorsAt(system, reference)) as [BodyName, number][]) {
+    for (const [name, error] of Object.entries(errorsAt(system, reference))) {
       const row = table[name] ?? {};
       row[reference.label] = error;
       table[name] = row;
     }
   }
   return table;
+}
+
+/**
+ * The errors of an integrator over 50 years, in space and in f64: with sub-steps of its own where it chooses them, with
+ * 4-day steps and no Moon for Wisdom-Holman, with hours for all others.
+ */
+export function errorsOf(integrator: Integrator): ErrorTable {
+  const isMap = integrator.name === 'Wisdom-Holman';
+  const choosesSteps = integrator.name === 'Gauss-Radau 15' || integrator.name === 'Dormand-Prince 5(4)';
+  const dt = isMap ? 4 * DAY : choosesSteps ? 32 * DAY : DAY / 24;
+  return measureErrors(buildSolarSystem({ integrator, moon: !isMap }), dt);
 }
