@@ -1,6 +1,6 @@
 // An elastic gas of discs or balls in a box: bodies that meet and nothing else. Energy is what it was at the start, and
 // no momentum is lost but to the walls.
-import { boxWalls, colliding, createPhysicsWorld, spawnMany } from '@principia/physics';
+import { boxWalls, colliding, createPhysicsWorld, pow, spawnMany } from '@principia/physics';
 import { countOf, defineScene, type SceneRun } from './scene';
 import { seededUniforms } from './seeded';
 
@@ -23,9 +23,9 @@ export const gas = defineScene({
   },
   build({ dimensions, precision, seed, progress, parameters }) {
     const { count, fraction, radius, speed, restitution } = parameters;
-    const across = Math.ceil(count ** (1 / dimensions));
-    const volume = dimensions === 2 ? Math.PI * radius ** 2 : (4 / 3) * Math.PI * radius ** 3;
-    const side = across * (volume / fraction) ** (1 / dimensions);
+    const across = Math.ceil(pow(count, 1 / dimensions));
+    const volume = dimensions === 2 ? Math.PI * radius * radius : (4 / 3) * Math.PI * radius * radius * radius;
+    const side = across * pow(volume / fraction, 1 / dimensions);
     const world = createPhysicsWorld({
       dimensions,
       precision,
@@ -43,7 +43,7 @@ export const gas = defineScene({
       world,
       count,
       {
-        position: { x: axis(1), y: axis(across), ...(dimensions === 3 ? { z: axis(across ** 2) } : {}) },
+        position: { x: axis(1), y: axis(across), ...(dimensions === 3 ? { z: axis(across * across) } : {}) },
         velocity: { x: push(), y: push(), ...(dimensions === 3 ? { z: push() } : {}) },
         mass: uniform(0.5, 1.5),
         collider: { radius: uniform(0.8 * radius, radius), restitution },
