@@ -96,7 +96,7 @@ function setWeights(
   weights[0] = ofVelocity;
   for (let j = 0; j < STAGES; j++) {
     weights[1 + j] = scaleX * inPosition[j];
-    weights[1 + STAGES + j] = scaleV * (inVelocity[j] ?? 0);
+    weights[1 + STAGES + j] = scaleV * inVelocity[j];
   }
 }
 
@@ -144,7 +144,10 @@ export function worstRatio(
   let worst = 0;
   for (let r = 0; r < spans.count; r++) {
     const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
-    for (const sum of [errorX, errorV, sizeX, sizeV]) world.kernels.zeroColumn(sum, first, last);
+    world.kernels.zeroColumn(errorX, first, last);
+    world.kernels.zeroColumn(errorV, first, last);
+    world.kernels.zeroColumn(sizeX, first, last);
+    world.kernels.zeroColumn(sizeV, first, last);
     for (const axis of AXES[world.dimensions]) {
       const [x0, v0, a] = [at[axis], at[axis] + stride, at[axis] + 2 * stride];
       const [wx, wv] = [weightsAt + bytes, weightsAt + (1 + STAGES) * bytes];

@@ -7,7 +7,7 @@
 /** When the stages are, in steps. */
 export const C = [0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1, 1];
 
-/** Weights of the stages before; the last row is the fifth-order solution. */
+/** Weights of the stages before, filled up with zeros; the last row is the fifth-order solution. */
 export const A = [
   [],
   [1 / 5],
@@ -16,7 +16,7 @@ export const A = [
   [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729],
   [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656],
   [35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84],
-];
+].map((row) => C.map((_, j) => row[j] ?? 0));
 
 /** Fifth-order minus fourth-order solution. */
 export const E = [71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40];
@@ -34,7 +34,7 @@ const D = [
 
 /** Weights of accelerations in positions, from weights of derivatives: w A. */
 export function twice(weights: readonly number[]): number[] {
-  return C.map((_, j) => weights.reduce((sum, w, i) => sum + w * (A[i][j] ?? 0), 0));
+  return C.map((_, j) => weights.reduce((sum, w, i) => sum + w * A[i][j], 0));
 }
 
 /** A A, row by row. */
@@ -47,7 +47,7 @@ export const EA = twice(E);
 export function denseWeights(moment: number): number[] {
   const back = 1 - moment;
   return C.map((_, i) => {
-    const b = A[6][i] ?? 0;
+    const b = A[6][i];
     const start = (i === 0 ? 1 : 0) - b;
     const end = b - (i === 6 ? 1 : 0) - start;
     return moment * (b + back * (start + moment * (end + back * D[i])));
