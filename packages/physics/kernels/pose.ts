@@ -2,8 +2,7 @@
 import { BLOCK, LANES, add, at, splat } from './lanes';
 
 // Saves position and velocity at the start of the step and returns 1 when every |x| <= maxPosition and |v| <= maxSpeed.
-// The comparison is false for NaN, so one instruction finds NaN, infinity and nonsense alike. A bad position is not
-// saved: `previous` keeps the last good one.
+// A bad position is not saved: `previous` keeps the last good one.
 export function beginAxis(
   previous: usize,
   start: usize,
@@ -17,41 +16,59 @@ export function beginAxis(
   const limitX = splat(maxPosition);
   const limitV = splat(maxSpeed);
   let good = i32x4.splat(-1);
+  let speeds = nothingSeen();
   for (let row = first; row < last; row += BLOCK) {
     const o = at(row);
-    const inRange = blockWithin(x + o, limitX);
-    good = v128.and(good, v128.and(inRange, blockWithin(v + o, limitV)));
+    const inRange = isWithin(lookAtBlock(nothingSeen(), x + o, limitX), limitX);
+    speeds = lookAtBlock(speeds, v + o, limitV);
     copyBlock(start + o, v + o);
-    if (i32x4.all_true(inRange)) copyBlock(previous + o, x + o);
-    else copyGood(previous + o, x + o, limitX);
+    if (i32x4.all_true(inRange)) {
+      copyBlock(previous + o, x + o);
+    } else {
+      good = v128.and(good, inRange);
+      copyGood(previous + o, x + o, limitX);
+    }
   }
-  return i32(i32x4.all_true(good));
+  return i32(i32x4.all_true(v128.and(good, isWithin(speeds, limitV))));
 }
 
 // Returns 1 when every |x| <= maxPosition and |v| <= maxSpeed.
 export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real, first: i32, last: i32): i32 {
   const limitX = splat(maxPosition);
   const limitV = splat(maxSpeed);
-  let good = i32x4.splat(-1);
+  let positions = nothingSeen();
+  let speeds = nothingSeen();
   for (let row = first; row < last; row += BLOCK) {
     const o = at(row);
-    good = v128.and(good, v128.and(blockWithin(x + o, limitX), blockWithin(v + o, limitV)));
+    positions = lookAtBlock(positions, x + o, limitX);
+    speeds = lookAtBlock(speeds, v + o, limitV);
   }
-  return i32(i32x4.all_true(good));
+  return i32(i32x4.all_true(v128.and(isWithin(positions, limitX), isWithin(speeds, limitV))));
+}
+
+// What was seen of many values so far: in f32 the largest magnitude of each lane, in f64 the lanes in which none was
+// beyond the limit. Magnitudes are compared as integers, which orders infinity above all numbers and NaN above that; of
+// 64-bit integers there is no such instruction, and the comparison of reals is false for NaN.
+// @ts-ignore: decorator
+@inline function nothingSeen(): v128 {
+  return i32x4.splat(sizeof<real>() == 4 ? 0 : -1);
 }
 
 // @ts-ignore: decorator
-@inline function within(values: usize, limit: v128): v128 {
-  return v128.le<real>(v128.abs<real>(v128.load(values)), limit);
+@inline function lookAt(seen: v128, values: usize, limit: v128): v128 {
+  if (sizeof<real>() == 4) return v128.max<u32>(seen, v128.and(v128.load(values), i32x4.splat(0x7fffffff)));
+  return v128.and(seen, v128.le<real>(v128.abs<real>(v128.load(values)), limit));
 }
 
-// Lanes set where all four vectors of a block are within the limit.
 // @ts-ignore: decorator
-@inline function blockWithin(p: usize, limit: v128): v128 {
-  return v128.and(
-    v128.and(within(p, limit), within(p + 16, limit)),
-    v128.and(within(p + 32, limit), within(p + 48, limit)),
-  );
+@inline function lookAtBlock(seen: v128, p: usize, limit: v128): v128 {
+  return lookAt(lookAt(lookAt(lookAt(seen, p, limit), p + 16, limit), p + 32, limit), p + 48, limit);
+}
+
+// Lanes set where all that was seen is within the limit.
+// @ts-ignore: decorator
+@inline function isWithin(seen: v128, limit: v128): v128 {
+  return sizeof<real>() == 4 ? v128.le<u32>(seen, limit) : seen;
 }
 
 // @ts-ignore: decorator
@@ -70,7 +87,7 @@ export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real,
 function copyGood(to: usize, from: usize, limit: v128): void {
   for (let o: usize = 0; o < 64; o += 16) {
     const value = v128.load(from + o);
-    v128.store(to + o, v128.bitselect(value, v128.load(to + o), within(from + o, limit)));
+    v128.store(to + o, v128.bitselect(value, v128.load(to + o), v128.le<real>(v128.abs<real>(value), limit)));
   }
 }
 

@@ -52,13 +52,18 @@ let rested: v128 = i32x4.splat(0);
   return v128.and(add(away, mul(side, v128.neg<real>(velocity))), entering);
 }
 
+// @ts-ignore: decorator
+@inline function isRough(c: Columns, row: i32): bool {
+  return v128.any_true(v128.gt<real>(v128.load(c.friction + at(row)), splat(0)));
+}
+
 // Friction and the record of the lanes that came in.
 function settle(c: Columns, row: i32, change: v128, axis: i32, side: real, friction: real): void {
   const nx = axis == 0 ? side : <real>0;
   const ny = axis == 1 ? side : <real>0;
   const nz = axis == 2 ? side : <real>0;
   const still = rested;
-  if (c.contacts == 0 && !v128.any_true(v128.gt<real>(v128.load(c.friction + at(row)), splat(0)))) return;
+  if (c.contacts == 0 && (friction == 0 || !isRough(c, row))) return;
   for (let lane = 0; lane < LANES; lane++) {
     const body = row + lane;
     const impulse = laneOf(change, lane) * get(c.mass, body);
@@ -95,19 +100,26 @@ export function boxAxis(
   const lowest = splat(low);
   const highest = splat(high);
   const reach = splat(c.contacts == 0 ? <real>1 : REACH);
-  for (let row = first; row < last; row += BLOCK) {
-    const p = x + at(row);
-    const r = radius + at(row);
-    const outside = v128.or(
-      v128.or(isOutside(p, r, reach, lowest, highest), isOutside(p + 16, r + 16, reach, lowest, highest)),
-      v128.or(isOutside(p + 32, r + 32, reach, lowest, highest), isOutside(p + 48, r + 48, reach, lowest, highest)),
-    );
-    if (!v128.any_true(outside)) continue;
-    for (let i = 0; i < BLOCK; i += LANES) {
-      bounce(axis, x, v, start, low, high, restitution, friction, dt, lag, row + i);
-      if (c.contacts == 0) continue;
-      noteNear(c, row + i, axis, x, low, 1, friction);
-      noteNear(c, row + i, axis, x, high, -1, friction);
+  for (let chunk = first; chunk < last; chunk += 64 * BLOCK) {
+    let hits: u64 = 0;
+    for (let row = min(chunk + 64 * BLOCK, last) - BLOCK; row >= chunk; row -= BLOCK) {
+      const p = x + at(row);
+      const r = radius + at(row);
+      const outside = v128.or(
+        v128.or(isOutside(p, r, reach, lowest, highest), isOutside(p + 16, r + 16, reach, lowest, highest)),
+        v128.or(isOutside(p + 32, r + 32, reach, lowest, highest), isOutside(p + 48, r + 48, reach, lowest, highest)),
+      );
+      hits = (hits << 1) | u64(v128.any_true(outside));
+    }
+    for (; hits != 0; hits &= hits - 1) {
+      const row = chunk + <i32>ctz(hits) * BLOCK;
+      for (let i = row; i < row + BLOCK; i += LANES) {
+        if (!v128.any_true(isOutside(x + at(i), radius + at(i), reach, lowest, highest))) continue;
+        bounce(axis, x, v, start, low, high, restitution, friction, dt, lag, i);
+        if (c.contacts == 0) continue;
+        noteNear(c, i, axis, x, low, 1, friction);
+        noteNear(c, i, axis, x, high, -1, friction);
+      }
     }
   }
 }
