@@ -130,6 +130,7 @@ export { movePin, pin, unpin } from './networks/pins';
 export { createRope, type RopeOptions } from './networks/rope';
 export { createSoftBody, type SoftBody, type SoftBodyOptions } from './networks/soft-body';
 export { colliding } from './presets/colliding';
+export { type Mergers, mergeOnContact, mergers } from './n-body/merge-on-contact';
 export {
   type DistanceLaw,
   type MutualForce,

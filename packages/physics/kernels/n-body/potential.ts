@@ -141,11 +141,11 @@ function pairStrength(w: NBody, column: usize): f64 {
   return 0.5 * (total * total - squares) + tests * total;
 }
 
-// W of the packed bodies in strength²/m for the law 1/r², strength² with distances in metres for 1/r.
-export function nBodyPotential(address: usize, column: usize, dimensions: i32, law: i32, useTree: i32): f64 {
+// W of the packed bodies, which were evaluated before, in strength²/m for the law 1/r², strength² with distances in metres for 1/r.
+export function nBodyPotential(address: usize, column: usize, dimensions: i32, law: i32): f64 {
   const w = changetype<NBody>(address);
   if (w.bodies == 0) return 0;
-  const sum = useTree != 0 ? byTree(w, column, dimensions, law) : direct(w, column, law);
+  const sum = w.resultsByTree ? byTree(w, column, dimensions, law) : direct(w, column, law);
   const units = w.strength * w.strength;
   if (law == 2) return (sum * units) / w.length;
   return units * (sum - pairStrength(w, column) * logarithm(w.length));

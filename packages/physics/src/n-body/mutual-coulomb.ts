@@ -10,10 +10,8 @@
 // matter that is neutral on average far fields cancel and an error is relative to what is left: the tree then opens
 // more and gains less than for gravity. Coulomb 1785; tree and cost as in mutual-gravity.ts.
 import { checkNumber } from '../faults/validate';
+import { COULOMB_CONSTANT } from '../forces/fixed-charges';
 import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force';
-
-/** The Coulomb constant 1/(4π ε₀), N m²/C²: CODATA 2022. */
-const COULOMB_CONSTANT = 8.9875517862e9;
 
 export interface MutualCoulombOptions extends MutualOptions {
   /** Default 8.9875517862e9 N m²/C². */

@@ -101,6 +101,10 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
     parameters: spec.parameters,
     reads: ['Position', spec.strength],
     local: false,
+    timeless: true,
+    prepare(world) {
+      sum.workOf(world);
+    },
     accumulate(world) {
       const work = sum.evaluate(world);
       const { force } = world.scratch.at;
@@ -111,8 +115,7 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
     potential(world) {
       const work = sum.evaluate(world);
       const column = world.addresses[spec.strength].value;
-      const tree = sum.usesTree(world, work);
-      return -spec.coefficient * nBodyKernels(world).nBodyPotential(work, column, world.dimensions, sum.power, tree);
+      return -spec.coefficient * nBodyKernels(world).nBodyPotential(work, column, world.dimensions, sum.power);
     },
     report: (world) => reportOf(world, sum.workOf(world)),
     rmsError(world, samples = SAMPLES) {
@@ -143,20 +146,18 @@ function createSum(spec: MutualSpec) {
     kernels.nBodyBegin(work, world.capacity, hasTree);
     return work;
   });
-  const usesTree = (world: PhysicsWorld, work: number): number => {
-    if (method !== 'auto') return method === 'tree' ? 1 : 0;
-    return nBodyKernels(world).nBodyNumber(work, 0) >= treeFrom(world) ? 1 : 0;
-  };
+  const usesTree = (world: PhysicsWorld, bodies: number): boolean =>
+    method === 'tree' || (method === 'auto' && bodies >= treeFrom(world));
   return {
     power,
     workOf,
-    usesTree,
     evaluate(world: PhysicsWorld): number {
       const work = workOf(world);
       const kernels = nBodyKernels(world);
       const column = world.addresses[spec.strength].value;
-      kernels.nBodyGather(work, column, required, bitOf('TestParticle'), softening, world.lastId + 1);
-      const tree = usesTree(world, work);
+      const rows = world.lastId + 1;
+      const bodies = kernels.nBodyGather(work, column, required, bitOf('TestParticle'), softening, rows);
+      const tree = usesTree(world, bodies) ? 1 : 0;
       kernels.nBodyEvaluate(work, world.dimensions, power, spec.signed ? 1 : 0, tree, relativeError);
       return work;
     },

@@ -16,10 +16,8 @@
 // accepted by the error they make (Salmon & Warren, J. Comput. Phys. 111, 136, 1994). It does not conserve momentum
 // exactly: action and reaction are approximated separately. Cost: N²/2 pairs, or about N log N.
 import { checkNumber } from '../faults/validate';
+import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity';
 import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force';
-
-/** The gravitational constant, m³/(kg s²): CODATA 2022. */
-const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
 export interface MutualGravityOptions extends MutualOptions {
   /** Default 6.6743e-11 N m²/kg². */

@@ -1,0 +1,100 @@
+import { describe, expect, test } from 'vitest';
+import { cloud } from '../../../../test/support/point-clouds';
+import { spawn } from '../bodies/spawn';
+import { spawnMany } from '../bodies/spawn-many';
+import { angularMomentum, centreOfMass, energy, momentum, totalMass } from '../diagnostics/energy';
+import { step } from '../step';
+import { bodies } from '../store/spans';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world';
+import { mergeOnContact, mergers } from './merge-on-contact';
+import { mutualGravity } from './mutual-gravity';
+
+function mergingWorld(options: PhysicsWorldOptions = {}) {
+  const world = createPhysicsWorld({ capacity: 2000, arenaBytes: 2 ** 23, ...options });
+  world.phases.collide.push(mergeOnContact);
+  return world;
+}
+
+describe('bodies that touch become one', () => {
+  test.each([
+    [2, Math.SQRT2],
+    [3, 2 ** (1 / 3)],
+  ] as const)('in %iD: mass, momentum, centre and size, the lower id of equals', (dimensions, size) => {
+    const world = mergingWorld({ dimensions });
+    const a = spawn(world, { position: { x: 0 }, velocity: { x: 1, y: 2 }, mass: 3, collider: 1 });
+    const b = spawn(world, { position: { x: 2.5 }, velocity: { x: -3 }, mass: 3, collider: 1 });
+    step(world, 0.01);
+    expect(mergers(world)).toMatchObject({ total: 0, lastStep: 0 });
+    for (let i = 0; i < 20; i++) step(world, 0.01);
+    expect(mergers(world).total).toBe(1);
+    expect(bodies(world).count).toBe(1);
+    const { Mass, Velocity, Position, Collider } = world.components;
+    expect(Mass.value[a]).toBe(6);
+    expect(Mass.value[b]).toBe(0);
+    expect([Velocity.x[a], Velocity.y[a]]).toEqual([-1, 1]);
+    expect(Position.x[a]).toBeCloseTo(1.25 - world.time, 12);
+    expect(Position.y[a]).toBeCloseTo(world.time, 12);
+    expect(Collider.radius[a]).toBeCloseTo(size, 12);
+  });
+
+  test('the heavier stays, a wall without mass swallows nobody', () => {
+    const world = mergingWorld();
+    spawn(world, { position: { x: 0 }, mass: 1, collider: 1 });
+    const heavy = spawn(world, { position: { x: 1 }, mass: 9, collider: 1 });
+    spawn(world, { position: { x: 10 }, collider: 1 });
+    spawn(world, { position: { x: 10.5 }, mass: 1, collider: 1 });
+    step(world, 0.01);
+    expect(bodies(world).count).toBe(3);
+    expect(world.components.Mass.value[heavy]).toBe(10);
+    expect(world.components.Position.x[heavy]).toBeCloseTo(0.9, 12);
+  });
+
+  test('a chain of them merges until nobody overlaps', () => {
+    const world = mergingWorld({ dimensions: 3 });
+    for (let i = 0; i < 10; i++) spawn(world, { position: { x: 1.5 * i }, mass: 1 + i, collider: 1 });
+    step(world, 0.01);
+    for (let i = 0; i < 5; i++) step(world, 0.01);
+    const { ids, count } = bodies(world);
+    expect(count).toBeLessThan(5);
+    const { Position, Collider } = world.components;
+    for (let i = 1; i < count; i++) {
+      const [a, b] = [ids[i - 1], ids[i]];
+      expect(Position.x[b] - Position.x[a]).toBeGreaterThan(Collider.radius[a] + Collider.radius[b]);
+    }
+    expect(totalMass(world)).toBe(55);
+    expect(centreOfMass(world).x).toBeCloseTo((1.5 * 330) / 55, 12);
+    expect(mergers(world).total).toBe(10 - bodies(world).count);
+  });
+
+  test('what they had of angular momentum becomes spin', () => {
+    const world = mergingWorld();
+    const ball = { mass: 1, collider: 1, inertia: 0.5, angularVelocity: { z: 0 }, rotation: {} };
+    spawn(world, { ...ball, position: { x: -2, y: 0.5 }, velocity: { x: 1 } });
+    spawn(world, { ...ball, position: { x: 2, y: -0.5 }, velocity: { x: -1 }, angularVelocity: { z: 3 } });
+    const before = angularMomentum(world).z;
+    for (let i = 0; i < 300; i++) step(world, 0.01);
+    expect(bodies(world).count).toBe(1);
+    expect(angularMomentum(world).z).toBeCloseTo(before, 12);
+  });
+
+  test('a cloud that falls together keeps mass, momentum and centre, and loses energy', () => {
+    const count = 600;
+    const world = mergingWorld({
+      dimensions: 3,
+      capacity: count,
+      forces: [mutualGravity({ G: 1e-3, softening: 0.02 })],
+    });
+    const { x, y, z, mass } = cloud('uniform', count, 3);
+    spawnMany(world, count, { position: { x, y, z }, velocity: {}, mass, collider: 0.03 });
+    const before = { mass: totalMass(world), centre: centreOfMass(world), energy: energy(world).total };
+    for (let i = 0; i < 150; i++) step(world, 0.01);
+    expect(mergers(world).total).toBeGreaterThan(100);
+    expect(bodies(world).count).toBe(count - mergers(world).total);
+    expect(totalMass(world)).toBeCloseTo(before.mass, 9);
+    const { x: px, y: py, z: pz } = momentum(world);
+    expect(Math.hypot(px, py, pz)).toBeLessThan(1e-9);
+    const centre = centreOfMass(world);
+    for (const axis of ['x', 'y', 'z'] as const) expect(centre[axis]).toBeCloseTo(before.centre[axis], 9);
+    expect(world.faults.faults).toEqual([]);
+  });
+});
