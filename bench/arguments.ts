@@ -3,6 +3,7 @@ import { dirname, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { INTEGRATORS, type IntegratorName, type Precision } from '@principia/physics';
 import { findScene, SCENES, type Scene, type SceneParameter } from '@principia/scenes';
+import { peersOf } from './peers/all';
 
 /** What the command line asks for. */
 export type Request = { readonly kind: 'help' } | { readonly kind: 'list' } | RunRequest;
@@ -67,17 +68,23 @@ export function readArguments(args: readonly string[]): Request {
   const scene = sceneOf(positionals);
   const { count } = scene.parameters;
   const steps = wholeNumber('steps', values.steps, 200, 1, MOST_STEPS);
+  const warmup = wholeNumber('warmup', values.warmup, Math.min(20, Math.floor(steps / 5)), 0, steps - 1);
+  const peers = values.peers ?? false;
+  if (peers && steps - warmup < peersOf(scene.name).length) {
+    const least = peersOf(scene.name).length;
+    throw new ArgumentError(`--peers needs at least ${least} timed steps here, and ${steps - warmup} are left.`);
+  }
   return {
     kind: 'run',
     scene,
     count: wholeNumber('count', values.count, count.initial, count.min, count.max),
     steps,
-    warmup: wholeNumber('warmup', values.warmup, Math.min(20, Math.floor(steps / 5)), 0, steps - 1),
+    warmup,
     dimensions: choice('dimensions', values.dimensions ?? '2', ['2', '3']) === '2' ? 2 : 3,
     precision: choice('precision', values.precision ?? 'f32', ['f32', 'f64']),
     seed: wholeNumber('seed', values.seed, 1, 0, Number.MAX_SAFE_INTEGER),
     integrator: values.integrator === undefined ? undefined : choice('integrator', values.integrator, integratorNames),
-    peers: values.peers ?? false,
+    peers,
     json: outputFile('json', values.json),
     html: outputFile('html', values.html),
     parameters: parametersOf(scene, values as Record<string, unknown>),

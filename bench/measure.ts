@@ -1,12 +1,14 @@
-// Times steps of ours and of peers in turns, A B A B, in one process: whatever slows the machine slows all alike, so
-// ratios hold where milliseconds do not.
-import type { Peer } from './peers/peer';
+// Times steps of ours and of peers in turns, A B A B, in one process: whatever slows the machine slows both alike, so
+// ratios hold where milliseconds do not. Each peer has turns of its own, from the state the scene is in then; all at
+// once they would push each other, and us, out of the cache.
+import type { SceneRun } from '@principia/scenes';
+import type { PeerMaker } from './peers/peer';
+import { median } from './statistics';
 
 export interface Measured {
   /** Milliseconds of our steps after the warm-up. */
   readonly ours: Float64Array;
-  /** The same for each peer. */
-  readonly peers: readonly Float64Array[];
+  readonly peers: readonly { readonly name: string /** Their time over ours. */; readonly ratio: number }[];
 }
 
 export interface MeasureOptions {
@@ -18,22 +20,48 @@ export interface MeasureOptions {
   readonly onTimed?: () => void;
 }
 
-export function measureSteps(advance: () => void, peers: readonly Peer[], options: MeasureOptions): Measured {
-  const { steps, warmup, progress, onTimed } = options;
+/** Part of a peer's turns that warm it up and do not count. */
+const WARM_TURNS = 0.25;
+
+export async function measureSteps(
+  run: SceneRun,
+  advance: () => void,
+  makers: readonly PeerMaker[],
+  { steps, warmup, progress, onTimed }: MeasureOptions,
+): Promise<Measured> {
   const ours = new Float64Array(steps - warmup);
-  const others = peers.map(() => new Float64Array(steps - warmup));
-  for (let s = 0; s < steps; s++) {
-    if (s === warmup) onTimed?.();
-    const kept = s - warmup;
-    const time = timed(advance);
-    if (kept >= 0) ours[kept] = time;
-    for (let p = 0; p < peers.length; p++) {
-      const peerTime = timed((peers[p] as Peer).step);
-      if (kept >= 0) (others[p] as Float64Array)[kept] = peerTime;
-    }
+  const peers: Measured['peers'][number][] = [];
+  for (let s = 0; s < warmup; s++) {
+    advance();
     progress(s + 1);
   }
-  return { ours, peers: others };
+  onTimed?.();
+  let done = 0;
+  for (let p = 0; p < makers.length; p++) {
+    const peer = await makers[p](run);
+    if (peer === undefined) continue;
+    const { name, step } = peer;
+    const end = done + Math.floor((ours.length - done) / (makers.length - p));
+    const theirs = new Float64Array(end - done);
+    for (let turn = 0; turn < theirs.length; turn++) {
+      ours[done + turn] = timed(advance);
+      theirs[turn] = timed(step);
+      progress(warmup + done + turn + 1);
+    }
+    peers.push({ name, ratio: ratioOf(theirs, ours.subarray(done, end)) });
+    done = end;
+  }
+  for (; done < ours.length; done++) {
+    ours[done] = timed(advance);
+    progress(warmup + done + 1);
+  }
+  return { ours, peers };
+}
+
+/** Of the turns after the first quarter. */
+function ratioOf(theirs: Float64Array, ours: Float64Array): number {
+  const cold = Math.floor(WARM_TURNS * theirs.length);
+  return median(theirs.subarray(cold)) / median(ours.subarray(cold));
 }
 
 function timed(work: () => void): number {

@@ -36,7 +36,10 @@ export interface Result {
   readonly machine: Machine;
 }
 
-/** `ratio` is their time over ours: above 1 we are faster. */
+/**
+ * `ratio` is their median time over ours in the steps taken in turns: above 1 we are faster. `msPerStep` puts it to the
+ * scale of our median of all steps, so that one table compares everybody.
+ */
 export interface PeerResult {
   readonly name: string;
   readonly msPerStep: number;

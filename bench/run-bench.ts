@@ -5,7 +5,7 @@ import type { RunRequest } from './arguments';
 import { measureCreation } from './creation';
 import { measureSteps } from './measure';
 import { garbageBytesPerStep } from './memory';
-import { makePeers } from './peers/all';
+import { peersOf } from './peers/all';
 import { startProgress } from './progress';
 import { echo, type Result, thisMachine } from './result';
 import { summarise } from './statistics';
@@ -25,14 +25,14 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
   const { creation, run } = measureCreation(create, count, request.peers);
   making.end();
   const advance = stepOf(run);
-  const peers = request.peers ? await makePeers(scene.name, run) : [];
+  const makers = request.peers ? peersOf(scene.name) : [];
 
   const stepping = startProgress('stepping', steps);
   let energyBefore = 0;
   const onTimed = () => {
     energyBefore = energy(run.world).total;
   };
-  const measured = measureSteps(advance, peers, { steps, warmup, progress: stepping.update, onTimed });
+  const measured = await measureSteps(run, advance, makers, { steps, warmup, progress: stepping.update, onTimed });
   stepping.end();
 
   // Everything below looks at the state after the steps, or goes on from there; the hash comes first.
@@ -52,10 +52,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     errorKm: run.errorKm?.() ?? null,
     profile: phaseTimes(run, advance),
     garbageBytesPerStep: garbageBytesPerStep(advance),
-    peers: peers.map(({ name }, p) => {
-      const msPerStep = summarise(measured.peers[p] as Float64Array).median;
-      return { name, msPerStep, ratio: msPerStep / ours.median };
-    }),
+    peers: measured.peers.map(({ name, ratio }) => ({ name, msPerStep: ratio * ours.median, ratio })),
     create: creation,
     date: new Date().toISOString(),
     machine: thisMachine(),

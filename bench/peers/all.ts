@@ -1,4 +1,4 @@
-import type { SceneRun } from '@principia/scenes';
+import { type Integrator, semiImplicitEuler, velocityVerlet } from '@principia/physics';
 import { attractorsJs } from './attractors-js';
 import { circlesJs } from './circles-js';
 import { fusedJs } from './fused-js';
@@ -6,26 +6,26 @@ import { fusedSimd } from './fused-simd';
 import { nBodyD3 } from './n-body-d3';
 import { nBodyDirect } from './n-body-direct';
 import { nBodyJs } from './n-body-js';
-import type { Peer, PeerMaker } from './peer';
+import type { PeerMaker } from './peer';
 import { queryIdiom } from './query-idiom';
 import { springsJs } from './springs-js';
 
 /** Who is measured beside us, by scene. */
 const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
-  particles: [fusedSimd, fusedJs, queryIdiom],
-  springs: [springsJs],
-  attractors: [attractorsJs],
+  particles: [fusedSimd, fusedJs, queryIdiom].map((make) => onlyWith(semiImplicitEuler, make)),
+  springs: [onlyWith(semiImplicitEuler, springsJs)],
+  attractors: [onlyWith(velocityVerlet, attractorsJs)],
   gas: [circlesJs],
   'nbody-direct': [nBodyJs],
   'nbody-tree': [nBodyDirect, nBodyD3],
 };
 
-/** The peers of a scene, ready to take the first step from the state `run` is in. */
-export async function makePeers(scene: string, run: SceneRun): Promise<Peer[]> {
-  const peers: Peer[] = [];
-  for (const make of PEERS[scene] ?? []) {
-    const peer = await make(run);
-    if (peer !== undefined) peers.push(peer);
-  }
-  return peers;
+/** A peer that can do the work of one integrator only. */
+function onlyWith({ name }: Integrator, make: PeerMaker): PeerMaker {
+  return (run) => (run.world.integrator.name === name ? make(run) : undefined);
+}
+
+/** Makers of the peers of a scene. */
+export function peersOf(scene: string): readonly PeerMaker[] {
+  return PEERS[scene] ?? [];
 }

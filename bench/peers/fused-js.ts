@@ -1,11 +1,11 @@
 // The same physics written by hand as one plain loop over typed arrays: what a good programmer without kernels writes.
 // It computes in doubles and stores in the columns' precision (rounding each operation makes it three times slower).
-import type { SceneRun } from '@principia/scenes';
+import type { Particles, SceneRun } from '@principia/scenes';
 import { type ParticleColumns, particleColumns, rebound } from './particles-columns';
 import type { Peer } from './peer';
 
 export function fusedJs(run: SceneRun): Peer {
-  const columns = particleColumns(run);
+  const columns = particleColumns(run as Particles);
   const step = run.world.dimensions === 2 ? step2d : step3d;
   return {
     name: 'fused by hand in plain JavaScript',

@@ -2,7 +2,7 @@
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { MAX_POSITION, MAX_SPEED, type PhysicsWorld, type Precision } from '@principia/physics';
-import { particles, type SceneRun } from '@principia/scenes';
+import type { Particles, SceneRun } from '@principia/scenes';
 import type { Peer } from './peer';
 
 type FusedStep = (columns: number, setting: number, first: number, last: number) => number;
@@ -21,7 +21,7 @@ function columnAddresses({ addresses, previousAddresses }: PhysicsWorld): number
 
 /** A peer on a copy of the columns at the same addresses, so that both lie in the cache alike. */
 export async function fusedSimd(run: SceneRun): Promise<Peer> {
-  const { world, dt } = run;
+  const { world } = run;
   const memory = new WebAssembly.Memory({ initial: world.memory.buffer.byteLength / 65536 });
   const bytes = world.rows * realBytes(world.precision);
   for (const address of columnAddresses(world)) {
@@ -30,25 +30,26 @@ export async function fusedSimd(run: SceneRun): Promise<Peer> {
   const Real = world.precision === 'f32' ? Float32Array : Float64Array;
   return {
     name: 'hand-fused SIMD kernel',
-    step: await fusedStep(world, memory, dt),
+    step: await fusedStep(run as Particles, memory),
     positions: (axis) => new Real(memory.buffer, world.addresses.Position[axis], world.rows),
   };
 }
 
 /** The fused step of a `particles` world on `memory`, which may be the world's own. */
-export async function fusedStep(world: PhysicsWorld, memory: WebAssembly.Memory, dt: number): Promise<() => void> {
+export async function fusedStep(
+  { world, dt, gravity, side, restitution }: Particles,
+  memory: WebAssembly.Memory,
+): Promise<() => void> {
   const kernel = await instantiate(world.precision, memory);
   const step = (world.dimensions === 2 ? kernel.fused2d : kernel.fused3d) as FusedStep;
   // Semi-implicit Euler has no stages: their columns are free for the kernel's two tables.
   const { x: columns, y: setting } = world.scratch.at.stage1;
   new Uint32Array(memory.buffer, columns, 13).set(columnAddresses(world));
-  const { gravity, side, restitution } = particles.parameters;
-  const g = -gravity.initial;
   const Real = world.precision === 'f32' ? Float32Array : Float64Array;
   new Real(memory.buffer, setting, 9).set([
-    ...[0, side.initial],
-    ...[0, g, 0],
-    ...[restitution.initial, MAX_POSITION, MAX_SPEED, dt],
+    ...[0, side],
+    ...[0, -gravity, 0],
+    ...[restitution, MAX_POSITION, MAX_SPEED, dt],
   ]);
   const last = Math.ceil((world.lastId + 1) / 16) * 16;
   return () => {

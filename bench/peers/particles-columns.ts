@@ -1,8 +1,8 @@
 import { bodies } from '@principia/physics';
-import { particles, type SceneRun } from '@principia/scenes';
+import type { Particles } from '@principia/scenes';
 
 /** The state of a `particles` world as dense arrays of its precision, with its constants. */
-export function particleColumns({ world, dt }: SceneRun) {
+export function particleColumns({ world, dt, gravity, side, restitution }: Particles) {
   const { ids, count } = bodies(world);
   const Real = world.precision === 'f32' ? Float32Array : Float64Array;
   const dense = (column: Column): Column => {
@@ -11,13 +11,12 @@ export function particleColumns({ world, dt }: SceneRun) {
     return values;
   };
   const { Position, Velocity, Mass, QuadraticDrag, Collider } = world.components;
-  const { gravity, side, restitution } = particles.parameters;
   return {
     count,
     dt,
-    gravity: gravity.initial,
-    side: side.initial,
-    wall: restitution.initial,
+    gravity,
+    side,
+    wall: restitution,
     x: dense(Position.x),
     y: dense(Position.y),
     z: dense(Position.z),

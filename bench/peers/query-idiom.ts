@@ -1,6 +1,6 @@
 // The same four systems the way bitECS programs are usually written: a query a system, a loop over its entity ids, typed
 // arrays indexed by id. Forces are gathered in a column because drag must see the velocity before gravity changed it.
-import type { SceneRun } from '@principia/scenes';
+import type { Particles, SceneRun } from '@principia/scenes';
 import { addComponents, addEntity, createWorld } from 'bitecs';
 import { type Column, particleColumns } from './particles-columns';
 import type { Peer } from './peer';
@@ -22,7 +22,7 @@ export function queryIdiom(run: SceneRun): Peer {
 export type QueryState = ReturnType<typeof makeState>;
 
 function makeState(run: SceneRun) {
-  const { count, dt, gravity, side, wall, ...from } = particleColumns(run);
+  const { count, dt, gravity, side, wall, ...from } = particleColumns(run as Particles);
   // Entity ids begin at 1.
   const column = (values?: Column): Column => {
     const made = run.world.precision === 'f32' ? new Float32Array(count + 1) : new Float64Array(count + 1);

@@ -1,5 +1,6 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
 
+export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia';
 export type { Many, ManyInput } from './bodies/many';
 export { type BodyInput, despawn, spawn } from './bodies/spawn';
 export { type Progress, spawnMany } from './bodies/spawn-many';
@@ -122,6 +123,16 @@ export { yoshida6 } from './integrators/yoshida6';
 export type { Precision } from './kernels/instantiate';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary';
 export { createRandom, type Random } from './math/random';
+export { type Mergers, mergeOnContact, mergers } from './n-body/merge-on-contact';
+export { type MutualCoulombOptions, mutualCoulomb } from './n-body/mutual-coulomb';
+export type {
+  DistanceLaw,
+  MutualForce,
+  MutualForceReport,
+  MutualOptions,
+  SumMethod,
+} from './n-body/mutual-force';
+export { type MutualGravityOptions, mutualGravity } from './n-body/mutual-gravity';
 export { type Cloth, type ClothOptions, createCloth } from './networks/cloth';
 export { type ClothWindOptions, clothWind } from './networks/cloth-wind';
 export { enclosedGas, type GasOptions } from './networks/gas';
@@ -130,18 +141,9 @@ export { movePin, pin, unpin } from './networks/pins';
 export { createRope, type RopeOptions } from './networks/rope';
 export { createSoftBody, type SoftBody, type SoftBodyOptions } from './networks/soft-body';
 export { colliding } from './presets/colliding';
-export { type Mergers, mergeOnContact, mergers } from './n-body/merge-on-contact';
-export {
-  type DistanceLaw,
-  type MutualForce,
-  type MutualForceReport,
-  type MutualOptions,
-  type SumMethod,
-} from './n-body/mutual-force';
-export { type MutualCoulombOptions, mutualCoulomb } from './n-body/mutual-coulomb';
-export { type MutualGravityOptions, mutualGravity } from './n-body/mutual-gravity';
 export type { Preset } from './presets/preset';
 export { standard } from './presets/standard';
+export { bodyAt, type PickOptions } from './queries/pick';
 export { createRunner, type Runner, type RunnerOptions } from './runner';
 export {
   type GlobalSystem,

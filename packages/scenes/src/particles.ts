@@ -9,8 +9,18 @@ import {
   spawnMany,
   uniformGravity,
 } from '@principia/physics';
-import { countOf, defineScene } from './scene';
+import { countOf, defineScene, type SceneRun } from './scene';
 import { seededUniforms } from './seeded';
+
+/** Particles and the constants of their box. */
+export interface Particles extends SceneRun {
+  /** Acceleration downwards, m/s². */
+  readonly gravity: number;
+  /** Edge of the box, m. */
+  readonly side: number;
+  /** Restitution of its walls. */
+  readonly restitution: number;
+}
 
 export const particles = defineScene({
   name: 'particles',
@@ -25,7 +35,7 @@ export const particles = defineScene({
     radius: { about: 'radius of a particle', unit: 'm', initial: 0.1, min: 0.001, max: 0.4 },
     speed: { about: 'largest initial speed along an axis', unit: 'm/s', initial: 20, min: 0, max: 10_000 },
   },
-  build({ dimensions, precision, seed, progress, parameters }) {
+  build({ dimensions, precision, seed, progress, parameters }): Particles {
     const { count, gravity, drag, restitution, side, radius, speed } = parameters;
     const world = createPhysicsWorld({
       dimensions,
@@ -52,6 +62,6 @@ export const particles = defineScene({
       },
       progress,
     );
-    return { world, dt: 1 / 60, losesEnergy: 'drag and the walls take energy out' };
+    return { world, dt: 1 / 60, losesEnergy: 'drag and the walls take energy out', gravity, side, restitution };
   },
 });

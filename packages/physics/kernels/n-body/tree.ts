@@ -7,7 +7,7 @@ import { extentOf, sortBodies, sortWithin } from './morton';
 import { LINK_BYTES, NBody, coincident2 } from './workspace';
 
 // Bodies up to which a cell is not split.
-const BUCKET: i32 = 12;
+const BUCKET: i32 = 16;
 // Bodies that share one walk, at most.
 const GROUP: i32 = 64;
 

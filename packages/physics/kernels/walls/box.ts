@@ -152,7 +152,14 @@ function bounce(
   const lower = add(splat(low), radius);
   const upper = sub(splat(high), radius);
   const solid = v128.and(v128.gt<real>(radius, zero), v128.gt<real>(v128.load(c.mass + o), zero));
-  const fits = v128.and(solid, v128.le<real>(lower, upper));
+  // What contacts pushed beyond a wall and is on its way back within the step needs no help, which would lift it.
+  const way = mul(v128.load(v + o), splat(dt));
+  const x0 = v128.load(x + o);
+  const returns = v128.or(
+    v128.and(v128.lt<real>(x0, lower), v128.ge<real>(add(x0, way), lower)),
+    v128.and(v128.gt<real>(x0, upper), v128.le<real>(add(x0, way), upper)),
+  );
+  const fits = v128.andnot(v128.and(solid, v128.le<real>(lower, upper)), returns);
   const e = v128.max<real>(v128.load(c.restitution + o), splat(restitution));
   for (let turn = 0; turn < MOST_BOUNCES; turn++) {
     const position = v128.load(x + o);

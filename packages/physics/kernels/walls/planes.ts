@@ -109,6 +109,8 @@ function bounce(
   const pull = (began + into) / dt;
   const speed = into + pull * lag;
   if (!(speed > 0)) {
+    // What contacts pushed behind the plane and is on its way back within the step needs no help.
+    if (depth <= -into * dt) return false;
     shift(c, row, nx, ny, nz, depth);
     return true;
   }

@@ -1,8 +1,8 @@
 // Discs against walls that are straight segments: both sides and both ends are solid (2D).
 //
 // Each body's path through the step is followed from one wall to the next, the earliest first; every bounce starts a new
-// path that lasts from that instant to the end of the step. After MOST_BOUNCES in one step the body stays at the last
-// point it came to.
+// path that lasts from that instant to the end of the step. A body that meets walls more than MOST_BOUNCES times, as in a
+// narrow groove, stays where the step began: there it was free.
 import { Columns, columns, get, put } from '../columns';
 import { ContactTable, REACH, contactTable, word } from '../collision/table';
 import { rubWall } from '../collision/friction';
@@ -106,6 +106,9 @@ function follow(
 ): void {
   const ax = (get(c.velocityX, row) - get(startX, row)) / dt;
   const ay = (get(c.velocityY, row) - get(startY, row)) / dt;
+  freeX = ax;
+  freeY = ay;
+  whole = dt;
   setStart(x, y, dt, get(c.radius, row));
   setPath(
     get(c.positionX, row),
@@ -125,7 +128,7 @@ function follow(
     const metX = pX - since * (uX - half * aX);
     const metY = pY - since * (uY - half * aY);
     bounceOff(segment(g, hitWall), c, row, startX, startY);
-    if (bounce == MOST_BOUNCES) setPath(metX, metY, 0, 0, 0, 0);
+    if (bounce == MOST_BOUNCES) setPath(x, y, 0, 0, 0, 0);
     put(c.positionX, row, pX);
     put(c.positionY, row, pY);
     if (bounce == MOST_BOUNCES) break;
@@ -139,36 +142,53 @@ function noteNear(g: WallGrid, c: Columns, row: i32): void {
   const radius = get(c.radius, row);
   const x = get(c.positionX, row);
   const y = get(c.positionY, row);
-  const column = columnX(g, x);
-  const line = columnY(g, y);
-  const cell = line * g.side + column;
-  const end = word(g.starts, cell + 1);
-  for (let k = word(g.starts, cell); k < end; k++) {
-    const s = segment(g, word(g.items, k));
-    const along = min<real>(s.length, max<real>(0, (x - s.ax) * s.tx + (y - s.ay) * s.ty));
-    const dx = x - (s.ax + along * s.tx);
-    const dy = y - (s.ay + along * s.ty);
-    const distance = sqrt<real>(dx * dx + dy * dy);
-    const gap = distance - radius;
-    if (distance > 0 && gap < (REACH - <real>1) * radius) {
-      const friction = sqrt<real>(get(c.friction, row) * s.friction);
-      recordNearWall(row, s.id, dx / distance, dy / distance, 0, friction, gap);
+  const left = columnX(g, x - radius);
+  const right = columnX(g, x + radius);
+  const bottom = columnY(g, y - radius);
+  const top = columnY(g, y + radius);
+  for (let line = bottom; line <= top; line++) {
+    for (let column = left; column <= right; column++) {
+      const cell = line * g.side + column;
+      const end = word(g.starts, cell + 1);
+      for (let k = word(g.starts, cell); k < end; k++) {
+        const s = segment(g, word(g.items, k));
+        // A wall that several of the cells list counts in the first.
+        if (column != max<i32>(left, columnX(g, s.minX)) || line != max<i32>(bottom, columnY(g, s.minY))) continue;
+        noteWall(c, row, s, x, y, radius);
+      }
     }
   }
 }
+
+function noteWall(c: Columns, row: i32, s: Segment, x: real, y: real, radius: real): void {
+  const along = min<real>(s.length, max<real>(0, (x - s.ax) * s.tx + (y - s.ay) * s.ty));
+  const dx = x - (s.ax + along * s.tx);
+  const dy = y - (s.ay + along * s.ty);
+  const distance = sqrt<real>(dx * dx + dy * dy);
+  const gap = distance - radius;
+  if (!(distance > 0 && gap < (REACH - <real>1) * radius)) return;
+  const friction = sqrt<real>(get(c.friction, row) * s.friction);
+  recordNearWall(row, s.id, dx / distance, dy / distance, 0, friction, gap);
+}
+
+// The acceleration that no wall has taken away, and the step it acts for.
+let freeX: real = 0;
+let freeY: real = 0;
+let whole: real = 0;
 
 // Applies the hit that was found: the rebound if the step can resolve it, else the body rests on the wall.
 function bounceOff(s: Segment, c: Columns, row: i32, startX: usize, startY: usize): void {
   const nx = hitX;
   const ny = hitY;
-  const pull = -(aX * nx + aY * ny);
+  const since = hitSince;
   const leave = max<real>(get(c.restitution, row), s.restitution) * hitSpeed;
-  const out = distanceOut<real>(leave, pull, hitSince, 0.5);
+  const pull = -(aX * nx + aY * ny);
+  const out = distanceOut<real>(leave, pull, since, 0.5);
   const flies = out > 0 && hitSpeed > 0;
   const vx = get(c.velocityX, row);
   const vy = get(c.velocityY, row);
   const change = flies ? leave + hitSpeed : max<real>(0, -(vx * nx + vy * ny));
-  const shift = !flies ? hitDepth : hitEnd ? change * hitSince : hitDepth + out;
+  const shift = !flies ? hitDepth : hitEnd ? change * since : hitDepth + out;
   const impulse = change * get(c.mass, row);
   put(c.velocityX, row, vx + change * nx);
   put(c.velocityY, row, vy + change * ny);
@@ -176,28 +196,33 @@ function bounceOff(s: Segment, c: Columns, row: i32, startX: usize, startY: usiz
   rubWall(c, row, nx, ny, 0, friction, impulse);
   const dx = get(c.velocityX, row) - vx;
   const dy = get(c.velocityY, row) - vy;
-  // Neither an impact nor friction is an acceleration of this step; but a body at rest is held by the wall.
-  let sx = get(startX, row) + dx;
-  let sy = get(startY, row) + dy;
-  let ax = aX;
-  let ay = aY;
-  let ux = uX + dx;
-  let uy = uY + dy;
-  if (!flies) {
-    const held = ax * nx + ay * ny;
-    ax -= held * nx;
-    ay -= held * ny;
-    const moving = ux * nx + uy * ny;
-    ux -= moving * nx;
-    uy -= moving * ny;
-    const kept = (get(c.velocityX, row) - sx) * nx + (get(c.velocityY, row) - sy) * ny;
-    sx += kept * nx;
-    sy += kept * ny;
-  }
-  put(startX, row, sx);
-  put(startY, row, sy);
-  setPath(pX + shift * nx, pY + shift * ny, ux, uy, ax, ay);
+  const x = pX + shift * nx;
+  const y = pY + shift * ny;
+  if (flies) flyOn(c, row, x, y, dx, dy, since);
+  else restOn(x, y, nx, ny, dx, dy);
+  // Neither an impact nor friction is an acceleration of this step, but what a wall holds does not accelerate.
+  put(startX, row, get(c.velocityX, row) - aX * whole);
+  put(startY, row, get(c.velocityY, row) - aY * whole);
   recordWallContact(row, s.id, nx, ny, 0, friction, impulse, flies ? <real>0 : impulse);
+}
+
+// The path after a rebound: a wall that held the body before holds it no longer, and what it took away acts again.
+function flyOn(c: Columns, row: i32, x: real, y: real, dx: real, dy: real, since: real): void {
+  const rx = freeX - aX;
+  const ry = freeY - aY;
+  const half = <real>0.5 * since * since;
+  put(c.velocityX, row, get(c.velocityX, row) + rx * since);
+  put(c.velocityY, row, get(c.velocityY, row) + ry * since);
+  setPath(x + rx * half, y + ry * half, uX + dx + rx * since, uY + dy + ry * since, freeX, freeY);
+}
+
+// The path of a body that rests on a wall: along it.
+function restOn(x: real, y: real, nx: real, ny: real, dx: real, dy: real): void {
+  const held = aX * nx + aY * ny;
+  const ux = uX + dx;
+  const uy = uY + dy;
+  const moving = ux * nx + uy * ny;
+  setPath(x, y, ux - moving * nx, uy - moving * ny, aX - held * nx, aY - held * ny);
 }
 
 // Keeps the bodies of this step's contacts, which contacts moved since `fromX`, `fromY` of the table, on their side of

@@ -1,0 +1,50 @@
+// Mass and moment of inertia of the two shapes colliders have: solid, of one density. Feynman, Lectures on Physics I,
+// table 19-1.
+import { checkNumber } from '../faults/validate';
+
+const POSITIVE = { above: 0, max: 1e38 };
+const RADIUS = { above: 0, max: 1e12 };
+
+/**
+ * Moment of inertia of a disc about its axis, m r²/2, kg m².
+ * @param mass kg
+ * @param radius m
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function discInertia(mass: number, radius: number): number {
+  const r = checkNumber(radius, 'radius', RADIUS);
+  return 0.5 * checkNumber(mass, 'mass', POSITIVE) * r * r;
+}
+
+/**
+ * Moment of inertia of a ball about its centre, 2 m r²/5, kg m².
+ * @param mass kg
+ * @param radius m
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function ballInertia(mass: number, radius: number): number {
+  const r = checkNumber(radius, 'radius', RADIUS);
+  return 0.4 * checkNumber(mass, 'mass', POSITIVE) * r * r;
+}
+
+/**
+ * Mass of a disc, π r² density, kg.
+ * @param density mass by area, kg/m²
+ * @param radius m
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function discMass(density: number, radius: number): number {
+  const r = checkNumber(radius, 'radius', RADIUS);
+  return Math.PI * r * r * checkNumber(density, 'density', POSITIVE);
+}
+
+/**
+ * Mass of a ball, 4π r³/3 density, kg.
+ * @param density mass by volume, kg/m³
+ * @param radius m
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function ballMass(density: number, radius: number): number {
+  const r = checkNumber(radius, 'radius', RADIUS);
+  return (4 / 3) * Math.PI * r * r * r * checkNumber(density, 'density', POSITIVE);
+}

@@ -1,0 +1,34 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+import { colliding, createPhysicsWorld } from '../index';
+import { TABLE_COLUMNS } from '../store/column-table';
+import { contactTable, TABLE_WORDS } from './contact-table';
+
+/** The fields of an `@unmanaged` class in the kernels, in order. */
+function fieldsOf(file: string, name: string): string[] {
+  const source = readFileSync(new URL(`../../kernels/${file}`, import.meta.url), 'utf8');
+  const body = source.slice(source.indexOf(`class ${name} {`)).split('\n}')[0];
+  return [...body.matchAll(/^ {2}(\w+): \w+;/gm)].map((match) => match[1]);
+}
+
+test('the tables are laid out as the kernels read them', () => {
+  expect(fieldsOf('collision/table.ts', 'ContactTable')).toEqual(['previousDt', ...TABLE_WORDS]);
+  expect(fieldsOf('columns.ts', 'Columns')).toEqual([...TABLE_COLUMNS]);
+});
+
+describe.each([
+  [2, 'f32'],
+  [2, 'f64'],
+  [3, 'f32'],
+  [3, 'f64'],
+] as const)('the memory of contacts in %d D, %s', (dimensions, precision) => {
+  test.each([1, 1000, 20_000])(
+    'has room for a dense packing of %d bodies, and half a KiB a body is left to others',
+    (capacity) => {
+      const world = createPhysicsWorld({ preset: colliding, dimensions, precision, capacity });
+      const { arena } = world.internal;
+      expect(contactTable(world).read('capacity')).toBeGreaterThanOrEqual((dimensions === 2 ? 4 : 8) * capacity);
+      expect(arena.bytes - arena.top).toBeGreaterThan(200 * capacity);
+    },
+  );
+});

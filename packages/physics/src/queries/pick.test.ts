@@ -1,0 +1,47 @@
+import { expect, test } from 'vitest';
+import { despawn, spawn, step } from '../index';
+import { createPhysicsWorld, destroyWorld } from '../world';
+import { bodyAt } from './pick';
+
+test('picks the nearest of the bodies that hold the point, before any step and after', () => {
+  const world = createPhysicsWorld();
+  const large = spawn(world, { position: {}, collider: 5 });
+  const small = spawn(world, { position: { x: 2 }, collider: 1 });
+  for (let turn = 0; turn < 2; turn++) {
+    expect(bodyAt(world, { x: 2.4 })).toBe(small);
+    expect(bodyAt(world, { x: -4.9 })).toBe(large);
+    expect(bodyAt(world, { x: -5.1 })).toBe(0);
+    expect(bodyAt(world, { x: -5.1 }, { margin: 0.2 })).toBe(large);
+    step(world, 0.01);
+  }
+  despawn(world, small);
+  expect(bodyAt(world, { x: 2.4 })).toBe(large);
+});
+
+test('a body without collider is picked by its drawn size, and of two as near the one with the smaller id wins', () => {
+  const world = createPhysicsWorld();
+  const drawn = spawn(world, { position: { x: 1 }, appearance: { size: 0.5 } });
+  spawn(world, { position: { x: 1 }, appearance: { size: 0.5 } });
+  expect(bodyAt(world, { x: 1.4 })).toBe(drawn);
+  expect(bodyAt(world, { x: 1.6 })).toBe(0);
+});
+
+test('depth counts in 3D alone', () => {
+  const flat = createPhysicsWorld();
+  const disc = spawn(flat, { position: {}, collider: 1 });
+  expect(bodyAt(flat, { z: 9 })).toBe(disc);
+  const deep = createPhysicsWorld({ dimensions: 3 });
+  const ball = spawn(deep, { position: { z: 8.5 }, collider: 1 });
+  expect(bodyAt(deep, { z: 9 })).toBe(ball);
+  expect(bodyAt(deep, { z: 7 })).toBe(0);
+});
+
+test('refuses points and margins that are none, and worlds that are gone', () => {
+  const world = createPhysicsWorld();
+  expect(() => bodyAt(world, { x: NaN })).toThrow(expect.objectContaining({ code: 'E_NONFINITE' }));
+  expect(() => bodyAt(world, { w: 1 } as never)).toThrow(expect.objectContaining({ code: 'E_UNKNOWN' }));
+  expect(() => bodyAt(world, {}, { margin: -1 })).toThrow(expect.objectContaining({ code: 'E_RANGE' }));
+  expect(() => bodyAt(world, {}, { radius: 1 } as never)).toThrow(expect.objectContaining({ code: 'E_UNKNOWN' }));
+  destroyWorld(world);
+  expect(() => bodyAt(world, {})).toThrow(expect.objectContaining({ code: 'E_DESTROYED' }));
+});

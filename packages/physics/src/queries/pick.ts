@@ -1,0 +1,42 @@
+import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { assertUsable } from '../store/guards';
+import { bodies } from '../store/spans';
+import type { PhysicsWorld } from '../world';
+
+/** How a point picks a body. */
+export interface PickOptions {
+  /** Metres around a body that still count: fingers are broad. Default 0. */
+  readonly margin?: number;
+}
+
+/**
+ * The body at a point: of those whose collider or drawn size holds it, the one whose centre is nearest, and of two as
+ * near the one with the smaller id. Sees bodies made since the last step. Looks at every body.
+ * @param point metres; in 2D only x and y count
+ * @returns its entity id, 0 when there is none
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
+ */
+export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOptions = {}): number {
+  assertUsable(world);
+  const { x, y, z } = checkVector(point, 'point');
+  checkKeys(options, 'bodyAt', ['margin']);
+  const margin = checkNumber(options.margin ?? 0, 'margin', { min: 0 });
+  const { ids, count } = bodies(world);
+  const { Position, Collider, Appearance } = world.components;
+  const depth = world.dimensions === 3 ? 1 : 0;
+  let nearest = Infinity;
+  let found = 0;
+  for (let i = 0; i < count; i++) {
+    const id = ids[i];
+    const dx = Position.x[id] - x;
+    const dy = Position.y[id] - y;
+    const dz = (Position.z[id] - z) * depth;
+    const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    const reach = Math.max(Collider.radius[id], Appearance.size[id]) + margin;
+    if (distance <= reach && distance < nearest) {
+      nearest = distance;
+      found = id;
+    }
+  }
+  return found;
+}
