@@ -11,4 +11,5 @@ export * from './forces/attractors';
 export * from './integrators/stages';
 export * from './integrators/spin';
 export * from './walls/box';
+export * from './pages';
 export { staticEnd } from './columns';

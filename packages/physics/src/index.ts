@@ -144,6 +144,7 @@ export { colliding } from './presets/colliding';
 export type { Preset } from './presets/preset';
 export { standard } from './presets/standard';
 export { bodyAt, type PickOptions } from './queries/pick';
+export { restore, type Snapshot, snapshot } from './record/snapshot';
 export { createRunner, type Runner, type RunnerOptions } from './runner';
 export {
   type GlobalSystem,

@@ -83,8 +83,11 @@ export interface PhysicsWorld {
   lastId: number;
   /** Runs of bodies, ascending. */
   readonly spans: Spans;
-  /** Counters that grow when poses, looks or the set of bodies may have changed. */
-  readonly versions: { pose: number; style: number; membership: number };
+  /**
+   * Counters that grow when poses, looks or the set of bodies may have changed. A snapshot brings them back too;
+   * `restored` counts how often that happened, so that the four together never repeat.
+   */
+  readonly versions: { pose: number; style: number; membership: number; restored: number };
   readonly faults: FaultLog;
   profile: Profile | undefined;
   /** 'settling' is the end of a step, when the edits made during it take effect. */
@@ -251,7 +254,7 @@ function worldRecord(
     tick: 0,
     lastId: 0,
     spans: { bounds: new Int32Array(spanWords.buffer, spanWords.byteOffset, spanWords.length), count: 0 },
-    versions: { pose: 0, style: 0, membership: 0 },
+    versions: { pose: 0, style: 0, membership: 0, restored: 0 },
     faults: createFaultLog(),
     profile: undefined,
     state: 'idle',

@@ -1,9 +1,12 @@
 import { bodies, type PhysicsWorld } from '@principia/physics';
 import type { BodySource } from './body-source.ts';
 
+/** A world brought back to an earlier state counts again from there: what it shows then is still new to a renderer. */
+const TIMELINE = 2 ** 32;
+
 /** The columns of a world as renderers take them. Nothing is copied: the source is a view that follows the world. */
 export function worldSource(world: PhysicsWorld): BodySource {
-  const { components, previous } = world;
+  const { components, previous, versions } = world;
   const { Position, Rotation, Orientation, Collider, Appearance } = components;
   return {
     dimensions: world.dimensions,
@@ -27,6 +30,16 @@ export function worldSource(world: PhysicsWorld): BodySource {
     get lastId() {
       return world.lastId;
     },
-    versions: world.versions,
+    versions: {
+      get pose() {
+        return versions.pose + versions.restored * TIMELINE;
+      },
+      get style() {
+        return versions.style + versions.restored * TIMELINE;
+      },
+      get membership() {
+        return versions.membership + versions.restored * TIMELINE;
+      },
+    },
   };
 }

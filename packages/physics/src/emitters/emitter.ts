@@ -43,6 +43,8 @@ export interface EmitterInternals {
   readonly entity: number;
   parameters: EmitterParameters;
   destroyed: boolean;
+  /** How often the world had been restored when it was last seen to have this emitter. */
+  timeline: number;
 }
 
 /**
@@ -77,7 +79,14 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
     world,
     capacity,
     ids,
-    internal: { block, followed, entity: options.entity ?? 0, parameters, destroyed: false },
+    internal: {
+      block,
+      followed,
+      entity: options.entity ?? 0,
+      parameters,
+      destroyed: false,
+      timeline: world.versions.restored,
+    },
   };
   emittersOf(world).list.push(emitter);
   if (!world.phases.emit.includes(emitParticles)) world.phases.emit.push(emitParticles);
@@ -137,10 +146,20 @@ function writePosition({ numbers }: EmitterRecord, { x, y, z }: { x: number; y: 
 }
 
 /** @throws PhysicsError E_DESTROYED (the world), E_STALE (the emitter) */
-function recordOf({ world, internal }: Emitter): EmitterRecord {
+function recordOf(emitter: Emitter): EmitterRecord {
+  const { world, internal } = emitter;
   assertUsable(world);
+  noticeRestore(emitter);
   if (internal.destroyed) throw new PhysicsError('E_STALE', 'this emitter was destroyed.', { field: 'emitter' });
   return internal.block.record;
+}
+
+/** A world restored to a time before the emitter was made has it no longer. */
+function noticeRestore(emitter: Emitter): void {
+  const { world, internal } = emitter;
+  if (internal.timeline === world.versions.restored) return;
+  internal.timeline = world.versions.restored;
+  if (!emittersOf(world).list.includes(emitter)) internal.destroyed = true;
 }
 
 /**
@@ -271,6 +290,7 @@ export function endings(emitter: Emitter): Endings {
 export function destroyEmitter(emitter: Emitter): void {
   const { world, internal } = emitter;
   assertUsable(world);
+  noticeRestore(emitter);
   if (internal.destroyed) return;
   if (world.state === 'stepping') {
     world.internal.commands.push(() => destroyEmitter(emitter));

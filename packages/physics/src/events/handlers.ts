@@ -24,7 +24,7 @@ interface Listener<Name extends EventName> {
 /** Lists are replaced, never changed: one that is being told through stays as it is. */
 type Listeners = { [Name in EventName]: readonly Listener<Name>[] };
 
-const listenersOf = resource<Listeners>(() => ({ contact: [], fault: [] }));
+const listenersOf = resource<Listeners>(() => ({ contact: [], fault: [] }), { outlives: true });
 
 /**
  * Calls `handler` for each event of a step, in the step's last phase. A handler may edit the world: its edits take

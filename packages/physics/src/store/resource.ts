@@ -2,14 +2,26 @@ import { checkFunction } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
 import { assertUsable } from './guards';
 
+/** What a resource is kept under. */
+export class ResourceKey {
+  /** @param outlives snapshots leave it alone */
+  constructor(readonly outlives: boolean) {}
+}
+
 /**
  * State of a feature, one per world, made when first asked for: `const contacts = resource((world) => …)` and then
  * `contacts(world)`. So the world's own type names no feature, and a world pays only for those it uses. Memory for
  * kernels comes from `allocate(world.internal.arena, …)`.
+ *
+ * Snapshots save what is in plain objects, arrays, maps and typed arrays, and drop what was made after them.
+ * @param options.outlives for what is no state of the world, such as who listens to it: snapshots leave it alone
  */
-export function resource<T>(create: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
+export function resource<T>(
+  create: (world: PhysicsWorld) => T,
+  { outlives = false }: { readonly outlives?: boolean } = {},
+): (world: PhysicsWorld) => T {
   checkFunction(create, 'resource: create');
-  const key = {};
+  const key = new ResourceKey(outlives);
   return (world) => {
     assertUsable(world);
     const { resources } = world.internal;

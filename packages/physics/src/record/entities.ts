@@ -1,0 +1,100 @@
+// Which entities bitECS has, put aside and brought back through bitECS itself, so that queries and observers follow.
+import { addComponent, addEntity, entityExists, removeComponent } from 'bitecs';
+import { bitOf, COMPONENT_NAMES } from '../components/all';
+import { contextOf, removeWholly } from '../store/bitecs';
+import type { PhysicsWorld } from '../world';
+
+/** The entities of a moment. */
+export interface SavedEntities {
+  /** bitECS's list of ids: those alive, then those free, in the order they will be given out. */
+  readonly dense: readonly number[];
+  readonly alive: number;
+  readonly maxId: number;
+  /** Components of the rows up to the highest in use. */
+  readonly members: Uint32Array;
+}
+
+export function saveEntities(world: PhysicsWorld): SavedEntities {
+  const { dense, aliveCount, maxId } = contextOf(world).entityIndex;
+  return {
+    dense: dense.slice(),
+    alive: aliveCount,
+    maxId,
+    members: world.internal.members.slice(0, world.lastId + 1),
+  };
+}
+
+/**
+ * Makes bitECS's entities and components those of then. Columns are left to whoever writes the memory back.
+ * @returns what observers of users threw
+ */
+export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unknown[] {
+  const thrown: unknown[] = [];
+  const attempt = (act: () => void) => {
+    try {
+      act();
+    } catch (error) {
+      thrown.push(error);
+    }
+  };
+  if (!isSameIndex(world, saved)) {
+    const wanted = new Set(saved.dense.slice(0, saved.alive));
+    const { dense, aliveCount } = contextOf(world).entityIndex;
+    for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeWholly(world, eid));
+    for (const eid of wanted) if (!entityExists(world, eid)) revive(world, eid);
+  }
+  const { members } = world.internal;
+  const rows = Math.max(saved.members.length, world.lastId + 1);
+  for (let eid = 1; eid < rows; eid++) {
+    const bits = saved.members[eid] ?? 0;
+    if (members[eid] !== bits) attempt(() => changeComponents(world, eid, bits));
+  }
+  writeIndex(world, saved);
+  return thrown;
+}
+
+function isSameIndex(world: PhysicsWorld, { dense, alive, maxId }: SavedEntities): boolean {
+  const index = contextOf(world).entityIndex;
+  if (index.aliveCount !== alive || index.maxId !== maxId) return false;
+  for (let i = 0; i < alive; i++) if (index.dense[i] !== dense[i]) return false;
+  return true;
+}
+
+/** Makes an entity with a given id: bitECS hands out the first of those free. */
+function revive(world: PhysicsWorld, eid: number): void {
+  const index = contextOf(world).entityIndex;
+  const { dense, sparse, aliveCount } = index;
+  if (dense[sparse[eid]] !== eid) {
+    index.maxId = Math.max(index.maxId, eid);
+    sparse[eid] = dense.push(eid) - 1;
+  }
+  const place = sparse[eid];
+  const other = dense[aliveCount];
+  dense[place] = other;
+  sparse[other] = place;
+  dense[aliveCount] = eid;
+  sparse[eid] = aliveCount;
+  addEntity(world);
+}
+
+function changeComponents(world: PhysicsWorld, eid: number, bits: number): void {
+  for (const name of COMPONENT_NAMES) {
+    const differs = ((world.internal.members[eid] ^ bits) & bitOf(name)) !== 0;
+    if (!differs) continue;
+    if ((bits & bitOf(name)) !== 0) addComponent(world, eid, world.components[name]);
+    else removeComponent(world, eid, world.components[name]);
+  }
+}
+
+/** The order in which ids will be given out. */
+function writeIndex(world: PhysicsWorld, { dense, alive, maxId }: SavedEntities): void {
+  const index = contextOf(world).entityIndex;
+  index.dense.length = dense.length;
+  for (let i = 0; i < dense.length; i++) {
+    index.dense[i] = dense[i];
+    index.sparse[dense[i]] = i;
+  }
+  index.sparse.length = Math.min(index.sparse.length, maxId + 1);
+  index.aliveCount = alive;
+  index.maxId = maxId;
+}
