@@ -11,6 +11,7 @@ export { type GasRun, gas } from './gas';
 export { InputLog, type LoggedInput } from './input-log';
 export { type ClusterRun, nbodyDirect, nbodyTree } from './n-body/cluster';
 export { galaxy } from './n-body/galaxy';
+export { type PlasmaRun, plasma } from './n-body/plasma';
 export { type Particles, particles } from './particles';
 export { findScene, SCENES } from './registry';
 export { rope } from './rope';

@@ -7,6 +7,7 @@ import { emitters } from './emitters';
 import { gas } from './gas';
 import { nbodyDirect, nbodyTree } from './n-body/cluster';
 import { galaxy } from './n-body/galaxy';
+import { plasma } from './n-body/plasma';
 import { particles } from './particles';
 import { rope } from './rope';
 import type { Scene } from './scene';
@@ -26,6 +27,7 @@ export const SCENES: readonly Scene[] = [
   nbodyDirect,
   nbodyTree,
   galaxy,
+  plasma,
   bouncingBalls,
   blackHole,
   solarSystem,
