@@ -46,6 +46,19 @@ export class Autopilot {
     return headingAt(this.#course, this.#age - dt);
   }
 
+  /** Notes its plans; returns what brings them back. */
+  remember(): () => void {
+    const [course, age, sinceSearch, holes] = [this.#course, this.#age, this.#sinceSearch, this.#holes];
+    const state = this.#random.state.slice();
+    return () => {
+      this.#course = course;
+      this.#age = age;
+      this.#sinceSearch = sinceSearch;
+      this.#holes = holes;
+      this.#random.state.set(state);
+    };
+  }
+
   /** Tries the rest of the present course, and others. */
   #search(): void {
     this.#sinceSearch = 0;

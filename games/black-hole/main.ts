@@ -9,6 +9,7 @@ await startGame({
   settings,
   create: createGame,
   apply: applyValue,
+  remember: (sim) => sim.remember(),
   controls: {
     buttons: { ...FOUR_WAYS, action: { label: '↻', keys: ['n'], pad: [2] } },
     press: (sim, name) => sim.press(name === 'action' ? 'redraw' : (name as Input)),

@@ -80,6 +80,20 @@ export class Rules {
     return this.options.moving && this.level >= FIRST_MOVING_LEVEL ? Math.ceil((this.level - 2) / 3) : 0;
   }
 
+  /** Notes how the game stands; returns what brings that back. */
+  remember(): () => void {
+    const { phase, lives, score, bonus, dodged, redraws, fuel, spent, slings, heading, newsCount, options } = this;
+    const news = [...this.news];
+    const near = [...this.#near];
+    return () => {
+      Object.assign(this, { phase, lives, score, bonus, dodged, redraws, fuel, spent, slings, heading });
+      Object.assign(this, { newsCount, options });
+      this.news.splice(0, this.news.length, ...news);
+      this.#near.clear();
+      for (const id of near) this.#near.add(id);
+    };
+  }
+
   /** A new game, with the first holes of the seed. */
   restart(): void {
     Object.assign(this, { phase: 'ready', lives: LIVES, score: 0, bonus: 0, dodged: 0 });

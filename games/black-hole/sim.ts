@@ -68,6 +68,19 @@ export class BlackHoleGame {
     return `${stateHash(this.world)} ${phase} ${[lives, score, bonus, dodged, redraws, fuel, slings].join(' ')}`;
   }
 
+  /** Notes all that is not in the world; returns what puts it back when the world is restored. */
+  remember(): () => void {
+    const { autopilot, isDemo } = this;
+    const [pilot, idle] = [this.#pilot, this.#idle];
+    const parts = [this.scene, this.rules, this.log, pilot].map((part) => part.remember());
+    return () => {
+      Object.assign(this, { autopilot, isDemo });
+      this.#pilot = pilot;
+      this.#idle = idle;
+      for (const putBack of parts) putBack();
+    };
+  }
+
   #take(input: Input): void {
     if (this.isDemo) this.#endDemo();
     this.#idle = 0;

@@ -2,6 +2,7 @@
 import { rgba } from '@principia/physics';
 import { SHAPES } from '@principia/render-core';
 import type { BouncingBalls } from '@principia/scenes';
+import { SAFE_COLORS } from '@principia/shell';
 
 /** Palettes that look well on a deep blue; the seed chooses one. */
 const PALETTES: readonly (readonly number[])[] = [
@@ -17,15 +18,19 @@ const SMALLEST_MARKED = 0.06;
 /** With more balls than this, colours follow the order of the launch, so that one sees who mixes with whom. */
 const MOST_MOTLEY = 100;
 
-/** Gives every ball a colour of the seed's palette. */
-export function dress({ world, balls, radius }: BouncingBalls, seed: number): void {
+/** Gives every ball a colour of the seed's palette, or of the one that everybody tells apart. */
+export function dress({ world, balls, radius }: BouncingBalls, seed: number, safeColors = false): void {
   const { color, shape } = world.components.Appearance;
-  const palette = PALETTES[seed % PALETTES.length];
+  const palette = safeColors ? SAFE_COLORS : PALETTES[seed % PALETTES.length];
   const kind = radius < SMALLEST_MARKED ? SHAPES.disc : SHAPES.markedDisc;
   for (let i = 0; i < balls.length; i++) {
     // Neighbours in a motley get unlike colours: multiples of the golden ratio spread evenly whatever their number.
     const place = balls.length > MOST_MOTLEY ? i / balls.length : (i * 0.618034) % 1;
-    color[balls[i]] = colorAt(palette, place);
+    // A mixture of safe colours is no safe colour.
+    color[balls[i]] = colorAt(
+      palette,
+      safeColors ? Math.round(place * (palette.length - 1)) / (palette.length - 1) : place,
+    );
     shape[balls[i]] = kind;
   }
   world.versions.style++;

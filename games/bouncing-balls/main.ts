@@ -7,11 +7,8 @@ import { applyValue, countContacts, createBalls, keepInRoom } from './sim.ts';
 await startGame({
   title: 'Bouncing balls',
   settings,
-  create(options) {
-    const sim = createBalls(options);
-    dress(sim, options.seed);
-    return sim;
-  },
+  create: createBalls,
+  dress: (sim, { seed, safeColors }) => dress(sim, seed, safeColors),
   apply: (sim, name, values) => name === 'trails' || applyValue(sim, name, values),
   holdLimit: keepInRoom,
   contacts: countContacts,

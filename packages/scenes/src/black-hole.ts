@@ -28,6 +28,8 @@ export interface BlackHole extends SceneRun {
   redraw(count: number, moving: number): void;
   /** Forgets the draws there were: the next ones are again the first of the seed. */
   rewind(): void;
+  /** Notes what is not in the world; returns what puts it back when the world is restored. */
+  remember(): () => void;
   /** Puts the ship somewhere at rest, without a streak in the picture. */
   placeShip(x: number, y: number): void;
 }
@@ -75,6 +77,7 @@ export const blackHole = defineScene({
       },
       redraw: (holes, onCircles) => sky.redraw(holes, onCircles),
       rewind: () => sky.rewind(),
+      remember: () => sky.remember(),
     };
   },
 });
@@ -99,6 +102,17 @@ class Sky {
 
   rewind(): void {
     this.#random = layoutRandom(this.#seed);
+  }
+
+  remember(): () => void {
+    const { holes, time } = this;
+    const ids = [...this.ids];
+    const state = this.#random.state.slice();
+    return () => {
+      Object.assign(this, { holes, time });
+      this.ids.splice(0, this.ids.length, ...ids);
+      this.#random.state.set(state);
+    };
   }
 
   redraw(count: number, moving: number): void {

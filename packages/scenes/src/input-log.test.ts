@@ -18,3 +18,22 @@ test('inputs wait for the next step, and play again from the log', () => {
   expect(again).toEqual(seen);
   expect(second.entries).toEqual(first.entries);
 });
+
+test('forgets what was taken since a moment it is sent back to, and takes its script again', () => {
+  const log = new InputLog([{ tick: 1, input: 'scripted' }]);
+  const used: string[] = [];
+  const use = (input: string) => used.push(input);
+  log.take(0, use);
+  const goBack = log.remember();
+  log.add('first');
+  log.take(1, use);
+  log.add('waiting');
+  goBack();
+  log.add('second');
+  log.take(1, use);
+  expect(used).toEqual(['scripted', 'first', 'scripted', 'second']);
+  expect(log.entries).toEqual([
+    { tick: 1, input: 'scripted' },
+    { tick: 1, input: 'second' },
+  ]);
+});

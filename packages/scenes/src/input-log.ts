@@ -38,6 +38,17 @@ export class InputLog<Input> {
     for (const input of this.#waiting.splice(0)) this.#use(tick, input, use);
   }
 
+  /** Notes what was taken so far; returns what forgets all that was taken since, as when a game goes back in time. */
+  remember(): () => void {
+    const count = this.#taken.length;
+    const next = this.#next;
+    return () => {
+      this.#taken.length = count;
+      this.#waiting.length = 0;
+      this.#next = next;
+    };
+  }
+
   #use(tick: number, input: Input, use: (input: Input) => void): void {
     this.#taken.push({ tick, input });
     use(input);

@@ -1,21 +1,26 @@
 import { bodies } from '@principia/physics';
 import type { Address } from './address.ts';
 import { type Banner, createBanner } from './banner.ts';
+import { type Actions, type Commands, gameCommands } from './commands.ts';
 import { type ControlListener, listenToControls } from './controls.ts';
-import { createEnergyPlot, type EnergyPlot } from './energy-plot.ts';
+import { toggleFullScreen } from './full-screen.ts';
 import type { GameDefinition, Simulation, Stage } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
-import { helpLines } from './help-lines.ts';
-import { type Keys, listenToKeys } from './keyboard.ts';
+import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
 import { createOutcomeCard, type OutcomeCard } from './outcome-card.ts';
 import { createPanel, type Panel } from './panel.ts';
+import { createPlotCard, type PlotCard } from './plot-card.ts';
+import { type Looks, Preferences } from './preferences.ts';
+import { createProfileCard, type ProfileCard } from './profile-card.ts';
+import { Recorder } from './recorder.ts';
 import { Session } from './session.ts';
 import type { Settings } from './settings.ts';
 import { createStats, type Stats } from './stats.ts';
 import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
+import { createToolsCard, type ToolsCard } from './tools-card.ts';
 import { ViewHost } from './view-host.ts';
 
 /** Seconds between two looks at the figures and the plot. */
@@ -34,13 +39,19 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #views: ViewHost<S, Sim>;
   readonly #toolbar: Toolbar;
   readonly #panel: Panel;
-  readonly #plot: EnergyPlot;
+  readonly #plot: PlotCard;
   readonly #stats: Stats;
+  readonly #profile: ProfileCard;
+  readonly #tools: ToolsCard;
+  readonly #recorder: Recorder;
   readonly #help: HelpDialog;
   readonly #controls: ControlListener | undefined;
   readonly #outcome: OutcomeCard | undefined;
-  readonly #reducedMotion = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  readonly #commands: Commands;
+  readonly #preferences = new Preferences(matchMedia('(prefers-reduced-motion: reduce)').matches);
   #renderer: string;
+  /** The player holds the way back. */
+  #rewinding = false;
   /** A setting asked for a new world. */
   #resetWanted = false;
   #sinceReset = 0;
@@ -60,29 +71,36 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#layout = createLayout(game.title, () => this.#views.view?.fit());
     this.#banner = createBanner(this.#layout.root);
     const renderers = Object.entries(game.renderers).map(([name, { label }]) => [name, label] as const);
-    this.#toolbar = createToolbar(this.#layout.bar, this.#actions(), renderers);
+    const actions = this.#actions();
+    this.#commands = gameCommands(game, actions);
+    this.#toolbar = createToolbar(this.#layout.bar, actions, renderers);
     this.#panel = createPanel(this.#layout.side, game.settings, address.values, (name, value) => {
       this.#guard(() => this.#set(name, value));
     });
-    this.#plot = createEnergyPlot(this.#layout.side);
-    this.#stats = createStats(this.#layout.side);
-    this.#help = createHelpDialog(this.#layout.root, game.title, helpLines(game));
+    const { root, side } = this.#layout;
+    this.#plot = createPlotCard(side, () => (this.#session.started ? this.#session.sim.world : undefined));
+    this.#stats = createStats(side);
+    this.#profile = createProfileCard(side);
+    this.#tools = createToolsCard(side, actions);
+    this.#recorder = new Recorder(game.title, () => this.#refresh());
+    this.#help = createHelpDialog(root, game.title, this.#commands.help);
     this.#controls = this.#listen();
     this.#outcome = game.outcome && createOutcomeCard(this.#layout.root, game.title, () => this.#again());
     this.#views = new ViewHost(this.#stage(), `${game.title}, drawn live; press H for help`, {
       onTrouble: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#renderer)]),
       onRecovery: () => this.#banner.hide(),
     });
+    this.#showLooks();
     if (address.problems.length > 0) this.#banner.show(address.problems.join('\n'), 'note');
   }
 
   async start(): Promise<void> {
     globalThis.addEventListener('error', (event) => this.#report(event.error ?? event.message));
     globalThis.addEventListener('unhandledrejection', (event) => this.#report(event.reason));
-    listenToKeys(this.#keys());
-    if (this.#reducedMotion && !this.#manual) {
+    listenToKeys(this.#commands.pressed, this.#commands.released);
+    if (this.#preferences.calm && !this.#manual) {
       this.#session.paused = true;
-      this.#banner.show('Your system asks for little motion, so the game waits: press Space or ▶ to start.', 'note');
+      this.#banner.show('You want little motion, so the game waits: press Space or ▶ to start.', 'note');
     }
     await this.#show(this.#renderer);
     if (this.#session.started) globalThis.__game = this.#createHook();
@@ -102,8 +120,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sinceFigures += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
     this.#controls?.poll();
-    if (!this.#broken && !this.#manual) session.advance(seconds);
-    this.#outcome?.show(this.#game.outcome?.(session.sim));
+    if (this.#rewinding) this.#goBack(() => session.rewind(seconds * session.speed));
+    else if (!this.#broken && !this.#manual) session.advance(seconds);
+    this.#showOutcome();
     this.#plot.note(session.sim.world);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.frame += 0.1 * (seconds * 1000 - this.#timing.frame);
@@ -118,6 +137,24 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const start = performance.now();
     view.draw(this.#session.alpha, seconds);
     this.#timing.draw += 0.1 * (performance.now() - start - this.#timing.draw);
+    this.#recorder.take(view.canvas);
+  }
+
+  /** Who went back in time plays on, but not for the high scores. */
+  #showOutcome(): void {
+    const { sim, rewound } = this.#session;
+    const outcome = this.#game.outcome?.(sim);
+    if (outcome === undefined || !rewound) this.#outcome?.show(outcome);
+    else
+      this.#outcome?.show({ ...outcome, score: 0, lines: [...outcome.lines, 'Not counted: you went back in time.'] });
+  }
+
+  /** What was broken in the future may be whole in the past. */
+  #goBack(move: () => boolean): void {
+    if (!move()) return;
+    this.#broken = false;
+    this.#panel.refresh();
+    this.#views.view?.refresh('setting');
   }
 
   #showFigures(): void {
@@ -125,6 +162,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const { sim } = this.#session;
     this.#plot.draw();
     const contacts = this.#game.contacts?.(sim);
+    this.#profile.show(sim.world);
     this.#stats.show({ ...this.#timing, bodies: bodies(sim.world).count, contacts, time: sim.world.time });
   }
 
@@ -160,8 +198,27 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   }
 
   #refresh(): void {
-    this.#toolbar.show({ paused: this.#session.paused, renderer: this.#renderer });
+    const { paused, speed } = this.#session;
+    const { calm, safeColors } = this.#preferences;
+    this.#toolbar.show({ paused, slow: speed !== 1, rewinding: this.#rewinding, renderer: this.#renderer });
+    this.#tools.show({ filming: this.#recorder.filming, calm, safeColors });
     this.#panel.refresh();
+  }
+
+  #change(looks: Partial<Looks>): void {
+    this.#preferences.set(looks);
+    this.#showLooks();
+    if (looks.safeColors !== undefined && this.#session.started) this.#session.dress();
+    this.#views.view?.refresh('world');
+    this.#refresh();
+  }
+
+  #showLooks(): void {
+    const { calm, safeColors } = this.#preferences;
+    this.#layout.root.toggleAttribute('data-calm', calm);
+    this.#layout.root.toggleAttribute('data-safe-colors', safeColors);
+    this.#session.safeColors = safeColors;
+    this.#plot.safeColors = safeColors;
   }
 
   /** Keys, touch pad and gamepad, for a game that is steered. */
@@ -194,50 +251,63 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     ]);
   }
 
-  #actions() {
+  /** What cannot be done here is a note, not an accident. */
+  #attempt(action: (canvas: HTMLCanvasElement, time: number) => unknown): void {
+    const { view } = this.#views;
+    if (view === undefined) return;
+    const note = (error: unknown) => this.#banner.show((error as Error).message, 'note');
+    this.#draw(0);
+    try {
+      Promise.resolve(action(view.canvas, this.#session.sim.world.time)).catch(note);
+    } catch (error) {
+      note(error);
+    }
+  }
+
+  #actions(): Actions {
+    const session = this.#session;
+    const preferences = this.#preferences;
     return {
       pause: () => this.#pause(),
       step: () => {
         this.#pause(true);
-        this.#guard(() => this.#session.step());
+        this.#guard(() => session.step());
       },
       reset: () => this.#guard(() => this.#reset()),
+      slow: () => {
+        session.speed = session.speed === 1 ? SLOW_MOTION : 1;
+        this.#refresh();
+      },
+      rewind: (on) => {
+        this.#rewinding = on;
+        this.#refresh();
+      },
+      stepBack: () => {
+        this.#pause(true);
+        this.#guard(() => this.#goBack(() => session.stepBack()));
+      },
       fit: () => this.#views.view?.fit(),
+      zoom: (factor) => this.#views.view?.zoom(factor),
       help: () => this.#help.toggle(),
       side: () => this.#layout.toggleSide(),
-      renderer: (name: string) => void this.#show(name),
-    };
-  }
-
-  #keys(): Keys {
-    const { pause, step, reset, fit, help, side } = this.#actions();
-    const zoom = (factor: number) => () => this.#views.view?.zoom(factor);
-    const keys: Record<string, () => void> = {
-      ...{ ' ': pause, '.': step, arrowright: step, r: reset, f: fit, h: help, '?': help, p: side },
-      ...{ '+': zoom(1.25), '=': zoom(1.25), '-': zoom(0.8), e: () => this.#plot.toggle() },
-      s: () => {
-        this.#session.speed = this.#session.speed === 1 ? SLOW_MOTION : 1;
+      plot: () => this.#plot.next(),
+      profile: () => this.#profile.toggle(),
+      picture: () => this.#attempt((canvas, time) => this.#recorder.picture(canvas, time)),
+      film: () => this.#attempt((canvas, time) => this.#recorder.toggleFilm(canvas, time)),
+      fullScreen: () => this.#attempt(() => toggleFullScreen(this.#layout.root)),
+      calm: () => this.#change({ calm: !preferences.calm }),
+      safeColors: () => this.#change({ safeColors: !preferences.safeColors }),
+      renderer: (name) => void this.#show(name),
+      toggle: (name) => {
+        this.#guard(() => this.#set(name, !session.values[name]));
+        this.#panel.refresh();
       },
     };
-    for (const [name, { dimensions }] of Object.entries(this.#game.renderers)) {
-      keys[String(dimensions)] = () => void this.#show(name);
-    }
-    for (const { keys: own } of Object.values(this.#game.controls?.buttons ?? {})) {
-      for (const key of own) delete keys[key];
-    }
-    for (const [name, setting] of Object.entries(this.#game.settings)) {
-      if (setting.kind !== 'switch' || setting.key === undefined) continue;
-      keys[setting.key] = () =>
-        this.#guard(() => {
-          this.#set(name, !this.#session.values[name]);
-          this.#panel.refresh();
-        });
-    }
-    return keys;
   }
 
   #stage(): Stage<S, Sim> {
     const session = this.#session;
+    const preferences = this.#preferences;
     return {
       element: this.#layout.stage,
       insets: () => this.#layout.insets(),
@@ -245,7 +315,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       values: () => session.values,
       alpha: () => session.alpha,
       holding: () => session.holding,
-      reducedMotion: this.#reducedMotion,
+      get reducedMotion() {
+        return preferences.calm;
+      },
+      get safeColors() {
+        return preferences.safeColors;
+      },
     };
   }
 
@@ -254,12 +329,14 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     return {
       state: () => ({
         ...sessionState(session),
+        ...{ calm: this.#preferences.calm, filming: this.#recorder.filming },
         ...{ ready: this.#views.view !== undefined, renderer: this.#renderer, banner: this.#banner.text },
         timing: { ...this.#timing },
         game: this.#game.tell?.(session.sim) ?? {},
       }),
       body: (index) => bodyState(session, this.#views.view, index),
       step: (count) => session.step(count),
+      rewind: (seconds) => this.#goBack(() => session.rewind(seconds)),
       reset: (seed) => this.#reset(seed),
       set: (name, value) => {
         this.#set(name, value);

@@ -39,14 +39,16 @@ export interface Stage<S extends Settings, Sim extends Simulation> {
   readonly alpha: () => number;
   /** Bodies that pointers hold. */
   readonly holding: () => Holding;
-  /** The player's system asks for as little motion as possible. */
+  /** The player wants as little motion as possible; the view is refreshed when that changes. */
   readonly reducedMotion: boolean;
+  /** The player wants colours that everybody tells apart, such as `SAFE_COLORS`; likewise. */
+  readonly safeColors: boolean;
 }
 
 /** A picture of a simulation. */
 export interface View {
   readonly canvas: HTMLCanvasElement;
-  /** The world was replaced or a setting changed: `world` says which. */
+  /** The world was replaced, or everything looks different (`world`), or a setting changed. */
   refresh(change: 'world' | 'setting'): void;
   /** Draws once. @param seconds since the last time */
   draw(alpha: number, seconds: number): void;
@@ -77,8 +79,12 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   create(options: SimulationOptions<S>): Sim;
   /** Gives the running world a changed setting; false asks for a new world instead. */
   apply(sim: Sim, name: keyof S & string, values: Readonly<ValuesOf<S>>): boolean;
+  /** Gives bodies their colours: in a new world, and when the player wants other colours. */
+  dress?(sim: Sim, looks: { readonly seed: number; readonly safeColors: boolean }): void;
   /** How a held body's wanted place is changed, in place, as to keep it inside a room. */
   holdLimit?(sim: Sim): HoldingOptions['limit'];
+  /** Notes what the game keeps outside its world; returns what puts it back when the player goes back in time. */
+  remember?(sim: Sim): () => void;
   /** Contacts between bodies in the last step; undefined while the world has none to count. */
   contacts?(sim: Sim): number | undefined;
   /** How the player steers. */

@@ -1,7 +1,8 @@
 import { expect, it } from 'vitest';
-import { HighScores, type ScoreStorage } from './high-scores.ts';
+import { HighScores } from './high-scores.ts';
+import type { LocalStore } from './local-store.ts';
 
-function memory(text?: string): ScoreStorage {
+function memory(text?: string): LocalStore {
   let kept = text;
   return {
     getItem: () => kept ?? null,
@@ -27,7 +28,7 @@ it.each(['', 'nonsense', '{}', '[1, null, {"score":"x","day":"y"}]'])('takes %j 
 });
 
 it('lasts as long as the page where nothing is kept', () => {
-  const closed: ScoreStorage = {
+  const closed: LocalStore = {
     getItem: () => {
       throw new Error('closed');
     },

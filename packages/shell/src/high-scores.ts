@@ -1,3 +1,5 @@
+import { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
+
 /** A score somebody reached on this machine. */
 export interface HighScore {
   readonly score: number;
@@ -5,19 +7,16 @@ export interface HighScore {
   readonly day: string;
 }
 
-/** The part of `localStorage` that scores need. */
-export type ScoreStorage = Pick<Storage, 'getItem' | 'setItem'>;
-
 const KEPT = 5;
 
 /** The best scores of a game, kept by the browser; where it keeps nothing, they last as long as the page. */
 export class HighScores {
   readonly #key: string;
-  readonly #storage: ScoreStorage | undefined;
+  readonly #storage: LocalStore | undefined;
   #list: readonly HighScore[];
 
   /** @param game name the scores are kept under */
-  constructor(game: string, storage: ScoreStorage | undefined = browserStorage()) {
+  constructor(game: string, storage: LocalStore | undefined = browserStore()) {
     this.#key = `principia scores: ${game}`;
     this.#storage = storage;
     this.#list = this.#read();
@@ -38,32 +37,15 @@ export class HighScores {
     const entry = { score, day };
     const list = [...this.#list, entry].sort((a, b) => b.score - a.score).slice(0, KEPT);
     this.#list = list;
-    try {
-      this.#storage?.setItem(this.#key, JSON.stringify(list));
-    } catch {
-      // The browser's store is full or closed to us: the scores of this page still count.
-    }
+    writeLocal(this.#storage, this.#key, list);
     return list.indexOf(entry);
   }
 
   /** What somebody else wrote under the same name is not worth an error. */
   #read(): readonly HighScore[] {
-    try {
-      const found: unknown = JSON.parse(this.#storage?.getItem(this.#key) ?? '[]');
-      if (!Array.isArray(found)) return [];
-      const scores = found.filter((entry) => Number.isFinite(entry?.score) && typeof entry.day === 'string');
-      return scores.sort((a, b) => b.score - a.score).slice(0, KEPT);
-    } catch {
-      return [];
-    }
-  }
-}
-
-/** Some browsers throw at the mere mention where pages may keep nothing. */
-function browserStorage(): ScoreStorage | undefined {
-  try {
-    return globalThis.localStorage;
-  } catch {
-    return undefined;
+    const found = readLocal(this.#storage, this.#key);
+    if (!Array.isArray(found)) return [];
+    const scores = found.filter((entry) => Number.isFinite(entry?.score) && typeof entry.day === 'string');
+    return scores.sort((a, b) => b.score - a.score).slice(0, KEPT);
   }
 }

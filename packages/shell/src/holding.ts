@@ -12,6 +12,8 @@ export interface Holding {
   move(pointer: number, x: number, y: number, z?: number): void;
   /** Lets go and throws. */
   release(pointer: number, vx: number, vy: number, vz?: number): void;
+  /** The held bodies and what each weighs when it is let go, kg. */
+  masses(): readonly (readonly [id: number, mass: number])[];
   /** Puts held bodies where their pointers are without a step, as while the game is paused. */
   place(): void;
   releaseAll(): void;
@@ -96,6 +98,7 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
       if (grip !== undefined) aim(grip, x, y, z);
     },
     release,
+    masses: () => [...grips.values()].map(({ id, mass }) => [id, mass] as const),
     place: () => placeBodies(world, grips.values()),
     releaseAll() {
       for (const pointer of [...grips.keys()]) release(pointer, 0, 0);

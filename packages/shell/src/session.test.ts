@@ -116,3 +116,49 @@ it('refuses what is no setting or does not fit, and stays as it was', () => {
   expect(() => session.set('count', 10)).toThrow('count must be a whole number from 1 to 9');
   expect(session.values).toEqual({ count: 3, gravity: 10 });
 });
+
+it('goes back in time: world, values and what the game keeps beside them, and on from there', () => {
+  const kept = { points: 0 };
+  const remembering: typeof game = {
+    ...game,
+    remember() {
+      const { points } = kept;
+      return () => {
+        kept.points = points;
+      };
+    },
+  };
+  const session = new Session(remembering, initialValues(settings), 4, () => 0);
+  session.reset();
+  const { world } = session.sim;
+  session.step(50);
+  const hash = stateHash(world);
+  kept.points = 3;
+  session.set('gravity', 2);
+  session.step(50);
+  expect(session.rewound).toBe(false);
+  // In small pieces, as frames come: a moment is kept every 5 steps.
+  for (let i = 0; i < 50; i++) session.rewind(0.01);
+  expect([world.tick, stateHash(world), session.rewound]).toEqual([50, hash, true]);
+  expect([session.values.gravity, kept.points]).toEqual([10, 0]);
+  session.step();
+  expect(world.components.Velocity.y[1]).toBeCloseTo(4 - 10 * 0.51, 12);
+  expect(session.stepBack()).toBe(true);
+  expect(session.stepBack()).toBe(true);
+  expect(world.tick).toBe(45);
+  session.rewind(100);
+  expect([world.tick, session.past, session.rewind(1)]).toEqual([0, 0, false]);
+  session.reset();
+  expect(session.rewound).toBe(false);
+});
+
+it('gives a body that was held then its mass back', () => {
+  const { session, world } = started();
+  session.holding.grab(1, 2, 1, 0);
+  session.step(20);
+  session.holding.release(1, 0, 0);
+  session.step(20);
+  session.rewind(0.3);
+  expect(world().tick).toBe(10);
+  expect([world().components.Mass.value[2], session.holding.held]).toEqual([1, []]);
+});

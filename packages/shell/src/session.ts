@@ -1,5 +1,6 @@
 import { createRunner, destroyWorld, type Runner, step } from '@principia/physics';
 import type { GameDefinition, Simulation } from './game.ts';
+import { History } from './history.ts';
 import { type Holding, holdBodies } from './holding.ts';
 import { checkValue, type Settings, type ValuesOf } from './settings.ts';
 
@@ -21,9 +22,16 @@ export class Session<S extends Settings, Sim extends Simulation> {
   stepTime = 0;
   /** Steps of the last frame. */
   steps = 0;
+  /** The player went back in time in this game. */
+  rewound = false;
+  /** Bodies wear colours that everybody tells apart. */
+  safeColors = false;
   #sim: Sim | undefined;
   #holding: Holding | undefined;
   #runner: Runner | undefined;
+  #history: History | undefined;
+  /** Simulated time that going back has reached, s; between two moments that are kept it is none of them. */
+  #backTime: number | undefined;
   #steppedByHand = false;
   readonly #clock: () => number;
 
@@ -61,10 +69,60 @@ export class Session<S extends Settings, Sim extends Simulation> {
     if (this.#sim !== undefined) destroyWorld(this.#sim.world);
     this.seed = seed;
     this.#sim = sim;
+    this.dress();
     const limit = this.game.holdLimit?.(sim);
     this.#holding = holdBodies(sim.world, limit === undefined ? {} : { limit });
     this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: Math.max(LONGEST_FRAME, sim.dt) });
     this.#steppedByHand = true;
+    this.rewound = false;
+    this.#backTime = undefined;
+    this.#history = new History(sim, () => this.#remember(), this.#clock);
+  }
+
+  /** Gives the bodies their colours. */
+  dress(): void {
+    this.game.dress?.(this.sim, { seed: this.seed, safeColors: this.safeColors });
+  }
+
+  /** What is not in the world: values, and whatever the game keeps. Bodies held then are let go. */
+  #remember(): () => void {
+    const values = { ...this.values };
+    const { safeColors } = this;
+    const masses = this.holding.masses();
+    const game = this.game.remember?.(this.sim);
+    return () => {
+      Object.assign(this.values, values);
+      const { Mass } = this.sim.world.components;
+      for (const [id, mass] of masses) Mass.value[id] = mass;
+      game?.();
+      if (this.safeColors !== safeColors) this.dress();
+    };
+  }
+
+  /** Simulated seconds that the player can go back. */
+  get past(): number {
+    return this.#history?.length ?? 0;
+  }
+
+  /**
+   * Goes back by `seconds` of simulated time, call by call, in the moments that are kept, until `advance` or `step` goes on.
+   * @returns whether the world changed
+   */
+  rewind(seconds: number): boolean {
+    const { world } = this.sim;
+    const history = this.#history as History;
+    this.#backTime = Math.max(world.time - history.length, (this.#backTime ?? world.time) - seconds);
+    this.holding.releaseAll();
+    const changed = history.backTo(this.#backTime);
+    this.#steppedByHand = true;
+    this.rewound ||= changed;
+    return changed;
+  }
+
+  /** Goes back to the moment kept before the present one. @returns whether there was one */
+  stepBack(): boolean {
+    this.#backTime = undefined;
+    return this.rewind(this.sim.dt);
   }
 
   /**
@@ -86,7 +144,11 @@ export class Session<S extends Settings, Sim extends Simulation> {
   step(count = 1): void {
     const { world, dt } = this.sim;
     const start = this.#clock();
-    for (let i = 0; i < count; i++) step(world, dt);
+    for (let i = 0; i < count; i++) {
+      step(world, dt);
+      this.#history?.note();
+    }
+    this.#backTime = undefined;
     this.#note(start, count);
     this.#steppedByHand = true;
   }
@@ -98,11 +160,14 @@ export class Session<S extends Settings, Sim extends Simulation> {
       this.steps = 0;
       return;
     }
+    this.#backTime = undefined;
     const start = this.#clock();
     const most = Math.max(1, Math.floor(STEPS_BUDGET / Math.max(this.stepTime, 1e-3)));
     this.steps = this.#runner.advance(Math.min(seconds * this.speed, most * this.#runner.dt));
     this.#note(start, this.steps);
-    if (this.steps > 0) this.#steppedByHand = false;
+    if (this.steps === 0) return;
+    this.#steppedByHand = false;
+    this.#history?.note();
   }
 
   #note(start: number, steps: number): void {

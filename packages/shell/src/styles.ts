@@ -28,10 +28,23 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   --font-family: inherit; --width: 264px; --widget-height: 24px; --row-height: 30px; --name-width: 38%; --padding: 10px;
   --slider-knob-width: 3px; --widget-border-radius: 6px; --slider-input-width: 36% }
 .game-card { padding: 6px 12px 10px; border-top: 1px solid var(--line) }
-.game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; gap: 10px }
-.game-card h2 span { margin-left: auto; font-weight: 500; display: flex; gap: 10px }
+.game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; flex-wrap: wrap; gap: 0 10px }
+.game-card h2 span { flex-basis: 100%; font-weight: 500; display: flex; gap: 10px }
 .game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
   border-radius: 50%; margin-right: 4px; background: var(--mark) }
+.game-card select, .game-card input { border: 0; border-radius: 6px; background: #ffffff14; color: var(--ink); font: inherit;
+  font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 150px } .game-card option { background: #1a2349 }
+.game-card input { width: 52px } .game-card h2 select { color: var(--dim); font-weight: 600; margin-left: -4px }
+.game-plot-column { display: flex; gap: 8px; align-items: center; font-size: 12px; color: var(--dim); white-space: nowrap }
+.game-profile { display: grid; grid-template-columns: max-content 1fr max-content; gap: 1px 8px; margin: 0; font-size: 12px;
+  align-items: center; font-variant-numeric: tabular-nums } .game-profile dt { color: var(--dim) } .game-profile dd { margin: 0 }
+.game-profile i { height: 6px; border-radius: 3px; background: linear-gradient(90deg, var(--accent), var(--accent)) 0 0 /
+  calc(100% * var(--share, 0)) 100% no-repeat #ffffff14 }
+.game-tools { display: flex; flex-wrap: wrap; gap: 6px; padding-top: 10px }
+.game-tools button { border: 1px solid var(--line); border-radius: 9px; background: #ffffff10; color: var(--ink);
+  font: inherit; font-size: 12px; line-height: 1; padding: 7px 10px; cursor: pointer }
+.game-tools button:hover { background: #ffffff22 } .game-tools button:focus-visible { outline: 2px solid var(--accent) }
+.game-tools button[aria-pressed=true] { background: var(--accent); border-color: transparent; color: #1c1503 }
 .game-stats { display: grid; grid-template-columns: auto auto auto auto; gap: 0 8px; margin: 0; font-size: 12px;
   font-variant-numeric: tabular-nums }
 .game-stats dt { color: var(--dim) } .game-stats dd { margin: 0; text-align: right }
@@ -43,7 +56,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-banner p { margin: 0; white-space: pre-line; overflow-wrap: anywhere }
 .game-banner button, .game-help button { flex: none; border: 1px solid #ffffff30; border-radius: 9px; background: #ffffff14;
   color: inherit; font: inherit; padding: 5px 12px; cursor: pointer }
-.game-help { border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
+.game-help { box-sizing: border-box; max-height: calc(100dvh - 32px); overflow: hidden auto; border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
   background: #161e3df7; color: var(--ink); box-shadow: 0 24px 80px #000a }
 .game-help::backdrop { background: #070b1a99 }
 .game-help h2 { margin: 0 0 12px; font-size: 17px }
@@ -79,7 +92,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 @media (max-width: 759px) { .game-side { top: 66px; max-height: calc(100% - 78px) }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar button { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
-@media (prefers-reduced-motion: reduce) { .game * { transition: none !important; animation: none !important } }
+@media (min-width: 860px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
+@media (max-width: 520px) { .game-bar [data-minor] { display: none } }
+.game[data-calm] * { transition: none !important; animation: none !important }
 `;
 
 /** Adds the styles to the page, once. */

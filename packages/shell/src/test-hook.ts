@@ -22,6 +22,14 @@ export interface GameState {
   readonly ready: boolean;
   readonly renderer: string;
   readonly paused: boolean;
+  /** Simulated seconds a real second. */
+  readonly speed: number;
+  /** Simulated seconds that the player can go back, and whether he did. */
+  readonly past: number;
+  readonly rewound: boolean;
+  readonly calm: boolean;
+  readonly safeColors: boolean;
+  readonly filming: boolean;
   readonly seed: number;
   readonly values: Readonly<Record<string, unknown>>;
   readonly time: number;
@@ -46,6 +54,8 @@ export interface GameHook {
   body(index: number): BodyState;
   /** `count` steps at once. */
   step(count?: number): void;
+  /** Goes back by `seconds` of simulated time, to a moment that was kept. */
+  rewind(seconds: number): void;
   reset(seed?: number): void;
   set(name: string, value: unknown): void;
   pause(): void;
@@ -78,10 +88,21 @@ export function bodyState<S extends Settings, Sim extends Simulation>(
 
 /** The part of the state that the session knows. */
 export function sessionState<S extends Settings, Sim extends Simulation>(session: Session<S, Sim>) {
-  const { sim, paused, seed, values, holding } = session;
+  const { sim, paused, speed, past, rewound, safeColors, seed, values, holding } = session;
   const { world } = sim;
   return {
-    ...{ paused, seed, values: { ...values }, held: holding.held, time: world.time, tick: world.tick },
+    ...{
+      paused,
+      speed,
+      past,
+      rewound,
+      safeColors,
+      seed,
+      values: { ...values },
+      held: holding.held,
+      time: world.time,
+      tick: world.tick,
+    },
     count: bodies(world).count,
     contacts: session.game.contacts?.(sim),
     hash: stateHash(world),

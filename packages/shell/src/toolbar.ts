@@ -1,25 +1,25 @@
+import type { Actions } from './commands.ts';
 import { element } from './element.ts';
 
-/** What the buttons of the bar do. */
-export interface ToolbarActions {
-  pause(): void;
-  step(): void;
-  reset(): void;
-  fit(): void;
-  help(): void;
-  side(): void;
-  renderer(name: string): void;
+/** What the bar shows. */
+export interface ToolbarState {
+  readonly paused: boolean;
+  readonly slow: boolean;
+  readonly rewinding: boolean;
+  readonly renderer: string;
 }
 
 /** The buttons beside the title. */
 export interface Toolbar {
-  show(state: { paused: boolean; renderer: string }): void;
+  show(state: ToolbarState): void;
 }
 
 const ICONS = {
+  rewind: 'M11.5 4v16L2 12zM21.5 4v16L12 12z',
   pause: 'M6 4h4v16H6zM14 4h4v16h-4z',
   play: 'M7 4l13 8-13 8z',
   step: 'M5 4l10 8-10 8zM16 4h3v16h-3z',
+  slow: 'M12 3a9 9 0 1 0 9 9h-2.6a6.4 6.4 0 1 1-6.4-6.4zM11 7h2.4v4.2l3.4 2.2-1.3 2L11 12.6z',
   reset: 'M12 5V1L6 6.5 12 12V8a5.5 5.5 0 1 1-5.5 5.5h-3A8.5 8.5 0 1 0 12 5z',
   fit: 'M3 3h7v3H6v4H3zM14 3h7v7h-3V6h-4zM3 14h3v4h4v3H3zM18 14h3v7h-7v-3h4z',
   panel: 'M3 5h10v2.4H3zM17 5h4v2.4h-4zM13 3h4v6.4h-4zM3 16.6h4V19H3zM11 16.6h10V19H11zM7 14.6h4V21H7z',
@@ -28,16 +28,17 @@ const ICONS = {
 /** @param renderers names of the renderers and what the switch calls them; no switch for a single one */
 export function createToolbar(
   bar: HTMLElement,
-  actions: ToolbarActions,
+  actions: Actions,
   renderers: readonly (readonly [string, string])[],
 ): Toolbar {
   const pause = iconButton('pause', 'Pause (Space)', actions.pause);
-  bar.append(
-    pause,
-    iconButton('step', 'One step (.)', actions.step),
-    iconButton('reset', 'Start again (R)', actions.reset),
-    iconButton('fit', 'See everything (F)', actions.fit),
-  );
+  const rewind = holdButton(actions);
+  const slow = iconButton('slow', 'Slow motion (S)', actions.slow);
+  const fit = iconButton('fit', 'See everything (F)', actions.fit);
+  const step = iconButton('step', 'One step (.)', actions.step);
+  // Where there is little room, what a key or the panel does as well goes first.
+  for (const button of [fit, step, slow]) button.dataset.minor = '';
+  bar.append(rewind, pause, step, slow, iconButton('reset', 'Start again (R)', actions.reset), fit);
   const switches = renderers.map(([name, label]) => {
     const button = element('button', '', { type: 'button', title: `Draw in ${label} (${label[0]})` }, label);
     button.addEventListener('click', () => actions.renderer(name));
@@ -48,14 +49,35 @@ export function createToolbar(
   help.addEventListener('click', actions.help);
   bar.append(iconButton('panel', 'Panel (P)', actions.side), help);
   return {
-    show({ paused, renderer }) {
+    show({ paused, slow: isSlow, rewinding, renderer }) {
       setIcon(pause, paused ? 'play' : 'pause', paused ? 'Go on (Space)' : 'Pause (Space)');
+      slow.setAttribute('aria-pressed', String(isSlow));
+      rewind.setAttribute('aria-pressed', String(rewinding));
       for (const { name, button } of switches) button.setAttribute('aria-pressed', String(name === renderer));
     },
   };
 }
 
-function iconButton(icon: keyof typeof ICONS, title: string, action: () => void): HTMLButtonElement {
+/** Goes back in time while it is held down; the keyboard's click goes back one moment. */
+function holdButton({ rewind, stepBack }: Actions): HTMLButtonElement {
+  const button = iconButton('rewind', 'Back in time (hold, or B)', (event) => event.detail === 0 && stepBack());
+  button.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    button.setPointerCapture(event.pointerId);
+    rewind(true);
+  });
+  for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
+    button.addEventListener(type, () => rewind(false));
+  }
+  button.addEventListener('contextmenu', (event) => event.preventDefault());
+  return button;
+}
+
+function iconButton(
+  icon: keyof typeof ICONS,
+  title: string,
+  action: (event: MouseEvent) => unknown,
+): HTMLButtonElement {
   const button = element('button', '', { type: 'button' });
   setIcon(button, icon, title);
   button.addEventListener('click', action);

@@ -1,0 +1,52 @@
+import { expect, it } from 'vitest';
+import { type Actions, gameCommands } from './commands.ts';
+import { FOUR_WAYS } from './controls.ts';
+import type { GameDefinition, Simulation } from './game.ts';
+import { switchSetting } from './settings.ts';
+
+/** Actions that write down what was done. */
+function recorded() {
+  const done: string[] = [];
+  const actions = new Proxy({} as Actions, {
+    get: (_, name) => (given?: unknown) => done.push(given === undefined ? String(name) : `${String(name)} ${given}`),
+  });
+  return { done, actions };
+}
+
+type Game = GameDefinition<Record<string, never>, Simulation>;
+const renderer = (dimensions: 2 | 3) => ({ label: `${dimensions}D`, dimensions, open: () => Promise.reject() });
+const plain = { title: 'Stones', settings: {}, renderers: { pixi: renderer(2) } } as unknown as Game;
+
+it('gives every key a line of the help, and every line a key', () => {
+  const { done, actions } = recorded();
+  const { pressed, released, help } = gameCommands(plain, actions);
+  for (const key of ['s', '-', 'b']) pressed[key]();
+  released.b();
+  expect(done).toEqual(['slow s', 'zoom 0.8', 'rewind true', 'rewind false']);
+  expect(help).toContainEqual(['. or →', 'one step']);
+  expect(new Set(help.map(([, what]) => what)).size).toBe(help.length);
+  expect(help.map(([keys]) => keys).join()).not.toContain('2');
+});
+
+it('leaves the keys that a game takes to the game, in the help too', () => {
+  const { done, actions } = recorded();
+  const game = {
+    ...plain,
+    settings: { mute: switchSetting('Sound', true, { key: 'm' }) },
+    controls: { buttons: FOUR_WAYS, press() {}, release() {} },
+    renderers: { pixi: renderer(2), three: renderer(3) },
+    help: [['Drag', 'throw']],
+  } as unknown as Game;
+  const { pressed, help } = gameCommands(game, actions);
+  pressed.m();
+  pressed['3']();
+  expect(done).toEqual(['toggle mute', 'renderer three']);
+  expect(pressed.arrowright).toBeUndefined();
+  expect(help.slice(0, 3)).toEqual([
+    ['Drag', 'throw'],
+    ['M', 'Sound on or off'],
+    ['2 3', 'draw in 2D or 3D'],
+  ]);
+  expect(help).toContainEqual(['.', 'one step']);
+  expect(help.map(([keys]) => keys).filter((keys) => keys === 'M')).toHaveLength(1);
+});

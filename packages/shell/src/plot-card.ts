@@ -1,0 +1,164 @@
+import type { PhysicsWorld } from '@principia/physics';
+import uPlot from 'uplot';
+import { element } from './element.ts';
+import {
+  angularMomentumSource,
+  type ColumnName,
+  columnSource,
+  columnsInUse,
+  energySource,
+  momentumSource,
+  type PlotSource,
+} from './plot-sources.ts';
+import { SAFE_COLORS } from './preferences.ts';
+import { SeriesHistory } from './series-history.ts';
+import { siNumber } from './si-number.ts';
+
+/** A plot over the last seconds: energies, momenta, or any column. */
+export interface PlotCard {
+  /** Notes the world's numbers, if the last note is old enough; call it after the steps of a frame. */
+  note(world: PhysicsWorld): void;
+  /** Draws what was noted. */
+  draw(): void;
+  /** Another world. */
+  clear(): void;
+  /** Shows the next of its plots; after the last one none. */
+  next(): void;
+  /** Whether lines have colours that everybody tells apart. */
+  safeColors: boolean;
+}
+
+const SAMPLES = 240;
+const INTERVAL = 0.05;
+const COLORS = ['#ff8f7a', '#6db7ff', '#ffd98a'];
+const SAFE = [5, 1, 3].map((index) => `#${SAFE_COLORS[index].toString(16).padStart(6, '0')}`);
+const PLOTS = ['Energy', 'Momentum', 'Angular momentum', 'Column'] as const;
+
+/** @param world the world shown now */
+export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | undefined): PlotCard {
+  const choice = select('Plot', PLOTS);
+  const column = select('Column', []);
+  const body = element('input', '', { type: 'number', min: '0', step: '1', value: '0', 'aria-label': 'Body' });
+  const which = element(
+    'div',
+    'game-plot-column',
+    {},
+    column,
+    element('label', '', { title: '0 is all of them' }, 'body ', body),
+  );
+  const names = element('span', '');
+  const card = element('section', 'game-card', { 'aria-label': 'Plot' }, element('h2', '', {}, choice, names), which);
+  parent.append(card);
+  const state = { safe: false, source: energySource as PlotSource, stale: false };
+  let history = new SeriesHistory(3, SAMPLES, INTERVAL);
+  let values = new Float64Array(3);
+  let plot: uPlot | undefined;
+  /** Shows what the controls say, from now on. */
+  const show = () => {
+    which.hidden = choice.value !== 'Column';
+    if (!which.hidden) fillColumns(column, world());
+    state.source = sourceOf(choice.value, column.value, Number(body.value), world());
+    const { series } = state.source;
+    history = new SeriesHistory(series.length, SAMPLES, INTERVAL);
+    values = new Float64Array(series.length);
+    const colors = state.safe ? SAFE : COLORS;
+    names.replaceChildren(...series.map((name, i) => element('i', '', { style: `--mark: ${colors[i]}` }, name)));
+    plot?.destroy();
+    plot = new uPlot(plotOptions(state.source, colors), history.data(), card);
+    state.stale = true;
+  };
+  for (const control of [choice, column, body]) control.addEventListener('change', show);
+  show();
+  return {
+    get safeColors() {
+      return state.safe;
+    },
+    set safeColors(safe) {
+      state.safe = safe;
+      show();
+    },
+    note(now) {
+      if (history.cut(now.time)) state.stale = true;
+      if (card.hidden || !history.isDue(now.time)) return;
+      state.source.read(now, values);
+      history.add(now.time, values);
+      state.stale = true;
+    },
+    draw() {
+      if (!state.stale || card.hidden || card.offsetParent === null) return;
+      state.stale = false;
+      plot?.setData(history.data());
+    },
+    clear: show,
+    next() {
+      const at = card.hidden ? 0 : choice.selectedIndex + 1;
+      card.hidden = at === PLOTS.length;
+      choice.selectedIndex = at % PLOTS.length;
+      show();
+    },
+  };
+}
+
+function select(label: string, options: readonly string[]): HTMLSelectElement {
+  const made = element('select', '', { 'aria-label': label });
+  for (const option of options) made.append(element('option', '', {}, option));
+  return made;
+}
+
+/** Offers the columns that hold anything, and keeps the choice. */
+function fillColumns(list: HTMLSelectElement, world: PhysicsWorld | undefined): void {
+  if (world === undefined) return;
+  const chosen = list.value;
+  const names = columnsInUse(world).map(({ component, field }) => `${component}.${field}`);
+  if (chosen !== '' && !names.includes(chosen)) names.push(chosen);
+  list.replaceChildren(...names.map((name) => element('option', '', {}, name)));
+  list.value = names.includes(chosen) ? chosen : (names[0] ?? '');
+}
+
+function sourceOf(plot: string, column: string, body: number, world: PhysicsWorld | undefined): PlotSource {
+  const dimensions = world?.dimensions ?? 2;
+  if (plot === 'Momentum') return momentumSource(dimensions);
+  if (plot === 'Angular momentum') return angularMomentumSource(dimensions);
+  if (plot !== 'Column' || column === '') return energySource;
+  const [component, field] = column.split('.');
+  const name = { component, field } as ColumnName;
+  return columnSource(name, Number.isInteger(body) && body > 0 ? body : 0);
+}
+
+function plotOptions({ series, unit }: PlotSource, colors: readonly string[]): uPlot.Options {
+  const grid = { stroke: '#ffffff14', width: 1 };
+  const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font: '11px system-ui, sans-serif' };
+  // Units of one word fit beside the numbers; longer ones only in the title.
+  const shown = /[ /]/.test(unit) ? '' : unit;
+  return {
+    width: 240,
+    height: 118,
+    padding: [6, 4, 0, 0],
+    legend: { show: false },
+    cursor: { show: false },
+    scales: {
+      x: { time: false, range: (_, low, high) => [Math.min(low, high - SAMPLES * INTERVAL), Math.max(high, low + 1)] },
+      y: { range: (_, low, high) => rangeOf(low, high) },
+    },
+    axes: [
+      {
+        ...axis,
+        size: 20,
+        values: (_, splits) => splits.map((second) => (second < 0 ? '' : `${second} s`)),
+        space: 60,
+      },
+      { ...axis, size: 46, values: (_, splits) => splits.map((value) => siNumber(value, shown)), space: 28 },
+    ],
+    series: [
+      {},
+      ...series.map((label, i) => ({ label, stroke: colors[i], width: 1.5, points: { show: false }, spanGaps: false })),
+    ],
+  };
+}
+
+/** Zero is in the picture, and nothing touches its edge. */
+function rangeOf(low: number | null, high: number | null): [number, number] {
+  if (low === null || high === null || !Number.isFinite(low + high)) return [0, 1];
+  const [bottom, top] = [Math.min(0, low), Math.max(0, high)];
+  return bottom === top ? [0, 1] : [bottom * 1.08, top * 1.08];
+}

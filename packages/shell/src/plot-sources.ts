@@ -1,0 +1,119 @@
+/** What the plot can show of a world. */
+import {
+  angularMomentum,
+  bodies,
+  COMPONENT_NAMES,
+  COMPONENTS,
+  type ComponentName,
+  energy,
+  momentum,
+  type PhysicsWorld,
+} from '@principia/physics';
+
+/** Numbers that belong in one picture. */
+export interface PlotSource {
+  readonly unit: string;
+  /** What each line is called. */
+  readonly series: readonly string[];
+  /** Writes the present values to `out`. */
+  read(world: PhysicsWorld, out: Float64Array): void;
+}
+
+const axes = (dimensions: 2 | 3) => (dimensions === 2 ? ['x', 'y'] : ['x', 'y', 'z']);
+
+export const energySource: PlotSource = {
+  unit: 'J',
+  series: ['kinetic', 'potential', 'total'],
+  read(world, out) {
+    const { kinetic, potential, total } = energy(world);
+    out[0] = kinetic;
+    out[1] = potential;
+    out[2] = total;
+  },
+};
+
+export function momentumSource(dimensions: 2 | 3): PlotSource {
+  return {
+    unit: 'kg m/s',
+    series: axes(dimensions),
+    read(world, out) {
+      const { x, y, z } = momentum(world);
+      out[0] = x;
+      out[1] = y;
+      if (dimensions === 3) out[2] = z;
+    },
+  };
+}
+
+/** Total angular momentum about the origin; in the plane it has one component. */
+export function angularMomentumSource(dimensions: 2 | 3): PlotSource {
+  return {
+    unit: 'kg m²/s',
+    series: dimensions === 2 ? ['z'] : axes(3),
+    read(world, out) {
+      const { x, y, z } = angularMomentum(world);
+      out[0] = dimensions === 2 ? z : x;
+      if (dimensions === 2) return;
+      out[1] = y;
+      out[2] = z;
+    },
+  };
+}
+
+/** One field of one component. */
+export interface ColumnName {
+  readonly component: ComponentName;
+  readonly field: string;
+}
+
+/** The columns in use, as `Position.y`. */
+export function columnsInUse(world: PhysicsWorld): ColumnName[] {
+  const list = bodies(world);
+  return COMPONENT_NAMES.flatMap((component) =>
+    Object.keys(COMPONENTS[component].fields)
+      .filter((field) => !(world.dimensions === 2 && component !== 'AngularVelocity' && field === 'z'))
+      .filter((field) => isInUse(world, list.ids, list.count, { component, field }))
+      .map((field) => ({ component, field })),
+  );
+}
+
+function isInUse(world: PhysicsWorld, ids: Uint32Array, count: number, name: ColumnName): boolean {
+  const column = columnOf(world, name);
+  for (let i = 0; i < count; i++) if (column[ids[i]] !== 0) return true;
+  return false;
+}
+
+function columnOf(world: PhysicsWorld, { component, field }: ColumnName): ArrayLike<number> {
+  return (world.components[component] as unknown as Record<string, ArrayLike<number>>)[field];
+}
+
+/** A column of one body, the `body`-th in ascending order of ids from 1; of body 0 lowest, mean and highest of all. */
+export function columnSource(name: ColumnName, body: number): PlotSource {
+  const fields = COMPONENTS[name.component].fields as Readonly<Record<string, { readonly unit: string }>>;
+  const { unit } = fields[name.field];
+  return {
+    unit,
+    series: body > 0 ? [`body ${body}`] : ['lowest', 'mean', 'highest'],
+    read(world, out) {
+      const { ids, count } = bodies(world);
+      const column = columnOf(world, name);
+      if (body > 0) out[0] = body <= count ? column[ids[body - 1]] : Number.NaN;
+      else readAll(column, ids, count, out);
+    },
+  };
+}
+
+function readAll(column: ArrayLike<number>, ids: Uint32Array, count: number, out: Float64Array): void {
+  let low = Number.POSITIVE_INFINITY;
+  let high = Number.NEGATIVE_INFINITY;
+  let sum = 0;
+  for (let i = 0; i < count; i++) {
+    const value = column[ids[i]];
+    if (value < low) low = value;
+    if (value > high) high = value;
+    sum += value;
+  }
+  out[0] = count === 0 ? Number.NaN : low;
+  out[1] = sum / count;
+  out[2] = count === 0 ? Number.NaN : high;
+}

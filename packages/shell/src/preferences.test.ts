@@ -1,0 +1,43 @@
+import { expect, it } from 'vitest';
+import type { LocalStore } from './local-store.ts';
+import { Preferences } from './preferences.ts';
+
+function store(text: string | null = null): LocalStore {
+  let kept = text;
+  return {
+    getItem: () => kept,
+    setItem(_, value) {
+      kept = value;
+    },
+  };
+}
+
+it('is what the system asks for until somebody chooses, and remembers the choice', () => {
+  const kept = store();
+  const first = new Preferences(true, kept);
+  expect([first.calm, first.safeColors]).toEqual([true, false]);
+  first.set({ calm: false });
+  first.set({ safeColors: true });
+  expect([first.calm, first.safeColors]).toEqual([false, true]);
+  const later = new Preferences(true, kept);
+  expect([later.calm, later.safeColors]).toEqual([false, true]);
+});
+
+it('survives whatever is in the store, and a store that refuses', () => {
+  for (const text of ['', '{', 'null', '[1]', '{"calm":"yes"}']) {
+    expect(new Preferences(false, store(text)).calm).toBe(false);
+  }
+  const closed: LocalStore = {
+    getItem: () => {
+      throw new Error('no');
+    },
+    setItem: () => {
+      throw new Error('no');
+    },
+  };
+  for (const kept of [closed, undefined]) {
+    const preferences = new Preferences(false, kept);
+    preferences.set({ calm: true });
+    expect(preferences.calm).toBe(true);
+  }
+});

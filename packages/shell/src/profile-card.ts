@@ -1,0 +1,54 @@
+import { PHASES, type PhysicsWorld, type Profile, resetProfile, startProfile, stopProfile } from '@principia/physics';
+import { element } from './element.ts';
+
+/** Where the time of a step goes, phase by phase. */
+export interface ProfileCard {
+  /** Shows the milliseconds a step since the last call. */
+  show(world: PhysicsWorld): void;
+  toggle(): void;
+}
+
+export function createProfileCard(parent: HTMLElement): ProfileCard {
+  const list = element('dl', 'game-profile');
+  const title = element('h2', '', {}, 'A step, phase by phase');
+  const card = element('section', 'game-card', { 'aria-label': 'Profile' }, title, list);
+  card.hidden = true;
+  parent.append(card);
+  const rows = PHASES.map((phase) => {
+    const bar = element('i', '');
+    const time = element('dd', '', {}, '–');
+    list.append(element('dt', '', {}, phase), bar, time);
+    return { phase, bar, time };
+  });
+  let watched: { readonly world: PhysicsWorld; readonly profile: Profile; tick: number } | undefined;
+  const watch = (world: PhysicsWorld) => ({
+    world,
+    profile: startProfile(world, () => performance.now()),
+    tick: world.tick,
+  });
+  return {
+    show(world) {
+      if (card.hidden) return;
+      if (watched?.world !== world) watched = watch(world);
+      const { profile, tick } = watched;
+      const steps = world.tick - tick;
+      watched.tick = world.tick;
+      if (steps > 0) {
+        const times = PHASES.map((phase) => profile.times[phase] / steps);
+        const sum = times.reduce((total, time) => total + time, 0);
+        for (const [i, { bar, time }] of rows.entries()) {
+          bar.style.setProperty('--share', String(sum > 0 ? times[i] / sum : 0));
+          time.textContent = `${times[i].toFixed(times[i] < 1 ? 3 : 1)} ms`;
+        }
+      }
+      resetProfile(profile);
+    },
+    toggle() {
+      card.hidden = !card.hidden;
+      if (!card.hidden || watched === undefined) return;
+      // Clocks cost a little: nobody looks, nothing is measured.
+      if (watched.world.state !== 'destroyed') stopProfile(watched.world);
+      watched = undefined;
+    },
+  };
+}

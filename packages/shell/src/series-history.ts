@@ -1,0 +1,50 @@
+/** Some numbers over the last moments, in arrays of one size for ever. */
+export class SeriesHistory {
+  readonly #times: Float64Array;
+  readonly #columns: readonly Float64Array[];
+  readonly #interval: number;
+  #count = 0;
+
+  /** @param series numbers of a sample @param capacity samples kept @param interval least time between two, s */
+  constructor(series: number, capacity: number, interval: number) {
+    this.#times = new Float64Array(capacity);
+    this.#columns = Array.from({ length: series }, () => new Float64Array(capacity));
+    this.#interval = interval;
+  }
+
+  get count(): number {
+    return this.#count;
+  }
+
+  /** Whether a sample at `time` is due. */
+  isDue(time: number): boolean {
+    const last = this.#count === 0 ? Number.NEGATIVE_INFINITY : this.#times[this.#count - 1];
+    return time >= last + this.#interval * 0.999;
+  }
+
+  add(time: number, values: ArrayLike<number>): void {
+    const capacity = this.#times.length;
+    if (this.#count === capacity) {
+      this.#times.copyWithin(0, 1);
+      for (const column of this.#columns) column.copyWithin(0, 1);
+    } else this.#count++;
+    this.#times[this.#count - 1] = time;
+    for (const [i, column] of this.#columns.entries()) column[this.#count - 1] = values[i];
+  }
+
+  /** Forgets what is later than `time`, as when the player went back. @returns whether anything was */
+  cut(time: number): boolean {
+    const before = this.#count;
+    while (this.#count > 0 && this.#times[this.#count - 1] > time) this.#count--;
+    return this.#count < before;
+  }
+
+  clear(): void {
+    this.#count = 0;
+  }
+
+  /** The times and the columns of the samples there are. */
+  data(): [Float64Array, ...Float64Array[]] {
+    return [this.#times, ...this.#columns].map((column) => column.subarray(0, this.#count)) as never;
+  }
+}

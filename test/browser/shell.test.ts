@@ -1,0 +1,274 @@
+/** What the shell gives every game, worked with real keys, pointers and files, on the game of bouncing balls. */
+import { readFileSync } from 'node:fs';
+import type { GameState } from '@principia/shell';
+import type { Browser, BrowserContext, Download, Page } from 'playwright-core';
+import { PNG } from 'pngjs';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { launchChromium } from '../support/chromium.ts';
+import { type ServedPage, servePage } from '../support/page.ts';
+
+let browser: Browser;
+let served: ServedPage;
+let context: BrowserContext;
+let errors: string[] = [];
+
+beforeAll(async () => {
+  const html = readFileSync('games/bouncing-balls/index.html', 'utf8');
+  served = await servePage('games/bouncing-balls/main.ts', { html });
+  browser = await launchChromium();
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await served?.close();
+});
+
+afterEach(async () => {
+  await context?.close();
+  const seen = errors;
+  errors = [];
+  expect(seen).toEqual([]);
+});
+
+async function open(query: string, prepare?: () => void): Promise<Page> {
+  context = await browser.newContext({ viewport: { width: 900, height: 700 }, acceptDownloads: true });
+  const page = await context.newPage();
+  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  if (prepare !== undefined) await page.addInitScript(prepare);
+  await page.goto(`${served.url}?${query}`);
+  await page.waitForFunction(() => globalThis.__game?.state().ready);
+  return page;
+}
+
+const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
+const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
+const frames = (page: Page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const card = (page: Page, label: string) => page.locator(`.game-card[aria-label="${label}"]`);
+
+async function contentOf(download: Download): Promise<Buffer> {
+  const stream = await download.createReadStream();
+  const pieces: Buffer[] = [];
+  for await (const piece of stream) pieces.push(piece as Buffer);
+  return Buffer.concat(pieces);
+}
+
+describe('time', () => {
+  it('runs backwards while B is held, over bits that were there before, and forwards when it is let go', async () => {
+    const page = await open('seed=3&count=40');
+    // The hash of every step the page ever shows, by step.
+    await page.evaluate(() => {
+      const seen = new Map<number, string>();
+      const look = () => {
+        const { tick, hash } = __game.state();
+        if (seen.has(tick) && seen.get(tick) !== hash) throw new Error(`Step ${tick} was different before.`);
+        seen.set(tick, hash);
+        requestAnimationFrame(look);
+      };
+      look();
+    });
+    await page.waitForFunction(() => __game.state().tick > 90);
+    const before = await state(page);
+    await page.keyboard.down('b');
+    await page.waitForFunction((tick) => __game.state().tick < tick - 30, before.tick);
+    await page.keyboard.up('b');
+    const back = await state(page);
+    expect(back.rewound).toBe(true);
+    expect(back.time).toBeLessThan(before.time);
+    await page.waitForFunction((tick) => __game.state().tick > tick, before.tick);
+  });
+
+  it('runs backwards while the button is held; a comma goes back one moment', async () => {
+    const page = await open('manual&seed=3');
+    await steps(page, 60);
+    const button = page.locator('.game-bar button').first();
+    await button.hover();
+    await page.mouse.down();
+    await page.waitForFunction(() => __game.state().tick < 50);
+    expect(await button.getAttribute('aria-pressed')).toBe('true');
+    await page.mouse.up();
+    await page.waitForFunction(() => document.querySelector('.game-bar button')?.ariaPressed === 'false');
+    const { tick } = await state(page);
+    await page.keyboard.press(',');
+    expect((await state(page)).tick).toBe(tick - 3);
+  });
+
+  it('brings back values, and bodies that were thrown', async () => {
+    const page = await open('manual&seed=3');
+    await steps(page, 30);
+    const { hash } = await state(page);
+    await page.evaluate(() => __game.set('gravity', 1));
+    await steps(page, 30);
+    await page.evaluate(() => __game.rewind(0.5));
+    expect(await state(page)).toMatchObject({ hash, tick: 30, values: { gravity: 9.80665 } });
+    expect(await page.locator('.game-side input[type=text]').nth(1).inputValue()).toBe('9.8');
+  });
+
+  it('runs at a fifth of its pace after S', async () => {
+    const page = await open('seed=3');
+    await page.keyboard.press('s');
+    expect((await state(page)).speed).toBe(0.2);
+    expect(await page.locator('button[title="Slow motion (S)"]').getAttribute('aria-pressed')).toBe('true');
+    await page.keyboard.press('s');
+    expect((await state(page)).speed).toBe(1);
+  });
+});
+
+describe('figures', () => {
+  it('E shows energy, momentum, angular momentum, any column, nothing, and energy again', async () => {
+    const page = await open('manual&seed=3');
+    const choice = card(page, 'Plot').locator('select').first();
+    const seen: string[] = [await choice.inputValue()];
+    for (let i = 0; i < 3; i++) {
+      await page.keyboard.press('e');
+      seen.push(await choice.inputValue());
+    }
+    expect(seen).toEqual(['Energy', 'Momentum', 'Angular momentum', 'Column']);
+    const columns = card(page, 'Plot').locator('select').nth(1);
+    await columns.selectOption('Velocity.y');
+    await steps(page, 30);
+    await frames(page);
+    expect(await card(page, 'Plot').locator('h2 i').allTextContents()).toEqual(['lowest', 'mean', 'highest']);
+    await card(page, 'Plot').locator('input').fill('2');
+    await card(page, 'Plot').locator('input').blur();
+    expect(await card(page, 'Plot').locator('h2 i').allTextContents()).toEqual(['body 2']);
+    await page.keyboard.press('e');
+    expect(await card(page, 'Plot').isVisible()).toBe(false);
+    await page.keyboard.press('e');
+    expect(await choice.inputValue()).toBe('Energy');
+  });
+
+  it('O shows where the time of a step goes', async () => {
+    const page = await open('seed=3&count=2000');
+    await page.keyboard.press('o');
+    await page.waitForFunction(() => {
+      const times = [...document.querySelectorAll('.game-profile dd')].map(({ textContent }) => textContent);
+      return times.length === 8 && times.every((time) => /^[\d.]+ ms$/.test(time ?? ''));
+    });
+    await page.keyboard.press('o');
+    expect(await card(page, 'Profile').isVisible()).toBe(false);
+  });
+});
+
+describe('pictures', () => {
+  it('I stores the picture with the ground behind it', async () => {
+    const page = await open('manual&seed=3');
+    await steps(page, 42);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('i')]);
+    expect(download.suggestedFilename()).toBe('bouncing-balls-0.7s.png');
+    const { width, height, data } = PNG.sync.read(await contentOf(download));
+    expect([width, height]).toEqual([900, 700]);
+    let bright = 0;
+    let clear = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] !== 255) clear++;
+      if (Math.max(data[i], data[i + 1], data[i + 2]) > 200) bright++;
+    }
+    expect(clear).toBe(0);
+    // Five balls of half a metre in a room of 16 m, and the deep blue behind them.
+    expect(bright).toBeGreaterThan(500);
+    expect(bright).toBeLessThan(0.2 * width * height);
+  });
+
+  it('M films until it is pressed again', async () => {
+    const page = await open('seed=3');
+    await page.keyboard.press('m');
+    expect((await state(page)).filming).toBe(true);
+    expect(await page.locator('.game-tools button').nth(1).textContent()).toBe('● Stop');
+    await page.waitForTimeout(1200);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('m')]);
+    expect(download.suggestedFilename()).toMatch(/^bouncing-balls-[\d.]+s\.(mp4|webm)$/);
+    const film = await contentOf(download);
+    expect(film.length).toBeGreaterThan(5000);
+    const plays = await page.evaluate(async (data) => {
+      const video = document.createElement('video');
+      video.muted = true;
+      video.src = `data:video/webm;base64,${data}`;
+      await video.play();
+      return [video.videoWidth, video.videoHeight];
+    }, film.toString('base64'));
+    expect(plays).toEqual([900, 700]);
+    expect((await state(page)).filming).toBe(false);
+  });
+
+  it('says so where the browser cannot film', async () => {
+    const page = await open('manual', () => Object.assign(globalThis, { MediaRecorder: undefined }));
+    await page.keyboard.press('m');
+    expect((await state(page)).banner).toMatch(/cannot film.*screen recorder/);
+  });
+
+  it('W fills the screen and gives it back, or says that it cannot', async () => {
+    const page = await open('manual');
+    await page.keyboard.press('w');
+    await page.waitForFunction(() => document.fullscreenElement?.className === 'game');
+    await page.keyboard.press('w');
+    await page.waitForFunction(() => document.fullscreenElement === null);
+    await page.evaluate(() => {
+      Object.defineProperty(Element.prototype, 'requestFullscreen', { value: undefined });
+    });
+    await page.keyboard.press('w');
+    await page.waitForFunction(() => __game.state().banner.includes('whole screen'));
+  });
+});
+
+describe('looks', () => {
+  it('Y gives bodies colours of the Okabe-Ito palette, and the browser remembers', async () => {
+    const page = await open('manual&seed=3');
+    const before = (await state(page)).hash;
+    await page.keyboard.press('y');
+    expect((await state(page)).safeColors).toBe(true);
+    // Colours are columns as well.
+    expect((await state(page)).hash).not.toBe(before);
+    await page.reload();
+    await page.waitForFunction(() => globalThis.__game?.state().ready);
+    expect((await state(page)).safeColors).toBe(true);
+    await page.keyboard.press('y');
+    expect(await state(page)).toMatchObject({ safeColors: false, hash: before });
+  });
+
+  it('X stops what moves for show', async () => {
+    const page = await open('manual&seed=3');
+    await page.keyboard.press('x');
+    expect((await state(page)).calm).toBe(true);
+    expect(await page.locator('.game').evaluate((game) => game.hasAttribute('data-calm'))).toBe(true);
+  });
+});
+
+describe('help', () => {
+  it('lists every key, and every key of the list does something', async () => {
+    const page = await open('manual&seed=3');
+    await page.keyboard.press('h');
+    const lines = await page.locator('.game-help dt').allTextContents();
+    for (const keys of [
+      'Space',
+      '. or →',
+      ',',
+      'B, held',
+      'S',
+      'R',
+      'F',
+      '+ −',
+      'E',
+      'O',
+      'I',
+      'M',
+      'W',
+      'X',
+      'Y',
+      'P',
+      'H',
+    ]) {
+      expect(lines).toContain(keys);
+    }
+    await page.keyboard.press('h');
+    expect(await page.locator('.game-help').isVisible()).toBe(false);
+  });
+
+  it('the canvas can have the keyboard, and says what it is', async () => {
+    const page = await open('manual&seed=3');
+    const canvas = page.locator('.game-stage canvas');
+    await canvas.focus();
+    expect(await canvas.evaluate((each) => document.activeElement === each)).toBe(true);
+    expect(await canvas.getAttribute('aria-label')).toMatch(/Bouncing balls.*press H/);
+  });
+});
