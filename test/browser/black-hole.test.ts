@@ -117,6 +117,7 @@ describe('playing', () => {
     const won = await told(page);
     expect(won).toMatchObject({ dodged: 1, score: 1, prize: 2, lives: 3 });
     expect(won.holes).toHaveLength(2);
+    await frames(page);
     expect(await page.locator('.bh-score').textContent()).toBe('1 hole dodged');
     const again = createGame({ values: VALUES, seed: 4, log: won.log });
     for (let i = (await state(page)).tick; i > 0; i--) step(again.world, again.dt);
