@@ -42,6 +42,7 @@ export {
   setEmitter,
   setRate,
 } from './emitters/emitter';
+export { type BurstPattern, createPattern } from './emitters/pattern';
 export type { EmitterOptions, EmitterParameters, Range } from './emitters/options';
 export { type EventMap, type EventName, type Handler, on } from './events/handlers';
 export { clearFaults, type Fault, type FaultLog } from './faults/fault-log';

@@ -4,6 +4,7 @@ import { bouncingBalls } from './bouncing-balls';
 import { circles } from './circles';
 import { cloth } from './cloth';
 import { emitters } from './emitters';
+import { fireworks } from './fireworks';
 import { gas } from './gas';
 import { nbodyDirect, nbodyTree } from './n-body/cluster';
 import { galaxy } from './n-body/galaxy';
@@ -30,6 +31,7 @@ export const SCENES: readonly Scene[] = [
   plasma,
   bouncingBalls,
   blackHole,
+  fireworks,
   solarSystem,
 ];
 

@@ -57,17 +57,39 @@ function aim3d(e: Emitter): void {
 
 // Bears a particle that left (x, y, z) `age` seconds ago and has moved since at the velocity it left with, to which
 // (vx, vy, vz) is added. Every particle takes the same number of draws in the plane and in space, dead at birth or not,
-// so that the step's length does not change who comes next.
-export function bear(e: Emitter, x: f64, y: f64, z: f64, vx: f64, vy: f64, vz: f64, age: f64, ramp: i32): void {
+// so that the step's length does not change who comes next. A `given` velocity, three f64 times `scale`, replaces the
+// drawn one.
+export function bear(
+  e: Emitter,
+  x: f64,
+  y: f64,
+  z: f64,
+  vx: f64,
+  vy: f64,
+  vz: f64,
+  age: f64,
+  ramp: i32,
+  given: usize = 0,
+  scale: f64 = 1,
+): void {
   const life = between(e, e.lifeMin, e.lifeMax);
   const speed = between(e, e.speedMin, e.speedMax);
   const factor = between(e, e.factorMin, e.factorMax);
   const chosen = ramp >= 0 ? ramp : <i32>(randomUnit(draws(e)) * <f64>e.rampCount);
   if (e.dimensions == 2) aim2d(e);
   else aim3d(e);
-  const ux = directionX * speed + e.scatterX * between(e, -1, 1) + vx;
-  const uy = directionY * speed + e.scatterY * between(e, -1, 1) + vy;
-  const uz = directionZ * speed + e.scatterZ * between(e, -1, 1) + vz;
+  if (given != 0) {
+    directionX = load<f64>(given) * scale;
+    directionY = load<f64>(given, 8) * scale;
+    directionZ = load<f64>(given, 16) * scale;
+  } else {
+    directionX *= speed;
+    directionY *= speed;
+    directionZ *= speed;
+  }
+  const ux = directionX + e.scatterX * between(e, -1, 1) + vx;
+  const uy = directionY + e.scatterY * between(e, -1, 1) + vy;
+  const uz = directionZ + e.scatterZ * between(e, -1, 1) + vz;
   const px = x + e.areaX * between(e, -1, 1) + ux * age;
   const py = y + e.areaY * between(e, -1, 1) + uy * age;
   const pz = z + e.areaZ * between(e, -1, 1) + uz * age;

@@ -149,6 +149,10 @@ export class Burst {
   velocityX: f64;
   velocityY: f64;
   velocityZ: f64;
+  // Where its pattern is, 0 for none: three f64 a velocity; how many there are; the factor of them.
+  pattern: f64;
+  patternCount: f64;
+  scale: f64;
 }
 
 // @ts-ignore: decorator

@@ -99,7 +99,12 @@ function burst(e: Emitter): void {
     const vx = asked.velocityX + (placed ? 0 : e.velocityX);
     const vy = asked.velocityY + (placed ? 0 : e.velocityY);
     const vz = asked.velocityZ + (placed ? 0 : e.velocityZ);
-    for (let i: f64 = 0; i < asked.count; i += 1) bear(e, x, y, z, vx, vy, vz, 0, <i32>asked.ramp);
+    const pattern = <usize>asked.pattern;
+    const length = <i32>asked.patternCount;
+    for (let i: i32 = 0, count = <i32>asked.count; i < count; i++) {
+      const given = pattern == 0 ? 0 : pattern + <usize>(i % length) * 24;
+      bear(e, x, y, z, vx, vy, vz, 0, <i32>asked.ramp, given, asked.scale);
+    }
   }
   e.burstCount = 0;
 }

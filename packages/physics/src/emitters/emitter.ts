@@ -14,6 +14,7 @@ import {
   type EmitterParameters,
   parametersOf,
 } from './options';
+import type { BurstPattern } from './pattern';
 import {
   type Block,
   BURST_NUMBERS,
@@ -205,6 +206,10 @@ export interface BurstOptions {
   readonly velocity?: VectorInput;
   /** Which of the emitter's lists of colours; default each particle draws. */
   readonly ramp?: number;
+  /** The velocities of its particles, one after another, instead of the emitter's speed and direction. */
+  readonly pattern?: BurstPattern;
+  /** Factor of the pattern's velocities. Default 1. */
+  readonly scale?: number;
 }
 
 /**
@@ -214,11 +219,15 @@ export interface BurstOptions {
 export function burst(emitter: Emitter, count: number, options: BurstOptions = {}): void {
   const { words, at } = recordOf(emitter);
   checkNumber(count, 'count', { min: 0, max: emitter.capacity, integer: true });
-  const { ramp = -1 } = options;
+  const { ramp = -1, pattern, scale = 1 } = options;
   const { x, y, z } = checkVector(options.position ?? {}, 'position', { min: -1e15, max: 1e15 });
   const velocity = checkVector(options.velocity ?? {}, 'velocity', { min: -1e9, max: 1e9 });
   checkNumber(ramp, 'ramp', { min: -1, max: words[W.rampCount] - 1, integer: true });
   if (emitter.world.dimensions === 2) checkNumber(z === 0 ? velocity.z : z, 'burst z', { min: 0, max: 0 });
+  checkNumber(scale, 'scale', { min: -1e6, max: 1e6 });
+  if (pattern !== undefined && pattern.world !== emitter.world) {
+    throw new PhysicsError('E_RANGE', 'pattern must be one of the emitter’s world.', { field: 'pattern' });
+  }
   const waiting = words[W.burstCount];
   if (waiting >= MOST_BURSTS) {
     throw new PhysicsError('E_CAPACITY', `${MOST_BURSTS} bursts of emitter ${at} wait for the next step already.`, {
@@ -229,6 +238,7 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = {
   const start = words[W.bursts] + waiting * BURST_NUMBERS * 8;
   const placed = options.position === undefined ? 0 : 1;
   const values = [count, placed, ramp, x, y, z, velocity.x, velocity.y, velocity.z];
+  values.push(pattern?.at ?? 0, pattern?.count ?? 0, scale);
   new Float64Array(emitter.world.memory.buffer, start, BURST_NUMBERS).set(values);
   words[W.burstCount] = waiting + 1;
 }

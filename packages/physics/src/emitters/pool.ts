@@ -10,7 +10,7 @@ import { type EmitterRecord, MOST_RAMPS, RECORD_BYTES, recordAt, W } from './rec
 
 /** Bursts that wait for the next step, and the bytes of one (kernels/emitters/record.ts). */
 export const MOST_BURSTS = 256;
-export const BURST_NUMBERS = 9;
+export const BURST_NUMBERS = 12;
 
 /** 256 shades of each ramp. */
 const COLOR_BYTES = MOST_RAMPS * 1024;

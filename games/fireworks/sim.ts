@@ -1,0 +1,176 @@
+/** The simulation: the scene, what players do to it, and shows. Needs no screen; seed and log give the same night. */
+import { createRandom, stateHash } from '@principia/physics';
+import {
+  FIREWORKS_SKY,
+  type Fireworks,
+  fireworks,
+  InputLog,
+  type LoggedInput,
+  SHELL_NAMES,
+  type ShellOrder,
+  STAR_COLORS,
+} from '@principia/scenes';
+
+/** A kind or colour that is drawn when the shell goes up. */
+export const SURPRISE = -1;
+
+/** A shell of a show: what goes up when. */
+export interface Cue extends ShellOrder {
+  /** When it goes up, steps after the show began. */
+  readonly tick: number;
+}
+
+/** A shell as a hand orders it: kind and colour may be `SURPRISE`. */
+export type Input =
+  | { readonly do: 'hold'; readonly finger: number }
+  | ({ readonly do: 'fire'; readonly finger: number; readonly x: number; readonly y: number; readonly z: number } & {
+      readonly kind: number;
+      readonly color: number;
+    })
+  | { readonly do: 'forget'; readonly finger: number }
+  | { readonly do: 'play'; readonly cues: readonly Cue[] }
+  | { readonly do: 'stop' }
+  | { readonly do: 'wind'; readonly speed: number }
+  | { readonly do: 'colors'; readonly safe: boolean };
+
+export interface FireworksValues {
+  readonly wind: number;
+  readonly safe: boolean;
+  readonly barrage: boolean;
+  readonly sparks: number;
+}
+
+export interface FireworksOptions {
+  readonly values: FireworksValues;
+  readonly seed: number;
+  readonly dimensions: 2 | 3;
+  /** Played from the first step on until somebody fires. */
+  readonly opening?: readonly Cue[];
+  /** Inputs of an earlier night to play again. */
+  readonly log?: readonly LoggedInput<Input>[];
+}
+
+/** Shells in the air at most. */
+const SHELLS_IN_AIR = 28;
+/** Seconds of holding that make the largest shell, and of a mere click. */
+export const LONGEST_HOLD = 1.6;
+const CLICK_POWER = 0.35;
+
+export class FireworksGame {
+  readonly scene: Fireworks;
+  readonly log: InputLog<Input>;
+  /** World time at which each finger began to hold. */
+  readonly held = new Map<number, number>();
+  /** The show that is being played. */
+  show: readonly Cue[] = [];
+  showStart = 0;
+  /** Shells that found all mortars empty. */
+  refused = 0;
+  fired = 0;
+  #next = 0;
+  readonly #random;
+
+  constructor({ values, seed, dimensions, opening = [], log }: FireworksOptions) {
+    const { wind, safe, barrage, sparks } = values;
+    this.scene = fireworks.create({ seed, dimensions, wind, shells: SHELLS_IN_AIR, count: barrage ? sparks : 0 });
+    this.scene.setColors(safe);
+    this.log = new InputLog(log);
+    this.#random = createRandom(seed, 2);
+    this.show = opening;
+    this.world.phases.input.unshift((world) => {
+      this.log.take(world.tick, (input) => this.#take(input));
+      this.#playShow();
+    });
+  }
+
+  get world() {
+    return this.scene.world;
+  }
+
+  get dt() {
+    return this.scene.dt;
+  }
+
+  /** Whether cues of a show still wait. */
+  get isShowing(): boolean {
+    return this.#next < this.show.length;
+  }
+
+  /** What the player does; the next step takes it. */
+  press(input: Input): void {
+    this.log.add(input);
+  }
+
+  /** How large a shell gets that is held since then, 0 to 1. */
+  powerOf(finger: number): number {
+    const since = this.held.get(finger);
+    if (since === undefined) return CLICK_POWER;
+    const share = Math.min(1, (this.world.time - since) / LONGEST_HOLD);
+    return CLICK_POWER + (1 - CLICK_POWER) * share;
+  }
+
+  /** Two games with equal hashes go on alike. */
+  hash(): string {
+    const { held, refused, fired, showStart } = this;
+    return [stateHash(this.world), this.#next, showStart, refused, fired, ...held.keys()].join(' ');
+  }
+
+  #take(input: Input): void {
+    if (input.do === 'hold') this.held.set(input.finger, this.world.time);
+    else if (input.do === 'forget') this.held.delete(input.finger);
+    else if (input.do === 'fire') this.#fire(input);
+    else if (input.do === 'play') this.#play(input.cues);
+    else if (input.do === 'stop') this.#play([]);
+    else if (input.do === 'wind') this.scene.setWind(input.speed);
+    else this.scene.setColors(input.safe);
+  }
+
+  #fire({ finger, x, y, z, kind, color }: Extract<Input, { do: 'fire' }>): void {
+    const power = this.powerOf(finger);
+    this.held.delete(finger);
+    this.fired++;
+    this.#launch({ x, y, z, kind, color, power });
+  }
+
+  #play(cues: readonly Cue[]): void {
+    this.show = cues;
+    this.showStart = this.world.tick;
+    this.#next = 0;
+  }
+
+  #playShow(): void {
+    const tick = this.world.tick - this.showStart;
+    while (this.isShowing && this.show[this.#next].tick <= tick) this.#launch(this.show[this.#next++]);
+  }
+
+  #launch({ x, y, z, kind, color, power }: ShellOrder): void {
+    const random = this.#random;
+    const order = {
+      ...clampToSky(x, y, this.world.dimensions === 3 ? z : 0),
+      kind: kind === SURPRISE ? random.integer(0, SHELL_NAMES.length - 1) : kind,
+      color: color === SURPRISE ? random.integer(0, STAR_COLORS.length - 1) : color,
+      power,
+    };
+    if (!this.scene.launch(order)) this.refused++;
+  }
+}
+
+/** The place in the part of the sky that shells reach which is nearest. */
+export function clampToSky(x: number, y: number, z: number) {
+  const { halfWidth, halfDepth, lowest, highest } = FIREWORKS_SKY;
+  const within = (value: number, low: number, high: number) => Math.min(high, Math.max(low, value));
+  return { x: within(x, -halfWidth, halfWidth), y: within(y, lowest, highest), z: within(z, -halfDepth, halfDepth) };
+}
+
+export function createGame(options: FireworksOptions): FireworksGame {
+  return new FireworksGame(options);
+}
+
+/** Gives the running game a changed setting; false where only a new one can have it. */
+export function applyValue(sim: FireworksGame, name: string, values: FireworksValues): boolean {
+  if (name === 'wind') sim.press({ do: 'wind', speed: values.wind });
+  else if (name === 'safe') sim.press({ do: 'colors', safe: values.safe });
+  else if (name === 'sparks') return !values.barrage;
+  else return name !== 'barrage';
+  return true;
+}

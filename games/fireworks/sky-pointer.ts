@@ -1,0 +1,101 @@
+/** Mouse and fingers: press, hold for a larger shell, let go; every finger may hold one. */
+import type { Stage } from '@principia/shell';
+import type { Desk } from './desk.ts';
+import type { Settings } from './settings.ts';
+import { clampToSky, type FireworksGame } from './sim.ts';
+
+type Place = { readonly x: number; readonly y: number; readonly z: number };
+
+export interface SkyPlaces {
+  /** The place in the sky under a point of the canvas, CSS pixels. */
+  world(x: number, y: number): Place;
+  screen(x: number, y: number, z: number): { x: number; y: number };
+  /** A pointer that moves turns the view instead of sending up a shell. */
+  readonly turns?: boolean;
+}
+
+/** A finger that went farther than this is turning the view, CSS pixels. */
+const SLACK = 12;
+
+export interface SkyPointer {
+  /** Shows how large the held shells are; call it once a frame. */
+  update(): void;
+  destroy(): void;
+}
+
+export function listenToSky(
+  stage: Stage<Settings, FireworksGame>,
+  desk: Desk,
+  canvas: HTMLCanvasElement,
+  places: SkyPlaces,
+): SkyPointer {
+  const rings = new Map<number, HTMLElement>();
+  const starts = new Map<number, { x: number; y: number }>();
+  const at = (event: PointerEvent) => {
+    const { left, top } = canvas.getBoundingClientRect();
+    const { x, y, z } = places.world(event.clientX - left, event.clientY - top);
+    return clampToSky(x, y, z);
+  };
+  const forget = (finger: number) => {
+    rings.get(finger)?.remove();
+    rings.delete(finger);
+    starts.delete(finger);
+  };
+  const move = (event: PointerEvent) => {
+    const ring = rings.get(event.pointerId);
+    if (ring === undefined) return;
+    const start = starts.get(event.pointerId) ?? { x: 0, y: 0 };
+    if (places.turns === true && Math.hypot(event.clientX - start.x, event.clientY - start.y) > SLACK) {
+      cancel(event);
+      return;
+    }
+    const { x, y, z } = at(event);
+    const place = places.screen(x, y, z);
+    ring.style.translate = `${place.x}px ${place.y}px`;
+  };
+  const press = (event: PointerEvent) => {
+    if (event.button !== 0) return;
+    canvas.focus({ preventScroll: true });
+    // A finger that was let go outside the window may come down twice.
+    forget(event.pointerId);
+    capture(canvas, event.pointerId);
+    const ring = document.createElement('div');
+    ring.className = 'fw-ring';
+    stage.element.append(ring);
+    rings.set(event.pointerId, ring);
+    starts.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    move(event);
+    stage.sim().press({ do: 'hold', finger: event.pointerId });
+  };
+  const release = (event: PointerEvent) => {
+    if (!rings.has(event.pointerId)) return;
+    forget(event.pointerId);
+    desk.fire(stage.sim(), event.pointerId, at(event));
+  };
+  const cancel = (event: PointerEvent) => {
+    if (!rings.has(event.pointerId)) return;
+    forget(event.pointerId);
+    stage.sim().press({ do: 'forget', finger: event.pointerId });
+  };
+  const listeners = { pointerdown: press, pointermove: move, pointerup: release, pointercancel: cancel };
+  for (const [type, listener] of Object.entries(listeners)) canvas.addEventListener(type as 'pointerdown', listener);
+  canvas.style.touchAction = 'none';
+  canvas.style.cursor = 'crosshair';
+  return {
+    update() {
+      for (const [finger, ring] of rings) ring.style.setProperty('--power', String(stage.sim().powerOf(finger)));
+    },
+    destroy() {
+      for (const [type, listener] of Object.entries(listeners))
+        canvas.removeEventListener(type as 'pointerdown', listener);
+      for (const finger of [...rings.keys()]) forget(finger);
+    },
+  };
+}
+
+/** A pointer that was made by a script cannot be captured. */
+function capture(canvas: HTMLCanvasElement, pointer: number): void {
+  try {
+    canvas.setPointerCapture(pointer);
+  } catch {}
+}

@@ -1,0 +1,128 @@
+/** The picture in 2D, drawn by pixi.js. */
+import { type Camera2D, fit, toScreen, toWorld, watchViewport, worldSource } from '@principia/render-core';
+import { applyCamera, type BodyLayer, createBodyLayer } from '@principia/render-pixi';
+import type { Stage, View } from '@principia/shell';
+import { Application, Container, RendererType, Sprite, Texture, type WebGLRenderer } from 'pixi.js';
+import type { Desk } from './desk.ts';
+import { paintShore, paintSky } from './landscape.ts';
+import { createLight2D } from './light-2d.ts';
+import { LightClock } from './light-clock.ts';
+import type { Settings } from './settings.ts';
+import type { FireworksGame } from './sim.ts';
+import { listenToSky } from './sky-pointer.ts';
+
+/** What is always to be seen, m: the sky that shells reach, and some water. */
+const SEEN = { minX: -50, minY: -8, maxX: 50, maxY: 58 };
+
+export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: Desk): Promise<View> {
+  const app = new Application();
+  const options = { background: '#03040d', autoStart: false, autoDensity: true, antialias: false } as const;
+  await app.init({ preference: ['webgl', 'webgpu'], ...options });
+  const { canvas, renderer } = app;
+  stage.element.append(canvas);
+  app.stage.eventMode = 'none';
+  const light = renderer.type === RendererType.WEBGL ? createLight2D(renderer as WebGLRenderer) : undefined;
+  const shining = new Container();
+  const backdrop = createBackdrop();
+  app.stage.addChild(backdrop.sky, light?.container ?? shining, backdrop.shore);
+  const camera: Camera2D = { x: 0, y: 20, pixelsPerMetre: 10 };
+  const clock = new LightClock();
+  let layer = createSparks(stage.sim(), shining);
+  let zoomed = 1;
+  const look = () => {
+    fit(camera, SEEN, viewport, 0);
+    camera.pixelsPerMetre *= zoomed;
+    // The ground stays where it is.
+    camera.y = SEEN.minY + viewport.height / 2 / camera.pixelsPerMetre;
+    backdrop.paint(viewport.width, viewport.height, camera.pixelsPerMetre, viewport.resolution);
+    light?.clear();
+  };
+  const viewport = watchViewport(canvas, (width, height, resolution) => {
+    renderer.resize(width, height, resolution);
+    light?.resize(width, height, resolution);
+    queueMicrotask(look);
+  });
+  const place = (x: number, y: number) => toScreen(camera, viewport, x, y, { x: 0, y: 0 });
+  const pointer = listenToSky(stage, desk, canvas, {
+    world: (x, y) => ({ ...toWorld(camera, viewport, x, y, { x: 0, y: 0 }), z: 0 }),
+    screen: place,
+  });
+  let time = 0;
+  return {
+    canvas,
+    refresh(change) {
+      if (change === 'setting') return;
+      layer.destroy();
+      layer = createSparks(stage.sim(), shining);
+      clock.reset();
+      light?.clear();
+    },
+    draw(alpha, seconds) {
+      const sim = stage.sim();
+      if (!stage.reducedMotion) time += seconds;
+      applyCamera(shining, camera, viewport);
+      layer.update(alpha);
+      if (light !== undefined && clock.advance(sim, alpha, stage.values().glow)) {
+        shining.alpha = clock.gain;
+        light.add(shining, clock.fade);
+      }
+      light?.show(1 - place(0, 0).y / viewport.height, time);
+      pointer.update();
+      desk.update(sim, seconds);
+      renderer.render(app.stage);
+    },
+    fit() {
+      zoomed = 1;
+      look();
+    },
+    zoom(factor) {
+      zoomed = Math.min(4, Math.max(0.4, zoomed * factor));
+      look();
+    },
+    toScreen: place,
+    destroy() {
+      pointer.destroy();
+      viewport.destroy();
+      layer.destroy();
+      light?.destroy();
+      backdrop.destroy();
+      app.destroy({ removeView: true, releaseGlobalResources: false }, { children: true });
+    },
+  };
+}
+
+function createSparks({ world }: FireworksGame, parent: Container): BodyLayer {
+  const layer = createBodyLayer({
+    ...{ source: worldSource(world), blendMode: 'add', rotation: false, minimumPixels: 1.1 },
+  });
+  parent.addChild(layer.container);
+  return layer;
+}
+
+/** Sky and shore, painted anew for every size of the window. */
+function createBackdrop() {
+  const sky = new Sprite();
+  const shore = new Sprite();
+  let painted = '';
+  const put = (sprite: Sprite, canvas: HTMLCanvasElement, resolution: number) => {
+    if (sprite.texture !== Texture.EMPTY) sprite.texture.destroy(true);
+    sprite.texture = Texture.from({ resource: canvas, resolution });
+  };
+  return {
+    sky,
+    shore,
+    paint(width: number, height: number, pixelsPerMetre: number, resolution: number) {
+      const scale = pixelsPerMetre * resolution;
+      const horizon = Math.round(height * resolution + SEEN.minY * scale);
+      const plan = { width: width * resolution, height: height * resolution, horizon, scale };
+      const wanted = Object.values(plan).join(' ');
+      if (wanted === painted) return;
+      painted = wanted;
+      put(sky, paintSky(plan), resolution);
+      put(shore, paintShore(plan), resolution);
+    },
+    destroy() {
+      for (const sprite of [sky, shore]) sprite.destroy({ texture: true, textureSource: true });
+    },
+  };
+}

@@ -1,0 +1,153 @@
+/** The same night in 3D, drawn by three.js. */
+import { worldSource } from '@principia/render-core';
+import { type BodyMesh, createBodyMesh, createOrbitCamera, fitRendererToParent } from '@principia/render-three';
+import type { Stage, View } from '@principia/shell';
+import {
+  Color,
+  ConstantColorFactor,
+  DoubleSide,
+  type Material,
+  Mesh,
+  PerspectiveCamera,
+  Plane,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import type { Desk } from './desk.ts';
+import { createLight3D } from './light-3d.ts';
+import { LightClock } from './light-clock.ts';
+import type { Settings } from './settings.ts';
+import type { FireworksGame } from './sim.ts';
+import { listenToSky } from './sky-pointer.ts';
+import { createWorld3D } from './world-3d.ts';
+
+/** Where the camera looks, and from where: over the water, from the shore, m. */
+const MIDDLE = new Vector3(0, 26, 0);
+const EYE = new Vector3(22, 7, 92);
+/** Part of the light that water throws back. */
+const MIRRORED = 0.3;
+
+export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: Desk): Promise<View> {
+  const renderer = new WebGLRenderer({ antialias: false });
+  renderer.autoClear = false;
+  const canvas = renderer.domElement;
+  stage.element.append(canvas);
+  const orbit = createOrbitCamera({ element: canvas, camera: new PerspectiveCamera(48, 1, 1, 2000) });
+  const camera = orbit.camera as PerspectiveCamera;
+  Object.assign(orbit.controls, { minDistance: 40, maxDistance: 125, maxPolarAngle: 1.75, enablePan: false });
+  orbit.controls.enableDamping = !stage.reducedMotion;
+  const scenery = createWorld3D();
+  const backdrop = new Scene().add(scenery.object);
+  const shining = new Scene();
+  const light = createLight3D(renderer, camera);
+  const clock = new LightClock();
+  let sparks = createSparks(stage.sim(), shining);
+  const look = () => {
+    orbit.controls.target.copy(MIDDLE);
+    camera.position.copy(EYE);
+    // A narrow window needs more distance.
+    camera.position
+      .sub(MIDDLE)
+      .multiplyScalar(Math.min(1.25, Math.max(1, 1.5 / camera.aspect)))
+      .add(MIDDLE);
+    orbit.update(0);
+  };
+  const size = new Vector2();
+  const viewport = fitRendererToParent(renderer, camera, {
+    onResize() {
+      renderer.getDrawingBufferSize(size);
+      light.resize(size.x, size.y);
+    },
+  });
+  look();
+  const screen = (x: number, y: number, z: number) => {
+    camera.updateMatrixWorld();
+    const place = new Vector3(x, y, z).project(camera);
+    return { x: ((place.x + 1) / 2) * viewport.width, y: ((1 - place.y) / 2) * viewport.height };
+  };
+  const world = placeUnder(camera, viewport);
+  const pointer = listenToSky(stage, desk, canvas, { world, screen, turns: true });
+  return {
+    canvas,
+    refresh(change) {
+      if (change === 'setting') return;
+      sparks.destroy();
+      sparks = createSparks(stage.sim(), shining);
+      clock.reset();
+      light.clear();
+    },
+    draw(alpha, seconds) {
+      const sim = stage.sim();
+      orbit.update(seconds);
+      sparks.mesh.update(alpha);
+      if (clock.advance(sim, alpha, stage.values().glow))
+        light.add(clock.fade, () => sparks.draw(renderer, camera, clock.gain));
+      renderer.clear();
+      renderer.render(backdrop, camera);
+      light.show();
+      pointer.update();
+      desk.update(sim, seconds);
+    },
+    fit: look,
+    zoom(factor) {
+      camera.position.sub(orbit.controls.target).divideScalar(factor).add(orbit.controls.target);
+    },
+    toScreen: screen,
+    destroy() {
+      pointer.destroy();
+      sparks.destroy();
+      light.destroy();
+      scenery.destroy();
+      orbit.destroy();
+      viewport.destroy();
+      renderer.dispose();
+      renderer.forceContextLoss();
+      canvas.remove();
+    },
+  };
+}
+
+/** All sparks, drawn as they are and as the water mirrors them. */
+function createSparks({ world }: FireworksGame, shining: Scene) {
+  const mesh: BodyMesh = createBodyMesh({ source: worldSource(world), minPixelRadius: 1.1 });
+  const gain = new Color();
+  mesh.object.traverse((part) => {
+    if (!(part instanceof Mesh)) return;
+    // The gain of a frame multiplies all that is drawn; a mirror image is seen from its back.
+    Object.assign(part.material as Material, { blendSrc: ConstantColorFactor, blendColor: gain, side: DoubleSide });
+  });
+  shining.add(mesh.object);
+  return {
+    mesh,
+    draw(renderer: WebGLRenderer, camera: PerspectiveCamera, strength: number) {
+      for (const side of [1, -1]) {
+        mesh.object.scale.y = side;
+        gain.setScalar(side === 1 ? strength : MIRRORED * strength);
+        renderer.render(shining, camera);
+      }
+      mesh.object.scale.y = 1;
+    },
+    destroy() {
+      shining.remove(mesh.object);
+      mesh.destroy();
+    },
+  };
+}
+
+/** Finds the place under a point of the canvas in the upright plane through the middle that faces the camera. */
+function placeUnder(camera: PerspectiveCamera, size: { readonly width: number; readonly height: number }) {
+  const ray = new Raycaster();
+  const plane = new Plane();
+  const facing = new Vector3();
+  return (x: number, y: number) => {
+    camera.updateMatrixWorld();
+    ray.setFromCamera(new Vector2((2 * x) / size.width - 1, 1 - (2 * y) / size.height), camera);
+    camera.getWorldDirection(facing).setY(0).normalize();
+    plane.setFromNormalAndCoplanarPoint(facing, MIDDLE);
+    const { x: px, y: py, z: pz } = ray.ray.intersectPlane(plane, new Vector3()) ?? MIDDLE;
+    return { x: px, y: py, z: pz };
+  };
+}

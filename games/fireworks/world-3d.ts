@@ -1,0 +1,63 @@
+/** The night around the fireworks in 3D: a dome of sky, a ring of hills and town, and a lake. */
+import {
+  BackSide,
+  CanvasTexture,
+  CircleGeometry,
+  CylinderGeometry,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  type Object3D,
+  SphereGeometry,
+  SRGBColorSpace,
+} from 'three';
+import { paintShore, paintSky } from './landscape.ts';
+
+/** Distance of the shore, m, and how high the painted part of it reaches. */
+const SHORE = 150;
+const SHORE_HEIGHT = 26;
+
+export interface World3D {
+  readonly object: Object3D;
+  destroy(): void;
+}
+
+export function createWorld3D(): World3D {
+  const sky = textureOf(paintSky({ width: 2048, height: 900, horizon: 900, scale: 0 }));
+  const scale = 4096 / (2 * Math.PI * SHORE);
+  const height = Math.round(SHORE_HEIGHT * scale);
+  const shore = textureOf(paintShore({ width: 4096, height, horizon: height, scale: 1.5 * scale }));
+  // The sky's picture ends at the horizon: half a sphere.
+  const dome = new Mesh(new SphereGeometry(900, 48, 24, 0, 2 * Math.PI, 0, Math.PI / 2), plain({ map: sky }));
+  const ring = new Mesh(
+    new CylinderGeometry(SHORE, SHORE, SHORE_HEIGHT, 96, 1, true),
+    plain({ map: shore, transparent: true }),
+  );
+  ring.position.y = SHORE_HEIGHT / 2;
+  const lake = new Mesh(new CircleGeometry(SHORE, 64), new MeshBasicMaterial({ color: 0x0a0e26 }));
+  lake.rotation.x = -Math.PI / 2;
+  const parts = [dome, ring, lake];
+  const object = new Group().add(...parts);
+  return {
+    object,
+    destroy() {
+      for (const { geometry, material } of parts) {
+        geometry.dispose();
+        material.dispose();
+      }
+      sky.dispose();
+      shore.dispose();
+    },
+  };
+}
+
+function plain(options: { map: CanvasTexture; transparent?: boolean }): MeshBasicMaterial {
+  return new MeshBasicMaterial({ ...options, side: BackSide, depthWrite: false });
+}
+
+function textureOf(canvas: HTMLCanvasElement): CanvasTexture {
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  texture.anisotropy = 4;
+  return texture;
+}

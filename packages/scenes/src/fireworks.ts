@@ -1,0 +1,206 @@
+// Fireworks: shells thrown from mortars burst into stars that glow, fall, drift with the wind and turn in a magnetic
+// field; and a barrage that keeps any number of sparks alive. Nothing is made or removed while it runs.
+import {
+  aliveCount,
+  boris,
+  burst,
+  createEmitter,
+  createPattern,
+  createPhysicsWorld,
+  createRandom,
+  type Emitter,
+  type PhysicsWorld,
+  quadraticDrag,
+  type Random,
+  replaceForce,
+  setEmitter,
+  uniformGravity,
+} from '@principia/physics';
+import { SAFE_COLORS, STAR_COLORS } from './fireworks/colors';
+import { formVelocities } from './fireworks/forms';
+import { NewsRing } from './fireworks/news';
+import { Rockets, SHELL_DRAG, type ShellOrder } from './fireworks/rockets';
+import { SHELLS } from './fireworks/shells';
+import { GLOW, type Place, rampsOf, STAR_MASS, StarPools } from './fireworks/stars';
+import { countOf, defineScene, type SceneRun } from './scene';
+
+/** The part of the sky that shells burst in, m: half its width and depth, and its lowest and highest place. */
+export const FIREWORKS_SKY = { halfWidth: 48, halfDepth: 16, lowest: 12, highest: 50 } as const;
+
+/** A night with fireworks. */
+export interface Fireworks extends SceneRun {
+  /** What can be heard and seen to happen. */
+  readonly news: NewsRing;
+  /** Sparks and stars alive now. */
+  readonly alive: number;
+  /** Shells in the air. */
+  readonly flying: number;
+  /** Throws a shell at the next step; false where none is left on the ground. */
+  launch(order: ShellOrder): boolean;
+  /** Wind along x, m/s. */
+  setWind(speed: number): void;
+  /** @param safe colours that people of every colour vision tell apart */
+  setColors(safe: boolean): void;
+  /** Lets the barrage go on or run out. */
+  setBarrage(on: boolean): void;
+}
+
+const DT = 1 / 60;
+const GRAVITY = 9.80665;
+/** Magnetic flux density along z, T: no place on Earth; charged stars are this scene's own. */
+const FIELD = 1;
+
+export const fireworks = defineScene({
+  name: 'fireworks',
+  description: 'shells that burst into glowing stars; a barrage keeps a number of sparks alive',
+  precision: 'f32',
+  parameters: {
+    count: countOf('sparks that a barrage keeps alive', 100_000, 4_000_000, 0),
+    shells: { about: 'shells in the air at most', unit: '', initial: 0, min: 0, max: 200, integer: true },
+    wind: { about: 'wind along x', unit: 'm/s', initial: 0, min: -30, max: 30 },
+  },
+  build({ dimensions, precision, seed, parameters }): Fireworks {
+    const { count, shells } = parameters;
+    const room = roomFor(count, shells);
+    const world = createPhysicsWorld({
+      ...{ dimensions, precision, seed, capacity: room.bodies, arenaBytes: room.bytes },
+      integrator: boris({ field: { z: FIELD } }),
+      forces: [uniformGravity({ y: -GRAVITY }), quadraticDrag({ x: parameters.wind })],
+    });
+    const random = createRandom(seed, 1);
+    const news = new NewsRing();
+    let wind = parameters.wind;
+    const show = shells > 0 ? createShow(world, random, news, shells, () => wind) : undefined;
+    const barrage = count > 0 ? new Barrage(world, random, count) : undefined;
+    world.phases.input.push(() => {
+      show?.run();
+      barrage?.run();
+    });
+    return {
+      ...{ world, dt: DT, news, losesEnergy: 'sparks are born and end' },
+      get alive() {
+        return (show?.stars.alive ?? 0) + (barrage?.alive ?? 0);
+      },
+      get flying() {
+        return show?.rockets.flying ?? 0;
+      },
+      launch: (order) => show?.launch(order) ?? false,
+      setWind(speed) {
+        replaceForce(world, quadraticDrag({ x: speed }));
+        wind = speed;
+      },
+      setColors(safe) {
+        show?.stars.setColors(safe);
+        barrage?.setColors(safe);
+      },
+      setBarrage(on) {
+        if (barrage !== undefined) barrage.isOn = on;
+      },
+    };
+  },
+});
+
+/** Bodies and bytes of all pools: a pool takes up to 92 bytes a star, and an emitter 40 KB of its own. */
+function roomFor(count: number, shells: number): { bodies: number; bytes: number } {
+  const stars = shells > 0 ? SHELLS.reduce((sum, { capacity }) => sum + capacity, 0) : 0;
+  const bodies = barrageCapacity(count) + stars + shells * Rockets.entities + 1;
+  return { bodies, bytes: 2 ** 21 + 512 * bodies + 49_152 * (shells + SHELLS.length + 1) };
+}
+
+function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells: number, wind: () => number) {
+  const stars = new StarPools(world, random);
+  const rockets = new Rockets(world, shells, DT, () => ({ drag: SHELL_DRAG, gravity: GRAVITY, wind: wind() }));
+  const tell = (what: 'launch' | 'burst' | 'crackle', { x, y, z }: Place, kind = 0, color = 0, power = 0) => {
+    Object.assign(news.next(), { what, x, y, z, time: world.time, kind, color, power });
+  };
+  return {
+    stars,
+    rockets,
+    launch(order: ShellOrder): boolean {
+      const from = rockets.launch(order);
+      if (from !== undefined) tell('launch', from, order.kind, order.color, order.power);
+      return from !== undefined;
+    },
+    run() {
+      stars.follow((x, y, z) => tell('crackle', { x, y, z }));
+      rockets.burn((order, position, velocity) => {
+        stars.break(order.kind, order.color, order.power, position, velocity);
+        tell('burst', position, order.kind, order.color, order.power);
+      });
+    },
+  };
+}
+
+const BARRAGE_LIFE = 2.4;
+const BARRAGE_SPEED = 24;
+
+/** Room for the number that chance adds, and for the burst of a step. */
+function barrageCapacity(count: number): number {
+  return count === 0 ? 0 : count + Math.ceil(4 * Math.sqrt(count)) + burstSize(count);
+}
+
+/** Sparks of one burst: more where there would be more than a hundred bursts at once. */
+function burstSize(count: number): number {
+  return Math.max(Math.min(count, 400), Math.ceil(count / 100));
+}
+
+/** Bursts without shells, at random places, as often as it takes. */
+class Barrage {
+  isOn = true;
+  readonly #emitter: Emitter;
+  readonly #random: Random;
+  readonly #patterns;
+  readonly #size: number;
+  /** Sparks born a step, and those due. */
+  readonly #rate: number;
+  #due = 0;
+  #steps = 0;
+  readonly #place = { x: 0, y: 0, z: 0 };
+  readonly #depth: number;
+
+  constructor(world: PhysicsWorld, random: Random, count: number) {
+    this.#random = random;
+    this.#size = burstSize(count);
+    this.#rate = (count * DT) / BARRAGE_LIFE;
+    this.#depth = world.dimensions === 3 ? FIREWORKS_SKY.halfDepth : 0;
+    const kind = { ...SHELLS[0], slowest: 0.35 };
+    this.#patterns = Array.from({ length: 8 }, () =>
+      createPattern(world, formVelocities(kind, world.dimensions, random)),
+    );
+    // The first sparks are as if they had been born over a whole life: the number is steady from the first step.
+    this.#emitter = createEmitter(world, {
+      ...{ capacity: barrageCapacity(count), lifetime: [1e-6, BARRAGE_LIFE], speed: 0, mass: STAR_MASS },
+      ...{ size: [0.3, 0.34, 0.24, 0.08], shape: GLOW, color: rampsOf(STAR_COLORS), whenFull: 'oldest' },
+      quadraticDrag: 0.08 * STAR_MASS,
+    });
+    for (let left = count; left > 0; left -= this.#size) this.#burst(Math.min(left, this.#size));
+  }
+
+  get alive(): number {
+    return aliveCount(this.#emitter);
+  }
+
+  setColors(safe: boolean): void {
+    setEmitter(this.#emitter, { color: rampsOf(safe ? SAFE_COLORS : STAR_COLORS) });
+  }
+
+  run(): void {
+    // The first step bears the first sparks; all others live as long as each other.
+    if (this.#steps++ === 0) return;
+    if (this.#steps === 2) setEmitter(this.#emitter, { lifetime: BARRAGE_LIFE });
+    if (!this.isOn) return;
+    for (this.#due += this.#rate; this.#due >= this.#size; this.#due -= this.#size) this.#burst(this.#size);
+  }
+
+  #burst(count: number): void {
+    const random = this.#random;
+    const { halfWidth, lowest, highest } = FIREWORKS_SKY;
+    const place = this.#place;
+    place.x = random.uniform(-halfWidth, halfWidth);
+    place.y = random.uniform(lowest, highest);
+    place.z = random.uniform(-1, 1) * this.#depth;
+    const pattern = this.#patterns[random.integer(0, this.#patterns.length - 1)];
+    const ramp = random.integer(0, STAR_COLORS.length - 1);
+    burst(this.#emitter, count, { position: place, ramp, pattern, scale: BARRAGE_SPEED * random.uniform(0.6, 1) });
+  }
+}

@@ -1,0 +1,68 @@
+// How a mortar has to throw a shell for it to be at the top of its way at a given place.
+//
+//   x'' = -(k/m) |x' - w| (x' - w) - g
+//
+// Straight up in still air: v0² = (m g/k) (e^(2 k h/m) - 1),  t = √(m/k g) atan(v0 √(k/m g))  (Parker, American Journal of
+// Physics 45, 606, 1977). With wind, or askew, there is no formula: the throw is corrected by where a trial one gets to.
+import { atan2, exp, type Vector } from '@principia/physics';
+
+/** What acts on a shell on its way. */
+export interface Air {
+  /** k/m, 1/m. */
+  readonly drag: number;
+  /** m/s². */
+  readonly gravity: number;
+  /** Velocity along x, m/s. */
+  readonly wind: number;
+}
+
+/** A throw: the velocity out of the mortar, m/s, and how long to the top, s. */
+export interface Throw {
+  readonly velocity: Vector;
+  readonly fuse: number;
+}
+
+/** Speed and time to the height `h` straight up in still air. */
+export function throwUp(h: number, { drag, gravity }: Air): { speed: number; fuse: number } {
+  const speed = Math.sqrt((gravity / drag) * (exp(2 * drag * h) - 1));
+  return { speed, fuse: atan2(speed * Math.sqrt(drag / gravity), 1) / Math.sqrt(drag * gravity) };
+}
+
+const TRIALS = 8;
+
+/** @param way from the mortar to the place, m; `y` above zero @param dt the step the shell will be moved by, s */
+export function aim(way: Vector, air: Air, dt: number): Throw {
+  const first = throwUp(way.y, air);
+  let [x, y, z] = [way.x / first.fuse, first.speed, way.z / first.fuse];
+  let fuse = first.fuse;
+  for (let trial = 0; trial < TRIALS; trial++) {
+    const top = flyToTop(x, y, z, air, dt);
+    fuse = top.time;
+    x += (way.x - top.x) / fuse;
+    z += (way.z - top.z) / fuse;
+    // Height grows with the square of the speed.
+    y *= Math.sqrt(way.y / top.y);
+  }
+  return { velocity: { x, y, z }, fuse };
+}
+
+/** Steps as the world does: half a way, the force there, half a way. */
+function flyToTop(vx: number, vy: number, vz: number, { drag, gravity, wind }: Air, dt: number) {
+  let [x, y, z, time] = [0, 0, 0, 0];
+  for (;;) {
+    const still = vy - gravity * dt;
+    x += 0.5 * vx * dt;
+    y += 0.5 * vy * dt;
+    z += 0.5 * vz * dt;
+    const rx = vx - wind;
+    const k = drag * Math.sqrt(rx * rx + vy * vy + vz * vz) * dt;
+    vx -= k * rx;
+    vy = still - k * vy;
+    vz -= k * vz;
+    x += 0.5 * vx * dt;
+    y += 0.5 * vy * dt;
+    z += 0.5 * vz * dt;
+    time += dt;
+    if (vy <= 0) return { x, y, z, time };
+  }
+}

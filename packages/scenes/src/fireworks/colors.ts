@@ -1,0 +1,41 @@
+// Colours of stars, by the salt or metal that gives them; and eight that people of every colour vision tell apart.
+import { rgba } from '@principia/physics';
+
+export interface StarColor {
+  readonly name: string;
+  /** 0xRRGGBB. */
+  readonly rgb: number;
+}
+
+export const STAR_COLORS: readonly StarColor[] = [
+  { name: 'red (strontium)', rgb: 0xff3b30 },
+  { name: 'orange (calcium)', rgb: 0xff8a1f },
+  { name: 'yellow (sodium)', rgb: 0xffd94a },
+  { name: 'green (barium)', rgb: 0x3dff6e },
+  { name: 'blue (copper)', rgb: 0x3f7bff },
+  { name: 'violet (strontium and copper)', rgb: 0xb45cff },
+  { name: 'silver (magnesium)', rgb: 0xdfe9ff },
+  { name: 'gold (charcoal)', rgb: 0xffb04a },
+];
+
+/** Okabe and Ito, Color Universal Design (2008), brightened for a night sky. */
+export const SAFE_COLORS: readonly StarColor[] = [
+  { name: 'vermilion', rgb: 0xf06a10 },
+  { name: 'orange', rgb: 0xf2a900 },
+  { name: 'yellow', rgb: 0xf7ec4c },
+  { name: 'bluish green', rgb: 0x10c090 },
+  { name: 'sky blue', rgb: 0x5fbdf5 },
+  { name: 'blue', rgb: 0x2f86e6 },
+  { name: 'white', rgb: 0xf2f4ff },
+  { name: 'reddish purple', rgb: 0xe08abc },
+];
+
+/** What a star passes through in its life: nearly white, its colour, and its colour fading. */
+export function colorRamp({ rgb }: StarColor, hot = 0.45): number[] {
+  const mixed = (white: number, strength: number, alpha: number) => {
+    const part = (shift: number) =>
+      strength * (((rgb >> shift) & 255) / 255 + white * (1 - ((rgb >> shift) & 255) / 255));
+    return rgba(part(16), part(8), part(0), alpha);
+  };
+  return [mixed(hot, 1, 0.8), mixed(0.08, 1, 1), mixed(0, 0.85, 0.8), mixed(0, 0.5, 0.02)];
+}

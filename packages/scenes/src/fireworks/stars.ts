@@ -1,0 +1,141 @@
+// The pools of stars, one a kind of shell, and how a shell's stars are born.
+import {
+  aliveCount,
+  type BurstPattern,
+  burst,
+  createEmitter,
+  createPattern,
+  type Emitter,
+  endings,
+  type PhysicsWorld,
+  type Random,
+  setEmitter,
+} from '@principia/physics';
+import { addComponent, set } from 'bitecs';
+import { colorRamp, SAFE_COLORS, STAR_COLORS, type StarColor } from './colors';
+import { formVelocities } from './forms';
+import { SHELLS, type ShellKind } from './shells';
+
+/** Mass of a star, kg. */
+export const STAR_MASS = 0.001;
+/** Different shells of a kind. */
+const VARIANTS = 5;
+/** From this power on a smaller ball glows inside the large one, in the next colour. */
+const PISTIL_POWER = 0.6;
+
+/** Numbers that bursts are asked with. */
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+/** Factor of a shell's speeds by its power. */
+export function strengthOf(power: number): number {
+  return 0.72 + 0.56 * power;
+}
+
+export class StarPools {
+  readonly emitters: readonly Emitter[];
+  readonly #patterns: readonly (readonly BurstPattern[])[];
+  readonly #until = SHELLS.map(() => Number.NEGATIVE_INFINITY);
+  readonly #random: Random;
+  readonly #world: PhysicsWorld;
+
+  constructor(world: PhysicsWorld, random: Random) {
+    this.#world = world;
+    this.#random = random;
+    this.emitters = SHELLS.map((kind) => createStars(world, kind));
+    this.#patterns = SHELLS.map((kind) =>
+      Array.from({ length: VARIANTS }, () => createPattern(world, formVelocities(kind, world.dimensions, random))),
+    );
+  }
+
+  /** Stars of all kinds alive now. */
+  get alive(): number {
+    return this.emitters.reduce((sum, emitter) => sum + aliveCount(emitter), 0);
+  }
+
+  /** @param safe colours that people of every colour vision tell apart */
+  setColors(safe: boolean): void {
+    for (const emitter of this.emitters) setEmitter(emitter, { color: rampsOf(safe ? SAFE_COLORS : STAR_COLORS) });
+  }
+
+  /** Bears the stars of a shell at the next emission. */
+  break(kind: number, color: number, power: number, position: Place, velocity: Place): void {
+    const { speed, ends } = SHELLS[kind];
+    const scale = speed * strengthOf(power);
+    this.#burst(kind, position, velocity, color, scale);
+    if (power >= PISTIL_POWER) this.#burst(kind, position, velocity, (color + 2) % STAR_COLORS.length, 0.5 * scale);
+    if (ends?.until !== undefined) this.#until[kind] = this.#world.time + ends.until;
+  }
+
+  /** Lets the stars that ended in the last step become what their kind says. @param crackled told where */
+  follow(crackled: (x: number, y: number, z: number) => void): void {
+    for (let kind = 0; kind < SHELLS.length; kind++) {
+      const { ends } = SHELLS[kind];
+      if (ends === undefined) continue;
+      const { count, states } = endings(this.emitters[kind]);
+      if (ends.until !== undefined && this.#world.time >= this.#until[kind]) continue;
+      // No more than fit into a step; the others just go out.
+      for (let i = 0; i < Math.min(count, MOST_FOLLOWED); i++) {
+        const position = { x: states[6 * i], y: states[6 * i + 1], z: states[6 * i + 2] };
+        // The book's sparks turn green; crackling ones are silver.
+        this.#burst(
+          ends.kind,
+          position,
+          STILL,
+          ends.kind === kind ? GREEN : SILVER,
+          SHELLS[ends.kind].speed,
+          ends.count,
+        );
+        if (ends.kind !== kind) crackled(position.x, position.y, position.z);
+      }
+    }
+  }
+
+  #burst(
+    kind: number,
+    position: Place,
+    velocity: Place,
+    ramp: number,
+    scale: number,
+    count = SHELLS[kind].stars,
+  ): void {
+    const patterns = this.#patterns[kind];
+    const pattern = patterns[this.#random.integer(0, patterns.length - 1)];
+    burst(this.emitters[kind], count, { position, velocity, ramp, pattern, scale });
+  }
+}
+
+const STILL = { x: 0, y: 0, z: 0 };
+const MOST_FOLLOWED = 60;
+const GREEN = 3;
+const SILVER = 6;
+
+export function rampsOf(colors: readonly StarColor[]): number[][] {
+  return colors.map((color) => colorRamp(color));
+}
+
+/** Charges them too: the field's strength is 1 T, so the charge is what turns them as told. */
+function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
+  const { capacity, life, drag, size, turning, ends } = kind;
+  const emitter = createEmitter(world, {
+    ...{ capacity, lifetime: life, size, mass: STAR_MASS, quadraticDrag: drag * STAR_MASS, whenFull: 'oldest' },
+    ...{
+      speed: 0,
+      sizeFactor: [0.75, 1.2],
+      shape: GLOW,
+      color: rampsOf(STAR_COLORS),
+      reportEndings: ends !== undefined,
+    },
+  });
+  if (turning !== undefined) {
+    const { Charge } = world.components;
+    for (const id of emitter.ids) addComponent(world, id, set(Charge, { value: turning * STAR_MASS }));
+  }
+  return emitter;
+}
+
+/** The renderers' soft spot of light: SHAPES.glow. */
+export const GLOW = 4;
