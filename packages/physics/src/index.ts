@@ -42,8 +42,8 @@ export {
   setEmitter,
   setRate,
 } from './emitters/emitter';
-export { type BurstPattern, createPattern } from './emitters/pattern';
 export type { EmitterOptions, EmitterParameters, Range } from './emitters/options';
+export { type BurstPattern, createPattern } from './emitters/pattern';
 export { type EventMap, type EventName, type Handler, on } from './events/handlers';
 export { clearFaults, type Fault, type FaultLog } from './faults/fault-log';
 export { type FaultCode, type FaultDetails, PhysicsError } from './faults/physics-error';
