@@ -22,8 +22,8 @@ export function bytesInUse(): number {
   return heapUsed + rss - heapTotal;
 }
 
-/** Most steps to wait for the compiler, and most milliseconds. */
-const PATIENCE = { steps: 5000, ms: 3000 };
+/** Steps after which the compiler has long been done, and the most milliseconds to wait for it. */
+const PATIENCE = { steps: 2000, ms: 5000 };
 
 /**
  * Bytes of garbage a step leaves on the heap once the compiler is done with it: the median growth over rounds of steps
