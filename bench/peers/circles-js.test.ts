@@ -3,8 +3,8 @@ import { gas } from '@principia/scenes';
 import { expect, test } from 'vitest';
 import { circlesJs } from './circles-js';
 
-test('plain JavaScript does the same work on a gas: the same bits in f64', () => {
-  const run = gas.create({ count: 2000, precision: 'f64', fraction: 0.5, speed: 5 });
+test.each([5, 40, 200])('plain JavaScript does the same work on a gas at %d m/s: the same bits in f64', (speed) => {
+  const run = gas.create({ count: 2000, precision: 'f64', fraction: 0.5, speed });
   const peer = circlesJs(run);
   let met = 0;
   for (let i = 0; i < 200; i++) {

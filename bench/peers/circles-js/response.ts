@@ -1,10 +1,12 @@
 import { separate } from './separate';
 import { type Gas, SLICES } from './state';
+import { allow } from './walls';
 
 const MOST_SWEEPS = 4;
 
 export function collide(gas: Gas): void {
   readAccelerations(gas);
+  allow(gas);
   const listed = orderByTime(gas);
   if (listed > 0) {
     let hit = 0;
@@ -126,7 +128,7 @@ function impact(gas: Gas, i: number): boolean {
     py = touchY;
     speed = touchSpeed;
   } else {
-    since = 0;
+    since = dt;
   }
   if (!(speed > 0)) return false;
   let e = Math.max(restitution[a], restitution[b]);

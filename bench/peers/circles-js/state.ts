@@ -4,6 +4,9 @@ import { type Column, denseColumn } from '../columns';
 /** Contacts are looked for out to this multiple of the sum of the radii. */
 export const REACH = 1.01;
 
+/** Walls are noted out to this multiple of the radius. */
+export const WALL_REACH = 1.1;
+
 /** Parts of a step that impacts are ordered by. */
 export const SLICES = 64;
 
@@ -32,12 +35,14 @@ export function gasOf({ world, dt, side }: GasRun, ids: Uint32Array) {
     startY: zeros(),
     ax: zeros(),
     ay: zeros(),
-    pushX: zeros(),
-    pushY: zeros(),
+    fromX: zeros(),
+    fromY: zeros(),
+    /** How far a body may be displaced in a step; f32 in both precisions. */
+    most: new Float32Array(count),
     mass: column(Mass.value),
     radius: column(Collider.radius),
     restitution: column(Collider.restitution),
-    /** The wall a body is at: 1 left, 2 right, 3 bottom, 4 top, 0 none; and how far from it. */
+    /** The wall a body is at: 1 left, 2 right, 3 bottom, 4 top, 0 none; how far from it, then how fast it may come. */
     wall: words(count),
     wallGap: zeros(),
     buckets,

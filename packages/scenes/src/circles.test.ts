@@ -1,4 +1,4 @@
-import { bodies, energy, step } from '@principia/physics';
+import { bodies, contacts, energy, step } from '@principia/physics';
 import { expect, test } from 'vitest';
 import { circles } from './circles';
 
@@ -7,7 +7,16 @@ test.each([2, 3] as const)('bodies fill the box as said, stay in it and hardly o
   const { Position, Collider } = world.components;
   const { ids, count } = bodies(world);
   const start = energy(world).total;
-  for (let s = 0; s < 480; s++) step(world, dt);
+  for (let s = 0; s < 480; s++) {
+    step(world, dt);
+    // However hard they fall, no centre gets into another body.
+    const { a, b, count: met } = contacts(world);
+    for (let i = 0; i < met; i++) {
+      const [dx, dy, dz] = (['x', 'y', 'z'] as const).map((axis) => Position[axis][a[i]] - Position[axis][b[i]]);
+      const larger = Math.max(Collider.radius[a[i]], Collider.radius[b[i]]);
+      if (!(Math.sqrt(dx * dx + dy * dy + dz * dz) > larger)) expect.fail(`step ${s}: ${a[i]} is in ${b[i]}`);
+    }
+  }
   expect(energy(world).total).toBeLessThan(start);
   let deepest = 0;
   for (let i = 0; i < count; i++) {
@@ -21,9 +30,10 @@ test.each([2, 3] as const)('bodies fill the box as said, stay in it and hardly o
       deepest = Math.max(deepest, -gap);
     }
   }
-  // No body is half-way into another, while a pile of them still falls together.
-  const smallest = Math.min(...Array.from(ids.subarray(0, count), (eid) => Collider.radius[eid] as number));
-  expect(deepest).toBeLessThan(0.5 * smallest);
+  // A thousandth of the radii may stay. Where the sweeps leave a contact all the speed that one step of gravity gives to
+  // every layer above it, it closes by layers g dt² a step, and the rounds that take overlaps apart leave at most half.
+  const layers = dimensions === 2 ? 12 : 7;
+  expect(deepest).toBeLessThan(0.001 * 0.2 + 2 * layers * 9.80665 * dt * dt);
 });
 
 test('nothing overlaps before the first step', () => {

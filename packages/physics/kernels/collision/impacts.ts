@@ -120,7 +120,8 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real): i32 
     z = touchZ;
     speed = touchSpeed;
   } else {
-    since = 0;
+    // They touched before the step began, and moved into each other for all of it.
+    since = dt;
   }
   if (!(speed > 0)) return 0;
   let e = max<real>(get(c.restitution, rowA), get(c.restitution, rowB));

@@ -20,7 +20,7 @@ export function respond(dt: real, lag: real, lastId: i32, remember: bool): void 
   if (t.count > 0) {
     joinPrevious(scale);
     gatherBodies(c, dt, lastId);
-    linkWalls(t);
+    linkWalls(t, dt);
     resolveImpacts(c, t, dt, lag);
     holdResting(c, t, dt, lag);
     separate(t, dt);

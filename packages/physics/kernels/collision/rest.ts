@@ -115,7 +115,7 @@ function pressWall(t: ContactTable, k: i32): real {
   const y = get(t.wallNy, k);
   const z = get(t.wallNz, k);
   const holding = get(t.wallHolding, k);
-  const excess = b.vx * x + b.vy * y + b.vz * z + get(t.wallGap, k) / step;
+  const excess = b.vx * x + b.vy * y + b.vz * z + get(t.wallGap, k);
   if (excess >= 0 && holding == 0) return 0;
   const impulse = max<real>(-holding, -excess / w);
   const change = abs<real>(impulse * w);
@@ -138,12 +138,20 @@ function pressPair(t: ContactTable, i: i32): real {
   const excess = (b.vx - a.vx) * x + (b.vy - a.vy) * y + (b.vz - a.vz) * z + get(t.gap, i) / step;
   const holding = get(t.holding, i);
   if (excess >= 0 && holding == 0) return 0;
-  leave(t, a, -x, -y, -z, step, slow);
+  leave(t, a, -x, -y, -z, slow);
   let w = a.inverseMass * share;
-  leave(t, b, x, y, z, step, slow);
+  leave(t, b, x, y, z, slow);
   w += b.inverseMass * share;
   if (!(w > 0)) return 0;
-  const change = press(t, i, a, b, max<real>(-holding, -excess / w));
+  const impulse = max<real>(-holding, -excess / w);
+  const half = time;
+  if (impulse > 0) {
+    // Bodies that came into each other faster than by the step's acceleration go back as far as they came.
+    const gap = (b.x - a.x) * x + (b.y - a.y) * y + (b.z - a.z) * z - (a.radius + b.radius);
+    time = max<real>(half, min<real>(step, -gap / (impulse * w)));
+  }
+  const change = press(t, i, a, b, impulse);
+  time = half;
   const sum = rubbing(t, i);
   const friction = <real>load<f32>(sum, 12);
   if (friction > 0) hold(a, b, x, y, z, friction * get(t.holding, i), sum, time);
@@ -165,7 +173,7 @@ function press(t: ContactTable, i: i32, a: Body, b: Body, impulse: real): real {
 
 // @ts-ignore: decorator
 @inline function pressBody(t: ContactTable, b: Body, x: real, y: real, z: real, impulse: real): void {
-  leave(t, b, x, y, z, step, slow);
+  leave(t, b, x, y, z, slow);
   if (wall >= 0) bear(t, wall, -impulse * cosine);
   const change = impulse * b.inverseMass;
   kick(b, change * leftX, change * leftY, change * leftZ, time);

@@ -18,36 +18,42 @@ export let wall: i32 = -1;
 export let cosine: real = 0;
 
 // Notes for each body with contacts which contact with a wall holds it most, and for each contact with a wall where its
-// body is, -1 where no other body touches that one.
-export function linkWalls(t: ContactTable): void {
+// body is, -1 where no other body touches that one, and how fast the body may come: as fast as closes the gap by the end
+// of the next step, or as it does already, for that is a matter of the next step's impact.
+export function linkWalls(t: ContactTable, dt: real): void {
   for (let k = 0; k < t.wallCount; k++) {
     const slot = word(t.rowWords, word(t.wallBody, k)) - 1;
     putWord(t.wallSlot, k, slot);
     if (slot < 0) continue;
     const b = body(t, slot);
+    const gap = get(t.wallGap, k);
+    if (gap > 0) {
+      const speed = b.vx * get(t.wallNx, k) + b.vy * get(t.wallNy, k) + b.vz * get(t.wallNz, k);
+      put(t.wallGap, k, max<real>(gap / dt, -speed));
+    }
     if (b.wall == 0 || get(t.wallHolding, k) > get(t.wallHolding, b.wall - 1)) b.wall = k + 1;
   }
 }
 
-// How far a body can follow a push in direction (x, y, z). It lies on its wall when it comes off no faster than it takes
-// to close the gap by the end of the next step; `slow` is a speed that makes no difference.
+// How far a body can follow a push in direction (x, y, z). It lies on its wall when it comes as fast as it may; `slow`
+// is a speed that makes no difference.
 // @ts-ignore: decorator
-@inline export function leave(t: ContactTable, b: Body, x: real, y: real, z: real, dt: real, slow: real): void {
+@inline export function leave(t: ContactTable, b: Body, x: real, y: real, z: real, slow: real): void {
   leftX = x;
   leftY = y;
   leftZ = z;
   share = 1;
   wall = b.wall - 1;
-  if (wall >= 0) leaveWall(t, b, x, y, z, dt, slow);
+  if (wall >= 0) leaveWall(t, b, x, y, z, slow);
 }
 
-function leaveWall(t: ContactTable, b: Body, x: real, y: real, z: real, dt: real, slow: real): void {
+function leaveWall(t: ContactTable, b: Body, x: real, y: real, z: real, slow: real): void {
   const mx = get(t.wallNx, wall);
   const my = get(t.wallNy, wall);
   const mz = get(t.wallNz, wall);
   cosine = x * mx + y * my + z * mz;
   const off = b.vx * mx + b.vy * my + b.vz * mz;
-  if (!(cosine < 0) || off + get(t.wallGap, wall) / dt > slow) {
+  if (!(cosine < 0) || off + get(t.wallGap, wall) > slow) {
     wall = -1;
     return;
   }

@@ -35,7 +35,7 @@ export class ContactTable {
   y: usize;
   z: usize;
   // Contacts with walls: body, wall (0 for a box), normal out of the wall, impulse, part that holds a resting body, and
-  // the gap to a wall that is near but was not touched.
+  // the gap to a wall that is near but was not touched; then the speed at which the body may come to it.
   wallCapacity: i32;
   wallCount: i32;
   wallLost: u32;
@@ -115,3 +115,6 @@ export const FINITE: real = sizeof<real>() == 4 ? <real>1e37 : <real>1e300;
 // Contacts are looked for out to this multiple of the radius, or of the sum of the radii: bodies that lie on each other
 // keep their contact, and the impulse that holds them, while they come apart by less than this.
 export const REACH: real = 1.01;
+
+// Walls are noted out to this multiple of the radius: what lies on a body may press it there within the step.
+export const WALL_REACH: real = 1.1;

@@ -2,7 +2,7 @@
 import { Columns, columns, get } from '../columns';
 import { BLOCK, LANES, add, at, div, laneOf, mul, splat, sub } from '../lanes';
 import { rubWall } from '../collision/friction';
-import { REACH } from '../collision/table';
+import { WALL_REACH } from '../collision/table';
 import { distanceOut, impactSpeed, timeSince } from './impact';
 import { recordNearWall, recordWallContact } from './record';
 
@@ -99,7 +99,7 @@ export function boxAxis(
   const radius = c.radius;
   const lowest = splat(low);
   const highest = splat(high);
-  const reach = splat(c.contacts == 0 ? <real>1 : REACH);
+  const reach = splat(c.contacts == 0 ? <real>1 : WALL_REACH);
   for (let chunk = first; chunk < last; chunk += 64 * BLOCK) {
     let hits: u64 = 0;
     for (let row = min(chunk + 64 * BLOCK, last) - BLOCK; row >= chunk; row -= BLOCK) {
@@ -189,7 +189,7 @@ function noteNear(c: Columns, row: i32, axis: i32, x: usize, plane: real, side: 
   for (let body = row; body < row + LANES; body++) {
     const radius = get(c.radius, body);
     const gap = (get(x, body) - plane) * side - radius;
-    if (gap < (REACH - <real>1) * radius && get(c.mass, body) > 0) {
+    if (gap < (WALL_REACH - <real>1) * radius && get(c.mass, body) > 0) {
       const own = get(c.friction, body);
       const mu = friction < 0 ? own : sqrt<real>(own * friction);
       recordNearWall(body, 0, axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0, mu, gap);

@@ -1,7 +1,7 @@
 // Round bodies against half-spaces: solid where n.x < offset (2D and 3D). kernels/walls/impact.ts has the formula.
 import { Columns, columns, get, put } from '../columns';
 import { rubWall } from '../collision/friction';
-import { REACH, word } from '../collision/table';
+import { WALL_REACH, word } from '../collision/table';
 import { LANES, add, at, mul, splat, sub } from '../lanes';
 import { distanceOut, impactSpeed, timeSince } from './impact';
 import { recordNearWall, recordWallContact } from './record';
@@ -40,7 +40,7 @@ export function planeWalls(
       let any = false;
       for (let k = 0; k < count; k++) {
         const id = word(ids, k);
-        if (!isBehind(p, c, row, id)) continue;
+        if (!comesNear(p, c, row, id, 1)) continue;
         for (let body = row; body < row + LANES; body++) {
           any = bounce(p, c, body, id, startX, startY, startZ, dt, lag) || any;
         }
@@ -55,6 +55,7 @@ export function planeWalls(
 function noteNear(p: PlaneColumns, c: Columns, row: i32, ids: usize, count: i32): void {
   for (let k = 0; k < count; k++) {
     const id = word(ids, k);
+    if (!comesNear(p, c, row, id, WALL_REACH)) continue;
     const nx = get(p.nx, id);
     const ny = get(p.ny, id);
     const nz = get(p.nz, id);
@@ -62,22 +63,22 @@ function noteNear(p: PlaneColumns, c: Columns, row: i32, ids: usize, count: i32)
       const radius = get(c.radius, body);
       const height = get(c.positionX, body) * nx + get(c.positionY, body) * ny + get(c.positionZ, body) * nz;
       const gap = height - get(p.offset, id) - radius;
-      if (!(gap < (REACH - <real>1) * radius && get(c.mass, body) > 0)) continue;
+      if (!(gap < (WALL_REACH - <real>1) * radius && get(c.mass, body) > 0)) continue;
       recordNearWall(body, id, nx, ny, nz, sqrt<real>(get(c.friction, body) * get(p.friction, id)), gap);
     }
   }
 }
 
-// Whether any of the bodies from `row` reaches behind the plane.
+// Whether any of the bodies from `row`, `reach` times as large, reaches behind the plane.
 // @ts-ignore: decorator
-@inline function isBehind(p: PlaneColumns, c: Columns, row: i32, id: i32): bool {
+@inline function comesNear(p: PlaneColumns, c: Columns, row: i32, id: i32, reach: real): bool {
   const o = at(row);
   const height = add(
     add(mul(v128.load(c.positionX + o), splat(get(p.nx, id))), mul(v128.load(c.positionY + o), splat(get(p.ny, id)))),
     mul(v128.load(c.positionZ + o), splat(get(p.nz, id))),
   );
   const radius = v128.load(c.radius + o);
-  const behind = v128.lt<real>(sub(height, radius), splat(get(p.offset, id)));
+  const behind = v128.lt<real>(sub(height, mul(radius, splat(reach))), splat(get(p.offset, id)));
   const solid = v128.and(v128.gt<real>(radius, splat(0)), v128.gt<real>(v128.load(c.mass + o), splat(0)));
   return v128.any_true(v128.and(behind, solid));
 }

@@ -4,7 +4,7 @@
 // path that lasts from that instant to the end of the step. A body that meets walls more than MOST_BOUNCES times, as in a
 // narrow groove, stays where the step began: there it was free.
 import { Columns, columns, get, put } from '../columns';
-import { ContactTable, REACH, contactTable, word } from '../collision/table';
+import { ContactTable, WALL_REACH, contactTable, word } from '../collision/table';
 import { rubWall } from '../collision/friction';
 import { LANES, add, at, mul, splat, sub } from '../lanes';
 import { distanceOut } from './impact';
@@ -50,7 +50,7 @@ export function segmentWalls(
   const g = changetype<WallGrid>(grid);
   const c = columns();
   const zero = splat(0);
-  const reach = splat(c.contacts == 0 ? <real>1 : REACH);
+  const reach = splat(c.contacts == 0 ? <real>1 : WALL_REACH);
   for (let row = first; row < last; row += LANES) {
     const o = at(row);
     const r = mul(v128.load(c.radius + o), reach);
@@ -166,7 +166,7 @@ function noteWall(c: Columns, row: i32, s: Segment, x: real, y: real, radius: re
   const dy = y - (s.ay + along * s.ty);
   const distance = sqrt<real>(dx * dx + dy * dy);
   const gap = distance - radius;
-  if (!(distance > 0 && gap < (REACH - <real>1) * radius)) return;
+  if (!(distance > 0 && gap < (WALL_REACH - <real>1) * radius)) return;
   const friction = sqrt<real>(get(c.friction, row) * s.friction);
   recordNearWall(row, s.id, dx / distance, dy / distance, 0, friction, gap);
 }
