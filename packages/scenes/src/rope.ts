@@ -1,4 +1,5 @@
-// A rope hung between two points, longer than the gap: it falls, swings and settles as a catenary.
+// A rope hung between two points, longer than the gap, and drawn down in the middle: let go, it swings and settles as a
+// catenary.
 import { createPhysicsWorld, createRope, linearDrag, springs, uniformGravity, xpbd } from '@principia/physics';
 import { countOf, defineScene } from './scene';
 import { shake } from './shake';
@@ -6,6 +7,8 @@ import { shake } from './shake';
 /** Length of the rope, m, and distance of its ends. */
 const LENGTH = 10;
 const GAP = 8;
+/** How far down its middle is drawn, m: both halves are straight. */
+const DEPTH = Math.sqrt(LENGTH * LENGTH - GAP * GAP) / 2;
 
 export const rope = defineScene({
   name: 'rope',
@@ -16,29 +19,27 @@ export const rope = defineScene({
     mass: { about: 'mass of the rope', unit: 'kg', initial: 1, min: 0.01, max: 1000 },
     drag: { about: 'drag of a node by its mass', unit: '1/s', initial: 0.5, min: 0, max: 20 },
     push: { about: 'largest initial speed of a node along an axis', unit: 'm/s', initial: 0.05, min: 0, max: 10 },
-    substeps: countOf('sub-steps of a step', 10, 100),
-    iterations: countOf('iterations of a sub-step', 1, 100),
+    substeps: countOf('sub-steps of a step', 4, 100),
+    iterations: countOf('iterations of a sub-step where the rope cannot be solved directly', 10, 100),
   },
   build({ dimensions, precision, seed, parameters }) {
     const { count, mass, drag, push, substeps, iterations } = parameters;
     const world = createPhysicsWorld({
       ...{ dimensions, precision, seed },
-      capacity: count * (4 + doublings(count)),
+      capacity: 4 * count,
       integrator: xpbd({ substeps, iterations }),
       forces: [uniformGravity(), linearDrag(), springs()],
     });
     const { nodes } = createRope(world, {
-      ...{ from: {}, to: { x: GAP }, length: LENGTH, nodes: count, mass, pins: 'both', tethers: true },
+      ...{ from: {}, to: { x: GAP }, length: LENGTH, nodes: count, mass, pins: 'both' },
       components: { linearDrag: (drag * mass) / count },
+    });
+    const { y } = world.components.Position;
+    nodes.forEach((node, i) => {
+      const along = (2 * i) / (count - 1) - 1;
+      y[node] = DEPTH * (Math.abs(along) - 1);
     });
     shake(world, nodes, push, seed);
     return { world, dt: 1 / 60, losesEnergy: 'air drags on the rope, and what becomes taut does not bounce' };
   },
 });
-
-/** How often two must be doubled to reach a number: a rope has that many cords a node. */
-function doublings(count: number): number {
-  let times = 0;
-  for (let reach = 2; reach < count; reach *= 2) times++;
-  return times;
-}

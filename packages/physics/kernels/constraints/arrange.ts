@@ -14,8 +14,9 @@ const IN_CHAIN: u32 = 0xffffffff;
   return changetype<SpringTable>(t.springs).links + <usize>link * 12;
 }
 
-// Writes all rows; `movable` are the membership bits of a body that forces can move, `lastId` the highest id.
-export function arrangeConstraints(table: usize, movable: u32, lastId: i32): void {
+// Writes all rows and returns how many are in chains; `movable` are the membership bits of a body that forces can move,
+// `lastId` the highest id.
+export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32 {
   const t = tableAt(table);
   const links = changetype<SpringTable>(t.springs).active;
   const bodies = <usize>(lastId + 1);
@@ -34,6 +35,7 @@ export function arrangeConstraints(table: usize, movable: u32, lastId: i32): voi
   findChains(t, links, movable);
   while ((t.rowCount & 3) != 0) putRow(t, t.rowCount++, 0, 0, 0);
   colourRest(t, links, movable);
+  return word(t.chains, t.chainCount);
 }
 
 function join(t: ConstraintTable, body: u32, link: i32): void {

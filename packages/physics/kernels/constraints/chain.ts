@@ -7,16 +7,17 @@
 //   (w n_j.o_j + e) D_j - w_j (n_j.o_j-1) D_j-1 - w_j+1 (n_j.o_j+1) D_j+1 = C_j - e tension_j
 //
 // Impulses act along o, which makes the scheme that of SHAKE and RATTLE: second order, and no torque. A chain
-// of which a row turned by more than 37 degrees in the sub-step is corrected along n. Slack cords, and rows without stiffness or weight, take
-// no part. Sums are f64: the matrix of N links has a condition of N^2. Cost: three divisions and two square roots a row
+// of which a row turned by more than 37 degrees in the sub-step is corrected along n; one too taut for directions of the
+// start is left to taut-chain.ts. Slack cords, and rows without stiffness or weight, take no part. Sums are f64: the matrix of N links has a condition of N^2. Cost: three divisions and two square roots a row
 // and iteration, of which two or three are enough.
 import { columns, get, put } from '../columns';
 import { SpringTable } from '../forces/springs';
 import { packBody } from './rows';
 import { solveRow } from './sweep';
+import { isTaut, solveTautChain } from './taut-chain';
 import { ConstraintTable, RIGID, isCord, packedAt, part, putPart, tableAt, word } from './table';
 
-// Bytes a row takes of `work`.
+// Bytes a row takes of `work`, at most those of taut-chain.ts.
 const LINK: usize = 96;
 
 // What elimination keeps of a row.
@@ -55,8 +56,9 @@ export function solveChains(table: usize, iterations: i32, h: f64): void {
   for (let chain = 0; chain < t.chainCount; chain++) {
     const first = <i32>word(t.chains, chain);
     const last = <i32>word(t.chains, chain + 1);
-    const sharp = findStart(t, first, last, h);
-    if (newton(t, first, last, sharp)) continue;
+    if (isTaut(t, first, last)) {
+      if (solveTautChain(t, first, last)) continue;
+    } else if (newton(t, first, last, findStart(t, first, last, h))) continue;
     for (let row = first; row < last; row++) {
       packBody(t, word(t.a, row));
       packBody(t, word(t.b, row));

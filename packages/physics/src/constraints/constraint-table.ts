@@ -28,6 +28,8 @@ export interface ConstraintTable {
   readonly words: Uint32Array;
   /** Springs there is room for. */
   room: number;
+  /** Rows of chains there is room to solve. */
+  chainRoom: number;
   /** Membership version the order of the rows belongs to. */
   version: number;
   /** Sub-step the tensions belong to, s; 0 before the first. */
@@ -48,7 +50,7 @@ export const constraintTable = resource((world): ConstraintTable => {
   const { arena } = world.internal;
   const at = allocate(arena, 4 * WORDS.length, 'constraints');
   const words = new Uint32Array(arena.memory.buffer, at, WORDS.length);
-  const table = { at, words, room: 0, version: -1, substep: 0 };
+  const table = { at, words, room: 0, chainRoom: 0, version: -1, substep: 0 };
   const { rows } = world;
   const real = realBytes(world.precision);
   const take = (name: string, bytes: number) => put(table, name, allocate(arena, bytes, 'constraints'));
@@ -76,7 +78,7 @@ export function refreshConstraints(world: PhysicsWorld, h: number): ConstraintTa
   if (table.version === world.versions.membership && kernels.readConstraints(table.at, MOVABLE, h) === 1) return table;
   removeLost(world, scanSprings(world));
   makeRows(world, table);
-  kernels.arrangeConstraints(table.at, MOVABLE, world.lastId);
+  makeChains(world, table, kernels.arrangeConstraints(table.at, MOVABLE, world.lastId));
   kernels.readConstraints(table.at, MOVABLE, h);
   table.version = world.versions.membership;
   table.substep = 0;
@@ -94,6 +96,16 @@ export function makeRows(world: PhysicsWorld, table: ConstraintTable): void {
     put(table, name, allocate(arena, bytes, `${counts.Spring} springs as constraints`));
   for (const name of ['state', 'source', 'a', 'b', 'chains', 'broken']) take(name, 4 * (rows + 1));
   for (const name of ['length', 'gain', 'softness', 'tension']) take(name, real * rows);
-  take('work', 96 * rows);
   table.room = room;
+}
+
+/** What the direct solution keeps of a body of a chain: kernels/constraints/taut-chain.ts. */
+const CHAIN_BYTES = 232;
+
+/** Room to solve chains of so many rows in all. @throws PhysicsError E_CAPACITY */
+function makeChains(world: PhysicsWorld, table: ConstraintTable, rows: number): void {
+  if (rows <= table.chainRoom) return;
+  const room = Math.min(table.room, Math.ceil(1.5 * rows));
+  put(table, 'work', allocate(world.internal.arena, CHAIN_BYTES * (room + 1), `${rows} springs in chains`));
+  table.chainRoom = room;
 }

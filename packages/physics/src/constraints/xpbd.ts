@@ -12,13 +12,14 @@
 //
 // Where all springs of a world are rods in chains (no body joined to more than two others, no ring), as in pendulums,
 // this is RATTLE: the chains are solved to rounding, the velocities along the rods as well, second order, symplectic
-// until a rod turns by more than 37 degrees in a sub-step. Otherwise bodies at springs get their whole kick before the
+// until a rod turns by more than 37 degrees in a sub-step. A chain so taut that waves across it outrun the sub-step (N links
+// hanging: N g h² above half a link) is solved implicitly instead, places and tensions together: unstretched and stable, at
+// first order. Otherwise bodies at springs get their whole kick before the
 // correction, which makes it first order there: it loses the energy of oscillations whose ω h is not small. What is no
 // chain is solved by Gauss-Seidel over colours, which leaves stiff networks stretched by the load of a few sub-steps:
-// error falls with the square of h, and sub-steps serve better than iterations at the same cost. A taut chain of many
-// hundred links that moves is too much for the direct solution and is swept like the others.
+// error falls with the square of h, and sub-steps serve better than iterations at the same cost.
 //
-// Momentum is conserved to rounding, angular momentum by chains to rounding too, by networks to the order of the step. Bodies without mass are anchors.
+// Momentum is conserved to rounding, angular momentum by RATTLE to rounding too, otherwise to the order of the step. Bodies without mass are anchors.
 // `springs()` in the list of forces then gives the potential only. Walls and contacts come after the whole step.
 //
 // Sources: Macklin, Müller, Chentanez: XPBD (MIG 2016); Macklin et al.: Small Steps in Physics Simulation (SCA 2019);

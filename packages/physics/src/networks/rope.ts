@@ -1,11 +1,10 @@
 // A rope: nodes in a row, a spring from each to the next.
 //
 // A rope of N links of stiffness k stretches as one spring of stiffness k/N. Under `xpbd` it is a chain and solved
-// directly: an inextensible one (stiffness Infinity) does not stretch, as long as no link turns far within a sub-step and
-// the load below it is no more than some hundred links. Longer ones converge slowly. `tethers` keep their
-// length: cords over 2, 4, 8… links, and from every node to each held end (Kim, Chentanez, Müller: Long Range
-// Attachments, SCA 2012). A rope satisfies them all anyway, so they take its load without changing its motion; but the
-// links no longer carry all of it, and are not solved directly any more.
+// directly: an inextensible one (stiffness Infinity) of thousands of links keeps its length to rounding in a few sub-steps.
+// `tethers` serve where a rope branches or joins a network, which makes it no chain: cords over 2, 4, 8… links, and from
+// every node to each held end (Kim, Chentanez, Müller: Long Range Attachments, SCA 2012). A rope satisfies them all
+// anyway, so they take its load without changing its motion; but it is not solved directly any more.
 
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
 import { assertUsable } from '../store/guards';
@@ -34,7 +33,7 @@ export interface RopeOptions extends SpringOptions {
   readonly stiffness?: number;
   /** Links pull and never push; default false. */
   readonly cord?: boolean;
-  /** Inextensible cords that keep the length of a long rope, some log2(nodes) a node; default false. */
+  /** Inextensible cords that keep the length of a rope that is no chain, some log2(nodes) a node; default false. */
   readonly tethers?: boolean;
   /** Which ends are held; default 'start'. */
   readonly pins?: 'none' | 'start' | 'end' | 'both';
