@@ -1,4 +1,4 @@
-import { BLOCK, add, at, mul, splat } from '../lanes';
+import { BLOCK, LANES, add, at, mul, splat } from '../lanes';
 
 // F += m g along one axis.
 export function uniformGravityAxis(force: usize, mass: usize, g: real, first: i32, last: i32): void {
@@ -15,4 +15,14 @@ export function uniformGravityAxis(force: usize, mass: usize, g: real, first: i3
 // @ts-ignore: decorator
 @inline function fall(force: usize, mass: usize, acceleration: v128): void {
   v128.store(force, add(v128.load(force), mul(v128.load(mass), acceleration)));
+}
+
+// F = m g along one axis, whatever stood there.
+export function assignGravityAxis(force: usize, mass: usize, g: real, first: i32, last: i32): void {
+  if (g == 0) return memory.fill(force + at(first), 0, at(last - first));
+  const acceleration = splat(g);
+  for (let row = first; row < last; row += LANES) {
+    const o = at(row);
+    v128.store(force + o, mul(v128.load(mass + o), acceleration));
+  }
 }

@@ -3,6 +3,7 @@ import { dropBadForces } from '../schedule/quarantine';
 import { holdUnmoved } from '../store/incomplete';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
+import { assignerOf } from './assign';
 import type { Force } from './force';
 
 /**
@@ -17,9 +18,9 @@ export function momentOf(world: PhysicsWorld, offset: number): number {
 export type EvaluateForces = (world: PhysicsWorld, spans: Spans, time: number) => void;
 
 export const evaluateForces: EvaluateForces = (world, spans, time) => {
-  clearForces(world, spans);
   const { forces } = world;
-  for (let f = 0; f < forces.length; f++) {
+  const assigned = assignFirst(world, spans);
+  for (let f = assigned; f < forces.length; f++) {
     try {
       accumulate(world, forces[f] as Force, spans, time);
     } catch (error) {
@@ -34,6 +35,21 @@ export const evaluateForces: EvaluateForces = (world, spans, time) => {
     if (!alone) dropBadForces(world, first, last);
   }
 };
+
+/** Puts the columns at zero, or at the first force where that can be written over them; how many forces are done. */
+function assignFirst(world: PhysicsWorld, spans: Spans): 0 | 1 {
+  if (anyForceTurns(world)) clearTorques(world, spans);
+  const { forces } = world;
+  const assign = forces.length === 0 ? undefined : assignerOf(forces[0]);
+  if (assign === undefined) {
+    clearForces(world, spans);
+    return 0;
+  }
+  for (let r = 0; r < spans.count; r++) {
+    assign(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number);
+  }
+  return 1;
+}
 
 function accumulate(world: PhysicsWorld, force: Force, spans: Spans, time: number): void {
   if (!force.local) {
@@ -55,7 +71,6 @@ function clearForces(world: PhysicsWorld, spans: Spans): void {
     kernels.zeroColumn(at.y, first, last);
     if (dimensions === 3) kernels.zeroColumn(at.z, first, last);
   }
-  if (anyForceTurns(world)) clearTorques(world, spans);
 }
 
 function clearTorques(world: PhysicsWorld, spans: Spans): void {

@@ -7,6 +7,7 @@
 // Valid near the surface of a planet, over heights small against its radius (over 1 km g falls by 0.03 %).
 // Standard gravity 9.80665 m/s²: 3rd CGPM (1901), resolution on the unit of mass. Cost: one multiply-add an axis.
 import { checkVector, type VectorInput } from '../faults/validate';
+import { letAssign } from './assign';
 import type { Force } from './force';
 
 /** Standard acceleration of free fall, m/s². */
@@ -18,7 +19,7 @@ export const STANDARD_GRAVITY = 9.80665;
  */
 export function uniformGravity(acceleration: VectorInput = { y: -STANDARD_GRAVITY }): Force {
   const g = checkVector(acceleration, 'uniformGravity', { min: -1e12, max: 1e12 });
-  return {
+  const force: Force = {
     name: 'uniform gravity',
     equation: 'F = m g',
     parameters: {
@@ -48,4 +49,12 @@ export function uniformGravity(acceleration: VectorInput = { y: -STANDARD_GRAVIT
       );
     },
   };
+  letAssign(force, ({ kernels, addresses, dimensions, scratch }, first, last) => {
+    const mass = addresses.Mass.value;
+    const { x, y, z } = scratch.at.force;
+    kernels.assignGravityAxis(x, mass, g.x, first, last);
+    kernels.assignGravityAxis(y, mass, g.y, first, last);
+    if (dimensions === 3) kernels.assignGravityAxis(z, mass, g.z, first, last);
+  });
+  return force;
 }
