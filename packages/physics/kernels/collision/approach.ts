@@ -24,9 +24,9 @@ export let distance: real = 0;
   distance = sqrt<real>(dX * dX + dY * dY + dZ * dZ);
 }
 
-// The normal of the place that was read. `idA` and `idB` decide for two bodies in one place, `flat` in the plane.
-// @ts-ignore: decorator
-@inline export function readNormal(idA: i32, idB: i32, flat: bool): void {
+// The normal of the place that was read, and the motions. `idA` and `idB` decide for two bodies in one place, `flat` in
+// the plane; `lag` is the time by which the integrator's velocities lag its positions.
+export function readApproach(a: Body, b: Body, idA: i32, idB: i32, flat: bool, lag: real): void {
   if (distance > 0) {
     nX = dX / distance;
     nY = dY / distance;
@@ -34,11 +34,6 @@ export let distance: real = 0;
   } else {
     chooseNormal(idA, idB, flat);
   }
-}
-
-// `lag` is the time by which the integrator's velocities lag its positions.
-// @ts-ignore: decorator
-@inline export function readMotions(a: Body, b: Body, lag: real): void {
   aX = b.ax - a.ax;
   aY = b.ay - a.ay;
   aZ = b.az - a.az;

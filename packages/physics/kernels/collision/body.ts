@@ -137,8 +137,7 @@ export function scatterBodies(c: Columns, t: ContactTable, remember: bool): void
 }
 
 // Changes the velocity of a body by (dx, dy, dz), and its position by what that amounts to in `time`, the time since.
-// @ts-ignore: decorator
-@inline export function kick(b: Body, dx: real, dy: real, dz: real, time: real): void {
+export function kick(b: Body, dx: real, dy: real, dz: real, time: real): void {
   b.vx += dx;
   b.vy += dy;
   b.vz += dz;

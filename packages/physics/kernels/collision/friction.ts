@@ -72,17 +72,13 @@ export function hold(a: Body, b: Body, nx: real, ny: real, nz: real, limit: real
 }
 
 function apply(a: Body, b: Body, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real, time: real): void {
-  const wa = a.inverseMass;
-  const wb = b.inverseMass;
-  kick(a, -wa * jx, -wa * jy, -wa * jz, time);
-  kick(b, wb * jx, wb * jy, wb * jz, time);
-  spin(a, nx, ny, nz, jx, jy, jz);
-  spin(b, nx, ny, nz, jx, jy, jz);
+  push(a, -a.inverseMass, nx, ny, nz, jx, jy, jz, time);
+  push(b, b.inverseMass, nx, ny, nz, jx, jy, jz, time);
 }
 
 // Both bodies turn the same way: the impulse is opposite and so is the arm. omega -= r/I (n x j).
-// @ts-ignore: decorator
-@inline function spin(b: Body, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real): void {
+function push(b: Body, w: real, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real, time: real): void {
+  kick(b, w * jx, w * jy, w * jz, time);
   const k = b.turning;
   b.wx -= k * (ny * jz - nz * jy);
   b.wy -= k * (nz * jx - nx * jz);

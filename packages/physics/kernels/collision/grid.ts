@@ -154,15 +154,6 @@ export function chooseGrid(c: Columns, t: ContactTable, rows: i32, count: i32, d
   else v128.store_lane<i64>(to, words, 0);
 }
 
-// The bucket of each body in the order of the buckets, worked out again: that is cheaper than fetching it.
-export function nameBuckets(t: ContactTable): void {
-  for (let i = 0; i < t.gridCount; i += LANES) {
-    let bucket = bucketsOf(t, v128.load(t.sortedX + at(i)), v128.load(t.sortedY + at(i)));
-    if (t.layer != 0) bucket = addLayer(t, bucket, v128.load(t.sortedZ + at(i)));
-    storeWords(t.sortedBucket + ((<usize>i) << 2), bucket);
-  }
-}
-
 // Notes the bucket of each row in `rowWords`: -1 for one that takes no part, -2 for one too large for the grid.
 function findBuckets(c: Columns, t: ContactTable, rows: i32): void {
   const one = i32x4.splat(1);
@@ -193,7 +184,7 @@ export function countBuckets(c: Columns, t: ContactTable, rows: i32): void {
   for (let row = 0; row < rows; row++) {
     const bucket = word(t.rowWords, row);
     if (bucket >= 0) putWord(starts, bucket + 1, word(starts, bucket + 1) + 1);
-    else if (bucket == -2) putWord(t.large, t.largeCount++, row);
+    else if (bucket == -2) t.largeCount++;
   }
   const end = starts + ((<usize>t.buckets) << 2);
   let sum = 0;

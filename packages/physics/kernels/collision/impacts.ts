@@ -13,24 +13,7 @@
 // that is within the step the bodies are at rest on each other and `rest.ts` holds them; one that came in fast still
 // gives up its speed here, at the right instant.
 import { Columns, get, put } from '../columns';
-import {
-  aX,
-  aY,
-  aZ,
-  dX,
-  dY,
-  dZ,
-  distance,
-  nX,
-  nY,
-  nZ,
-  readMotions,
-  readNormal,
-  readPlace,
-  vX,
-  vY,
-  vZ,
-} from './approach';
+import { aX, aY, aZ, dX, dY, dZ, distance, nX, nY, nZ, readApproach, readPlace, vX, vY, vZ } from './approach';
 import { body, kick } from './body';
 import { rub } from './friction';
 import { ContactTable, FINITE, putWord, word } from './table';
@@ -82,13 +65,12 @@ function sliceOf(t: ContactTable, i: i32, dt: real, rate: real, lag: real): i32 
   const a = body(t, word(t.slotA, i));
   const b = body(t, word(t.slotB, i));
   readPlace(a, b);
-  readNormal(word(t.a, i), word(t.b, i), t.layer == 0);
+  readApproach(a, b, word(t.a, i), word(t.b, i), t.layer == 0, lag);
   put(t.nx, i, nX);
   put(t.ny, i, nY);
   put(t.nz, i, nZ);
   const reach = a.radius + b.radius;
   if (!(distance < reach)) return -1;
-  readMotions(a, b, lag);
   const since = touchTime(dX, dY, dZ, vX, vY, vZ, 0, 0, 0, reach, dt);
   if (since >= 0) return max<i32>(0, SLICES - 1 - <i32>(since * rate * <real>SLICES));
   return vX * nX + vY * nY + vZ * nZ < 0 ? 0 : -1;
@@ -103,8 +85,7 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real): i32 
   if (!(distance < reach)) return 0;
   const rowA = word(t.a, i);
   const rowB = word(t.b, i);
-  readNormal(rowA, rowB, t.layer == 0);
-  readMotions(a, b, lag);
+  readApproach(a, b, rowA, rowB, t.layer == 0, lag);
   const closing = -(vX * nX + vY * nY + vZ * nZ);
   const flags = word(t.flags, i);
   // Bodies that passed each other within the step move apart by now; those that have collided also do.

@@ -1,6 +1,5 @@
 // Collisions of bodies, and the walls that are entities: a module of its own, so that a game without them does not pay.
-export { findPairs2d } from './2d/pairs';
-export { findPairs3d } from './3d/pairs';
+export { findPairs } from './pairs';
 export { beginContacts, beginWallContacts, sortContacts } from './order';
 export { respond } from './respond';
 export { gatherSegments } from '../walls/wall-grid';

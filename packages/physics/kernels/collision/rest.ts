@@ -7,7 +7,7 @@
 // a body by its change of velocity times half the step (and the integrator's lag): so a pile at rest stays where it is.
 import { Columns, get, put } from '../columns';
 import { impactSpeed, timeSince } from '../walls/impact';
-import { aX, aY, aZ, distance, nX, nY, nZ, readMotions, readNormal, readPlace, vX, vY, vZ } from './approach';
+import { aX, aY, aZ, distance, nX, nY, nZ, readApproach, readPlace, vX, vY, vZ } from './approach';
 import { Body, body, kick, nobody } from './body';
 import { hold } from './friction';
 import { RESTS } from './impacts';
@@ -65,8 +65,7 @@ function chooseResting(c: Columns, t: ContactTable, lag: real): i32 {
     const rowA = word(t.a, i);
     const rowB = word(t.b, i);
     readPlace(a, b);
-    readNormal(rowA, rowB, t.layer == 0);
-    readMotions(a, b, lag);
+    readApproach(a, b, rowA, rowB, t.layer == 0, lag);
     const gap = distance - (a.radius + b.radius);
     const e = max<real>(get(c.restitution, rowA), get(c.restitution, rowB));
     const acceleration = max<real>(a.ax * a.ax + a.ay * a.ay + a.az * a.az, b.ax * b.ax + b.ay * b.ay + b.az * b.az);
@@ -171,8 +170,7 @@ function press(t: ContactTable, i: i32, a: Body, b: Body, impulse: real): real {
   return change;
 }
 
-// @ts-ignore: decorator
-@inline function pressBody(t: ContactTable, b: Body, x: real, y: real, z: real, impulse: real): void {
+function pressBody(t: ContactTable, b: Body, x: real, y: real, z: real, impulse: real): void {
   leave(t, b, x, y, z, slow);
   if (wall >= 0) bear(t, wall, -impulse * cosine);
   const change = impulse * b.inverseMass;

@@ -37,17 +37,13 @@ export function linkWalls(t: ContactTable, dt: real): void {
 
 // How far a body can follow a push in direction (x, y, z). It lies on its wall when it comes as fast as it may; `slow`
 // is a speed that makes no difference.
-// @ts-ignore: decorator
-@inline export function leave(t: ContactTable, b: Body, x: real, y: real, z: real, slow: real): void {
+export function leave(t: ContactTable, b: Body, x: real, y: real, z: real, slow: real): void {
   leftX = x;
   leftY = y;
   leftZ = z;
   share = 1;
   wall = b.wall - 1;
-  if (wall >= 0) leaveWall(t, b, x, y, z, slow);
-}
-
-function leaveWall(t: ContactTable, b: Body, x: real, y: real, z: real, slow: real): void {
+  if (wall < 0) return;
   const mx = get(t.wallNx, wall);
   const my = get(t.wallNy, wall);
   const mz = get(t.wallNz, wall);

@@ -61,13 +61,13 @@ export class ContactTable {
   // `bodies` come later.
   rowWords: usize;
   starts: usize;
-  packed: usize;
   // The same bodies as columns. They lie where normals and impulses come later.
   sortedX: usize;
   sortedY: usize;
   sortedZ: usize;
   sortedRadius: usize;
   sortedBucket: usize;
+  sortedRow: usize;
   maxBuckets: i32;
   // Chosen each step: buckets (a power of two), distance in buckets between neighbours in y and z, bodies in the grid,
   // bodies too large for it.
@@ -76,7 +76,6 @@ export class ContactTable {
   layer: i32;
   gridCount: i32;
   largeCount: i32;
-  large: usize;
   histogram: usize;
   // Columns of the scratch: velocity at the start of the step, position before contacts.
   startX: usize;

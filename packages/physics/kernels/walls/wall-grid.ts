@@ -50,8 +50,7 @@ let rateY: real = 0;
 }
 
 // Column of the grid a coordinate falls in.
-// @ts-ignore: decorator
-@inline function columnOf(x: real, low: real, rate: real, side: i32): i32 {
+function columnOf(x: real, low: real, rate: real, side: i32): i32 {
   const cell = (x - low) * rate;
   return cell > 0 ? min<i32>(side - 1, <i32>min<real>(cell, <real>MOST_SIDE)) : 0;
 }
@@ -118,7 +117,8 @@ function listWalls(g: WallGrid): void {
     g.side = side;
     rateX = wallsMaxX > wallsMinX ? <real>side / (wallsMaxX - wallsMinX) : <real>0;
     rateY = wallsMaxY > wallsMinY ? <real>side / (wallsMaxY - wallsMinY) : <real>0;
-    if (countItems(g) <= g.mostItems || side == 1) break;
+    memory.fill(g.starts, 0, (<usize>(side * side + 1)) << 2);
+    if (visitCells(g, false) <= g.mostItems || side == 1) break;
   }
   let sum = 0;
   for (let cell = 0; cell < side * side; cell++) {
@@ -126,24 +126,11 @@ function listWalls(g: WallGrid): void {
     putWord(g.starts, cell + 1, sum);
     sum += size;
   }
-  for (let i = 0; i < g.count; i++) {
-    const s = segment(g, i);
-    const right = columnX(g, s.maxX);
-    const top = columnY(g, s.maxY);
-    for (let y = columnY(g, s.minY); y <= top; y++) {
-      for (let x = columnX(g, s.minX); x <= right; x++) {
-        const cell = y * side + x;
-        const place = word(g.starts, cell + 1);
-        putWord(g.starts, cell + 1, place + 1);
-        putWord(g.items, place, i);
-      }
-    }
-  }
+  visitCells(g, true);
 }
 
-function countItems(g: WallGrid): i32 {
-  const side = g.side;
-  memory.fill(g.starts, 0, (<usize>(side * side + 1)) << 2);
+// Counts the walls of each cell, or lists them where the count has become a place. Returns how many there are in all.
+function visitCells(g: WallGrid, list: bool): i32 {
   let total = 0;
   for (let i = 0; i < g.count; i++) {
     const s = segment(g, i);
@@ -151,8 +138,10 @@ function countItems(g: WallGrid): i32 {
     const top = columnY(g, s.maxY);
     for (let y = columnY(g, s.minY); y <= top; y++) {
       for (let x = columnX(g, s.minX); x <= right; x++) {
-        const cell = y * side + x;
-        putWord(g.starts, cell + 1, word(g.starts, cell + 1) + 1);
+        const cell = y * g.side + x;
+        const place = word(g.starts, cell + 1);
+        putWord(g.starts, cell + 1, place + 1);
+        if (list) putWord(g.items, place, i);
         total++;
       }
     }

@@ -1,6 +1,6 @@
 // Collisions of round bodies: discs in 2D, balls in 3D.
 //
-//   broad phase   uniform grid of hashed cells                              kernels/collision/grid.ts, {2d,3d}/pairs.ts
+//   broad phase   uniform grid of hashed cells                              kernels/collision/grid.ts, pairs.ts
 //   order         ascending (a, b)                                          kernels/collision/order.ts
 //   impacts       restitution and friction at the instant of touching       kernels/collision/impacts.ts
 //   rest          sequential impulses, started from the last step's         kernels/collision/rest.ts
@@ -31,8 +31,7 @@ export const collideBodies: LocalSystem = {
     const kernels = collisionKernels(world);
     opened(world);
     kernels.beginContacts();
-    if (world.dimensions === 2) kernels.findPairs2d(internal.sweptRows, internal.bodyList.count);
-    else kernels.findPairs3d(internal.sweptRows, internal.bodyList.count);
+    kernels.findPairs(internal.sweptRows, internal.bodyList.count, world.dimensions);
     kernels.sortContacts(lastId);
     const confined = world.dimensions === 2 && internal.counts.SegmentWall > 0;
     kernels.respond(dt, (integrator.velocityLag ?? 0) * dt, lastId, confined ? 1 : 0);

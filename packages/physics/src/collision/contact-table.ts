@@ -53,19 +53,18 @@ export const TABLE_WORDS = [
   'bodyCount',
   'rowWords',
   'starts',
-  'packed',
   'sortedX',
   'sortedY',
   'sortedZ',
   'sortedRadius',
   'sortedBucket',
+  'sortedRow',
   'maxBuckets',
   'buckets',
   'stride',
   'layer',
   'gridCount',
   'largeCount',
-  'large',
   'histogram',
   'startX',
   'startY',
@@ -107,7 +106,7 @@ const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
 /** What contacts need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): number {
   const bytes = realBytes(precision);
-  const grid = 4 + 4 + Math.max(bodyBytes(bytes), 16 + (dimensions + 2) * bytes);
+  const grid = 4 + 4 + Math.max(bodyBytes(bytes), 16 + 4);
   const lists = CONTACTS_A_BODY[dimensions] * contactBytes(bytes) + wallContactBytes(bytes) / 2;
   return Math.ceil((grid + lists) / SHARE);
 }
@@ -139,7 +138,7 @@ export function useContacts(world: PhysicsWorld): void {
 type Take = (bytes: number) => number;
 
 function takeGrid(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
-  const { rows, dimensions } = world;
+  const { rows } = world;
   let buckets = 1024;
   while (buckets < 2 * rows) buckets *= 2;
   words.maxBuckets = buckets;
@@ -148,11 +147,10 @@ function takeGrid(world: PhysicsWorld, words: Record<Word, number>, take: Take):
   // The broad phase is over before the first body is gathered, so that the two can share their memory.
   const bytes = realBytes(world.precision);
   const starts = 4 * (buckets + 16);
-  const region = take(Math.max(bodyBytes(bytes) * rows, starts + (dimensions + 2) * bytes * rows));
+  const region = take(Math.max(bodyBytes(bytes) * rows, starts + 4 * rows));
   words.starts = region;
-  words.packed = region + starts;
+  words.sortedRow = region + starts;
   words.bodies = region;
-  words.large = take(4 * 16);
   words.histogram = take(4 * 256);
 }
 

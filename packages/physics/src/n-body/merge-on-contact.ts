@@ -72,8 +72,7 @@ function findPairs(world: PhysicsWorld) {
   const kernels = collisionKernels(world);
   const { internal, lastId } = world;
   kernels.beginContacts();
-  if (world.dimensions === 2) kernels.findPairs2d(internal.sweptRows, internal.bodyList.count);
-  else kernels.findPairs3d(internal.sweptRows, internal.bodyList.count);
+  kernels.findPairs(internal.sweptRows, internal.bodyList.count, world.dimensions);
   kernels.sortContacts(lastId);
   return contactTable(world);
 }
