@@ -110,7 +110,8 @@ function speedOf({ scene, world }: BlackHoleGame): number {
   return Math.hypot(x[scene.ship], y[scene.ship]);
 }
 
-function callOf({ rules, isDemo, autopilot }: BlackHoleGame): [string, string] {
+function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame): [string, string] {
+  if (isReplay) return ['', 'Replay — push any arrow to take over'];
   if (isDemo) return ['', 'Demo — push any arrow to play yourself'];
   if (autopilot) return ['', 'Autopilot — A gives you the ship'];
   if (rules.phase === 'ready') return ['Black hole', 'Reach the green line. Push an arrow, or touch, to launch.'];

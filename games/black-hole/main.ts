@@ -10,6 +10,7 @@ await startGame({
   create: createGame,
   apply: applyValue,
   remember: (sim) => sim.remember(),
+  replay: (sim) => sim.again(),
   controls: {
     buttons: { ...FOUR_WAYS, action: { label: '↻', keys: ['n'], pad: [2] } },
     press: (sim, name) => sim.press(name === 'action' ? 'redraw' : (name as Input)),

@@ -3,6 +3,7 @@ import { type Camera2D, type ViewportSize, worldSource } from '@principia/render
 import { applyCamera, createTrailLayer, type TrailLayer } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
 import { Container, Graphics, type Texture } from 'pixi.js';
+import { glow } from './hawking.ts';
 import { DIRECTIONS } from './heading.ts';
 import { MOST_LENSES } from './lens-program.ts';
 import type { News } from './rules.ts';
@@ -41,19 +42,22 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm }: Pictu
   const trailPlace = new Container();
   const path = createPathView(spot);
   const shipView = createShipView();
-  const sparks = createSparks(spot);
-  world.addChild(createLines(), trailPlace, path.container, sparks.container, shipView.container);
+  const sparks = createSparks(spot, 180);
+  const rays = createSparks(spot, 420);
+  world.addChild(createLines(), rays.container, trailPlace, path.container, sparks.container, shipView.container);
   const root = new Container({ children: [skyPlace, world] });
   parent.addChild(root);
   let skyView: SkyView | undefined;
   let isBent: boolean | undefined;
   let trail: TrailLayer | undefined;
   let isPathShown = true;
+  let isGlowing = true;
   let time = 0;
   return {
     ship,
     show(values) {
       isPathShown = values.path;
+      isGlowing = values.glow;
       if (isBent !== (values.lens && canBend)) {
         skyView?.destroy();
         isBent = values.lens && canBend;
@@ -76,6 +80,8 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm }: Pictu
       shipView.update(sim, ship.x, ship.y, seconds);
       if (!isCalm) exhaust(sim, ship, sparks.burst);
       sparks.update(seconds);
+      if (isGlowing && !isCalm) glow(holes, seconds, rays.burst);
+      rays.update(seconds);
     },
     celebrate({ kind, x, y }) {
       if (isCalm) return;

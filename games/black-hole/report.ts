@@ -13,9 +13,9 @@ export function outcomeOf({ rules, isDemo, autopilot }: BlackHoleGame) {
 /** What tests see. */
 export function tell(game: BlackHoleGame) {
   const { phase, lives, score, bonus, dodged, prize, fuel, slings, heading, newsCount } = game.rules;
-  const { scene, isDemo } = game;
+  const { scene, isDemo, isReplay } = game;
   return {
-    ...{ phase, lives, score, bonus, dodged, prize, fuel, slings, heading: heading ?? '', newsCount, isDemo },
+    ...{ phase, lives, score, bonus, dodged, prize, fuel, slings, heading: heading ?? '', newsCount, isDemo, isReplay },
     ...{ holes: scene.holes, ship: scene.ship, hash: game.hash(), log: [...game.log.entries] },
   };
 }

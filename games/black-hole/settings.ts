@@ -7,6 +7,10 @@ export const settings = {
   path: switchSetting('Path ahead', true, { key: 'v', about: 'Where the ship goes in the next two seconds' }),
   trail: switchSetting('Trail', true, { key: 't', about: 'Where the ship came from' }),
   lens: switchSetting('Bent light', true, { key: 'l', about: 'Holes bend the light of the stars behind them' }),
+  glow: switchSetting('Hawking glow', true, {
+    key: 'g',
+    about: 'Holes glow; the smaller, the hotter and the brighter',
+  }),
   autopilot: switchSetting('Autopilot', false, { key: 'a', about: 'The game plays itself' }),
 };
 

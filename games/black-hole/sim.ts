@@ -5,8 +5,14 @@ import { Autopilot } from './autopilot.ts';
 import type { Heading } from './heading.ts';
 import { type RuleOptions, Rules } from './rules.ts';
 
-/** What a player can do: push one way, stop pushing, ask for other holes. */
-export type Input = Heading | 'release' | 'redraw';
+/** What a player can do: push one way, stop pushing, ask for other holes; and the switches that change the game. */
+export type Input = Heading | 'release' | 'redraw' | Switch;
+
+/** Switches are inputs too, so that a log plays the whole game again. */
+const SWITCHES = ['autopilot', 'no autopilot', 'fuel', 'no fuel'] as const;
+type Switch = (typeof SWITCHES)[number];
+
+const isSwitch = (input: Input): input is Switch => (SWITCHES as readonly string[]).includes(input);
 
 export interface BlackHoleValues extends RuleOptions {
   readonly autopilot: boolean;
@@ -32,10 +38,12 @@ export class BlackHoleGame {
   #pilot: Autopilot;
   #idle = 0;
   readonly #seed: number;
+  readonly #values: BlackHoleValues;
 
   constructor({ values, seed, log }: BlackHoleOptions) {
+    this.#values = { fuel: values.fuel, moving: values.moving, autopilot: values.autopilot };
     this.scene = blackHole.create({ seed });
-    this.rules = new Rules(this.scene, values);
+    this.rules = new Rules(this.scene, this.#values);
     this.log = new InputLog(log);
     this.autopilot = values.autopilot;
     this.#seed = seed;
@@ -57,9 +65,20 @@ export class BlackHoleGame {
     return this.scene.dt;
   }
 
-  /** What the player does; the next step takes it. */
+  /** What the player does; the next step takes it. Who takes part in a replay plays on from there. */
   press(input: Input): void {
+    this.log.endScript();
     this.log.add(input);
+  }
+
+  /** This is an earlier game, played from its log. */
+  get isReplay(): boolean {
+    return this.log.isScripted;
+  }
+
+  /** The same game from its beginning, played from the log so far. */
+  again(): BlackHoleGame {
+    return new BlackHoleGame({ values: this.#values, seed: this.#seed, log: this.log.entries });
   }
 
   /** Two games with equal hashes go on alike. */
@@ -82,6 +101,10 @@ export class BlackHoleGame {
   }
 
   #take(input: Input): void {
+    if (isSwitch(input)) {
+      this.#turn(input);
+      return;
+    }
     if (this.isDemo) this.#endDemo();
     this.#idle = 0;
     if (input === 'redraw') {
@@ -93,6 +116,16 @@ export class BlackHoleGame {
       // The last one pressed decides, whatever else is held.
       if (this.rules.phase === 'flying') this.rules.heading = input;
     }
+  }
+
+  #turn(input: Switch): void {
+    const { rules } = this;
+    if (input === 'fuel' || input === 'no fuel') {
+      rules.options = { ...rules.options, fuel: input === 'fuel' };
+      return;
+    }
+    this.autopilot = input === 'autopilot';
+    rules.heading = undefined;
   }
 
   #fly(dt: number): void {
@@ -123,13 +156,8 @@ export function createGame(options: BlackHoleOptions): BlackHoleGame {
 
 /** Gives the running game a changed setting; false where only a new one can have it. */
 export function applyValue(sim: BlackHoleGame, name: string, values: BlackHoleValues): boolean {
-  if (name === 'autopilot') {
-    sim.autopilot = values.autopilot;
-    sim.rules.heading = undefined;
-  } else if (name === 'fuel') {
-    sim.rules.options = { ...sim.rules.options, fuel: values.fuel };
-  } else {
-    return name !== 'moving';
-  }
+  if (name === 'autopilot') sim.press(values.autopilot ? 'autopilot' : 'no autopilot');
+  else if (name === 'fuel') sim.press(values.fuel ? 'fuel' : 'no fuel');
+  else return name !== 'moving';
   return true;
 }

@@ -1,8 +1,6 @@
 /** Sparks for the eye alone: nothing in the game depends on them, so they may come from anywhere. */
 import { Container, Sprite, type Texture } from 'pixi.js';
 
-const MOST = 180;
-
 export interface Sparks {
   readonly container: Container;
   /** @param spread speed of the fastest, m/s */
@@ -10,9 +8,10 @@ export interface Sparks {
   update(seconds: number): void;
 }
 
-export function createSparks(spot: Texture): Sparks {
+/** @param most sparks at a time; later ones take the place of the first */
+export function createSparks(spot: Texture, most: number): Sparks {
   const container = new Container();
-  const sparks = Array.from({ length: MOST }, () => {
+  const sparks = Array.from({ length: most }, () => {
     const sprite = new Sprite({ texture: spot, anchor: 0.5, blendMode: 'add', visible: false });
     container.addChild(sprite);
     return { sprite, vx: 0, vy: 0, age: 0, life: 0 };
@@ -22,7 +21,7 @@ export function createSparks(spot: Texture): Sparks {
     container,
     burst(x, y, count, spread, tint, vx = 0, vy = 0) {
       for (let i = 0; i < count; i++) {
-        const spark = sparks[next++ % MOST];
+        const spark = sparks[next++ % most];
         const angle = 2 * Math.PI * Math.random();
         const speed = spread * Math.sqrt(Math.random());
         spark.vx = vx + speed * Math.cos(angle);

@@ -23,6 +23,7 @@ interface Told {
   readonly heading: string;
   readonly prize: number;
   readonly isDemo: boolean;
+  readonly isReplay: boolean;
   readonly hash: string;
   readonly log: LoggedInput<Input>[];
   readonly holes: BlackHole['holes'];
@@ -134,11 +135,52 @@ describe('playing', () => {
     const card = page.locator('.game-outcome');
     await card.waitFor({ state: 'visible' });
     expect(await card.textContent()).toContain('Game over');
-    await card.locator('button').click();
+    await card.locator('button', { hasText: 'Play again' }).click();
     expect(await told(page)).toMatchObject({ phase: 'ready', lives: 3, score: 0 });
     expect((await state(page)).seed).toBe(3);
     await frames(page);
     expect(await card.isVisible()).toBe(false);
+  });
+
+  it('a game can be watched again, to the same end, and does not count twice', async () => {
+    const page = await play('manual&seed=2');
+    await page.keyboard.press('u');
+    for (let i = 0; i < 40 && (await told(page)).phase !== 'over'; i++) {
+      await page.keyboard.press(i % 2 === 0 ? 'ArrowUp' : 'ArrowLeft');
+      await steps(page, 500);
+    }
+    const { tick } = await state(page);
+    const end = await told(page);
+    expect(end.phase).toBe('over');
+    await page.locator('.game-outcome button', { hasText: 'Watch it' }).click();
+    expect(await state(page)).toMatchObject({ tick: 0, rewound: true });
+    await steps(page, tick);
+    expect((await told(page)).hash).toBe(end.hash);
+    await frames(page);
+    expect(await page.locator('.game-outcome').textContent()).toContain('Not counted');
+    // By key, from the beginning again; and whoever pushes an arrow plays on.
+    await page.keyboard.press('z');
+    await steps(page, 1);
+    expect(await told(page)).toMatchObject({ isReplay: true });
+    await frames(page);
+    expect(await page.locator('.bh-call').textContent()).toContain('Replay');
+    await page.keyboard.down('ArrowDown');
+    await steps(page, 1);
+    expect(await told(page)).toMatchObject({ isReplay: false, heading: 'down' });
+  });
+
+  it('goes back over a fall: the life is there again, and the game does not count', async () => {
+    const page = await play('manual&seed=2');
+    await page.keyboard.press('ArrowUp');
+    for (let i = 0; i < 40 && (await told(page)).lives === 3; i++) await steps(page, 120);
+    const { holes, lives } = await told(page);
+    expect(lives).toBe(2);
+    await page.keyboard.down('b');
+    await page.waitForFunction(() => __game.state().game.lives === 3);
+    await page.keyboard.up('b');
+    const back = await told(page);
+    expect(back.holes).not.toEqual(holes);
+    expect((await state(page)).rewound).toBe(true);
   });
 
   it('any key let go cuts the thrust, the last one pressed decides', async () => {

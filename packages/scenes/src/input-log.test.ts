@@ -19,6 +19,19 @@ test('inputs wait for the next step, and play again from the log', () => {
   expect(second.entries).toEqual(first.entries);
 });
 
+test('leaves the rest of an earlier game out when told', () => {
+  const log = new InputLog([
+    { tick: 0, input: 'a' },
+    { tick: 5, input: 'b' },
+  ]);
+  const used: string[] = [];
+  log.take(0, (input) => used.push(input));
+  expect(log.isScripted).toBe(true);
+  log.endScript();
+  log.take(9, (input) => used.push(input));
+  expect([used, log.isScripted]).toEqual([['a'], false]);
+});
+
 test('forgets what was taken since a moment it is sent back to, and takes its script again', () => {
   const log = new InputLog([{ tick: 1, input: 'scripted' }]);
   const used: string[] = [];

@@ -38,6 +38,16 @@ export class InputLog<Input> {
     for (const input of this.#waiting.splice(0)) this.#use(tick, input, use);
   }
 
+  /** Whether inputs of an earlier game are still to come. */
+  get isScripted(): boolean {
+    return this.#next < this.#script.length;
+  }
+
+  /** Leaves out the rest of the earlier game. */
+  endScript(): void {
+    this.#next = this.#script.length;
+  }
+
   /** Notes what was taken so far; returns what forgets all that was taken since, as when a game goes back in time. */
   remember(): () => void {
     const count = this.#taken.length;

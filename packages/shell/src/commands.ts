@@ -7,6 +7,8 @@ export interface Actions {
   pause(): void;
   step(): void;
   reset(): void;
+  /** Plays the game again from its beginning. */
+  replay(): void;
   slow(): void;
   /** Goes back in time as long as it is on. */
   rewind(on: boolean): void;
@@ -55,7 +57,12 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
   const pressed: Record<string, () => void> = {};
   const released: Record<string, () => void> = {};
   const help: (readonly [string, string])[] = [];
-  const all = [...settingCommands(game.settings, actions), ...rendererCommands(game, actions), ...common(actions)];
+  const again: Command = { keys: ['z'], shown: 'Z', what: 'watch this game from its beginning', press: actions.replay };
+  const all = [
+    ...[...settingCommands(game.settings, actions), ...rendererCommands(game, actions)],
+    ...(game.replay === undefined ? [] : [again]),
+    ...common(actions),
+  ];
   for (const { keys, shown, what, press, release } of all) {
     const free = keys.filter((key) => !taken.has(key));
     if (free.length === 0) continue;

@@ -81,11 +81,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#plot = createPlotCard(side, () => (this.#session.started ? this.#session.sim.world : undefined));
     this.#stats = createStats(side);
     this.#profile = createProfileCard(side);
-    this.#tools = createToolsCard(side, actions);
+    this.#tools = createToolsCard(side, actions, game.replay !== undefined);
     this.#recorder = new Recorder(game.title, () => this.#refresh());
     this.#help = createHelpDialog(root, game.title, this.#commands.help);
     this.#controls = this.#listen();
-    this.#outcome = game.outcome && createOutcomeCard(this.#layout.root, game.title, () => this.#again());
+    const watch = game.replay && actions.replay;
+    this.#outcome = game.outcome && createOutcomeCard(root, game.title, () => this.#again(), watch);
     this.#views = new ViewHost(this.#stage(), `${game.title}, drawn live; press H for help`, {
       onTrouble: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#renderer)]),
       onRecovery: () => this.#banner.hide(),
@@ -146,7 +147,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const outcome = this.#game.outcome?.(sim);
     if (outcome === undefined || !rewound) this.#outcome?.show(outcome);
     else
-      this.#outcome?.show({ ...outcome, score: 0, lines: [...outcome.lines, 'Not counted: you went back in time.'] });
+      this.#outcome?.show({
+        ...outcome,
+        score: 0,
+        lines: [...outcome.lines, 'Not counted: part of it was played before.'],
+      });
   }
 
   /** What was broken in the future may be whole in the past. */
@@ -179,9 +184,15 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   }
 
   #reset(seed?: number): void {
+    this.#renew(() => this.#session.reset(seed));
+  }
+
+  /** Makes another world, and shows it. */
+  #renew(make: () => void): void {
     this.#resetWanted = false;
     this.#sinceReset = 0;
-    this.#session.reset(seed);
+    make();
+    this.#outcome?.show(undefined);
     this.#broken = false;
     this.#plot.clear();
     this.#views.view?.refresh('world');
@@ -274,6 +285,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         this.#guard(() => session.step());
       },
       reset: () => this.#guard(() => this.#reset()),
+      replay: () => {
+        this.#guard(() => this.#renew(() => session.replay()));
+        if (!this.#manual) this.#pause(false);
+        this.#views.view?.canvas.focus();
+      },
       slow: () => {
         session.speed = session.speed === 1 ? SLOW_MOTION : 1;
         this.#refresh();

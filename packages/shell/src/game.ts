@@ -83,6 +83,8 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   dress?(sim: Sim, looks: { readonly seed: number; readonly safeColors: boolean }): void;
   /** How a held body's wanted place is changed, in place, as to keep it inside a room. */
   holdLimit?(sim: Sim): HoldingOptions['limit'];
+  /** The same game from its beginning, played again from what the player did in it. */
+  replay?(sim: Sim): Sim;
   /** Notes what the game keeps outside its world; returns what puts it back when the player goes back in time. */
   remember?(sim: Sim): () => void;
   /** Contacts between bodies in the last step; undefined while the world has none to count. */

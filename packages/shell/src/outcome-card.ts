@@ -16,14 +16,24 @@ export interface OutcomeCard {
   show(outcome: Outcome | undefined): void;
 }
 
-/** @param again starts another game */
-export function createOutcomeCard(parent: HTMLElement, game: string, again: () => void): OutcomeCard {
+/** @param again starts another game @param watch plays this one again, where that can be done */
+export function createOutcomeCard(
+  parent: HTMLElement,
+  game: string,
+  again: () => void,
+  watch: (() => void) | undefined,
+): OutcomeCard {
   const scores = new HighScores(game);
   const title = element('h2', '');
   const text = element('div', '');
   const list = element('ol', '', { 'aria-label': 'High scores' });
   const button = element('button', '', { type: 'button' }, 'Play again');
   const card = element('section', 'game-outcome', { role: 'alert' }, title, text, list, button);
+  if (watch !== undefined) {
+    const replay = element('button', 'second', { type: 'button' }, 'Watch it');
+    replay.addEventListener('click', watch);
+    card.append(replay);
+  }
   card.hidden = true;
   parent.append(card);
   button.addEventListener('click', () => {

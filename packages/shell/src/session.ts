@@ -22,7 +22,7 @@ export class Session<S extends Settings, Sim extends Simulation> {
   stepTime = 0;
   /** Steps of the last frame. */
   steps = 0;
-  /** The player went back in time in this game. */
+  /** The player went back in time in this game, or watches an old one. */
   rewound = false;
   /** Bodies wear colours that everybody tells apart. */
   safeColors = false;
@@ -65,7 +65,18 @@ export class Session<S extends Settings, Sim extends Simulation> {
   /** A new world from the present seed and values. The old one stays when the new one cannot be made. */
   reset(seed = this.seed): void {
     const { values, dimensions } = this;
-    const sim = this.game.create({ values: { ...values }, seed, dimensions });
+    this.#install(this.game.create({ values: { ...values }, seed, dimensions }), seed);
+  }
+
+  /** Plays the present game again from its beginning. What comes of it is no new game. */
+  replay(): void {
+    const sim = this.game.replay?.(this.sim);
+    if (sim === undefined) return;
+    this.#install(sim, this.seed);
+    this.rewound = true;
+  }
+
+  #install(sim: Sim, seed: number): void {
     if (this.#sim !== undefined) destroyWorld(this.#sim.world);
     this.seed = seed;
     this.#sim = sim;

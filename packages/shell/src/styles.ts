@@ -82,6 +82,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-outcome li.new, .game-outcome li.new b { color: var(--accent) }
 .game-outcome button { border: 0; border-radius: 11px; padding: 9px 20px; background: var(--accent); color: #1c1503;
   font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
+.game-outcome button.second { margin-left: 10px; background: #ffffff1c; color: var(--ink) }
 .game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
 .game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }

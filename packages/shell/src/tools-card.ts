@@ -13,7 +13,8 @@ export interface ToolsCard {
   show(state: ToolsState): void;
 }
 
-export function createToolsCard(parent: HTMLElement, actions: Actions): ToolsCard {
+/** @param canReplay whether games can be watched again */
+export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay: boolean): ToolsCard {
   const card = element('section', 'game-card game-tools', { 'aria-label': 'Picture' });
   parent.append(card);
   const add = (label: string, title: string, action: () => void) => {
@@ -22,6 +23,7 @@ export function createToolsCard(parent: HTMLElement, actions: Actions): ToolsCar
     card.append(button);
     return button;
   };
+  if (canReplay) add('Replay', 'Watch this game from its beginning (Z)', actions.replay);
   add('Picture', 'The picture as a file (I)', actions.picture);
   const film = add('Film', 'Film the game (M)', actions.film);
   add('Whole screen', 'Whole screen (W)', actions.fullScreen);

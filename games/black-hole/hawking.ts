@@ -1,0 +1,30 @@
+/**
+ * The glow of the holes, after Hawking: a hole of mass M has the temperature T = ħ c³/(8π G M k) and loses the power
+ * P ∝ 1/M². Here, where masses go as radii, the smallest hole is three times as hot as the largest and sends out nine
+ * times as many sparks. For the eye alone.
+ */
+import type { HoleTable } from './sky-view.ts';
+import type { Sparks } from './sparks.ts';
+
+/** Sparks a second from a hole of `REFERENCE` metres. */
+const RATE = 80;
+const REFERENCE = 10;
+/** From hot to cool: colour of a glowing body at falling temperature. */
+const TINTS = [0xa9c8ff, 0xe8efff, 0xfff0d0, 0xffd296, 0xffa860, 0xff7d45];
+
+/** Lets every hole send out what is due in `seconds`. */
+export function glow({ values, count }: HoleTable, seconds: number, burst: Sparks['burst']): void {
+  for (let i = 0; i < count; i++) {
+    const [x, y, r] = [values[4 * i], values[4 * i + 1], values[4 * i + 2]];
+    if (!(r > 0)) continue;
+    const due = RATE * (REFERENCE / r) ** 2 * Math.min(seconds, 0.25);
+    const sparks = Math.floor(due) + (Math.random() < due % 1 ? 1 : 0);
+    const cool = Math.min(TINTS.length - 1, Math.max(0, Math.round((r / REFERENCE - 1) * 2.5)));
+    for (let s = 0; s < sparks; s++) {
+      const angle = 2 * Math.PI * Math.random();
+      const [dx, dy] = [Math.cos(angle), Math.sin(angle)];
+      const speed = 18 + 22 * Math.random();
+      burst(x + 1.1 * r * dx, y + 1.1 * r * dy, 1, 5, TINTS[cool], speed * dx, speed * dy);
+    }
+  }
+}
