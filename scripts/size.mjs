@@ -1,12 +1,14 @@
 /**
  * What the physics costs a game: minified and gzipped, both precisions in it, bitECS left out. A game carries what it
- * imports; the lists below are what typical games do.
+ * imports; the lists below are what typical games do. Then what each game's own code weighs: its files and its scene,
+ * beside the packages that all games share.
  */
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
 import { buildKernels } from './build-kernels.mjs';
 import { bundleOptions } from './lib/bundle.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
+import { gameNames } from './lib/site-pages.mjs';
 
 const particles = `createPhysicsWorld destroyWorld spawn spawnMany despawn step createRunner entityRef isAlive resolve
   bodies rgba PhysicsError on startProfile energy momentum angularMomentum centreOfMass stateHash uniformGravity linearDrag
@@ -22,6 +24,18 @@ const bundles = [
   { name: 'everything', imports: '*', limit: 160 },
 ];
 
+/** Limit of a game's own code, KB gzipped. */
+const GAME_LIMIT = 40;
+const SHARED = [
+  '@principia/physics',
+  '@principia/render-*',
+  '@principia/shell',
+  'bitecs',
+  'pixi.js',
+  'three',
+  'three/*',
+];
+
 try {
   await buildKernels();
   process.stdout.write(`${['', 'minified', 'gzip', 'brotli', 'limit'].map(cell).join('')}\n`);
@@ -32,7 +46,14 @@ try {
     if (size.gzip > limit * 1024)
       tooLarge.push(`${name} weighs ${kilobytes(size.gzip)} gzipped, its limit is ${limit} KB`);
   }
-  if (tooLarge.length > 0) throw new Error(`The physics package grew: ${tooLarge.join('; ')}.`);
+  for (const name of gameNames()) {
+    const size = await measureGame(name);
+    process.stdout.write(`${row(name, { ...size, limit: GAME_LIMIT * 1024 })}\n`);
+    if (size.gzip > GAME_LIMIT * 1024) {
+      tooLarge.push(`the game ${name} weighs ${kilobytes(size.gzip)} gzipped, its limit is ${GAME_LIMIT} KB`);
+    }
+  }
+  if (tooLarge.length > 0) throw new Error(`Something grew: ${tooLarge.join('; ')}.`);
 } catch (error) {
   await reportFailure(error);
 }
@@ -45,11 +66,28 @@ async function measure(imports) {
     stdin: { contents: `export ${names} from './packages/physics/src/index.ts';`, resolveDir: '.', loader: 'ts' },
     write: false,
   });
-  const code = outputFiles[0].contents;
+  return sizeOf(outputFiles);
+}
+
+/** @param {string} name of a game */
+async function measureGame(name) {
+  const { outputFiles } = await build({
+    ...bundleOptions({ minify: true, sourcemap: false, external: SHARED, splitting: true }),
+    entryPoints: [`games/${name}/main.ts`],
+    outdir: 'dist/size',
+    write: false,
+  });
+  return sizeOf(outputFiles);
+}
+
+/** @param {readonly import('esbuild').OutputFile[]} files */
+function sizeOf(files) {
+  const sum = (/** @type {(code: Uint8Array) => number} */ measured) =>
+    files.reduce((total, { contents }) => total + measured(contents), 0);
   return {
-    minified: code.length,
-    gzip: gzipSync(code, { level: 9 }).length,
-    brotli: brotliCompressSync(code).length,
+    minified: sum((code) => code.length),
+    gzip: sum((code) => gzipSync(code, { level: 9 }).length),
+    brotli: sum((code) => brotliCompressSync(code).length),
   };
 }
 

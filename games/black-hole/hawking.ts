@@ -24,7 +24,16 @@ export function glow({ values, count }: HoleTable, seconds: number, burst: Spark
       const angle = 2 * Math.PI * Math.random();
       const [dx, dy] = [Math.cos(angle), Math.sin(angle)];
       const speed = 18 + 22 * Math.random();
-      burst(x + 1.1 * r * dx, y + 1.1 * r * dy, 1, 5, TINTS[cool], speed * dx, speed * dy);
+      const [fromX, fromY] = [x + 1.1 * r * dx, y + 1.1 * r * dy];
+      if (!isSwallowed(values, count, fromX, fromY)) burst(fromX, fromY, 1, 5, TINTS[cool], speed * dx, speed * dy);
     }
   }
+}
+
+/** What comes out of one hole may lie within another. */
+function isSwallowed(values: Float32Array, count: number, x: number, y: number): boolean {
+  for (let i = 0; i < count; i++) {
+    if (Math.hypot(values[4 * i] - x, values[4 * i + 1] - y) < values[4 * i + 2]) return true;
+  }
+  return false;
 }

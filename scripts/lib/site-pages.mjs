@@ -44,8 +44,11 @@ export function frontPage() {
     const html = gamePage(name);
     const title = html.match(/<title>([^<]*)<\/title>/i)?.[1].trim() || name;
     const about = html.match(/<meta\s+name="description"\s+content="([^"]*)"/i)?.[1];
-    const picture = gamePicture(name) ? `<img src="./${name}/picture.png" alt="">` : '';
-    return `<li><a href="./${name}/">${picture}<b>${title}</b></a>${about ? ` <span>${about}</span>` : ''}</li>`;
+    const picture = gamePicture(name)
+      ? `<img src="./${name}/picture.png" alt="" width="880" height="550" decoding="async">`
+      : '';
+    const address = `./${name}/index.html`;
+    return `<li><a href="${address}">${picture}<b>${title}</b></a>${about ? ` <span>${about}</span>` : ''}</li>`;
   });
   const list = items.length > 0 ? `<ul class="games">\n${items.join('\n')}\n</ul>` : '<p>There is no game yet.</p>';
   return template.replace('<!-- games -->', list);

@@ -343,6 +343,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #createHook(): GameHook {
     const session = this.#session;
     return {
+      renderers: Object.keys(this.#game.renderers),
       state: () => ({
         ...sessionState(session),
         ...{ calm: this.#preferences.calm, filming: this.#recorder.filming },

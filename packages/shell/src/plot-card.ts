@@ -49,23 +49,30 @@ export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | 
   const names = element('span', '');
   const card = element('section', 'game-card', { 'aria-label': 'Plot' }, element('h2', '', {}, choice, names), which);
   parent.append(card);
-  const state = { safe: false, source: energySource as PlotSource, stale: false };
+  const state = { safe: false, source: energySource as PlotSource, stale: false, shown: '' };
   let history = new SeriesHistory(3, SAMPLES, INTERVAL);
   let values = new Float64Array(3);
   let plot: uPlot | undefined;
   /** Shows what the controls say, from now on. */
   const show = () => {
+    const before = state.shown;
     which.hidden = choice.value !== 'Column';
     if (!which.hidden) fillColumns(column, world());
     state.source = sourceOf(choice.value, column.value, Number(body.value), world());
     const { series } = state.source;
+    state.shown = [state.safe, state.source.unit, ...series].join();
+    state.stale = true;
+    // A world like the last one keeps the plot: making one costs more than clearing it.
+    if (state.shown === before) {
+      history.clear();
+      return;
+    }
     history = new SeriesHistory(series.length, SAMPLES, INTERVAL);
     values = new Float64Array(series.length);
     const colors = state.safe ? SAFE : COLORS;
     names.replaceChildren(...series.map((name, i) => element('i', '', { style: `--mark: ${colors[i]}` }, name)));
     plot?.destroy();
     plot = new uPlot(plotOptions(state.source, colors), history.data(), card);
-    state.stale = true;
   };
   for (const control of [choice, column, body]) control.addEventListener('change', show);
   show();

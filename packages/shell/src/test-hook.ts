@@ -49,6 +49,8 @@ export interface GameState {
 
 /** `globalThis.__game`: how tests, and curious people in the console, work a game. */
 export interface GameHook {
+  /** Names of the game's renderers. */
+  readonly renderers: readonly string[];
   state(): GameState;
   /** Body number `index` in ascending order of ids. */
   body(index: number): BodyState;

@@ -1,0 +1,101 @@
+/**
+ * Plays the games for minutes and looks for leaks: what they hold after garbage was collected must stop growing.
+ *
+ * `npm run leaks -- [--minutes 10] [--game black-hole]`. `CHROMIUM` names the browser.
+ */
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { chromium } from 'playwright-core';
+import { countInPage, objectsOf, playRound, takeCounts } from './lib/leak-watch.mjs';
+import { reportFailure } from './lib/report-failure.mjs';
+import { writeSite } from './lib/site-build.mjs';
+import { gameNames } from './lib/site-pages.mjs';
+import { serveFiles } from './lib/static-server.mjs';
+
+const { values } = parseArgs({
+  options: { minutes: { type: 'string', default: '10' }, game: { type: 'string', multiple: true } },
+});
+/** Rounds before the first count: caches and compilers fill. */
+const WARM = 5;
+/** Heap that may come and go: compiled code, feedback of the compiler, strings. */
+const SLACK = 3e6;
+
+const folder = mkdtempSync(join(tmpdir(), 'principia-leaks-'));
+try {
+  await writeSite(folder);
+  const server = await serveFiles({ find: (path) => readIfThere(join(folder, path)) });
+  const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+  const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+  const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
+  // The first game of the tour has no shell, and nothing to work it by.
+  const names = values.game ?? gameNames().filter((name) => name !== 'first-game');
+  const leaks = [];
+  for (const name of names) leaks.push(...(await watch(browser, `${server.url}${name}/`, name)));
+  await browser.close();
+  await server.close();
+  if (leaks.length > 0) throw new Error(`There are leaks: ${leaks.join('; ')}.`);
+  process.stdout.write('No leak.\n');
+} catch (error) {
+  await reportFailure(error);
+} finally {
+  rmSync(folder, { recursive: true, force: true });
+}
+
+/**
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} url
+ * @param {string} name
+ */
+async function watch(browser, url, name) {
+  const page = await browser.newPage({ viewport: { width: 640, height: 420 } });
+  await page.addInitScript(countInPage);
+  const session = await page.context().newCDPSession(page);
+  await page.goto(`${url}?manual`);
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).__game?.state().ready);
+  for (let round = 0; round < WARM; round++) await playRound(page, round);
+  const first = await takeCounts(page, session);
+  process.stdout.write(`${name}\n${line(0, 0, first)}`);
+  const start = performance.now();
+  const length = Number(values.minutes) * 60_000;
+  let last = first;
+  for (let round = WARM, shown = start; performance.now() - start < length; round++) {
+    await playRound(page, round);
+    if (performance.now() - shown < Math.min(30_000, length / 4)) continue;
+    shown = performance.now();
+    last = await takeCounts(page, session);
+    process.stdout.write(line((shown - start) / 1000, round, last));
+  }
+  await page.close();
+  const grown = (/** @type {'nodes' | 'listeners' | 'contexts' | 'memories'} */ what) => last[what] > first[what];
+  return [
+    ...(last.heap > first.heap + SLACK ? [`the heap of ${name} grew by ${last.heap - first.heap} bytes`] : []),
+    ...(objectsOf(last) > objectsOf(first) ? [`graphics objects of ${name} grew`] : []),
+    ...(grown('nodes') ? [`DOM nodes of ${name} grew`] : []),
+    ...(grown('listeners') ? [`listeners of ${name} grew`] : []),
+    ...(grown('contexts') ? [`contexts of ${name} grew`] : []),
+    ...(grown('memories') ? [`worlds of ${name} stay`] : []),
+  ];
+}
+
+/**
+ * @param {number} seconds
+ * @param {number} rounds
+ * @param {import('./lib/leak-watch.mjs').Counts} counts
+ */
+function line(seconds, rounds, counts) {
+  const { heap, nodes, listeners, contexts, memories } = counts;
+  const words = [`${seconds.toFixed(0)} s`, `${rounds} rounds`, `${(heap / 1e6).toFixed(2)} MB`];
+  words.push(`${objectsOf(counts)} graphics objects`, `${contexts} contexts`, `${memories} worlds`);
+  return `  ${[...words, `${nodes} nodes`, `${listeners} listeners`].join(', ')}\n`;
+}
+
+/** @param {string} file */
+function readIfThere(file) {
+  try {
+    return readFileSync(file);
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,42 @@
+/** The games as a static site: files that any web server serves from any folder, with no other address in them. */
+import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { build } from 'esbuild';
+import { siteOptions } from './site-bundle.mjs';
+import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
+
+/** Browsers run no modules that lie in a folder without a server: then the page says what to do. */
+const fromDisk = `<script>
+if (location.protocol === 'file:') {
+  addEventListener('DOMContentLoaded', function () {
+    var note = document.createElement('p');
+    note.setAttribute('role', 'alert');
+    note.style.cssText = 'position:fixed;left:0;right:0;bottom:0;margin:0;padding:14px 18px;background:#30142b;color:#ffdfe3;font:15px/1.5 system-ui,sans-serif;z-index:9';
+    note.textContent = 'Browsers do not run games straight from a folder. Serve the folder of this site, as with “npx serve” or “python3 -m http.server”, and open the address it prints.';
+    document.body.appendChild(note);
+  });
+}
+</script>`;
+
+/**
+ * Writes the site; what was in the folder goes.
+ * @param {string} folder
+ * @returns {Promise<number>} how many games it has
+ */
+export async function writeSite(folder) {
+  const names = gameNames();
+  rmSync(folder, { recursive: true, force: true });
+  await build(siteOptions({ minify: true, outdir: folder }));
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(`${folder}/index.html`, withNote(frontPage()));
+  for (const name of names) {
+    writeFileSync(`${folder}/${name}/index.html`, withNote(gamePage(name)));
+    const picture = gamePicture(name);
+    if (picture) writeFileSync(`${folder}/${name}/picture.png`, picture);
+  }
+  return names.length;
+}
+
+/** @param {string} html */
+function withNote(html) {
+  return html.replace('</head>', `${fromDisk}\n</head>`);
+}

@@ -1,0 +1,48 @@
+/** What games hold must not grow, whatever is done to them: the short form of `npm run leaks`. */
+import { readFileSync } from 'node:fs';
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { countInPage, objectsOf, playRound, takeCounts } from '../../scripts/lib/leak-watch.mjs';
+import { launchChromium } from '../support/chromium.ts';
+import { servePage } from '../support/page.ts';
+
+let browser: Browser;
+
+beforeAll(async () => {
+  browser = await launchChromium();
+});
+
+afterAll(() => browser?.close());
+
+/** Rounds until caches are full, and then as many as make a minute of the game's time. */
+const WARM = 4;
+const ROUNDS = 15;
+/** Code that the browser compiles anew, and what it learns of it, comes and goes. */
+const SLACK = 3e6;
+
+it.each(['bouncing-balls', 'black-hole'])('%s lets go of what it no longer needs', async (game) => {
+  const html = readFileSync(`games/${game}/index.html`, 'utf8');
+  const served = await servePage(`games/${game}/main.ts`, { html });
+  const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
+  await page.addInitScript(countInPage);
+  const session = await page.context().newCDPSession(page);
+  await page.goto(`${served.url}?manual`);
+  await page.waitForFunction(() => globalThis.__game?.state().ready);
+  for (let round = 0; round < WARM; round++) await playRound(page, round);
+  const before = await takeCounts(page, session);
+  for (let round = WARM; round < WARM + ROUNDS; round++) await playRound(page, round);
+  const after = await takeCounts(page, session);
+  await page.close();
+  await served.close();
+  const { contexts, memories, nodes, listeners } = after;
+  expect(before.contexts).toBeGreaterThan(0);
+  expect(objectsOf(before)).toBeGreaterThan(10);
+  expect(objectsOf(after)).toBeLessThanOrEqual(objectsOf(before));
+  expect({ contexts, memories, nodes, listeners }).toEqual({
+    contexts: before.contexts,
+    memories: before.memories,
+    nodes: before.nodes,
+    listeners: before.listeners,
+  });
+  expect(after.heap).toBeLessThan(before.heap + SLACK);
+});

@@ -1,0 +1,121 @@
+/** The static site as `npm run build` writes it: in a folder below another, without the internet, every game played. */
+import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { writeSite } from '../../scripts/lib/site-build.mjs';
+import { gameNames } from '../../scripts/lib/site-pages.mjs';
+import { type RunningServer, serveFiles } from '../../scripts/lib/static-server.mjs';
+import { launchChromium } from '../support/chromium.ts';
+
+const PREFIX = '/some/sub/path';
+
+const names = gameNames();
+let folder: string;
+let server: RunningServer;
+let browser: Browser;
+let home: string;
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'principia-site-'));
+  await writeSite(folder);
+  server = await serveFiles({
+    find(path) {
+      const file = join(folder, path.slice(PREFIX.length));
+      const isThere = path.startsWith(`${PREFIX}/`) && existsSync(file) && statSync(file).isFile();
+      return isThere ? readFileSync(file) : undefined;
+    },
+  });
+  home = `${server.url.slice(0, -1)}${PREFIX}/`;
+  browser = await launchChromium();
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await server?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** A page for which there is nothing but the folder; `trouble` fills with what goes wrong. */
+async function openHome(options: Parameters<Browser['newContext']>[0] = {}) {
+  const context = await browser.newContext({ viewport: { width: 800, height: 600 }, ...options });
+  const trouble: string[] = [];
+  await context.route('**/*', (route) => {
+    const url = route.request().url();
+    if (url.startsWith(home)) return route.continue();
+    trouble.push(`asked for ${url}`);
+    return route.abort();
+  });
+  const page = await context.newPage();
+  page.on('pageerror', (error) => trouble.push(error.stack ?? error.message));
+  page.on('requestfailed', (request) => trouble.push(`failed: ${request.url()}`));
+  page.on(
+    'response',
+    (response) => response.status() >= 400 && trouble.push(`${response.status()}: ${response.url()}`),
+  );
+  await page.goto(home);
+  return { context, page, trouble };
+}
+
+/** The canvas the game draws on; the shell's plot has one of its own. */
+const stage = (page: Page) => page.locator('.game-stage canvas, body > canvas');
+
+/** Two pictures of the canvas that differ show that something moves. */
+async function moves(page: Page): Promise<boolean> {
+  const canvas = stage(page);
+  const before = await canvas.screenshot();
+  for (let i = 0; i < 20; i++) {
+    await page.waitForTimeout(100);
+    if (!(await canvas.screenshot()).equals(before)) return true;
+  }
+  return false;
+}
+
+it('shows a picture of every game, on a phone too', async () => {
+  const phone = { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true };
+  const { context, page, trouble } = await openHome(phone);
+  const pictures = await page
+    .locator('.games img')
+    .evaluateAll((images) =>
+      (images as HTMLImageElement[]).map(({ naturalWidth, clientWidth }) => [naturalWidth > 0, clientWidth > 300]),
+    );
+  expect(pictures).toEqual(names.map(() => [true, true]));
+  // Nothing sticks out to the right.
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
+  expect(trouble).toEqual([]);
+  await context.close();
+});
+
+it.each(names)('plays %s from a folder below another, without the internet', async (name) => {
+  const { context, page, trouble } = await openHome();
+  await page.locator(`.games a[href*="/${name}/"]`).click();
+  await stage(page).waitFor();
+  await page.waitForLoadState('load');
+  await page.keyboard.press('ArrowUp');
+  await page
+    .locator('canvas')
+    .first()
+    .click({ position: { x: 200, y: 300 } });
+  expect(await moves(page)).toBe(true);
+  expect(trouble).toEqual([]);
+  await context.close();
+});
+
+it('says how to serve it when it is opened straight from the folder', async () => {
+  const context: BrowserContext = await browser.newContext();
+  const page = await context.newPage();
+  for (const file of ['index.html', `${names[0]}/index.html`]) {
+    await page.goto(pathToFileURL(join(folder, file)).href);
+    expect(await page.locator('[role=alert]').first().textContent()).toContain('Serve the folder');
+  }
+  await context.close();
+});
+
+it('has no address of another place in it', () => {
+  const html = ['index.html', ...names.map((name) => `${name}/index.html`)].map((file) =>
+    readFileSync(join(folder, file), 'utf8'),
+  );
+  for (const page of html) expect(page).not.toMatch(/(?:src|href)="(?:https?:)?\//);
+});
