@@ -36,6 +36,15 @@ test('parameters of the scene are options', () => {
   expect(() => run('nbody-tree', '--falloff', '1.5')).toThrow('--falloff must be a whole number from 1 to 2');
 });
 
+test('counts to measure the growth at are two numbers, and precision is the scene’s own', () => {
+  expect(run('nbody-tree', '--scaling', '1e4-1e6').scaling).toEqual([10_000, 32_000, 100_000, 320_000, 1_000_000]);
+  expect(run('nbody-tree').scaling).toBeUndefined();
+  expect(run('solar-system').precision).toBe('f64');
+  for (const text of ['1e4', '5-3', '1e4-9e9', '1-2-3', 'a-b']) {
+    expect(() => run('nbody-tree', '--scaling', text)).toThrow(/--scaling must be two counts such as 2-4000000/);
+  }
+});
+
 test('a short run has a short warm-up', () => {
   expect(run('particles', '--steps', '5').warmup).toBe(1);
   expect(run('particles', '--steps', '1').warmup).toBe(0);

@@ -4,6 +4,7 @@ import { parseArgs } from 'node:util';
 import { INTEGRATORS, type IntegratorName, type Precision } from '@principia/physics';
 import { findScene, SCENES, type Scene, type SceneParameter } from '@principia/scenes';
 import { peersOf } from './peers/all';
+import { countsBetween } from './scaling';
 
 /** What the command line asks for. */
 export type Request = { readonly kind: 'help' } | { readonly kind: 'list' } | RunRequest;
@@ -21,6 +22,8 @@ export interface RunRequest {
   /** Undefined for the scene's own. */
   readonly integrator: IntegratorName | undefined;
   readonly peers: boolean;
+  /** Counts at which the cost of a step is measured as well; undefined for none. */
+  readonly scaling: readonly number[] | undefined;
   readonly json: string | undefined;
   readonly html: string | undefined;
   /** The scene's own parameters that were given. */
@@ -39,6 +42,7 @@ const OPTIONS = {
   seed: { type: 'string' },
   integrator: { type: 'string' },
   peers: { type: 'boolean' },
+  scaling: { type: 'string' },
   json: { type: 'string' },
   html: { type: 'string' },
   list: { type: 'boolean' },
@@ -81,10 +85,11 @@ export function readArguments(args: readonly string[]): Request {
     steps,
     warmup,
     dimensions: choice('dimensions', values.dimensions ?? '2', ['2', '3']) === '2' ? 2 : 3,
-    precision: choice('precision', values.precision ?? 'f32', ['f32', 'f64']),
+    precision: choice('precision', values.precision ?? scene.precision, ['f32', 'f64']),
     seed: wholeNumber('seed', values.seed, 1, 0, Number.MAX_SAFE_INTEGER),
     integrator: values.integrator === undefined ? undefined : choice('integrator', values.integrator, integratorNames),
     peers,
+    scaling: scalingOf(scene, values.scaling),
     json: outputFile('json', values.json),
     html: outputFile('html', values.html),
     parameters: parametersOf(scene, values as Record<string, unknown>),
@@ -141,6 +146,17 @@ function wholeNumber(option: string, text: string | undefined, initial: number, 
   throw new ArgumentError(`--${option} must be a whole number from ${min} to ${max}, not "${text ?? value}".`);
 }
 
+/** The counts of FROM-TO. */
+function scalingOf({ parameters: { count } }: Scene, text: string | undefined): number[] | undefined {
+  if (text === undefined) return undefined;
+  const [from, to, ...more] = text.split('-').map((part) => (/^\d+(e\d+)?$/.test(part) ? Number(part) : Number.NaN));
+  if (from >= Math.max(2, count.min) && to > from && to <= count.max && more.length === 0)
+    return countsBetween(from, to);
+  throw new ArgumentError(
+    `--scaling must be two counts such as ${Math.max(2, count.min)}-${count.max}, within these, not "${text}".`,
+  );
+}
+
 function choice<const T extends string>(option: string, value: string, choices: readonly T[]): T {
   if ((choices as readonly string[]).includes(value)) return value as T;
   throw new ArgumentError(`--${option} must be ${choices.join(' or ')}, not "${value}".`);
@@ -174,10 +190,11 @@ Options
   --steps N           steps in all (200); the state after them is what the hash is of
   --warmup N          the first N of them are not timed (20, or a fifth of the steps)
   --dimensions 2|3    (2)
-  --precision f32|f64 type of every column (f32)
+  --precision f32|f64 type of every column (the scene's own)
   --seed S            equal seeds give equal states (1)
   --integrator NAME   the scheme, such as rungeKutta4 (the scene's own)
   --peers             measure other ways to do the same work, step by step in turn with ours
+  --scaling FROM-TO   measure at counts from 1e4 to 1e6, say, too: how the cost grows
   --json FILE         write the result as JSON
   --html FILE         write a report that opens in any browser, offline
   --list              list the scenes

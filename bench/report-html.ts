@@ -5,6 +5,8 @@ import { REPORT_STYLE } from './report-style';
 import { mega, ms } from './report-table';
 import type { Result } from './result';
 import type { Outcome } from './run-bench';
+import { growthOf } from './scaling';
+import { scalingChart } from './scaling-chart';
 
 export function reportHtml({ result, series }: Outcome, scene: Scene): string {
   const { scene: name, count, dimensions, precision } = result;
@@ -22,6 +24,7 @@ export function reportHtml({ result, series }: Outcome, scene: Scene): string {
       stackChart(result.profile),
     ),
     peersSection(result),
+    scalingSection(result),
     creationSection(result),
     section('Parameters', escapeHtml(scene.description), parametersTable(result, scene)),
     section('Run', '', runTable(result)),
@@ -77,6 +80,12 @@ function peersSection({ peers, msPerStep }: Result): string {
   return section('Beside us', about, barsChart(rows));
 }
 
+function scalingSection({ scene, scaling }: Result): string {
+  if (scaling.length === 0) return '';
+  const about = `The median of a few steps at other counts. It grows as N^${growthOf(scaling).toFixed(2)}.`;
+  return section('Cost by count', about, scalingChart([{ name: scene, points: scaling }]));
+}
+
 function creationSection({ create, count }: Result): string {
   if (create.peers.length === 0) return '';
   const rows = [{ name: 'this framework', ms: create.ms, bytes: create.bytes }, ...create.peers].map((row) => ({
@@ -97,12 +106,15 @@ function parametersTable(result: Result, scene: Scene): string {
 }
 
 function runTable(result: Result): string {
-  const { machine, energyDrift, energyNote } = result;
+  const { machine, energyDrift, energyNote, rmsForceError } = result;
+  const error: [string, string, string][] =
+    rmsForceError === null ? [] : [['force error', rmsForceError.toExponential(2), 'RMS, relative to the direct sum']];
   return table([
     ['steps', `${result.steps}`, `${result.warmup} of them warm-up`],
     ['seed', `${result.seed}`, ''],
     ['state hash', result.hash, 'of the state after all steps; equal on every machine'],
     ['energy drift', energyDrift === null ? 'not constant' : energyDrift.toExponential(2), energyNote ?? ''],
+    ...error,
     ['date', result.date.slice(0, 16).replace('T', ' '), 'UTC'],
     ['machine', `Node ${machine.node}`, `${machine.cpu}, ${machine.cores} cores, ${machine.platform}`],
   ]);

@@ -1,4 +1,5 @@
 import type { Result } from './result';
+import { growthOf } from './scaling';
 
 /** The result as lines for a terminal. */
 export function resultTable(result: Result): string {
@@ -20,7 +21,15 @@ export function resultTable(result: Result): string {
     ...forceError(result),
     ['hash', result.hash],
   ];
-  return [title(result), '', ...aligned(rows), '', ...profileLines(result), ...peerLines(result)].join('\n');
+  return [
+    title(result),
+    '',
+    ...aligned(rows),
+    '',
+    ...profileLines(result),
+    ...peerLines(result),
+    ...scalingLines(result),
+  ].join('\n');
 }
 
 /** A line where forces are approximated. */
@@ -55,6 +64,16 @@ function profileLines({ profile }: Result): string[] {
     ];
   });
   return ['  phases', ...aligned(rows).map((line) => `  ${line}`)];
+}
+
+function scalingLines({ scaling }: Result): string[] {
+  if (scaling.length === 0) return [];
+  const rows = scaling.map(({ count, msPerStep, rmsForceError }): [string, string] => [
+    count.toLocaleString('en'),
+    `${ms(msPerStep).padStart(11)}${rmsForceError === null ? '' : `  force error ${rmsForceError.toExponential(1)}`}`,
+  ]);
+  const lines = aligned(rows).map((line) => `  ${line}`);
+  return [`  cost by count: it grows as N^${growthOf(scaling).toFixed(2)}`, ...lines];
 }
 
 function peerLines({ peers, msPerStep }: Result): string[] {

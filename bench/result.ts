@@ -1,6 +1,8 @@
 import { cpus } from 'node:os';
+import type { PhysicsWorld } from '@principia/physics';
 import type { RunRequest } from './arguments';
 import type { Creation } from './creation';
+import type { ScalingPoint } from './scaling';
 import type { Summary } from './statistics';
 
 /** What a run of the bench found; `--json` writes it as it stands. Times in milliseconds unless named otherwise. */
@@ -26,6 +28,8 @@ export interface Result {
   /** Milliseconds a step spends in each phase. */
   readonly profile: Readonly<Record<string, number>>;
   readonly peers: readonly PeerResult[];
+  /** The cost at other counts; empty unless asked for. */
+  readonly scaling: readonly ScalingPoint[];
   readonly create: Creation;
   readonly garbageBytesPerStep: number;
   readonly warmup: number;
@@ -59,7 +63,7 @@ export function thisMachine(): Machine {
   return { node: version, platform: `${platform} ${arch}`, cpu: all[0]?.model.trim() ?? '', cores: all.length };
 }
 
-/** What the request says, as the result repeats it. */
-export function echo({ scene, count, steps, warmup, dimensions, precision, seed }: RunRequest) {
+/** What the request says, as the result repeats it, and what the scene made of it: some are always in space. */
+export function echo({ scene, count, steps, warmup, seed }: RunRequest, { dimensions, precision }: PhysicsWorld) {
   return { scene: scene.name, count, steps, warmup, dimensions, precision, seed };
 }

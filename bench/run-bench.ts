@@ -8,6 +8,7 @@ import { garbageBytesPerStep } from './memory';
 import { peersOf } from './peers/all';
 import { startProgress } from './progress';
 import { echo, type Result, thisMachine } from './result';
+import { measureScaling, type ScalingPoint } from './scaling';
 import { summarise } from './statistics';
 
 /** The result, and every timed step of ours for the report. */
@@ -20,8 +21,8 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
   const { scene, count, dimensions, precision, seed, steps, warmup, parameters } = request;
   const scheme = request.integrator === undefined ? {} : { integrator: INTEGRATORS[request.integrator].create() };
   const making = startProgress('creating', count);
-  const create = () =>
-    scene.create({ count, dimensions, precision, seed, progress: making.update, ...scheme, ...parameters });
+  const options = { dimensions, precision, seed, ...scheme, ...parameters };
+  const create = () => scene.create({ ...options, count, progress: making.update });
   const { creation, run } = measureCreation(create, count, request.peers);
   making.end();
   const advance = stepOf(run);
@@ -40,7 +41,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
   const drift = (energy(run.world).total - energyBefore) / Math.abs(energyBefore);
   const ours = summarise(measured.ours);
   const result: Result = {
-    ...echo(request),
+    ...echo(request, run.world),
     msPerStep: ours,
     nsPerBodyStep: (ours.median * 1e6) / count,
     createMs: creation.ms,
@@ -53,11 +54,19 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     garbageBytesPerStep: garbageBytesPerStep(advance),
     profile: phaseTimes(run, advance),
     peers: measured.peers.map(({ name, ratio }) => ({ name, msPerStep: ratio * ours.median, ratio })),
+    scaling: scalingAt(request.scaling ?? [], (some) => scene.create({ ...options, count: some })),
     create: creation,
     date: new Date().toISOString(),
     machine: thisMachine(),
   };
   return { result, series: measured.ours };
+}
+
+function scalingAt(counts: readonly number[], create: (count: number) => SceneRun): ScalingPoint[] {
+  const scaling = startProgress('scaling', counts.length);
+  const points = measureScaling(create, counts, stepOf, scaling.update);
+  scaling.end();
+  return points;
 }
 
 function stepOf({ world, dt, advance }: SceneRun): () => void {

@@ -66,6 +66,8 @@ export interface SceneSpec<Name extends string, Run extends SceneRun = SceneRun>
 export interface Scene<Name extends string = never, Run extends SceneRun = SceneRun> {
   readonly name: string;
   readonly description: string;
+  /** The precision it is made in when none is given. */
+  readonly precision: Precision;
   readonly parameters: Readonly<Record<Name | 'count', SceneParameter>>;
   /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
   create(options?: SceneOptions & { readonly [Parameter in Name]?: number }): Run;
@@ -79,6 +81,7 @@ export function defineScene<Name extends string, Run extends SceneRun>(spec: Sce
   return {
     name: spec.name,
     description: spec.description,
+    precision: spec.precision ?? 'f64',
     parameters: spec.parameters,
     create(options = {}) {
       const given = options as Record<string, unknown>;

@@ -66,12 +66,12 @@ function treeForces(w: NBody, dimensions: i32, law: i32, signed: bool): void {
 // grows more slowly than the tolerance, roughly as its 2/3 power, so a step down goes further than the ratio. The aim
 // is below what was asked for, because the bodies that are not looked at have rare close pairs among them.
 function correct(w: NBody, wanted: f64): bool {
-  const ratio = (0.74 * wanted) / max<f64>(w.error, 1e-300);
-  if (w.error > 0.9 * wanted) {
+  const ratio = (0.62 * wanted) / max<f64>(w.error, 1e-300);
+  if (w.error > 0.78 * wanted) {
     w.tolerance *= max<f64>(ratio * sqrt<f64>(ratio), 0.02);
     return true;
   }
-  if (w.error < 0.66 * wanted) w.tolerance = min<f64>(w.tolerance * min<f64>(ratio, 2), 100);
+  if (w.error < 0.54 * wanted) w.tolerance = min<f64>(w.tolerance * min<f64>(ratio, 2), 100);
   return false;
 }
 
