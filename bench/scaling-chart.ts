@@ -39,6 +39,7 @@ export function scalingChart(lines: readonly ScalingLine[]): string {
 ${dots.join('')}${label(x(end.count) + 10, y(end.msPerStep) + 4, name, 'start', colour)}`;
   });
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" font-family="system-ui, Helvetica, Arial, sans-serif" font-size="12">
+<title>Time of a step by the number of bodies</title>
 ${grid.join('\n')}
 <polyline fill="none" stroke="#98a2b3" stroke-width="1.5" stroke-dasharray="6 5" points="${guide.join(' ')}"><title>N log N</title></polyline>
 ${label(RIGHT + 10, BOTTOM, 'dashed: N log N', 'start')}
