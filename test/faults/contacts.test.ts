@@ -118,6 +118,29 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     expect(world.faults.faults).toEqual([]);
   });
 
+  it('69 contacts beyond the room for them are counted, not dropped silently; a larger arena holds them all', () => {
+    // Every two of 129 bodies in one place touch: the most neighbours that are looked for are 128.
+    const pairs = (129 * 128) / 2;
+    const crowd = (arenaBytes: number) => {
+      const world = space({ ...kind, capacity: 129, arenaBytes });
+      const ids = spawnMany(world, 129, { position: {}, velocity: {}, mass: 1, collider: 0.1 });
+      step(world, DT);
+      return { world, ids, found: contacts(world) };
+    };
+    const { world, ids, found } = crowd(2 ** 19);
+    expect(contactCapacity(world)).toBeLessThan(pairs);
+    expect(found.count).toBe(contactCapacity(world));
+    expect(found.count + found.lost).toBe(pairs);
+    const roomy = crowd(2 ** 23).found;
+    expect([roomy.count, roomy.lost]).toEqual([pairs, 0]);
+    // Where some are left out the others still come apart, until there is room for all.
+    steps(world, 600);
+    expect(found.lost).toBe(0);
+    expect(allFinite(world)).toBe(true);
+    expect(world.faults.faults).toEqual([]);
+    expect(topSpeed(world, ids)).toBeLessThan(3);
+  });
+
   it('88 a hundred coincident bodies come apart below 3 m/s', () => {
     const world = space({ ...kind, capacity: 100 });
     const ids = spawnMany(world, 100, { position: {}, velocity: {}, mass: 1, collider: 0.1 });

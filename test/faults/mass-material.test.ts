@@ -1,4 +1,4 @@
-import { type BodyInput, boxWalls, energy, spawn, step } from '@principia/physics';
+import { type BodyInput, ballMass, boxWalls, discMass, energy, spawn, step } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
 import { describe, expect, it } from 'vitest';
 import {
@@ -52,6 +52,22 @@ describe.each(KINDS)('mass and material, $dimensions D $precision', (kind) => {
     steps(world, 10);
     expect(world.components.Position.y[eid]).toBe(7);
     expect(Number.isFinite(energy(world).total)).toBe(true);
+    assertWorldAlive(world);
+  });
+
+  it.each([
+    [NaN, 'E_NONFINITE'],
+    [Infinity, 'E_NONFINITE'],
+    [0, 'E_RANGE'],
+    [-1000, 'E_RANGE'],
+  ])('27 a body of density %d is refused before it exists', (density, code) => {
+    const massOf = kind.dimensions === 2 ? discMass : ballMass;
+    const world = groundWorld(kind);
+    ball(world, 0, 1);
+    assertRefused(world, () => spawn(world, { position: { y: 1 }, mass: massOf(density, 0.1) }), {
+      code,
+      field: 'density',
+    });
     assertWorldAlive(world);
   });
 

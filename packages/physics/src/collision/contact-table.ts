@@ -91,6 +91,9 @@ const SHARE = 0.9;
 /** Contacts there is room for, by bodies and dimensions: a dense packing has three a disc and six a ball. */
 const CONTACTS_A_BODY = { 2: 4, 3: 8 } as const;
 
+/** A world with memory to spare has room for more: contacts may take this part of what is left. */
+const SPARE = 0.25;
+
 /** Small worlds have room for a heap: a hundred bodies in one place are 4950 contacts. */
 const LEAST_CONTACTS = 8192;
 
@@ -184,7 +187,8 @@ function takeContacts(world: PhysicsWorld, words: Record<Word, number>, take: Ta
   const bytes = realBytes(precision);
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
   const room = SHARE * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
-  const wanted = Math.max(LEAST_CONTACTS, CONTACTS_A_BODY[dimensions] * rows);
+  const spare = (SPARE * room) / contactBytes(bytes);
+  const wanted = Math.max(LEAST_CONTACTS, CONTACTS_A_BODY[dimensions] * rows, spare);
   const most = Math.min(wanted, Math.floor(room / contactBytes(bytes)));
   const capacity = Math.max(256, Math.floor(most / 16) * 16);
   words.capacity = capacity;

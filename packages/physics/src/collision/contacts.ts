@@ -111,7 +111,7 @@ export function wallContacts(world: PhysicsWorld): WallContacts {
   return wallContactsOf(world);
 }
 
-/** Most contacts a step can hold; a larger `arenaBytes` gives more, up to eight a body. */
+/** Most contacts a step can hold; a larger `arenaBytes` gives more. */
 export function contactCapacity(world: PhysicsWorld): number {
   return contactTable(world).read('capacity');
 }
