@@ -1,18 +1,27 @@
 /** Fireworks: one scene, drawn in 2D by pixi.js and in 3D by three.js. */
-import { startGame } from '@principia/shell';
-import { DEMO_SHOW } from './demo-show.ts';
-import { Desk } from './desk.ts';
+import { FOUR_WAYS, startGame } from '@principia/shell';
+import { Desk, KEYS } from './desk.ts';
+import { dress, tell } from './report.ts';
 import { settings } from './settings.ts';
-import { applyValue, createGame } from './sim.ts';
+import { applyValue, createGame, type Way } from './sim.ts';
 
-const desk = new Desk();
+const desk = new Desk(location.hash);
 
 await startGame({
   title: 'Fireworks',
   settings,
-  create: (options) => createGame({ ...options, opening: DEMO_SHOW }),
+  create: (options) => createGame({ ...options, opening: desk.opening, isDemo: desk.isDemo }),
   apply: applyValue,
-  tell: (sim) => ({ hash: sim.hash(), log: [...sim.log.entries], alive: sim.scene.alive, fired: sim.fired }),
+  dress: (sim, { safeColors }) => dress(sim, safeColors),
+  remember: (sim) => sim.remember(),
+  tell: (sim) => tell(sim, desk),
+  controls: {
+    buttons: { ...FOUR_WAYS, action: { label: '✦', keys: ['enter'], pad: [0] } },
+    press: (sim, name) =>
+      name === 'action' ? desk.hold(sim, KEYS) : sim.press({ do: 'steer', way: name as Way, on: true }),
+    release: (sim, name) =>
+      name === 'action' ? desk.fire(sim, KEYS, sim.sight) : sim.press({ do: 'steer', way: name as Way, on: false }),
+  },
   renderers: {
     pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view-2d.ts')).openView2D(stage, desk) },
     three: {
@@ -21,5 +30,12 @@ await startGame({
       open: async (stage) => (await import('./view-3d.ts')).openView3D(stage, desk),
     },
   },
-  help: [['Press, touch', 'sends a shell up to there; hold for a larger one']],
+  help: [
+    ['Press, touch', 'sends a shell up to there; hold longer for a larger one; every finger may hold one'],
+    ['Arrow keys, Enter', 'aim, and fire; the stick and the first button of a gamepad do the same'],
+    ['K, C', 'next kind of shell, next colour'],
+    ['T', 'the timeline: every click adds a shell to your show; drag marks, Backspace takes back, Delete takes out'],
+    ['L', 'play your show, or end it'],
+    ['Drag, in 3D', 'turn the view; wheel and pinch come closer'],
+  ],
 });

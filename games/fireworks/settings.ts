@@ -9,8 +9,7 @@ export const settings = {
   wind: numberSetting(air, { label: 'Wind', step: 0.5, about: 'Sparks and shells drift with it' }),
   glow: numberSetting(glow, { label: 'Afterglow', step: 0.05, about: 'How long light lingers in the eye' }),
   sound: switchSetting('Sound', true, { key: 'm', about: 'Heard as late as sound takes to you, at 343 m/s' }),
-  safe: switchSetting('Safe colours', false, { key: 'o', about: 'Eight colours that everybody can tell apart' }),
-  barrage: switchSetting('Barrage', false, { key: 'b', about: 'As many sparks at once as you like' }),
+  barrage: switchSetting('Barrage', false, { key: 'g', about: 'As many sparks at once as you like' }),
   sparks: numberSetting(sparks, { label: 'Its sparks', scale: 'log', about: 'How many the barrage keeps alive' }),
 };
 

@@ -14,6 +14,9 @@ import {
 /** A kind or colour that is drawn when the shell goes up. */
 export const SURPRISE = -1;
 
+/** The ways keys push the sight. */
+export type Way = 'up' | 'left' | 'down' | 'right';
+
 /** A shell of a show: what goes up when. */
 export interface Cue extends ShellOrder {
   /** When it goes up, steps after the show began. */
@@ -28,14 +31,14 @@ export type Input =
       readonly color: number;
     })
   | { readonly do: 'forget'; readonly finger: number }
+  | { readonly do: 'steer'; readonly way: Way; readonly on: boolean }
   | { readonly do: 'play'; readonly cues: readonly Cue[] }
   | { readonly do: 'stop' }
   | { readonly do: 'wind'; readonly speed: number }
-  | { readonly do: 'colors'; readonly safe: boolean };
+  | { readonly do: 'colors'; readonly colors: readonly number[] };
 
 export interface FireworksValues {
   readonly wind: number;
-  readonly safe: boolean;
   readonly barrage: boolean;
   readonly sparks: number;
 }
@@ -44,8 +47,10 @@ export interface FireworksOptions {
   readonly values: FireworksValues;
   readonly seed: number;
   readonly dimensions: 2 | 3;
-  /** Played from the first step on until somebody fires. */
+  /** Played from the first step on. */
   readonly opening?: readonly Cue[];
+  /** The opening ends as soon as somebody fires, and begins anew when it is over. */
+  readonly isDemo?: boolean;
   /** Inputs of an earlier night to play again. */
   readonly log?: readonly LoggedInput<Input>[];
 }
@@ -55,6 +60,11 @@ const SHELLS_IN_AIR = 28;
 /** Seconds of holding that make the largest shell, and of a mere click. */
 export const LONGEST_HOLD = 1.6;
 const CLICK_POWER = 0.35;
+
+/** How fast keys push the sight, m/s. */
+const SIGHT_SPEED = 30;
+/** Steps from the end of the demonstration to its next beginning. */
+const DEMO_PAUSE = 300;
 
 export class FireworksGame {
   readonly scene: Fireworks;
@@ -67,18 +77,25 @@ export class FireworksGame {
   /** Shells that found all mortars empty. */
   refused = 0;
   fired = 0;
+  isDemo: boolean;
+  /** Shells wear colours that everybody tells apart. */
+  isSafe = false;
+  /** Where keys aim, m; shown once a key has pushed it. */
+  readonly sight = { x: 0, y: 32, z: 0, isShown: false };
+  readonly #pushed: Record<Way, boolean> = { up: false, left: false, down: false, right: false };
   #next = 0;
   readonly #random;
 
-  constructor({ values, seed, dimensions, opening = [], log }: FireworksOptions) {
-    const { wind, safe, barrage, sparks } = values;
+  constructor({ values, seed, dimensions, opening = [], isDemo = false, log }: FireworksOptions) {
+    const { wind, barrage, sparks } = values;
     this.scene = fireworks.create({ seed, dimensions, wind, shells: SHELLS_IN_AIR, count: barrage ? sparks : 0 });
-    this.scene.setColors(safe);
     this.log = new InputLog(log);
     this.#random = createRandom(seed, 2);
     this.show = opening;
+    this.isDemo = isDemo;
     this.world.phases.input.unshift((world) => {
       this.log.take(world.tick, (input) => this.#take(input));
+      this.#push();
       this.#playShow();
     });
   }
@@ -115,30 +132,65 @@ export class FireworksGame {
     return [stateHash(this.world), this.#next, showStart, refused, fired, ...held.keys()].join(' ');
   }
 
+  /** Notes all that is not in the world; returns what puts it back when the world is restored. */
+  remember(): () => void {
+    const { show, showStart, refused, fired, isDemo, isSafe } = this;
+    const [next, held, sight, pushed] = [this.#next, [...this.held], { ...this.sight }, { ...this.#pushed }];
+    const state = this.#random.state.slice();
+    const parts = [this.scene.remember(), this.log.remember()];
+    return () => {
+      Object.assign(this, { show, showStart, refused, fired, isDemo, isSafe });
+      this.#next = next;
+      this.held.clear();
+      for (const [finger, since] of held) this.held.set(finger, since);
+      Object.assign(this.sight, sight);
+      Object.assign(this.#pushed, pushed);
+      this.#random.state.set(state);
+      for (const putBack of parts) putBack();
+    };
+  }
+
   #take(input: Input): void {
     if (input.do === 'hold') this.held.set(input.finger, this.world.time);
     else if (input.do === 'forget') this.held.delete(input.finger);
     else if (input.do === 'fire') this.#fire(input);
+    else if (input.do === 'steer') this.#pushed[input.way] = input.on;
     else if (input.do === 'play') this.#play(input.cues);
     else if (input.do === 'stop') this.#play([]);
     else if (input.do === 'wind') this.scene.setWind(input.speed);
-    else this.scene.setColors(input.safe);
+    else this.scene.setColors(input.colors);
   }
 
   #fire({ finger, x, y, z, kind, color }: Extract<Input, { do: 'fire' }>): void {
     const power = this.powerOf(finger);
     this.held.delete(finger);
     this.fired++;
+    if (this.isDemo) this.#play([]);
     this.#launch({ x, y, z, kind, color, power });
   }
 
   #play(cues: readonly Cue[]): void {
+    this.isDemo = false;
     this.show = cues;
     this.showStart = this.world.tick;
     this.#next = 0;
   }
 
+  #push(): void {
+    const { up, down, left, right } = this.#pushed;
+    if (!(up || down || left || right)) return;
+    const { sight, dt } = this;
+    const across = Number(right) - Number(left);
+    const upwards = Number(up) - Number(down);
+    Object.assign(sight, clampToSky(sight.x + SIGHT_SPEED * dt * across, sight.y + SIGHT_SPEED * dt * upwards, 0));
+    sight.isShown = true;
+  }
+
   #playShow(): void {
+    if (this.isDemo && this.world.tick - this.showStart > (this.show.at(-1)?.tick ?? 0) + DEMO_PAUSE) {
+      this.showStart = this.world.tick;
+      this.#next = 0;
+    }
     const tick = this.world.tick - this.showStart;
     while (this.isShowing && this.show[this.#next].tick <= tick) this.#launch(this.show[this.#next++]);
   }
@@ -169,7 +221,6 @@ export function createGame(options: FireworksOptions): FireworksGame {
 /** Gives the running game a changed setting; false where only a new one can have it. */
 export function applyValue(sim: FireworksGame, name: string, values: FireworksValues): boolean {
   if (name === 'wind') sim.press({ do: 'wind', speed: values.wind });
-  else if (name === 'safe') sim.press({ do: 'colors', safe: values.safe });
   else if (name === 'sparks') return !values.barrage;
   else return name !== 'barrage';
   return true;

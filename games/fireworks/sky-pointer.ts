@@ -65,7 +65,7 @@ export function listenToSky(
     rings.set(event.pointerId, ring);
     starts.set(event.pointerId, { x: event.clientX, y: event.clientY });
     move(event);
-    stage.sim().press({ do: 'hold', finger: event.pointerId });
+    desk.hold(stage.sim(), event.pointerId);
   };
   const release = (event: PointerEvent) => {
     if (!rings.has(event.pointerId)) return;

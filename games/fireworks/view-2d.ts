@@ -4,6 +4,7 @@ import { applyCamera, type BodyLayer, createBodyLayer } from '@principia/render-
 import type { Stage, View } from '@principia/shell';
 import { Application, Container, RendererType, Sprite, Texture, type WebGLRenderer } from 'pixi.js';
 import type { Desk } from './desk.ts';
+import { createHud } from './hud.ts';
 import { paintShore, paintSky } from './landscape.ts';
 import { createLight2D } from './light-2d.ts';
 import { LightClock } from './light-clock.ts';
@@ -30,8 +31,11 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
   let layer = createSparks(stage.sim(), shining);
   let zoomed = 1;
   const look = () => {
-    fit(camera, SEEN, viewport, 0);
+    // Shells burst where the panel does not hide them; the landscape is as wide as the window.
+    const { right } = stage.insets();
+    fit(camera, SEEN, { width: Math.max(1, viewport.width - right), height: viewport.height }, 0);
     camera.pixelsPerMetre *= zoomed;
+    camera.x = right / 2 / camera.pixelsPerMetre;
     // The ground stays where it is.
     camera.y = SEEN.minY + viewport.height / 2 / camera.pixelsPerMetre;
     backdrop.paint(viewport.width, viewport.height, camera.pixelsPerMetre, viewport.resolution);
@@ -47,6 +51,7 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
     world: (x, y) => ({ ...toWorld(camera, viewport, x, y, { x: 0, y: 0 }), z: 0 }),
     screen: place,
   });
+  const hud = createHud(stage, desk);
   let time = 0;
   return {
     canvas,
@@ -68,7 +73,7 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
       }
       light?.show(1 - place(0, 0).y / viewport.height, time);
       pointer.update();
-      desk.update(sim, seconds);
+      hud.update(seconds, place);
       renderer.render(app.stage);
     },
     fit() {
@@ -82,6 +87,7 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
     toScreen: place,
     destroy() {
       pointer.destroy();
+      hud.destroy();
       viewport.destroy();
       layer.destroy();
       light?.destroy();

@@ -17,6 +17,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import type { Desk } from './desk.ts';
+import { createHud } from './hud.ts';
 import { createLight3D } from './light-3d.ts';
 import { LightClock } from './light-clock.ts';
 import type { Settings } from './settings.ts';
@@ -25,10 +26,10 @@ import { listenToSky } from './sky-pointer.ts';
 import { createWorld3D } from './world-3d.ts';
 
 /** Where the camera looks, and from where: over the water, from the shore, m. */
-const MIDDLE = new Vector3(0, 26, 0);
-const EYE = new Vector3(22, 7, 92);
+const MIDDLE = new Vector3(0, 27, 0);
+const EYE = new Vector3(18, 9, 84);
 /** Part of the light that water throws back. */
-const MIRRORED = 0.3;
+const MIRRORED = 0.45;
 
 export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: Desk): Promise<View> {
   const renderer = new WebGLRenderer({ antialias: false });
@@ -37,7 +38,7 @@ export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: De
   stage.element.append(canvas);
   const orbit = createOrbitCamera({ element: canvas, camera: new PerspectiveCamera(48, 1, 1, 2000) });
   const camera = orbit.camera as PerspectiveCamera;
-  Object.assign(orbit.controls, { minDistance: 40, maxDistance: 125, maxPolarAngle: 1.75, enablePan: false });
+  Object.assign(orbit.controls, { minDistance: 35, maxDistance: 125, maxPolarAngle: 1.75, enablePan: false });
   orbit.controls.enableDamping = !stage.reducedMotion;
   const scenery = createWorld3D();
   const backdrop = new Scene().add(scenery.object);
@@ -70,6 +71,7 @@ export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: De
   };
   const world = placeUnder(camera, viewport);
   const pointer = listenToSky(stage, desk, canvas, { world, screen, turns: true });
+  const hud = createHud(stage, desk);
   return {
     canvas,
     refresh(change) {
@@ -89,7 +91,7 @@ export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: De
       renderer.render(backdrop, camera);
       light.show();
       pointer.update();
-      desk.update(sim, seconds);
+      hud.update(seconds, screen);
     },
     fit: look,
     zoom(factor) {
@@ -98,6 +100,7 @@ export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: De
     toScreen: screen,
     destroy() {
       pointer.destroy();
+      hud.destroy();
       sparks.destroy();
       light.destroy();
       scenery.destroy();

@@ -15,7 +15,9 @@ import { paintShore, paintSky } from './landscape.ts';
 
 /** Distance of the shore, m, and how high the painted part of it reaches. */
 const SHORE = 150;
-const SHORE_HEIGHT = 26;
+const SHORE_HEIGHT = 30;
+/** Distance of the sky, m. */
+const SKY = 900;
 
 export interface World3D {
   readonly object: Object3D;
@@ -23,18 +25,18 @@ export interface World3D {
 }
 
 export function createWorld3D(): World3D {
-  const sky = textureOf(paintSky({ width: 2048, height: 900, horizon: 900, scale: 0 }));
+  const sky = textureOf(paintSky({ width: 4096, height: 1400, horizon: 1400, scale: 0 }));
   const scale = 4096 / (2 * Math.PI * SHORE);
   const height = Math.round(SHORE_HEIGHT * scale);
-  const shore = textureOf(paintShore({ width: 4096, height, horizon: height, scale: 1.5 * scale }));
+  const shore = textureOf(paintShore({ width: 4096, height, horizon: height, scale: 1.7 * scale }));
   // The sky's picture ends at the horizon: half a sphere.
-  const dome = new Mesh(new SphereGeometry(900, 48, 24, 0, 2 * Math.PI, 0, Math.PI / 2), plain({ map: sky }));
+  const dome = new Mesh(new SphereGeometry(SKY, 48, 24, 0, 2 * Math.PI, 0, Math.PI / 2), plain({ map: sky }));
   const ring = new Mesh(
     new CylinderGeometry(SHORE, SHORE, SHORE_HEIGHT, 96, 1, true),
     plain({ map: shore, transparent: true }),
   );
   ring.position.y = SHORE_HEIGHT / 2;
-  const lake = new Mesh(new CircleGeometry(SHORE, 64), new MeshBasicMaterial({ color: 0x0a0e26 }));
+  const lake = new Mesh(new CircleGeometry(SKY, 64), new MeshBasicMaterial({ color: 0x0a0f2a }));
   lake.rotation.x = -Math.PI / 2;
   const parts = [dome, ring, lake];
   const object = new Group().add(...parts);

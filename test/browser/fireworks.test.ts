@@ -7,18 +7,25 @@ import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 import { DEMO_SHOW } from '../../games/fireworks/demo-show.ts';
-import { createGame, type Input } from '../../games/fireworks/sim.ts';
+import { type Cue, createGame, type Input } from '../../games/fireworks/sim.ts';
 import { launchChromium } from '../support/chromium.ts';
 import { type ServedPage, servePage } from '../support/page.ts';
 
-const VALUES = { wind: 0, safe: false, barrage: false, sparks: 100_000 };
+const VALUES = { wind: 0, barrage: false, sparks: 100_000 };
 
 /** What the game tells of itself. */
 interface Told {
   readonly hash: string;
   readonly log: LoggedInput<Input>[];
   readonly alive: number;
+  readonly flying: number;
   readonly fired: number;
+  readonly isShowing: boolean;
+  readonly isDemo: boolean;
+  readonly held: readonly number[];
+  readonly sight: { readonly x: number; readonly y: number };
+  readonly cues: readonly Cue[];
+  readonly sound: { readonly state: string; readonly heard: number; readonly lastDelay: number };
 }
 
 let browser: Browser;
@@ -44,10 +51,11 @@ afterEach(async () => {
   expect(seen).toEqual([]);
 });
 
-async function play(query: string, size = { width: 640, height: 400 }): Promise<Page> {
+async function play(query: string, prepare?: () => void, size = { width: 900, height: 560 }): Promise<Page> {
   context = await browser.newContext({ viewport: size, hasTouch: true });
   const page = await context.newPage();
   page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  if (prepare !== undefined) await page.addInitScript(prepare);
   await page.goto(`${served.url}?${query}`);
   await page.waitForFunction(() => globalThis.__game?.state().ready);
   return page;
@@ -56,6 +64,10 @@ async function play(query: string, size = { width: 640, height: 400 }): Promise<
 const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
 const told = async (page: Page) => (await state(page)).game as unknown as Told;
 const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
+
+const frames = (page: Page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const kinds = ({ log }: Told) => log.flatMap(({ input }) => (input.do === 'fire' ? [input.kind] : []));
 
 /** Steps with a picture after each few, so that light can gather. */
 const watch = (page: Page, count: number) =>
@@ -88,7 +100,7 @@ describe.each(['pixi', 'three'])('in %s', (renderer) => {
     // The demo, which nobody has interrupted yet.
     await steps(page, 6);
     const dark = await brightness(page);
-    await page.mouse.click(320, 130);
+    await page.mouse.click(300, 150);
     await steps(page, 150);
     expect((await told(page)).fired).toBe(1);
     await watch(page, 60);
@@ -98,8 +110,221 @@ describe.each(['pixi', 'three'])('in %s', (renderer) => {
     expect(lit.colored).toBeGreaterThan(0.3 * lit.bright);
     const { hash, log } = await told(page);
     const dimensions = renderer === 'pixi' ? 2 : 3;
-    const again = createGame({ values: VALUES, seed: 5, dimensions, opening: DEMO_SHOW, log });
+    const again = createGame({ values: VALUES, seed: 5, dimensions, opening: DEMO_SHOW, isDemo: true, log });
     for (let i = (await state(page)).tick; i > 0; i--) step(again.world, again.dt);
     expect(again.hash()).toBe(hash);
+  });
+});
+
+describe('hands', () => {
+  it('of keys aim and fire, and choose the shell', async () => {
+    const page = await play('manual');
+    await page.keyboard.press('k');
+    await page.keyboard.press('k');
+    await page.keyboard.down('ArrowRight');
+    await steps(page, 60);
+    await page.keyboard.up('ArrowRight');
+    await page.keyboard.down('Enter');
+    await steps(page, 90);
+    await page.keyboard.up('Enter');
+    await steps(page, 1);
+    const { sight, fired, log } = await told(page);
+    expect(sight.x).toBeCloseTo(30, 6);
+    expect(fired).toBe(1);
+    expect(log.at(-1)?.input).toMatchObject({ do: 'fire', x: sight.x, y: sight.y, kind: 1 });
+    // The arrow steers here: it is not the key for one step.
+    expect((await state(page)).tick).toBe(151);
+  });
+
+  it('of two fingers hold two shells at once; one that is taken away is forgotten', async () => {
+    const page = await play('manual');
+    const client = await context.newCDPSession(page);
+    const touch = (
+      type: 'touchStart' | 'touchEnd' | 'touchCancel',
+      touchPoints: { x: number; y: number; id: number }[],
+    ) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const [left, right] = [
+      { x: 200, y: 150, id: 1 },
+      { x: 420, y: 200, id: 2 },
+    ];
+    await touch('touchStart', [left, right]);
+    await steps(page, 30);
+    expect((await told(page)).held).toHaveLength(2);
+    expect(await page.locator('.fw-ring').count()).toBe(2);
+    await touch('touchEnd', [left]);
+    await touch('touchEnd', []);
+    await steps(page, 1);
+    expect(await told(page)).toMatchObject({ fired: 2, held: [], isDemo: false });
+    await touch('touchStart', [left]);
+    await touch('touchCancel', []);
+    await steps(page, 1);
+    expect(await told(page)).toMatchObject({ fired: 2, held: [] });
+    expect(await page.locator('.fw-ring').count()).toBe(0);
+  });
+
+  it('that drag turn the view in 3D and send nothing up', async () => {
+    const page = await play('manual&renderer=three');
+    const before = await page.evaluate(() => __game.body(0).screen);
+    await page.mouse.move(200, 200);
+    await page.mouse.down();
+    await page.mouse.move(330, 210, { steps: 5 });
+    await page.mouse.up();
+    await steps(page, 1);
+    await frames(page);
+    expect(await told(page)).toMatchObject({ fired: 0, held: [] });
+    expect(await page.evaluate(() => __game.body(0).screen)).not.toEqual(before);
+  });
+});
+
+describe('a show', () => {
+  it('is composed by clicks, played, and comes back from its link', async () => {
+    const page = await play('manual');
+    await page.locator('.fw-tray button', { hasText: 'Show' }).click();
+    await page.locator('.fw-tray [aria-label^=palm]').click();
+    await page.locator('.fw-tray [aria-label^=green]').click();
+    for (const [x, y] of [
+      [150, 120],
+      [300, 90],
+      [450, 140],
+    ])
+      await page.mouse.click(x, y);
+    await steps(page, 1);
+    await frames(page);
+    const composed = await told(page);
+    expect(composed.cues.map(({ tick, kind, color }) => [tick, kind, color])).toEqual([
+      [0, 4, 3],
+      [36, 4, 3],
+      [72, 4, 3],
+    ]);
+    expect(kinds(composed)).toEqual([4, 4, 4]);
+    // The last mark goes to the end of the line, 15 s; a tenth of a second is a step of the timeline.
+    const line = await page.locator('.fw-line').boundingBox();
+    const mark = await page.locator('.fw-mark').nth(2).boundingBox();
+    if (line === null || mark === null) throw new Error('There is no timeline.');
+    await page.mouse.move(mark.x + 9, mark.y + 9);
+    await page.mouse.down();
+    await page.mouse.move(line.x + line.width / 3, line.y + 17, { steps: 4 });
+    await page.mouse.up();
+    await frames(page);
+    expect((await told(page)).cues[2].tick / 60).toBeCloseTo(5, 0);
+    await page.keyboard.press('l');
+    await steps(page, 350);
+    expect(await told(page)).toMatchObject({ isShowing: false, fired: 3 });
+    await page.locator('[data-do=share]').click();
+    await page.waitForFunction(() => __game.state().banner.includes('link to your show'));
+    const link = page.url();
+    expect(link).toMatch(/#show=1\.[\w-]+$/);
+    const { cues } = await told(page);
+    const guest = await context.newPage();
+    await guest.goto(link);
+    await guest.waitForFunction(() => globalThis.__game?.state().ready);
+    await steps(guest, 1);
+    expect(await told(guest)).toMatchObject({ cues, isShowing: true, isDemo: false, flying: 1 });
+  });
+
+  it('takes back, takes out and clears', async () => {
+    const page = await play('manual');
+    await page.keyboard.press('t');
+    for (const x of [150, 300, 450]) await page.mouse.click(x, 120);
+    await page.keyboard.press('Backspace');
+    expect((await told(page)).cues).toHaveLength(2);
+    await frames(page);
+    await page.locator('.fw-mark').first().click();
+    await page.keyboard.press('Delete');
+    expect((await told(page)).cues.map(({ tick }) => tick)).toEqual([36]);
+    await frames(page);
+    await page.locator('[data-do=clear]').click();
+    expect((await told(page)).cues).toEqual([]);
+  });
+
+  it.each(['1.AAAA', '7.abc', '%00', '1.!!', ''])(
+    'that is malformed, #show=%s, gets a sentence, and the game plays',
+    async (text) => {
+      const page = await play(`manual#show=${text}`);
+      await page.waitForFunction(() => __game.state().banner !== '');
+      expect((await state(page)).banner).toMatch(/^The show in the address .*Meanwhile the game plays its own\.$/);
+      await steps(page, 2);
+      expect(await told(page)).toMatchObject({ isDemo: true, isShowing: true, flying: 1 });
+    },
+  );
+});
+
+describe('sound', () => {
+  it('waits for a gesture, and is heard as late as sound takes', async () => {
+    const page = await play('manual');
+    await steps(page, 10);
+    await frames(page);
+    expect((await told(page)).sound).toMatchObject({ state: 'waiting', heard: 0 });
+    await page.mouse.click(400, 100);
+    await steps(page, 1);
+    await frames(page);
+    const { sound } = await told(page);
+    expect(sound.state).toBe('on');
+    expect(sound.heard).toBeGreaterThan(0);
+    // From 140 m away, and at most 48 m to the side.
+    expect(sound.lastDelay).toBeGreaterThanOrEqual(140 / 343);
+    expect(sound.lastDelay).toBeLessThan(150 / 343);
+    await page.keyboard.press('m');
+    await page.mouse.click(420, 100);
+    await steps(page, 1);
+    await frames(page);
+    expect((await told(page)).sound.heard).toBe(sound.heard);
+  });
+
+  it.each(['missing', 'blocked'])('that is %s is said once, and the game plays on', async (how) => {
+    const page = await play('manual', how === 'missing' ? hideAudio : blockAudio);
+    await page.mouse.click(400, 100);
+    await page.waitForFunction(() => __game.state().banner.includes('no sound'));
+    await page.mouse.click(300, 150);
+    await steps(page, 1);
+    expect(await told(page)).toMatchObject({ fired: 2, sound: { state: 'blocked' } });
+  });
+});
+
+function hideAudio(): void {
+  Reflect.deleteProperty(globalThis, 'AudioContext');
+}
+
+function blockAudio(): void {
+  globalThis.AudioContext = class {
+    constructor() {
+      throw new Error('blocked');
+    }
+  } as unknown as typeof AudioContext;
+}
+
+describe('the picture', () => {
+  it('keeps a barrage of sparks alive, and stays a picture', async () => {
+    const page = await play('manual&sparks=4000');
+    await page.keyboard.press('g');
+    await page.waitForFunction(() => __game.state().values.barrage === true && __game.state().tick === 0);
+    await steps(page, 2);
+    await watch(page, 40);
+    expect((await told(page)).alive).toBeGreaterThan(3500);
+    const { bright, colored } = await brightness(page);
+    expect(bright).toBeGreaterThan(2000);
+    expect(colored).toBeGreaterThan(0.2 * bright);
+  });
+
+  it('survives a window of no size and the loss of the graphics card', async () => {
+    const page = await play('manual');
+    await page.setViewportSize({ width: 1, height: 1 });
+    await watch(page, 6);
+    await page.setViewportSize({ width: 700, height: 420 });
+    await page.mouse.click(300, 120);
+    await steps(page, 150);
+    await page.evaluate(() => {
+      const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
+      const card = canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context') as WEBGL_lose_context;
+      Object.assign(globalThis, { card });
+      card.loseContext();
+    });
+    await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+    await steps(page, 1);
+    await frames(page);
+    await page.evaluate(() => (globalThis as unknown as { card: WEBGL_lose_context }).card.restoreContext());
+    await page.waitForFunction(() => __game.state().banner === '');
+    await watch(page, 45);
+    expect((await brightness(page)).bright).toBeGreaterThan(300);
   });
 });

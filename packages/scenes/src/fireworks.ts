@@ -16,7 +16,7 @@ import {
   setEmitter,
   uniformGravity,
 } from '@principia/physics';
-import { SAFE_COLORS, STAR_COLORS } from './fireworks/colors';
+import { STAR_COLORS, STAR_RGB } from './fireworks/colors';
 import { formVelocities } from './fireworks/forms';
 import { NewsRing } from './fireworks/news';
 import { Rockets, SHELL_DRAG, type ShellOrder } from './fireworks/rockets';
@@ -39,10 +39,12 @@ export interface Fireworks extends SceneRun {
   launch(order: ShellOrder): boolean;
   /** Wind along x, m/s. */
   setWind(speed: number): void;
-  /** @param safe colours that people of every colour vision tell apart */
-  setColors(safe: boolean): void;
+  /** @param colors eight, as 0xRRGGBB; stars alive change too */
+  setColors(colors: readonly number[]): void;
   /** Lets the barrage go on or run out. */
   setBarrage(on: boolean): void;
+  /** Notes what is not in the world; returns what puts it back when the world is restored. */
+  remember(): () => void;
 }
 
 const DT = 1 / 60;
@@ -70,6 +72,10 @@ export const fireworks = defineScene({
     const random = createRandom(seed, 1);
     const news = new NewsRing();
     let wind = parameters.wind;
+    const setWind = (speed: number) => {
+      if (speed !== wind) replaceForce(world, quadraticDrag({ x: speed }));
+      wind = speed;
+    };
     const show = shells > 0 ? createShow(world, random, news, shells, () => wind) : undefined;
     const barrage = count > 0 ? new Barrage(world, random, count) : undefined;
     world.phases.input.push(() => {
@@ -85,16 +91,25 @@ export const fireworks = defineScene({
         return show?.rockets.flying ?? 0;
       },
       launch: (order) => show?.launch(order) ?? false,
-      setWind(speed) {
-        replaceForce(world, quadraticDrag({ x: speed }));
-        wind = speed;
-      },
-      setColors(safe) {
-        show?.stars.setColors(safe);
-        barrage?.setColors(safe);
+      setWind,
+      setColors(colors) {
+        show?.stars.setColors(colors);
+        barrage?.setColors(colors);
       },
       setBarrage(on) {
         if (barrage !== undefined) barrage.isOn = on;
+      },
+      remember() {
+        const before = wind;
+        const state = random.state.slice();
+        const { count: told } = news;
+        const parts = [show?.stars, show?.rockets, barrage].map((part) => part?.remember());
+        return () => {
+          setWind(before);
+          random.state.set(state);
+          news.count = told;
+          for (const putBack of parts) putBack?.();
+        };
       },
     };
   },
@@ -170,7 +185,7 @@ class Barrage {
     // The first sparks are as if they had been born over a whole life: the number is steady from the first step.
     this.#emitter = createEmitter(world, {
       ...{ capacity: barrageCapacity(count), lifetime: [1e-6, BARRAGE_LIFE], speed: 0, mass: STAR_MASS },
-      ...{ size: [0.3, 0.34, 0.24, 0.08], shape: GLOW, color: rampsOf(STAR_COLORS), whenFull: 'oldest' },
+      ...{ size: [0.16, 0.2, 0.15, 0.05], shape: GLOW, color: rampsOf(STAR_RGB), whenFull: 'oldest' },
       quadraticDrag: 0.08 * STAR_MASS,
     });
     for (let left = count; left > 0; left -= this.#size) this.#burst(Math.min(left, this.#size));
@@ -180,8 +195,17 @@ class Barrage {
     return aliveCount(this.#emitter);
   }
 
-  setColors(safe: boolean): void {
-    setEmitter(this.#emitter, { color: rampsOf(safe ? SAFE_COLORS : STAR_COLORS) });
+  setColors(colors: readonly number[]): void {
+    setEmitter(this.#emitter, { color: rampsOf(colors) });
+  }
+
+  remember(): () => void {
+    const [steps, due, isOn] = [this.#steps, this.#due, this.isOn];
+    return () => {
+      this.#steps = steps;
+      this.#due = due;
+      this.isOn = isOn;
+    };
   }
 
   run(): void {

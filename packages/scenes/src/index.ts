@@ -8,7 +8,7 @@ export { circles } from './circles';
 export { cloth } from './cloth';
 export { emitters, type Sparks } from './emitters';
 export { FIREWORKS_SKY, type Fireworks, fireworks } from './fireworks';
-export { SAFE_COLORS, STAR_COLORS, type StarColor } from './fireworks/colors';
+export { STAR_COLORS, STAR_RGB, type StarColor } from './fireworks/colors';
 export type { NewsRing, SkyNews } from './fireworks/news';
 export type { ShellOrder } from './fireworks/rockets';
 export { SHELL_NAMES, SHELLS, type ShellForm, type ShellKind } from './fireworks/shells';

@@ -337,6 +337,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       get safeColors() {
         return preferences.safeColors;
       },
+      say: (sentence) => this.#banner.show(sentence, 'note'),
     };
   }
 

@@ -43,6 +43,8 @@ export interface Stage<S extends Settings, Sim extends Simulation> {
   readonly reducedMotion: boolean;
   /** The player wants colours that everybody tells apart, such as `SAFE_COLORS`; likewise. */
   readonly safeColors: boolean;
+  /** Shows a sentence that the player should know, until it is hidden or another one comes. */
+  readonly say: (sentence: string) => void;
 }
 
 /** A picture of a simulation. */

@@ -1,4 +1,4 @@
-// Colours of stars, by the salt or metal that gives them; and eight that people of every colour vision tell apart.
+// Colours of stars, by the salt or metal that gives them.
 import { rgba } from '@principia/physics';
 
 export interface StarColor {
@@ -18,20 +18,10 @@ export const STAR_COLORS: readonly StarColor[] = [
   { name: 'gold (charcoal)', rgb: 0xffb04a },
 ];
 
-/** Okabe and Ito, Color Universal Design (2008), brightened for a night sky. */
-export const SAFE_COLORS: readonly StarColor[] = [
-  { name: 'vermilion', rgb: 0xf06a10 },
-  { name: 'orange', rgb: 0xf2a900 },
-  { name: 'yellow', rgb: 0xf7ec4c },
-  { name: 'bluish green', rgb: 0x10c090 },
-  { name: 'sky blue', rgb: 0x5fbdf5 },
-  { name: 'blue', rgb: 0x2f86e6 },
-  { name: 'white', rgb: 0xf2f4ff },
-  { name: 'reddish purple', rgb: 0xe08abc },
-];
+export const STAR_RGB: readonly number[] = STAR_COLORS.map(({ rgb }) => rgb);
 
 /** What a star passes through in its life: nearly white, its colour, and its colour fading. */
-export function colorRamp({ rgb }: StarColor, hot = 0.45): number[] {
+export function colorRamp(rgb: number, hot = 0.45): number[] {
   const mixed = (white: number, strength: number, alpha: number) => {
     const part = (shift: number) =>
       strength * (((rgb >> shift) & 255) / 255 + white * (1 - ((rgb >> shift) & 255) / 255));

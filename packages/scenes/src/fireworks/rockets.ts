@@ -74,6 +74,14 @@ export class Rockets {
     return from;
   }
 
+  /** Notes which shells are in the air; returns what brings that back. */
+  remember(): () => void {
+    const flying = this.#rockets.map(({ order, ends }) => ({ order, ends }));
+    return () => {
+      for (const [i, rocket] of this.#rockets.entries()) Object.assign(rocket, flying[i]);
+    };
+  }
+
   /** Calls `burst` for every shell whose fuse has come to its end. */
   burn(burst: (order: ShellOrder, position: Place, velocity: Place) => void): void {
     const { components, time } = this.#world;

@@ -12,7 +12,7 @@ import {
   setEmitter,
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
-import { colorRamp, SAFE_COLORS, STAR_COLORS, type StarColor } from './colors';
+import { colorRamp, STAR_COLORS, STAR_RGB } from './colors';
 import { formVelocities } from './forms';
 import { SHELLS, type ShellKind } from './shells';
 
@@ -56,9 +56,17 @@ export class StarPools {
     return this.emitters.reduce((sum, emitter) => sum + aliveCount(emitter), 0);
   }
 
-  /** @param safe colours that people of every colour vision tell apart */
-  setColors(safe: boolean): void {
-    for (const emitter of this.emitters) setEmitter(emitter, { color: rampsOf(safe ? SAFE_COLORS : STAR_COLORS) });
+  /** @param colors eight, as 0xRRGGBB */
+  setColors(colors: readonly number[]): void {
+    for (const emitter of this.emitters) setEmitter(emitter, { color: rampsOf(colors) });
+  }
+
+  /** Notes until when stars go on to burst; returns what brings that back. */
+  remember(): () => void {
+    const until = [...this.#until];
+    return () => {
+      this.#until.splice(0, until.length, ...until);
+    };
   }
 
   /** Bears the stars of a shell at the next emission. */
@@ -113,7 +121,7 @@ const MOST_FOLLOWED = 60;
 const GREEN = 3;
 const SILVER = 6;
 
-export function rampsOf(colors: readonly StarColor[]): number[][] {
+export function rampsOf(colors: readonly number[]): number[][] {
   return colors.map((color) => colorRamp(color));
 }
 
@@ -126,7 +134,7 @@ function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
       speed: 0,
       sizeFactor: [0.75, 1.2],
       shape: GLOW,
-      color: rampsOf(STAR_COLORS),
+      color: rampsOf(STAR_RGB),
       reportEndings: ends !== undefined,
     },
   });

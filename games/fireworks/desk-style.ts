@@ -1,0 +1,40 @@
+/** The look of the desk. */
+export const DESK_STYLE = `
+.game-pad { display: none !important }
+.fw-desk { position: absolute; left: 0; right: 0; bottom: max(10px, env(safe-area-inset-bottom)); display: grid; gap: 8px;
+  justify-items: center; padding: 0 10px; pointer-events: none; color: var(--ink) }
+.fw-desk > * { pointer-events: auto; box-sizing: border-box; max-width: 100%; border: 1px solid #ffffff1f;
+  border-radius: 14px; background: #0a0e24c4; backdrop-filter: blur(6px) }
+.fw-tray { display: flex; flex-wrap: wrap; justify-content: center; gap: 4px; padding: 5px 7px }
+.fw-desk button { display: grid; place-items: center; min-width: 36px; height: 36px; padding: 0 6px; border: 0; border-radius: 9px;
+  background: none; color: var(--ink); font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation }
+.fw-desk button:hover { background: #ffffff1c }
+.fw-desk button:focus-visible { outline: 2px solid var(--accent); outline-offset: -1px }
+.fw-desk button[aria-pressed=true] { background: #ffffff2e; box-shadow: inset 0 0 0 1.5px #ffffff8a }
+.fw-desk button:disabled { opacity: .35; cursor: default }
+.fw-desk svg { width: 22px; height: 22px; fill: none; stroke: currentColor; stroke-width: 1.5; stroke-linecap: round }
+.fw-tray span { width: 1px; margin: 4px 3px; background: #ffffff24 }
+.fw-tray .fw-color { min-width: 27px; padding: 0 }
+.fw-color i { width: 15px; height: 15px; border-radius: 50%; background: var(--c); box-shadow: 0 0 8px var(--c) }
+.fw-color.fw-any i { background: conic-gradient(#ff5a4d, #ffd94a, #3dff6e, #3f9bff, #b45cff, #ff5a4d); box-shadow: none }
+.fw-show { width: min(760px, 100%); padding: 7px 9px 5px }
+.fw-show > div:first-child { display: flex; gap: 4px; align-items: center }
+.fw-show p { flex: 1; margin: 0 6px; color: #b9c4e6; font-size: 13px; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap }
+.fw-line { position: relative; height: 34px; margin: 4px 8px 0; cursor: pointer; touch-action: none;
+  background: linear-gradient(#ffffff26, #ffffff26) 0 16px / 100% 2px no-repeat }
+.fw-line .fw-mark { position: absolute; top: 8px; width: 18px; min-width: 0; height: 18px; margin-left: -9px; padding: 0; border-radius: 50%;
+  background: var(--c); box-shadow: 0 0 9px var(--c); cursor: grab; touch-action: none }
+.fw-line .fw-mark[aria-pressed=true] { box-shadow: 0 0 0 2px #fff, 0 0 12px var(--c); background: var(--c) }
+.fw-cursor { position: absolute; top: 1px; bottom: 1px; width: 2px; margin-left: -1px; border-radius: 1px; background: var(--accent); pointer-events: none }
+.fw-hint { padding: 4px 14px; border: 0 !important; background: none !important; backdrop-filter: none !important; color: #cfd8f5;
+  font-size: 14px; text-align: center; text-shadow: 0 1px 4px #000, 0 0 12px #000; pointer-events: none }
+.fw-ring, .fw-sight { position: absolute; left: -32px; top: -32px; width: 64px; height: 64px; border-radius: 50%; pointer-events: none;
+  box-sizing: border-box }
+.fw-ring { border: 2px solid #ffe6b0cc; scale: calc(0.25 + 0.9 * var(--power, 0.35)); box-shadow: 0 0 18px #ffcf7a88, inset 0 0 18px #ffcf7a55 }
+.fw-sight { background: radial-gradient(circle, #ffe6b0 0 2px, #0000 3px), linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 10px / 2px 14px no-repeat,
+  linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 40px / 2px 14px no-repeat, linear-gradient(#ffe6b0cc, #ffe6b0cc) 10px 31px / 14px 2px no-repeat,
+  linear-gradient(#ffe6b0cc, #ffe6b0cc) 40px 31px / 14px 2px no-repeat }
+@media (max-width: 560px) { .fw-desk button { min-width: 32px; height: 36px; padding: 0 3px } .fw-tray { gap: 1px; padding: 4px }
+  .fw-tray .fw-color { min-width: 27px } .fw-hint { font-size: 12.5px } }
+@media (max-height: 460px) { .fw-hint { display: none } .fw-desk button { height: 30px } .fw-desk { gap: 4px } }
+`;

@@ -1,0 +1,137 @@
+import { FIREWORKS_SKY, SHELL_NAMES } from '@principia/scenes';
+import * as fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { DEMO_SHOW } from './demo-show.ts';
+import { LAST_TICK, MOST_CUES, readShow, tidy, writeShow } from './show.ts';
+import { BEAT, ShowEditor } from './show-editor.ts';
+import type { Cue } from './sim.ts';
+
+const { halfWidth, halfDepth, lowest, highest } = FIREWORKS_SKY;
+
+const cue = fc.record({
+  tick: fc.integer({ min: 0, max: LAST_TICK }),
+  x: fc.double({ min: -halfWidth, max: halfWidth, noNaN: true }),
+  y: fc.double({ min: lowest, max: highest, noNaN: true }),
+  z: fc.double({ min: -halfDepth, max: halfDepth, noNaN: true }),
+  kind: fc.integer({ min: 0, max: SHELL_NAMES.length - 1 }),
+  color: fc.integer({ min: 0, max: 7 }),
+  power: fc.double({ min: 0, max: 1, noNaN: true }),
+});
+const show = fc.array(cue, { maxLength: MOST_CUES }).map((cues) => cues.map(tidy).sort((a, b) => a.tick - b.tick));
+
+const problem = (text: string) => {
+  try {
+    readShow(text);
+  } catch (error) {
+    return (error as Error).message;
+  }
+  return '';
+};
+
+describe('a show as text', () => {
+  it('comes back as it was, in few characters that addresses take as they are', () => {
+    fc.assert(
+      fc.property(show, (cues) => {
+        const text = writeShow(cues);
+        expect(readShow(text)).toEqual(cues);
+        expect(text).toMatch(/^1\.[\w-]+$/);
+        // 4/3 characters a byte, five bytes a shell, and a check byte.
+        expect(text.length).toBe(2 + Math.ceil((4 * (1 + 5 * cues.length)) / 3));
+      }),
+    );
+  });
+
+  it('puts a shell no farther away than half a step of each of its numbers', () => {
+    fc.assert(
+      fc.property(cue, (wanted) => {
+        const kept = tidy(wanted);
+        expect(Math.abs(kept.tick - wanted.tick)).toBeLessThanOrEqual(3);
+        expect(Math.abs(kept.x - wanted.x)).toBeLessThan(0.2001);
+        // The uppermost place is 0.2 m below the sky's end; z ends 1 m before it.
+        expect(Math.abs(kept.y - wanted.y)).toBeLessThan(0.2001);
+        expect(Math.abs(kept.z - wanted.z)).toBeLessThan(1.0001);
+        expect(Math.abs(kept.power - wanted.power)).toBeLessThan(0.5 / 15 + 1e-9);
+        expect(tidy(kept)).toEqual(kept);
+      }),
+    );
+  });
+
+  it('that was changed in one character is hardly ever taken for another show, and never throws anything else', () => {
+    const text = writeShow(DEMO_SHOW.map(tidy));
+    let taken = 0;
+    for (let i = 2; i < text.length; i++) {
+      const other = `${text.slice(0, i)}${text[i] === 'A' ? 'B' : 'A'}${text.slice(i + 1)}`;
+      if (problem(other) === '') taken++;
+    }
+    // One check byte: one in 256 passes by chance; 31 is odd, so a change of one byte never does.
+    expect(taken / text.length).toBeLessThan(0.03);
+    fc.assert(fc.property(fc.string(), (any) => typeof problem(any) === 'string'));
+  });
+
+  it.each([
+    ['', 'does not begin with a version'],
+    ['AAAA', 'does not begin with a version'],
+    ['2.AAAA', 'version “2”, and this game reads version 1'],
+    ['1.', 'characters that no show has'],
+    ['1.A!A', 'characters that no show has'],
+    ['1.A', 'cut off'],
+    ['1.AAAA', 'not that of whole shells'],
+    [`${writeShow(DEMO_SHOW).slice(0, -7)}`, ''],
+  ])('“%s” gets a sentence that says why', (text, why) => {
+    expect(problem(text)).toContain(why);
+    expect(problem(text)).toMatch(/^The show in the address .*\.$/);
+  });
+
+  it('with too many shells, unknown kinds or a wrong order is refused', () => {
+    const one = tidy({ ...DEMO_SHOW[0], tick: 600 });
+    expect(problem(writeShow(Array.from({ length: 201 }, () => one)))).toContain('has 201 shells; 200 are the most');
+    expect(problem(writeShow([{ ...one, kind: 7 }]))).toContain('shell 1 is of a kind');
+    expect(problem(writeShow([one, { ...one, tick: 0 }]))).toContain('order of their times');
+  });
+});
+
+describe('the editor', () => {
+  const shell: Omit<Cue, 'tick'> = { x: 0, y: 30, z: 0, kind: 1, color: 2, power: 0.4 };
+
+  it('puts every click a beat after the last, or where the cursor was put', () => {
+    const editor = new ShowEditor();
+    editor.add(shell);
+    editor.add(shell);
+    editor.seek(10 * BEAT);
+    editor.add(shell);
+    editor.seek(0.5 * BEAT);
+    editor.add({ ...shell, kind: 5 });
+    expect(editor.cues.map(({ tick }) => tick / BEAT)).toEqual([0, 0.5, 1, 10]);
+    expect(editor.cues[1].kind).toBe(5);
+    expect(editor.chosen).toBe(1);
+  });
+
+  it('moves, removes, clears, and takes each of them back', () => {
+    const editor = new ShowEditor();
+    for (let i = 0; i < 3; i++) editor.add({ ...shell, kind: i });
+    editor.move(0, 10 * BEAT);
+    expect(editor.cues.map(({ kind }) => kind)).toEqual([1, 2, 0]);
+    expect(editor.chosen).toBe(2);
+    editor.remove(0);
+    editor.clear();
+    expect(editor.cues).toEqual([]);
+    const seen = [0, 1, 2, 3].map(() => {
+      editor.undo();
+      return editor.cues.map(({ kind }) => kind);
+    });
+    expect(seen).toEqual([
+      [2, 0],
+      [1, 2, 0],
+      [0, 1, 2],
+      [0, 1],
+    ]);
+  });
+
+  it('keeps what an address can hold, and never more', () => {
+    const editor = new ShowEditor();
+    for (let i = 0; i < MOST_CUES; i++) expect(editor.add(shell)).toBe(true);
+    expect(editor.add(shell)).toBe(false);
+    expect(Math.max(...editor.cues.map(({ tick }) => tick))).toBe(LAST_TICK);
+    expect(readShow(writeShow(editor.cues))).toEqual(editor.cues);
+  });
+});

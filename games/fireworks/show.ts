@@ -1,0 +1,114 @@
+/**
+ * Shows as text, short enough for an address: `1.` and, in base64 as addresses take it, a check byte and five bytes a
+ * shell. A shell is 40 bits, largest first: 10 time in tenths of a second, 8 x, 7 y, 5 z, 3 kind, 3 colour, 4 power.
+ */
+import { FIREWORKS_SKY, SHELL_NAMES } from '@principia/scenes';
+import type { Cue } from './sim.ts';
+
+/** Most shells of a show, and its last moment, steps. */
+export const MOST_CUES = 200;
+export const LAST_TICK = 6 * 1023;
+
+const VERSION = '1';
+const BYTES = 5;
+const TENTH = 6;
+const STEP_X = 0.4;
+const STEP_Y = 0.3;
+const MOST_Z = 15;
+const POWERS = 15;
+
+const whole = (value: number, low: number, high: number) => Math.min(high, Math.max(low, Math.round(value)));
+
+/** The fields of a shell as whole numbers, and how many values each can have. */
+function fieldsOf({ tick, x, y, z, kind, color, power }: Cue): [number, number][] {
+  const { halfWidth, lowest, highest } = FIREWORKS_SKY;
+  return [
+    [whole(tick / TENTH, 0, LAST_TICK / TENTH), 1024],
+    [whole((x + halfWidth) / STEP_X, 0, (2 * halfWidth) / STEP_X), 256],
+    [whole((y - lowest) / STEP_Y, 0, Math.floor((highest - lowest) / STEP_Y)), 128],
+    [whole(z, -MOST_Z, MOST_Z) + MOST_Z, 32],
+    [kind, 8],
+    [color, 8],
+    [whole(power * POWERS, 0, POWERS), 16],
+  ];
+}
+
+function cueOf([tick, x, y, z, kind, color, power]: number[]): Cue {
+  const { halfWidth, lowest } = FIREWORKS_SKY;
+  return {
+    ...{ tick: tick * TENTH, x: x * STEP_X - halfWidth, y: y * STEP_Y + lowest, z: z - MOST_Z },
+    ...{ kind, color, power: power / POWERS },
+  };
+}
+
+/** The nearest shell that an address can hold. */
+export function tidy(cue: Cue): Cue {
+  return cueOf(fieldsOf(cue).map(([value]) => value));
+}
+
+function checkByte(bytes: Uint8Array, from: number): number {
+  let check = 90;
+  for (let i = from; i < bytes.length; i++) check = (31 * check + bytes[i] + 7) & 255;
+  return check;
+}
+
+/** The show as text: at most 1 340 characters. */
+export function writeShow(cues: readonly Cue[]): string {
+  const bytes = new Uint8Array(1 + BYTES * cues.length);
+  for (const [i, cue] of cues.entries()) {
+    let bits = 0;
+    for (const [value, size] of fieldsOf(cue)) bits = bits * size + value;
+    for (let b = BYTES; b > 0; b--) {
+      bytes[BYTES * i + b] = bits % 256;
+      bits = Math.floor(bits / 256);
+    }
+  }
+  bytes[0] = checkByte(bytes, 1);
+  const text = btoa(String.fromCharCode(...bytes));
+  return `${VERSION}.${text.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
+}
+
+/** @throws Error with a sentence that says what is wrong with the text and what to do */
+export function readShow(text: string): Cue[] {
+  const [, version, body] = /^([^.]*)\.(.*)$/s.exec(text) ?? [];
+  if (version === undefined || body === undefined) throw broken('it does not begin with a version, such as “1.”');
+  if (version !== VERSION) {
+    throw new Error(`The show in the address is of version “${version.slice(0, 12)}”, and this game reads version 1.`);
+  }
+  const bytes = bytesOf(body);
+  if ((bytes.length - 1) % BYTES !== 0) throw broken('its length is not that of whole shells');
+  if (checkByte(bytes, 1) !== bytes[0]) throw broken('its check does not fit');
+  const count = (bytes.length - 1) / BYTES;
+  if (count > MOST_CUES) throw new Error(`The show in the address has ${count} shells; ${MOST_CUES} are the most.`);
+  const cues = Array.from({ length: count }, (_, i) => unpack(bytes, 1 + BYTES * i));
+  for (const [i, { tick, kind }] of cues.entries()) {
+    if (kind >= SHELL_NAMES.length) throw broken(`its shell ${i + 1} is of a kind that this game does not have`);
+    if (i > 0 && tick < cues[i - 1].tick) throw broken('its shells are not in the order of their times');
+  }
+  return cues;
+}
+
+function unpack(bytes: Uint8Array, at: number): Cue {
+  let bits = 0;
+  for (let b = 0; b < BYTES; b++) bits = bits * 256 + bytes[at + b];
+  const values: number[] = [];
+  for (const size of [16, 8, 8, 32, 128, 256, 1024]) {
+    values.unshift(bits % size);
+    bits = Math.floor(bits / size);
+  }
+  return cueOf(values);
+}
+
+function bytesOf(body: string): Uint8Array {
+  if (!/^[\w-]+$/.test(body)) throw broken('it has characters that no show has');
+  try {
+    const text = atob(body.replaceAll('-', '+').replaceAll('_', '/'));
+    return Uint8Array.from(text, (character) => character.charCodeAt(0));
+  } catch {
+    throw broken('it was cut off');
+  }
+}
+
+function broken(why: string): Error {
+  return new Error(`The show in the address cannot be read, as ${why}: copy the whole link once more.`);
+}
