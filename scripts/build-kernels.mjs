@@ -76,11 +76,9 @@ async function buildModule({ name, entry, constants, from, target, header, quiet
   const text = [
     header,
     "import type { EmbeddedModule } from './decode.ts';\n",
-    `const chunks = [\n${encodeModules(f32.wasm, f64.wasm)
-      .map((chunk) => `  '${chunk}',\n`)
-      .join('')}];\n`,
-    'export const KERNELS_F32: EmbeddedModule = { chunks, turn: 0 };',
-    'export const KERNELS_F64: EmbeddedModule = { chunks, turn: 1 };\n',
+    `const text = '${encodeModules(f32.wasm, f64.wasm)}';\n`,
+    `export const KERNELS_F32: EmbeddedModule = { text, start: 0, end: ${f32.wasm.length} };`,
+    `export const KERNELS_F64: EmbeddedModule = { text, start: ${f32.wasm.length}, end: ${f32.wasm.length + f64.wasm.length} };\n`,
     '/** What both modules export. An address (`usize`) is a byte offset into the memory; u32 results need `>>> 0`. */',
     kernelInterface({ f32, f64 }),
   ].join('\n');

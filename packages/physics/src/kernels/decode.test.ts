@@ -3,18 +3,25 @@ import { encodeModules } from '../../../../scripts/lib/encode-module.mjs';
 import { decodeModule } from './decode.ts';
 import { KERNELS_F32, KERNELS_F64 } from './modules.gen.ts';
 
-const bytes = (length: number, step: number) => Uint8Array.from({ length }, (_, i) => (i * step) & 255);
+const noise = (length: number) => Uint8Array.from({ length }, (_, i) => Math.imul(i * i + 12345, 0x9e3779b1) >>> 24);
+const wave = (length: number) => Uint8Array.from({ length }, (_, i) => (i * i) >> 7);
+const flat = (length: number) => new Uint8Array(length).fill(200);
 
 test.each([
-  [0, 0],
-  [1, 5000],
-  [4096, 4097],
-  [9000, 3],
-])('modules of %i and %i bytes survive the round trip', (a, b) => {
-  const [first, second] = [bytes(a, 7), bytes(b, 11)];
-  const chunks = encodeModules(first, second);
-  expect(decodeModule({ chunks, turn: 0 })).toEqual(first);
-  expect(decodeModule({ chunks, turn: 1 })).toEqual(second);
+  ['noise', noise, [0, 1, 2, 3, 4, 5, 300, 5000]],
+  // Matches of every kind of length and distance: an encoder picks short ones, repeated ones and single bytes.
+  ['what is like itself', wave, [1, 2, 273, 274, 9000]],
+  ['one byte over and over', flat, [1, 18, 300, 3000]],
+])('%s survives the round trip', { timeout: 60_000 }, (_, make, lengths) => {
+  const longest = make(lengths[lengths.length - 1]);
+  for (const first of lengths.map(make)) {
+    for (const second of [longest, first]) {
+      const text = encodeModules(first, second);
+      const middle = first.length;
+      expect(decodeModule({ text, start: 0, end: middle })).toEqual(first);
+      expect(decodeModule({ text, start: middle, end: middle + second.length })).toEqual(second);
+    }
+  }
 });
 
 test('both embedded modules are valid and export the same kernels', () => {

@@ -1,23 +1,33 @@
-/** One of two modules whose hexadecimal text is dealt out in turns: `turn` 0 owns the even chunks, 1 the odd ones. */
+import { decodeLzma } from './lzma';
+
+/** One of two modules that were compressed together, one after the other, and written in base 64. */
 export interface EmbeddedModule {
-  readonly chunks: readonly string[];
-  readonly turn: 0 | 1;
+  readonly text: string;
+  /** Where its bytes begin and end among those of both. */
+  readonly start: number;
+  readonly end: number;
 }
 
-/**
- * The bytes of an embedded WebAssembly module. Hexadecimal because it keeps bytes aligned, so that gzip and brotli
- * find the repetitions in the code; no `atob` and no `Buffer`, so it runs in Node, browsers and workers alike.
- */
-export function decodeModule({ chunks, turn }: EmbeddedModule): Uint8Array<ArrayBuffer> {
-  const text = chunks.filter((_, index) => index % 2 === turn).join('');
-  const bytes = new Uint8Array(text.length / 2);
-  for (let i = 0; i < bytes.length; i++) {
-    bytes[i] = digit(text.charCodeAt(2 * i)) * 16 + digit(text.charCodeAt(2 * i + 1));
+/** The bytes of an embedded WebAssembly module. */
+export function decodeModule({ text, start, end }: EmbeddedModule): Uint8Array<ArrayBuffer> {
+  return decodeLzma(decodeBase64(text), end).slice(start);
+}
+
+/** No `atob` and no `Buffer`, so it runs in Node, browsers, workers and worklets alike; text without padding. */
+function decodeBase64(text: string): Uint8Array {
+  const bytes = new Uint8Array((text.length * 6) >> 3);
+  let bits = 0;
+  for (let i = 0, at = 0; i < text.length; i++) {
+    bits = (bits << 6) | digit(text.charCodeAt(i));
+    if (i % 4 > 0) bytes[at++] = (bits >> (6 - 2 * (i % 4))) & 255;
   }
   return bytes;
 }
 
-/** '0'…'9' are 48…57 and 'a'…'f' are 97…102. */
+/** 'A'…'Z', 'a'…'z', '0'…'9', '+' and '/' are 65…90, 97…122, 48…57, 43 and 47. */
 function digit(code: number): number {
-  return code < 58 ? code - 48 : code - 87;
+  if (code >= 97) return code - 71;
+  if (code >= 65) return code - 65;
+  if (code >= 48) return code + 4;
+  return code === 43 ? 62 : 63;
 }
