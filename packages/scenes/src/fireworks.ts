@@ -43,8 +43,7 @@ export interface Fireworks extends SceneRun {
   setColors(colors: readonly number[]): void;
   /** Lets the barrage go on or run out. */
   setBarrage(on: boolean): void;
-  /** Notes what is not in the world; returns what puts it back when the world is restored. */
-  remember(): () => void;
+  readonly remember: () => () => void;
 }
 
 const DT = 1 / 60;
