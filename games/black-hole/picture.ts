@@ -92,7 +92,8 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm }: Pictu
     destroy() {
       skyView?.destroy();
       trail?.destroy();
-      root.destroy({ children: true });
+      // Told what to destroy, pixi leaves out even the shapes that a Graphics alone has, unless they are named.
+      root.destroy({ children: true, context: true });
     },
   };
 }

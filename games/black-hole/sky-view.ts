@@ -44,7 +44,7 @@ export function createBentSky(sky: Texture): SkyView {
       group.update();
     },
     destroy() {
-      container.destroy({ children: true });
+      container.destroy({ children: true, context: true });
       geometry.destroy(true);
       shader.destroy();
     },
@@ -72,6 +72,6 @@ export function createPlainSky(sky: Texture): SkyView {
         discs.circle(hx, hy, 1.1 * r).stroke({ width: 0.12 * r, color: 0xffc27a });
       }
     },
-    destroy: () => container.destroy({ children: true }),
+    destroy: () => container.destroy({ children: true, context: true }),
   };
 }

@@ -32,7 +32,8 @@ export function createRoom2D({ room }: BouncingBalls): Room2D {
     destroy() {
       grid.destroy();
       walls.destroy();
-      ground.destroy({ children: true });
+      // Told what to destroy, pixi leaves out even the shapes that a Graphics alone has, unless they are named.
+      ground.destroy({ children: true, context: true });
     },
   };
 }

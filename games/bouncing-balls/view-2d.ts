@@ -172,7 +172,7 @@ function createPicture(stage: Stage<Settings, BouncingBalls>, parent: Container)
       shading?.destroy();
       layer.destroy();
       room.destroy();
-      root.destroy({ children: true });
+      root.destroy({ children: true, context: true });
     },
   };
 }
