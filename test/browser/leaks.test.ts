@@ -34,15 +34,13 @@ it.each(['bouncing-balls', 'black-hole'])('%s lets go of what it no longer needs
   const after = await takeCounts(page, session);
   await page.close();
   await served.close();
-  const { contexts, memories, nodes, listeners } = after;
   expect(before.contexts).toBeGreaterThan(0);
   expect(objectsOf(before)).toBeGreaterThan(10);
   expect(objectsOf(after)).toBeLessThanOrEqual(objectsOf(before));
-  expect({ contexts, memories, nodes, listeners }).toEqual({
-    contexts: before.contexts,
-    memories: before.memories,
-    nodes: before.nodes,
-    listeners: before.listeners,
-  });
+  expect(after.contexts).toBe(before.contexts);
+  expect(after.memories).toBe(before.memories);
+  // A leak leaves one or more a round; the labels of a plot come and go by a few.
+  expect(after.nodes).toBeLessThan(before.nodes + ROUNDS);
+  expect(after.listeners).toBeLessThan(before.listeners + ROUNDS);
   expect(after.heap).toBeLessThan(before.heap + SLACK);
 });
