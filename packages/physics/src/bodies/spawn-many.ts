@@ -7,19 +7,16 @@ import { bitOf } from '../components/all';
 import { PhysicsError } from '../faults/physics-error';
 import { checkFunction, checkNumber } from '../faults/validate';
 import { contextOf, queryOf, removeWholly } from '../store/bitecs';
-import { ComponentBits, ComponentSet } from '../store/component-set';
+import { ComponentSet } from '../store/component-set';
 import { capacityError, makeRoom } from '../store/entities';
 import { assertUsable } from '../store/guards';
 import { countIncomplete } from '../store/incomplete';
-import { resource } from '../store/resource';
 import { cleanRow } from '../store/rows';
 import type { PhysicsWorld } from '../world';
 import { checkMany, type Filling, type Many, type ManyInput } from './many';
 
 /** Called as bodies are made, with how many are. */
 export type Progress = (made: number, count: number) => void;
-
-const componentBits = resource((world) => new ComponentBits(world.components), { outlives: true });
 
 const CHUNK = 65536;
 
@@ -66,7 +63,6 @@ function makeEntities(
 ): void {
   const count = ids.length;
   const context = contextOf(world);
-  const table = componentBits(world);
   const bits = fillings.reduce((all, { name }) => all | bitOf(name), 0);
   const data = componentData(world, fillings);
   const flags = data.reduce((all, { bitflag }) => all | bitflag, 0);
@@ -78,7 +74,7 @@ function makeEntities(
     if (eid > world.capacity) throw capacityError(world, count);
     if (eid <= used) cleanRow(world, eid);
     masks[eid] = (masks[eid] ?? 0) | flags;
-    context.entityComponents.set(eid, new ComponentSet(table, bits) as unknown as Set<ComponentRef>);
+    context.entityComponents.set(eid, new ComponentSet(world, bits) as unknown as Set<ComponentRef>);
     if (progress !== undefined && (i + 1) % CHUNK === 0 && i + 1 < count) tellProgress(world, progress, i + 1, count);
   }
   if (progress !== undefined) tellProgress(world, progress, count, count);

@@ -1,7 +1,15 @@
 // What the engine needs of bitECS beyond its public functions. bitECS keeps its tables under a public symbol, and its
 // version is pinned; all that reaches into them is here and in bodies/spawn-many.ts, held by tests.
-import { $internal, hasComponent, Prefab, type Query, removeEntity, type WorldContext } from 'bitecs';
-import { COMPONENT_NAMES, type ComponentName } from '../components/all';
+import {
+  $internal,
+  type ComponentRef,
+  hasComponent,
+  Prefab,
+  type Query,
+  removeEntity,
+  type WorldContext,
+} from 'bitecs';
+import { bitOf, COMPONENT_NAMES, type ComponentName } from '../components/all';
 import { PhysicsError } from '../faults/physics-error';
 import type { PhysicsWorld } from '../world';
 
@@ -20,6 +28,12 @@ export interface TableWatch {
 
 /** The component that columns are, and the world they belong to. */
 const owners = new WeakMap<object, { readonly world: PhysicsWorld; readonly name: ComponentName }>();
+
+/** The membership bit of a component of `world`; 0 for any other. */
+export function bitIn(world: PhysicsWorld, component: ComponentRef): number {
+  const owner = owners.get(component);
+  return owner?.world === world ? bitOf(owner.name) : 0;
+}
 
 /** Guards bitECS's tables of a new world, when our observers are registered and before anybody else's. */
 export function guardTables(world: PhysicsWorld, watch: TableWatch): void {

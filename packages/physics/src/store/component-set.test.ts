@@ -2,7 +2,7 @@ import { addComponent, addEntity, getEntityComponents, hasComponent, removeCompo
 import { describe, expect, it } from 'vitest';
 import { spawnMany } from '../bodies/spawn-many';
 import { createPhysicsWorld } from '../world';
-import { ComponentBits, ComponentSet } from './component-set';
+import { ComponentSet } from './component-set';
 
 describe('the components of a body made in bulk', () => {
   it('are what bitECS lists for a body made by hand, also of a user’s own', () => {
@@ -26,8 +26,9 @@ describe('the components of a body made in bulk', () => {
 });
 
 it('behaves as a set of components', () => {
-  const { components } = createPhysicsWorld({ capacity: 1 });
-  const set = new ComponentSet(new ComponentBits(components), 0);
+  const world = createPhysicsWorld({ capacity: 1 });
+  const { components } = world;
+  const set = new ComponentSet(world, 0);
   const Other = {};
   expect([set.size, set.has(Other), set.delete(Other)]).toEqual([0, false, false]);
   set.add(Other).add(components.Mass).add(components.Mass).add(components.Quarantined);
