@@ -1,29 +1,15 @@
 /** What befalls a page in real life: each game says so in a sentence, or simply survives. */
-import { readFileSync } from 'node:fs';
-import type { GameState } from '@principia/shell';
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { launchChromium } from '../support/chromium.ts';
-import { type ServedPage, servePage } from '../support/page.ts';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { fingersOf, frames, loseGraphicsCard, playGame, state } from '../support/game-page.ts';
 
-let browser: Browser;
-let context: BrowserContext;
-let errors: string[] = [];
-
-beforeAll(async () => {
-  browser = await launchChromium();
-});
-
-afterAll(() => browser?.close());
-
-afterEach(async () => {
-  await context?.close();
-  const seen = errors;
-  errors = [];
-  expect(seen).toEqual([]);
-});
-
-const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
+const games = [
+  ['bouncing-balls', 'pixi'],
+  ['bouncing-balls', 'three'],
+  ['black-hole', 'pixi'],
+  ['fireworks', 'pixi'],
+  ['fireworks', 'three'],
+] as const;
 
 /** A world that goes on when it is told to: whatever happened did not kill it. */
 async function expectAlive(page: Page) {
@@ -32,28 +18,13 @@ async function expectAlive(page: Page) {
   expect((await state(page)).tick).toBeGreaterThanOrEqual(tick + 10);
 }
 
-describe.each(['black-hole', 'bouncing-balls'])('%s', (game) => {
-  let served: ServedPage;
-
-  beforeAll(async () => {
-    const html = readFileSync(`games/${game}/index.html`, 'utf8');
-    served = await servePage(`games/${game}/main.ts`, { html });
-  });
-
-  afterAll(() => served?.close());
-
-  async function open(query = '', prepare?: () => void): Promise<Page> {
-    context = await browser.newContext({ viewport: { width: 640, height: 420 }, hasTouch: true });
-    const page = await context.newPage();
-    page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
-    if (prepare !== undefined) await page.addInitScript(prepare);
-    await page.goto(`${served.url}?${query}`);
-    await page.waitForFunction(() => globalThis.__game !== undefined);
-    return page;
-  }
+describe.each(games)('%s in %s', (game, renderer) => {
+  const played = playGame(game, { viewport: { width: 640, height: 420 }, hasTouch: true });
+  const open = (query = '', options: Parameters<typeof played.open>[1] = {}) =>
+    played.open(`renderer=${renderer}&${query}`, options);
 
   it('says so where there is no WebGL, and the world is there all the same', async () => {
-    const page = await open('manual', () => {
+    const prepare = () => {
       const { getContext } = HTMLCanvasElement.prototype;
       const only2d = function (this: HTMLCanvasElement, kind: string, ...more: unknown[]) {
         return kind === '2d' ? (getContext as (...given: unknown[]) => unknown).call(this, kind, ...more) : null;
@@ -61,27 +32,22 @@ describe.each(['black-hole', 'bouncing-balls'])('%s', (game) => {
       Object.assign(HTMLCanvasElement.prototype, { getContext: only2d });
       Object.assign(OffscreenCanvas.prototype, { getContext: () => null });
       Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined });
-    });
+    };
+    const page = await open('manual', { prepare, until: 'game' });
     await page.waitForFunction(() => __game.state().banner !== '');
     expect(await state(page)).toMatchObject({ ready: false });
     expect((await state(page)).banner).toMatch(/no WebGL 2.*hardware acceleration/);
+    await page.locator('button[title="Help (H)"]').click();
+    expect(await page.locator('dialog').isVisible()).toBe(true);
     await expectAlive(page);
   });
 
   it('waits out a graphics card that goes away, once more and again', async () => {
     const page = await open();
     for (let turn = 0; turn < 2; turn++) {
-      await page.evaluate(() => {
-        const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
-        const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
-        const card = gl.getExtension('WEBGL_lose_context') as WEBGL_lose_context;
-        Object.assign(globalThis, { card });
-        card.loseContext();
-      });
-      await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+      const giveBack = await loseGraphicsCard(page);
       await page.waitForTimeout(100);
-      await page.evaluate(() => (globalThis as unknown as { card: WEBGL_lose_context }).card.restoreContext());
-      await page.waitForFunction(() => __game.state().banner === '');
+      await giveBack();
     }
     await expectAlive(page);
   });
@@ -93,7 +59,7 @@ describe.each(['black-hole', 'bouncing-balls'])('%s', (game) => {
         const root = document.querySelector('.game') as HTMLElement;
         root.style.cssText = size === '' ? '' : `right: auto; bottom: auto; width: ${size}; height: ${size}`;
       }, width);
-      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      await frames(page);
     };
     for (const size of ['0px', '1px', '0px', '']) await resize(size);
     const { banner, ready } = await state(page);
@@ -104,12 +70,13 @@ describe.each(['black-hole', 'bouncing-balls'])('%s', (game) => {
   });
 
   it.each([true, false])('does not make up for an hour away; told that it is hidden: %s', async (told) => {
-    const page = await open('', () => {
+    const prepare = () => {
       const ask = globalThis.requestAnimationFrame.bind(globalThis);
       Object.assign(globalThis, { lost: 0 });
       const late = () => (globalThis as unknown as { lost: number }).lost;
       globalThis.requestAnimationFrame = (callback) => ask((time) => callback(time + late()));
-    });
+    };
+    const page = await open('', { prepare });
     await page.waitForFunction(() => __game.state().tick > 3);
     const { tick } = await state(page);
     const start = Date.now();
@@ -126,43 +93,49 @@ describe.each(['black-hole', 'bouncing-balls'])('%s', (game) => {
 
   it('takes ten fingers at once, and lets go of them all', async () => {
     const page = await open('manual&seed=4');
-    const client = await context.newCDPSession(page);
+    const touch = await fingersOf(page);
     const fingers = (dx: number) =>
       Array.from({ length: 10 }, (_, id) => ({ x: 40 + 35 * id + dx, y: 120 + 25 * (id % 5), id }));
-    await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: fingers(0) });
+    await touch('touchStart', fingers(0));
     for (const dx of [4, 9, 15]) {
-      await client.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: fingers(dx) });
+      await touch('touchMove', fingers(dx));
       await page.evaluate(() => __game.step(5));
     }
-    await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await touch('touchEnd');
     await page.evaluate(() => __game.step(1));
     const after = await state(page);
     expect(after.held).toEqual([]);
+    expect(after.game.held ?? []).toEqual([]);
     expect(after.game.heading ?? '').toBe('');
     expect(after.banner).toBe('');
     await expectAlive(page);
   });
 
   it('plays without sound where Web Audio is blocked', async () => {
-    const page = await open('', () => {
+    const prepare = () => {
       const blocked = () => {
         throw new DOMException('Audio is blocked.', 'NotAllowedError');
       };
       Object.assign(globalThis, { AudioContext: blocked, webkitAudioContext: blocked });
-    });
+    };
+    const page = await open('', { prepare });
     await page.keyboard.press('ArrowUp');
     await page.waitForFunction(() => __game.state().tick > 5);
-    expect((await state(page)).banner).toBe('');
+    // A game that would sound says once that it cannot.
+    if (game === 'fireworks') await page.waitForFunction(() => __game.state().banner.includes('no sound'));
+    else expect((await state(page)).banner).toBe('');
+    await expectAlive(page);
   });
 
   it('keeps nothing, and plays, where the browser keeps nothing', async () => {
-    const page = await open('manual', () => {
+    const prepare = () => {
       Object.defineProperty(globalThis, 'localStorage', {
         get() {
           throw new DOMException('Not allowed.', 'SecurityError');
         },
       });
-    });
+    };
+    const page = await open('manual', { prepare });
     await page.keyboard.press('y');
     expect(await state(page)).toMatchObject({ safeColors: true, banner: '' });
     await expectAlive(page);

@@ -1,15 +1,12 @@
 /** Plays the game of black holes through its real page: keys, mouse, fingers, a gamepad. */
-import { readFileSync } from 'node:fs';
 import { step } from '@principia/physics';
 import type { BlackHole, LoggedInput } from '@principia/scenes';
-import type { GameState } from '@principia/shell';
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { Autopilot } from '../../games/black-hole/autopilot.ts';
 import type { Heading } from '../../games/black-hole/heading.ts';
 import { createGame, type Input } from '../../games/black-hole/sim.ts';
-import { launchChromium } from '../support/chromium.ts';
-import { type ServedPage, servePage } from '../support/page.ts';
+import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state, steps } from '../support/game-page.ts';
 
 const VALUES = { fuel: true, moving: true, autopilot: false };
 const KEYS: Record<Heading, string> = { up: 'ArrowUp', left: 'ArrowLeft', down: 'ArrowDown', right: 'ArrowRight' };
@@ -29,51 +26,14 @@ interface Told {
   readonly holes: BlackHole['holes'];
 }
 
-let browser: Browser;
-let served: ServedPage;
-let context: BrowserContext;
-let errors: string[] = [];
+const { open: play } = playGame('black-hole', { viewport: { width: 640, height: 420 }, hasTouch: true });
 
-beforeAll(async () => {
-  const html = readFileSync('games/black-hole/index.html', 'utf8');
-  served = await servePage('games/black-hole/main.ts', { html });
-  browser = await launchChromium();
-});
-
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
-
-afterEach(async () => {
-  await context?.close();
-  const seen = errors;
-  errors = [];
-  expect(seen).toEqual([]);
-});
-
-async function play(query: string, size = { width: 640, height: 420 }): Promise<Page> {
-  context = await browser.newContext({ viewport: size, hasTouch: true });
-  const page = await context.newPage();
-  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
-  await page.goto(`${served.url}?${query}`);
-  await page.waitForFunction(() => globalThis.__game?.state().ready);
-  return page;
-}
-
-const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
 const told = async (page: Page) => (await state(page)).game as unknown as Told;
-const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
-const frames = (page: Page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-const picture = async (page: Page) => {
-  await frames(page);
-  return page.screenshot({ style: '.game > :not(.game-stage), .bh-hud { display: none }' });
-};
+const picture = (page: Page) => pictureOf(page, '.bh-hud');
 
 /** Where the ship is on the page. */
 async function shipPlace(page: Page) {
-  const { screen } = await page.evaluate(() => __game.body(0));
+  const { screen } = await body(page, 0);
   return screen as { x: number; y: number };
 }
 
@@ -237,14 +197,12 @@ describe('other hands', () => {
 
   it('a finger steers', async () => {
     const page = await play('manual&seed=4');
-    const client = await context.newCDPSession(page);
+    const touch = await fingersOf(page);
     const { x, y } = await shipPlace(page);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: { x: number; y: number }[]) =>
-      client.send('Input.dispatchTouchEvent', { type, touchPoints });
     await touch('touchStart', [{ x: x + 70, y: y - 10 }]);
     await steps(page, 1);
     expect((await told(page)).heading).toBe('right');
-    await touch('touchEnd', []);
+    await touch('touchEnd');
     await steps(page, 1);
     expect((await told(page)).heading).toBe('');
   });
@@ -302,18 +260,10 @@ describe('the picture', () => {
   it('survives the loss of the graphics card', async () => {
     const page = await play('manual&seed=4');
     const whole = await picture(page);
-    await page.evaluate(() => {
-      const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
-      const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
-      const card = gl.getExtension('WEBGL_lose_context') as WEBGL_lose_context;
-      Object.assign(globalThis, { card });
-      card.loseContext();
-    });
-    await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+    const giveBack = await loseGraphicsCard(page);
     await steps(page, 1);
     await frames(page);
-    await page.evaluate(() => (globalThis as unknown as { card: WEBGL_lose_context }).card.restoreContext());
-    await page.waitForFunction(() => __game.state().banner === '');
+    await giveBack();
     const back = await picture(page);
     // Compressed size tells a sky of stars from a black picture.
     expect(back.length).toBeGreaterThan(0.8 * whole.length);

@@ -1,63 +1,19 @@
 /** Plays the game of bouncing balls through its real page: keys, mouse, fingers, address. */
-import { readFileSync } from 'node:fs';
 import { stateHash, step } from '@principia/physics';
-import type { BodyState, GameState } from '@principia/shell';
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { dress } from '../../games/bouncing-balls/looks.ts';
 import { createBalls, parameters } from '../../games/bouncing-balls/sim.ts';
-import { launchChromium } from '../support/chromium.ts';
-import { type ServedPage, servePage } from '../support/page.ts';
+import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state, steps } from '../support/game-page.ts';
 
 const GRAVITY = 9.80665;
 const DT = 1 / 60;
 
-let browser: Browser;
-let served: ServedPage;
-let context: BrowserContext;
-let errors: string[] = [];
-
-beforeAll(async () => {
-  const html = readFileSync('games/bouncing-balls/index.html', 'utf8');
-  served = await servePage('games/bouncing-balls/main.ts', { html });
-  browser = await launchChromium();
-});
-
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
-
-afterEach(async () => {
-  await context?.close();
-  const seen = errors;
-  errors = [];
-  expect(seen).toEqual([]);
-});
-
-/** Opens the game and waits for its picture. */
-async function play(query: string, prepare?: () => void): Promise<Page> {
-  context = await browser.newContext({ viewport: { width: 900, height: 600 }, hasTouch: true });
-  const page = await context.newPage();
-  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
-  if (prepare !== undefined) await page.addInitScript(prepare);
-  await page.goto(`${served.url}?${query}`);
-  if (prepare === undefined) await page.waitForFunction(() => globalThis.__game?.state().ready);
-  return page;
-}
-
-const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
-const body = (page: Page, index: number): Promise<BodyState> => page.evaluate((i) => __game.body(i), index);
-const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
-
-/** Two pictures, as the display shows them, since a change of the world shows in the second at the latest. */
-const frames = (page: Page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const { open: play } = playGame('bouncing-balls', { viewport: { width: 900, height: 600 }, hasTouch: true });
 
 /** Pixels of the picture that are as bright and coloured as nothing but balls is. */
 async function brightPixels(page: Page): Promise<number> {
-  await frames(page);
-  const png = (await page.screenshot({ style: '.game > :not(.game-stage) { display: none }' })).toString('base64');
+  const png = (await pictureOf(page)).toString('base64');
   return page.evaluate(async (data) => {
     const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
     const canvas = new OffscreenCanvas(image.width, image.height).getContext('2d') as OffscreenCanvasRenderingContext2D;
@@ -147,26 +103,8 @@ describe('the page', () => {
     expect({ count: values.count, seed, renderer }).toEqual({ count: 5, seed: 1, renderer: 'pixi' });
   });
 
-  it('says so when there is no WebGL', async () => {
-    const page = await play('', () => {
-      const { getContext } = HTMLCanvasElement.prototype;
-      HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string) {
-        return kind === '2d' ? getContext.call(this, kind as never) : null;
-      } as never;
-      OffscreenCanvas.prototype.getContext = (() => null) as never;
-      Object.defineProperty(navigator, 'gpu', { value: undefined });
-    });
-    await page.waitForSelector('.game-banner:not([hidden])');
-    expect(await page.locator('.game-banner p').textContent()).toContain('no WebGL 2');
-    await page.locator('button[title="Help (H)"]').click();
-    expect(await page.locator('dialog').isVisible()).toBe(true);
-  });
-
   it('waits where the system asks for little motion', async () => {
-    context = await browser.newContext({ reducedMotion: 'reduce' });
-    const page = await context.newPage();
-    await page.goto(served.url);
-    await page.waitForFunction(() => globalThis.__game?.state().ready);
+    const page = await play('', { reducedMotion: 'reduce' });
     expect(await state(page)).toMatchObject({ paused: true, tick: 0 });
     expect((await state(page)).banner).toContain('little motion');
   });
@@ -269,7 +207,7 @@ describe('holding and throwing', () => {
   it.each(['pixi', 'three'])('a thrown ball leaves with the velocity of the mouse: %s', async (renderer) => {
     const page = await play(`manual&friction=0&renderer=${renderer}`);
     await steps(page, 20);
-    const client = await context.newCDPSession(page);
+    const client = await page.context().newCDPSession(page);
     const { screen, x, y } = await body(page, 2);
     const from = screen as { x: number; y: number };
     // The browser takes these for what the mouse reported, with times of its own: a busy machine changes nothing.
@@ -322,7 +260,7 @@ describe('holding and throwing', () => {
   it('two fingers hold two balls', async () => {
     const page = await play('manual&count=6&friction=0');
     await steps(page, 20);
-    const client = await context.newCDPSession(page);
+    const touch = await fingersOf(page);
     const all = await Promise.all(Array.from({ length: 6 }, (_, i) => body(page, i)));
     // A finger takes the nearest ball, so only balls that no other covers will do.
     const clear = all.filter((a) =>
@@ -331,8 +269,6 @@ describe('holding and throwing', () => {
     const before = clear.slice(0, 2);
     expect(before).toHaveLength(2);
     const fingers = before.map(({ screen }, id) => ({ x: screen?.x ?? 0, y: screen?.y ?? 0, id }));
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: typeof fingers) =>
-      client.send('Input.dispatchTouchEvent', { type, touchPoints });
     await touch('touchStart', fingers.slice(0, 1));
     await touch('touchStart', fingers);
     await page.waitForFunction(() => __game.state().held.length === 2);
@@ -389,18 +325,10 @@ describe('bad weather', () => {
     await frames(page);
     await page.evaluate(() => document.querySelector('.game-stage')?.classList.remove('nothing'));
     expect(await brightPixels(page)).toBe(whole);
-    await page.evaluate(() => {
-      const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
-      const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
-      const card = gl.getExtension('WEBGL_lose_context') as WEBGL_lose_context;
-      Object.assign(globalThis, { card });
-      card.loseContext();
-    });
-    await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+    const giveBack = await loseGraphicsCard(page);
     await steps(page, 1);
     await frames(page);
-    await page.evaluate(() => (globalThis as unknown as { card: WEBGL_lose_context }).card.restoreContext());
-    await page.waitForFunction(() => __game.state().banner === '');
+    await giveBack();
     expect(Math.abs((await brightPixels(page)) - whole)).toBeLessThan(0.2 * whole);
   });
 

@@ -1,15 +1,12 @@
 /** Plays the fireworks through their real page: mouse, fingers, keys, and the address. */
-import { readFileSync } from 'node:fs';
 import { step } from '@principia/physics';
 import type { LoggedInput } from '@principia/scenes';
-import type { GameState } from '@principia/shell';
-import type { Browser, BrowserContext, Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { DEMO_SHOW } from '../../games/fireworks/demo-show.ts';
 import { type Cue, createGame, type Input } from '../../games/fireworks/sim.ts';
-import { launchChromium } from '../support/chromium.ts';
-import { type ServedPage, servePage } from '../support/page.ts';
+import { fingersOf, frames, loseGraphicsCard, pictureOf, playGame, ready, state, steps } from '../support/game-page.ts';
 
 const VALUES = { wind: 0, barrage: false, sparks: 100_000 };
 
@@ -28,45 +25,9 @@ interface Told {
   readonly sound: { readonly state: string; readonly heard: number; readonly lastDelay: number };
 }
 
-let browser: Browser;
-let served: ServedPage;
-let context: BrowserContext;
-let errors: string[] = [];
+const { open: play } = playGame('fireworks', { viewport: { width: 900, height: 560 }, hasTouch: true });
 
-beforeAll(async () => {
-  const html = readFileSync('games/fireworks/index.html', 'utf8');
-  served = await servePage('games/fireworks/main.ts', { html });
-  browser = await launchChromium();
-});
-
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
-
-afterEach(async () => {
-  await context?.close();
-  const seen = errors;
-  errors = [];
-  expect(seen).toEqual([]);
-});
-
-async function play(query: string, prepare?: () => void, size = { width: 900, height: 560 }): Promise<Page> {
-  context = await browser.newContext({ viewport: size, hasTouch: true });
-  const page = await context.newPage();
-  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
-  if (prepare !== undefined) await page.addInitScript(prepare);
-  await page.goto(`${served.url}?${query}`);
-  await page.waitForFunction(() => globalThis.__game?.state().ready);
-  return page;
-}
-
-const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
 const told = async (page: Page) => (await state(page)).game as unknown as Told;
-const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
-
-const frames = (page: Page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const kinds = ({ log }: Told) => log.flatMap(({ input }) => (input.do === 'fire' ? [input.kind] : []));
 
 /** Steps with a picture after each few, so that light can gather. */
@@ -81,8 +42,7 @@ const watch = (page: Page, count: number) =>
 
 /** Pixels of the sky that are as bright as only sparks are, and how many of them are coloured rather than white. */
 async function brightness(page: Page) {
-  const shot = await page.screenshot({ style: '.game > :not(.game-stage) { display: none }' });
-  const { data, width, height } = PNG.sync.read(shot);
+  const { data, width, height } = PNG.sync.read(await pictureOf(page));
   const found = { bright: 0, colored: 0 };
   for (let i = 0; i < width * Math.floor(0.7 * height); i++) {
     const [r, g, b] = data.subarray(4 * i, 4 * i + 3);
@@ -138,11 +98,7 @@ describe('hands', () => {
 
   it('of two fingers hold two shells at once; one that is taken away is forgotten', async () => {
     const page = await play('manual');
-    const client = await context.newCDPSession(page);
-    const touch = (
-      type: 'touchStart' | 'touchEnd' | 'touchCancel',
-      touchPoints: { x: number; y: number; id: number }[],
-    ) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const touch = await fingersOf(page);
     const [left, right] = [
       { x: 200, y: 150, id: 1 },
       { x: 420, y: 200, id: 2 },
@@ -152,11 +108,11 @@ describe('hands', () => {
     expect((await told(page)).held).toHaveLength(2);
     expect(await page.locator('.fw-ring').count()).toBe(2);
     await touch('touchEnd', [left]);
-    await touch('touchEnd', []);
+    await touch('touchEnd');
     await steps(page, 1);
     expect(await told(page)).toMatchObject({ fired: 2, held: [], isDemo: false });
     await touch('touchStart', [left]);
-    await touch('touchCancel', []);
+    await touch('touchCancel');
     await steps(page, 1);
     expect(await told(page)).toMatchObject({ fired: 2, held: [] });
     expect(await page.locator('.fw-ring').count()).toBe(0);
@@ -215,9 +171,9 @@ describe('a show', () => {
     const link = page.url();
     expect(link).toMatch(/#show=1\.[\w-]+$/);
     const { cues } = await told(page);
-    const guest = await context.newPage();
+    const guest = await page.context().newPage();
     await guest.goto(link);
-    await guest.waitForFunction(() => globalThis.__game?.state().ready);
+    await ready(guest);
     await steps(guest, 1);
     expect(await told(guest)).toMatchObject({ cues, isShowing: true, isDemo: false, flying: 1 });
   });
@@ -272,7 +228,7 @@ describe('sound', () => {
   });
 
   it.each(['missing', 'blocked'])('that is %s is said once, and the game plays on', async (how) => {
-    const page = await play('manual', how === 'missing' ? hideAudio : blockAudio);
+    const page = await play('manual', { prepare: how === 'missing' ? hideAudio : blockAudio });
     await page.mouse.click(400, 100);
     await page.waitForFunction(() => __game.state().banner.includes('no sound'));
     await page.mouse.click(300, 150);
@@ -313,17 +269,10 @@ describe('the picture', () => {
     await page.setViewportSize({ width: 700, height: 420 });
     await page.mouse.click(300, 120);
     await steps(page, 150);
-    await page.evaluate(() => {
-      const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
-      const card = canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context') as WEBGL_lose_context;
-      Object.assign(globalThis, { card });
-      card.loseContext();
-    });
-    await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+    const giveBack = await loseGraphicsCard(page);
     await steps(page, 1);
     await frames(page);
-    await page.evaluate(() => (globalThis as unknown as { card: WEBGL_lose_context }).card.restoreContext());
-    await page.waitForFunction(() => __game.state().banner === '');
+    await giveBack();
     await watch(page, 45);
     expect((await brightness(page)).bright).toBeGreaterThan(300);
   });

@@ -1,49 +1,11 @@
 /** What the shell gives every game, worked with real keys, pointers and files, on the game of bouncing balls. */
-import { readFileSync } from 'node:fs';
-import type { GameState } from '@principia/shell';
-import type { Browser, BrowserContext, Download, Page } from 'playwright-core';
+import type { Download, Page } from 'playwright-core';
 import { PNG } from 'pngjs';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { launchChromium } from '../support/chromium.ts';
-import { type ServedPage, servePage } from '../support/page.ts';
+import { describe, expect, it } from 'vitest';
+import { frames, playGame, ready, state, steps } from '../support/game-page.ts';
 
-let browser: Browser;
-let served: ServedPage;
-let context: BrowserContext;
-let errors: string[] = [];
+const { open } = playGame('bouncing-balls', { viewport: { width: 900, height: 700 }, acceptDownloads: true });
 
-beforeAll(async () => {
-  const html = readFileSync('games/bouncing-balls/index.html', 'utf8');
-  served = await servePage('games/bouncing-balls/main.ts', { html });
-  browser = await launchChromium();
-});
-
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
-
-afterEach(async () => {
-  await context?.close();
-  const seen = errors;
-  errors = [];
-  expect(seen).toEqual([]);
-});
-
-async function open(query: string, prepare?: () => void): Promise<Page> {
-  context = await browser.newContext({ viewport: { width: 900, height: 700 }, acceptDownloads: true });
-  const page = await context.newPage();
-  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
-  if (prepare !== undefined) await page.addInitScript(prepare);
-  await page.goto(`${served.url}?${query}`);
-  await page.waitForFunction(() => globalThis.__game?.state().ready);
-  return page;
-}
-
-const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
-const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
-const frames = (page: Page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const card = (page: Page, label: string) => page.locator(`.game-card[aria-label="${label}"]`);
 
 async function contentOf(download: Download): Promise<Buffer> {
@@ -200,7 +162,7 @@ describe('pictures', () => {
   });
 
   it('says so where the browser cannot film', async () => {
-    const page = await open('manual', () => Object.assign(globalThis, { MediaRecorder: undefined }));
+    const page = await open('manual', { prepare: () => Object.assign(globalThis, { MediaRecorder: undefined }) });
     await page.keyboard.press('m');
     expect((await state(page)).banner).toMatch(/cannot film.*screen recorder/);
   });
@@ -228,7 +190,7 @@ describe('looks', () => {
     // Colours are columns as well.
     expect((await state(page)).hash).not.toBe(before);
     await page.reload();
-    await page.waitForFunction(() => globalThis.__game?.state().ready);
+    await ready(page);
     expect((await state(page)).safeColors).toBe(true);
     await page.keyboard.press('y');
     expect(await state(page)).toMatchObject({ safeColors: false, hash: before });

@@ -1,0 +1,115 @@
+/** A game's real page in a browser, served, opened and watched for errors: what every test that plays a game needs. */
+import { readFileSync } from 'node:fs';
+import type { BodyState, GameState } from '@principia/shell';
+import type { Browser, BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect } from 'vitest';
+import { launchChromium } from './chromium.ts';
+import { type ServedPage, servePage } from './page.ts';
+
+/** How a page is opened: everything a browser context takes (viewport, hasTouch, acceptDownloads, reducedMotion…). */
+export interface OpenOptions extends BrowserContextOptions {
+  /** Runs in the page before anything of the game does. */
+  readonly prepare?: () => void;
+  /** What to wait for. Default: the game's picture. */
+  readonly until?: 'picture' | 'game' | 'nothing';
+}
+
+/** A game that is served as long as the tests of a file, or of a `describe`, run. */
+export interface PlayedGame {
+  /** Where it is served. */
+  readonly url: string;
+  /**
+   * Opens `?query` (a `#…` may follow) in a context of its own, which is closed after the test. Errors that nobody
+   * catches fail the test.
+   */
+  open(query?: string, options?: OpenOptions): Promise<Page>;
+}
+
+/** Serves `games/<name>` to the tests that follow. @param defaults options of every page, unless it has its own */
+export function playGame(name: string, defaults: OpenOptions = {}): PlayedGame {
+  let browser: Browser | undefined;
+  let served: ServedPage | undefined;
+  let errors: string[] = [];
+  const contexts: BrowserContext[] = [];
+
+  beforeAll(async () => {
+    const html = readFileSync(`games/${name}/index.html`, 'utf8');
+    [served, browser] = await Promise.all([servePage(`games/${name}/main.ts`, { html }), launchChromium()]);
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await served?.close();
+  });
+
+  afterEach(async () => {
+    for (const context of contexts.splice(0)) await context.close();
+    const seen = errors;
+    errors = [];
+    expect(seen).toEqual([]);
+  });
+
+  return {
+    get url() {
+      return (served as ServedPage).url;
+    },
+    async open(query = '', options = {}) {
+      const { prepare, until = 'picture', ...rest } = { ...defaults, ...options };
+      const context = await (browser as Browser).newContext(rest);
+      contexts.push(context);
+      context.on('page', (page) => page.on('pageerror', (error) => errors.push(error.stack ?? error.message)));
+      const page = await context.newPage();
+      if (prepare !== undefined) await page.addInitScript(prepare);
+      await page.goto(`${served?.url}?${query}`);
+      if (until !== 'nothing') await ready(page, until);
+      return page;
+    },
+  };
+}
+
+/** Resolves when the game is there, or its picture as well. */
+export async function ready(page: Page, until: 'picture' | 'game' = 'picture'): Promise<void> {
+  await page.waitForFunction(() => globalThis.__game !== undefined);
+  if (until === 'picture') await page.waitForFunction(() => __game.state().ready);
+}
+
+export const state = (page: Page): Promise<GameState> => page.evaluate(() => __game.state());
+export const body = (page: Page, index: number): Promise<BodyState> => page.evaluate((i) => __game.body(i), index);
+/** Steps of a game that was opened with `manual`. */
+export const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
+
+/** Two pictures, as the display shows them, since a change of the world shows in the second at the latest. */
+export const frames = (page: Page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** The picture as a PNG, without what the shell and the game write over it. @param more selectors to hide as well */
+export async function pictureOf(page: Page, ...more: string[]): Promise<Buffer> {
+  await frames(page);
+  const hidden = ['.game > :not(.game-stage)', ...more].join();
+  return page.screenshot({ style: `${hidden} { display: none !important }` });
+}
+
+export type Finger = { readonly x: number; readonly y: number; readonly id?: number };
+
+/** Touches the page as the browser's own input does: `touchPoints` are all fingers that are down afterwards. */
+export async function fingersOf(page: Page) {
+  const client = await page.context().newCDPSession(page);
+  return (type: 'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel', fingers: readonly Finger[] = []) =>
+    client.send('Input.dispatchTouchEvent', { type, touchPoints: [...fingers] });
+}
+
+/** Takes the graphics card away, and waits until the game says so. Returns how to give it back. */
+export async function loseGraphicsCard(page: Page): Promise<() => Promise<void>> {
+  const card = await page.evaluateHandle(() => {
+    const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
+    const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
+    const found = gl.getExtension('WEBGL_lose_context') as WEBGL_lose_context;
+    found.loseContext();
+    return found;
+  });
+  await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+  return async () => {
+    await card.evaluate((found) => found.restoreContext());
+    await page.waitForFunction(() => __game.state().banner === '');
+  };
+}
