@@ -15,6 +15,7 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   particles: [fusedSimd, fusedJs, queryIdiom].map((make) => onlyWith(semiImplicitEuler, make)),
   springs: [onlyWith(semiImplicitEuler, springsJs)],
   attractors: [onlyWith(velocityVerlet, attractorsJs)],
+  circles: [circlesJs],
   gas: [circlesJs],
   'nbody-direct': [nBodyJs],
   'nbody-tree': [nBodyDirect, nBodyD3],

@@ -1,37 +1,44 @@
-// The same collisions as the scene `gas` in plain JavaScript over typed arrays: the same grid, the same order of the
-// contacts, the same arithmetic. In f64 it ends in the same bits; in f32 it stores f32 and reckons in f64, as JavaScript
-// does. Only what an elastic gas without forces or friction needs is here: it says so when it meets anything else.
-import { bodies } from '@principia/physics';
-import type { GasRun, SceneRun } from '@principia/scenes';
+// The same collisions as the scenes `circles` and `gas` in plain JavaScript over typed arrays: the same grid, the same
+// order of the contacts, the same sweeps, the same arithmetic. In f64 it ends in the same bits; in f32 it stores f32 and
+// reckons in f64, as JavaScript does. Only what these scenes need is here: bodies that do not spin, and the box.
+import { bodies, velocityVerlet } from '@principia/physics';
+import type { BoxedRun, SceneRun } from '@principia/scenes';
 import { findPairs } from './circles-js/broad-phase';
-import { collide } from './circles-js/response';
-import { type Gas, gasOf } from './circles-js/state';
-import { bounce } from './circles-js/walls';
+import { respond } from './circles-js/response';
+import { type Balls, ballsOf } from './circles-js/state';
+import { meetWalls } from './circles-js/walls';
 import type { Peer } from './peer';
 
-export function circlesJs(run: SceneRun): Peer {
+/** None for bodies with friction or another integrator. */
+export function circlesJs(run: SceneRun): Peer | undefined {
+  const boxed = run as BoxedRun;
+  if (boxed.friction > 0 || run.world.integrator.name !== velocityVerlet.name) return undefined;
   const { ids, count } = bodies(run.world);
-  const gas = gasOf(run as GasRun, ids.slice(0, count));
+  const balls = ballsOf(boxed, ids.slice(0, count));
   return {
     name: 'plain JavaScript',
     step() {
-      move(gas);
-      gas.wall.fill(0);
-      bounce(gas, gas.x, gas.vx, gas.startX, 1);
-      bounce(gas, gas.y, gas.vy, gas.startY, 3);
-      findPairs(gas);
-      collide(gas);
+      move(balls);
+      meetWalls(balls);
+      findPairs(balls);
+      respond(balls);
     },
-    positions: (axis) => gas[axis],
+    positions: (axis) => balls[axis],
   };
 }
 
-/** Velocity Verlet without forces. */
-function move({ count, dt, x, y, vx, vy, startX, startY }: Gas): void {
+/** Velocity Verlet under gravity along y. */
+function move({ count, flat, dt, x, y, z, vx, vy, vz, startX, startY, startZ, fall }: Balls): void {
+  const half = 0.5 * dt;
   for (let i = 0; i < count; i++) {
+    const g = fall[i];
     startX[i] = vx[i];
     startY[i] = vy[i];
     x[i] += vx[i] * dt;
-    y[i] += vy[i] * dt;
+    y[i] += (vy[i] + g * half) * dt;
+    vy[i] += (g + g) * half;
+    if (flat) continue;
+    startZ[i] = vz[i];
+    z[i] += vz[i] * dt;
   }
 }

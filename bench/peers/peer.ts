@@ -6,7 +6,7 @@ export interface Peer {
   /** One step of the scene's dt. */
   readonly step: () => void;
   /** The position along an axis in bodies' order, to see that it did the same work. */
-  readonly positions: (axis: 'x' | 'y') => ArrayLike<number>;
+  readonly positions: (axis: 'x' | 'y' | 'z') => ArrayLike<number>;
 }
 
 /** Makes a peer from a scene just made; nothing has stepped yet. None where it cannot do this run's work. */

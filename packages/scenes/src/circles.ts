@@ -1,6 +1,7 @@
 // Discs or balls of several sizes in a box they fill to two fifths, falling onto each other: collisions by the hundred
 // thousand, from a gas to a heap.
 import { boxWalls, colliding, createPhysicsWorld, pow, spawnMany, uniformGravity } from '@principia/physics';
+import type { BoxedRun } from './boxed-run';
 import { countOf, defineScene } from './scene';
 import { seededUniforms } from './seeded';
 
@@ -65,7 +66,9 @@ export const circles = defineScene({
       },
       progress,
     );
-    return { world, dt: 1 / 120, losesEnergy: 'collisions are not elastic' };
+    const far = { z: 0, ...max };
+    const run: BoxedRun = { world, dt: 1 / 120, far, gravity, restitution, friction };
+    return { ...run, losesEnergy: 'collisions are not elastic' };
   },
 });
 

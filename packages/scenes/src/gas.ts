@@ -1,14 +1,9 @@
 // An elastic gas of discs or balls in a box: bodies that meet and nothing else. Energy is what it was at the start, and
 // no momentum is lost but to the walls.
 import { boxWalls, colliding, createPhysicsWorld, pow, spawnMany } from '@principia/physics';
-import { countOf, defineScene, type SceneRun } from './scene';
+import type { BoxedRun } from './boxed-run';
+import { countOf, defineScene } from './scene';
 import { seededUniforms } from './seeded';
-
-/** A gas made; peers need to know its box. */
-export interface GasRun extends SceneRun {
-  /** Edge of the box, m: it reaches from the origin to (side, side, side). */
-  readonly side: number;
-}
 
 export const gas = defineScene({
   name: 'gas',
@@ -50,7 +45,8 @@ export const gas = defineScene({
       },
       progress,
     );
-    const run: GasRun = { world, dt: 1 / 60, side };
+    const far = { x: side, y: side, z: dimensions === 3 ? side : 0 };
+    const run: BoxedRun = { world, dt: 1 / 60, far, gravity: 0, restitution, friction: 0 };
     return restitution < 1 ? { ...run, losesEnergy: 'the collisions are not elastic' } : run;
   },
 });

@@ -5,26 +5,25 @@ import { ContactTable, FINITE, contactTable, putWord, word } from './table';
 
 @unmanaged
 export class Body {
-  // Position and velocity.
+  // Position and radius, then velocity and 1/m, 0 for a body that contacts do not move: quads.ts reads each as one.
   x: real;
   y: real;
   z: real;
+  radius: real;
   vx: real;
   vy: real;
   vz: real;
+  inverseMass: real;
   // Mean acceleration of the step; impulses are none.
   ax: real;
   ay: real;
   az: real;
+  // r/I, 0 for a body that contacts do not turn.
+  turning: real;
   // Angular velocity.
   wx: real;
   wy: real;
   wz: real;
-  // 1/m, 0 for a body that contacts do not move.
-  inverseMass: real;
-  radius: real;
-  // r/I, 0 for a body that contacts do not turn.
-  turning: real;
   // Index + 1 of the contact with a wall that holds the body, 0 without one.
   wall: i32;
 }

@@ -6,8 +6,9 @@
 // and as the new velocities hold since then, positions change by (change of velocity) * since. An isolated pair is thus
 // exact under any constant acceleration, momentum is kept to rounding, and energy where e = 1.
 //
-// The earliest come first, in slices of dt/64; within a slice in ascending (a, b). Collisions may set off others, so
-// the list is gone through again, at most three times more; what is left then collides in the next step.
+// The earliest come first, in slices of dt/64; within a slice in ascending (a, b). Collisions may set off others, so the
+// contacts of bodies that collided are looked at again, at most three times more; what is left then collides in the next
+// step. What happens elsewhere makes no difference.
 //
 // With `pull` the speed that presses the two together in a step, a rebound at e s is back after 2 e s dt / pull. Where
 // that is within the step the bodies are at rest on each other and `rest.ts` holds them; one that came in fast still
@@ -19,9 +20,8 @@ import { rub } from './friction';
 import { ContactTable, FINITE, putWord, word } from './table';
 import { touchSpeed, touchTime, touchX, touchY, touchZ } from './touch';
 
-// Flags of a contact in this step.
-export const COLLIDED: i32 = 1;
-export const RESTS: i32 = 2;
+// A contact's flag in this step.
+const COLLIDED: i32 = 1;
 
 const SLICES: i32 = 64;
 const MOST_SWEEPS: i32 = 4;
@@ -29,11 +29,15 @@ const MOST_SWEEPS: i32 = 4;
 export function resolveImpacts(c: Columns, t: ContactTable, dt: real, lag: real): void {
   const count = orderByTime(t, dt, lag);
   if (count == 0) return;
+  memory.fill(t.rowWords, 0, (<usize>t.bodyCount) << 2);
   let hit = 0;
-  for (let k = 0; k < count; k++) hit += collide(c, t, word(t.order, k), dt, lag);
+  for (let k = 0; k < count; k++) hit += collide(c, t, word(t.order, k), dt, lag, 1);
   for (let sweep = 1; sweep < MOST_SWEEPS && hit > 0; sweep++) {
     hit = 0;
-    for (let i = 0; i < t.count; i++) hit += collide(c, t, i, dt, lag);
+    for (let i = 0; i < t.count; i++) {
+      const latest = max<i32>(word(t.rowWords, word(t.slotA, i)), word(t.rowWords, word(t.slotB, i)));
+      if (latest >= sweep) hit += collide(c, t, i, dt, lag, sweep + 1);
+    }
   }
 }
 
@@ -76,8 +80,8 @@ function sliceOf(t: ContactTable, i: i32, dt: real, rate: real, lag: real): i32 
   return vX * nX + vY * nY + vZ * nZ < 0 ? 0 : -1;
 }
 
-// Lets contact i collide when it can. Returns 1 when it did.
-function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real): i32 {
+// Lets contact i collide when it can, and notes with its bodies that they did in this `turn`. Returns 1 when it did.
+function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, turn: i32): i32 {
   const a = body(t, word(t.slotA, i));
   const b = body(t, word(t.slotB, i));
   const reach = a.radius + b.radius;
@@ -122,6 +126,8 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real): i32 
   put(t.nz, i, z);
   put(t.impulse, i, get(t.impulse, i) + impulse);
   putWord(t.flags, i, flags | COLLIDED);
+  if (wa > 0) putWord(t.rowWords, word(t.slotA, i), turn);
+  if (wb > 0) putWord(t.rowWords, word(t.slotB, i), turn);
   const ja = -impulse * wa;
   const jb = impulse * wb;
   kick(a, ja * x, ja * y, ja * z, since);

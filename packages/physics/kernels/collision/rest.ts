@@ -6,11 +6,12 @@
 // Positions were moved by the integrator as if nothing held the bodies. An impulse that acts throughout the step moves
 // a body by its change of velocity times half the step (and the integrator's lag): so a pile at rest stays where it is.
 import { Columns, get, put } from '../columns';
+import { LANES, laneOf, splat } from '../lanes';
 import { impactSpeed, timeSince } from '../walls/impact';
+import { blockAt, contactIn, isSingle, pack, pressBlock, unpack } from './abreast';
 import { aX, aY, aZ, distance, nX, nY, nZ, readApproach, readPlace, vX, vY, vZ } from './approach';
 import { Body, body, kick, nobody } from './body';
 import { hold } from './friction';
-import { RESTS } from './impacts';
 import { bear, cosine, leave, leftX, leftY, leftZ, share, wall } from './support';
 import { ContactTable, FINITE, RUBBING_SIZE, putWord, rubbing, word } from './table';
 
@@ -34,25 +35,58 @@ export function holdResting(c: Columns, t: ContactTable, dt: real, lag: real): v
   if (count == 0) return;
   const speed = sqrt<real>(most) * dt;
   slow = speed * <real>0.01;
-  for (let k = 0; k < count; k++) {
-    const i = word(t.order, k);
-    const from = get(t.holding, i);
-    put(t.holding, i, 0);
-    if (from > 0) press(t, i, body(t, word(t.slotA, i)), body(t, word(t.slotB, i)), from);
-  }
+  const blocks = pack(t, count, dt, true);
+  if (blocks > 0) sweepBlocks(t, blocks, true, true);
+  else for (let k = 0; k < count; k++) start(t, word(t.order, k));
   for (let sweep = 0; sweep < MOST_SWEEPS; sweep++) {
     let change: real = 0;
     for (let k = 0; k < t.wallCount; k++) change = max<real>(change, pressWall(t, k));
     const forward = (sweep & 1) == 0;
-    for (let k = 0; k < count; k++) {
-      change = max<real>(change, pressPair(t, word(t.order, forward ? k : count - 1 - k)));
-    }
+    change = max<real>(change, blocks > 0 ? sweepBlocks(t, blocks, forward, false) : sweepPairs(t, count, forward));
     if (change <= speed * ENOUGH) break;
   }
+  for (let n = 0; n < blocks; n++) unpack(t, blockAt(t, n));
   for (let k = 0; k < count; k++) {
     const i = word(t.order, k);
     put(t.impulse, i, get(t.impulse, i) + get(t.holding, i));
   }
+}
+
+// Goes through the resting contacts, and returns the largest change of velocity.
+function sweepPairs(t: ContactTable, count: i32, forward: bool): real {
+  let change: real = 0;
+  for (let k = 0; k < count; k++) {
+    change = max<real>(change, pressPair(t, word(t.order, forward ? k : count - 1 - k)));
+  }
+  return change;
+}
+
+// The same block by block; with `first`, starts from the impulses of the last step instead.
+function sweepBlocks(t: ContactTable, blocks: i32, forward: bool, first: bool): real {
+  let change: real = 0;
+  let changes = splat(0);
+  for (let n = 0; n < blocks; n++) {
+    const block = blockAt(t, forward ? n : blocks - 1 - n);
+    if (!isSingle(block)) {
+      changes = v128.max<real>(changes, pressBlock(block, time, step, first));
+      continue;
+    }
+    for (let lane = 0; lane < LANES; lane++) {
+      const i = contactIn(block, lane);
+      if (i < 0) break;
+      if (first) start(t, i);
+      else change = max<real>(change, pressPair(t, i));
+    }
+  }
+  for (let lane = 0; lane < LANES; lane++) change = max<real>(change, laneOf(changes, lane));
+  return change;
+}
+
+// Starts contact i from its impulse in the last step.
+function start(t: ContactTable, i: i32): void {
+  const from = get(t.holding, i);
+  put(t.holding, i, 0);
+  if (from > 0) press(t, i, body(t, word(t.slotA, i)), body(t, word(t.slotB, i)), from);
 }
 
 // Lists the contacts that rest, notes their gaps and coefficients of friction, and returns their number.
@@ -81,7 +115,6 @@ function chooseResting(c: Columns, t: ContactTable, lag: real): i32 {
     const sum = rubbing(t, i);
     memory.fill(sum, 0, RUBBING_SIZE);
     store<f32>(sum, <f32>sqrt<real>(get(c.friction, rowA) * get(c.friction, rowB)), 12);
-    putWord(t.flags, i, word(t.flags, i) | RESTS);
     putWord(t.order, count++, i);
     most = max<real>(most, acceleration);
   }

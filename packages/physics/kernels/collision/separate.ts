@@ -6,6 +6,8 @@
 // that were put into one place come apart at a pace the eye can follow. The accelerations of the step have served by now:
 // their place takes where the bodies were.
 import { get } from '../columns';
+import { LANES } from '../lanes';
+import { blockAt, contactIn, isSingle, pack, pushBlock } from './abreast';
 import { distance, readPlace } from './approach';
 import { Body, body } from './body';
 import { leave, leftX, leftY, leftZ, share } from './support';
@@ -28,6 +30,7 @@ export function separate(t: ContactTable, dt: real): void {
     if (depthOf(t, i, dt) > 0) putWord(t.order, count++, i);
   }
   if (count == 0) return;
+  const blocks = pack(t, count, dt, false);
   for (let slot = 0; slot < t.bodyCount; slot++) begin(t, slot, dt);
   for (let k = 0; k < count; k++) {
     const a = mostOf(t, word(t.slotA, word(t.order, k)));
@@ -37,9 +40,25 @@ export function separate(t: ContactTable, dt: real): void {
     store<f32>(b, most);
   }
   for (let round = 0; round < ROUNDS; round++) {
-    for (let k = 0; k < count; k++) push(t, word(t.order, (round & 1) == 0 ? k : count - 1 - k), dt);
+    const forward = (round & 1) == 0;
+    if (blocks > 0) pushBlocks(t, blocks, forward, dt);
+    else for (let k = 0; k < count; k++) push(t, word(t.order, forward ? k : count - 1 - k), dt);
   }
   for (let slot = 0; slot < t.bodyCount; slot++) end(t, slot);
+}
+
+function pushBlocks(t: ContactTable, blocks: i32, forward: bool, dt: real): void {
+  for (let n = 0; n < blocks; n++) {
+    const block = blockAt(t, forward ? n : blocks - 1 - n);
+    if (!isSingle(block)) {
+      pushBlock(block, dt, PART, SLOP);
+      continue;
+    }
+    for (let lane = 0; lane < LANES; lane++) {
+      const i = contactIn(block, lane);
+      if (i >= 0) push(t, i, dt);
+    }
+  }
 }
 
 // How far a body may be displaced, in the words that no row needs any more.

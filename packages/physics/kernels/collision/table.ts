@@ -23,7 +23,8 @@ export class ContactTable {
   // Where the two bodies of a contact are in `bodies`; before that, the pairs as the grid finds them.
   slotA: usize;
   slotB: usize;
-  // The contacts of the last step; then an order of this step's, their flags and their gaps; then points of contact.
+  // The contacts of the last step; then an order of this step's, their flags, then levels, and their gaps; then points
+  // of contact.
   previousCount: i32;
   previousA: usize;
   previousB: usize;
@@ -53,6 +54,10 @@ export class ContactTable {
   wallRubbed: usize;
   wallRubbing: usize;
   wallSlot: usize;
+  // Resting contacts packed by levels (abreast.ts), LANES a block, and the most keys there is room to count in `levels`.
+  blocks: usize;
+  levels: usize;
+  mostLevels: i32;
   // Bodies with contacts, gathered, and their rows.
   bodies: usize;
   bodyRows: usize;
@@ -61,7 +66,7 @@ export class ContactTable {
   // `bodies` come later.
   rowWords: usize;
   starts: usize;
-  // The same bodies as columns. They lie where normals and impulses come later.
+  // The same bodies as columns. They lie where the blocks come later.
   sortedX: usize;
   sortedY: usize;
   sortedZ: usize;

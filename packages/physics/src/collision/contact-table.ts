@@ -48,6 +48,9 @@ export const TABLE_WORDS = [
   'wallRubbed',
   'wallRubbing',
   'wallSlot',
+  'blocks',
+  'levels',
+  'mostLevels',
   'bodies',
   'bodyRows',
   'bodyCount',
@@ -97,19 +100,25 @@ const SPARE = 0.25;
 /** Small worlds have room for a heap: a hundred bodies in one place are 4950 contacts. */
 const LEAST_CONTACTS = 8192;
 
+/** In a small world most bodies may lie at walls, some at three. */
+const LEAST_WALL_CONTACTS = 2048;
+
 /** Bytes of a gathered body (kernels/collision/body.ts): fifteen reals and a word. */
 const bodyBytes = (bytes: number) => 16 * bytes;
 
 /** Bytes of a contact: its lists in `takeContacts`. */
-const contactBytes = (bytes: number) => 40 + 6 * bytes;
+const contactBytes = (bytes: number) => 40 + 6 * bytes + packedBytes(bytes);
 
-/** Bytes of a contact with a wall: its lists in `takeWallContacts`. There is room for one every other body. */
+/** Bytes of a contact in a block of those that are solved side by side (kernels/collision/abreast.ts). */
+const packedBytes = (bytes: number) => 8 * bytes;
+
+/** Bytes of a contact with a wall: its lists in `takeWallContacts`. Large worlds have room for one every other body. */
 const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
 
 /** What contacts need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): number {
   const bytes = realBytes(precision);
-  const grid = 4 + 4 + Math.max(bodyBytes(bytes), 16 + 4);
+  const grid = 4 + 4 + 4 + Math.max(bodyBytes(bytes), 16 + 4);
   const lists = CONTACTS_A_BODY[dimensions] * contactBytes(bytes) + wallContactBytes(bytes) / 2;
   return Math.ceil((grid + lists) / SHARE);
 }
@@ -138,6 +147,8 @@ export function useContacts(world: PhysicsWorld): void {
   new Uint32Array(world.memory.buffer)[pointer] = contactTable(world).table;
 }
 
+const SORTED = ['sortedX', 'sortedY', 'sortedZ', 'sortedRadius', 'sortedBucket'] as const;
+
 type Take = (bytes: number) => number;
 
 function takeGrid(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
@@ -147,6 +158,8 @@ function takeGrid(world: PhysicsWorld, words: Record<Word, number>, take: Take):
   words.maxBuckets = buckets;
   words.rowWords = take(4 * rows);
   words.bodyRows = take(4 * rows);
+  words.levels = take(4 * rows);
+  words.mostLevels = rows;
   // The broad phase is over before the first body is gathered, so that the two can share their memory.
   const bytes = realBytes(world.precision);
   const starts = 4 * (buckets + 16);
@@ -157,20 +170,20 @@ function takeGrid(world: PhysicsWorld, words: Record<Word, number>, take: Take):
   words.histogram = take(4 * 256);
 }
 
-/** Likewise, it is over before the first normal is written. */
+/** Likewise, it is over before the first contact is packed into a block. */
 function takeSorted(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
-  const length = world.rows + 16;
-  const shared = words.capacity >= length;
-  const column = (name: Word) => (shared ? words[name] : take(length * realBytes(world.precision)));
-  words.sortedX = column('nx');
-  words.sortedY = column('ny');
-  words.sortedZ = column('nz');
-  words.sortedRadius = column('impulse');
-  words.sortedBucket = column('holding');
+  const column = sortedBytes(world) / SORTED.length;
+  const region = sharesSorted(world, words.capacity) ? words.blocks : take(SORTED.length * column);
+  for (const [i, name] of SORTED.entries()) words[name] = region + i * column;
 }
 
+const sortedBytes = ({ rows, precision }: PhysicsWorld) => SORTED.length * (rows + 16) * realBytes(precision);
+
+const sharesSorted = (world: PhysicsWorld, capacity: number) =>
+  capacity * packedBytes(realBytes(world.precision)) >= sortedBytes(world);
+
 function takeWallContacts(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
-  const capacity = world.rows / 2;
+  const capacity = Math.max(world.rows / 2, Math.min(2 * world.rows, LEAST_WALL_CONTACTS));
   const bytes = realBytes(world.precision);
   words.wallCapacity = capacity;
   for (const name of ['wallBody', 'wallId'] as const) words[name] = take(4 * capacity);
@@ -189,12 +202,14 @@ function takeContacts(world: PhysicsWorld, words: Record<Word, number>, take: Ta
   const room = SHARE * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
   const spare = (SPARE * room) / contactBytes(bytes);
   const wanted = Math.max(LEAST_CONTACTS, CONTACTS_A_BODY[dimensions] * rows, spare);
-  const most = Math.min(wanted, Math.floor(room / contactBytes(bytes)));
+  let most = Math.min(wanted, room / contactBytes(bytes));
+  if (!sharesSorted(world, most)) most = (room - sortedBytes(world)) / contactBytes(bytes);
   const capacity = Math.max(256, Math.floor(most / 16) * 16);
   words.capacity = capacity;
   for (const name of ['a', 'b', 'slotA', 'slotB'] as const) words[name] = take(4 * capacity);
   for (const name of ['nx', 'ny', 'nz', 'impulse', 'holding'] as const) words[name] = take(bytes * capacity);
   words.rubbing = take(16 * capacity);
+  words.blocks = take(packedBytes(bytes) * capacity);
   const previous = take((8 + bytes) * capacity);
   words.previousA = previous;
   words.previousB = previous + 4 * capacity;
