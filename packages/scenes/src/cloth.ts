@@ -27,7 +27,7 @@ export const cloth = defineScene({
     wind: { about: 'speed of the breeze', unit: 'm/s', initial: 2, min: 0, max: 30 },
     drag: { about: 'drag of a node by its mass', unit: '1/s', initial: 0.5, min: 0, max: 20 },
     substeps: countOf('sub-steps of a step', 5, 100),
-    iterations: countOf('iterations of a sub-step', 2, 100),
+    iterations: countOf('iterations of a sub-step', 1, 100),
   },
   build({ dimensions, precision, seed, parameters }) {
     const { count, mass, shear, bend, wind, drag, substeps, iterations } = parameters;
@@ -40,7 +40,7 @@ export const cloth = defineScene({
       forces: [uniformGravity(), linearDrag(), springs()],
     });
     const sheet = createCloth(world, {
-      ...{ corner: {}, columns, rows, spacing: SIZE / columns, mass, shear, bend, tethers: true },
+      ...{ corner: {}, columns, rows, spacing: SIZE / columns, mass, shear, bend, },
       components: { linearDrag: (drag * mass) / (columns * rows) },
     });
     shake(world, sheet.nodes, 0.02, seed);

@@ -1,24 +1,31 @@
 // Orders the springs for the solver, whenever springs or bodies came or went.
 //
 // Springs that follow each other along a line, no body joining more than two, are a chain: ropes and pendulums. Chains
-// are solved directly. All others are coloured: greedily, in ascending id, each takes the first colour that neither of
+// are solved directly, and so are threads (threads.ts). All others are coloured: greedily, in ascending id, each takes the first colour that neither of
 // its movable ends has. Bodies that cannot move are never written, so they conflict with nothing.
 import { columns } from '../columns';
 import { SpringTable } from '../forces/springs';
 import { COLOURS, ConstraintTable, putWord, tableAt, word } from './table';
+import { findThreads } from './threads';
 
-const IN_CHAIN: u32 = 0xffffffff;
+// The state of a spring that has its row already.
+export const IN_CHAIN: u32 = 0xffffffff;
 
 // @ts-ignore: decorator
-@inline function linkAt(t: ConstraintTable, link: i32): usize {
+@inline export function linkAt(t: ConstraintTable, link: i32): usize {
   return changetype<SpringTable>(t.springs).links + <usize>link * 12;
+}
+
+// @ts-ignore: decorator
+@inline export function linkCount(t: ConstraintTable): i32 {
+  return changetype<SpringTable>(t.springs).active;
 }
 
 // Writes all rows and returns how many are in chains; `movable` are the membership bits of a body that forces can move,
 // `lastId` the highest id.
 export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32 {
   const t = tableAt(table);
-  const links = changetype<SpringTable>(t.springs).active;
+  const links = linkCount(t);
   const bodies = <usize>(lastId + 1);
   memory.fill(t.degree, 0, bodies << 2);
   memory.fill(t.masks, 0, bodies << 3);
@@ -33,9 +40,17 @@ export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32
   }
   t.rowCount = 0;
   findChains(t, links, movable);
-  while ((t.rowCount & 3) != 0) putRow(t, t.rowCount++, 0, 0, 0);
+  fillUp(t);
+  findThreads(t, movable, lastId);
+  fillUp(t);
+  t.coloursFirst = t.rowCount;
   colourRest(t, links, movable);
   return word(t.chains, t.chainCount);
+}
+
+// Rows of nothing up to the next multiple of four.
+function fillUp(t: ConstraintTable): void {
+  while ((t.rowCount & 3) != 0) putRow(t, t.rowCount++, 0, 0, 0);
 }
 
 function join(t: ConstraintTable, body: u32, link: i32): void {
@@ -45,11 +60,11 @@ function join(t: ConstraintTable, body: u32, link: i32): void {
 }
 
 // @ts-ignore: decorator
-@inline function isMovable(body: u32, movable: u32): bool {
+@inline export function isMovable(body: u32, movable: u32): bool {
   return (word(columns().members, body) & movable) == movable;
 }
 
-function putRow(t: ConstraintTable, row: i32, spring: u32, a: u32, b: u32): void {
+export function putRow(t: ConstraintTable, row: i32, spring: u32, a: u32, b: u32): void {
   putWord(t.source, row, spring);
   putWord(t.a, row, a);
   putWord(t.b, row, b);

@@ -4,6 +4,7 @@
 //   tension += gain (d - L) - softness tension        x_a += w_a n dtension        x_b -= w_b n dtension
 //
 // A cord's tension is never below zero. Ends closer than 1e-15 m have no direction between them: x is taken.
+import { solveStrands } from './strands';
 import { ConstraintTable, isCord, packedAt, part, putPart, tableAt, word } from './table';
 import { get, put } from '../columns';
 
@@ -13,12 +14,13 @@ const NEAR: f32 = 1e-30;
 // of an error would be added up sub-step by sub-step.
 export function sweepConstraints(table: usize, sweeps: i32): void {
   const t = tableAt(table);
-  const first = (<i32>word(t.chains, t.chainCount) + 3) & ~3;
-  clear(t, first, t.rowCount);
+  const first = t.coloursFirst;
+  clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, t.rowCount);
   for (let s = 0; s < sweeps; s++) {
     if (sizeof<real>() == 4) solveLanes(t, first, t.serialFirst);
     else for (let row = first; row < t.serialFirst; row++) solveRow(t, row);
     for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
+    solveStrands(t);
   }
 }
 

@@ -1,8 +1,9 @@
 // The memory of a world's constraints; src/constraints/constraint-table.ts writes the addresses, in this order.
 //
-// A row is one spring as the solver sees it. Rows stand in the order they are solved: first chains, row after row along
-// each; then colours, groups of rows that share no movable body, each filled up to a multiple of four with rows of
-// nothing; then the few that found no colour. Bodies are packed as x, y, z, inverse mass.
+// A row is one spring as the solver sees it. Rows stand in this order: first chains, row after row along each; then
+// strands of threads that are solved side by side; then colours, groups of rows that share no movable body, each filled
+// up to a multiple of four with rows of nothing; then the few that found no colour. Bodies are packed as x, y, z, inverse
+// mass.
 
 @unmanaged
 export class ConstraintTable {
@@ -17,7 +18,7 @@ export class ConstraintTable {
   masks: usize;
   degree: usize;
   joined: usize;
-  // Per spring of the list: its colour, and whether it belongs to a chain.
+  // Per spring of the list: its colour, and whether it belongs to a chain or a thread.
   state: usize;
   // Per row: id of the spring (0: nothing), its ends, natural length (negative for a cord), gain, softness, tension h^2.
   source: usize;
@@ -27,17 +28,22 @@ export class ConstraintTable {
   gain: usize;
   softness: usize;
   tension: usize;
-  // First row of each chain and, after the last, the end of all; where each colour ends.
+  // First row of each chain, of each strand, and, after the last, the end of all; where each colour ends.
   chains: usize;
+  strands: usize;
   colours: usize;
-  // Eight f64 a row of a chain.
+  // What solving keeps of a chain or a strand.
   work: usize;
   // Ids of springs pulled beyond their limit.
   broken: usize;
   nodeCount: i32;
   chainCount: i32;
+  strandCount: i32;
+  // Rows of the longest thread.
+  longest: i32;
   // All there is are rods in chains.
   rigid: i32;
+  coloursFirst: i32;
   serialFirst: i32;
   rowCount: i32;
   damped: i32;

@@ -1,12 +1,12 @@
 // Wind on a sheet of triangles.
-import { columns, get, put } from '../columns';
-import { word } from './table';
+import { LANES, add, div, mul, splat, sub } from '../lanes';
+import { pushTriangles, readTriangles, triangles } from './faces';
 
-// Triangles are six words: the bodies at the corners, and their lives; one that lost a corner feels nothing.
+// One that lost a corner feels nothing.
 //
 //   F = rho A |u| (c_n (u.n) n + c_t (u - (u.n) n)) / 2, a third on each corner, u: wind minus mean velocity
 export function blowTriangles(
-  triangles: usize,
+  faces: usize,
   count: i32,
   generations: usize,
   fx: usize,
@@ -19,49 +19,34 @@ export function blowTriangles(
   normal: f64,
   tangential: f64,
 ): void {
-  const c = columns();
-  for (let i = 0; i < count; i++) {
-    const p = triangles + <usize>i * 24;
-    const a = load<u32>(p);
-    const b = load<u32>(p, 4);
-    const d = load<u32>(p, 8);
-    if (word(generations, a) != load<u32>(p, 12)) continue;
-    if (word(generations, b) != load<u32>(p, 16) || word(generations, d) != load<u32>(p, 20)) continue;
-    const x = <f64>get(c.positionX, a);
-    const y = <f64>get(c.positionY, a);
-    const z = <f64>get(c.positionZ, a);
-    const bx = <f64>get(c.positionX, b) - x;
-    const by = <f64>get(c.positionY, b) - y;
-    const bz = <f64>get(c.positionZ, b) - z;
-    const dx = <f64>get(c.positionX, d) - x;
-    const dy = <f64>get(c.positionY, d) - y;
-    const dz = <f64>get(c.positionZ, d) - z;
+  const t = triangles;
+  const third = splat(<real>(1.0 / 3));
+  const across = splat(<real>(normal - tangential));
+  const along = splat(<real>tangential);
+  for (let face = 0; face < count; face += LANES) {
+    const isRuns = readTriangles(faces, count, face, generations);
     // The normal, as long as twice the area.
-    const nx = by * dz - bz * dy;
-    const ny = bz * dx - bx * dz;
-    const nz = bx * dy - by * dx;
-    const twice = sqrt<f64>(nx * nx + ny * ny + nz * nz);
-    if (!(twice > 0)) continue;
-    const ux = windX - mean(c.velocityX, a, b, d);
-    const uy = windY - mean(c.velocityY, a, b, d);
-    const uz = windZ - mean(c.velocityZ, a, b, d);
-    const speed = sqrt<f64>(ux * ux + uy * uy + uz * uz);
-    const third = (density * twice * speed) / 12;
-    const along = ((normal - tangential) * (ux * nx + uy * ny + uz * nz)) / (twice * twice);
-    push(fx, a, b, d, third * (along * nx + tangential * ux));
-    push(fy, a, b, d, third * (along * ny + tangential * uy));
-    push(fz, a, b, d, third * (along * nz + tangential * uz));
+    const nx = sub(mul(t.by, t.dz), mul(t.bz, t.dy));
+    const ny = sub(mul(t.bz, t.dx), mul(t.bx, t.dz));
+    const nz = sub(mul(t.bx, t.dy), mul(t.by, t.dx));
+    const square = dot(nx, ny, nz, nx, ny, nz);
+    const ux = sub(splat(<real>windX), mul(t.vx, third));
+    const uy = sub(splat(<real>windY), mul(t.vy, third));
+    const uz = sub(splat(<real>windZ), mul(t.vz, third));
+    const speed = v128.sqrt<real>(dot(ux, uy, uz, ux, uy, uz));
+    const scale = mul(mul(splat(<real>(density / 12)), v128.sqrt<real>(square)), speed);
+    const push = v128.and(scale, v128.gt<real>(square, splat(0)));
+    const part = div(mul(across, dot(ux, uy, uz, nx, ny, nz)), v128.max<real>(square, splat(LEAST)));
+    pushTriangles(faces, count, face, isRuns, fx, mul(push, add(mul(part, nx), mul(along, ux))));
+    pushTriangles(faces, count, face, isRuns, fy, mul(push, add(mul(part, ny), mul(along, uy))));
+    pushTriangles(faces, count, face, isRuns, fz, mul(push, add(mul(part, nz), mul(along, uz))));
   }
 }
 
-// @ts-ignore: decorator
-@inline function mean(column: usize, a: u32, b: u32, d: u32): f64 {
-  return (<f64>get(column, a) + <f64>get(column, b) + <f64>get(column, d)) / 3;
-}
+// A square of twice an area that is as good as none, m^4: what it divides is smaller still.
+const LEAST: real = 1e-36;
 
 // @ts-ignore: decorator
-@inline function push(force: usize, a: u32, b: u32, d: u32, by: f64): void {
-  put(force, a, <real>(<f64>get(force, a) + by));
-  put(force, b, <real>(<f64>get(force, b) + by));
-  put(force, d, <real>(<f64>get(force, d) + by));
+@inline function dot(ax: v128, ay: v128, az: v128, bx: v128, by: v128, bz: v128): v128 {
+  return add(add(mul(ax, bx), mul(ay, by)), mul(az, bz));
 }

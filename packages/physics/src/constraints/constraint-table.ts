@@ -12,12 +12,14 @@ const WORDS = [
   ...['springs', 'breakForce'],
   ...['nodes', 'packed', 'inverse', 'masks', 'degree', 'joined'],
   ...['state', 'source', 'a', 'b', 'length', 'gain', 'softness', 'tension'],
-  ...['chains', 'colours', 'work', 'broken'],
-  ...['nodeCount', 'chainCount', 'rigid', 'serialFirst', 'rowCount', 'damped', 'breakable'],
+  ...['chains', 'strands', 'colours', 'work', 'broken'],
+  ...['nodeCount', 'chainCount', 'strandCount', 'longest', 'rigid', 'coloursFirst', 'serialFirst', 'rowCount', 'damped', 'breakable'],
 ] as const;
 
-/** Rows that only fill colours up: at most three for each of 64, and three behind the chains. */
+/** Rows that only fill up: at most three for each of 64 colours, three behind chains, three behind strands. */
 const FILLING = 256;
+/** Rows of nothing there are in strands, for each spring at most. */
+const SPARE = 0.5;
 
 /** What forces and constraints can move. */
 const MOVABLE = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
@@ -28,8 +30,8 @@ export interface ConstraintTable {
   readonly words: Uint32Array;
   /** Springs there is room for. */
   room: number;
-  /** Rows of chains there is room to solve. */
-  chainRoom: number;
+  /** Bytes there are for solving chains and strands. */
+  workRoom: number;
   /** Membership version the order of the rows belongs to. */
   version: number;
   /** Sub-step the tensions belong to, s; 0 before the first. */
@@ -50,7 +52,7 @@ export const constraintTable = resource((world): ConstraintTable => {
   const { arena } = world.internal;
   const at = allocate(arena, 4 * WORDS.length, 'constraints');
   const words = new Uint32Array(arena.memory.buffer, at, WORDS.length);
-  const table = { at, words, room: 0, chainRoom: 0, version: -1, substep: 0 };
+  const table = { at, words, room: 0, workRoom: 0, version: -1, substep: 0 };
   const { rows } = world;
   const real = realBytes(world.precision);
   const take = (name: string, bytes: number) => put(table, name, allocate(arena, bytes, 'constraints'));
@@ -78,7 +80,7 @@ export function refreshConstraints(world: PhysicsWorld, h: number): ConstraintTa
   if (table.version === world.versions.membership && kernels.readConstraints(table.at, MOVABLE, h) === 1) return table;
   removeLost(world, scanSprings(world));
   makeRows(world, table);
-  makeChains(world, table, kernels.arrangeConstraints(table.at, MOVABLE, world.lastId));
+  makeWork(world, table, kernels.arrangeConstraints(table.at, MOVABLE, world.lastId));
   kernels.readConstraints(table.at, MOVABLE, h);
   table.version = world.versions.membership;
   table.substep = 0;
@@ -90,22 +92,25 @@ export function makeRows(world: PhysicsWorld, table: ConstraintTable): void {
   const { arena, counts } = world.internal;
   if (counts.Spring <= table.room) return;
   const room = Math.min(world.rows, Math.max(64, Math.ceil(1.5 * counts.Spring)));
-  const rows = room + FILLING;
+  const rows = Math.ceil(room * (1 + SPARE)) + FILLING;
   const real = realBytes(world.precision);
   const take = (name: string, bytes: number) =>
     put(table, name, allocate(arena, bytes, `${counts.Spring} springs as constraints`));
-  for (const name of ['state', 'source', 'a', 'b', 'chains', 'broken']) take(name, 4 * (rows + 1));
+  for (const name of ['state', 'source', 'a', 'b', 'chains', 'strands', 'broken']) take(name, 4 * (rows + 1));
   for (const name of ['length', 'gain', 'softness', 'tension']) take(name, real * rows);
   table.room = room;
 }
 
-/** What the direct solution keeps of a body of a chain: kernels/constraints/taut-chain.ts. */
+/** What is kept of a body of a chain (kernels/constraints/taut-chain.ts), and of one of each thread of a strand. */
 const CHAIN_BYTES = 232;
+const STRAND_BYTES = 208;
 
-/** Room to solve chains of so many rows in all. @throws PhysicsError E_CAPACITY */
-function makeChains(world: PhysicsWorld, table: ConstraintTable, rows: number): void {
-  if (rows <= table.chainRoom) return;
-  const room = Math.min(table.room, Math.ceil(1.5 * rows));
-  put(table, 'work', allocate(world.internal.arena, CHAIN_BYTES * (room + 1), `${rows} springs in chains`));
-  table.chainRoom = room;
+/** Room to solve chains of so many rows in all, or the longest strand. @throws PhysicsError E_CAPACITY */
+function makeWork(world: PhysicsWorld, table: ConstraintTable, chained: number): void {
+  const longest = wordOf(table, 'longest');
+  const bytes = Math.max(chained && CHAIN_BYTES * (chained + 1), longest && STRAND_BYTES * (longest + 1));
+  if (bytes <= table.workRoom) return;
+  const room = Math.ceil(1.5 * bytes);
+  put(table, 'work', allocate(world.internal.arena, room, `${Math.max(chained, longest)} springs in a row`));
+  table.workRoom = room;
 }

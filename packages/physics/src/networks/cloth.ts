@@ -114,7 +114,7 @@ function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, r
   });
 }
 
-/** All springs from a node to the one `right` columns and `down` rows on, row by row: so each kind takes two colours. */
+/** All springs from a node to the one `right` columns and `down` rows on, row by row: so few colours are enough. */
 function addKind(
   list: SpringList,
   [columns, rows]: readonly [number, number],
@@ -133,8 +133,21 @@ function addKind(
 
 function addThreads(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
   const stiffness = checkStiffness(options.structural ?? Infinity, 'cloth.structural');
-  addKind(list, [columns, rows], [1, 0], stiffness, options.spacing);
-  addKind(list, [columns, rows], [0, 1], stiffness, options.spacing);
+  if (stiffness === 0) return;
+  for (let row = 0; row < rows; row++) addThread(list, row * columns, 1, columns, stiffness, options.spacing);
+  for (let column = 0; column < columns; column++) addThread(list, column, columns, rows, stiffness, options.spacing);
+}
+
+/** Springs from node to node, one after the other: so a solver sees a thread. */
+function addThread(
+  list: SpringList,
+  first: number,
+  stride: number,
+  nodes: number,
+  stiffness: number,
+  length: number,
+): void {
+  for (let i = 1; i < nodes; i++) list.add(first + stride * (i - 1), first + stride * i, stiffness, length);
 }
 
 function addShear(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
@@ -173,13 +186,12 @@ function addTethers(list: SpringList, options: ClothOptions, columns: number, ro
   }
 }
 
+/** Row by row, first those with an edge above, then those with one below: so corners follow each other like nodes. */
 function trianglesOf(at: Cloth['at'], columns: number, rows: number): Uint32Array {
   const triangles: number[] = [];
   for (let row = 0; row + 1 < rows; row++) {
-    for (let column = 0; column + 1 < columns; column++) {
-      const [a, b, c, d] = [at(column, row), at(column + 1, row), at(column, row + 1), at(column + 1, row + 1)];
-      triangles.push(a, c, b, b, c, d);
-    }
+    for (let c = 0; c + 1 < columns; c++) triangles.push(at(c, row), at(c, row + 1), at(c + 1, row));
+    for (let c = 0; c + 1 < columns; c++) triangles.push(at(c + 1, row), at(c, row + 1), at(c + 1, row + 1));
   }
   return Uint32Array.from(triangles);
 }

@@ -1,4 +1,5 @@
-// Edges or triangles of a network in the world's memory, for kernels: per face its corners and which lives they are.
+// Edges or triangles of a network in the world's memory, for kernels: the first corners of all faces, the second ones and
+// so on, then which lives they are.
 import { PhysicsError } from '../faults/physics-error';
 import { allocate } from '../store/arena';
 import { assertBody } from '../store/references';
@@ -36,9 +37,9 @@ function place(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, fie
   const at = allocate(arena, 8 * ids.length, field);
   const words = new Uint32Array(arena.memory.buffer, at, 2 * ids.length);
   for (let i = 0; i < ids.length; i++) {
-    const word = 2 * corners * Math.floor(i / corners) + (i % corners);
+    const word = count * (i % corners) + Math.floor(i / corners);
     words[word] = ids[i];
-    words[word + corners] = generations[ids[i]];
+    words[word + ids.length] = generations[ids[i]];
   }
   return { at, count };
 }

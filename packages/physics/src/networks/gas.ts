@@ -56,13 +56,14 @@ export function enclosedGas(options: GasOptions): Force {
     prepare: (world) => void faces(world),
     accumulate(world) {
       const { at, count } = faces(world);
+      const lives = world.internal.generations.byteOffset;
       const inside = volume(world);
       if (!(inside > 0)) return;
       const pressure = amount / inside - ambient;
       const { x, y, z } = world.scratch.at.force;
       const kernels = constraintKernels(world);
       if (corners === 2) kernels.inflateEdges(at, count, x, y, pressure);
-      else kernels.inflateTriangles(at, count, x, y, z, pressure);
+      else kernels.inflateTriangles(at, count, lives, x, y, z, pressure);
     },
     potential(world) {
       const inside = volume(world);

@@ -1,0 +1,103 @@
+// Finds threads: springs made one after the other, each from the body where the last one ended, as cloths and ropes are
+// woven. Other springs may hold on to their bodies anywhere. LANES threads of one length that share no movable body are
+// a strand: they are solved side by side, row j of thread l standing at first + LANES j + l.
+import { LANES } from '../lanes';
+import { IN_CHAIN, isMovable, linkAt, linkCount, putRow } from './arrange';
+import { ConstraintTable, putWord, word } from './table';
+
+// Springs of the shortest thread: solving three directly gains nothing.
+const SHORTEST: i32 = 4;
+
+// The first springs of the threads in the strand that is being filled, their number, and the springs of each.
+let filled: i32 = 0;
+let length: i32 = 0;
+// Rows of nothing that may still be spent on strands of fewer threads.
+let spare: i32 = 0;
+
+export function findThreads(t: ConstraintTable, movable: u32, lastId: i32): void {
+  // Per body the last thread and the last strand it was in; chains need this no more.
+  memory.fill(t.joined, 0, (<usize>(lastId + 1)) << 3);
+  const links = linkCount(t);
+  t.strandCount = 0;
+  t.longest = 0;
+  filled = 0;
+  spare = links >> 1;
+  let thread: u32 = 0;
+  for (let link = 0; link < links; ) {
+    const count = word(t.state, link) == IN_CHAIN ? 1 : follow(t, link, links, movable, ++thread);
+    if (count >= SHORTEST) join(t, link, count, movable);
+    link += count;
+  }
+  closeStrand(t);
+  putWord(t.strands, t.strandCount, t.rowCount);
+}
+
+// The number of springs from `link` on that make a thread. One that comes back to a movable body ends before.
+function follow(t: ConstraintTable, link: i32, links: i32, movable: u32, thread: u32): i32 {
+  let count = 0;
+  let end = load<u32>(linkAt(t, link), 4);
+  putWord(t.joined, end * 2, thread);
+  while (link + count < links && word(t.state, link + count) != IN_CHAIN) {
+    const p = linkAt(t, link + count);
+    if (load<u32>(p, 4) != end) break;
+    end = load<u32>(p, 8);
+    if (word(t.joined, end * 2) == thread && isMovable(end, movable)) break;
+    putWord(t.joined, end * 2, thread);
+    count++;
+  }
+  return max<i32>(1, count);
+}
+
+// Puts a thread into the open strand, or opens one for it.
+function join(t: ConstraintTable, link: i32, count: i32, movable: u32): void {
+  if (filled == LANES || count != length || meets(t, link, count, movable)) {
+    closeStrand(t);
+    openStrand(t, count);
+  }
+  const first = <i32>word(t.strands, t.strandCount - 1);
+  putWord(t.broken, filled, link);
+  for (let j = 0; j < count; j++) {
+    const p = linkAt(t, link + j);
+    const a = load<u32>(p, 4);
+    const b = load<u32>(p, 8);
+    putWord(t.joined, a * 2 + 1, t.strandCount);
+    putWord(t.joined, b * 2 + 1, t.strandCount);
+    putWord(t.state, link + j, IN_CHAIN);
+    putRow(t, first + LANES * j + filled, load<u32>(p), a, b);
+  }
+  filled++;
+}
+
+function openStrand(t: ConstraintTable, count: i32): void {
+  putWord(t.strands, t.strandCount++, t.rowCount);
+  length = count;
+  for (let row = 0; row < LANES * count; row++) putRow(t, t.rowCount++, 0, 0, 0);
+}
+
+// A strand with fewer threads than lanes wastes rows: where that is too many, its springs are left to the colours.
+function closeStrand(t: ConstraintTable): void {
+  const waste = (LANES - filled) * length;
+  if (filled > 0 && waste > spare) {
+    t.rowCount = word(t.strands, --t.strandCount);
+    for (let l = 0; l < filled; l++) {
+      for (let j = 0; j < length; j++) putWord(t.state, <i32>word(t.broken, l) + j, 0);
+    }
+  } else if (filled > 0) {
+    spare -= waste;
+    t.longest = max<i32>(t.longest, length);
+  }
+  filled = 0;
+}
+
+function meets(t: ConstraintTable, link: i32, count: i32, movable: u32): bool {
+  if (filled == 0) return true;
+  for (let j = 0; j < count; j++) {
+    const p = linkAt(t, link + j);
+    if (isTaken(t, load<u32>(p, 4), movable) || isTaken(t, load<u32>(p, 8), movable)) return true;
+  }
+  return false;
+}
+
+function isTaken(t: ConstraintTable, body: u32, movable: u32): bool {
+  return <i32>word(t.joined, body * 2 + 1) == t.strandCount && isMovable(body, movable);
+}
