@@ -19,6 +19,7 @@ export function resultTable(result: Result): string {
         : drift(result.energyDrift),
     ],
     ...forceError(result),
+    ...stretch(result),
     ['hash', result.hash],
   ];
   return [
@@ -35,6 +36,16 @@ export function resultTable(result: Result): string {
 /** A line where forces are approximated. */
 function forceError({ rmsForceError }: Result): [string, string][] {
   return rmsForceError === null ? [] : [['force error', `${rmsForceError.toExponential(2)} RMS, relative`]];
+}
+
+/** A line where something keeps its length. */
+function stretch({ stretch }: Result): [string, string][] {
+  if (stretch === null) return [];
+  return [['stretch', `${percent(stretch.worst)} worst, ${percent(stretch.rms)} RMS`]];
+}
+
+function percent(share: number): string {
+  return `${(100 * share).toPrecision(2)} %`;
 }
 
 function title({ scene, count, dimensions, precision, steps, warmup, seed }: Result): string {

@@ -1,5 +1,6 @@
 import { cpus } from 'node:os';
 import type { PhysicsWorld } from '@principia/physics';
+import type { Stretch } from '@principia/scenes';
 import type { RunRequest } from './arguments';
 import type { Creation } from './creation';
 import type { ScalingPoint } from './scaling';
@@ -23,6 +24,8 @@ export interface Result {
   readonly energyDrift: number | null;
   /** RMS relative error of forces that are approximated; null where they are exact. */
   readonly rmsForceError: number | null;
+  /** How far what keeps its length is from it after the last step; null where nothing has to. */
+  readonly stretch: Stretch | null;
   /** Distance from where each body should be, km, by body and time; null where that is not known. */
   readonly errorKm: Readonly<Record<string, Readonly<Record<string, number>>>> | null;
   /** Milliseconds a step spends in each phase. */

@@ -39,6 +39,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
   // Everything below looks at the state after the steps, or goes on from there; the hash comes first.
   const hash = stateHash(run.world);
   const drift = (energy(run.world).total - energyBefore) / Math.abs(energyBefore);
+  const stretch = run.stretch?.(run.world) ?? null;
   const ours = summarise(measured.ours);
   const result: Result = {
     ...echo(request, run.world),
@@ -50,6 +51,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     energyDrift: run.losesEnergy === undefined && Number.isFinite(drift) ? drift : null,
     energyNote: run.losesEnergy ?? null,
     rmsForceError: run.forceError?.(run.world) ?? null,
+    stretch,
     errorKm: run.errorKm?.() ?? null,
     garbageBytesPerStep: garbageBytesPerStep(advance),
     profile: phaseTimes(run, advance),

@@ -23,7 +23,7 @@ export { MAX_POSITION } from './components/position';
 export { MAX_ANGULAR_SPEED } from './components/rotation';
 export { MAX_SPEED } from './components/velocity';
 export { type BrokenSprings, breakSprings, brokenSprings } from './constraints/breaking';
-export { largestStretch } from './constraints/stretch';
+export { largestStretch, rmsStretch } from './constraints/stretch';
 export { type XpbdOptions, xpbd } from './constraints/xpbd';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy';
 export { stateHash } from './diagnostics/hash';

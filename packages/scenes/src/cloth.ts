@@ -11,6 +11,7 @@ import {
 } from '@principia/physics';
 import { countOf, defineScene } from './scene';
 import { shake } from './shake';
+import { threadStretch } from './stretch';
 
 /** Edge of the cloth, m. */
 const SIZE = 2;
@@ -40,7 +41,7 @@ export const cloth = defineScene({
       forces: [uniformGravity(), linearDrag(), springs()],
     });
     const sheet = createCloth(world, {
-      ...{ corner: {}, columns, rows, spacing: SIZE / columns, mass, shear, bend, },
+      ...{ corner: {}, columns, rows, spacing: SIZE / columns, mass, shear, bend },
       components: { linearDrag: (drag * mass) / (columns * rows) },
     });
     shake(world, sheet.nodes, 0.02, seed);
@@ -53,6 +54,11 @@ export const cloth = defineScene({
       };
       world.forces.push(clothWind({ triangles: sheet.triangles, velocity: breeze }));
     }
-    return { world, dt: 1 / 60, losesEnergy: 'air drags on the cloth, and what becomes taut does not bounce' };
+    return {
+      world,
+      dt: 1 / 60,
+      stretch: threadStretch,
+      losesEnergy: 'air drags on the cloth, and what becomes taut does not bounce',
+    };
   },
 });

@@ -3,6 +3,7 @@
 import { createPhysicsWorld, createRope, linearDrag, springs, uniformGravity, xpbd } from '@principia/physics';
 import { countOf, defineScene } from './scene';
 import { shake } from './shake';
+import { threadStretch } from './stretch';
 
 /** Length of the rope, m, and distance of its ends. */
 const LENGTH = 10;
@@ -40,6 +41,11 @@ export const rope = defineScene({
       y[node] = DEPTH * (Math.abs(along) - 1);
     });
     shake(world, nodes, push, seed);
-    return { world, dt: 1 / 60, losesEnergy: 'air drags on the rope, and what becomes taut does not bounce' };
+    return {
+      world,
+      dt: 1 / 60,
+      stretch: threadStretch,
+      losesEnergy: 'air drags on the rope, and what becomes taut does not bounce',
+    };
   },
 });

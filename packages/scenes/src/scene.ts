@@ -26,6 +26,12 @@ export interface SceneOptions {
   readonly progress?: Progress;
 }
 
+/** The worst of all and the root of their mean square. */
+export interface Stretch {
+  readonly worst: number;
+  readonly rms: number;
+}
+
 /** A scene made: a world and how to move it on. */
 export interface SceneRun {
   readonly world: PhysicsWorld;
@@ -35,6 +41,8 @@ export interface SceneRun {
   readonly advance?: (world: PhysicsWorld) => void;
   /** RMS relative error of forces that are approximated, as they are now; absent where they are exact. */
   readonly forceError?: (world: PhysicsWorld) => number;
+  /** How far what should keep its length is from it as it is now, by that length; absent where nothing has to. */
+  readonly stretch?: (world: PhysicsWorld) => Stretch;
   /** Distance of each body from where it should be, km, by body and time, of a run of its own; absent where unknown. */
   readonly errorKm?: () => Readonly<Record<string, Readonly<Record<string, number>>>>;
   /** Notes what a snapshot of the world leaves out; returns what puts it back. Absent where that is nothing. */

@@ -12,7 +12,7 @@
 // and iteration, of which two or three are enough.
 import { columns, get, put } from '../columns';
 import { SpringTable } from '../forces/springs';
-import { packBody } from './rows';
+import { packBody } from './nodes';
 import { solveRow } from './sweep';
 import { isTaut, solveTautChain } from './taut-chain';
 import { ConstraintTable, RIGID, isCord, packedAt, part, putPart, tableAt, word } from './table';
@@ -156,9 +156,7 @@ function findStart(t: ConstraintTable, first: i32, last: i32, h: f64): bool {
     const link = linkOf(t, row);
     const a = word(t.a, row);
     const b = word(t.b, row);
-    link.x = <f64>get(c.positionX, b) - <f64>get(c.positionX, a);
-    link.y = <f64>get(c.positionY, b) - <f64>get(c.positionY, a);
-    link.z = <f64>get(c.positionZ, b) - <f64>get(c.positionZ, a);
+    pointNow(link, a, b);
     link.ox = link.x - h * (<f64>get(c.velocityX, b) - <f64>get(c.velocityX, a));
     link.oy = link.y - h * (<f64>get(c.velocityY, b) - <f64>get(c.velocityY, a));
     link.oz = link.z - h * (<f64>get(c.velocityZ, b) - <f64>get(c.velocityZ, a));
@@ -170,6 +168,15 @@ function findStart(t: ConstraintTable, first: i32, last: i32, h: f64): bool {
     if (!(cosine(link, link) > 0.8)) sharp = true;
   }
   return sharp;
+}
+
+// From a to b, by the bodies' columns.
+// @ts-ignore: decorator
+@inline function pointNow(link: Link, a: u32, b: u32): void {
+  const c = columns();
+  link.x = <f64>get(c.positionX, b) - <f64>get(c.positionX, a);
+  link.y = <f64>get(c.positionY, b) - <f64>get(c.positionY, a);
+  link.z = <f64>get(c.positionZ, b) - <f64>get(c.positionZ, a);
 }
 
 // @ts-ignore: decorator
@@ -235,9 +242,7 @@ export function solveChainVelocities(table: usize): void {
       const link = linkOf(t, row);
       const a = word(t.a, row);
       const b = word(t.b, row);
-      link.x = <f64>get(c.positionX, b) - <f64>get(c.positionX, a);
-      link.y = <f64>get(c.positionY, b) - <f64>get(c.positionY, a);
-      link.z = <f64>get(c.positionZ, b) - <f64>get(c.positionZ, a);
+      pointNow(link, a, b);
       normalise(link);
       turnNow(link);
       const rate =

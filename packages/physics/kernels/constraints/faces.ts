@@ -3,8 +3,8 @@
 //
 // Triangles are read LANES at a time. Those of a cloth follow each other, corner by corner: then a corner of all is one
 // vector of each column. Others are picked body by body.
-import { Columns, columns, get, put } from '../columns';
-import { LANES, add, at, laneOf, sub } from '../lanes';
+import { columns, get, put } from '../columns';
+import { LANES, add, at, sub } from '../lanes';
 import { word } from './table';
 
 // Of LANES triangles: the ways from the first corner to the two others, and the sum of the corners' velocities.
@@ -87,13 +87,17 @@ function readOne(faces: usize, count: i32, face: i32, generations: usize, lane: 
   const a = isThere ? corner(faces, count, face, 0) : 0;
   const b = isThere ? corner(faces, count, face, 1) : 0;
   const d = isThere ? corner(faces, count, face, 2) : 0;
-  for (let axis = 0; axis < 3; axis++) {
-    const position = load<usize>(changetype<usize>(c) + ((<usize>axis) << 2), offsetof<Columns>('positionX'));
-    const velocity = load<usize>(changetype<usize>(c) + ((<usize>axis) << 2), offsetof<Columns>('velocityX'));
-    store<real>(to + ((<usize>axis) << 4), get(position, b) - get(position, a));
-    store<real>(to + ((<usize>(axis + 3)) << 4), get(position, d) - get(position, a));
-    store<real>(to + ((<usize>(axis + 6)) << 4), get(velocity, a) + get(velocity, b) + get(velocity, d));
-  }
+  readAxis(to, c.positionX, c.velocityX, a, b, d);
+  readAxis(to + 16, c.positionY, c.velocityY, a, b, d);
+  readAxis(to + 32, c.positionZ, c.velocityZ, a, b, d);
+}
+
+// @ts-ignore: decorator
+@inline function readAxis(to: usize, position: usize, velocity: usize, a: u32, b: u32, d: u32): void {
+  const from = get(position, a);
+  store<real>(to, get(position, b) - from);
+  store<real>(to, get(position, d) - from, 48);
+  store<real>(to, get(velocity, a) + get(velocity, b) + get(velocity, d), 96);
 }
 
 // Whether all corners of a face still live.
@@ -105,31 +109,45 @@ export function isWhole(faces: usize, count: i32, face: i32, corners: i32, gener
   return true;
 }
 
-// Adds a force to each corner of LANES triangles from `face` on.
+// Faces whose forces are found before any is added: what was just written cannot be read at once in other fours.
+export const CHUNK: i32 = 32 * LANES;
+
+// Where the forces of a chunk stand, behind the lives: x, then y, then z.
 // @ts-ignore: decorator
-@inline export function pushTriangles(
-  faces: usize,
-  count: i32,
-  face: i32,
-  isRuns: bool,
-  forces: usize,
-  by: v128,
-): void {
-  if (!isRuns) {
-    pushEach(faces, count, face, forces, by);
-    return;
-  }
+@inline export function chunkOf(faces: usize, count: i32): usize {
+  return faces + (((<usize>count) * 24 + 15) & ~15);
+}
+
+// Adds the forces of a chunk to each corner of its faces; a bit of `runs` is set where LANES faces have runs of corners.
+export function pushChunk(faces: usize, count: i32, first: i32, runs: u32, fx: usize, fy: usize, fz: usize): void {
+  const last = min<i32>(first + CHUNK, count);
   for (let k = 0; k < 3; k++) {
-    const p = forces + at(corner(faces, count, face, k));
-    v128.store(p, add(v128.load(p), by));
+    let by = chunkOf(faces, count);
+    let bits = runs;
+    for (let face = first; face < last; face += LANES) {
+      if ((bits & 1) != 0) {
+        const body = at(corner(faces, count, face, k));
+        push(fx + body, by);
+        push(fy + body, by + at(CHUNK));
+        push(fz + body, by + at(2 * CHUNK));
+      } else pushEach(faces, count, face, k, by, fx, fy, fz);
+      by += 16;
+      bits >>= 1;
+    }
   }
 }
 
-function pushEach(faces: usize, count: i32, face: i32, forces: usize, by: v128): void {
-  for (let lane = 0; lane < LANES && face + lane < count; lane++) {
-    for (let k = 0; k < 3; k++) {
-      const body = corner(faces, count, face + lane, k);
-      put(forces, body, get(forces, body) + laneOf(by, lane));
-    }
+// @ts-ignore: decorator
+@inline function push(force: usize, by: usize): void {
+  v128.store(force, add(v128.load(force), v128.load(by)));
+}
+
+function pushEach(faces: usize, count: i32, face: i32, k: i32, by: usize, fx: usize, fy: usize, fz: usize): void {
+  const lanes = min<i32>(LANES, count - face);
+  for (let lane = 0; lane < lanes; lane++) {
+    const body = corner(faces, count, face + lane, k);
+    put(fx, body, get(fx, body) + get(by, lane));
+    put(fy, body, get(fy, body) + get(by, lane + CHUNK));
+    put(fz, body, get(fz, body) + get(by, lane + 2 * CHUNK));
   }
 }

@@ -1,7 +1,7 @@
 // Gas in a closed ring of edges (2D, per metre of depth) or a closed surface of triangles (3D).
 import { columns, get, put } from '../columns';
-import { LANES, mul, splat, sub } from '../lanes';
-import { corner, isWhole, pushTriangles, readTriangles, triangles } from './faces';
+import { LANES, at, mul, splat, sub } from '../lanes';
+import { CHUNK, chunkOf, corner, isWhole, pushChunk, readTriangles, triangles } from './faces';
 
 // Area of a ring or volume of a surface, seen from its first corner so that far-off bodies lose no digits; 0 when a
 // corner is gone.
@@ -62,11 +62,19 @@ export function inflateTriangles(
 ): void {
   const t = triangles;
   const sixth = splat(<real>(pressure / 6));
-  for (let face = 0; face < count; face += LANES) {
-    const isRuns = readTriangles(faces, count, face, generations);
-    pushTriangles(faces, count, face, isRuns, fx, mul(sixth, sub(mul(t.by, t.dz), mul(t.bz, t.dy))));
-    pushTriangles(faces, count, face, isRuns, fy, mul(sixth, sub(mul(t.bz, t.dx), mul(t.bx, t.dz))));
-    pushTriangles(faces, count, face, isRuns, fz, mul(sixth, sub(mul(t.bx, t.dy), mul(t.by, t.dx))));
+  const to = chunkOf(faces, count);
+  for (let first = 0; first < count; first += CHUNK) {
+    const last = min<i32>(first + CHUNK, count);
+    let runs: u32 = 0;
+    let place = to;
+    for (let face = first, bit: u32 = 1; face < last; face += LANES, bit <<= 1) {
+      if (readTriangles(faces, count, face, generations)) runs |= bit;
+      v128.store(place, mul(sixth, sub(mul(t.by, t.dz), mul(t.bz, t.dy))));
+      v128.store(place + at(CHUNK), mul(sixth, sub(mul(t.bz, t.dx), mul(t.bx, t.dz))));
+      v128.store(place + at(2 * CHUNK), mul(sixth, sub(mul(t.bx, t.dy), mul(t.by, t.dx))));
+      place += 16;
+    }
+    pushChunk(faces, count, first, runs, fx, fy, fz);
   }
 }
 

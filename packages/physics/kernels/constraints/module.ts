@@ -2,15 +2,8 @@
 export { arrangeConstraints } from './arrange';
 export { solveChainVelocities, solveChains } from './chain';
 export { enclosed, inflateEdges, inflateTriangles } from './gas';
-export {
-  findBroken,
-  findOverloaded,
-  kickNodes,
-  largestStretch,
-  packBodies,
-  readConstraints,
-  unpackBodies,
-} from './rows';
+export { kickNodes, packBodies, unpackBodies } from './nodes';
+export { findBroken, findOverloaded, largestStretch, readConstraints, rmsStretch } from './rows';
 export { sweepConstraints } from './sweep';
 export { dampConstraints } from './velocities';
 export { blowTriangles } from './wind';

@@ -1,10 +1,7 @@
 // What the rows take from the columns: once a step, because stiffness, length and mass may be changed in place.
 import { columns, get, put } from '../columns';
 import { SpringTable } from '../forces/springs';
-import { ConstraintTable, RIGID, packedAt, part, putPart, putWord, tableAt, word } from './table';
-
-// Largest coordinate the solver looks at, m; that of src/components/position.ts. Its square is finite in f32.
-const FAR: f64 = 1e15;
+import { RIGID, putWord, tableAt, useTable, word } from './table';
 
 // Reads all springs for sub-steps of h seconds; 0 when one joins other bodies than its row says.
 //
@@ -12,6 +9,7 @@ const FAR: f64 = 1e15;
 // gain = s / (s w + 1) and softness = 1 / (s w + 1). A rod's are 1 / w and 0.
 export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   const t = tableAt(table);
+  useTable(t);
   const springs = changetype<SpringTable>(t.springs);
   const c = columns();
   for (let i = 0; i < t.nodeCount; i++) {
@@ -37,9 +35,9 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
     const k = <f64>get(springs.stiffness, spring);
     const s = k * h * h;
     const rigid = k >= RIGID;
-    const softness: f64 = w > 0 ? (rigid ? 0 : 1 / (s * w + 1)) : 0;
-    put(t.gain, row, w > 0 ? <real>(rigid ? 1 / w : s * softness) : 0);
-    put(t.softness, row, <real>softness);
+    const per: f64 = w > 0 ? 1 / (rigid ? w : s * w + 1) : 0;
+    put(t.gain, row, <real>(rigid ? per : s * per));
+    put(t.softness, row, rigid ? 0 : <real>per);
     if (rigid) rods++;
     else if (get(springs.damping, spring) > 0) t.damped++;
     if (get(t.breakForce, spring) > 0) t.breakable++;
@@ -47,66 +45,6 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   const chained = word(t.chains, t.chainCount);
   t.rigid = i32(rods == chained && <u32>t.rowCount < chained + 4);
   return 1;
-}
-
-// Packs the bodies.
-export function packBodies(table: usize): void {
-  const t = tableAt(table);
-  for (let i = 0; i < t.nodeCount; i++) packBody(t, word(t.nodes, i));
-}
-
-// One whose position is no number is packed at the origin as an anchor, so that it spreads nothing.
-export function packBody(t: ConstraintTable, body: u32): void {
-  const c = columns();
-  const x = get(c.positionX, body);
-  const y = get(c.positionY, body);
-  const z = get(c.positionZ, body);
-  const p = packedAt(t, body);
-  const good = abs(<f64>x) <= FAR && abs(<f64>y) <= FAR && abs(<f64>z) <= FAR;
-  putPart(p, 0, good ? x : 0);
-  putPart(p, 1, good ? y : 0);
-  putPart(p, 2, good ? z : 0);
-  putPart(p, 3, good ? get(t.inverse, body) : 0);
-}
-
-// Kicks the bodies at springs by their force for h seconds more, and lets them drift `drift` seconds with what they gain.
-export function kickNodes(table: usize, fx: usize, fy: usize, fz: usize, h: f64, drift: f64): void {
-  const t = tableAt(table);
-  const c = columns();
-  for (let i = 0; i < t.nodeCount; i++) {
-    const body = word(t.nodes, i);
-    const rate = <real>h * get(t.inverse, body);
-    const way = rate * <real>drift;
-    put(c.velocityX, body, get(c.velocityX, body) + rate * get(fx, body));
-    put(c.velocityY, body, get(c.velocityY, body) + rate * get(fy, body));
-    put(c.positionX, body, get(c.positionX, body) + way * get(fx, body));
-    put(c.positionY, body, get(c.positionY, body) + way * get(fy, body));
-    if (fz == 0) continue;
-    put(c.velocityZ, body, get(c.velocityZ, body) + rate * get(fz, body));
-    put(c.positionZ, body, get(c.positionZ, body) + way * get(fz, body));
-  }
-}
-
-// Gives the bodies their corrected positions, and the velocity h seconds of which are the correction.
-export function unpackBodies(table: usize, h: f64): void {
-  const t = tableAt(table);
-  const c = columns();
-  const rate = <real>(1 / h);
-  for (let i = 0; i < t.nodeCount; i++) {
-    const body = word(t.nodes, i);
-    const p = packedAt(t, body);
-    if (part(p, 3) == 0) continue;
-    correct(c.positionX, c.velocityX, body, part(p, 0), rate);
-    correct(c.positionY, c.velocityY, body, part(p, 1), rate);
-    correct(c.positionZ, c.velocityZ, body, part(p, 2), rate);
-  }
-}
-
-// @ts-ignore: decorator
-@inline function correct(position: usize, velocity: usize, body: u32, to: real, rate: real): void {
-  const from = get(position, body);
-  put(velocity, body, get(velocity, body) + (to - from) * rate);
-  put(position, body, to);
 }
 
 // Lists the springs pulled harder than they bear; `h` is the sub-step the tensions belong to.
@@ -149,17 +87,35 @@ export function findOverloaded(table: usize): i32 {
   return sqrt<f64>(x * x + y * y + z * z) - <f64>get(springs.length, load<u32>(link));
 }
 
-// Largest |d - L| / L of the springs stiffer than `stiffness`; slack cords count nothing.
+// Largest |d - L| / L of the springs stiffer than `stiffness`.
 export function largestStretch(table: usize, stiffness: f64): f64 {
   const springs = changetype<SpringTable>(tableAt(table).springs);
   let most: f64 = 0;
-  for (let i = 0; i < springs.active; i++) {
-    const spring = load<u32>(springs.links + <usize>i * 12);
-    const length = <f64>get(springs.length, spring);
-    if (length == 0 || <f64>get(springs.stiffness, spring) < stiffness) continue;
-    const extension = extensionOf(springs, i);
-    if (extension < 0 && word(springs.cord, spring) != 0) continue;
-    most = max<f64>(most, abs<f64>(extension) / length);
-  }
+  for (let i = 0; i < springs.active; i++) most = max<f64>(most, stretchOf(springs, i, stiffness));
   return most;
+}
+
+// The root of the mean square of the same.
+export function rmsStretch(table: usize, stiffness: f64): f64 {
+  const springs = changetype<SpringTable>(tableAt(table).springs);
+  let sum: f64 = 0;
+  let count = 0;
+  for (let i = 0; i < springs.active; i++) {
+    const stretch = stretchOf(springs, i, stiffness);
+    if (stretch < 0) continue;
+    sum += stretch * stretch;
+    count++;
+  }
+  return count == 0 ? 0 : sqrt<f64>(sum / <f64>count);
+}
+
+// Below zero for a spring that does not count: a softer one, one without length, a slack cord.
+// @ts-ignore: decorator
+@inline function stretchOf(springs: SpringTable, i: i32, stiffness: f64): f64 {
+  const spring = load<u32>(springs.links + <usize>i * 12);
+  const length = <f64>get(springs.length, spring);
+  if (length == 0 || <f64>get(springs.stiffness, spring) < stiffness) return -1;
+  const extension = extensionOf(springs, i);
+  if (extension < 0 && word(springs.cord, spring) != 0) return -1;
+  return abs<f64>(extension) / length;
 }

@@ -18,7 +18,8 @@
 // pull must turn: Tournier et al.: Stable constrained dynamics (SIGGRAPH 2015). Cost: three divisions and a square root
 // a row, twice that for a taut one.
 import { LANES, add, at, div, mul, splat, sub } from '../lanes';
-import { ConstraintTable, word } from './table';
+import { cords, drop, isRun, pick } from './lanes';
+import { ConstraintTable, stride, word } from './table';
 
 // What solving keeps of a body of each thread, and of the row from it to the next body.
 @unmanaged
@@ -56,11 +57,12 @@ const NEAR_ROOT: real = 1e-15;
   return changetype<Knot>(t.work + <usize>index * KNOT);
 }
 
-// Solves each strand once.
-export function solveStrands(t: ConstraintTable): void {
+// Solves each strand once; if asked to, only those that begin with rods.
+export function solveStrands(t: ConstraintTable, onlyRods: bool): void {
   for (let strand = 0; strand < t.strandCount; strand++) {
     const first = <i32>word(t.strands, strand);
     const last = <i32>word(t.strands, strand + 1);
+    if (onlyRods && v128.any_true(v128.load(t.softness + at(last - LANES)))) continue;
     eliminate(t, first, last);
     const taut = substitute(t, first, last);
     if (v128.any_true(taut)) turn(t, first, last, taut);
@@ -68,62 +70,43 @@ export function solveStrands(t: ConstraintTable): void {
   }
 }
 
-// Where the body of one lane is packed.
-// @ts-ignore: decorator
-@inline function packed(t: ConstraintTable, column: usize, row: i32): usize {
-  return t.packed + <usize>word(column, row) * 4 * sizeof<real>();
-}
-
 // Reads a body of each thread.
 // @ts-ignore: decorator
 @inline function gather(t: ConstraintTable, column: usize, row: i32, knot: Knot): void {
-  const p0 = packed(t, column, row);
-  const p1 = packed(t, column, row + 1);
-  if (sizeof<real>() == 8) {
-    knot.x = v128.shuffle<f64>(v128.load(p0), v128.load(p1), 0, 2);
-    knot.y = v128.shuffle<f64>(v128.load(p0), v128.load(p1), 1, 3);
-    knot.z = v128.shuffle<f64>(v128.load(p0, 16), v128.load(p1, 16), 0, 2);
-    knot.inverse = v128.shuffle<f64>(v128.load(p0, 16), v128.load(p1, 16), 1, 3);
+  const ids = column + ((<usize>row) << 2);
+  const X = t.packed;
+  if (isRun(ids)) {
+    const p = X + at(load<u32>(ids));
+    knot.x = v128.load(p);
+    knot.y = v128.load(p + stride);
+    knot.z = v128.load(p + stride * 2);
+    knot.inverse = v128.load(p + stride * 3);
     return;
   }
-  const b0 = v128.load(p0);
-  const b1 = v128.load(p1);
-  const b2 = v128.load(packed(t, column, row + 2));
-  const b3 = v128.load(packed(t, column, row + 3));
-  const xy01 = v128.shuffle<f32>(b0, b1, 0, 4, 1, 5);
-  const xy23 = v128.shuffle<f32>(b2, b3, 0, 4, 1, 5);
-  const zw01 = v128.shuffle<f32>(b0, b1, 2, 6, 3, 7);
-  const zw23 = v128.shuffle<f32>(b2, b3, 2, 6, 3, 7);
-  knot.x = v128.shuffle<f32>(xy01, xy23, 0, 1, 4, 5);
-  knot.y = v128.shuffle<f32>(xy01, xy23, 2, 3, 6, 7);
-  knot.z = v128.shuffle<f32>(zw01, zw23, 0, 1, 4, 5);
-  knot.inverse = v128.shuffle<f32>(zw01, zw23, 2, 3, 6, 7);
+  knot.x = pick(X, ids);
+  knot.y = pick(X + stride, ids);
+  knot.z = pick(X + stride * 2, ids);
+  knot.inverse = pick(X + stride * 3, ids);
 }
 
 // Writes a body of each thread, moved by s.
 // @ts-ignore: decorator
 @inline function scatter(t: ConstraintTable, column: usize, row: i32, knot: Knot, sx: v128, sy: v128, sz: v128): void {
+  const ids = column + ((<usize>row) << 2);
   const x = add(knot.x, sx);
   const y = add(knot.y, sy);
   const z = add(knot.z, sz);
-  const w = knot.inverse;
-  const p0 = packed(t, column, row);
-  const p1 = packed(t, column, row + 1);
-  if (sizeof<real>() == 8) {
-    v128.store(p0, v128.shuffle<f64>(x, y, 0, 2));
-    v128.store(p1, v128.shuffle<f64>(x, y, 1, 3));
-    v128.store(p0, v128.shuffle<f64>(z, w, 0, 2), 16);
-    v128.store(p1, v128.shuffle<f64>(z, w, 1, 3), 16);
+  const X = t.packed;
+  if (isRun(ids)) {
+    const p = X + at(load<u32>(ids));
+    v128.store(p, x);
+    v128.store(p + stride, y);
+    v128.store(p + stride * 2, z);
     return;
   }
-  const xy01 = v128.shuffle<f32>(x, y, 0, 4, 1, 5);
-  const xy23 = v128.shuffle<f32>(x, y, 2, 6, 3, 7);
-  const zw01 = v128.shuffle<f32>(z, w, 0, 4, 1, 5);
-  const zw23 = v128.shuffle<f32>(z, w, 2, 6, 3, 7);
-  v128.store(p0, v128.shuffle<f32>(xy01, zw01, 0, 1, 4, 5));
-  v128.store(p1, v128.shuffle<f32>(xy01, zw01, 2, 3, 6, 7));
-  v128.store(packed(t, column, row + 2), v128.shuffle<f32>(xy23, zw23, 0, 1, 4, 5));
-  v128.store(packed(t, column, row + 3), v128.shuffle<f32>(xy23, zw23, 2, 3, 6, 7));
+  drop(X, ids, x);
+  drop(X + stride, ids, y);
+  drop(X + stride * 2, ids, z);
 }
 
 // From the first row to the last.
@@ -189,12 +172,6 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     nz = mz;
     knot = next;
   }
-}
-
-// Lanes whose row only pulls: their length carries the sign.
-// @ts-ignore: decorator
-@inline function cords(length: v128): v128 {
-  return sizeof<real>() == 4 ? i32x4.shr_s(length, 31) : i64x2.shr_s(length, 63);
 }
 
 // From the last row to the first: finds the impulses. Returns which threads are taut.

@@ -1,12 +1,15 @@
-// One Gauss-Seidel sweep of XPBD over the coloured rows: rows of a colour share no movable body, so four of them are
-// solved at once where reals are f32, with the same result as one after the other.
+// Gauss-Seidel sweeps of XPBD over what is no chain: the coloured rows, then the threads, each thread as a whole
+// (strands.ts). Rows of a colour share no movable body, so LANES of them are solved at once, with the same result as one
+// after the other.
 //
 //   tension += gain (d - L) - softness tension        x_a += w_a n dtension        x_b -= w_b n dtension
 //
 // A cord's tension is never below zero. Ends closer than 1e-15 m have no direction between them: x is taken.
-import { solveStrands } from './strands';
-import { ConstraintTable, isCord, packedAt, part, putPart, tableAt, word } from './table';
 import { get, put } from '../columns';
+import { LANES, add, at, div, mul, splat, sub } from '../lanes';
+import { cords, drop, isRun, pick } from './lanes';
+import { solveStrands } from './strands';
+import { ConstraintTable, isCord, packedAt, part, putPart, stride, tableAt, word } from './table';
 
 const NEAR: f32 = 1e-30;
 
@@ -17,11 +20,12 @@ export function sweepConstraints(table: usize, sweeps: i32): void {
   const first = t.coloursFirst;
   clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, t.rowCount);
   for (let s = 0; s < sweeps; s++) {
-    if (sizeof<real>() == 4) solveLanes(t, first, t.serialFirst);
-    else for (let row = first; row < t.serialFirst; row++) solveRow(t, row);
+    solveLanes(t, first, t.serialFirst);
     for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
-    solveStrands(t);
+    solveStrands(t, false);
   }
+  // What cannot stretch once more, for what the last threads did to those across them.
+  solveStrands(t, true);
 }
 
 function clear(t: ConstraintTable, first: i32, last: i32): void {
@@ -69,88 +73,75 @@ function pull(t: ConstraintTable, row: i32, by: real): void {
   putPart(pb, 2, part(pb, 2) - wb * z);
 }
 
-// @ts-ignore: decorator
-@inline function bodyAt(t: ConstraintTable, column: usize, row: i32): usize {
-  return t.packed + ((<usize>word(column, row)) << 4);
-}
+// Where bodies that do not follow each other are brought together: x, y, z and inverse mass of both ends.
+const PLACE: usize = memory.data(128, 16);
 
-// @ts-ignore: decorator
-@inline function lane(v: v128, i: i32): v128 {
-  if (i == 0) return v128.shuffle<f32>(v, v, 0, 0, 0, 0);
-  if (i == 1) return v128.shuffle<f32>(v, v, 1, 1, 1, 1);
-  if (i == 2) return v128.shuffle<f32>(v, v, 2, 2, 2, 2);
-  return v128.shuffle<f32>(v, v, 3, 3, 3, 3);
-}
-
-// Moves one end by its inverse mass, which stands in its fourth lane, times `scale` along `d`.
-// @ts-ignore: decorator
-@inline function towards(p: usize, body: v128, d: v128, scale: v128): void {
-  v128.store(p, f32x4.add(body, f32x4.mul(d, f32x4.mul(scale, lane(body, 3)))));
-}
-
-// @ts-ignore: decorator
-@inline function away(p: usize, body: v128, d: v128, scale: v128): void {
-  v128.store(p, f32x4.sub(body, f32x4.mul(d, f32x4.mul(scale, lane(body, 3)))));
-}
-
+// Rows of a multiple of LANES. Where the bodies of LANES rows follow each other, as in a cloth, they are vectors as they
+// stand.
 function solveLanes(t: ConstraintTable, first: i32, last: i32): void {
-  const place = i32x4(-1, -1, -1, 0);
-  const free = f32x4.splat(-3e38);
-  for (let row = first; row < last; row += 4) {
-    const o = (<usize>row) << 2;
-    const a0 = bodyAt(t, t.a, row);
-    const a1 = bodyAt(t, t.a, row + 1);
-    const a2 = bodyAt(t, t.a, row + 2);
-    const a3 = bodyAt(t, t.a, row + 3);
-    const b0 = bodyAt(t, t.b, row);
-    const b1 = bodyAt(t, t.b, row + 1);
-    const b2 = bodyAt(t, t.b, row + 2);
-    const b3 = bodyAt(t, t.b, row + 3);
-    const A0 = v128.load(a0);
-    const A1 = v128.load(a1);
-    const A2 = v128.load(a2);
-    const A3 = v128.load(a3);
-    const B0 = v128.load(b0);
-    const B1 = v128.load(b1);
-    const B2 = v128.load(b2);
-    const B3 = v128.load(b3);
-    const D0 = v128.and(f32x4.sub(B0, A0), place);
-    const D1 = v128.and(f32x4.sub(B1, A1), place);
-    const D2 = v128.and(f32x4.sub(B2, A2), place);
-    const D3 = v128.and(f32x4.sub(B3, A3), place);
-    const xy01 = v128.shuffle<f32>(D0, D1, 0, 4, 1, 5);
-    const xy23 = v128.shuffle<f32>(D2, D3, 0, 4, 1, 5);
-    const x = v128.shuffle<f32>(xy01, xy23, 0, 1, 4, 5);
-    const y = v128.shuffle<f32>(xy01, xy23, 2, 3, 6, 7);
-    const z01 = v128.shuffle<f32>(D0, D1, 2, 6, 3, 7);
-    const z23 = v128.shuffle<f32>(D2, D3, 2, 6, 3, 7);
-    const z = v128.shuffle<f32>(z01, z23, 0, 1, 4, 5);
-    const square = f32x4.add(f32x4.add(f32x4.mul(x, x), f32x4.mul(y, y)), f32x4.mul(z, z));
-    if (v128.any_true(f32x4.lt(square, f32x4.splat(NEAR)))) {
-      for (let i = row; i < row + 4; i++) solveRow(t, i);
+  const free = splat(<real>-3e38);
+  for (let row = first; row < last; row += LANES) {
+    const o = at(row);
+    const a = t.a + ((<usize>row) << 2);
+    const b = t.b + ((<usize>row) << 2);
+    const isRuns = isRun(a) && isRun(b);
+    let p = PLACE;
+    let q = PLACE + 64;
+    let next = <usize>16;
+    if (isRuns) {
+      p = packedAt(t, load<u32>(a));
+      q = packedAt(t, load<u32>(b));
+      next = stride;
+    } else bring(t, a, b);
+    const xa = v128.load(p);
+    const ya = v128.load(p + next);
+    const za = v128.load(p + next * 2);
+    const xb = v128.load(q);
+    const yb = v128.load(q + next);
+    const zb = v128.load(q + next * 2);
+    const x = sub(xb, xa);
+    const y = sub(yb, ya);
+    const z = sub(zb, za);
+    const square = add(add(mul(x, x), mul(y, y)), mul(z, z));
+    if (v128.any_true(v128.lt<real>(square, splat(<real>NEAR)))) {
+      for (let i = row; i < row + LANES; i++) solveRow(t, i);
       continue;
     }
-    const d = f32x4.sqrt(square);
+    const d = v128.sqrt<real>(square);
     const tension = v128.load(t.tension + o);
     const length = v128.load(t.length + o);
-    const least = v128.andnot(free, i32x4.shr_s(length, 31));
-    const drawn = f32x4.mul(v128.load(t.gain + o), f32x4.sub(d, f32x4.abs(length)));
-    const kept = f32x4.sub(tension, f32x4.mul(v128.load(t.softness + o), tension));
-    const next = f32x4.max(f32x4.add(kept, drawn), least);
-    v128.store(t.tension + o, next);
-    const by = f32x4.sub(next, tension);
-    const scale = f32x4.div(by, d);
-    const s0 = lane(scale, 0);
-    const s1 = lane(scale, 1);
-    const s2 = lane(scale, 2);
-    const s3 = lane(scale, 3);
-    towards(a0, A0, D0, s0);
-    towards(a1, A1, D1, s1);
-    towards(a2, A2, D2, s2);
-    towards(a3, A3, D3, s3);
-    away(b0, B0, D0, s0);
-    away(b1, B1, D1, s1);
-    away(b2, B2, D2, s2);
-    away(b3, B3, D3, s3);
+    const least = v128.andnot(free, cords(length));
+    const drawn = mul(v128.load(t.gain + o), sub(d, v128.abs<real>(length)));
+    const kept = sub(tension, mul(v128.load(t.softness + o), tension));
+    const total = v128.max<real>(add(kept, drawn), least);
+    v128.store(t.tension + o, total);
+    const scale = div(sub(total, tension), d);
+    const wa = mul(v128.load(p + next * 3), scale);
+    const wb = mul(v128.load(q + next * 3), scale);
+    v128.store(p, add(xa, mul(wa, x)));
+    v128.store(p + next, add(ya, mul(wa, y)));
+    v128.store(p + next * 2, add(za, mul(wa, z)));
+    v128.store(q, sub(xb, mul(wb, x)));
+    v128.store(q + next, sub(yb, mul(wb, y)));
+    v128.store(q + next * 2, sub(zb, mul(wb, z)));
+    if (!isRuns) takeBack(t, a, b);
+  }
+}
+
+function bring(t: ConstraintTable, a: usize, b: usize): void {
+  let column = t.packed;
+  for (let i: usize = 0; i < 64; i += 16) {
+    v128.store(PLACE + i, pick(column, a));
+    v128.store(PLACE + i, pick(column, b), 64);
+    column += stride;
+  }
+}
+
+function takeBack(t: ConstraintTable, a: usize, b: usize): void {
+  let column = t.packed;
+  for (let i: usize = 0; i < 48; i += 16) {
+    drop(column, a, v128.load(PLACE + i));
+    drop(column, b, v128.load(PLACE + i, 64));
+    column += stride;
   }
 }

@@ -2,8 +2,8 @@
 //
 // A row is one spring as the solver sees it. Rows stand in this order: first chains, row after row along each; then
 // strands of threads that are solved side by side; then colours, groups of rows that share no movable body, each filled
-// up to a multiple of four with rows of nothing; then the few that found no colour. Bodies are packed as x, y, z, inverse
-// mass.
+// up to a multiple of four with rows of nothing; then the few that found no colour. Bodies are packed as
+// four columns: x, y, z, inverse mass.
 
 @unmanaged
 export class ConstraintTable {
@@ -14,6 +14,8 @@ export class ConstraintTable {
   nodes: usize;
   // Per body: x, y, z, inverse mass; inverse mass; colours taken; number of springs; the first two of them.
   packed: usize;
+  // Bytes from one packed column to the next.
+  stride: usize;
   inverse: usize;
   masks: usize;
   degree: usize;
@@ -71,20 +73,29 @@ export const RIGID: f64 = 1e29;
   store<u32>(column + ((<usize>row) << 2), value);
 }
 
-// Where a body is packed.
+// Bytes from one packed column to the next. Each world has an instance of this module, and so a value of its own.
+export let stride: usize = 0;
+
+// Before anything is packed or solved.
+// @ts-ignore: decorator
+@inline export function useTable(t: ConstraintTable): void {
+  stride = t.stride;
+}
+
+// Where the x of a body is packed.
 // @ts-ignore: decorator
 @inline export function packedAt(t: ConstraintTable, body: u32): usize {
-  return t.packed + <usize>body * 4 * sizeof<real>();
+  return t.packed + <usize>body * sizeof<real>();
 }
 
 // @ts-ignore: decorator
 @inline export function part(packed: usize, index: i32): real {
-  return load<real>(packed + <usize>index * sizeof<real>());
+  return load<real>(packed + <usize>index * stride);
 }
 
 // @ts-ignore: decorator
 @inline export function putPart(packed: usize, index: i32, value: real): void {
-  store<real>(packed + <usize>index * sizeof<real>(), value);
+  store<real>(packed + <usize>index * stride, value);
 }
 
 // @ts-ignore: decorator

@@ -10,10 +10,21 @@ import { constraintKernels } from './kernels';
 
 const WORDS = [
   ...['springs', 'breakForce'],
-  ...['nodes', 'packed', 'inverse', 'masks', 'degree', 'joined'],
+  ...['nodes', 'packed', 'stride', 'inverse', 'masks', 'degree', 'joined'],
   ...['state', 'source', 'a', 'b', 'length', 'gain', 'softness', 'tension'],
   ...['chains', 'strands', 'colours', 'work', 'broken'],
-  ...['nodeCount', 'chainCount', 'strandCount', 'longest', 'rigid', 'coloursFirst', 'serialFirst', 'rowCount', 'damped', 'breakable'],
+  ...[
+    'nodeCount',
+    'chainCount',
+    'strandCount',
+    'longest',
+    'rigid',
+    'coloursFirst',
+    'serialFirst',
+    'rowCount',
+    'damped',
+    'breakable',
+  ],
 ] as const;
 
 /** Rows that only fill up: at most three for each of 64 colours, three behind chains, three behind strands. */
@@ -59,7 +70,10 @@ export const constraintTable = resource((world): ConstraintTable => {
   put(table, 'springs', springTable(world).at);
   put(table, 'breakForce', world.addresses.Spring.breakForce);
   take('nodes', 4 * rows);
-  take('packed', 4 * real * rows);
+  // Not a multiple of 4096 apart, or the four columns would evict each other from the cache.
+  const stride = real * rows + 320;
+  take('packed', 4 * stride);
+  put(table, 'stride', stride);
   take('inverse', real * rows);
   take('masks', 8 * rows);
   take('degree', 4 * rows);

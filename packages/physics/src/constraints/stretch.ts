@@ -14,3 +14,11 @@ export function largestStretch(world: PhysicsWorld, stiffness = 0): number {
   scanSprings(world);
   return constraintKernels(world).largestStretch(at, stiffness);
 }
+
+/** The root of the mean square of the same, over the springs that count. @throws PhysicsError E_DESTROYED */
+export function rmsStretch(world: PhysicsWorld, stiffness = 0): number {
+  const { at } = constraintTable(world);
+  if (world.internal.counts.Spring === 0) return 0;
+  scanSprings(world);
+  return constraintKernels(world).rmsStretch(at, stiffness);
+}

@@ -16,8 +16,12 @@
 // hanging: N g h² above half a link) is solved implicitly instead, places and tensions together: unstretched and stable, at
 // first order. Otherwise bodies at springs get their whole kick before the
 // correction, which makes it first order there: it loses the energy of oscillations whose ω h is not small. What is no
-// chain is solved by Gauss-Seidel over colours, which leaves stiff networks stretched by the load of a few sub-steps:
-// error falls with the square of h, and sub-steps serve better than iterations at the same cost.
+// chain is solved by Gauss-Seidel, from part to part of the network. A part is a thread, four or more springs made one
+// after the other, each from the body where the last one ended: it is solved as a whole, as taut chains implicitly
+// (kernels/constraints/strands.ts), and those of rods once more at the end. So the threads of a cloth do not stretch,
+// however many nodes it has. Springs that belong to no thread are parts of their own, in colours that share no body: a
+// stiff network of these is left stretched by the load of a few sub-steps. Its error falls with the square of h, and
+// sub-steps serve better than iterations at the same cost.
 //
 // Momentum is conserved to rounding, angular momentum by RATTLE to rounding too, otherwise to the order of the step. Bodies without mass are anchors.
 // `springs()` in the list of forces then gives the potential only. Walls and contacts come after the whole step.
@@ -37,7 +41,7 @@ import { constraintKernels } from './kernels';
 export interface XpbdOptions {
   /** Sub-steps of a step; default 1. Error and damping fall with their number. */
   readonly substeps?: number;
-  /** Times the springs are gone through in each; default 10. For networks 1 or 2 with many sub-steps is best. */
+  /** Times the springs are gone through in each; default 10. For cloths 1 with some sub-steps is best. */
   readonly iterations?: number;
 }
 

@@ -75,10 +75,11 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   const columns = checkNumber(options.columns, 'cloth.columns', COUNTS);
   const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);
   const list = new SpringList();
-  addThreads(list, options, columns, rows);
+  if (options.tethers === true) addTethers(list, options, columns, rows);
   addShear(list, options, columns, rows);
   addBend(list, options, columns, rows);
-  if (options.tethers === true) addTethers(list, options, columns, rows);
+  // Last, because what is solved last is kept best.
+  addThreads(list, options, columns, rows);
   const bodies = placeNodes(options, columns, rows);
   const { nodes, springs } = spawnNetwork(world, columns * rows, bodies, list, options);
   const at = (column: number, row: number) => nodes[row * columns + column];
@@ -114,53 +115,57 @@ function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, r
   });
 }
 
-/** All springs from a node to the one `right` columns and `down` rows on, row by row: so few colours are enough. */
-function addKind(
-  list: SpringList,
-  [columns, rows]: readonly [number, number],
-  [right, down]: readonly [number, number],
-  stiffness: number,
-  length: number,
-): void {
-  if (stiffness === 0) return;
-  for (let row = 0; row + down < rows; row++) {
-    for (let column = Math.max(0, -right); column + Math.max(0, right) < columns; column++) {
-      const node = row * columns + column;
-      list.add(node, node + down * columns + right, stiffness, length);
-    }
-  }
-}
-
-function addThreads(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
-  const stiffness = checkStiffness(options.structural ?? Infinity, 'cloth.structural');
-  if (stiffness === 0) return;
-  for (let row = 0; row < rows; row++) addThread(list, row * columns, 1, columns, stiffness, options.spacing);
-  for (let column = 0; column < columns; column++) addThread(list, column, columns, rows, stiffness, options.spacing);
-}
-
 /** Springs from node to node, one after the other: so a solver sees a thread. */
 function addThread(
   list: SpringList,
-  first: number,
-  stride: number,
-  nodes: number,
+  [first, stride, nodes]: readonly [number, number, number],
   stiffness: number,
   length: number,
 ): void {
   for (let i = 1; i < nodes; i++) list.add(first + stride * (i - 1), first + stride * i, stiffness, length);
 }
 
-function addShear(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
-  const stiffness = checkStiffness(options.shear ?? 0, 'cloth.shear');
-  const diagonal = Math.SQRT2 * options.spacing;
-  addKind(list, [columns, rows], [1, 1], stiffness, diagonal);
-  addKind(list, [columns, rows], [-1, 1], stiffness, diagonal);
+function addThreads(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const stiffness = checkStiffness(options.structural ?? Infinity, 'cloth.structural');
+  if (stiffness === 0) return;
+  for (let row = 0; row < rows; row++) addThread(list, [row * columns, 1, columns], stiffness, options.spacing);
+  for (let column = 0; column < columns; column++) {
+    addThread(list, [column, columns, rows], stiffness, options.spacing);
+  }
 }
 
+/** Both diagonals, every second row and then the others: springs of neighbouring rows cannot be solved at once. */
+function addShear(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const stiffness = checkStiffness(options.shear ?? 0, 'cloth.shear');
+  if (stiffness === 0) return;
+  const length = Math.SQRT2 * options.spacing;
+  for (const right of [1, -1]) {
+    for (const start of [0, 1]) {
+      for (let row = start; row + 1 < rows; row += 2) {
+        for (let column = Math.max(0, -right); column + Math.max(0, right) < columns; column++) {
+          const node = row * columns + column;
+          list.add(node, node + columns + right, stiffness, length);
+        }
+      }
+    }
+  }
+}
+
+/** Two threads along each row and column, of its even and of its odd nodes. */
 function addBend(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
   const stiffness = checkStiffness(options.bend ?? 0, 'cloth.bend');
-  addKind(list, [columns, rows], [2, 0], stiffness, 2 * options.spacing);
-  addKind(list, [columns, rows], [0, 2], stiffness, 2 * options.spacing);
+  if (stiffness === 0) return;
+  const length = 2 * options.spacing;
+  for (const start of [0, 1]) {
+    for (let row = 0; row < rows; row++) {
+      addThread(list, [row * columns + start, 2, Math.ceil((columns - start) / 2)], stiffness, length);
+    }
+  }
+  for (const start of [0, 1]) {
+    for (let column = 0; column < columns; column++) {
+      addThread(list, [start * columns + column, 2 * columns, Math.ceil((rows - start) / 2)], stiffness, length);
+    }
+  }
 }
 
 /**

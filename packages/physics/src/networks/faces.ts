@@ -30,11 +30,14 @@ export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): 
   };
 }
 
+/** Room behind the faces for the forces on some of them: kernels/constraints/faces.ts. */
+const FORCES = 16 + 3 * 128 * 8;
+
 function place(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, field: string): Faces {
   const { arena, generations } = world.internal;
   for (let i = 0; i < ids.length; i++) assertBody(world, ids[i]);
   const count = ids.length / corners;
-  const at = allocate(arena, 8 * ids.length, field);
+  const at = allocate(arena, 8 * ids.length + FORCES, field);
   const words = new Uint32Array(arena.memory.buffer, at, 2 * ids.length);
   for (let i = 0; i < ids.length; i++) {
     const word = count * (i % corners) + Math.floor(i / corners);

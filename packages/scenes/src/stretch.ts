@@ -1,0 +1,10 @@
+import { largestStretch, type PhysicsWorld, rmsStretch } from '@principia/physics';
+import type { Stretch } from './scene';
+
+/** A stiffness, N/m, that only inextensible threads reach: of what gives by design, the stretch says nothing. */
+const INEXTENSIBLE = 1e29;
+
+/** Of the inextensible threads of a scene. */
+export function threadStretch(world: PhysicsWorld): Stretch {
+  return { worst: largestStretch(world, INEXTENSIBLE), rms: rmsStretch(world, INEXTENSIBLE) };
+}
