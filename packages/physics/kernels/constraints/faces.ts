@@ -115,7 +115,7 @@ export const CHUNK: i32 = 32 * LANES;
 // Where the forces of a chunk stand, behind the lives: x, then y, then z.
 // @ts-ignore: decorator
 @inline export function chunkOf(faces: usize, count: i32): usize {
-  return faces + (((<usize>count) * 24 + 15) & ~15);
+  return faces + ((<usize>count * 24 + 15) & ~15);
 }
 
 // Adds the forces of a chunk to each corner of its faces; a bit of `runs` is set where LANES faces have runs of corners.

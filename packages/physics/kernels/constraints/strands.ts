@@ -91,7 +91,15 @@ export function solveStrands(t: ConstraintTable, onlyRods: bool): void {
 
 // Writes a body of each thread, moved by s.
 // @ts-ignore: decorator
-@inline function scatter(t: ConstraintTable, column: usize, row: i32, knot: Knot, sx: v128, sy: v128, sz: v128): void {
+@inline function scatter(
+  t: ConstraintTable,
+  column: usize,
+  row: i32,
+  knot: Knot,
+  sx: v128,
+  sy: v128,
+  sz: v128,
+): void {
   const ids = column + ((<usize>row) << 2);
   const x = add(knot.x, sx);
   const y = add(knot.y, sy);
