@@ -17,6 +17,9 @@ export const compilerFlags = [
   '--bindings raw',
 ].flatMap((flag) => flag.split(' '));
 
+/** Modules that are not worth code that is unrolled and inlined: what they do is seldom, or waits for divisions. */
+const SHORT = ['emitters/module.ts', 'math/module.ts'];
+
 /**
  * @typedef {{ wasm: Uint8Array, declarations: string }} CompiledKernels
  * @param {string} folder the folder of the kernels
@@ -60,6 +63,7 @@ async function compile(folder, entry, real, output, constants) {
     '--memoryBase',
     String(constants),
     ...compilerFlags,
+    ...(SHORT.includes(entry) ? ['--shrinkLevel', '1'] : []),
   ];
   try {
     // The compiler starts itself a second time unless source maps are already enabled.
