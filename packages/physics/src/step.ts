@@ -1,3 +1,4 @@
+import { adviceOn } from './faults/advice';
 import { PhysicsError } from './faults/physics-error';
 import { collectThrown } from './faults/thrown';
 import { checkNumber } from './faults/validate';
@@ -88,7 +89,7 @@ function rethrow(world: PhysicsWorld): void {
   if (world.onFault === 'throw') {
     for (const { code, entity, field, value, step, phase } of internal.stepFaults) {
       const problem = `${field} of body ${entity} was ${value} ${phase === 'begin' ? 'before' : 'in'} step ${step}.`;
-      errors.push(new PhysicsError(code, problem, { entity, field, value }));
+      errors.push(new PhysicsError(code, problem, { entity, field, value, hint: adviceOn(code) }));
       count++;
     }
   }
