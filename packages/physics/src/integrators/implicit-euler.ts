@@ -8,7 +8,8 @@
 // of forces, without a matrix (Knoll and Keyes, J. Comp. Phys. 193, 357, 2004). It ends when |R|, or the Newton step, is
 // below `tolerance` times the velocities; when it does not get there, as with nets of springs that a step would turn
 // upside down, the best velocities found are taken and the log gets an E_CONVERGENCE that names the body with the
-// largest residual. 5 to some hundred force evaluations, by stiffness.
+// largest residual. 5 to some hundred force evaluations, by stiffness. A chain of a hundred springs or more, falling and
+// swinging, is solved at k dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd.
 // Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
 import { reportFault } from '../faults/fault-log';
 import { checkKeys, checkNumber } from '../faults/validate';
