@@ -57,17 +57,22 @@ export function directOntoTests(w: NBody, inverseSquare: bool): void {
   }
 }
 
-// RMS over `samples` bodies, evenly spread over the order of the results, of their error over the size of the field
-// summed directly: that of the tree, or the rounding of the direct sum.
 // A body whose field nearly cancels counts as if it felt this share of the mean field.
 const LEAST_FIELD: f64 = 0.1;
 
-export function sampleError(w: NBody, samples: i32, inverseSquare: bool): f64 {
+// Steps of the golden section, in parts of 2³²: never the same bodies again, and evenly between those of before.
+const SHIFT: u32 = 0x9e3779b9;
+
+// RMS over `samples` bodies, evenly spread over the order of the results, of their error over the size of the field
+// summed directly: that of the tree, or the rounding of the direct sum. Other bodies for each `choice`.
+export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: bool): f64 {
   const n = min(min(samples, SAMPLES), w.bodies);
   if (n == 0) return 0;
+  // Where in its part of the order each is, of 2³²: in the middle for choice 0.
+  const within = <u64>(<u32>(1 << 31) + <u32>choice * SHIFT);
   let mean: f64 = 0;
   for (let k = 0; k < n; k++) {
-    const body = <i32>(((2 * <i64>k + 1) * <i64>w.bodies) / (2 * <i64>n));
+    const body = <i32>(((((<u64>k) << 32) + within) / <u64>n) * <u64>w.bodies >> 32);
     const place = w.resultsByTree || body < w.sources ? body : body - w.sources + w.tests;
     if (w.resultsByTree) fieldAt(w, get(w.px, place), get(w.py, place), get(w.pz, place), inverseSquare);
     else fieldAt(w, get(w.x, place), get(w.y, place), get(w.z, place), inverseSquare);

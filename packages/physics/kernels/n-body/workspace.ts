@@ -69,6 +69,8 @@ export class NBody {
   // What a cell may spend of the field's scale, and the error measured last.
   tolerance: f64;
   error: f64;
+  // Mean square of the error as the looks so far make it; 0 before the first.
+  meanSquare: f64;
   // Target-source pairs of the last evaluation.
   cellPairs: f64;
   bodyPairs: f64;
