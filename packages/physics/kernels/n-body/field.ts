@@ -72,7 +72,7 @@ export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: 
   const within = <u64>(<u32>(1 << 31) + <u32>choice * SHIFT);
   let mean: f64 = 0;
   for (let k = 0; k < n; k++) {
-    const body = <i32>(((((<u64>k) << 32) + within) / <u64>n) * <u64>w.bodies >> 32);
+    const body = <i32>((((((<u64>k) << 32) + within) / <u64>n) * <u64>w.bodies) >> 32);
     const place = w.resultsByTree || body < w.sources ? body : body - w.sources + w.tests;
     if (w.resultsByTree) fieldAt(w, get(w.px, place), get(w.py, place), get(w.pz, place), inverseSquare);
     else fieldAt(w, get(w.x, place), get(w.y, place), get(w.z, place), inverseSquare);
