@@ -11,7 +11,6 @@ import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { encodeModules } from './lib/encode-module.mjs';
 import { resolveInstalled, root } from './lib/paths.mjs';
 
 export const kernelFolder = `${root}/packages/physics/kernels`;
@@ -60,10 +59,12 @@ async function buildModules({ quiet = false, force = false, from = kernelFolder,
   const texts = `${to}/texts.gen.ts`;
   const files = [texts, ...modules.map(({ file }) => `${to}/${file}`)];
   if (!force && files.every((file) => existsSync(file) && readFileSync(file, 'utf8').startsWith(header))) return false;
-  const embedded = [];
+  const { compilePacker, encodeModules } = await import('./lib/encode-module.mjs');
+  const packer = await compilePacker(kernelFolder);
+  const embedded = [`export const UNPACKER = '${Buffer.from(packer.unpack).toString('hex')}';`];
   for (const module of modules) {
-    const { text, declarations } = await buildModule({ ...module, from, quiet });
-    embedded.push(`export const ${module.constant} = '${text}';`);
+    const { f32, f64, declarations } = await buildModule({ ...module, from, quiet });
+    embedded.push(`export const ${module.constant} = '${encodeModules(packer.pack, f64.wasm, f32.wasm)}';`);
     write(`${to}/${module.file}`, `${header}\n${declarations}`);
   }
   write(texts, `${[header, ...embedded].join('\n')}\n`);
@@ -78,8 +79,9 @@ async function buildModule({ name, entry, constant, constants, from, quiet }) {
   const declarations = [
     "import type { EmbeddedModule } from './decode.ts';",
     `import { ${constant} } from './texts.gen.ts';\n`,
-    `export const KERNELS_F32: EmbeddedModule = { text: ${constant}, start: 0, end: ${f32.wasm.length} };`,
-    `export const KERNELS_F64: EmbeddedModule = { text: ${constant}, start: ${f32.wasm.length}, end: ${f32.wasm.length + f64.wasm.length} };\n`,
+    // The first is unpacked alone, the second needs the first: worlds are f64 unless one asks for f32.
+    `export const KERNELS_F64: EmbeddedModule = { text: ${constant}, start: 0, end: ${f64.wasm.length} };`,
+    `export const KERNELS_F32: EmbeddedModule = { text: ${constant}, start: ${f64.wasm.length}, end: ${f64.wasm.length + f32.wasm.length} };\n`,
     '/** What both modules export. An address (`usize`) is a byte offset into the memory; u32 results need `>>> 0`. */',
     kernelInterface({ f32, f64 }),
   ].join('\n');
@@ -88,7 +90,7 @@ async function buildModule({ name, entry, constant, constants, from, quiet }) {
     const seconds = ((performance.now() - start) / 1000).toFixed(1);
     process.stdout.write(`Kernels compiled in ${seconds} s: ${name}, f32 ${a}, f64 ${b}\n`);
   }
-  return { text: encodeModules(f32.wasm, f64.wasm), declarations };
+  return { f32, f64, declarations };
 }
 
 /**

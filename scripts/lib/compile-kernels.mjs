@@ -6,10 +6,9 @@ import { cacheFolder, resolveInstalled } from './paths.mjs';
 
 const run = promisify(execFile);
 
-/** No garbage collector, no checks, memory from outside; the comments in `docs/` say why. */
+/** No garbage collector, no checks; the comments in `docs/` say why. */
 export const compilerFlags = [
   '--runtime stub',
-  '--importMemory',
   '--enable simd',
   '-O3',
   '--noAssert',
@@ -32,8 +31,8 @@ export async function compileKernels(folder, entry = 'index.ts', constants = 102
   const output = mkdtempSync(`${cacheFolder}/kernels-`);
   try {
     const [f32, f64] = await Promise.all([
-      compile(folder, entry, 'f32', output, constants),
-      compile(folder, entry, 'f64', output, constants),
+      compile(folder, entry, 'f32', output, kernelFlags(entry, constants)),
+      compile(folder, entry, 'f64', output, kernelFlags(entry, constants)),
     ]);
     return { f32, f64 };
   } finally {
@@ -42,14 +41,41 @@ export async function compileKernels(folder, entry = 'index.ts', constants = 102
 }
 
 /**
+ * A module of its own, with memory of its own.
+ * @param {string} folder
+ * @param {string} entry
+ * @param {number} pages of its memory
+ * @returns {Promise<Uint8Array>}
+ */
+export async function compileAlone(folder, entry, pages) {
+  mkdirSync(cacheFolder, { recursive: true });
+  const output = mkdtempSync(`${cacheFolder}/kernels-`);
+  try {
+    const flags = ['--initialMemory', String(pages), '--shrinkLevel', '1'];
+    return (await compile(folder, entry, 'f32', output, flags)).wasm;
+  } finally {
+    rmSync(output, { recursive: true, force: true });
+  }
+}
+
+/**
+ * @param {string} entry
+ * @param {number} constants
+ */
+function kernelFlags(entry, constants) {
+  const shrink = SHORT.includes(entry) ? ['--shrinkLevel', '1'] : [];
+  return ['--importMemory', '--memoryBase', String(constants), ...shrink];
+}
+
+/**
  * @param {string} folder
  * @param {string} entry
  * @param {'f32' | 'f64'} real
  * @param {string} output
- * @param {number} constants
+ * @param {string[]} flags
  * @returns {Promise<CompiledKernels>}
  */
-async function compile(folder, entry, real, output, constants) {
+async function compile(folder, entry, real, output, flags) {
   const compiler = resolveInstalled('assemblyscript/bin/asc.js');
   const file = `${output}/${real}.wasm`;
   const args = [
@@ -60,10 +86,8 @@ async function compile(folder, entry, real, output, constants) {
     file,
     '--use',
     `real=${real}`,
-    '--memoryBase',
-    String(constants),
     ...compilerFlags,
-    ...(SHORT.includes(entry) ? ['--shrinkLevel', '1'] : []),
+    ...flags,
   ];
   try {
     // The compiler starts itself a second time unless source maps are already enabled.

@@ -2,25 +2,40 @@
  * Text for two WebAssembly modules, the counterpart of `decodeModule` in the physics package.
  *
  * Both precisions come from one source and are nearly alike, but gzip, which packs what a site sends, looks back only
- * 32 KB and at whole bytes. Compressed together by LZMA they take 27 KB of a game where the same as hexadecimal text
- * took 37 KB; base 64 of it costs gzip nothing, since 64 signs that are all as likely take it 6 bits each.
+ * 32 KB and at whole bytes. `kernels/unpack` knows what WebAssembly looks like: what took 37 KB of a game as hexadecimal
+ * text, and 25 KB by LZMA, takes it 17 KB. The first module is unpacked alone, the second needs the first. Base 64 of it
+ * costs gzip nothing, since 64 signs that are all as likely take it 6 bits each.
  */
-import lzma from 'lzma';
+import { compileAlone } from './compile-kernels.mjs';
 
-/** Bytes of an .lzma header: properties, size of the dictionary, size of the content. */
-const HEADER = 13;
+/** The memory of `kernels/unpack/memory.ts`: up to `PACKED`, and what may follow. */
+const PAGES = 124;
+/** The most that one module may have there. */
+const MOST_BYTES = 0x10000;
 
-/** lc + 9 (lp + 5 pb) for lc = 3, lp = 0, pb = 2: what the decoder takes. */
-const PROPERTIES = 93;
+/** @param {string} folder of the kernels */
+export async function compilePacker(folder) {
+  const [pack, unpack] = await Promise.all([
+    compileAlone(folder, 'unpack/pack.ts', PAGES),
+    compileAlone(folder, 'unpack/unpack.ts', PAGES),
+  ]);
+  return { pack, unpack };
+}
 
 /**
+ * @param {Uint8Array} packer the module of `kernels/unpack/pack.ts`
  * @param {Uint8Array} first
  * @param {Uint8Array} second
  * @returns {string}
  */
-export function encodeModules(first, second) {
-  const file = Uint8Array.from(lzma.compress(Buffer.concat([first, second]), 9));
-  if (file[0] !== PROPERTIES)
-    throw new Error(`LZMA's properties are ${file[0]}, the decoder knows ${PROPERTIES} only.`);
-  return Buffer.from(file.subarray(HEADER)).toString('base64').replaceAll('=', '');
+export function encodeModules(packer, first, second) {
+  if (Math.max(first.length, second.length) > MOST_BYTES)
+    throw new Error(
+      `A kernel module has ${Math.max(first.length, second.length)} bytes, the packer takes ${MOST_BYTES}.`,
+    );
+  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(packer)));
+  const { memory, packedAt, bytesAt, pack } = /** @type {any} */ (exports);
+  new Uint8Array(memory.buffer).set(Buffer.concat([first, second]), bytesAt());
+  const length = pack(first.length, second.length);
+  return Buffer.from(memory.buffer, packedAt(), length).toString('base64').replaceAll('=', '');
 }

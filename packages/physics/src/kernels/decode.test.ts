@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { encodeModules } from '../../../../scripts/lib/encode-module.mjs';
+import { kernelFolder } from '../../../../scripts/build-kernels.mjs';
+import { compilePacker, encodeModules } from '../../../../scripts/lib/encode-module.mjs';
 import { decodeModule } from './decode.ts';
 import { KERNELS_F32, KERNELS_F64 } from './modules.gen.ts';
 
@@ -9,14 +10,14 @@ const flat = (length: number) => new Uint8Array(length).fill(200);
 
 test.each([
   ['noise', noise, [0, 1, 2, 3, 4, 5, 300, 5000]],
-  // Matches of every kind of length and distance: an encoder picks short ones, repeated ones and single bytes.
   ['what is like itself', wave, [1, 2, 273, 274, 9000]],
   ['one byte over and over', flat, [1, 18, 300, 3000]],
-])('%s survives the round trip', { timeout: 60_000 }, (_, make, lengths) => {
+])('%s survives the round trip', { timeout: 60_000 }, async (_, make, lengths) => {
+  const { pack } = await compilePacker(kernelFolder);
   const longest = make(lengths[lengths.length - 1]);
   for (const first of lengths.map(make)) {
     for (const second of [longest, first]) {
-      const text = encodeModules(first, second);
+      const text = encodeModules(pack, first, second);
       const middle = first.length;
       expect(decodeModule({ text, start: 0, end: middle })).toEqual(first);
       expect(decodeModule({ text, start: middle, end: middle + second.length })).toEqual(second);

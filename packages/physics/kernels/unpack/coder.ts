@@ -1,0 +1,46 @@
+// An arithmetic code of 32 bits without carries, as in lpaq (M. Mahoney, 2007): the more likely a bit was held, the less
+// of the code it takes.
+import { BYTES, PACKED } from './memory';
+
+let low: u32 = 0;
+let high: u32 = 0xffffffff;
+let code: u32 = 0;
+let stream: usize = PACKED;
+/** Packing: bits come from the bytes there are, and the code is written. */
+let packing = false;
+let source: u32 = 0;
+
+export function beginUnpacking(): void {
+  code = bswap(load<u32>(stream));
+  stream += 4;
+}
+
+export function beginPacking(): void {
+  packing = true;
+}
+
+/** Enough of the code to tell the last bit: how many bytes it has. */
+export function endPacking(): i32 {
+  store<u32>(stream, bswap(high));
+  return <i32>(stream + 4 - PACKED);
+}
+
+/** The next bit, whose probability of being 1 is that many 65536ths, 1 to 65535. */
+export function bit(probability: u32): u32 {
+  const middle = low + ((high - low) >>> 16) * probability;
+  let result = u32(code <= middle);
+  if (packing) {
+    result = (<u32>load<u8>(BYTES + (source >>> 3)) >>> (7 - (source & 7))) & 1;
+    source++;
+  }
+  if (result != 0) high = middle;
+  else low = middle + 1;
+  while ((low ^ high) >>> 24 == 0) {
+    if (packing) store<u8>(stream, high >>> 24);
+    else code = (code << 8) | load<u8>(stream);
+    stream++;
+    low <<= 8;
+    high = (high << 8) | 255;
+  }
+  return result;
+}

@@ -1,0 +1,96 @@
+// Guesses the bits of a byte from what followed the same contexts before, and learns from each.
+//
+// Every context has a slot for each bit; it holds the probability of a 1, less a half, in its upper 22 bits, and how
+// often it was met in the lower 10. The guesses are added in the logistic domain with weights that learn as well
+// (logistic mixing: M. Mahoney, Adaptive Weighing of Context Models for Lossless Data Compression, Florida Tech
+// CS-2005-16). Arithmetic is + − × ÷ alone, so what one machine packed every other unpacks.
+import { bit } from './coder';
+import { CONTEXTS, CONTEXT_SLOTS, GUESSES, HELD, INPUTS, SQUASH, STRETCH, WEIGHTS } from './memory';
+
+/** Times a slot counts: its rate of learning falls no further, since code changes its ways. */
+const LONGEST_MEMORY = 26;
+const LEARNING_RATE: f32 = 0.012;
+const FIRST_WEIGHT: f32 = 0.25;
+const BIAS: f32 = 0.3;
+const HALF: f32 = 2097152;
+/** The logistic function is tabulated from −12 to 12 by 64ths. */
+const REACH: f32 = 12;
+const STEPS: f32 = 64;
+const MIDDLE: i32 = 12 * 64;
+const ROOT: f64 = 1.0157477085866857; // e to the power of 1/64
+
+export function prepareTables(weightSets: i32): void {
+  let power: f64 = 1;
+  for (let i = 0; i <= MIDDLE; i++) {
+    store<f32>(SQUASH + ((MIDDLE + i) << 2), <f32>(power / (1 + power)));
+    store<f32>(SQUASH + ((MIDDLE - i) << 2), <f32>(1 / (1 + power)));
+    power *= ROOT;
+  }
+  let below = 0;
+  for (let i = 0; i < 4096; i++) {
+    const p: f32 = (<f32>i + 0.5) / 4096;
+    while (squashed(below + 1) < p) below++;
+    const part = (p - squashed(below)) / (squashed(below + 1) - squashed(below));
+    store<f32>(STRETCH + (i << 2), (<f32>below + part) / STEPS - REACH);
+  }
+  for (let i = 0; i < weightSets * INPUTS; i++) store<f32>(WEIGHTS + (i << 2), FIRST_WEIGHT);
+  store<f32>(GUESSES + (CONTEXTS << 2), BIAS);
+}
+
+// @ts-ignore: decorator
+@inline function squashed(index: i32): f32 {
+  return load<f32>(SQUASH + (index << 2));
+}
+
+/** The next byte, by the contexts that were hashed and a set of weights. */
+export function nextByte(set: i32): u32 {
+  const weights = WEIGHTS + ((set * INPUTS) << 2);
+  let node: u32 = 1;
+  while (node < 256) node = 2 * node + nextBit(node, weights);
+  return node - 256;
+}
+
+function nextBit(node: u32, weights: usize): u32 {
+  for (let k: usize = 0; k < (<usize>CONTEXTS) << 2; k += 4) {
+    const held = load<i32>(slotOf(k, node));
+    store<i32>(HELD + k, held);
+    store<f32>(GUESSES + k, load<f32>(STRETCH + (((held >> 20) + 2048) << 2)));
+  }
+  let sums = f32x4.splat(0);
+  for (let k: usize = 0; k < (<usize>INPUTS) << 2; k += 16) {
+    sums = f32x4.add(sums, f32x4.mul(v128.load(GUESSES + k), v128.load(weights + k)));
+  }
+  const sum =
+    f32x4.extract_lane(sums, 0) +
+    f32x4.extract_lane(sums, 1) +
+    (f32x4.extract_lane(sums, 2) + f32x4.extract_lane(sums, 3));
+  const place = (min<f32>(11.9, max<f32>(-11.9, sum)) + REACH) * STEPS;
+  const below = <i32>place;
+  const p = squashed(below) + (squashed(below + 1) - squashed(below)) * (place - <f32>below);
+  const result = bit(<u32>(p * 65534) + 1);
+  learn(result, p, node, weights);
+  return result;
+}
+
+// @ts-ignore: decorator
+@inline function learn(result: u32, p: f32, node: u32, weights: usize): void {
+  const step = f32x4.splat((<f32>result - p) * LEARNING_RATE);
+  const target = f32x4.splat(result != 0 ? HALF - 1 : -HALF);
+  for (let k: usize = 0; k < (<usize>INPUTS) << 2; k += 16) {
+    v128.store(weights + k, f32x4.add(v128.load(weights + k), f32x4.mul(step, v128.load(GUESSES + k))));
+    const held = v128.load(HELD + k);
+    const met = v128.and(held, i32x4.splat(1023));
+    const old = f32x4.convert_i32x4_s(i32x4.shr_s(held, 10));
+    const rate = f32x4.add(f32x4.convert_i32x4_s(met), f32x4.splat(1.4));
+    const changed = i32x4.trunc_sat_f32x4_s(f32x4.add(old, f32x4.div(f32x4.sub(target, old), rate)));
+    const often = i32x4.min_s(i32x4.add(met, i32x4.splat(1)), i32x4.splat(LONGEST_MEMORY));
+    v128.store(HELD + k, v128.or(i32x4.shl(changed, 10), often));
+  }
+  for (let k: usize = 0; k < (<usize>CONTEXTS) << 2; k += 4) store<i32>(slotOf(k, node), load<i32>(HELD + k));
+}
+
+/** The slots of a byte's bits lie close together: `node` is a 1 and the bits before. */
+// @ts-ignore: decorator
+@inline function slotOf(k: usize, node: u32): usize {
+  return load<usize>(CONTEXT_SLOTS + k) ^ (node << 2);
+}

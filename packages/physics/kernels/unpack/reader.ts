@@ -1,0 +1,205 @@
+// Reads two builds of a WebAssembly module. What a byte can be depends on the instruction it belongs to and on the
+// instructions before it, far more than on the bytes before it; so this follows the grammar of modules (WebAssembly Core
+// Specification 2.0, section 5) and guesses each byte from what it knows. Bytes that do not follow the grammar are read
+// all the same, only less well guessed.
+import * as counterpart from './counterpart';
+import { BYTES, CONTEXT_SLOTS, OPERANDS, PLACES, SLOT_BITS, SLOTS } from './memory';
+import { nextByte, prepareTables } from './predictor';
+
+/** What a byte is; each kind has a set of weights for its first bytes. */
+const OPCODE = 0;
+const PREFIXED = 1;
+const NUMBER = 2;
+const RAW = 3;
+const OUTSIDE = 4;
+const HEADER = 5;
+
+const CODE_SECTION = 10;
+
+let at: i32 = 0;
+let begin: i32 = 0;
+let end: i32 = 0;
+/** The function, its latest instructions, and the latest local it used. */
+let fn: i32 = 0;
+let op1: i32 = 0;
+let op2: i32 = 0;
+let op3: i32 = 0;
+let op4: i32 = 0;
+let op5: i32 = 0;
+let local: i32 = 0;
+/** The instruction that is being read. */
+let op: i32 = 0;
+/** A place here, the place in the first build that it goes by, and where that ends. */
+let here: i32 = 0;
+let there: i32 = 0;
+let thereEnd: i32 = 0;
+/** The place that went the same way before, and for how many bytes it did. */
+let match: i32 = 0;
+let matched: i32 = 0;
+
+export function readModules(first: i32, second: i32): void {
+  prepareTables(4 * 6);
+  readModule(first);
+  readModule(first + second);
+}
+
+function readModule(until: i32): void {
+  begin = at;
+  end = until;
+  compare(0, begin);
+  for (let i = 0; i < 8; i++) byte(OUTSIDE, i);
+  while (at < end) {
+    fn = 0;
+    op = 0;
+    const section = byte(OUTSIDE, 0);
+    op = section;
+    const size = number(OUTSIDE, 0);
+    if (section == CODE_SECTION) {
+      for (let left = number(OUTSIDE, 0); left > 0 && at < end; left--) readBody();
+    } else for (const last = min(end, at + size); at < last; ) byte(OUTSIDE, 1);
+  }
+}
+
+function readBody(): void {
+  op1 = op2 = op3 = op4 = op5 = 0;
+  if (begin == 0) counterpart.noteFunction(at);
+  else compare(counterpart.enterFunction(fn), i32.MAX_VALUE);
+  fn++;
+  op = 20;
+  const size = number(HEADER, 0);
+  const last = min(end, at + size);
+  op = 21;
+  for (let groups = number(HEADER, 0); groups > 0 && at < last; groups--) {
+    op = 22;
+    number(HEADER, 0);
+    op = 23;
+    byte(HEADER, 0);
+  }
+  while (at < last) readInstruction();
+}
+
+function readInstruction(): void {
+  const start = at;
+  if (begin != 0) compare(counterpart.expectedStart(), counterpart.expectedEnd());
+  op = 0;
+  let read = byte(OPCODE, 0);
+  op = read;
+  if (read >= 0xfc) {
+    const prefixed = byte(PREFIXED, 0);
+    read = ((read - 0xfb) << 8) | prefixed;
+    if (prefixed >= 0x80) byte(PREFIXED, 1);
+    op = read & 0x3ff;
+  }
+  readOperands(read);
+  if (begin == 0) counterpart.noteInstruction(start, read);
+  else counterpart.follow(read);
+  op5 = op4;
+  op4 = op3;
+  op3 = op2;
+  op2 = op1;
+  op1 = read;
+}
+
+/** The numbers and then the other bytes that belong to an opcode; prefixed ones have 0x100 or 0x200 added. */
+function readOperands(read: i32): void {
+  let numbers = 0;
+  let raw = 0;
+  const simd = read - 0x200;
+  if (simd >= 0) {
+    if (simd <= 0x0b || (simd >= 0x54 && simd <= 0x5d)) numbers = 2;
+    if (simd == 0x0c || simd == 0x0d) raw = 16;
+    else if ((simd >= 0x15 && simd <= 0x22) || (simd >= 0x54 && simd <= 0x5b)) raw = 1;
+  } else if (read >= 0x100) numbers = read == 0x10a ? 2 : 1;
+  else if (read == 0x43) raw = 4;
+  else if (read == 0x44) raw = 8;
+  else if (read >= 0x28 && read <= 0x3e) numbers = 2;
+  else if ((read >= 0x02 && read <= 0x04) || read == 0x0c || read == 0x0d || read == 0x10) numbers = 1;
+  else if ((read >= 0x20 && read <= 0x24) || (read >= 0x3f && read <= 0x42)) numbers = 1;
+  for (let i = 0; i < numbers; i++) number(NUMBER, 8 * i);
+  for (let i = 0; i < raw; i++) byte(RAW, 8 * numbers + i);
+}
+
+/** A number of seven bits a byte, the lowest first. */
+function number(kind: i32, place: i32): i32 {
+  let result = 0;
+  for (let shift = 0; shift < 35; shift += 7) {
+    const read = byte(kind, place++);
+    result |= (read & 127) << shift;
+    if (read < 128) break;
+  }
+  return result;
+}
+
+function compare(from: i32, until: i32): void {
+  here = at;
+  there = from;
+  thereEnd = until;
+}
+
+/** The next byte; zeros follow the end. */
+function byte(kind: i32, place: i32): i32 {
+  if (at >= end) return 0;
+  hashContexts(kind, place);
+  const read = nextByte(kind * 4 + min(3, place & 7));
+  store<u8>(BYTES + at, read);
+  if (kind == NUMBER && read < 128) {
+    store<u8>(OPERANDS + op, read);
+    if (op >= 0x20 && op <= 0x22) local = read;
+  }
+  if (matched > 0 && load<u8>(BYTES + match) == read) {
+    match++;
+    matched++;
+  } else matched = 0;
+  at++;
+  findMatch();
+  return read;
+}
+
+// @ts-ignore: decorator
+@inline function both(hash: i32, value: i32): i32 {
+  return hash * 0x2f0b4c47 + value + 1;
+}
+
+function context(index: i32, hash: i32): void {
+  const mixed = hash * 0x2545f491;
+  const slot = ((mixed ^ (mixed >>> 15)) * 0x3c6ef372) >>> (32 - SLOT_BITS);
+  store<usize>(CONTEXT_SLOTS + (index << 2), SLOTS + (((index << SLOT_BITS) | slot) << 2));
+}
+
+function before(distance: i32): i32 {
+  return at - distance < begin ? 0 : load<u8>(BYTES + at - distance);
+}
+
+function hashContexts(kind: i32, place: i32): void {
+  const state = kind | (op << 3) | (place << 13);
+  const place2 = there + at - here;
+  const other = place2 < thereEnd ? load<u8>(BYTES + place2) + 1 : 0;
+  const same = matched > 0 ? load<u8>(BYTES + match) + 1 : 0;
+  const b1 = before(1);
+  const b2 = before(2);
+  let hash = both(state, op1);
+  context(0, both(b1, b2));
+  context(1, both(both(state, other), min(15, counterpart.agreed)));
+  context(2, hash);
+  context(3, (hash = both(hash, op2)));
+  context(4, (hash = both(hash, op3)));
+  context(5, (hash = both(hash, op4)));
+  context(6, both(hash, op5));
+  context(7, both(both(state, load<u8>(OPERANDS + op)), b1));
+  context(8, both(both(both(state, local), op1), fn));
+  context(9, both(both(state, other), fn));
+  context(10, both(same, min(20, matched)));
+  context(11, both(both(same, i32(matched > 7)), b1));
+  context(12, both(b2, before(3)));
+}
+
+/** The latest place that followed the same four bytes. */
+function findMatch(): void {
+  if (at < 4) return;
+  const key = PLACES + (((load<u32>(BYTES + at - 4) * 0x9e3779b1) >>> 16) << 2);
+  if (matched == 0) {
+    match = load<i32>(key);
+    matched = i32(match > 0);
+  }
+  store<i32>(key, at);
+}
