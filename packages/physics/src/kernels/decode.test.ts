@@ -4,16 +4,17 @@ import { compilePacker, encodeModules } from '../../../../scripts/lib/encode-mod
 import { decodeModule } from './decode.ts';
 import { KERNELS_F32, KERNELS_F64 } from './modules.gen.ts';
 
+const packer = compilePacker(kernelFolder);
 const noise = (length: number) => Uint8Array.from({ length }, (_, i) => Math.imul(i * i + 12345, 0x9e3779b1) >>> 24);
 const wave = (length: number) => Uint8Array.from({ length }, (_, i) => (i * i) >> 7);
 const flat = (length: number) => new Uint8Array(length).fill(200);
 
 test.each([
-  ['noise', noise, [0, 1, 2, 3, 4, 5, 300, 5000]],
-  ['what is like itself', wave, [1, 2, 273, 274, 9000]],
-  ['one byte over and over', flat, [1, 18, 300, 3000]],
+  ['noise', noise, [0, 1, 5, 5000]],
+  ['what is like itself', wave, [1, 2, 9000]],
+  ['one byte over and over', flat, [1, 18, 3000]],
 ])('%s survives the round trip', { timeout: 60_000 }, async (_, make, lengths) => {
-  const { pack } = await compilePacker(kernelFolder);
+  const { pack } = await packer;
   const longest = make(lengths[lengths.length - 1]);
   for (const first of lengths.map(make)) {
     for (const second of [longest, first]) {
