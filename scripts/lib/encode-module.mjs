@@ -9,7 +9,7 @@
 import { compileAlone } from './compile-kernels.mjs';
 
 /** The memory of `kernels/unpack/memory.ts`: up to `PACKED`, and what may follow. */
-const PAGES = 124;
+const PAGES = 72;
 /** The most that one module may have there. */
 const MOST_BYTES = 0x10000;
 

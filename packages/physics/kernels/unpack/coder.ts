@@ -25,13 +25,22 @@ export function endPacking(): i32 {
   return <i32>(stream + 4 - PACKED);
 }
 
-/** The next bit, whose probability of being 1 is that many 65536ths, 1 to 65535. */
-export function bit(probability: u32): u32 {
+/**
+ * The next bit, whose probability of being 1 is that many 65536ths, 1 to 65535. Packing asks whether the next byte is
+ * the `expected` one, unless that is negative, or else for the bits of it.
+ */
+export function bit(probability: u32, expected: i32): u32 {
   const middle = low + ((high - low) >>> 16) * probability;
   let result = u32(code <= middle);
   if (packing) {
-    result = (<u32>load<u8>(BYTES + (source >>> 3)) >>> (7 - (source & 7))) & 1;
-    source++;
+    const byte = <i32>load<u8>(BYTES + (source >>> 3));
+    if (expected >= 0) {
+      result = u32(byte == expected);
+      source += result << 3;
+    } else {
+      result = (byte >>> (7 - (source & 7))) & 1;
+      source++;
+    }
   }
   if (result != 0) high = middle;
   else low = middle + 1;

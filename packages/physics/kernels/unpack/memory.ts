@@ -27,13 +27,15 @@
 // @ts-ignore: decorator
 @inline export const PLACES: usize = 0x10000; // i32, 65536
 // @ts-ignore: decorator
+@inline export const HABITS: usize = 0xa0000; // u16, 32768: what came for a byte of the first build, and 1
+// @ts-ignore: decorator
 @inline export const STARTS: usize = 0x50000; // i32, 65536: where instructions begin, and their families
 // @ts-ignore: decorator
 @inline export const FAMILIES: usize = 0x90000; // u8, 65536
 // @ts-ignore: decorator
 @inline export const SLOTS: usize = 0x100000; // i32, 2 to the power of SLOT_BITS a context
 // @ts-ignore: decorator
-@inline export const SLOT_BITS: i32 = 17;
+@inline export const SLOT_BITS: i32 = 16;
 /** The bytes of both builds, up to 128 KiB, and then the code they are packed in. */
 // @ts-ignore: decorator
 @inline export const BYTES: usize = SLOTS + (CONTEXTS << (SLOT_BITS + 2));

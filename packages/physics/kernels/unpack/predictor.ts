@@ -42,15 +42,19 @@ export function prepareTables(weightSets: i32): void {
   return load<f32>(SQUASH + (index << 2));
 }
 
-/** The next byte, by the contexts that were hashed and a set of weights. */
-export function nextByte(set: i32): u32 {
+/**
+ * The next byte, by the contexts that were hashed and a set of weights. Where a byte is `expected` (one less than it
+ * says), a first bit tells whether it is that, which spares the others.
+ */
+export function nextByte(set: i32, expected: i32): i32 {
   const weights = WEIGHTS + ((set * INPUTS) << 2);
+  if (expected > 0 && nextBit(0, weights, expected - 1) != 0) return expected - 1;
   let node: u32 = 1;
-  while (node < 256) node = 2 * node + nextBit(node, weights);
+  while (node < 256) node = 2 * node + nextBit(node, weights, -1);
   return node - 256;
 }
 
-function nextBit(node: u32, weights: usize): u32 {
+function nextBit(node: u32, weights: usize, expected: i32): u32 {
   for (let k: usize = 0; k < (<usize>CONTEXTS) << 2; k += 4) {
     const held = load<i32>(slotOf(k, node));
     store<i32>(HELD + k, held);
@@ -67,7 +71,7 @@ function nextBit(node: u32, weights: usize): u32 {
   const place = (min<f32>(11.9, max<f32>(-11.9, sum)) + REACH) * STEPS;
   const below = <i32>place;
   const p = squashed(below) + (squashed(below + 1) - squashed(below)) * (place - <f32>below);
-  const result = bit(<u32>(p * 65534) + 1);
+  const result = bit(<u32>(p * 65534) + 1, expected);
   learn(result, p, node, weights);
   return result;
 }

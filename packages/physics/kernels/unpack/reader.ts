@@ -3,7 +3,7 @@
 // Specification 2.0, section 5) and guesses each byte from what it knows. Bytes that do not follow the grammar are read
 // all the same, only less well guessed.
 import * as counterpart from './counterpart';
-import { BYTES, CONTEXT_SLOTS, OPERANDS, PLACES, SLOT_BITS, SLOTS } from './memory';
+import { BYTES, CONTEXT_SLOTS, HABITS, OPERANDS, PLACES, SLOT_BITS, SLOTS } from './memory';
 import { nextByte, prepareTables } from './predictor';
 
 /** What a byte is; each kind has a set of weights for its first bytes. */
@@ -15,6 +15,10 @@ const OUTSIDE = 4;
 const HEADER = 5;
 
 const CODE_SECTION = 10;
+/** Beyond the table of habits: what holds nothing. */
+const NONE: usize = HABITS + 0x10000;
+/** Bytes that went the same way, after which the next is expected to do so too. */
+const ENOUGH = 11;
 
 let at: i32 = 0;
 let begin: i32 = 0;
@@ -33,6 +37,8 @@ let op: i32 = 0;
 let here: i32 = 0;
 let there: i32 = 0;
 let thereEnd: i32 = 0;
+/** Where it is held what came in the second build for such a byte of the first. */
+let habit: usize = 0;
 /** The place that went the same way before, and for how many bytes it did. */
 let match: i32 = 0;
 let matched: i32 = 0;
@@ -140,8 +146,10 @@ function compare(from: i32, until: i32): void {
 function byte(kind: i32, place: i32): i32 {
   if (at >= end) return 0;
   hashContexts(kind, place);
-  const read = nextByte(kind * 4 + min(3, place & 7));
+  const expected = matched > ENOUGH ? load<u8>(BYTES + match) + 1 : load<u16>(habit);
+  const read = nextByte(kind * 4 + min(3, place & 7), expected);
   store<u8>(BYTES + at, read);
+  store<u16>(habit, habit == NONE ? 0 : read + 1);
   if (kind == NUMBER && read < 128) {
     store<u8>(OPERANDS + op, read);
     if (op >= 0x20 && op <= 0x22) local = read;
@@ -175,6 +183,7 @@ function hashContexts(kind: i32, place: i32): void {
   const place2 = there + at - here;
   const other = place2 < thereEnd ? load<u8>(BYTES + place2) + 1 : 0;
   const same = matched > 0 ? load<u8>(BYTES + match) + 1 : 0;
+  habit = other == 0 ? NONE : HABITS + (((both(state, other) * 0x9e3779b1) >>> 17) << 1);
   const b1 = before(1);
   const b2 = before(2);
   let hash = both(state, op1);
