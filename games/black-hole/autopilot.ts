@@ -21,7 +21,7 @@ const TRIES = 24;
 export class Autopilot {
   readonly #scene: BlackHole;
   readonly #random: Random;
-  readonly #flight = new Flight();
+  readonly #flight: Flight;
   readonly #craft: Craft = { x: 0, y: 0, vx: 0, vy: 0 };
   #course: Course = { headings: [], ends: [], value: Number.NEGATIVE_INFINITY };
   #age = 0;
@@ -30,6 +30,7 @@ export class Autopilot {
 
   constructor(scene: BlackHole, seed: number) {
     this.#scene = scene;
+    this.#flight = new Flight(scene.isSteep);
     this.#random = createRandom(seed, 2);
   }
 

@@ -17,11 +17,17 @@ export class Flight {
   readonly craft: Craft = { x: 0, y: 0, vx: 0, vy: 0 };
   fate: Fate = 'flying';
   time = 0;
+  readonly #isSteep: boolean;
   #holes: readonly Hole[] = [];
   #mu: number[] = [];
   readonly #place = { x: 0, y: 0 };
   #ax = 0;
   #ay = 0;
+
+  /** @param isSteep the holes pull after Paczyński and Wiita */
+  constructor(isSteep = false) {
+    this.#isSteep = isSteep;
+  }
 
   /** Sets the copy where the ship is. @param time of the holes on their circles, s */
   begin(craft: Readonly<Craft>, holes: readonly Hole[], time: number): void {
@@ -64,7 +70,9 @@ export class Flight {
       const dy = at.y - craft.y;
       const square = dx * dx + dy * dy;
       if (square <= hole.radius * hole.radius) this.fate = 'fallen';
-      const pull = this.#mu[i] / (square * Math.sqrt(square) + 1e-9);
+      const d = Math.sqrt(square);
+      const gap = d - hole.radius;
+      const pull = this.#mu[i] / ((this.#isSteep ? gap * gap : square) * d + 1e-9);
       ax += pull * dx;
       ay += pull * dy;
     }

@@ -2,7 +2,7 @@ import { restore, snapshot, step } from '@principia/physics';
 import { expect, it } from 'vitest';
 import { createGame, type Input } from './sim.ts';
 
-const VALUES = { fuel: true, moving: true, autopilot: true };
+const VALUES = { fuel: true, moving: true, steep: false, autopilot: true };
 
 function run(game: ReturnType<typeof createGame>, seconds: number): void {
   for (let i = Math.round(seconds / game.dt); i > 0; i--) step(game.world, game.dt);

@@ -2,6 +2,7 @@
 import { Container, Graphics, Sprite, type Texture } from 'pixi.js';
 import { Flight } from './flight.ts';
 import { DIRECTIONS, thrustOf } from './heading.ts';
+import type { Palette } from './palette.ts';
 import type { BlackHoleGame } from './sim.ts';
 
 /** Seconds of the way to come, how often it is stepped, and how many of these steps lie between two dots. */
@@ -15,12 +16,12 @@ export interface ShipView {
   update(sim: BlackHoleGame, x: number, y: number, seconds: number): void;
 }
 
-export function createShipView(): ShipView {
+export function createShipView({ hull: hullColor, hullShade }: Palette): ShipView {
   const flame = new Graphics().poly([-3.2, 5, 0, 20, 3.2, 5]).fill({ color: 0xff9d3c, alpha: 0.85 });
   flame.poly([-1.8, 5, 0, 13, 1.8, 5]).fill(0xfff2c4);
   flame.blendMode = 'add';
-  const hull = new Graphics().poly([0, -8, 6.4, 6, 0, 3.2, -6.4, 6]).fill(0xff4d57);
-  hull.poly([0, -8, 6.4, 6, 0, 3.2]).fill({ color: 0x9c1634, alpha: 0.75 });
+  const hull = new Graphics().poly([0, -8, 6.4, 6, 0, 3.2, -6.4, 6]).fill(hullColor);
+  hull.poly([0, -8, 6.4, 6, 0, 3.2]).fill({ color: hullShade, alpha: 0.75 });
   hull.circle(0, -0.5, 1.7).fill(0xcfefff);
   const container = new Container({ children: [flame, hull] });
   let time = 0;
@@ -49,9 +50,9 @@ export interface PathView {
   update(sim: BlackHoleGame): void;
 }
 
-export function createPathView(spot: Texture): PathView {
+export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fall }: Palette): PathView {
   const container = new Container();
-  const flight = new Flight();
+  const flight = new Flight(isSteep);
   const dots = Array.from({ length: DOTS }, (_, i) => {
     const dot = new Sprite({ texture: spot, anchor: 0.5, alpha: 0.85 * (1 - i / DOTS) + 0.08 });
     dot.scale.set((5.5 - (2.5 * i) / DOTS) / 32);
@@ -70,13 +71,13 @@ export function createPathView(spot: Texture): PathView {
         for (let s = 0; s < STEPS_A_DOT; s++) flight.step(AHEAD_DT, push.x, push.y);
         dot.visible = flight.fate === 'flying';
         dot.position.set(flight.craft.x, -flight.craft.y);
-        dot.tint = 0x9fd0ff;
+        dot.tint = path;
       }
       if (flight.fate === 'flying') return;
       // The last dot says how it ends: a fall, the goal, or out of the stage.
       const last = dots.find((dot) => !dot.visible) as Sprite;
       last.visible = flight.fate !== 'gone';
-      last.tint = flight.fate === 'fallen' ? 0xff3b4a : 0x7dffb0;
+      last.tint = flight.fate === 'fallen' ? fall : goal;
     },
   };
 }

@@ -5,7 +5,7 @@ import { Flight } from './flight.ts';
 import { TANK } from './rules.ts';
 import { applyValue, type BlackHoleGame, createGame, IDLE_SECONDS, type Input } from './sim.ts';
 
-const CLASSIC = { fuel: false, moving: false, autopilot: false };
+const CLASSIC = { fuel: false, moving: false, steep: false, autopilot: false };
 
 function play(seed = 1, values: Partial<typeof CLASSIC> = {}): BlackHoleGame {
   return createGame({ values: { ...CLASSIC, ...values }, seed });
@@ -317,7 +317,7 @@ describe('fuel, slingshots, moving holes', () => {
 
 describe('determinism', () => {
   it('a game played again from its log is the same to the bit', () => {
-    const values = { fuel: true, moving: true, autopilot: false };
+    const values = { fuel: true, moving: true, steep: false, autopilot: false };
     const game = createGame({ values, seed: 11 });
     run(game, 0.7);
     fidget(game, 40);

@@ -15,6 +15,8 @@ type Switch = (typeof SWITCHES)[number];
 const isSwitch = (input: Input): input is Switch => (SWITCHES as readonly string[]).includes(input);
 
 export interface BlackHoleValues extends RuleOptions {
+  /** The holes pull after Paczyński and Wiita. */
+  readonly steep: boolean;
   readonly autopilot: boolean;
 }
 
@@ -41,8 +43,8 @@ export class BlackHoleGame {
   readonly #values: BlackHoleValues;
 
   constructor({ values, seed, log }: BlackHoleOptions) {
-    this.#values = { fuel: values.fuel, moving: values.moving, autopilot: values.autopilot };
-    this.scene = blackHole.create({ seed });
+    this.#values = { fuel: values.fuel, moving: values.moving, steep: values.steep, autopilot: values.autopilot };
+    this.scene = blackHole.create({ seed, steep: values.steep ? 1 : 0 });
     this.rules = new Rules(this.scene, this.#values);
     this.log = new InputLog(log);
     this.autopilot = values.autopilot;
@@ -158,6 +160,6 @@ export function createGame(options: BlackHoleOptions): BlackHoleGame {
 export function applyValue(sim: BlackHoleGame, name: string, values: BlackHoleValues): boolean {
   if (name === 'autopilot') sim.press(values.autopilot ? 'autopilot' : 'no autopilot');
   else if (name === 'fuel') sim.press(values.fuel ? 'fuel' : 'no fuel');
-  else return name !== 'moving';
+  else return name !== 'moving' && name !== 'steep';
   return true;
 }

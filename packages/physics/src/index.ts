@@ -52,7 +52,7 @@ export { clearFaults, type Fault, type FaultLog } from './faults/fault-log';
 export { type FaultCode, type FaultDetails, PhysicsError } from './faults/physics-error';
 export type { Vector, VectorInput } from './faults/validate';
 export { addedMass } from './forces/added-mass';
-export { attractors } from './forces/attractors';
+export { type AttractorsOptions, attractors } from './forces/attractors';
 export { type BendOptions, bendGrip } from './forces/bend-grip';
 export type { CentreOptions } from './forces/central';
 export { type CorrelatedGustOptions, correlatedGusts } from './forces/correlated-gusts';

@@ -4,7 +4,8 @@
 // hole is below three quarters of that at its rim. From the start the search goes from open cell to open cell along the
 // axes, as the thrust does, and keeps the energy of a ship on that way at full thrust:
 //
-//   ½ v² = Φ(start) - Φ(cell) + a L        Φ = -Σ μ / d        a  thrust, m/s²        L  length of the way, m
+//   ½ v² = Φ(start) - Φ(cell) + a L        Φ = -Σ μ / d, or -Σ μ / (d - r) for a pull after Paczyński and Wiita
+//   a  thrust, m/s²        L  length of the way, m
 //
 // A cell where that would be negative is beyond the ship's strength. The shortest way has the least thrust to spend, so
 // the judgement errs on the safe side.
@@ -25,15 +26,18 @@ const CELL = 10;
 const CLEARANCE = 0.8;
 const LEAST_CLEARANCE = 14;
 
-/** Cells from the start to the goal, as centres x, y, x, y…; undefined where there is no way. */
-export function findCorridor(holes: readonly Hole[], stage: CorridorStage): Float64Array | undefined {
+/**
+ * Cells from the start to the goal, as centres x, y, x, y…; undefined where there is no way.
+ * @param isSteep the holes pull after Paczyński and Wiita
+ */
+export function findCorridor(holes: readonly Hole[], stage: CorridorStage, isSteep = false): Float64Array | undefined {
   const columns = Math.floor(stage.width / CELL);
   const rows = Math.floor(stage.height / CELL);
   const from = new Int32Array(columns * rows).fill(-1);
   const steps = new Int32Array(columns * rows);
   const queue = new Int32Array(columns * rows);
   const start = Math.floor(stage.start.y / CELL) * columns + Math.floor(stage.start.x / CELL);
-  const level = potential(holes, stage, stage.start.x, stage.start.y);
+  const level = potential(holes, stage, isSteep, stage.start.x, stage.start.y);
   from[start] = start;
   queue[0] = start;
   for (let next = 0, end = 1; next < end; next++) {
@@ -50,7 +54,7 @@ export function findCorridor(holes: readonly Hole[], stage: CorridorStage): Floa
       const y = (r + 0.5) * CELL;
       steps[there] = steps[cell] + 1;
       const work = stage.thrust * CELL * steps[there];
-      if (!isClear(holes, x, y) || level - potential(holes, stage, x, y) + work < 0) continue;
+      if (!isClear(holes, x, y) || level - potential(holes, stage, isSteep, x, y) + work < 0) continue;
       from[there] = cell;
       queue[end++] = there;
     }
@@ -70,12 +74,20 @@ export function isClear(holes: readonly Hole[], x: number, y: number): boolean {
 }
 
 /** Φ of all holes, m²/s². */
-function potential(holes: readonly Hole[], { lightSpeed }: CorridorStage, x: number, y: number): number {
+function potential(
+  holes: readonly Hole[],
+  { lightSpeed }: CorridorStage,
+  isSteep: boolean,
+  x: number,
+  y: number,
+): number {
   let sum = 0;
   for (const hole of holes) {
     const dx = x - hole.x;
     const dy = y - hole.y;
-    sum -= (0.5 * lightSpeed * lightSpeed * hole.radius) / Math.sqrt(dx * dx + dy * dy + 1);
+    const d = Math.sqrt(dx * dx + dy * dy + 1);
+    // Open cells are farther from a hole than its radius; the others are not asked for.
+    sum -= (0.5 * lightSpeed * lightSpeed * hole.radius) / (isSteep ? Math.max(1, d - hole.radius) : d);
   }
   return sum;
 }

@@ -60,12 +60,13 @@ const FULL_SIZE_TRIES = 200;
 /**
  * Draws holes until they leave a corridor.
  * @param moving how many of them run on circles
+ * @param isSteep the holes pull after Paczyński and Wiita
  */
-export function drawHoles(random: Random, count: number, moving: number): Hole[] {
+export function drawHoles(random: Random, count: number, moving: number, isSteep = false): Hole[] {
   let scale = 1;
   for (let tries = 0; ; tries++) {
     const holes = Array.from({ length: count }, (_, i) => drawHole(random, i < moving, scale));
-    if (findCorridor(holes, BLACK_HOLE) !== undefined) return holes;
+    if (findCorridor(holes, BLACK_HOLE, isSteep) !== undefined) return holes;
     // A crowd that leaves no room in so many tries shrinks, a little at a time: points would always leave room.
     if (tries >= FULL_SIZE_TRIES) scale *= 0.95;
   }

@@ -6,21 +6,25 @@ import { BLACK_HOLE, drawHoles, type Hole, holeMu } from './black-hole-layout';
 
 const resting = { orbit: 0, rate: 0, phase: 0 };
 
-test('every layout of a thousand seeds has a corridor that keeps clear of all holes', () => {
-  for (let seed = 1; seed <= 1000; seed++) {
-    const count = 1 + (seed % 12);
-    const holes = drawHoles(createRandom(seed, 1), count, seed % 2 === 0 ? Math.ceil(count / 3) : 0);
-    const way = findCorridor(holes, BLACK_HOLE);
-    if (way === undefined) throw new Error(`no corridor for seed ${seed}`);
-    const isJoined = Math.abs(way[0] - 400) <= 10 && Math.abs(way[1] - 50) <= 10 && way[way.length - 1] > 550;
-    let blocked = 0;
-    for (let i = 0; i < way.length; i += 2) if (!isClear(holes, way[i], way[i + 1])) blocked++;
-    const strays = holes.filter(
-      ({ x, y, radius }) => x < 0 || x >= 800 || y < 200 || y >= 550 || radius < 10 || radius >= 30,
-    );
-    expect([seed, isJoined, blocked, strays]).toEqual([seed, true, 0, []]);
-  }
-}, 60_000);
+test.each([false, true])(
+  'every layout of a thousand seeds has a corridor that keeps clear of all holes; steep: %s',
+  (isSteep) => {
+    for (let seed = 1; seed <= 1000; seed++) {
+      const count = 1 + (seed % 12);
+      const holes = drawHoles(createRandom(seed, 1), count, seed % 2 === 0 ? Math.ceil(count / 3) : 0, isSteep);
+      const way = findCorridor(holes, BLACK_HOLE, isSteep);
+      if (way === undefined) throw new Error(`no corridor for seed ${seed}`);
+      const isJoined = Math.abs(way[0] - 400) <= 10 && Math.abs(way[1] - 50) <= 10 && way[way.length - 1] > 550;
+      let blocked = 0;
+      for (let i = 0; i < way.length; i += 2) if (!isClear(holes, way[i], way[i + 1])) blocked++;
+      const strays = holes.filter(
+        ({ x, y, radius }) => x < 0 || x >= 800 || y < 200 || y >= 550 || radius < 10 || radius >= 30,
+      );
+      expect([seed, isJoined, blocked, strays]).toEqual([seed, true, 0, []]);
+    }
+  },
+  60_000,
+);
 
 test('finds no corridor through a wall of holes, nor up a hill too high', () => {
   const wall: Hole[] = Array.from({ length: 21 }, (_, i) => ({ x: 40 * i, y: 400, radius: 22, ...resting }));

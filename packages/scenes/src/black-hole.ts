@@ -22,6 +22,8 @@ export interface BlackHole extends SceneRun {
   readonly holes: readonly Hole[];
   /** Ids of the holes, in the order of the layout. */
   readonly holeIds: readonly number[];
+  /** The holes pull after Paczyński and Wiita: μ/(d - r)² instead of μ/d². */
+  readonly isSteep: boolean;
   /** Time on the holes' circles, s. */
   readonly holeTime: number;
   /** Draws another layout, and moves, makes and removes holes to fit it. @param moving how many run on circles */
@@ -40,16 +42,18 @@ export const blackHole = defineScene({
   parameters: {
     count: countOf('black holes', 1, BLACK_HOLE.most),
     moving: { about: 'holes on circles', unit: '', initial: 0, min: 0, max: BLACK_HOLE.most, integer: true },
+    steep: { about: '1 for a pull after Paczyński and Wiita', unit: '', initial: 0, min: 0, max: 1, integer: true },
   },
   build({ dimensions, precision, seed, parameters }): BlackHole {
     const { count, moving } = parameters;
+    const isSteep = parameters.steep === 1;
     const world = createPhysicsWorld({
       dimensions,
       precision,
       seed,
       capacity: 2 * BLACK_HOLE.most + 1,
       integrator: velocityVerlet,
-      forces: [attractors(), thrust()],
+      forces: [attractors(isSteep ? { lightSpeed: BLACK_HOLE.lightSpeed } : {}), thrust()],
     });
     const ship = spawn(world, {
       position: BLACK_HOLE.start,
@@ -59,12 +63,12 @@ export const blackHole = defineScene({
       thrust: {},
       appearance: {},
     });
-    const sky = new Sky(world, seed, 1 / 120);
+    const sky = new Sky(world, seed, 1 / 120, isSteep);
     world.phases.input.push(() => sky.drive());
     sky.redraw(count, moving);
     const placeShip = (x: number, y: number) => teleport(world, ship, x, y);
     return {
-      ...{ world, dt: sky.dt, ship, placeShip },
+      ...{ world, dt: sky.dt, ship, placeShip, isSteep },
       ...(moving > 0 ? { losesEnergy: 'moving holes give energy to the ship and take it' } : {}),
       get holes() {
         return sky.holes;
@@ -90,14 +94,16 @@ class Sky {
   readonly dt: number;
   readonly #world: PhysicsWorld;
   readonly #seed: number;
+  readonly #isSteep: boolean;
   #random: Random;
   readonly #place = { x: 0, y: 0 };
 
-  constructor(world: PhysicsWorld, seed: number, dt: number) {
+  constructor(world: PhysicsWorld, seed: number, dt: number, isSteep: boolean) {
     this.#world = world;
     this.#seed = seed;
     this.#random = layoutRandom(seed);
     this.dt = dt;
+    this.#isSteep = isSteep;
   }
 
   rewind(): void {
@@ -116,7 +122,7 @@ class Sky {
   }
 
   redraw(count: number, moving: number): void {
-    this.holes = drawHoles(this.#random, count, moving);
+    this.holes = drawHoles(this.#random, count, moving, this.#isSteep);
     this.time = 0;
     while (this.ids.length > count) despawn(this.#world, this.ids.pop() as number);
     for (const [i, hole] of this.holes.entries()) this.#put(i, hole);

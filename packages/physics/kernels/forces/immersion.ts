@@ -92,6 +92,22 @@ export function upthrustPotential(pool: usize, hulls: usize, rows: i32): f64 {
   return total;
 }
 
+// The same where the fluid is everywhere, from height 0. What has no mass is not moved, and has no energy to give.
+export function balloonPotential(pool: usize, hulls: usize, rows: i32): f64 {
+  const p = changetype<Pool>(pool);
+  const h = changetype<Hulls>(hulls);
+  const c = columns();
+  let total: f64 = 0;
+  for (let row = 0; row < rows; row++) {
+    const volume = <f64>get(h.volume, row);
+    if (volume == 0 || get(c.mass, row) == 0) continue;
+    const height =
+      p.upX * <f64>get(c.positionX, row) + p.upY * <f64>get(c.positionY, row) + p.upZ * <f64>get(c.positionZ, row);
+    total -= p.density * p.gravity * volume * height;
+  }
+  return total;
+}
+
 // F -= f (k |w| + c) w, with the columns of quadratic and linear drag and the velocity w through the fluid.
 export function immersedDrag(pool: usize, hulls: usize, fx: usize, fy: usize, fz: usize, first: i32, last: i32): void {
   const p = changetype<Pool>(pool);

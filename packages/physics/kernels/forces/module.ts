@@ -2,7 +2,15 @@
 export { centralForce, centralPotential } from './central';
 export { magneticForce2d, magneticForce3d, gatherCharges, coulombForce, coulombPotential } from './electromagnetic';
 export { sphereDrag, liftForce, magnusForce } from './fluid';
-export { upthrust, upthrustPotential, immersedDrag, addedMass, polygonUpthrust, polygonPotential } from './immersion';
+export {
+  upthrust,
+  upthrustPotential,
+  balloonPotential,
+  immersedDrag,
+  addedMass,
+  polygonUpthrust,
+  polygonPotential,
+} from './immersion';
 export { turbulentDrag } from './turbulence';
 export { pushAxis, addToRow, noiseForce, turnedForce2d, turnedForce3d, burnFuel, motorForce, blast } from './push';
 export { stringTension, bendForce, supportForce } from './reaction';

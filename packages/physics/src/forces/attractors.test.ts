@@ -8,6 +8,7 @@ import { step } from '../step';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world';
 import { attractors } from './attractors';
 import { defineForce } from './force';
+import { paczynskiWiita } from './paczynski-wiita';
 
 /** ch06-orbits: a sun of μ = 1e6 at (275, 200), a planet at (200, 50). */
 function orbit(velocity: { x: number; y: number }, options: PhysicsWorldOptions = {}) {
@@ -141,5 +142,67 @@ describe('attractors', () => {
     for (let i = 0; i < 40; i++) spawn(world, { position: { x: 10 }, attractor: 1 });
     step(world, 0.1);
     expect(world.components.Velocity.x[body]).toBeCloseTo((40 / 100) * 0.1, 4);
+  });
+});
+
+describe('with a speed of light', () => {
+  /** Horizons of 2 μ/c² = 1 m. */
+  const HOLES = attractors({ lightSpeed: 10 });
+  const MU = 50;
+
+  test.each(['f32', 'f64'] as const)('a hole pulls as paczynskiWiita does, %s', (precision) => {
+    const size = precision === 'f32' ? 1e-6 : 1e-14;
+    for (const dimensions of [2, 3] as const) {
+      const start = { position: { x: 1.7, y: -2.2, z: dimensions === 3 ? 0.8 : 0 }, velocity: {}, mass: 3 };
+      const moved = [HOLES, paczynskiWiita({ mu: MU, horizon: 1 })].map((force) => {
+        const world = createPhysicsWorld({ dimensions, precision, capacity: 3, forces: [force] });
+        if (force === HOLES) spawn(world, { position: {}, attractor: MU });
+        const body = spawn(world, start);
+        const potential = energy(world).potential;
+        step(world, 0.01);
+        const { x, y, z } = world.components.Velocity;
+        return [x[body], y[body], z[body], potential];
+      });
+      for (const [i, value] of moved[0].entries()) {
+        expect(Math.abs(value - moved[1][i])).toBeLessThanOrEqual(size * Math.abs(value));
+      }
+      expect(Math.hypot(...moved[0].slice(0, 3))).toBeGreaterThan(0.05);
+    }
+  });
+
+  test('nothing pulls at the horizon and inside', () => {
+    for (const x of [1, 0.999, 0.3, 0]) {
+      const world = createPhysicsWorld({ capacity: 3, forces: [HOLES] });
+      spawn(world, { position: {}, attractor: MU });
+      const body = spawn(world, { position: { x }, velocity: {}, mass: 1 });
+      expect(energy(world).potential).toBeCloseTo(0, 12);
+      step(world, 0.01);
+      expect([world.components.Position.x[body], world.faults.faults.length]).toEqual([x, 0]);
+    }
+  });
+
+  test.each([
+    [3.3, 'stays'],
+    [2.7, 'falls in'],
+  ] as const)('who is pushed inwards on a circle of %d horizons %s', (radius, fate) => {
+    const world = createPhysicsWorld({ capacity: 3, forces: [HOLES], integrator: rungeKutta4 });
+    spawn(world, { position: {}, attractor: MU });
+    // v² / r = μ/(r - r_s)², with a thousandth less: circles are stable beyond three horizons.
+    const speed = (0.999 * Math.sqrt(MU * radius)) / (radius - 1);
+    const body = spawn(world, { position: { x: radius }, velocity: { y: speed }, mass: 1 });
+    const { x, y } = world.components.Position;
+    let near: number = radius;
+    for (let i = 0; i < 20_000 && near > 1; i++) {
+      step(world, 1e-3);
+      near = Math.min(near, Math.hypot(x[body], y[body]));
+    }
+    // At 3.3 horizons the orbit swings by 2 δr = 4 · 10⁻³ r Ω²/κ² = 4 · 10⁻³ r (r - 1)/(r - 3) = 0.1 m.
+    if (fate === 'stays') expect(near).toBeGreaterThan(radius - 0.12);
+    else expect(near).toBeLessThan(1.05);
+  });
+
+  test('refuses light that stands still', () => {
+    expect(() => attractors({ lightSpeed: 0 })).toThrow(/lightSpeed/);
+    expect(() => attractors({ lightspeed: 3 } as never)).toThrow(/lightspeed/);
   });
 });

@@ -4,20 +4,29 @@
 //
 //   m  mass, kg     μ = G M  gravitational parameter, m³/s²     r  from the centre to the body, m     ε  softening, m
 //
-// Newton (1687); Plummer's softening (1911), as in Dehnen and Read, Eur. Phys. J. Plus 126, 55 (2011), section 2.2.
+// With a speed of light c every centre is a black hole with the horizon r_s = 2 μ/c², as in `paczynskiWiita`:
+//
+//   F = -m μ r / (s (s - r_s)²)        potential  U = -m μ/(s - r_s)        s = √(r² + ε²), both zero for s ≤ r_s
+//
+// Newton (1687); Plummer's softening (1911), as in Dehnen and Read, Eur. Phys. J. Plus 126, 55 (2011), section 2.2;
+// Paczyński and Wiita, Astronomy and Astrophysics 88, 23 (1980).
 // Valid outside the attracting sphere, or anywhere for ε of its size. In the centre itself (r = 0) the pull is zero,
 // with softening or without: never NaN. A centre is not pulled, not by others and not, when it has mass, by itself.
 // A centre that moves is taken to go on at its velocity during the step, so that the force reads nothing but its own
 // body and the step runs in tiles. Cost: a square root, a division and 14 more operations a body and centre.
 import { bitOf } from '../components/all';
 import { reportFault } from '../faults/fault-log';
+import { checkKeys, checkNumber } from '../faults/validate';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 import type { Force } from './force';
 
+/** Slower light than a millimetre a second would make horizons of whole worlds. */
+const LIGHT_SPEEDS = { min: 1e-3, max: 1e12 };
+
 /** Bytes of one centre, kernels/forces/attractors.ts. */
-const CENTRE_BYTES = 72;
+const CENTRE_BYTES = 80;
 
 interface Centres {
   ids: number;
@@ -29,15 +38,25 @@ interface Centres {
 
 const centresOf = resource((): Centres => ({ ids: 0, at: 0, room: 0, count: 0, version: -1 }));
 
-/** Attraction by all entities with `Attractor`. */
-export function attractors(): Force {
+export interface AttractorsOptions {
+  /** Makes black holes of the centres: a speed of light c, m/s. Left out, the pull is Newton's. */
+  readonly lightSpeed?: number;
+}
+
+/** Attraction by all entities with `Attractor`. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+export function attractors(options: AttractorsOptions = {}): Force {
+  checkKeys(options, 'attractors', ['lightSpeed']);
+  const { lightSpeed } = options;
+  if (lightSpeed !== undefined) checkNumber(lightSpeed, 'attractors.lightSpeed', LIGHT_SPEEDS);
+  const horizonPerMu = lightSpeed === undefined ? 0 : 2 / (lightSpeed * lightSpeed);
   return {
     name: 'attractors',
-    equation: 'F = -m μ r / (r² + ε²)^(3/2)',
+    equation: horizonPerMu === 0 ? 'F = -m μ r / (r² + ε²)^(3/2)' : 'F = -m μ r / (s (s - r_s)²)',
+    ...(lightSpeed === undefined ? {} : { parameters: { lightSpeed: { unit: 'm/s', value: lightSpeed } } }),
     reads: ['Position', 'Mass'],
     local: true,
     prepare(world) {
-      gather(world);
+      gather(world, horizonPerMu);
     },
     accumulate(world, first, last, time) {
       const { at, count } = centresOf(world);
@@ -48,14 +67,14 @@ export function attractors(): Force {
       else world.kernels.attract3d(x, y, z, at, count, lead, first, last);
     },
     potential(world) {
-      const { at, count } = gather(world);
+      const { at, count } = gather(world, horizonPerMu);
       return world.kernels.attractorPotential(at, count, 0, world.lastId + 1);
     },
   };
 }
 
 /** Lists the centres anew when entities changed, and copies where they are now. */
-function gather(world: PhysicsWorld): Centres {
+function gather(world: PhysicsWorld, horizonPerMu: number): Centres {
   const centres = centresOf(world);
   const { kernels, internal, versions, addresses } = world;
   if (centres.version !== versions.membership) {
@@ -66,7 +85,7 @@ function gather(world: PhysicsWorld): Centres {
     centres.version = versions.membership;
   }
   const { mu, softening } = addresses.Attractor;
-  const bad = kernels.gatherAttractors(centres.ids, centres.count, mu, softening, centres.at);
+  const bad = kernels.gatherAttractors(centres.ids, centres.count, mu, softening, horizonPerMu, centres.at);
   if (bad > 0) repair(world, centres);
   return centres;
 }

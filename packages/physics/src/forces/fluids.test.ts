@@ -154,6 +154,14 @@ describe('upthrust', () => {
   });
 });
 
+test('a balloon has the energy of the air it displaces, and a hull without mass has none', () => {
+  const air = upthrust({ density: 1.2, gravity: { y: -10 } });
+  const { world } = single([air], { position: { x: 5, y: 7 }, mass: 0.1, hull: 2 });
+  expect(energy(world).potential).toBeCloseTo(-1.2 * 10 * 2 * 7, 12);
+  world.components.Mass.value[1] = 0;
+  expect(energy(world).potential).toBeCloseTo(0, 12);
+});
+
 describe('upthrust on a polygon', () => {
   const pool = { density: 1000, gravity: { y: -10 }, level: 0 };
   const box = [

@@ -30,15 +30,9 @@ export function upthrust(pool: Pool): Force {
       lawKernels(world).upthrust(at(world), hullTable(world), x, y, z, first, last);
     },
     potential(world) {
-      if (pool.level !== undefined) {
-        return lawKernels(world).upthrustPotential(at(world), hullTable(world), world.lastId + 1);
-      }
-      // Everywhere: the weight of the displaced fluid, upwards, zero at the origin.
-      const { kernels, addresses } = world;
-      const { x = 0, y = 0, z = 0 } = pool.gravity ?? { y: -parameters.gravity.value };
-      const along = (axis: 'x' | 'y' | 'z', g: number) =>
-        g * kernels.dotColumns(addresses.Hull.volume, addresses.Position[axis], 0, world.lastId + 1);
-      return pool.density * (along('x', x) + along('y', y) + along('z', z));
+      const { upthrustPotential, balloonPotential } = lawKernels(world);
+      const potential = pool.level === undefined ? balloonPotential : upthrustPotential;
+      return potential(at(world), hullTable(world), world.lastId + 1);
     },
   };
 }
