@@ -1,4 +1,6 @@
 /** Words and bars over the picture. */
+
+import { css, type Palette } from './palette.ts';
 import { dodgeText, livesText } from './report.ts';
 import { LIVES, type News, TANK } from './rules.ts';
 import type { BlackHoleGame } from './sim.ts';
@@ -8,7 +10,7 @@ const STYLE = `
   text-shadow: 0 1px 3px #000, 0 0 10px #000c; font-variant-numeric: tabular-nums }
 .bh-hud > * { position: absolute }
 .bh-lives { left: 14px; top: 10px; display: flex; gap: 9px; align-items: center }
-.bh-lives i { width: 0; height: 0; border: 6px solid transparent; border-bottom: 13px solid #ff5660; border-top: 0 }
+.bh-lives i { width: 0; height: 0; border: 6px solid transparent; border-bottom: 13px solid var(--ship); border-top: 0 }
 .bh-lives i.lost { border-bottom-color: #ffffff26 }
 .bh-score { left: 50%; top: 8px; translate: -50% 0; font-size: 18px; white-space: nowrap }
 .bh-level { right: 14px; top: 10px; display: flex; flex-direction: row-reverse; gap: 12px; align-items: baseline; white-space: nowrap }
@@ -16,7 +18,7 @@ const STYLE = `
 .bh-fuel { left: 14px; bottom: 12px; width: 150px } .bh-fuel small { color: #9fb0dc; font-weight: 500 }
 .bh-fuel div { height: 6px; margin-top: 4px; border-radius: 3px; background: #ffffff1f; overflow: hidden }
 .bh-fuel b { display: block; height: 100%; border-radius: 3px; background: linear-gradient(90deg, #ff8a3c, #ffd98a); transform-origin: 0 }
-.bh-fuel.low b { background: #ff4d57 }
+.bh-fuel.low b { background: var(--bad) }
 .bh-speed { right: 14px; bottom: 10px; color: #9fb0dc; font-weight: 500; font-size: 13px }
 .bh-call { left: 50%; top: 64%; translate: -50% 0; text-align: center; width: max-content; max-width: 92% }
 .bh-call.low { top: auto; bottom: 10px; font-size: 13px }
@@ -28,8 +30,14 @@ const STYLE = `
 @media (max-height: 480px) { .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
 @media (max-width: 620px) { .bh-level { flex-direction: column; gap: 0; align-items: end }
   .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px }
-  .bh-call { top: 52% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
+  .bh-call:not(.low) { top: 44% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
+.bh-hud.outside { font-size: 13px } .outside .bh-lives { top: -44px; left: 2px } .outside .bh-level { top: -44px; right: 2px; gap: 3px }
+.outside .bh-score { top: -22px; left: 2px; translate: none } .outside .bh-fuel { bottom: -40px; left: 2px }
+.outside .bh-speed { display: block; bottom: -24px; right: 2px } .outside .bh-call.low { bottom: 8px; right: 8px }
 `;
+
+/** What stands above a small stage needs this much, CSS pixels. */
+const OUTSIDE_ROOM = 50;
 
 /** Where the stage is on the canvas, CSS pixels. */
 export interface Frame {
@@ -37,6 +45,8 @@ export interface Frame {
   readonly top: number;
   readonly width: number;
   readonly height: number;
+  /** Free room above it. */
+  readonly room: number;
 }
 
 export interface Hud {
@@ -45,7 +55,8 @@ export interface Hud {
   destroy(): void;
 }
 
-export function createHud(parent: HTMLElement): Hud {
+/** @param palette colours as they are now */
+export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
   const root = document.createElement('div');
   root.className = 'bh-hud';
   root.innerHTML = `<style>${STYLE}</style>
@@ -64,14 +75,18 @@ export function createHud(parent: HTMLElement): Hud {
   const toast = find('.bh-toast');
   let timer = 0;
   return {
-    update(sim, { left, top, width, height }) {
-      root.style.cssText = `left:${left}px;top:${top}px;width:${width}px;height:${height}px`;
+    update(sim, { left, top, width, height, room }) {
+      const colors = palette();
+      root.style.cssText = `left:${left}px;top:${top}px;width:${width}px;height:${height}px;
+        --ship:${css(colors.hull)};--bad:${css(colors.fall)}`;
+      // A small stage needs all its room for the game.
+      root.classList.toggle('outside', width < 620 && room > OUTSIDE_ROOM);
       const { rules } = sim;
       for (const [i, icon] of icons.entries()) icon.classList.toggle('lost', i >= rules.lives);
       parts.fuel.hidden = !rules.options.fuel;
       parts.fuel.classList.toggle('low', rules.fuel < 0.25 * TANK);
       parts.bar.style.transform = `scaleX(${rules.fuel / TANK})`;
-      const [title, call] = callOf(sim);
+      const [title, call] = callOf(sim, colors.goalName);
       root.querySelector('.bh-call')?.classList.toggle('low', title === '');
       const texts: [HTMLElement, string][] = [
         [parts.lives, livesText(rules.lives)],
@@ -89,7 +104,7 @@ export function createHud(parent: HTMLElement): Hud {
       const text = toastOf(news, sim);
       if (text === '') return;
       toast.textContent = text;
-      toast.style.color = news.kind === 'fall' ? '#ff8b94' : '#9dffc4';
+      toast.style.color = css(news.kind === 'fall' ? palette().fall : palette().goal);
       toast.classList.remove('on');
       // Reading the layout makes the animation begin anew.
       void toast.offsetWidth;
@@ -110,11 +125,11 @@ function speedOf({ scene, world }: BlackHoleGame): number {
   return Math.hypot(x[scene.ship], y[scene.ship]);
 }
 
-function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame): [string, string] {
+function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: string): [string, string] {
   if (isReplay) return ['', 'Replay — push any arrow to take over'];
   if (isDemo) return ['', 'Demo — push any arrow to play yourself'];
   if (autopilot) return ['', 'Autopilot — A gives you the ship'];
-  if (rules.phase === 'ready') return ['Black hole', 'Reach the green line. Push an arrow, or touch, to launch.'];
+  if (rules.phase === 'ready') return ['Black hole', `Reach the ${goal} line. Push an arrow, or touch, to launch.`];
   return ['', ''];
 }
 

@@ -24,7 +24,7 @@ await startGame({
   help: [
     ['Arrow keys', 'push up, left, down or right; the last key decides, any key let go cuts the thrust'],
     ['Press, touch', 'push towards the finger or the mouse; the d-pad or stick of a gamepad works too'],
-    ['The aim', 'cross the green line: as many points as there are holes, then there is one more'],
+    ['The aim', 'cross the line at the top: as many points as there are holes, then there is one more'],
     ['Beware', 'the dark disc of a hole takes one of three lives'],
     ['N, double click', 'other holes; takes a point off the prize, and a life when no prize is left'],
     ['Bonus', 'for fuel left over, and for every slingshot round a hole'],

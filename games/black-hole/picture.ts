@@ -6,6 +6,7 @@ import { Container, Graphics, type Texture } from 'pixi.js';
 import { glow } from './hawking.ts';
 import { DIRECTIONS } from './heading.ts';
 import { MOST_LENSES } from './lens-program.ts';
+import type { Palette } from './palette.ts';
 import type { News } from './rules.ts';
 import type { Values } from './settings.ts';
 import { createPathView, createShipView } from './ship-view.ts';
@@ -32,19 +33,27 @@ export interface PictureOptions {
   /** Whether the renderer takes the shader. */
   readonly canBend: boolean;
   readonly isCalm: boolean;
+  readonly palette: Palette;
 }
 
-export function createPicture({ sim, parent, sky, spot, canBend, isCalm }: PictureOptions): Picture {
+export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette }: PictureOptions): Picture {
   const ship = { x: BLACK_HOLE.start.x, y: BLACK_HOLE.start.y };
   const holes: HoleTable = { values: new Float32Array(4 * MOST_LENSES), count: 0 };
   const skyPlace = new Container();
   const world = new Container();
   const trailPlace = new Container();
-  const path = createPathView(spot);
-  const shipView = createShipView();
+  const path = createPathView(spot, sim.scene.isSteep, palette);
+  const shipView = createShipView(palette);
   const sparks = createSparks(spot, 180);
   const rays = createSparks(spot, 420);
-  world.addChild(createLines(), rays.container, trailPlace, path.container, sparks.container, shipView.container);
+  world.addChild(
+    createLines(palette),
+    rays.container,
+    trailPlace,
+    path.container,
+    sparks.container,
+    shipView.container,
+  );
   const root = new Container({ children: [skyPlace, world] });
   parent.addChild(root);
   let skyView: SkyView | undefined;
@@ -66,7 +75,7 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm }: Pictu
       }
       if (values.trail === (trail !== undefined)) return;
       trail?.destroy();
-      trail = values.trail ? createTrail(sim) : undefined;
+      trail = values.trail ? createTrail(sim, palette.trail) : undefined;
       if (trail !== undefined) trailPlace.addChild(trail.container);
     },
     update(alpha, seconds, camera, size) {
@@ -85,8 +94,8 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm }: Pictu
     },
     celebrate({ kind, x, y }) {
       if (isCalm) return;
-      if (kind === 'fall' || kind === 'over') sparks.burst(x, y, 70, 120, 0xff7a3c);
-      if (kind === 'goal') sparks.burst(x, y, 60, 150, 0x7dffb0);
+      if (kind === 'fall' || kind === 'over') sparks.burst(x, y, 70, 120, palette.fall);
+      if (kind === 'goal') sparks.burst(x, y, 60, 150, palette.goal);
       if (kind === 'sling') sparks.burst(x, y, 24, 60, 0x9fd0ff);
     },
     destroy() {
@@ -98,11 +107,11 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm }: Pictu
   };
 }
 
-function createTrail({ world, scene }: BlackHoleGame): TrailLayer {
+function createTrail({ world, scene }: BlackHoleGame, color: number): TrailLayer {
   return createTrailLayer({
     source: worldSource(world),
     bodies: [scene.ship],
-    ...{ length: 120, interval: 2, thickness: 3.5, color: 0xff8f5c, opacity: 0.6, maxSegment: 30, blendMode: 'add' },
+    ...{ length: 120, interval: 2, thickness: 3.5, color, opacity: 0.6, maxSegment: 30, blendMode: 'add' },
   });
 }
 
@@ -110,7 +119,7 @@ function createTrail({ world, scene }: BlackHoleGame): TrailLayer {
 const FAR = 8000;
 
 /** The goal, the foot of the holes' zone, and the edge of the stage. */
-function createLines(): Graphics {
+function createLines({ goal: color, zone: zoneColor }: Palette): Graphics {
   const { width, height, goal, zone } = BLACK_HOLE;
   const lines = new Graphics().rect(0, -height, width, height).stroke({ width: 1.5, color: 0x9fb4ff, alpha: 0.28 });
   // What lies outside is out of play: it steps back.
@@ -123,10 +132,10 @@ function createLines(): Graphics {
     lines.rect(x, y, w, h).fill({ color: 0x02030a, alpha: 0.5 });
   }
   for (let i = 0; i < 5; i++) {
-    lines.rect(0, -goal - 2 * (i + 1), width, 4 * (i + 1)).fill({ color: 0x6bff9e, alpha: 0.035 });
+    lines.rect(0, -goal - 2 * (i + 1), width, 4 * (i + 1)).fill({ color, alpha: 0.035 });
   }
-  lines.moveTo(0, -goal).lineTo(width, -goal).stroke({ width: 2, color: 0x8dffb6, alpha: 0.9 });
-  return lines.moveTo(0, -zone.min).lineTo(width, -zone.min).stroke({ width: 1.5, color: 0x7fc4ff, alpha: 0.45 });
+  lines.moveTo(0, -goal).lineTo(width, -goal).stroke({ width: 2, color, alpha: 0.9 });
+  return lines.moveTo(0, -zone.min).lineTo(width, -zone.min).stroke({ width: 1.5, color: zoneColor, alpha: 0.45 });
 }
 
 /** Where everything is between two steps. */

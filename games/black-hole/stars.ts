@@ -50,6 +50,9 @@ export function paintSky(seed: number): Texture {
   const texture = Texture.from(canvas, true);
   texture.source.style.addressMode = 'mirror-repeat';
   texture.source.style.scaleMode = 'linear';
+  // Bent light squeezes the sky: without smaller pictures of it the paint's grain would make moiré.
+  texture.source.autoGenerateMipmaps = true;
+  texture.source.style.mipmapFilter = 'linear';
   return texture;
 }
 

@@ -4,6 +4,7 @@ import { BLACK_HOLE } from '@principia/scenes';
 import type { Stage, View } from '@principia/shell';
 import { Application, Container, RendererType } from 'pixi.js';
 import { createHud } from './hud.ts';
+import { paletteOf } from './palette.ts';
 import { createPicture, type Picture } from './picture.ts';
 import type { Settings } from './settings.ts';
 import type { BlackHoleGame } from './sim.ts';
@@ -11,6 +12,8 @@ import { paintSky, paintSpot } from './stars.ts';
 import { listenToSteering } from './steering.ts';
 
 const MARGIN = 14;
+/** Of the touch pad and what lies below it, CSS pixels. */
+const PAD_HEIGHT = 250;
 const COARSE = matchMedia('(pointer: coarse)');
 const { width: STAGE_WIDTH, height: STAGE_HEIGHT } = BLACK_HOLE;
 
@@ -27,13 +30,21 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
   const canBend = app.renderer.type === RendererType.WEBGL;
   const paint = (): Picture => {
     const sim = stage.sim();
-    const made = createPicture({ sim, parent: content, sky, spot, canBend, isCalm: stage.reducedMotion });
+    const made = createPicture({
+      sim,
+      parent: content,
+      sky,
+      spot,
+      canBend,
+      isCalm: stage.reducedMotion,
+      palette: paletteOf(stage.safeColors),
+    });
     made.show(stage.values());
     return made;
   };
   let picture = paint();
   let told = 0;
-  const hud = createHud(stage.element);
+  const hud = createHud(stage.element, () => paletteOf(stage.safeColors));
   const camera: Camera2D = { x: STAGE_WIDTH / 2, y: STAGE_HEIGHT / 2, pixelsPerMetre: 1 };
   let zoomed = 1;
   const viewport = watchViewport(canvas, (width, height, resolution) => {
@@ -62,7 +73,8 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
       }
       picture.destroy();
       picture = paint();
-      told = 0;
+      // What a new game brings is news; other colours are not.
+      told = stage.sim().rules.newsCount;
     },
     draw(alpha, seconds) {
       const sim = stage.sim();
@@ -72,7 +84,13 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
       steering.update();
       const { x, y } = place(0, STAGE_HEIGHT);
       const { pixelsPerMetre: scale } = camera;
-      hud.update(sim, { left: x, top: y, width: STAGE_WIDTH * scale, height: STAGE_HEIGHT * scale });
+      hud.update(sim, {
+        left: x,
+        top: y,
+        width: STAGE_WIDTH * scale,
+        height: STAGE_HEIGHT * scale,
+        room: y - stage.insets().top,
+      });
       app.render();
     },
     fit() {
@@ -105,10 +123,13 @@ function look(
   const free = { width: size.width - left - right, height: size.height - top - bottom };
   if (!(free.width > 0 && free.height > 0)) return;
   fit(camera, { minX: 0, minY: 0, maxX: STAGE_WIDTH, maxY: STAGE_HEIGHT }, free, MARGIN);
-  // The touch pad covers the lower right: the stage moves to the other side.
+  // The touch pad covers the lower right: the stage moves to the upper left.
   if (COARSE.matches) {
     camera.x += (free.width / 2 - MARGIN) / camera.pixelsPerMetre - STAGE_WIDTH / 2;
     camera.y -= (free.height / 2 - MARGIN) / camera.pixelsPerMetre - STAGE_HEIGHT / 2;
+    // On a phone held upright there is room above the pad: the stage goes to its middle.
+    const spare = free.height - STAGE_HEIGHT * camera.pixelsPerMetre - PAD_HEIGHT;
+    if (free.height > free.width && spare > 0) camera.y += spare / 2 / camera.pixelsPerMetre;
   }
   camera.pixelsPerMetre *= zoomed;
   camera.x += (right - left) / 2 / camera.pixelsPerMetre;
