@@ -1,11 +1,14 @@
 /** The show that plays until somebody fires. */
 import type { Cue } from './sim.ts';
 
-const [PEONY, WILLOW, RING, CRACKLE, PALM, CHARGED, CHAIN] = [0, 1, 2, 3, 4, 5, 6];
+const [PEONY, WILLOW, RING, CRACKLE, PALM, CHARGED, CHAIN, LANTERN] = [0, 1, 2, 3, 4, 5, 6, 7];
 const [RED, ORANGE, YELLOW, GREEN, BLUE, VIOLET, SILVER, GOLD] = [0, 1, 2, 3, 4, 5, 6, 7];
 
 /** Seconds, x, y, z, kind, colour, power. */
 const rows: readonly (readonly number[])[] = [
+  // The first ones go low: who opens the page sees light within two seconds.
+  [0, -13, 15, 3, RING, GOLD, 0.2],
+  [0, 13, 15, -3, RING, SILVER, 0.2],
   [0, 0, 38, 0, PEONY, RED, 0.8],
   [0.9, -24, 32, -4, RING, SILVER, 0.4],
   [1, 24, 32, 4, RING, SILVER, 0.4],
@@ -26,6 +29,7 @@ const rows: readonly (readonly number[])[] = [
   [13.6, 34, 36, 0, RING, RED, 0.5],
   [15, -10, 30, 0, CRACKLE, SILVER, 0.6],
   [15.2, 12, 36, 0, CHAIN, YELLOW, 0.5],
+  [16, 0, 26, 0, LANTERN, ORANGE, 0.8],
   [17, 30, 42, -8, CHARGED, BLUE, 0.7],
   [17.5, -30, 40, 8, CHARGED, ORANGE, 0.7],
   [19, 0, 34, 0, PEONY, VIOLET, 1],

@@ -2,10 +2,10 @@
 export const DESK_STYLE = `
 .game-pad { display: none !important }
 .fw-desk { position: absolute; left: 0; right: 0; bottom: max(10px, env(safe-area-inset-bottom)); display: grid; gap: 8px;
-  justify-items: center; padding: 0 10px; pointer-events: none; color: var(--ink) }
+  grid-template-columns: minmax(0, 1fr); justify-items: center; container-type: inline-size; padding: 0 10px; pointer-events: none; color: var(--ink) }
 .fw-desk > * { pointer-events: auto; box-sizing: border-box; max-width: 100%; border: 1px solid #ffffff1f;
   border-radius: 14px; background: #0a0e24c4; backdrop-filter: blur(6px) }
-.fw-tray { display: flex; flex-wrap: wrap; justify-content: center; gap: 4px; padding: 5px 7px }
+.fw-tray, .fw-tray > div { display: flex; justify-content: center; gap: 4px } .fw-tray { flex-wrap: wrap; padding: 5px 7px }
 .fw-desk button { display: grid; place-items: center; min-width: 36px; height: 36px; padding: 0 6px; border: 0; border-radius: 9px;
   background: none; color: var(--ink); font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation }
 .fw-desk button:hover { background: #ffffff1c }
@@ -34,7 +34,10 @@ export const DESK_STYLE = `
 .fw-sight { background: radial-gradient(circle, #ffe6b0 0 2px, #0000 3px), linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 10px / 2px 14px no-repeat,
   linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 40px / 2px 14px no-repeat, linear-gradient(#ffe6b0cc, #ffe6b0cc) 10px 31px / 14px 2px no-repeat,
   linear-gradient(#ffe6b0cc, #ffe6b0cc) 40px 31px / 14px 2px no-repeat }
-@media (max-width: 560px) { .fw-desk button { min-width: 32px; height: 36px; padding: 0 3px } .fw-tray { gap: 1px; padding: 4px }
-  .fw-tray .fw-color { min-width: 27px } .fw-hint { font-size: 12.5px } }
+@container (max-width: 760px) { .fw-desk button { min-width: 31px; padding: 0 4px } .fw-tray, .fw-tray > div { gap: 1px }
+  .fw-tray .fw-color { min-width: 24px } .fw-tray span { margin: 4px 2px } }
+@container (max-width: 600px) { .fw-tray .fw-color { min-width: 36px } .fw-tray span.fw-break { display: none } .fw-tray { padding: 4px }
+  .fw-hint { font-size: 12.5px } }
+@container (max-width: 400px) { .fw-desk button { min-width: 30px; padding: 0 2px } .fw-tray .fw-color { min-width: 32px } }
 @media (max-height: 460px) { .fw-hint { display: none } .fw-desk button { height: 30px } .fw-desk { gap: 4px } }
 `;

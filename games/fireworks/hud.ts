@@ -3,7 +3,7 @@ import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
 import type { Stage } from '@principia/shell';
 import type { Desk } from './desk.ts';
 import { DESK_STYLE } from './desk-style.ts';
-import { icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
+import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
 import { type FireworksGame, SURPRISE } from './sim.ts';
@@ -15,6 +15,8 @@ export interface Hud {
   destroy(): void;
 }
 
+const sparks = new Intl.NumberFormat('en', { useGrouping: true });
+
 /** Seconds between two looks at what covers the stage. */
 const LOOK_INTERVAL = 0.25;
 
@@ -24,7 +26,7 @@ export function createHud(stage: Stage<Settings, FireworksGame>, desk: Desk): Hu
   root.innerHTML = `<style>${DESK_STYLE}</style><div class="fw-hint" role="status"></div>`;
   const hint = root.querySelector('.fw-hint') as HTMLElement;
   const timeline = createTimeline(stage, desk);
-  const tray = createTray(desk);
+  const tray = createTray(desk, () => stage.toggle('barrage'));
   const sight = document.createElement('div');
   sight.className = 'fw-sight';
   root.append(timeline.element, tray.element);
@@ -51,8 +53,9 @@ export function createHud(stage: Stage<Settings, FireworksGame>, desk: Desk): Hu
       if (sinceLook < LOOK_INTERVAL) return;
       sinceLook = 0;
       root.style.right = `${stage.insets().right}px`;
-      tray.show(stage.safeColors);
-      const text = hintOf(sim, desk);
+      const { barrage } = stage.values();
+      tray.show(stage.safeColors, barrage);
+      const text = barrage ? `${sparks.format(sim.scene.alive)} sparks alight` : hintOf(sim, desk);
       if (text !== shown) hint.textContent = text;
       shown = text;
     },
@@ -83,12 +86,13 @@ function button(label: string, content: string, action: () => void, className = 
   return made;
 }
 
-function createTray(desk: Desk) {
+function createTray(desk: Desk, toggleBarrage: () => void) {
   const element = document.createElement('div');
   element.className = 'fw-tray';
   element.setAttribute('role', 'group');
   element.setAttribute('aria-label', 'Shells and colours');
   const edit = button('Compose a show (T)', 'Show', () => desk.edit());
+  const barrage = button('Barrage: a hundred thousand sparks at once (G)', icon(BARRAGE_ICON), toggleBarrage);
   const kinds = [SURPRISE, ...SHELL_NAMES.keys()].map((kind) => {
     const label = kind === SURPRISE ? 'any shell (K)' : `${SHELL_NAMES[kind]} (K)`;
     const path = kind === SURPRISE ? SURPRISE_ICON : SHELL_ICONS[kind];
@@ -98,16 +102,27 @@ function createTray(desk: Desk) {
     const className = color === SURPRISE ? 'fw-color fw-any' : 'fw-color';
     return { color, made: button('', '<i></i>', () => desk.choose(desk.kind, color), className) };
   });
-  const line = () => document.createElement('span');
-  element.append(edit, line(), ...kinds.map(({ made }) => made), line(), ...colors.map(({ made }) => made));
+  // Where there is too little room for all, the colours go to a line of their own.
+  const group = (...parts: HTMLElement[]) => {
+    const made = document.createElement('div');
+    made.append(...parts);
+    return made;
+  };
+  const line = (className = '') => Object.assign(document.createElement('span'), { className });
+  element.append(
+    group(edit, line(), ...kinds.map(({ made }) => made)),
+    line('fw-break'),
+    group(...colors.map(({ made }) => made), line(), barrage),
+  );
   let shown = '';
   return {
     element,
-    show(safe: boolean) {
-      const wanted = `${desk.version} ${safe}`;
+    show(safe: boolean, isBarrage: boolean) {
+      const wanted = `${desk.version} ${safe} ${isBarrage}`;
       if (wanted === shown) return;
       shown = wanted;
       edit.setAttribute('aria-pressed', String(desk.isEditing));
+      barrage.setAttribute('aria-pressed', String(isBarrage));
       for (const { kind, made } of kinds) made.setAttribute('aria-pressed', String(kind === desk.kind));
       for (const { color, made } of colors) {
         const chosen = paletteOf(safe)[color] ?? { name: 'any colour', rgb: 0 };

@@ -26,10 +26,17 @@ export const SHELL_ICONS: readonly string[] = [
     const [x, y] = turn(angle, 7);
     return `M12 12L${at([x, y])}M${x - 2} ${y}L${x + 2} ${y}M${x} ${y - 2}L${x} ${y + 2}`;
   }),
+  'M8 15Q4.5 9 8 5.5Q12 3 16 5.5Q19.5 9 16 15ZM9.5 15v2.5h5V15M12 20v1.5',
 ];
 
 /** A kind that is drawn anew for each shell. */
 export const SURPRISE_ICON = 'M8.5 9a3.5 3.5 0 1 1 5.2 3c-1.2.7-1.7 1.3-1.7 2.6M12 18.4v.4';
+
+/** More sparks than one can count. */
+export const BARRAGE_ICON =
+  around(5, (angle) => dot(turn(angle, 3.5), 0.7)) +
+  around(9, (angle) => dot(turn(angle + 0.3, 6.8), 0.7)) +
+  around(14, (angle) => dot(turn(angle, 10), 0.7));
 
 export function icon(path: string): string {
   return `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${path}"/></svg>`;

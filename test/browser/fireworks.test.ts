@@ -200,7 +200,7 @@ describe('a show', () => {
       await page.waitForFunction(() => __game.state().banner !== '');
       expect((await state(page)).banner).toMatch(/^The show in the address .*Meanwhile the game plays its own\.$/);
       await steps(page, 2);
-      expect(await told(page)).toMatchObject({ isDemo: true, isShowing: true, flying: 1 });
+      expect(await told(page)).toMatchObject({ isDemo: true, isShowing: true, flying: 3 });
     },
   );
 });
@@ -252,14 +252,41 @@ function blockAudio(): void {
 describe('the picture', () => {
   it('keeps a barrage of sparks alive, and stays a picture', async () => {
     const page = await play('manual&sparks=4000');
-    await page.keyboard.press('g');
+    await page.locator('.fw-tray [aria-label^=Barrage]').click();
     await page.waitForFunction(() => __game.state().values.barrage === true && __game.state().tick === 0);
     await steps(page, 2);
     await watch(page, 40);
     expect((await told(page)).alive).toBeGreaterThan(3500);
+    await page.waitForFunction(() => / sparks alight$/.test(document.querySelector('.fw-hint')?.textContent ?? ''));
     const { bright, colored } = await brightness(page);
     expect(bright).toBeGreaterThan(2000);
     expect(colored).toBeGreaterThan(0.2 * bright);
+  });
+
+  it('keeps the desk in its window: one line at 960 pixels beside the panel, two on a phone', async () => {
+    const page = await play('manual', { viewport: { width: 960, height: 600 } });
+    const tray = page.locator('.fw-tray');
+    const heightOf = async () => (await tray.boundingBox())?.height ?? 0;
+    expect(await page.locator('.game-side').isVisible()).toBe(true);
+    expect(await heightOf()).toBeLessThan(55);
+    await page.keyboard.press('t');
+    for (const width of [390, 360]) {
+      await page.setViewportSize({ width, height: 800 });
+      await page.waitForTimeout(400);
+      if (await page.locator('.game-side').isVisible()) await page.keyboard.press('p');
+      await page.waitForTimeout(400);
+      expect(await heightOf()).toBeLessThan(95);
+      const sticksOut = await page
+        .locator('.fw-desk button')
+        .evaluateAll(
+          (buttons, right) =>
+            buttons.filter(
+              (button) => button.getBoundingClientRect().right > right || button.getBoundingClientRect().left < 0,
+            ).length,
+          width,
+        );
+      expect(sticksOut).toBe(0);
+    }
   });
 
   it('survives a window of no size and the loss of the graphics card', async () => {

@@ -15,13 +15,14 @@ import {
   replaceForce,
   setEmitter,
   uniformGravity,
+  upthrust,
 } from '@principia/physics';
 import { STAR_COLORS, STAR_RGB } from './fireworks/colors';
 import { formVelocities } from './fireworks/forms';
 import { NewsRing } from './fireworks/news';
 import { Rockets, SHELL_DRAG, type ShellOrder } from './fireworks/rockets';
 import { SHELLS } from './fireworks/shells';
-import { GLOW, type Place, rampsOf, STAR_MASS, StarPools } from './fireworks/stars';
+import { AIR_DENSITY, GLOW, type Place, rampsOf, STAR_MASS, StarPools } from './fireworks/stars';
 import { countOf, defineScene, type SceneRun } from './scene';
 
 /** The part of the sky that shells burst in, m: half its width and depth, and its lowest and highest place. */
@@ -66,7 +67,11 @@ export const fireworks = defineScene({
     const world = createPhysicsWorld({
       ...{ dimensions, precision, seed, capacity: room.bodies, arenaBytes: room.bytes },
       integrator: boris({ field: { z: FIELD } }),
-      forces: [uniformGravity({ y: -GRAVITY }), quadraticDrag({ x: parameters.wind })],
+      forces: [
+        uniformGravity({ y: -GRAVITY }),
+        quadraticDrag({ x: parameters.wind }),
+        ...(shells > 0 ? [upthrust({ density: AIR_DENSITY, gravity: { y: -GRAVITY } })] : []),
+      ],
     });
     const random = createRandom(seed, 1);
     const news = new NewsRing();

@@ -203,6 +203,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     else this.#views.view?.refresh('setting');
   }
 
+  #toggle(name: string): void {
+    this.#guard(() => this.#set(name, !this.#session.values[name]));
+    this.#panel.refresh();
+  }
+
   #pause(paused = !this.#session.paused): void {
     this.#session.paused = paused;
     this.#refresh();
@@ -314,10 +319,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       calm: () => this.#change({ calm: !preferences.calm }),
       safeColors: () => this.#change({ safeColors: !preferences.safeColors }),
       renderer: (name) => void this.#show(name),
-      toggle: (name) => {
-        this.#guard(() => this.#set(name, !session.values[name]));
-        this.#panel.refresh();
-      },
+      toggle: (name) => this.#toggle(name),
     };
   }
 
@@ -329,6 +331,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       insets: () => this.#layout.insets(),
       sim: () => session.sim,
       values: () => session.values,
+      toggle: (name) => this.#toggle(name),
       alpha: () => session.alpha,
       holding: () => session.holding,
       get reducedMotion() {

@@ -35,6 +35,8 @@ export interface Stage<S extends Settings, Sim extends Simulation> {
   /** The world shown now; another one after every reset. */
   readonly sim: () => Sim;
   readonly values: () => Readonly<ValuesOf<S>>;
+  /** Turns one of the game's switches, as its key does. */
+  readonly toggle: (setting: keyof S & string) => void;
   /** Where between the last two steps the picture is, 0 to 1. */
   readonly alpha: () => number;
   /** Bodies that pointers hold. */

@@ -20,6 +20,8 @@ export interface ShellKind {
   readonly size: readonly number[];
   /** Angle by which the magnetic field turns the velocity in a second, rad/s: the star is charged. */
   readonly turning?: number;
+  /** Weight of the air it displaces over its own: above 1 it is a lantern full of hot air, and rises. */
+  readonly buoyancy?: number;
   /** What each star becomes when it ends: how many stars of which other kind; for how long after the shell burst, s. */
   readonly ends?: { readonly kind: number; readonly count: number; readonly until?: number };
   /** Stars alive at once: about a dozen shells. */
@@ -69,7 +71,7 @@ export const SHELLS: readonly ShellKind[] = [
       drag: 0.09,
       capacity: 1400,
     },
-    ends: { kind: 7, count: 6 },
+    ends: { kind: 8, count: 6 },
   },
   {
     ...{ ...common, name: 'palm', form: 'palm', stars: 192, speed: 22, slowest: 0.5, life: [1.7, 2.7], drag: 0.055 },
@@ -89,6 +91,11 @@ export const SHELLS: readonly ShellKind[] = [
   {
     ...{ ...common, name: 'chain', stars: 10, speed: 13, slowest: 0.4, life: [2, 4], drag: 0.05, capacity: 1200 },
     ...{ size: [0.46, 0.44, 0.38, 0.26], ends: { kind: 6, count: 10, until: 6 } },
+  },
+  {
+    // Rises at √((b - 1) g / drag) = 2.2 m/s in the end, if nothing blows.
+    ...{ ...common, name: 'lantern', stars: 44, speed: 19, slowest: 0.15, life: [5, 7.5], drag: 0.25, capacity: 600 },
+    ...{ size: [0.3, 0.46, 0.46, 0.12], buoyancy: 1.12 },
   },
   {
     ...{ ...common, name: 'spark', stars: 6, speed: 9, slowest: 0.5, life: [0.12, 0.34], drag: 0.3, capacity: 1800 },

@@ -125,9 +125,15 @@ export function rampsOf(colors: readonly number[]): number[][] {
   return colors.map((color) => colorRamp(color));
 }
 
-/** Charges them too: the field's strength is 1 T, so the charge is what turns them as told. */
+/** Density of air, kg/m³. */
+export const AIR_DENSITY = 1.2;
+
+/**
+ * Charges them too: the field's strength is 1 T, so the charge is what turns them as told. And gives them the volume
+ * of air that lifts them; the inertia of the air they drag along is left out, which changes how soon they rise as fast.
+ */
 function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
-  const { capacity, life, drag, size, turning, ends } = kind;
+  const { capacity, life, drag, size, turning, buoyancy, ends } = kind;
   const emitter = createEmitter(world, {
     ...{ capacity, lifetime: life, size, mass: STAR_MASS, quadraticDrag: drag * STAR_MASS, whenFull: 'oldest' },
     ...{
@@ -141,6 +147,11 @@ function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
   if (turning !== undefined) {
     const { Charge } = world.components;
     for (const id of emitter.ids) addComponent(world, id, set(Charge, { value: turning * STAR_MASS }));
+  }
+  if (buoyancy !== undefined) {
+    const { Hull } = world.components;
+    const volume = (buoyancy * STAR_MASS) / AIR_DENSITY;
+    for (const id of emitter.ids) addComponent(world, id, set(Hull, { volume }));
   }
   return emitter;
 }
