@@ -14,7 +14,9 @@ export function createHelpDialog(
   const list = element('dl', '');
   for (const [keys, what] of lines) list.append(element('dt', '', {}, keys), element('dd', '', {}, what));
   const close = element('button', '', { type: 'button' }, 'Close');
-  const dialog = element('dialog', 'game-help', { 'aria-label': 'Help' }, element('h2', '', {}, title), list, close);
+  // The dialog gives the focus to its title, so that it begins at the top; Tab goes to the button.
+  const heading = element('h2', '', { tabindex: '-1', autofocus: '' }, title);
+  const dialog = element('dialog', 'game-help', { 'aria-label': 'Help' }, heading, list, close);
   parent.append(dialog);
   const toggle = () => (dialog.open ? dialog.close() : dialog.showModal());
   close.addEventListener('click', toggle);

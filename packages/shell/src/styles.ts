@@ -59,7 +59,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help { box-sizing: border-box; max-height: calc(100dvh - 32px); overflow: hidden auto; border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
   background: #161e3df7; color: var(--ink); box-shadow: 0 24px 80px #000a }
 .game-help::backdrop { background: #070b1a99 }
-.game-help h2 { margin: 0 0 12px; font-size: 17px }
+.game-help h2 { margin: 0 0 12px; font-size: 17px; outline: none }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
 .game-pad { position: absolute; right: max(20px, env(safe-area-inset-right)); bottom: max(24px, env(safe-area-inset-bottom));
@@ -94,7 +94,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar button { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
 @media (min-width: 860px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
-@media (max-width: 520px) { .game-bar [data-minor] { display: none } }
+@media (max-width: 520px) { .game-bar [data-minor] { display: none }
+  .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(0, 27%) 1fr } }
 .game[data-calm] * { transition: none !important; animation: none !important }
 `;
 
