@@ -2,14 +2,11 @@
 import { step } from '@principia/physics';
 import type { BlackHole, LoggedInput } from '@principia/scenes';
 import type { Page } from 'playwright-core';
+import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
-import { Autopilot } from '../../games/black-hole/autopilot.ts';
-import type { Heading } from '../../games/black-hole/heading.ts';
 import { createGame, type Input } from '../../games/black-hole/sim.ts';
+import { HANDS, perform, VALUES, winningMoves } from '../support/black-hole-bot.ts';
 import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state, steps } from '../support/game-page.ts';
-
-const VALUES = { fuel: true, moving: true, autopilot: false };
-const KEYS: Record<Heading, string> = { up: 'ArrowUp', left: 'ArrowLeft', down: 'ArrowDown', right: 'ArrowRight' };
 
 /** What the game tells of itself. */
 interface Told {
@@ -37,44 +34,13 @@ async function shipPlace(page: Page) {
   return screen as { x: number; y: number };
 }
 
-/** The headings that win the first level of a seed, found without a page: for every step the key to hold. */
-function winningKeys(seed: number): (Heading | undefined)[] {
-  const game = createGame({ values: VALUES, seed });
-  const pilot = new Autopilot(game.scene, 99);
-  const keys: (Heading | undefined)[] = ['up'];
-  game.press('up');
-  step(game.world, game.dt);
-  while (game.rules.dodged === 0 && keys.length < 6000) {
-    // A hand is no faster than this.
-    const last = keys[keys.length - 1];
-    const heading = keys.length % 30 === 0 ? pilot.steer(game.dt * 30) : last;
-    if (heading !== last) game.press(heading ?? 'release');
-    keys.push(heading);
-    step(game.world, game.dt);
-  }
-  expect(game.rules.dodged).toBe(1);
-  return keys;
-}
-
 describe('playing', () => {
-  it('a player who steers with the arrow keys wins a level, and the log plays the same game in Node', async () => {
+  const plan = winningMoves(4);
+
+  it.each(Object.entries(HANDS))('%s win a level, and the log plays the same game in Node', async (_, take) => {
     const page = await play('manual&seed=4');
     expect(await told(page)).toMatchObject({ phase: 'ready', lives: 3, score: 0 });
-    const keys = winningKeys(4);
-    let held: Heading | undefined;
-    for (let from = 0; from < keys.length; ) {
-      const heading = keys[from];
-      let to = from + 1;
-      while (to < keys.length && keys[to] === heading) to++;
-      // The next key goes down before the last comes up, and only what the plan wants is held in the end.
-      if (held !== undefined) await page.keyboard.up(KEYS[held]);
-      if (heading !== undefined) await page.keyboard.down(KEYS[heading]);
-      held = heading;
-      await steps(page, to - from);
-      from = to;
-    }
-    if (held !== undefined) await page.keyboard.up(KEYS[held]);
-    await steps(page, 1);
+    await perform(page, await take(page), plan);
     const won = await told(page);
     expect(won).toMatchObject({ dodged: 1, score: 1, prize: 2, lives: 3 });
     expect(won.holes).toHaveLength(2);
@@ -85,10 +51,13 @@ describe('playing', () => {
     expect(again.hash()).toBe(won.hash);
   });
 
-  it('a player who launches and lets go loses three ships, sees the scores and plays again', async () => {
+  it.each(Object.entries(HANDS))('%s that launch and let go lose three ships, and play again', async (_, take) => {
     const page = await play('manual&seed=2');
+    const hand = await take(page);
     for (let i = 0; i < 40 && (await told(page)).phase !== 'over'; i++) {
-      await page.keyboard.press('ArrowUp');
+      await hand.push('up');
+      await steps(page, 1);
+      await hand.push(undefined);
       await steps(page, 600);
     }
     expect(await told(page)).toMatchObject({ phase: 'over', lives: 0 });
@@ -257,6 +226,38 @@ describe('the picture', () => {
     expect((await picture(page)).equals(flying)).toBe(false);
   });
 
+  it('has other colours for those who see red and green alike, and says which', async () => {
+    const page = await play('manual&seed=4');
+    const usual = await picture(page);
+    expect(await page.locator('.bh-call').textContent()).toContain('green line');
+    await page.keyboard.press('y');
+    const safe = await picture(page);
+    expect(await page.locator('.bh-call').textContent()).toContain('blue line');
+    expect(countOf(usual, isGreen)).toBeGreaterThan(200);
+    expect(countOf(safe, isGreen)).toBeLessThan(20);
+    // What happened before the colours changed is not news again.
+    await steps(page, 1);
+    await frames(page);
+    expect(await page.locator('.bh-toast').textContent()).toBe('');
+  });
+
+  it('Q gives another game, in which the holes pull after Paczyński and Wiita', async () => {
+    const page = await play('manual&seed=4');
+    const fall = async () => {
+      await page.keyboard.down('ArrowUp');
+      await steps(page, 240);
+      await page.keyboard.up('ArrowUp');
+      const { x } = await body(page, 0);
+      return x;
+    };
+    const newton = await fall();
+    await page.keyboard.press('q');
+    await page.waitForFunction(() => __game.state().values.steep === true && __game.state().tick === 0);
+    const steep = await fall();
+    // The hole of this seed lies to the left.
+    expect(steep).toBeLessThan(newton - 1);
+  });
+
   it('survives the loss of the graphics card', async () => {
     const page = await play('manual&seed=4');
     const whole = await picture(page);
@@ -269,3 +270,13 @@ describe('the picture', () => {
     expect(back.length).toBeGreaterThan(0.8 * whole.length);
   });
 });
+
+/** Pixels of a picture that are as `is` says, of red, green and blue from 0 to 255. */
+function countOf(png: Buffer, is: (r: number, g: number, b: number) => boolean): number {
+  const { data } = PNG.sync.read(png);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) if (is(data[i], data[i + 1], data[i + 2])) count++;
+  return count;
+}
+
+const isGreen = (r: number, g: number, b: number) => g > 90 && g > 1.3 * r && g > 1.25 * b;

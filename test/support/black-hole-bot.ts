@@ -1,0 +1,143 @@
+/** Hands that play the game of black holes through its page, and a plan of what they have to do to win. */
+import { step } from '@principia/physics';
+import type { Page } from 'playwright-core';
+import { Autopilot } from '../../games/black-hole/autopilot.ts';
+import type { Heading } from '../../games/black-hole/heading.ts';
+import { createGame } from '../../games/black-hole/sim.ts';
+import { body, fingersOf, frames, steps } from './game-page.ts';
+
+export const VALUES = { fuel: true, moving: true, steep: false, autopilot: false };
+
+/** A heading, or nothing, and for how many steps. */
+export interface Move {
+  readonly heading: Heading | undefined;
+  readonly steps: number;
+}
+
+/** What wins the first level of a seed, found without a page. @throws Error where the autopilot does not win it */
+export function winningMoves(seed: number): Move[] {
+  const game = createGame({ values: VALUES, seed });
+  const pilot = new Autopilot(game.scene, 99);
+  const moves: { heading: Heading | undefined; steps: number }[] = [];
+  for (let tick = 0; game.rules.dodged === 0; tick++) {
+    if (tick > 6000 || game.rules.lives < 3) throw new Error(`The autopilot does not win the first level of ${seed}.`);
+    const last = moves[moves.length - 1];
+    // A hand is no faster than a quarter of a second.
+    const heading = tick === 0 ? 'up' : tick % 30 === 0 ? pilot.steer(game.dt * 30) : last.heading;
+    if (heading === last?.heading) last.steps++;
+    else {
+      game.press(heading ?? 'release');
+      moves.push({ heading, steps: 1 });
+    }
+    step(game.world, game.dt);
+  }
+  return moves;
+}
+
+/** One way to steer. */
+export interface Hand {
+  /** Pushes one way, or lets go. */
+  push(heading: Heading | undefined): Promise<unknown>;
+}
+
+const KEYS: Record<Heading, string> = { up: 'ArrowUp', left: 'ArrowLeft', down: 'ArrowDown', right: 'ArrowRight' };
+const WAYS: Record<Heading, readonly [number, number]> = { up: [0, -1], left: [-1, 0], down: [0, 1], right: [1, 0] };
+/** From the ship to the pointer, CSS pixels. */
+const REACH = 70;
+
+function keys(page: Page): Hand {
+  let held: Heading | undefined;
+  return {
+    async push(heading) {
+      // The last key comes up before the next goes down, as any key let go cuts the thrust.
+      if (held !== undefined) await page.keyboard.up(KEYS[held]);
+      if (heading !== undefined) await page.keyboard.down(KEYS[heading]);
+      held = heading;
+    },
+  };
+}
+
+/** Where to point for a heading: farther to the side at every other time, as two quick taps ask for other holes. */
+async function placeFor(page: Page, heading: Heading, count: number) {
+  await frames(page);
+  const { screen } = await body(page, 0);
+  const [x, y] = WAYS[heading];
+  const aside = 0.5 * REACH * (count % 2 === 0 ? 1 : -1);
+  return { x: (screen?.x ?? 0) + REACH * x + aside * y, y: (screen?.y ?? 0) + REACH * y + aside * x };
+}
+
+function mouse(page: Page): Hand {
+  let [isDown, count] = [false, 0];
+  return {
+    async push(heading) {
+      if (heading !== undefined) {
+        const { x, y } = await placeFor(page, heading, count++);
+        await page.mouse.move(x, y);
+        if (!isDown) await page.mouse.down();
+      } else if (isDown) await page.mouse.up();
+      isDown = heading !== undefined;
+    },
+  };
+}
+
+async function finger(page: Page): Promise<Hand> {
+  const touch = await fingersOf(page);
+  let [isDown, count] = [false, 0];
+  return {
+    async push(heading) {
+      if (heading !== undefined) {
+        await touch(isDown ? 'touchMove' : 'touchStart', [await placeFor(page, heading, count++)]);
+      } else if (isDown) await touch('touchEnd');
+      isDown = heading !== undefined;
+    },
+  };
+}
+
+async function touchPad(page: Page): Promise<Hand> {
+  const touch = await fingersOf(page);
+  await page.addStyleTag({ content: '.game-pad { display: grid !important }' });
+  let isDown = false;
+  return {
+    async push(heading) {
+      if (isDown) await touch('touchEnd');
+      isDown = heading !== undefined;
+      if (heading === undefined) return;
+      const box = await page.locator(`.game-pad [data-name=${heading}]`).boundingBox();
+      if (box === null) throw new Error(`The touch pad has no button ${heading}.`);
+      await touch('touchStart', [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }]);
+    },
+  };
+}
+
+/** The left stick of a gamepad. Browsers have no way to plug one in for a test, so the page is told of one. */
+async function gamepad(page: Page): Promise<Hand> {
+  await page.evaluate(() => {
+    const buttons = Array.from({ length: 17 }, () => ({ pressed: false, touched: false, value: 0 }));
+    Object.assign(globalThis, { stick: [0, 0, 0, 0] });
+    const { stick } = globalThis as unknown as { stick: number[] };
+    navigator.getGamepads = () => [{ connected: true, index: 0, axes: stick, buttons } as unknown as Gamepad];
+  });
+  return {
+    async push(heading) {
+      const way = heading === undefined ? [0, 0] : WAYS[heading];
+      await page.evaluate(([x, y]) => {
+        const { stick } = globalThis as unknown as { stick: number[] };
+        stick[0] = x;
+        stick[1] = y;
+      }, way);
+      await frames(page);
+    },
+  };
+}
+
+export const HANDS = { keys, mouse, finger, touchPad, gamepad };
+
+/** Does what a plan says, and lets go. */
+export async function perform(page: Page, hand: Hand, moves: readonly Move[]): Promise<void> {
+  for (const move of moves) {
+    await hand.push(move.heading);
+    await steps(page, move.steps);
+  }
+  await hand.push(undefined);
+  await steps(page, 1);
+}
