@@ -248,14 +248,18 @@ describe('the picture', () => {
       await steps(page, 240);
       await page.keyboard.up('ArrowUp');
       const { x } = await body(page, 0);
-      return x;
+      return 400 - x;
     };
     const newton = await fall();
+    const [{ x, y, radius }] = (await told(page)).holes;
+    const distance = Math.hypot(x - 400, y - 50);
     await page.keyboard.press('q');
     await page.waitForFunction(() => __game.state().values.steep === true && __game.state().tick === 0);
     const steep = await fall();
-    // The hole of this seed lies to the left.
-    expect(steep).toBeLessThan(newton - 1);
+    // The hole lies to the left. Its pull is greater by (d/(d - r))², and more so the nearer the ship gets: 15 m of it.
+    const share = (d: number) => (d / (d - radius)) ** 2;
+    expect(steep / newton).toBeGreaterThan(0.99 * share(distance));
+    expect(steep / newton).toBeLessThan(1.01 * share(distance - 20));
   });
 
   it('survives the loss of the graphics card', async () => {

@@ -131,11 +131,14 @@ function createTouchPad(buttons: Readonly<Record<string, ControlButton>>, held: 
   return pad;
 }
 
+/** What is let go comes first: a stick that is moved from one way to another ends up pressing the other. */
 function readGamepad(gamepad: Gamepad, buttons: Readonly<Record<string, ControlButton>>, held: HeldButtons): void {
-  for (const [name, { pad = [], axis }] of Object.entries(buttons)) {
-    const isPushed = axis !== undefined && (gamepad.axes[axis[0]] ?? 0) * axis[1] > AXIS_THRESHOLD;
-    const isDown = isPushed || pad.some((index) => gamepad.buttons[index]?.pressed);
-    held.set(name, `gamepad ${gamepad.index}`, isDown);
+  for (const wanted of [false, true]) {
+    for (const [name, { pad = [], axis }] of Object.entries(buttons)) {
+      const isPushed = axis !== undefined && (gamepad.axes[axis[0]] ?? 0) * axis[1] > AXIS_THRESHOLD;
+      const isDown = isPushed || pad.some((index) => gamepad.buttons[index]?.pressed);
+      if (isDown === wanted) held.set(name, `gamepad ${gamepad.index}`, isDown);
+    }
   }
 }
 
