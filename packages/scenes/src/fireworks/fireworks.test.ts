@@ -119,7 +119,7 @@ describe('a burst', () => {
     }
     expect(Math.min(...peaks)).toBeGreaterThanOrEqual(280);
     expect(Math.max(...peaks)).toBeLessThanOrEqual(784);
-  });
+  }, 30_000);
 
   test('of a crackle shell ends in bursts of sparks, each of them told', () => {
     const run = night();
