@@ -1,5 +1,5 @@
 /** A player that looks ahead: tries courses on a copy of the ship and flies the best one it knows. */
-import { createRandom, type Random } from '@principia/physics';
+import { constant, createRandom, keepState, type Random } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole, isClear } from '@principia/scenes';
 import { type Craft, Flight } from './flight.ts';
 import { type Heading, thrustOf } from './heading.ts';
@@ -12,6 +12,7 @@ interface Course {
 }
 
 const HEADINGS: readonly (Heading | undefined)[] = ['up', 'up', 'left', 'right', 'down', undefined];
+const NONE: Course = { headings: [], ends: [], value: Number.NEGATIVE_INFINITY };
 const HORIZON = 9;
 const LOOK_DT = 1 / 40;
 /** Seconds between two searches, and courses tried in each. */
@@ -23,60 +24,53 @@ export class Autopilot {
   readonly #random: Random;
   readonly #flight: Flight;
   readonly #craft: Craft = { x: 0, y: 0, vx: 0, vy: 0 };
-  #course: Course = { headings: [], ends: [], value: Number.NEGATIVE_INFINITY };
-  #age = 0;
-  #sinceSearch = PATIENCE;
-  #holes: unknown;
+  /** The course, since when it is flown and was searched for, s, and past which holes. */
+  readonly #plan = { course: NONE, age: 0, sinceSearch: PATIENCE, holes: undefined as unknown };
 
   constructor(scene: BlackHole, seed: number) {
     this.#scene = scene;
     this.#flight = new Flight(scene.isSteep);
     this.#random = createRandom(seed, 2);
+    keepState(scene.world, this.#plan, this.#random.state);
+  }
+
+  /** Forgets its plans. */
+  begin(seed: number): void {
+    Object.assign(this.#plan, { course: NONE, age: 0, sinceSearch: PATIENCE, holes: undefined });
+    this.#random.state.set(createRandom(seed, 2).state);
   }
 
   /** The heading for the step to come. */
   steer(dt: number): Heading | undefined {
-    if (this.#holes !== this.#scene.holes) {
-      this.#holes = this.#scene.holes;
-      this.#course = { headings: [], ends: [], value: Number.NEGATIVE_INFINITY };
-      this.#sinceSearch = PATIENCE;
+    const plan = this.#plan;
+    if (plan.holes !== this.#scene.holes) {
+      plan.holes = this.#scene.holes;
+      plan.course = NONE;
+      plan.sinceSearch = PATIENCE;
     }
-    if (this.#sinceSearch >= PATIENCE) this.#search();
-    this.#sinceSearch += dt;
-    this.#age += dt;
-    return headingAt(this.#course, this.#age - dt);
-  }
-
-  /** Notes its plans; returns what brings them back. */
-  remember(): () => void {
-    const [course, age, sinceSearch, holes] = [this.#course, this.#age, this.#sinceSearch, this.#holes];
-    const state = this.#random.state.slice();
-    return () => {
-      this.#course = course;
-      this.#age = age;
-      this.#sinceSearch = sinceSearch;
-      this.#holes = holes;
-      this.#random.state.set(state);
-    };
+    if (plan.sinceSearch >= PATIENCE) this.#search();
+    plan.sinceSearch += dt;
+    plan.age += dt;
+    return headingAt(plan.course, plan.age - dt);
   }
 
   /** Tries the rest of the present course, and others. */
   #search(): void {
-    this.#sinceSearch = 0;
+    this.#plan.sinceSearch = 0;
     const { world, ship } = this.#scene;
     const { Position, Velocity } = world.components;
     Object.assign(this.#craft, {
       ...{ x: Position.x[ship], y: Position.y[ship], vx: Velocity.x[ship], vy: Velocity.y[ship] },
     });
-    let best = rest(this.#course, this.#age);
+    let best = rest(this.#plan.course, this.#plan.age);
     best.value = this.#judge(best);
     for (let i = 0; i < TRIES; i++) {
       const course = i % 3 === 0 && best.ends.length > 0 ? this.#vary(best) : this.#draw();
       course.value = this.#judge(course);
       if (course.value > best.value) best = course;
     }
-    this.#course = best;
-    this.#age = 0;
+    this.#plan.course = constant(best);
+    this.#plan.age = 0;
   }
 
   #draw(): Course {

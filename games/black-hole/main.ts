@@ -9,7 +9,6 @@ await startGame({
   settings,
   create: createGame,
   apply: applyValue,
-  remember: (sim) => sim.remember(),
   replay: (sim) => sim.again(),
   controls: {
     buttons: { ...FOUR_WAYS, action: { label: '↻', keys: ['n'], pad: [2] } },

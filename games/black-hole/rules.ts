@@ -8,6 +8,7 @@
  * - Bonus points, apart from the score: one for every slingshot of a flight that reaches the goal, and up to five for
  *   fuel left over.
  */
+import { constant, keepState } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole } from '@principia/scenes';
 import { type Heading, thrustOf } from './heading.ts';
 
@@ -64,6 +65,7 @@ export class Rules {
   constructor(scene: BlackHole, options: RuleOptions) {
     this.#scene = scene;
     this.options = options;
+    keepState(scene.world, this, this.#near);
   }
 
   /** The number of holes, which is the prize of the level. */
@@ -78,20 +80,6 @@ export class Rules {
 
   get movingHoles(): number {
     return this.options.moving && this.level >= FIRST_MOVING_LEVEL ? Math.ceil((this.level - 2) / 3) : 0;
-  }
-
-  /** Notes how the game stands; returns what brings that back. */
-  remember(): () => void {
-    const { phase, lives, score, bonus, dodged, redraws, fuel, spent, slings, heading, newsCount, options } = this;
-    const news = [...this.news];
-    const near = [...this.#near];
-    return () => {
-      Object.assign(this, { phase, lives, score, bonus, dodged, redraws, fuel, spent, slings, heading });
-      Object.assign(this, { newsCount, options });
-      this.news.splice(0, this.news.length, ...news);
-      this.#near.clear();
-      for (const id of near) this.#near.add(id);
-    };
   }
 
   /** A new game, with the first holes of the seed. */
@@ -226,7 +214,7 @@ export class Rules {
   #tell(kind: News['kind'], points: number): void {
     const { world, ship } = this.#scene;
     const { x, y } = world.components.Position;
-    this.news.push({ kind, tick: world.tick, x: x[ship], y: y[ship], points });
+    this.news.push(constant({ kind, tick: world.tick, x: x[ship], y: y[ship], points }));
     if (this.news.length > KEPT_NEWS) this.news.shift();
     this.newsCount++;
   }

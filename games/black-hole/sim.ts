@@ -1,5 +1,5 @@
 /** The simulation: the scene, its rules and its inputs. Needs no screen; the same seed and log give the same game. */
-import { stateHash } from '@principia/physics';
+import { keepState, stateHash } from '@principia/physics';
 import { type BlackHole, blackHole, InputLog, type LoggedInput } from '@principia/scenes';
 import { Autopilot } from './autopilot.ts';
 import type { Heading } from './heading.ts';
@@ -37,8 +37,9 @@ export class BlackHoleGame {
   /** The computer plays: somebody switched it on, or nobody has touched anything for a while. */
   autopilot: boolean;
   isDemo = false;
-  #pilot: Autopilot;
-  #idle = 0;
+  readonly #pilot: Autopilot;
+  /** Seconds without input. */
+  readonly #idle = { time: 0 };
   readonly #seed: number;
   readonly #values: BlackHoleValues;
 
@@ -50,9 +51,11 @@ export class BlackHoleGame {
     this.autopilot = values.autopilot;
     this.#seed = seed;
     this.#pilot = new Autopilot(this.scene, seed);
+    keepState(this.world, this, this.#idle, this.log.state);
+    const take = (input: Input) => this.#take(input);
     const { phases } = this.world;
     phases.input.unshift((world, dt) => {
-      this.log.take(world.tick, (input) => this.#take(input));
+      this.log.take(world.tick, take);
       this.#fly(dt);
       this.rules.steer(dt);
     });
@@ -89,26 +92,13 @@ export class BlackHoleGame {
     return `${stateHash(this.world)} ${phase} ${[lives, score, bonus, dodged, redraws, fuel, slings].join(' ')}`;
   }
 
-  /** Notes all that is not in the world; returns what puts it back when the world is restored. */
-  remember(): () => void {
-    const { autopilot, isDemo } = this;
-    const [pilot, idle] = [this.#pilot, this.#idle];
-    const parts = [this.scene, this.rules, this.log, pilot].map((part) => part.remember());
-    return () => {
-      Object.assign(this, { autopilot, isDemo });
-      this.#pilot = pilot;
-      this.#idle = idle;
-      for (const putBack of parts) putBack();
-    };
-  }
-
   #take(input: Input): void {
     if (isSwitch(input)) {
       this.#turn(input);
       return;
     }
     if (this.isDemo) this.#endDemo();
-    this.#idle = 0;
+    this.#idle.time = 0;
     if (input === 'redraw') {
       this.rules.redraw();
     } else if (input === 'release') {
@@ -134,8 +124,8 @@ export class BlackHoleGame {
     const { rules } = this;
     if (!this.autopilot && !this.isDemo) {
       if (rules.phase !== 'ready') return;
-      this.#idle += dt;
-      if (this.#idle < IDLE_SECONDS) return;
+      this.#idle.time += dt;
+      if (this.#idle.time < IDLE_SECONDS) return;
       this.isDemo = true;
     }
     if (this.isDemo && rules.phase === 'over') rules.restart();
@@ -148,7 +138,7 @@ export class BlackHoleGame {
     this.isDemo = false;
     this.rules.heading = undefined;
     this.rules.restart();
-    this.#pilot = new Autopilot(this.scene, this.#seed);
+    this.#pilot.begin(this.#seed);
   }
 }
 

@@ -13,7 +13,6 @@ await startGame({
   create: (options) => createGame({ ...options, opening: desk.opening, isDemo: desk.isDemo }),
   apply: applyValue,
   dress: (sim, { safeColors }) => dress(sim, safeColors),
-  remember: (sim) => sim.remember(),
   tell: (sim) => tell(sim, desk),
   controls: {
     buttons: { ...FOUR_WAYS, action: { label: '✦', keys: ['enter'], pad: [0] } },

@@ -1,5 +1,5 @@
 /** The simulation: the scene, what players do to it, and shows. Needs no screen; seed and log give the same night. */
-import { createRandom, stateHash } from '@principia/physics';
+import { constant, createRandom, keepState, stateHash } from '@principia/physics';
 import {
   FIREWORKS_SKY,
   type Fireworks,
@@ -83,7 +83,8 @@ export class FireworksGame {
   /** Where keys aim, m; shown once a key has pushed it. */
   readonly sight = { x: 0, y: 32, z: 0, isShown: false };
   readonly #pushed: Record<Way, boolean> = { up: false, left: false, down: false, right: false };
-  #next = 0;
+  /** The cue that comes next. */
+  readonly #progress = { next: 0 };
   readonly #random;
 
   constructor({ values, seed, dimensions, opening = [], isDemo = false, log }: FireworksOptions) {
@@ -91,10 +92,12 @@ export class FireworksGame {
     this.scene = fireworks.create({ seed, dimensions, wind, shells: SHELLS_IN_AIR, count: barrage ? sparks : 0 });
     this.log = new InputLog(log);
     this.#random = createRandom(seed, 2);
-    this.show = opening;
+    this.show = constant(opening);
     this.isDemo = isDemo;
+    keepState(this.world, this, this.#pushed, this.#progress, this.#random.state, this.log.state);
+    const take = (input: Input) => this.#take(input);
     this.world.phases.input.unshift((world) => {
-      this.log.take(world.tick, (input) => this.#take(input));
+      this.log.take(world.tick, take);
       this.#push();
       this.#playShow();
     });
@@ -110,7 +113,7 @@ export class FireworksGame {
 
   /** Whether cues of a show still wait. */
   get isShowing(): boolean {
-    return this.#next < this.show.length;
+    return this.#progress.next < this.show.length;
   }
 
   /** What the player does; the next step takes it. */
@@ -129,25 +132,7 @@ export class FireworksGame {
   /** Two games with equal hashes go on alike. */
   hash(): string {
     const { held, refused, fired, showStart } = this;
-    return [stateHash(this.world), this.#next, showStart, refused, fired, ...held.keys()].join(' ');
-  }
-
-  /** Notes all that is not in the world; returns what puts it back when the world is restored. */
-  remember(): () => void {
-    const { show, showStart, refused, fired, isDemo, isSafe } = this;
-    const [next, held, sight, pushed] = [this.#next, [...this.held], { ...this.sight }, { ...this.#pushed }];
-    const state = this.#random.state.slice();
-    const parts = [this.scene.remember(), this.log.remember()];
-    return () => {
-      Object.assign(this, { show, showStart, refused, fired, isDemo, isSafe });
-      this.#next = next;
-      this.held.clear();
-      for (const [finger, since] of held) this.held.set(finger, since);
-      Object.assign(this.sight, sight);
-      Object.assign(this.#pushed, pushed);
-      this.#random.state.set(state);
-      for (const putBack of parts) putBack();
-    };
+    return [stateHash(this.world), this.#progress.next, showStart, refused, fired, ...held.keys()].join(' ');
   }
 
   #take(input: Input): void {
@@ -171,9 +156,9 @@ export class FireworksGame {
 
   #play(cues: readonly Cue[]): void {
     this.isDemo = false;
-    this.show = cues;
+    this.show = constant(cues);
     this.showStart = this.world.tick;
-    this.#next = 0;
+    this.#progress.next = 0;
   }
 
   #push(): void {
@@ -189,10 +174,11 @@ export class FireworksGame {
   #playShow(): void {
     if (this.isDemo && this.world.tick - this.showStart > (this.show.at(-1)?.tick ?? 0) + DEMO_PAUSE) {
       this.showStart = this.world.tick;
-      this.#next = 0;
+      this.#progress.next = 0;
     }
     const tick = this.world.tick - this.showStart;
-    while (this.isShowing && this.show[this.#next].tick <= tick) this.#launch(this.show[this.#next++]);
+    while (this.isShowing && this.show[this.#progress.next].tick <= tick)
+      this.#launch(this.show[this.#progress.next++]);
   }
 
   #launch({ x, y, z, kind, color, power }: ShellOrder): void {

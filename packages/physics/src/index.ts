@@ -148,6 +148,7 @@ export { colliding } from './presets/colliding';
 export type { Preset } from './presets/preset';
 export { standard } from './presets/standard';
 export { bodyAt, type PickOptions } from './queries/pick';
+export { keepState } from './record/keep-state';
 export { restore, type Snapshot, snapshot } from './record/snapshot';
 export { createRunner, type Runner, type RunnerOptions } from './runner';
 export {
@@ -163,6 +164,6 @@ export { type Profile, resetProfile, startProfile, stopProfile } from './schedul
 export { begin, checkFinite } from './schedule/quarantine';
 export { step } from './step';
 export { type EntityRef, entityRef, isAlive, isBody, resolve } from './store/references';
-export { resource } from './store/resource';
+export { constant, resource } from './store/resource';
 export { type BodyList, bodies, type Spans } from './store/spans';
 export { createPhysicsWorld, destroyWorld, type PhysicsWorld, type PhysicsWorldOptions } from './world';

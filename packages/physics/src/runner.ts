@@ -15,6 +15,8 @@ export interface RunnerOptions {
 /** Steps one frame may take: more would hang the program, as a dt mistaken for microseconds does. */
 const MOST_STEPS = 1e6;
 
+const NOT_NEGATIVE = { min: 0 };
+
 /** Turns frame times into steps of one fixed length. */
 export interface Runner {
   readonly dt: number;
@@ -51,7 +53,7 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
     },
     advance(elapsed) {
       assertIdle(world, 'advance');
-      checkNumber(elapsed, 'elapsed', { min: 0 });
+      checkNumber(elapsed, 'elapsed', NOT_NEGATIVE);
       const frame = Math.min(elapsed, maxFrame);
       // Steps that threw may have left time behind; a world that throws at every step must not save it up.
       const kept = Math.min(accumulator + frame, maxFrame + dt);

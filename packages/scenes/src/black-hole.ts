@@ -2,9 +2,11 @@
 // points up. The rules of the game are not here: this is the world they are played in.
 import {
   attractors,
+  constant,
   createPhysicsWorld,
   createRandom,
   despawn,
+  keepState,
   type PhysicsWorld,
   type Random,
   spawn,
@@ -30,8 +32,6 @@ export interface BlackHole extends SceneRun {
   redraw(count: number, moving: number): void;
   /** Forgets the draws there were: the next ones are again the first of the seed. */
   rewind(): void;
-  /** Notes what is not in the world; returns what puts it back when the world is restored. */
-  remember(): () => void;
   /** Puts the ship somewhere at rest, without a streak in the picture. */
   placeShip(x: number, y: number): void;
 }
@@ -81,7 +81,6 @@ export const blackHole = defineScene({
       },
       redraw: (holes, onCircles) => sky.redraw(holes, onCircles),
       rewind: () => sky.rewind(),
-      remember: () => sky.remember(),
     };
   },
 });
@@ -95,7 +94,7 @@ class Sky {
   readonly #world: PhysicsWorld;
   readonly #seed: number;
   readonly #isSteep: boolean;
-  #random: Random;
+  readonly #random: Random;
   readonly #place = { x: 0, y: 0 };
 
   constructor(world: PhysicsWorld, seed: number, dt: number, isSteep: boolean) {
@@ -104,25 +103,15 @@ class Sky {
     this.#random = layoutRandom(seed);
     this.dt = dt;
     this.#isSteep = isSteep;
+    keepState(world, this, this.#random.state);
   }
 
   rewind(): void {
-    this.#random = layoutRandom(this.#seed);
-  }
-
-  remember(): () => void {
-    const { holes, time } = this;
-    const ids = [...this.ids];
-    const state = this.#random.state.slice();
-    return () => {
-      Object.assign(this, { holes, time });
-      this.ids.splice(0, this.ids.length, ...ids);
-      this.#random.state.set(state);
-    };
+    this.#random.state.set(layoutRandom(this.#seed).state);
   }
 
   redraw(count: number, moving: number): void {
-    this.holes = drawHoles(this.#random, count, moving, this.#isSteep);
+    this.holes = constant(drawHoles(this.#random, count, moving, this.#isSteep));
     this.time = 0;
     while (this.ids.length > count) despawn(this.#world, this.ids.pop() as number);
     for (const [i, hole] of this.holes.entries()) this.#put(i, hole);

@@ -9,6 +9,7 @@ import {
   createPhysicsWorld,
   createRandom,
   type Emitter,
+  keepState,
   type PhysicsWorld,
   quadraticDrag,
   type Random,
@@ -17,9 +18,10 @@ import {
   uniformGravity,
   upthrust,
 } from '@principia/physics';
+import type { Air } from './fireworks/aim';
 import { STAR_COLORS, STAR_RGB } from './fireworks/colors';
 import { formVelocities } from './fireworks/forms';
-import { NewsRing } from './fireworks/news';
+import { NewsRing, type SkyNews } from './fireworks/news';
 import { Rockets, SHELL_DRAG, type ShellOrder } from './fireworks/rockets';
 import { SHELLS } from './fireworks/shells';
 import { AIR_DENSITY, GLOW, type Place, rampsOf, STAR_MASS, StarPools } from './fireworks/stars';
@@ -44,7 +46,6 @@ export interface Fireworks extends SceneRun {
   setColors(colors: readonly number[]): void;
   /** Lets the barrage go on or run out. */
   setBarrage(on: boolean): void;
-  readonly remember: () => () => void;
 }
 
 const DT = 1 / 60;
@@ -75,13 +76,14 @@ export const fireworks = defineScene({
     });
     const random = createRandom(seed, 1);
     const news = new NewsRing();
-    let wind = parameters.wind;
+    const air = { drag: SHELL_DRAG, gravity: GRAVITY, wind: parameters.wind };
     const setWind = (speed: number) => {
-      if (speed !== wind) replaceForce(world, quadraticDrag({ x: speed }));
-      wind = speed;
+      if (speed !== air.wind) replaceForce(world, quadraticDrag({ x: speed }));
+      air.wind = speed;
     };
-    const show = shells > 0 ? createShow(world, random, news, shells, () => wind) : undefined;
+    const show = shells > 0 ? createShow(world, random, news, shells, air) : undefined;
     const barrage = count > 0 ? new Barrage(world, random, count) : undefined;
+    keepState(world, random.state, news, air);
     world.phases.input.push(() => {
       show?.run();
       barrage?.run();
@@ -101,19 +103,7 @@ export const fireworks = defineScene({
         barrage?.setColors(colors);
       },
       setBarrage(on) {
-        if (barrage !== undefined) barrage.isOn = on;
-      },
-      remember() {
-        const before = wind;
-        const state = random.state.slice();
-        const { count: told } = news;
-        const parts = [show?.stars, show?.rockets, barrage].map((part) => part?.remember());
-        return () => {
-          setWind(before);
-          random.state.set(state);
-          news.count = told;
-          for (const putBack of parts) putBack?.();
-        };
+        barrage?.turn(on);
       },
     };
   },
@@ -126,11 +116,24 @@ function roomFor(count: number, shells: number): { bodies: number; bytes: number
   return { bodies, bytes: 2 ** 21 + 512 * bodies + 49_152 * (shells + SHELLS.length + 1) };
 }
 
-function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells: number, wind: () => number) {
+function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells: number, air: Air) {
   const stars = new StarPools(world, random);
-  const rockets = new Rockets(world, shells, DT, () => ({ drag: SHELL_DRAG, gravity: GRAVITY, wind: wind() }));
-  const tell = (what: 'launch' | 'burst' | 'crackle', { x, y, z }: Place, kind = 0, color = 0, power = 0) => {
-    Object.assign(news.next(), { what, x, y, z, time: world.time, kind, color, power });
+  const rockets = new Rockets(world, shells, DT, air);
+  const tell = (what: SkyNews['what'], { x, y, z }: Place, kind = 0, color = 0, power = 0) => {
+    const record = news.next();
+    record.what = what;
+    record.x = x;
+    record.y = y;
+    record.z = z;
+    record.time = world.time;
+    record.kind = kind;
+    record.color = color;
+    record.power = power;
+  };
+  const crackled = (place: Place) => tell('crackle', place);
+  const burst = (order: ShellOrder, position: Place, velocity: Place) => {
+    stars.break(order.kind, order.color, order.power, position, velocity);
+    tell('burst', position, order.kind, order.color, order.power);
   };
   return {
     stars,
@@ -141,11 +144,8 @@ function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells:
       return from !== undefined;
     },
     run() {
-      stars.follow((x, y, z) => tell('crackle', { x, y, z }));
-      rockets.burn((order, position, velocity) => {
-        stars.break(order.kind, order.color, order.power, position, velocity);
-        tell('burst', position, order.kind, order.color, order.power);
-      });
+      stars.follow(crackled);
+      rockets.burn(burst);
     },
   };
 }
@@ -165,16 +165,17 @@ function burstSize(count: number): number {
 
 /** Bursts without shells, at random places, as often as it takes. */
 class Barrage {
-  isOn = true;
+  /** Whether it goes on; sparks due, and steps done. */
+  readonly #state = { isOn: true, due: 0, steps: 0 };
   readonly #emitter: Emitter;
   readonly #random: Random;
   readonly #patterns;
   readonly #size: number;
-  /** Sparks born a step, and those due. */
+  /** Sparks born a step. */
   readonly #rate: number;
-  #due = 0;
-  #steps = 0;
   readonly #place = { x: 0, y: 0, z: 0 };
+  /** What a burst is asked with, written anew for each. */
+  readonly #order;
   readonly #depth: number;
 
   constructor(world: PhysicsWorld, random: Random, count: number) {
@@ -192,6 +193,8 @@ class Barrage {
       ...{ size: [0.16, 0.2, 0.15, 0.05], shape: GLOW, color: rampsOf(STAR_RGB), whenFull: 'oldest' },
       quadraticDrag: 0.08 * STAR_MASS,
     });
+    this.#order = { position: this.#place, ramp: 0, pattern: this.#patterns[0], scale: 1 };
+    keepState(world, this.#state);
     for (let left = count; left > 0; left -= this.#size) this.#burst(Math.min(left, this.#size));
   }
 
@@ -203,21 +206,17 @@ class Barrage {
     setEmitter(this.#emitter, { color: rampsOf(colors) });
   }
 
-  remember(): () => void {
-    const [steps, due, isOn] = [this.#steps, this.#due, this.isOn];
-    return () => {
-      this.#steps = steps;
-      this.#due = due;
-      this.isOn = isOn;
-    };
+  turn(on: boolean): void {
+    this.#state.isOn = on;
   }
 
   run(): void {
+    const state = this.#state;
     // The first step bears the first sparks; all others live as long as each other.
-    if (this.#steps++ === 0) return;
-    if (this.#steps === 2) setEmitter(this.#emitter, { lifetime: BARRAGE_LIFE });
-    if (!this.isOn) return;
-    for (this.#due += this.#rate; this.#due >= this.#size; this.#due -= this.#size) this.#burst(this.#size);
+    if (state.steps++ === 0) return;
+    if (state.steps === 2) setEmitter(this.#emitter, { lifetime: BARRAGE_LIFE });
+    if (!state.isOn) return;
+    for (state.due += this.#rate; state.due >= this.#size; state.due -= this.#size) this.#burst(this.#size);
   }
 
   #burst(count: number): void {
@@ -227,8 +226,10 @@ class Barrage {
     place.x = random.uniform(-halfWidth, halfWidth);
     place.y = random.uniform(lowest, highest);
     place.z = random.uniform(-1, 1) * this.#depth;
-    const pattern = this.#patterns[random.integer(0, this.#patterns.length - 1)];
-    const ramp = random.integer(0, STAR_COLORS.length - 1);
-    burst(this.#emitter, count, { position: place, ramp, pattern, scale: BARRAGE_SPEED * random.uniform(0.6, 1) });
+    const order = this.#order;
+    order.pattern = this.#patterns[random.integer(0, this.#patterns.length - 1)];
+    order.ramp = random.integer(0, STAR_COLORS.length - 1);
+    order.scale = BARRAGE_SPEED * random.uniform(0.6, 1);
+    burst(this.#emitter, count, order);
   }
 }

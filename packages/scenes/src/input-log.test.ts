@@ -1,3 +1,4 @@
+import { createPhysicsWorld, keepState, restore, snapshot } from '@principia/physics';
 import { expect, test } from 'vitest';
 import { InputLog } from './input-log';
 
@@ -37,11 +38,13 @@ test('forgets what was taken since a moment it is sent back to, and takes its sc
   const used: string[] = [];
   const use = (input: string) => used.push(input);
   log.take(0, use);
-  const goBack = log.remember();
+  const world = createPhysicsWorld();
+  keepState(world, log.state);
+  const moment = snapshot(world);
   log.add('first');
   log.take(1, use);
   log.add('waiting');
-  goBack();
+  restore(world, moment);
   log.add('second');
   log.take(1, use);
   expect(used).toEqual(['scripted', 'first', 'scripted', 'second']);

@@ -10,10 +10,11 @@ export interface LoggedInput<Input> {
  * game played from its log is the same to the bit.
  */
 export class InputLog<Input> {
+  /** How far it is: name it to `keepState`, and a world that goes back in time forgets what was done since. */
+  readonly state = { taken: 0, next: 0, waiting: [] as Input[] };
+  /** The first `state.taken` count; the others were given up. */
   readonly #taken: LoggedInput<Input>[] = [];
-  readonly #waiting: Input[] = [];
   readonly #script: readonly LoggedInput<Input>[];
-  #next = 0;
 
   /** @param script inputs of an earlier game, played as if they came now */
   constructor(script: readonly LoggedInput<Input>[] = []) {
@@ -22,44 +23,37 @@ export class InputLog<Input> {
 
   /** Everything steps have taken so far, oldest first. */
   get entries(): readonly LoggedInput<Input>[] {
+    this.#taken.length = this.state.taken;
     return this.#taken;
   }
 
   /** An input for the next step. */
   add(input: Input): void {
-    this.#waiting.push(input);
+    this.state.waiting.push(input);
   }
 
   /** Hands the inputs of the step that begins at `tick` to `use`, in the order they came. */
   take(tick: number, use: (input: Input) => void): void {
-    while (this.#next < this.#script.length && this.#script[this.#next].tick <= tick) {
-      this.#use(tick, this.#script[this.#next++].input, use);
+    const { state } = this;
+    while (state.next < this.#script.length && this.#script[state.next].tick <= tick) {
+      this.#use(tick, this.#script[state.next++].input, use);
     }
-    for (const input of this.#waiting.splice(0)) this.#use(tick, input, use);
+    if (state.waiting.length === 0) return;
+    for (const input of state.waiting.splice(0)) this.#use(tick, input, use);
   }
 
   /** Whether inputs of an earlier game are still to come. */
   get isScripted(): boolean {
-    return this.#next < this.#script.length;
+    return this.state.next < this.#script.length;
   }
 
   /** Leaves out the rest of the earlier game. */
   endScript(): void {
-    this.#next = this.#script.length;
-  }
-
-  /** Notes what was taken so far; returns what forgets all that was taken since, as when a game goes back in time. */
-  remember(): () => void {
-    const count = this.#taken.length;
-    const next = this.#next;
-    return () => {
-      this.#taken.length = count;
-      this.#waiting.length = 0;
-      this.#next = next;
-    };
+    this.state.next = this.#script.length;
   }
 
   #use(tick: number, input: Input, use: (input: Input) => void): void {
+    this.#taken.length = this.state.taken++;
     this.#taken.push({ tick, input });
     use(input);
   }

@@ -45,8 +45,6 @@ export interface SceneRun {
   readonly stretch?: (world: PhysicsWorld) => Stretch;
   /** Distance of each body from where it should be, km, by body and time, of a run of its own; absent where unknown. */
   readonly errorKm?: () => Readonly<Record<string, Readonly<Record<string, number>>>>;
-  /** Notes what a snapshot of the world leaves out; returns what puts it back. Absent where that is nothing. */
-  readonly remember?: () => () => void;
   /** Why the energy of this scene is not constant; absent where it is. */
   readonly losesEnergy?: string;
 }

@@ -80,6 +80,7 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly settings: S;
   /** By name as in `?renderer=`; the first is the default. */
   readonly renderers: Readonly<Record<string, Renderer<S, Sim>>>;
+  /** What the game keeps outside the world's columns is to be named to `keepState`, for those who go back in time. */
   create(options: SimulationOptions<S>): Sim;
   /** Gives the running world a changed setting; false asks for a new world instead. */
   apply(sim: Sim, name: keyof S & string, values: Readonly<ValuesOf<S>>): boolean;
@@ -89,8 +90,6 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   holdLimit?(sim: Sim): HoldingOptions['limit'];
   /** The same game from its beginning, played again from what the player did in it. */
   replay?(sim: Sim): Sim;
-  /** Notes what the game keeps outside its world; returns what puts it back when the player goes back in time. */
-  remember?(sim: Sim): () => void;
   /** Contacts between bodies in the last step; undefined while the world has none to count. */
   contacts?(sim: Sim): number | undefined;
   /** How the player steers. */

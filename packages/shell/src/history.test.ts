@@ -1,4 +1,4 @@
-import { createPhysicsWorld, spawn, stateHash, step, uniformGravity } from '@principia/physics';
+import { createPhysicsWorld, keepState, spawn, stateHash, step, uniformGravity } from '@principia/physics';
 import { expect, it } from 'vitest';
 import { History } from './history.ts';
 
@@ -8,13 +8,8 @@ function falling(clock = () => 0) {
   const stone = spawn(world, { position: {}, mass: 1 });
   const sim = { world, dt: 0.01 };
   const beside = { count: 0 };
-  const remember = () => {
-    const { count } = beside;
-    return () => {
-      beside.count = count;
-    };
-  };
-  const history = new History(sim, remember, clock);
+  keepState(world, beside);
+  const history = new History(sim, clock);
   const run = (steps: number) => {
     for (let i = 0; i < steps; i++) {
       step(world, sim.dt);

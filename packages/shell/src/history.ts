@@ -1,4 +1,4 @@
-// The last moments of a game, for going back: snapshots of its world and what the game keeps beside it.
+// The last moments of a game, for going back: snapshots of its world.
 import { restore, type Snapshot, snapshot } from '@principia/physics';
 import type { Simulation } from './game.ts';
 
@@ -11,52 +11,44 @@ const SHORTEST = 1 / 20;
 /** A moment may take this share of the time between two. */
 const SHARE = 0.04;
 
-interface Moment {
-  readonly taken: Snapshot;
-  readonly putBack: () => void;
-}
-
-/** A ring of moments: new ones take the place of the oldest. */
+/** A ring of moments: new ones take the place of the oldest, and its memory. */
 export class History {
   readonly #sim: Simulation;
-  readonly #remember: () => () => void;
   readonly #clock: () => number;
-  #moments: Moment[] = [];
+  /** Oldest first. */
+  readonly #moments: Snapshot[] = [];
+  /** Moments that were given up, for the next ones. */
+  readonly #spare: Snapshot[] = [];
   #interval = SHORTEST;
-  /** A moment no longer needed, whose memory the next one takes. */
-  #spare: Snapshot | undefined;
 
-  /**
-   * @param remember notes what is not in the world, and returns what puts it back
-   * @param clock milliseconds; tells what a moment costs
-   */
-  constructor(sim: Simulation, remember: () => () => void, clock: () => number) {
+  /** @param clock milliseconds; tells what a moment costs */
+  constructor(sim: Simulation, clock: () => number) {
     this.#sim = sim;
-    this.#remember = remember;
     this.#clock = clock;
     this.note();
   }
 
   /** Simulated seconds from the first moment to now. */
   get length(): number {
-    return this.#sim.world.time - this.#moments[0].taken.time;
+    return this.#sim.world.time - this.#moments[0].time;
   }
 
   /** Notes the present moment, if the last one is long enough ago. */
   note(): void {
     const { world, dt } = this.#sim;
     const moments = this.#moments;
-    const last = moments.at(-1);
+    const last = moments.length > 0 ? moments[moments.length - 1] : undefined;
     // A sum of steps may fall short by rounding.
-    if (last !== undefined && world.time < last.taken.time + this.#interval - dt / 2) return;
+    if (last !== undefined && world.time < last.time + this.#interval - dt / 2) return;
     const start = this.#clock();
     const most = Math.max(2, Math.floor(SECONDS / this.#interval));
-    while (moments.length >= most) this.#spare = (moments.shift() as Moment).taken;
-    const taken = snapshot(world, this.#spare);
-    this.#spare = undefined;
-    moments.push({ taken, putBack: this.#remember() });
+    while (moments.length >= most) this.#spare.push(moments.shift() as Snapshot);
+    const taken = snapshot(world, this.#spare.pop());
+    moments.push(taken);
     const cost = (this.#clock() - start) / 1000;
     this.#interval = Math.max(SHORTEST, (SECONDS * taken.bytes) / BUDGET, cost / SHARE);
+    // What a moment costs varies, and with it how many there are: some of the others wait, as far as memory allows.
+    while (this.#spare.length > 0 && (moments.length + this.#spare.length) * taken.bytes > BUDGET) this.#spare.pop();
   }
 
   /**
@@ -66,13 +58,12 @@ export class History {
   backTo(time: number): boolean {
     const moments = this.#moments;
     const { world, dt } = this.#sim;
-    while (moments.length > 1 && (moments.at(-1) as Moment).taken.time > time + dt / 2) {
-      this.#spare = (moments.pop() as Moment).taken;
+    while (moments.length > 1 && moments[moments.length - 1].time > time + dt / 2) {
+      this.#spare.push(moments.pop() as Snapshot);
     }
-    const { taken, putBack } = moments.at(-1) as Moment;
-    if (world.tick <= taken.tick) return false;
-    restore(world, taken);
-    putBack();
+    const last = moments[moments.length - 1];
+    if (world.tick <= last.tick) return false;
+    restore(world, last);
     return true;
   }
 }

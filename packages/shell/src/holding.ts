@@ -1,7 +1,7 @@
 // Bodies that follow pointers. A held body is kinematic: its mass is taken away, so that it pushes what it meets and
 // nothing pushes it, and at the start of every step it gets the velocity that brings it to its pointer by the step's
 // end. Letting go gives the mass back and throws.
-import { type EntityRef, entityRef, isAlive, type PhysicsWorld } from '@principia/physics';
+import { type EntityRef, entityRef, isAlive, keepState, type PhysicsWorld } from '@principia/physics';
 
 /** Bodies held by pointers, any number at once. Points are metres, velocities metres per second. */
 export interface Holding {
@@ -12,11 +12,11 @@ export interface Holding {
   move(pointer: number, x: number, y: number, z?: number): void;
   /** Lets go and throws. */
   release(pointer: number, vx: number, vy: number, vz?: number): void;
-  /** The held bodies and what each weighs when it is let go, kg. */
-  masses(): readonly (readonly [id: number, mass: number])[];
   /** Puts held bodies where their pointers are without a step, as while the game is paused. */
   place(): void;
   releaseAll(): void;
+  /** Lets go without a throw: masses are given back, velocities stay. */
+  dropAll(): void;
 }
 
 /** What `holdBodies` may be told. */
@@ -64,6 +64,7 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
     if (world.dimensions === 3) Velocity.z[id] = vz * factor;
   };
   const follow = (_: PhysicsWorld, dt: number) => {
+    if (grips.size === 0) return;
     for (const [pointer, { id, ref, target }] of grips) {
       if (!isAlive(world, ref)) grips.delete(pointer);
       else {
@@ -72,6 +73,7 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
       }
     }
   };
+  keepState(world, grips);
   world.phases.input.push(follow);
   const release = (pointer: number, vx: number, vy: number, vz = 0) => {
     const grip = grips.get(pointer);
@@ -98,8 +100,13 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
       if (grip !== undefined) aim(grip, x, y, z);
     },
     release,
-    masses: () => [...grips.values()].map(({ id, mass }) => [id, mass] as const),
-    place: () => placeBodies(world, grips.values()),
+    place() {
+      if (grips.size > 0) placeBodies(world, grips.values());
+    },
+    dropAll() {
+      for (const { id, ref, mass } of grips.values()) if (isAlive(world, ref)) Mass.value[id] = mass;
+      grips.clear();
+    },
     releaseAll() {
       for (const pointer of [...grips.keys()]) release(pointer, 0, 0);
     },

@@ -1,5 +1,6 @@
 import {
   createPhysicsWorld,
+  keepState,
   type PhysicsWorld,
   replaceForce,
   spawn,
@@ -121,11 +122,10 @@ it('goes back in time: world, values and what the game keeps beside them, and on
   const kept = { points: 0 };
   const remembering: typeof game = {
     ...game,
-    remember() {
-      const { points } = kept;
-      return () => {
-        kept.points = points;
-      };
+    create(options) {
+      const sim = game.create(options);
+      keepState(sim.world, kept);
+      return sim;
     },
   };
   const session = new Session(remembering, initialValues(settings), 4, () => 0);

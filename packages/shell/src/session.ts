@@ -1,4 +1,4 @@
-import { createRunner, destroyWorld, type Runner, step } from '@principia/physics';
+import { createRunner, destroyWorld, keepState, type Runner, step } from '@principia/physics';
 import type { GameDefinition, Simulation } from './game.ts';
 import { History } from './history.ts';
 import { type Holding, holdBodies } from './holding.ts';
@@ -33,6 +33,8 @@ export class Session<S extends Settings, Sim extends Simulation> {
   /** Simulated time that going back has reached, s; between two moments that are kept it is none of them. */
   #backTime: number | undefined;
   #steppedByHand = false;
+  /** How bodies were dressed last. */
+  readonly #dressed = { safely: false };
   readonly #clock: () => number;
 
   constructor(game: GameDefinition<S, Sim>, values: ValuesOf<S>, seed: number, clock = () => performance.now()) {
@@ -87,27 +89,14 @@ export class Session<S extends Settings, Sim extends Simulation> {
     this.#steppedByHand = true;
     this.rewound = false;
     this.#backTime = undefined;
-    this.#history = new History(sim, () => this.#remember(), this.#clock);
+    keepState(sim.world, this.values, this.#dressed);
+    this.#history = new History(sim, this.#clock);
   }
 
   /** Gives the bodies their colours. */
   dress(): void {
+    this.#dressed.safely = this.safeColors;
     this.game.dress?.(this.sim, { seed: this.seed, safeColors: this.safeColors });
-  }
-
-  /** What is not in the world: values, and whatever the game keeps. Bodies held then are let go. */
-  #remember(): () => void {
-    const values = { ...this.values };
-    const { safeColors } = this;
-    const masses = this.holding.masses();
-    const game = this.game.remember?.(this.sim);
-    return () => {
-      Object.assign(this.values, values);
-      const { Mass } = this.sim.world.components;
-      for (const [id, mass] of masses) Mass.value[id] = mass;
-      game?.();
-      if (this.safeColors !== safeColors) this.dress();
-    };
   }
 
   /** Simulated seconds that the player can go back. */
@@ -123,8 +112,11 @@ export class Session<S extends Settings, Sim extends Simulation> {
     const { world } = this.sim;
     const history = this.#history as History;
     this.#backTime = Math.max(world.time - history.length, (this.#backTime ?? world.time) - seconds);
-    this.holding.releaseAll();
     const changed = history.backTo(this.#backTime);
+    // Bodies held then are let go as well.
+    if (changed) this.holding.dropAll();
+    else this.holding.releaseAll();
+    if (this.#dressed.safely !== this.safeColors) this.dress();
     this.#steppedByHand = true;
     this.rewound ||= changed;
     return changed;

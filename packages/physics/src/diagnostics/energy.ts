@@ -1,4 +1,5 @@
 import { checkVector, type Vector, type VectorInput } from '../faults/validate';
+import { AXES } from '../store/axes';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 
@@ -10,25 +11,32 @@ export interface Energy {
   readonly total: number;
 }
 
+/** The same to be written to. */
+type Writable<T> = { -readonly [Key in keyof T]: T[Key] };
+
 /**
  * Kinetic energy of translation and rotation, and the potential of every conservative force.
  * Sums run in f64 over ascending ids. Bodies without mass carry none.
+ * @param out written and returned: an object for all calls, where they come with every frame
  * @throws PhysicsError E_DESTROYED
  */
-export function energy(world: PhysicsWorld): Energy {
-  const kinetic = kineticEnergy(world);
-  let potential = 0;
-  for (const force of world.forces) potential += force.potential?.(world) ?? 0;
-  return { kinetic, potential, total: kinetic + potential };
+export function energy(world: PhysicsWorld, out: Writable<Energy> = { kinetic: 0, potential: 0, total: 0 }): Energy {
+  assertUsable(world);
+  const { forces } = world;
+  out.kinetic = kineticEnergy(world);
+  out.potential = 0;
+  for (let f = 0; f < forces.length; f++) out.potential += forces[f].potential?.(world) ?? 0;
+  out.total = out.kinetic + out.potential;
+  return out;
 }
 
 function kineticEnergy(world: PhysicsWorld): number {
-  assertUsable(world);
   const { kernels, addresses } = world;
   const { Mass, Velocity, Inertia, AngularVelocity } = addresses;
   const rows = world.lastId + 1;
   let sum = 0;
-  for (const axis of ['x', 'y', 'z'] as const) {
+  for (let a = 0; a < 3; a++) {
+    const axis = AXES[3][a];
     sum += kernels.kineticAxis(Mass.value, Velocity[axis], 0, rows);
     sum += kernels.kineticAxis(Inertia.value, AngularVelocity[axis], 0, rows);
   }

@@ -1,8 +1,9 @@
 import { PhysicsError } from '../faults/physics-error';
-import { checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { checkNumber, readVector, type VectorInput } from '../faults/validate';
 import { seedWords } from '../math/random';
 import { assertUsable } from '../store/guards';
 import { type EntityRef, entityRef } from '../store/references';
+import { constant } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 import { emitParticles, emittersOf } from './emit';
 import { emitterKernels } from './kernels';
@@ -43,6 +44,10 @@ export interface EmitterInternals {
   readonly followed: EntityRef | undefined;
   readonly entity: number;
   parameters: EmitterParameters;
+  /** Where bursts wait for the next step, twelve numbers each. */
+  readonly bursts: Float64Array;
+  /** What was reported last; the same object every time. */
+  readonly endings: { count: number; readonly ids: Uint32Array; readonly states: Float64Array };
   destroyed: boolean;
   /** How often the world had been restored when it was last seen to have this emitter. */
   timeline: number;
@@ -64,13 +69,13 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
   if (options.whenFull !== undefined && options.whenFull !== 'skip' && options.whenFull !== 'oldest') {
     throw new PhysicsError('E_RANGE', "whenFull must be 'skip' or 'oldest'.", { field: 'whenFull' });
   }
-  const parameters = parametersOf(options);
+  const parameters = constant(parametersOf(options));
   const checked = checkParameters(world, parameters);
   const followed = options.entity === undefined ? undefined : entityRef(world, options.entity);
   const block = takeBlock(world, capacity, options.reportEndings === true);
   let ids: Uint32Array;
   try {
-    ids = makeBodies(world, options);
+    ids = constant(makeBodies(world, options));
   } catch (error) {
     returnBlock(world, block);
     throw error;
@@ -85,6 +90,7 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
       followed,
       entity: options.entity ?? 0,
       parameters,
+      ...waitingRoom(world, block, capacity),
       destroyed: false,
       timeline: world.versions.restored,
     },
@@ -92,6 +98,18 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
   emittersOf(world).list.push(emitter);
   if (!world.phases.emit.includes(emitParticles)) world.phases.emit.push(emitParticles);
   return emitter;
+}
+
+/** Views of the block's memory that are handed out again and again. */
+function waitingRoom({ memory: { buffer } }: PhysicsWorld, { record: { words }, reports }: Block, capacity: number) {
+  return {
+    bursts: new Float64Array(buffer, words[W.bursts], MOST_BURSTS * BURST_NUMBERS),
+    endings: {
+      count: 0,
+      ids: new Uint32Array(buffer, words[W.endedIds], reports ? capacity : 0),
+      states: new Float64Array(buffer, words[W.endedAt], reports ? 6 * capacity : 0),
+    },
+  };
 }
 
 function openRecord(
@@ -171,7 +189,7 @@ function noticeRestore(emitter: Emitter): void {
 export function setEmitter(emitter: Emitter, changes: EmitterParameters): void {
   const record = recordOf(emitter);
   checkOptionNames(changes, 'setEmitter', true);
-  const parameters = { ...emitter.internal.parameters, ...parametersOf(changes) };
+  const parameters = constant({ ...emitter.internal.parameters, ...parametersOf(changes) });
   const checked = checkParameters(emitter.world, parameters);
   emitter.internal.parameters = parameters;
   writeParameters(emitter.world, record, checked);
@@ -207,7 +225,7 @@ export interface BurstOptions {
   /** Which of the emitter's lists of colours; default each particle draws. */
   readonly ramp?: number;
   /** The velocities of its particles, one after another, instead of the emitter's speed and direction. */
-  readonly pattern?: BurstPattern;
+  readonly pattern?: BurstPattern | undefined;
   /** Factor of the pattern's velocities. Default 1. */
   readonly scale?: number;
 }
@@ -216,16 +234,15 @@ export interface BurstOptions {
  * Bears `count` particles together, at the next step.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond 256 bursts a step
  */
-export function burst(emitter: Emitter, count: number, options: BurstOptions = {}): void {
+export function burst(emitter: Emitter, count: number, options: BurstOptions = NOTHING): void {
   const { words, at } = recordOf(emitter);
-  checkNumber(count, 'count', { min: 0, max: emitter.capacity, integer: true });
-  const { ramp = -1, pattern, scale = 1 } = options;
-  const { x, y, z } = checkVector(options.position ?? {}, 'position', { min: -1e15, max: 1e15 });
-  const velocity = checkVector(options.velocity ?? {}, 'velocity', { min: -1e9, max: 1e9 });
-  checkNumber(ramp, 'ramp', { min: -1, max: words[W.rampCount] - 1, integer: true });
-  if (emitter.world.dimensions === 2) checkNumber(z === 0 ? velocity.z : z, 'burst z', { min: 0, max: 0 });
-  checkNumber(scale, 'scale', { min: -1e6, max: 1e6 });
-  if (pattern !== undefined && pattern.world !== emitter.world) {
+  const { world, internal, capacity } = emitter;
+  if (!isWhole(count, 0, capacity)) checkNumber(count, 'count', { min: 0, max: capacity, integer: true });
+  const { ramp = -1, pattern, scale = 1, position = NOTHING, velocity = NOTHING } = options;
+  const ramps = words[W.rampCount];
+  if (!isWhole(ramp, -1, ramps - 1)) checkNumber(ramp, 'ramp', { min: -1, max: ramps - 1, integer: true });
+  checkNumber(scale, 'scale', SCALES);
+  if (pattern !== undefined && pattern.world !== world) {
     throw new PhysicsError('E_RANGE', 'pattern must be one of the emitter’s world.', { field: 'pattern' });
   }
   const waiting = words[W.burstCount];
@@ -235,12 +252,28 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = {
       value: count,
     });
   }
-  const start = words[W.bursts] + waiting * BURST_NUMBERS * 8;
-  const placed = options.position === undefined ? 0 : 1;
-  const values = [count, placed, ramp, x, y, z, velocity.x, velocity.y, velocity.z];
-  values.push(pattern?.at ?? 0, pattern?.count ?? 0, scale);
-  new Float64Array(emitter.world.memory.buffer, start, BURST_NUMBERS).set(values);
+  const { bursts } = internal;
+  const start = waiting * BURST_NUMBERS;
+  readVector(bursts, start + 3, position, 'position', PLACES);
+  readVector(bursts, start + 6, velocity, 'velocity', SPEEDS);
+  const z = bursts[start + 5] === 0 ? bursts[start + 8] : bursts[start + 5];
+  if (world.dimensions === 2 && z !== 0) checkNumber(z, 'burst z', { min: 0, max: 0 });
+  bursts[start] = count;
+  bursts[start + 1] = options.position === undefined ? 0 : 1;
+  bursts[start + 2] = ramp;
+  bursts[start + 9] = pattern?.at ?? 0;
+  bursts[start + 10] = pattern?.count ?? 0;
+  bursts[start + 11] = scale;
   words[W.burstCount] = waiting + 1;
+}
+
+const NOTHING = {};
+const SCALES = { min: -1e6, max: 1e6 };
+const PLACES = { min: -1e15, max: 1e15 };
+const SPEEDS = { min: -1e9, max: 1e9 };
+
+function isWhole(value: unknown, min: number, max: number): boolean {
+  return Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
 }
 
 /** Particles alive now. @throws PhysicsError E_STALE, E_DESTROYED */
@@ -266,14 +299,15 @@ export function emitterCounts(emitter: Emitter): EmitterCounts {
 /** Particles that ended in the last step. */
 export interface Endings {
   readonly count: number;
-  /** Ids of pool entities, in use again or not. */
+  /** Ids of pool entities, in use again or not: the first `count` of them. */
   readonly ids: Uint32Array;
   /** Six numbers each: x, y, z, m, and the velocity, m/s, of the last moment. */
   readonly states: Float64Array;
 }
 
 /**
- * Who ended in the last step and where: what shells that burst are made of. For emitters with `reportEndings`.
+ * Who ended in the last step and where: what shells that burst are made of. For emitters with `reportEndings`. It is
+ * the same object every time, written anew by each step.
  * @throws PhysicsError E_RANGE without that, E_STALE, E_DESTROYED
  */
 export function endings(emitter: Emitter): Endings {
@@ -284,13 +318,9 @@ export function endings(emitter: Emitter): Endings {
       hint: 'Make it with `reportEndings: true`.',
     });
   }
-  const { buffer } = emitter.world.memory;
-  const count = words[W.endedNow];
-  return {
-    count,
-    ids: new Uint32Array(buffer, words[W.endedIds], count),
-    states: new Float64Array(buffer, words[W.endedAt], 6 * count),
-  };
+  const { endings: reported } = emitter.internal;
+  reported.count = words[W.endedNow];
+  return reported;
 }
 
 /**

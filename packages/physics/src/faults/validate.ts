@@ -85,6 +85,23 @@ export function checkVector(value: unknown, field: string, bounds: Bounds = {}):
 }
 
 /**
+ * Writes the three axes of a vector to `out[at…]`, when it is one; makes no object, for what is called in every step.
+ * @throws PhysicsError as `checkVector`; `out` may then hold a part of it
+ */
+export function readVector(out: Float64Array, at: number, value: VectorInput, field: string, bounds: Bounds): void {
+  if (typeof value !== 'object' || value === null) checkVector(value, field, bounds);
+  out[at] = out[at + 1] = out[at + 2] = 0;
+  for (const axis in value) {
+    const place = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
+    const component = value[axis as 'x'];
+    const isGood = place >= 0 && Number.isFinite(component) && outOfBounds(component as number, bounds) === undefined;
+    // Says what is wrong.
+    if (!isGood) checkVector(value, field, bounds);
+    else out[at + place] = component as number;
+  }
+}
+
+/**
  * Refuses keys that are not in `known`, naming the nearest list of valid ones.
  * @throws PhysicsError E_TYPE, E_UNKNOWN
  */
@@ -108,6 +125,12 @@ export function checkFunction(value: unknown, field: string): void {
   if (typeof value !== 'function') {
     throw new PhysicsError('E_TYPE', `${field} must be a function, got ${describe(value)}.`, { field, value });
   }
+}
+
+/** @throws PhysicsError E_TYPE unless `value` is an object */
+export function checkObject(value: unknown, field: string): void {
+  if (typeof value === 'object' && value !== null) return;
+  throw new PhysicsError('E_TYPE', `${field} must be an object, got ${describe(value)}.`, { field, value });
 }
 
 /** @throws PhysicsError E_TYPE unless `value` is an array, or undefined */

@@ -16,6 +16,9 @@ export interface SpringTable {
   readonly words: Uint32Array;
   /** Largest stiffness over reduced mass, 1/s², and damping over reduced mass, 1/s. */
   readonly stiffest: Float64Array;
+  /** The two and the step, s, that the integrator `passedBy` was last found to be stable with. */
+  readonly passed: Float64Array;
+  passedBy: object | undefined;
   /** Springs there is room for. */
   room: number;
   /** Membership version the list of ids belongs to. */
@@ -32,7 +35,8 @@ export const springTable = resource((world): SpringTable => {
   const generations = world.internal.generations.byteOffset;
   words.set([a, b, aLife, bLife, stiffness, damping, length, cord, generations, 0, 0, 0, 0, 0, 0, world.rows]);
   const stiffest = new Float64Array(arena.memory.buffer, at + WORDS * 4, 2);
-  return { at, words, stiffest, room: 0, version: -1, removed: [] };
+  const passed = new Float64Array(3).fill(Number.NaN);
+  return { at, words, stiffest, passed, passedBy: undefined, room: 0, version: -1, removed: [] };
 });
 
 /** Lists the springs whose ends both live, and looks at each: ends and stiffness may have been changed in place. */

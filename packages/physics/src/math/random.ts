@@ -104,10 +104,12 @@ function generator(state: Uint32Array): Random {
   };
 }
 
+const WHOLE = { integer: true };
+
 /** Draws that would favour the smaller numbers are thrown away. */
 function drawInteger(state: Uint32Array, min: number, max: number): number {
-  checkNumber(min, 'min', { integer: true });
-  checkNumber(max, 'max', { integer: true });
+  checkNumber(min, 'min', WHOLE);
+  checkNumber(max, 'max', WHOLE);
   const count = max - min + 1;
   if (!(count >= 1 && count <= 2 ** 32)) {
     throw new PhysicsError('E_RANGE', `integer(${min}, ${max}) needs min <= max, less than 2^32 apart.`, {

@@ -4,24 +4,40 @@ import { bitOf, COMPONENT_NAMES } from '../components/all';
 import { contextOf, removeWholly } from '../store/bitecs';
 import type { PhysicsWorld } from '../world';
 
-/** The entities of a moment. */
+/** The entities of a moment, in arrays that the next moment takes over. */
 export interface SavedEntities {
   /** bitECS's list of ids: those alive, then those free, in the order they will be given out. */
-  readonly dense: readonly number[];
-  readonly alive: number;
-  readonly maxId: number;
+  dense: Uint32Array;
+  /** Ids in that list. */
+  length: number;
+  alive: number;
+  maxId: number;
   /** Components of the rows up to the highest in use. */
-  readonly members: Uint32Array;
+  members: Uint32Array;
+  rows: number;
 }
 
-export function saveEntities(world: PhysicsWorld): SavedEntities {
+export function noEntities(): SavedEntities {
+  return { dense: new Uint32Array(0), length: 0, alive: 0, maxId: 0, members: new Uint32Array(0), rows: 0 };
+}
+
+export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
   const { dense, aliveCount, maxId } = contextOf(world).entityIndex;
-  return {
-    dense: dense.slice(),
-    alive: aliveCount,
-    maxId,
-    members: world.internal.members.slice(0, world.lastId + 1),
-  };
+  const { members } = world.internal;
+  const rows = world.lastId + 1;
+  if (into.dense.length < dense.length) into.dense = new Uint32Array(roomFor(dense.length));
+  if (into.members.length < rows) into.members = new Uint32Array(roomFor(rows));
+  for (let i = 0; i < dense.length; i++) into.dense[i] = dense[i];
+  for (let row = 0; row < rows; row++) into.members[row] = members[row];
+  into.length = dense.length;
+  into.alive = aliveCount;
+  into.maxId = maxId;
+  into.rows = rows;
+}
+
+/** A world that grows a little does not ask for new arrays each time. */
+function roomFor(count: number): number {
+  return count + (count >> 3) + 16;
 }
 
 /**
@@ -38,15 +54,15 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
     }
   };
   if (!isSameIndex(world, saved)) {
-    const wanted = new Set(saved.dense.slice(0, saved.alive));
+    const wanted = new Set(saved.dense.subarray(0, saved.alive));
     const { dense, aliveCount } = contextOf(world).entityIndex;
     for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeWholly(world, eid));
     for (const eid of wanted) if (!entityExists(world, eid)) revive(world, eid);
   }
   const { members } = world.internal;
-  const rows = Math.max(saved.members.length, world.lastId + 1);
+  const rows = Math.max(saved.rows, world.lastId + 1);
   for (let eid = 1; eid < rows; eid++) {
-    const bits = saved.members[eid] ?? 0;
+    const bits = eid < saved.rows ? saved.members[eid] : 0;
     if (members[eid] !== bits) attempt(() => changeComponents(world, eid, bits));
   }
   writeIndex(world, saved);
@@ -87,10 +103,10 @@ function changeComponents(world: PhysicsWorld, eid: number, bits: number): void 
 }
 
 /** The order in which ids will be given out. */
-function writeIndex(world: PhysicsWorld, { dense, alive, maxId }: SavedEntities): void {
+function writeIndex(world: PhysicsWorld, { dense, length, alive, maxId }: SavedEntities): void {
   const index = contextOf(world).entityIndex;
-  index.dense.length = dense.length;
-  for (let i = 0; i < dense.length; i++) {
+  index.dense.length = length;
+  for (let i = 0; i < length; i++) {
     index.dense[i] = dense[i];
     index.sparse[dense[i]] = i;
   }

@@ -5,13 +5,11 @@
 import { PhysicsError } from '../faults/physics-error';
 import { PHASES, type System } from '../schedule/phases';
 import { assertIdle } from '../store/guards';
-import { ResourceKey } from '../store/resource';
+import { isConstant, ResourceKey } from '../store/resource';
 import type { PhysicsWorld } from '../world';
-import { restoreEntities, type SavedEntities, saveEntities } from './entities';
-import { type MemoryImage, putImage, takeImage } from './memory-image';
-import { type PutBack, savePlain } from './plain-state';
-
-declare const content: unique symbol;
+import { noEntities, restoreEntities, saveEntities } from './entities';
+import { noImage, putImage, takeImage } from './memory-image';
+import { PlainRecord } from './plain-record';
 
 /** A world as it was. It belongs to that world, and serves any number of times. */
 export interface Snapshot {
@@ -20,42 +18,21 @@ export interface Snapshot {
   readonly tick: number;
   /** Memory it takes. */
   readonly bytes: number;
-  readonly [content]?: never;
 }
-
-/** What a snapshot holds. */
-interface Content {
-  readonly world: PhysicsWorld;
-  readonly image: MemoryImage;
-  readonly entities: SavedEntities;
-  readonly putBack: PutBack;
-  readonly resources: ReadonlyMap<object, unknown>;
-}
-
-const contents = new WeakMap<Snapshot, Content>();
 
 /**
  * Puts the world aside: bodies and their components, pools of emitters, random streams, contacts, memories of
- * integrators, forces, systems, faults. Not: handlers of events, components of your own, and whatever your own systems
- * keep for themselves. Cost: one copy of the memory in use, and some microseconds.
- * @param spare a snapshot of this world that is no longer needed: its memory is used again, and it cannot be restored
+ * integrators, forces, systems, faults, and what was named to `keepState`. Not: handlers of events, and components of
+ * your own. Cost: one copy of the memory in use, and some microseconds.
+ * @param spare a snapshot of this world that is no longer needed: it becomes the one of now and is returned. Nothing
+ *   is allocated then, unless the world has grown
  * @throws PhysicsError E_REENTRANT inside a step, E_TYPE, E_DESTROYED
  */
 export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {
   assertIdle(world, 'snapshot');
-  const old = spare === undefined ? undefined : contentOf(world, spare, 'snapshot');
-  if (spare !== undefined) contents.delete(spare);
-  const resources = new Map([...world.internal.resources].filter(([key]) => isState(key)));
-  const image = takeImage(world, old?.image);
-  const taken: Snapshot = { time: world.time, tick: world.tick, bytes: image.bytes.length };
-  contents.set(taken, {
-    world,
-    image,
-    entities: saveEntities(world),
-    putBack: saveRecords(world, resources),
-    resources,
-  });
-  return taken;
+  const content = spare === undefined ? new Content(world) : contentOf(world, spare, 'snapshot');
+  content.take();
+  return content;
 }
 
 /**
@@ -63,19 +40,12 @@ export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {
  * went since do so again, and observers hear of it; a body brought back has its components of physics only. References,
  * emitters and contact lists handed out since belong to the future that was given up. Queries may list bodies in
  * another order; `bodies(world)` does not.
- * @throws PhysicsError E_TYPE for a snapshot of another world or one given away as spare, E_REENTRANT, E_DESTROYED:
- *   nothing is changed
+ * @throws PhysicsError E_TYPE for a snapshot of another world, E_REENTRANT, E_DESTROYED: nothing is changed
  * @throws AggregateError of what observers threw, when all is restored
  */
 export function restore(world: PhysicsWorld, taken: Snapshot): void {
   assertIdle(world, 'restore');
-  const { image, entities, putBack, resources } = contentOf(world, taken, 'restore');
-  const thrown = restoreEntities(world, entities);
-  const { resources: present } = world.internal;
-  for (const key of [...present.keys()]) if (isState(key)) present.delete(key);
-  for (const [key, state] of resources) present.set(key, state);
-  putImage(world, image);
-  putBack();
+  const thrown = contentOf(world, taken, 'restore').putBack();
   world.versions.restored++;
   if (thrown.length > 0) throw new AggregateError(thrown, `restore: observers threw ${thrown.length} error(s).`);
 }
@@ -86,41 +56,120 @@ function isState(key: object): boolean {
 }
 
 function contentOf(world: PhysicsWorld, taken: Snapshot, caller: string): Content {
-  const found = typeof taken === 'object' && taken !== null ? contents.get(taken) : undefined;
-  if (found?.world === world) return found;
-  const problem =
-    found === undefined ? 'this is no snapshot, or it was given away' : 'this snapshot is of another world';
+  const found = taken instanceof Content ? taken : undefined;
+  if (found?.world === world && found.isWhole) return found;
+  const problem = found === undefined ? 'this is no snapshot' : 'this snapshot is of another world, or incomplete';
   throw new PhysicsError('E_TYPE', `${caller}: ${problem}.`, {
     field: 'snapshot',
     hint: 'Use what `snapshot(world)` returned for this very world.',
   });
 }
 
-/** Everything outside the memory. */
-function saveRecords(world: PhysicsWorld, resources: ReadonlyMap<object, unknown>): PutBack {
-  const { time, tick, lastId, integrator, forces, phases, spans, faults, internal } = world;
-  const versions = { ...world.versions };
-  const lists = { forces: [...forces], phases: PHASES.map((phase) => [...phases[phase]]) };
-  const { counts, incomplete, templates, bodyList, spansVersion, sweptRows } = internal;
-  const spanCount = spans.count;
-  const bodyCount = bodyList.count;
-  const { buffer } = world.memory;
-  // Forces and systems are told by name in the lists; what they are made of is theirs.
-  const isForeign = (value: object) => value === world || (ArrayBuffer.isView(value) && value.buffer === buffer);
-  const records = savePlain([counts, incomplete, templates, faults, ...resources.values()], isForeign);
-  return () => {
-    records();
-    Object.assign(world, { time, tick, lastId, integrator });
-    Object.assign(world.versions, versions, { restored: world.versions.restored });
-    Object.assign(internal, { spansVersion, sweptRows });
-    spans.count = spanCount;
-    bodyList.count = bodyCount;
-    refill(forces, lists.forces);
-    for (const [p, phase] of PHASES.entries()) refill<System>(phases[phase], lists.phases[p]);
+/** What a snapshot holds: everything it needs is kept and written again when it is taken anew. */
+class Content implements Snapshot {
+  readonly world: PhysicsWorld;
+  time = 0;
+  tick = 0;
+  /** Whether it was taken to the end. */
+  isWhole = false;
+  readonly #image = noImage();
+  readonly #entities = noEntities();
+  /** Resources, and under which keys. */
+  readonly #keys: object[] = [];
+  readonly #states: unknown[] = [];
+  #count = 0;
+  readonly #plain: PlainRecord;
+  readonly #forces: unknown[] = [];
+  readonly #phases = PHASES.map((): System[] => []);
+  #integrator: PhysicsWorld['integrator'];
+  #lastId = 0;
+  #spansVersion = 0;
+  #sweptRows = 0;
+
+  constructor(world: PhysicsWorld) {
+    this.world = world;
+    this.#integrator = world.integrator;
+    const { buffer } = world.memory;
+    this.#plain = new PlainRecord(
+      (value) => value === world || isConstant(value) || (ArrayBuffer.isView(value) && value.buffer === buffer),
+    );
+  }
+
+  get bytes(): number {
+    const { dense, members } = this.#entities;
+    return this.#image.bytes.length + dense.byteLength + members.byteLength;
+  }
+
+  take(): void {
+    this.isWhole = false;
+    const { world } = this;
+    const { internal } = world;
+    takeImage(world, this.#image);
+    saveEntities(world, this.#entities);
+    this.#takePlain();
+    // Forces and systems are told by name in the lists; what they are made of is theirs.
+    refill(this.#forces, world.forces);
+    for (let p = 0; p < PHASES.length; p++) refill(this.#phases[p], world.phases[PHASES[p]]);
+    this.#integrator = world.integrator;
+    this.#lastId = world.lastId;
+    this.#spansVersion = internal.spansVersion;
+    this.#sweptRows = internal.sweptRows;
+    this.time = world.time;
+    this.tick = world.tick;
+    this.isWhole = true;
+  }
+
+  /** @returns what observers threw */
+  putBack(): unknown[] {
+    const { world } = this;
+    const { internal, versions } = world;
+    const thrown = restoreEntities(world, this.#entities);
+    const { resources } = internal;
+    for (const key of [...resources.keys()]) if (isState(key)) resources.delete(key);
+    for (let i = 0; i < this.#keys.length; i++) resources.set(this.#keys[i], this.#states[i]);
+    putImage(world, this.#image);
+    const { restored } = versions;
+    this.#plain.putBack();
+    versions.restored = restored;
+    refill(world.forces, this.#forces as typeof world.forces);
+    for (let p = 0; p < PHASES.length; p++) refill(world.phases[PHASES[p]], this.#phases[p]);
+    world.integrator = this.#integrator;
+    world.lastId = this.#lastId;
+    world.time = this.time;
+    world.tick = this.tick;
+    internal.spansVersion = this.#spansVersion;
+    internal.sweptRows = this.#sweptRows;
+    return thrown;
+  }
+
+  #takePlain(): void {
+    const { faults, versions, spans, internal } = this.world;
+    const { counts, incomplete, templates, bodyList, resources } = internal;
+    this.#count = 0;
+    resources.forEach(this.#noteResource);
+    this.#keys.length = this.#count;
+    this.#states.length = this.#count;
+    const plain = this.#plain;
+    plain.begin();
+    plain.add(counts);
+    plain.add(incomplete);
+    plain.add(templates);
+    plain.add(faults);
+    plain.add(versions);
+    plain.add(spans);
+    plain.add(bodyList);
+    for (let i = 0; i < this.#states.length; i++) plain.add(this.#states[i]);
+    plain.end();
+  }
+
+  readonly #noteResource = (state: unknown, key: object): void => {
+    if (!isState(key)) return;
+    this.#keys[this.#count] = key;
+    this.#states[this.#count++] = state;
   };
 }
 
 function refill<T>(list: T[], items: readonly T[]): void {
-  list.length = 0;
-  list.push(...items);
+  if (list.length !== items.length) list.length = items.length;
+  for (let i = 0; i < items.length; i++) list[i] = items[i];
 }

@@ -1,4 +1,4 @@
-import { checkFunction } from '../faults/validate';
+import { checkFunction, checkObject } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
 import { assertUsable } from './guards';
 
@@ -6,6 +6,20 @@ import { assertUsable } from './guards';
 export class ResourceKey {
   /** @param outlives snapshots leave it alone */
   constructor(readonly outlives: boolean) {}
+}
+
+const constants = new WeakSet<object>();
+
+/** Says that nobody changes this object any more, nor what it holds: snapshots need not copy it. @throws PhysicsError E_TYPE */
+export function constant<T extends object>(value: T): T {
+  checkObject(value, 'constant: value');
+  constants.add(value);
+  return value;
+}
+
+/** Whether snapshots leave an object alone. */
+export function isConstant(value: object): boolean {
+  return constants.has(value);
 }
 
 /**

@@ -1,5 +1,5 @@
 // Shells on their way up: a fixed number of bodies, thrown from mortars on the ground with a fuse that ends at the top.
-import { createEmitter, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
+import { createEmitter, keepState, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
 import { type Air, aim } from './aim';
 import { GLOW, type Place } from './stars';
 
@@ -37,15 +37,16 @@ interface Rocket {
 export class Rockets {
   readonly #rockets: readonly Rocket[];
   readonly #world: PhysicsWorld;
-  readonly #air: () => Air;
+  readonly #air: Air;
   readonly #dt: number;
 
-  constructor(world: PhysicsWorld, count: number, dt: number, air: () => Air) {
+  constructor(world: PhysicsWorld, count: number, dt: number, air: Air) {
     this.#world = world;
     this.#dt = dt;
     this.#air = air;
     this.#rockets = Array.from({ length: count }, () => createRocket(world));
     for (const rocket of this.#rockets) this.#park(rocket);
+    keepState(world, this.#rockets);
   }
 
   get flying(): number {
@@ -61,7 +62,7 @@ export class Rockets {
     if (rocket === undefined) return undefined;
     const from = { x: MORTAR * order.x, y: 0, z: MORTAR * order.z };
     const way = { x: order.x - from.x, y: order.y, z: order.z - from.z };
-    const { velocity, fuse } = aim(way, this.#air(), this.#dt);
+    const { velocity, fuse } = aim(way, this.#air, this.#dt);
     const { Mass, Appearance, Velocity } = this.#world.components;
     rocket.order = order;
     rocket.ends = this.#world.time + fuse;
@@ -72,14 +73,6 @@ export class Rockets {
     this.#world.versions.style++;
     rocket.light(true);
     return from;
-  }
-
-  /** Notes which shells are in the air; returns what brings that back. */
-  remember(): () => void {
-    const flying = this.#rockets.map(({ order, ends }) => ({ order, ends }));
-    return () => {
-      for (const [i, rocket] of this.#rockets.entries()) Object.assign(rocket, flying[i]);
-    };
   }
 
   /** Calls `burst` for every shell whose fuse has come to its end. */

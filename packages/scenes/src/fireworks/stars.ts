@@ -7,6 +7,7 @@ import {
   createPattern,
   type Emitter,
   endings,
+  keepState,
   type PhysicsWorld,
   type Random,
   setEmitter,
@@ -30,6 +31,16 @@ export interface Place {
   readonly z: number;
 }
 
+interface BurstOrder {
+  position: Place;
+  velocity: Place;
+  ramp: number;
+  pattern: BurstPattern | undefined;
+  scale: number;
+}
+
+const STILL: Place = { x: 0, y: 0, z: 0 };
+
 /** Factor of a shell's speeds by its power. */
 export function strengthOf(power: number): number {
   return 0.72 + 0.56 * power;
@@ -41,10 +52,14 @@ export class StarPools {
   readonly #until = SHELLS.map(() => Number.NEGATIVE_INFINITY);
   readonly #random: Random;
   readonly #world: PhysicsWorld;
+  readonly #place = { x: 0, y: 0, z: 0 };
+  /** What a burst is asked with, written anew for each. */
+  readonly #order: BurstOrder = { position: STILL, velocity: STILL, ramp: 0, pattern: undefined, scale: 1 };
 
   constructor(world: PhysicsWorld, random: Random) {
     this.#world = world;
     this.#random = random;
+    keepState(world, this.#until);
     this.emitters = SHELLS.map((kind) => createStars(world, kind));
     this.#patterns = SHELLS.map((kind) =>
       Array.from({ length: VARIANTS }, () => createPattern(world, formVelocities(kind, world.dimensions, random))),
@@ -53,20 +68,14 @@ export class StarPools {
 
   /** Stars of all kinds alive now. */
   get alive(): number {
-    return this.emitters.reduce((sum, emitter) => sum + aliveCount(emitter), 0);
+    let sum = 0;
+    for (let i = 0; i < this.emitters.length; i++) sum += aliveCount(this.emitters[i]);
+    return sum;
   }
 
   /** @param colors eight, as 0xRRGGBB */
   setColors(colors: readonly number[]): void {
     for (const emitter of this.emitters) setEmitter(emitter, { color: rampsOf(colors) });
-  }
-
-  /** Notes until when stars go on to burst; returns what brings that back. */
-  remember(): () => void {
-    const until = [...this.#until];
-    return () => {
-      this.#until.splice(0, until.length, ...until);
-    };
   }
 
   /** Bears the stars of a shell at the next emission. */
@@ -79,7 +88,7 @@ export class StarPools {
   }
 
   /** Lets the stars that ended in the last step become what their kind says. @param crackled told where */
-  follow(crackled: (x: number, y: number, z: number) => void): void {
+  follow(crackled: (place: Place) => void): void {
     for (let kind = 0; kind < SHELLS.length; kind++) {
       const { ends } = SHELLS[kind];
       if (ends === undefined) continue;
@@ -87,7 +96,10 @@ export class StarPools {
       if (ends.until !== undefined && this.#world.time >= this.#until[kind]) continue;
       // No more than fit into a step; the others just go out.
       for (let i = 0; i < Math.min(count, MOST_FOLLOWED); i++) {
-        const position = { x: states[6 * i], y: states[6 * i + 1], z: states[6 * i + 2] };
+        const position = this.#place;
+        position.x = states[6 * i];
+        position.y = states[6 * i + 1];
+        position.z = states[6 * i + 2];
         // The book's sparks turn green; crackling ones are silver.
         this.#burst(
           ends.kind,
@@ -97,7 +109,7 @@ export class StarPools {
           SHELLS[ends.kind].speed,
           ends.count,
         );
-        if (ends.kind !== kind) crackled(position.x, position.y, position.z);
+        if (ends.kind !== kind) crackled(position);
       }
     }
   }
@@ -111,12 +123,16 @@ export class StarPools {
     count = SHELLS[kind].stars,
   ): void {
     const patterns = this.#patterns[kind];
-    const pattern = patterns[this.#random.integer(0, patterns.length - 1)];
-    burst(this.emitters[kind], count, { position, velocity, ramp, pattern, scale });
+    const order = this.#order;
+    order.position = position;
+    order.velocity = velocity;
+    order.ramp = ramp;
+    order.pattern = patterns[this.#random.integer(0, patterns.length - 1)];
+    order.scale = scale;
+    burst(this.emitters[kind], count, order);
   }
 }
 
-const STILL = { x: 0, y: 0, z: 0 };
 const MOST_FOLLOWED = 60;
 const GREEN = 3;
 const SILVER = 6;
