@@ -30,9 +30,9 @@ export function createShading({ world, balls, radius }: BouncingBalls): Shading 
     above: light.container,
     update(alpha, pixelsPerMetre) {
       const visible = radius * pixelsPerMetre >= SMALLEST_SHADED;
-      for (const layer of layers) {
-        layer.container.visible = visible;
-        if (visible) layer.update(alpha);
+      for (let i = 0; i < layers.length; i++) {
+        layers[i].container.visible = visible;
+        if (visible) layers[i].update(alpha);
       }
     },
     destroy() {

@@ -118,10 +118,12 @@ export function createLight2D(renderer: WebGLRenderer): Light2D {
       group.uniforms.uFade = fade;
       draw(mesh, onto, true);
       draw(shining, onto, false);
-      for (const { made, to } of blurs[now]) draw(made.mesh, to, true);
+      const chain = blurs[now];
+      for (let i = 0; i < chain.length; i++) draw(chain[i].made.mesh, chain[i].to, true);
     },
     show(horizon, time) {
-      for (const [i, { mesh, group }] of shows.entries()) {
+      for (let i = 0; i < shows.length; i++) {
+        const { mesh, group } = shows[i];
         // The picture drawn last.
         mesh.visible = i === 1 - now;
         group.uniforms.uHorizon = horizon;

@@ -87,7 +87,9 @@ export function createLight3D(renderer: WebGLRenderer, camera: Camera): Light3D 
       this.clear();
     },
     add(share, draw) {
-      [now, before] = [before, now];
+      const last = now;
+      now = before;
+      before = last;
       fade.uniforms.uLast.value = before.texture;
       fade.uniforms.uFade.value = share;
       run(fade, now);

@@ -83,6 +83,7 @@ export function listenToSky(
   canvas.style.cursor = 'crosshair';
   return {
     update() {
+      if (rings.size === 0) return;
       for (const [finger, ring] of rings) ring.style.setProperty('--power', String(stage.sim().powerOf(finger)));
     },
     destroy() {

@@ -46,7 +46,8 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
     light?.resize(width, height, resolution);
     queueMicrotask(look);
   });
-  const place = (x: number, y: number) => toScreen(camera, viewport, x, y, { x: 0, y: 0 });
+  const shown = { x: 0, y: 0 };
+  const place = (x: number, y: number) => toScreen(camera, viewport, x, y, shown);
   const pointer = listenToSky(stage, desk, canvas, {
     world: (x, y) => ({ ...toWorld(camera, viewport, x, y, { x: 0, y: 0 }), z: 0 }),
     screen: place,

@@ -72,6 +72,7 @@ export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: De
   const world = placeUnder(camera, viewport);
   const pointer = listenToSky(stage, desk, canvas, { world, screen, turns: true });
   const hud = createHud(stage, desk);
+  const shine = () => sparks.draw(renderer, camera, clock.gain);
   return {
     canvas,
     refresh(change) {
@@ -85,8 +86,7 @@ export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: De
       const sim = stage.sim();
       orbit.update(seconds);
       sparks.mesh.update(alpha);
-      if (clock.advance(sim, alpha, stage.values().glow))
-        light.add(clock.fade, () => sparks.draw(renderer, camera, clock.gain));
+      if (clock.advance(sim, alpha, stage.values().glow)) light.add(clock.fade, shine);
       renderer.clear();
       renderer.render(backdrop, camera);
       light.show();
@@ -126,11 +126,11 @@ function createSparks({ world }: FireworksGame, shining: Scene) {
   return {
     mesh,
     draw(renderer: WebGLRenderer, camera: PerspectiveCamera, strength: number) {
-      for (const side of [1, -1]) {
-        mesh.object.scale.y = side;
-        gain.setScalar(side === 1 ? strength : MIRRORED * strength);
-        renderer.render(shining, camera);
-      }
+      gain.setScalar(strength);
+      renderer.render(shining, camera);
+      mesh.object.scale.y = -1;
+      gain.setScalar(MIRRORED * strength);
+      renderer.render(shining, camera);
       mesh.object.scale.y = 1;
     },
     destroy() {

@@ -189,6 +189,7 @@ describe('other hands', () => {
       const gamepad = { connected: true, index: 0, axes: [0, -1, 0, 0], buttons };
       Object.assign(globalThis, { gamepad });
       navigator.getGamepads = () => [gamepad as unknown as Gamepad];
+      dispatchEvent(new Event('gamepadconnected'));
     });
     await frames(page);
     await steps(page, 1);

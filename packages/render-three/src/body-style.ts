@@ -29,7 +29,8 @@ export class BodyStyle {
     const { size, radius, color, shape } = source;
     let shapes = 0;
     for (let id = 0, at = 0; id < used; id++, at += LANES) {
-      const drawn = size[id] || radius[id];
+      let drawn = size[id];
+      if (drawn === 0) drawn = radius[id];
       this.#radius[at] = drawn;
       this.data[at + 1] = color[id] || this.#defaultColor;
       this.data[at + 2] = shape[id];

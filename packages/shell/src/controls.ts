@@ -31,6 +31,14 @@ export interface ControlListener {
 /** An axis pushed farther than this counts as pressed. */
 const AXIS_THRESHOLD = 0.5;
 
+let hasGamepad = false;
+const NO_GAMEPADS: readonly Gamepad[] = [];
+
+/** Every look at the gamepads is a new list of the browser's: none is taken before there is one. */
+function connectedGamepads(): readonly (Gamepad | null)[] {
+  return hasGamepad ? (navigator.getGamepads?.() ?? NO_GAMEPADS) : NO_GAMEPADS;
+}
+
 /** Counts who holds each button, so that two ways to press one are one press. */
 class HeldButtons {
   readonly #holders = new Map<string, Set<string>>();
@@ -67,7 +75,7 @@ export function listenToControls<Sim>(
   parent: HTMLElement,
   controls: Controls<Sim>,
   sim: () => Sim,
-  gamepads: () => readonly (Gamepad | null)[] = () => navigator.getGamepads?.() ?? [],
+  gamepads: () => readonly (Gamepad | null)[] = connectedGamepads,
 ): ControlListener {
   const { buttons } = controls;
   const held = new HeldButtons(
@@ -79,14 +87,23 @@ export function listenToControls<Sim>(
   parent.append(pad);
   const releaseAll = () => held.clear();
   globalThis.addEventListener('blur', releaseAll);
+  const noticeGamepad = () => {
+    hasGamepad = true;
+  };
+  globalThis.addEventListener('gamepadconnected', noticeGamepad);
   return {
     poll() {
-      for (const gamepad of gamepads()) if (gamepad?.connected) readGamepad(gamepad, buttons, held);
+      const present = gamepads();
+      for (let i = 0; i < present.length; i++) {
+        const gamepad = present[i];
+        if (gamepad?.connected) readGamepad(gamepad, buttons, held);
+      }
     },
     releaseAll,
     destroy() {
       stopKeys();
       globalThis.removeEventListener('blur', releaseAll);
+      globalThis.removeEventListener('gamepadconnected', noticeGamepad);
       pad.remove();
       releaseAll();
     },

@@ -121,7 +121,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sinceFigures += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
     this.#controls?.poll();
-    if (this.#rewinding) this.#goBack(() => session.rewind(seconds * session.speed));
+    if (this.#rewinding) this.#goBackBy(seconds * session.speed);
     else if (!this.#broken && !this.#manual) session.advance(seconds);
     this.#showOutcome();
     this.#plot.note(session.sim.world);
@@ -152,6 +152,10 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         score: 0,
         lines: [...outcome.lines, 'Not counted: part of it was played before.'],
       });
+  }
+
+  #goBackBy(seconds: number): void {
+    this.#goBack(() => this.#session.rewind(seconds));
   }
 
   /** What was broken in the future may be whole in the past. */

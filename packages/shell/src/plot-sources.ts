@@ -21,14 +21,17 @@ export interface PlotSource {
 
 const axes = (dimensions: 2 | 3) => (dimensions === 2 ? ['x', 'y'] : ['x', 'y', 'z']);
 
+/** Written anew with every look. */
+const noted = { kinetic: 0, potential: 0, total: 0 };
+
 export const energySource: PlotSource = {
   unit: 'J',
   series: ['kinetic', 'potential', 'total'],
   read(world, out) {
-    const { kinetic, potential, total } = energy(world);
-    out[0] = kinetic;
-    out[1] = potential;
-    out[2] = total;
+    energy(world, noted);
+    out[0] = noted.kinetic;
+    out[1] = noted.potential;
+    out[2] = noted.total;
   },
 };
 

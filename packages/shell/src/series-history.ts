@@ -24,12 +24,14 @@ export class SeriesHistory {
 
   add(time: number, values: ArrayLike<number>): void {
     const capacity = this.#times.length;
-    if (this.#count === capacity) {
-      this.#times.copyWithin(0, 1);
-      for (const column of this.#columns) column.copyWithin(0, 1);
-    } else this.#count++;
+    const isFull = this.#count === capacity;
+    if (isFull) this.#times.copyWithin(0, 1);
+    else this.#count++;
     this.#times[this.#count - 1] = time;
-    for (const [i, column] of this.#columns.entries()) column[this.#count - 1] = values[i];
+    for (let i = 0; i < this.#columns.length; i++) {
+      if (isFull) this.#columns[i].copyWithin(0, 1);
+      this.#columns[i][this.#count - 1] = values[i];
+    }
   }
 
   /** Forgets what is later than `time`, as when the player went back. @returns whether anything was */

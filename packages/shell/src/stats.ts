@@ -31,6 +31,8 @@ export function createStats(parent: HTMLElement): Stats {
   parent.append(element('section', 'game-card', { 'aria-label': 'Figures' }, list));
   return {
     show({ frame, step, draw, bodies, contacts, time }) {
+      // Nobody sees it: no words are made.
+      if (list.offsetParent === null) return;
       const texts = [milliseconds(frame), thousands(bodies), milliseconds(step)];
       texts.push(contacts === undefined ? '–' : thousands(contacts), milliseconds(draw), `${time.toFixed(1)} s`);
       for (const [i, text] of texts.entries()) if (cells[i].textContent !== text) cells[i].textContent = text;
