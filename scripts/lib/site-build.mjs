@@ -1,6 +1,7 @@
 /** The games as a static site: files that any web server serves from any folder, with no other address in them. */
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
+import { scriptsByGame, startSooner } from './first-scripts.mjs';
 import { siteOptions } from './site-bundle.mjs';
 import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 
@@ -25,11 +26,12 @@ if (location.protocol === 'file:') {
 export async function writeSite(folder) {
   const names = gameNames();
   rmSync(folder, { recursive: true, force: true });
-  await build(siteOptions({ minify: true, outdir: folder }));
+  const { metafile } = await build(siteOptions({ minify: true, outdir: folder }));
+  const scripts = scriptsByGame(metafile);
   mkdirSync(folder, { recursive: true });
   writeFileSync(`${folder}/index.html`, withNote(frontPage()));
   for (const name of names) {
-    writeFileSync(`${folder}/${name}/index.html`, withNote(gamePage(name)));
+    writeFileSync(`${folder}/${name}/index.html`, withNote(startSooner(gamePage(name), scripts(name))));
     const picture = gamePicture(name);
     if (picture) writeFileSync(`${folder}/${name}/picture.png`, picture);
   }

@@ -2,8 +2,9 @@
 import { readFileSync, statSync } from 'node:fs';
 import { relative } from 'node:path';
 import { context, formatMessages } from 'esbuild';
+import { scriptsByGame, startSooner } from './first-scripts.mjs';
 import { root } from './paths.mjs';
-import { kernelsPlugin, siteOptions } from './site-bundle.mjs';
+import { kernelsPlugin, knownBlendModes, siteOptions } from './site-bundle.mjs';
 import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 import { serveFiles } from './static-server.mjs';
 
@@ -20,7 +21,7 @@ export async function serveSite({ ports, host }) {
   const server = await serveFiles({
     ports,
     host,
-    find: (path) => games.find(path) ?? picture(path) ?? page(path),
+    find: (path) => games.find(path) ?? picture(path) ?? page(path, games.scripts),
     special: (path, response) => path === '/live' && live.join(response),
   });
   const pages = setInterval(watchPages(live.announce, games.restart), 500);
@@ -39,12 +40,14 @@ export async function serveSite({ ports, host }) {
 async function watchGames(announce) {
   /** @type {Map<string, Uint8Array>} */
   let files = new Map();
+  let scripts = scriptsByGame(undefined);
   /** @type {import('esbuild').Plugin} */
   const publish = {
     name: 'publish',
     setup(build) {
-      build.onEnd(async ({ errors, outputFiles = [] }) => {
+      build.onEnd(async ({ errors, outputFiles = [], metafile }) => {
         if (errors.length === 0) {
+          scripts = scriptsByGame(metafile);
           files = new Map(outputFiles.map(({ path, contents }) => [sitePath(path), contents]));
         } else {
           const messages = await formatMessages(errors, { kind: 'error', color: process.stderr.isTTY });
@@ -55,13 +58,14 @@ async function watchGames(announce) {
     },
   };
   const start = async () => {
-    const bundler = await context(siteOptions({ write: false, plugins: [kernelsPlugin, publish] }));
+    const bundler = await context(siteOptions({ write: false, plugins: [kernelsPlugin, knownBlendModes, publish] }));
     await bundler.watch();
     return bundler;
   };
   let bundler = await start();
   return {
     find: (/** @type {string} */ path) => files.get(path),
+    scripts: (/** @type {string} */ name) => scripts(name),
     close: () => bundler.dispose(),
     restart: async () => {
       await bundler.dispose();
@@ -84,12 +88,14 @@ function picture(path) {
 /**
  * Pages are read afresh for each request and carry the live script.
  * @param {string} path
+ * @param {(name: string) => readonly string[]} scripts
  */
-function page(path) {
+function page(path, scripts) {
   const name = path.match(/^\/(?:([\w-]+)\/)?index\.html$/);
   if (!name || (name[1] && !gameNames().includes(name[1]))) return undefined;
   try {
-    return `${name[1] ? gamePage(name[1]) : frontPage()}\n<script>${liveScript}</script>`;
+    const html = name[1] ? startSooner(gamePage(name[1]), scripts(name[1])) : frontPage();
+    return `${html}\n<script>${liveScript}</script>`;
   } catch (error) {
     return `<!doctype html><p>${/** @type {Error} */ (error).message}</p><script>${liveScript}</script>`;
   }
