@@ -1,7 +1,8 @@
 /**
  * Plays the games for minutes and looks for leaks: what they hold after garbage was collected must stop growing.
  *
- * `npm run leaks -- [--minutes 10] [--game black-hole]`. `CHROMIUM` names the browser.
+ * `npm run leaks -- [--minutes 10] [--game black-hole] [--together]`; `--together` plays the games at once, in one
+ * browser. `CHROMIUM` names the browser.
  */
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -15,7 +16,11 @@ import { gameNames } from './lib/site-pages.mjs';
 import { serveFiles } from './lib/static-server.mjs';
 
 const { values } = parseArgs({
-  options: { minutes: { type: 'string', default: '10' }, game: { type: 'string', multiple: true } },
+  options: {
+    minutes: { type: 'string', default: '10' },
+    game: { type: 'string', multiple: true },
+    together: { type: 'boolean', default: false },
+  },
 });
 /** Rounds before the first count: caches and compilers fill. */
 const WARM = 5;
@@ -31,8 +36,13 @@ try {
   const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
   // The first game of the tour has no shell, and nothing to work it by.
   const names = values.game ?? gameNames().filter((name) => name !== 'first-game');
+  /** @type {string[]} */
   const leaks = [];
-  for (const name of names) leaks.push(...(await watch(browser, `${server.url}${name}/`, name)));
+  const watchOne = async (/** @type {string} */ name) => {
+    leaks.push(...(await watch(browser, `${server.url}${name}/`, name)));
+  };
+  if (values.together) await Promise.all(names.map(watchOne));
+  else for (const name of names) await watchOne(name);
   await browser.close();
   await server.close();
   if (leaks.length > 0) throw new Error(`There are leaks: ${leaks.join('; ')}.`);
@@ -56,7 +66,7 @@ async function watch(browser, url, name) {
   await page.waitForFunction(() => /** @type {any} */ (globalThis).__game?.state().ready);
   for (let round = 0; round < WARM; round++) await playRound(page, round);
   const first = await takeCounts(page, session);
-  process.stdout.write(`${name}\n${line(0, 0, first)}`);
+  process.stdout.write(line(name, 0, 0, first));
   const start = performance.now();
   const length = Number(values.minutes) * 60_000;
   let last = first;
@@ -65,7 +75,7 @@ async function watch(browser, url, name) {
     if (performance.now() - shown < Math.min(30_000, length / 4)) continue;
     shown = performance.now();
     last = await takeCounts(page, session);
-    process.stdout.write(line((shown - start) / 1000, round, last));
+    process.stdout.write(line(name, (shown - start) / 1000, round, last));
   }
   await page.close();
   const grown = (/** @type {'nodes' | 'listeners' | 'contexts' | 'memories'} */ what) => last[what] > first[what];
@@ -80,15 +90,16 @@ async function watch(browser, url, name) {
 }
 
 /**
+ * @param {string} name
  * @param {number} seconds
  * @param {number} rounds
  * @param {import('./lib/leak-watch.mjs').Counts} counts
  */
-function line(seconds, rounds, counts) {
+function line(name, seconds, rounds, counts) {
   const { heap, nodes, listeners, contexts, memories } = counts;
-  const words = [`${seconds.toFixed(0)} s`, `${rounds} rounds`, `${(heap / 1e6).toFixed(2)} MB`];
+  const words = [`${name} ${seconds.toFixed(0)} s`, `${rounds} rounds`, `${(heap / 1e6).toFixed(2)} MB`];
   words.push(`${objectsOf(counts)} graphics objects`, `${contexts} contexts`, `${memories} worlds`);
-  return `  ${[...words, `${nodes} nodes`, `${listeners} listeners`].join(', ')}\n`;
+  return `${[...words, `${nodes} nodes`, `${listeners} listeners`].join(', ')}\n`;
 }
 
 /** @param {string} file */

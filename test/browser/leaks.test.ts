@@ -20,7 +20,7 @@ const ROUNDS = 15;
 /** Code that the browser compiles anew, and what it learns of it, comes and goes. */
 const SLACK = 3e6;
 
-it.each(['bouncing-balls', 'black-hole'])('%s lets go of what it no longer needs', async (game) => {
+it.each(['bouncing-balls', 'black-hole', 'fireworks'])('%s lets go of what it no longer needs', async (game) => {
   const html = readFileSync(`games/${game}/index.html`, 'utf8');
   const served = await servePage(`games/${game}/main.ts`, { html });
   const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
