@@ -15,16 +15,20 @@ const TINTS = [0xa9c8ff, 0xe8efff, 0xfff0d0, 0xffd296, 0xffa860, 0xff7d45];
 /** Lets every hole send out what is due in `seconds`. */
 export function glow({ values, count }: HoleTable, seconds: number, burst: Sparks['burst']): void {
   for (let i = 0; i < count; i++) {
-    const [x, y, r] = [values[4 * i], values[4 * i + 1], values[4 * i + 2]];
+    const x = values[4 * i];
+    const y = values[4 * i + 1];
+    const r = values[4 * i + 2];
     if (!(r > 0)) continue;
     const due = RATE * (REFERENCE / r) ** 2 * Math.min(seconds, 0.25);
     const sparks = Math.floor(due) + (Math.random() < due % 1 ? 1 : 0);
     const cool = Math.min(TINTS.length - 1, Math.max(0, Math.round((r / REFERENCE - 1) * 2.5)));
     for (let s = 0; s < sparks; s++) {
       const angle = 2 * Math.PI * Math.random();
-      const [dx, dy] = [Math.cos(angle), Math.sin(angle)];
+      const dx = Math.cos(angle);
+      const dy = Math.sin(angle);
       const speed = 18 + 22 * Math.random();
-      const [fromX, fromY] = [x + 1.1 * r * dx, y + 1.1 * r * dy];
+      const fromX = x + 1.1 * r * dx;
+      const fromY = y + 1.1 * r * dy;
       if (!isSwallowed(values, count, fromX, fromY)) burst(fromX, fromY, 1, 5, TINTS[cool], speed * dx, speed * dy);
     }
   }

@@ -73,32 +73,89 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
   };
   const icons = [...root.querySelectorAll('.bh-lives i')];
   const toast = find('.bh-toast');
+  const callCard = find('.bh-call');
+  /** What is shown: words are made only where they change, as they are garbage by the next frame. */
+  const shown = {
+    left: Number.NaN,
+    top: Number.NaN,
+    width: Number.NaN,
+    height: Number.NaN,
+    fuel: Number.NaN,
+    lives: Number.NaN,
+    score: Number.NaN,
+    level: Number.NaN,
+  };
+  const words = { prize: Number.NaN, bonus: Number.NaN, fuel: Number.NaN, spent: Number.NaN, speed: Number.NaN };
+  const place = ({ left, top, width, height, room }: Frame) => {
+    // A small stage needs all its room for the game.
+    root.classList.toggle('outside', width < 620 && room > OUTSIDE_ROOM);
+    if (left === shown.left && top === shown.top && width === shown.width && height === shown.height) return;
+    Object.assign(shown, { left, top, width, height });
+    const { style } = root;
+    style.left = `${left}px`;
+    style.top = `${top}px`;
+    style.width = `${width}px`;
+    style.height = `${height}px`;
+  };
+  let colored: Palette | undefined;
+  const showColors = (colors: Palette) => {
+    if (colors === colored) return;
+    colored = colors;
+    root.style.setProperty('--ship', css(colors.hull));
+    root.style.setProperty('--bad', css(colors.fall));
+  };
+  const showLives = (lives: number) => {
+    if (lives === shown.lives) return;
+    shown.lives = lives;
+    for (const [i, icon] of icons.entries()) icon.classList.toggle('lost', i >= lives);
+    parts.lives.textContent = livesText(lives);
+  };
+  const showScore = ({ score, dodged, prize, bonus }: BlackHoleGame['rules']) => {
+    if (score !== shown.score) parts.score.textContent = dodgeText(score);
+    if (dodged !== shown.level) parts.level.textContent = `Level ${dodged + 1}`;
+    if (prize !== words.prize || bonus !== words.bonus) parts.bonus.textContent = `prize ${prize} · bonus ${bonus}`;
+    shown.score = score;
+    shown.level = dodged;
+    words.prize = prize;
+    words.bonus = bonus;
+  };
+  const showFuel = ({ fuel, options }: BlackHoleGame['rules']) => {
+    parts.fuel.hidden = !options.fuel;
+    if (fuel === shown.fuel) return;
+    shown.fuel = fuel;
+    parts.fuel.classList.toggle('low', fuel < 0.25 * TANK);
+    parts.bar.style.transform = `scaleX(${fuel / TANK})`;
+    const rounded = Math.round(fuel);
+    if (rounded !== words.fuel) parts.fuelText.textContent = `fuel ${rounded} m/s`;
+    words.fuel = rounded;
+  };
+  const showSpeed = (sim: BlackHoleGame) => {
+    const spent = Math.round(sim.rules.spent);
+    const speed = Math.round(speedOf(sim));
+    if (spent === words.spent && speed === words.speed) return;
+    words.spent = spent;
+    words.speed = speed;
+    parts.speed.textContent = `Δv ${spent} m/s · speed ${speed} m/s`;
+  };
+  let called: Call | undefined;
+  const showCall = (call: Call) => {
+    if (call === called) return;
+    called = call;
+    callCard.classList.toggle('low', call[0] === '');
+    parts.title.textContent = call[0];
+    parts.call.textContent = call[1];
+  };
   let timer = 0;
   return {
-    update(sim, { left, top, width, height, room }) {
+    update(sim, frame) {
       const colors = palette();
-      root.style.cssText = `left:${left}px;top:${top}px;width:${width}px;height:${height}px;
-        --ship:${css(colors.hull)};--bad:${css(colors.fall)}`;
-      // A small stage needs all its room for the game.
-      root.classList.toggle('outside', width < 620 && room > OUTSIDE_ROOM);
-      const { rules } = sim;
-      for (const [i, icon] of icons.entries()) icon.classList.toggle('lost', i >= rules.lives);
-      parts.fuel.hidden = !rules.options.fuel;
-      parts.fuel.classList.toggle('low', rules.fuel < 0.25 * TANK);
-      parts.bar.style.transform = `scaleX(${rules.fuel / TANK})`;
-      const [title, call] = callOf(sim, colors.goalName);
-      root.querySelector('.bh-call')?.classList.toggle('low', title === '');
-      const texts: [HTMLElement, string][] = [
-        [parts.lives, livesText(rules.lives)],
-        [parts.score, dodgeText(rules.score)],
-        [parts.level, `Level ${rules.dodged + 1}`],
-        [parts.bonus, `prize ${rules.prize} · bonus ${rules.bonus}`],
-        [parts.fuelText, `fuel ${rules.fuel.toFixed(0)} m/s`],
-        [parts.speed, `Δv ${rules.spent.toFixed(0)} m/s · speed ${speedOf(sim).toFixed(0)} m/s`],
-        [parts.title, title],
-        [parts.call, call],
-      ];
-      for (const [part, text] of texts) if (part.textContent !== text) part.textContent = text;
+      place(frame);
+      showColors(colors);
+      showLives(sim.rules.lives);
+      showScore(sim.rules);
+      showFuel(sim.rules);
+      showSpeed(sim);
+      showCall(callOf(sim, colors.goalName));
     },
     toast(news, sim) {
       const text = toastOf(news, sim);
@@ -125,12 +182,29 @@ function speedOf({ scene, world }: BlackHoleGame): number {
   return Math.hypot(x[scene.ship], y[scene.ship]);
 }
 
-function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: string): [string, string] {
-  if (isReplay) return ['', 'Replay — push any arrow to take over'];
-  if (isDemo) return ['', 'Demo — push any arrow to play yourself'];
-  if (autopilot) return ['', 'Autopilot — A gives you the ship'];
-  if (rules.phase === 'ready') return ['Black hole', `Reach the ${goal} line. Push an arrow, or touch, to launch.`];
-  return ['', ''];
+type Call = readonly [title: string, text: string];
+
+const CALLS = {
+  replay: ['', 'Replay — push any arrow to take over'],
+  demo: ['', 'Demo — push any arrow to play yourself'],
+  autopilot: ['', 'Autopilot — A gives you the ship'],
+  none: ['', ''],
+} satisfies Record<string, Call>;
+
+/** One call for each name of the goal's colour. */
+const READY = new Map<string, Call>();
+
+function readyCall(goal: string): Call {
+  const made = READY.get(goal) ?? ['Black hole', `Reach the ${goal} line. Push an arrow, or touch, to launch.`];
+  READY.set(goal, made);
+  return made;
+}
+
+function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: string): Call {
+  if (isReplay) return CALLS.replay;
+  if (isDemo) return CALLS.demo;
+  if (autopilot) return CALLS.autopilot;
+  return rules.phase === 'ready' ? readyCall(goal) : CALLS.none;
 }
 
 function toastOf({ kind, points }: News, { rules }: BlackHoleGame): string {

@@ -138,18 +138,21 @@ function createLines({ goal: color, zone: zoneColor }: Palette): Graphics {
   return lines.moveTo(0, -zone.min).lineTo(width, -zone.min).stroke({ width: 1.5, color: zoneColor, alpha: 0.45 });
 }
 
+function mix(from: number, to: number, share: number): number {
+  return from + (to - from) * share;
+}
+
 /** Where everything is between two steps. */
 function readPlaces({ world, scene }: BlackHoleGame, alpha: number, ship: { x: number; y: number }, holes: HoleTable) {
   const { Position, Collider } = world.components;
   const old = world.previous.Position;
-  const mix = (from: number, to: number) => from + (to - from) * alpha;
-  ship.x = mix(old.x[scene.ship], Position.x[scene.ship]);
-  ship.y = mix(old.y[scene.ship], Position.y[scene.ship]);
+  ship.x = mix(old.x[scene.ship], Position.x[scene.ship], alpha);
+  ship.y = mix(old.y[scene.ship], Position.y[scene.ship], alpha);
   holes.count = Math.min(MOST_LENSES, scene.holeIds.length);
   for (let i = 0; i < holes.count; i++) {
     const id = scene.holeIds[i];
-    holes.values[4 * i] = mix(old.x[id], Position.x[id]);
-    holes.values[4 * i + 1] = mix(old.y[id], Position.y[id]);
+    holes.values[4 * i] = mix(old.x[id], Position.x[id], alpha);
+    holes.values[4 * i + 1] = mix(old.y[id], Position.y[id], alpha);
     holes.values[4 * i + 2] = Collider.radius[id];
   }
 }

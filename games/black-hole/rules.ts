@@ -150,7 +150,8 @@ export class Rules {
     const { world, holeIds } = this.#scene;
     const { Position, Collider } = world.components;
     let fallen = false;
-    for (const id of holeIds) {
+    for (let i = 0; i < holeIds.length; i++) {
+      const id = holeIds[i];
       const dx = Position.x[id] - x;
       const dy = Position.y[id] - y;
       const square = dx * dx + dy * dy;

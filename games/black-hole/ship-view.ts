@@ -53,6 +53,7 @@ export interface PathView {
 export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fall }: Palette): PathView {
   const container = new Container();
   const flight = new Flight(isSteep);
+  const craft = { x: 0, y: 0, vx: 0, vy: 0 };
   const dots = Array.from({ length: DOTS }, (_, i) => {
     const dot = new Sprite({ texture: spot, anchor: 0.5, alpha: 0.85 * (1 - i / DOTS) + 0.08 });
     dot.scale.set((5.5 - (2.5 * i) / DOTS) / 32);
@@ -64,10 +65,14 @@ export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fa
     update({ scene, rules }) {
       const { ship, world, holes, holeTime } = scene;
       const { Position, Velocity } = world.components;
-      const craft = { x: Position.x[ship], y: Position.y[ship], vx: Velocity.x[ship], vy: Velocity.y[ship] };
+      craft.x = Position.x[ship];
+      craft.y = Position.y[ship];
+      craft.vx = Velocity.x[ship];
+      craft.vy = Velocity.y[ship];
       flight.begin(craft, holes, holeTime);
       const push = thrustOf(rules.hasFuel ? rules.heading : undefined);
-      for (const dot of dots) {
+      for (let d = 0; d < dots.length; d++) {
+        const dot = dots[d];
         for (let s = 0; s < STEPS_A_DOT; s++) flight.step(AHEAD_DT, push.x, push.y);
         dot.visible = flight.fate === 'flying';
         dot.position.set(flight.craft.x, -flight.craft.y);

@@ -38,8 +38,11 @@ export function createBentSky(sky: Texture): SkyView {
     update({ values, count }, camera, { width, height }, time) {
       uniforms.uHoles.set(values);
       uniforms.uCount = count;
-      uniforms.uCamera.set([camera.x, camera.y, camera.pixelsPerMetre]);
-      uniforms.uSize.set([width, height]);
+      uniforms.uCamera[0] = camera.x;
+      uniforms.uCamera[1] = camera.y;
+      uniforms.uCamera[2] = camera.pixelsPerMetre;
+      uniforms.uSize[0] = width;
+      uniforms.uSize[1] = height;
       uniforms.uTime = time;
       group.update();
     },

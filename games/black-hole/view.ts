@@ -50,17 +50,19 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
   const viewport = watchViewport(canvas, (width, height, resolution) => {
     app.renderer.resize(width, height, resolution);
   });
-  const place = (x: number, y: number) => toScreen(camera, viewport, x, y, { x: 0, y: 0 });
+  const shown = { x: 0, y: 0 };
+  const place = (x: number, y: number) => toScreen(camera, viewport, x, y, shown);
+  const frame = { left: 0, top: 0, width: 0, height: 0, room: 0 };
   const steering = listenToSteering(canvas, {
     ship: () => place(picture.ship.x, picture.ship.y),
     press: (input) => stage.sim().press(input),
   });
   const tellNews = (sim: BlackHoleGame) => {
     const { news, newsCount } = sim.rules;
-    const fresh = Math.min(news.length, newsCount - told);
-    for (const item of fresh > 0 ? news.slice(-fresh) : []) {
-      picture.celebrate(item);
-      hud.toast(item, sim);
+    const fresh = Math.max(0, Math.min(news.length, newsCount - told));
+    for (let i = news.length - fresh; i < news.length; i++) {
+      picture.celebrate(news[i]);
+      hud.toast(news[i], sim);
     }
     told = newsCount;
   };
@@ -84,13 +86,12 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
       steering.update();
       const { x, y } = place(0, STAGE_HEIGHT);
       const { pixelsPerMetre: scale } = camera;
-      hud.update(sim, {
-        left: x,
-        top: y,
-        width: STAGE_WIDTH * scale,
-        height: STAGE_HEIGHT * scale,
-        room: y - stage.insets().top,
-      });
+      frame.left = x;
+      frame.top = y;
+      frame.width = STAGE_WIDTH * scale;
+      frame.height = STAGE_HEIGHT * scale;
+      frame.room = y - stage.insets().top;
+      hud.update(sim, frame);
       app.render();
     },
     fit() {
@@ -112,6 +113,9 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
   };
 }
 
+const WHOLE_STAGE = { minX: 0, minY: 0, maxX: STAGE_WIDTH, maxY: STAGE_HEIGHT };
+const free = { width: 0, height: 0 };
+
 /** Shows the whole stage in the part of the window that nothing covers. */
 function look(
   camera: Camera2D,
@@ -120,9 +124,10 @@ function look(
   zoomed: number,
 ): void {
   const { top, right, bottom, left } = stage.insets();
-  const free = { width: size.width - left - right, height: size.height - top - bottom };
+  free.width = size.width - left - right;
+  free.height = size.height - top - bottom;
   if (!(free.width > 0 && free.height > 0)) return;
-  fit(camera, { minX: 0, minY: 0, maxX: STAGE_WIDTH, maxY: STAGE_HEIGHT }, free, MARGIN);
+  fit(camera, WHOLE_STAGE, free, MARGIN);
   // The touch pad covers the lower right: the stage moves to the upper left.
   if (COARSE.matches) {
     camera.x += (free.width / 2 - MARGIN) / camera.pixelsPerMetre - STAGE_WIDTH / 2;

@@ -37,6 +37,7 @@ export function createHud(stage: Stage<Settings, FireworksGame>, desk: Desk): Hu
   const stopKeys = listenToDeskKeys(stage, desk);
   desk.listen(stage.say);
   let shown = '';
+  let covered = Number.NaN;
   let sinceLook = LOOK_INTERVAL;
   return {
     update(seconds, screen) {
@@ -52,7 +53,9 @@ export function createHud(stage: Stage<Settings, FireworksGame>, desk: Desk): Hu
       sinceLook += seconds;
       if (sinceLook < LOOK_INTERVAL) return;
       sinceLook = 0;
-      root.style.right = `${stage.insets().right}px`;
+      const { right } = stage.insets();
+      if (right !== covered) root.style.right = `${right}px`;
+      covered = right;
       const { barrage } = stage.values();
       tray.show(stage.safeColors, barrage);
       const text = barrage ? `${sparks.format(sim.scene.alive)} sparks alight` : hintOf(sim, desk);
@@ -114,13 +117,16 @@ function createTray(desk: Desk, toggleBarrage: () => void) {
     line('fw-break'),
     group(...colors.map(({ made }) => made), line(), barrage),
   );
-  let shown = '';
+  let shown = -1;
+  let isSafe = false;
+  let isStorm = false;
   return {
     element,
     show(safe: boolean, isBarrage: boolean) {
-      const wanted = `${desk.version} ${safe} ${isBarrage}`;
-      if (wanted === shown) return;
-      shown = wanted;
+      if (desk.version === shown && safe === isSafe && isBarrage === isStorm) return;
+      shown = desk.version;
+      isSafe = safe;
+      isStorm = isBarrage;
       edit.setAttribute('aria-pressed', String(desk.isEditing));
       barrage.setAttribute('aria-pressed', String(isBarrage));
       for (const { kind, made } of kinds) made.setAttribute('aria-pressed', String(kind === desk.kind));

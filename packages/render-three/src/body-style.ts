@@ -1,4 +1,4 @@
-import { type BodySource, SHAPES } from '@principia/render-core';
+import { type BodySource, type RealColumn, SHAPES } from '@principia/render-core';
 
 /** Numbers a body takes in the packed style: radius, colour, shape, unused. */
 const LANES = 4;
@@ -26,17 +26,8 @@ export class BodyStyle {
 
   /** Packs the rows of ids `0 … used - 1`. */
   pack(source: BodySource, used: number): void {
-    const { size, radius, color, shape } = source;
-    let shapes = 0;
-    for (let id = 0, at = 0; id < used; id++, at += LANES) {
-      let drawn = size[id];
-      if (drawn === 0) drawn = radius[id];
-      this.#radius[at] = drawn;
-      this.data[at + 1] = color[id] || this.#defaultColor;
-      this.data[at + 2] = shape[id];
-      if (drawn > 0) shapes |= 1 << shape[id];
-    }
-    this.#shapes = shapes;
+    packRadii(this.#radius, source.size, source.radius, used);
+    this.#shapes = packLooks(this.data, this.#radius, source.color, source.shape, this.#defaultColor, used);
   }
 
   /** Whether a row that was packed last time, with a radius, has this shape. */
@@ -63,4 +54,31 @@ export class BodyStyle {
   get hasFlats(): boolean {
     return (this.#shapes & FLATS) !== 0;
   }
+}
+
+/** Functions of their own, which compilers get to know by their arrays: a loop on fields stayed uncompiled. */
+function packRadii(out: Float32Array, size: RealColumn, radius: RealColumn, used: number): void {
+  for (let id = 0, at = 0; id < used; id++, at += LANES) {
+    out[at] = size[id];
+    if (out[at] === 0) out[at] = radius[id];
+  }
+}
+
+/** @returns a bit for every shape of a body that is drawn */
+function packLooks(
+  out: Uint32Array,
+  drawn: Float32Array,
+  color: Uint32Array,
+  shape: Uint32Array,
+  defaultColor: number,
+  used: number,
+): number {
+  let shapes = 0;
+  for (let id = 0, at = 0; id < used; id++, at += LANES) {
+    const bytes = color[id];
+    out[at + 1] = bytes === 0 ? defaultColor : bytes;
+    out[at + 2] = shape[id];
+    if (drawn[at] > 0) shapes |= 1 << shape[id];
+  }
+  return shapes;
 }

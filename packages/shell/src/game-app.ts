@@ -61,6 +61,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   /** The step shown last. */
   #tick = 0;
   readonly #timing = { frame: 0, step: 0, draw: 0 };
+  readonly #figures = { ...this.#timing, bodies: 0, contacts: undefined as number | undefined, time: 0 };
 
   constructor(game: GameDefinition<S, Sim>, address: Address<S>) {
     this.#game = game;
@@ -172,7 +173,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#plot.draw();
     const contacts = this.#game.contacts?.(sim);
     this.#profile.show(sim.world);
-    this.#stats.show({ ...this.#timing, bodies: bodies(sim.world).count, contacts, time: sim.world.time });
+    const figures = this.#figures;
+    Object.assign(figures, this.#timing);
+    figures.bodies = bodies(sim.world).count;
+    figures.contacts = contacts;
+    figures.time = sim.world.time;
+    this.#stats.show(figures);
   }
 
   /** Opens the picture of another renderer; the values stay, the world is made anew for its dimensions. */

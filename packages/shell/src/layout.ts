@@ -27,6 +27,8 @@ export function createLayout(title: string, onSide: () => void): Layout {
   const side = element('aside', 'game-side', { 'aria-label': 'Settings and measurements' });
   const root = element('div', 'game', {}, stage, bar, side);
   document.body.append(root);
+  /** Games ask in every frame. */
+  const covered = { top: 0, right: 0, bottom: 0, left: 0 };
   const isNarrow = () => root.clientWidth < NARROW;
   let shown = !isNarrow();
   side.hidden = !shown;
@@ -37,7 +39,9 @@ export function createLayout(title: string, onSide: () => void): Layout {
     side,
     insets() {
       const right = shown && !isNarrow() ? side.offsetWidth + 16 : 0;
-      return { top: bar.offsetHeight, right, bottom: 0, left: 0 };
+      covered.top = bar.offsetHeight;
+      covered.right = right;
+      return covered;
     },
     toggleSide(wanted = !shown) {
       shown = wanted;

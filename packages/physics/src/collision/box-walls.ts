@@ -53,7 +53,8 @@ export function boxWalls(options: BoxWallsOptions): LocalSystem {
       const lag = (integrator.velocityLag ?? 0) * dt;
       for (let a = 0; a < dimensions; a++) {
         const axis = AXES[3][a] as 'x' | 'y' | 'z';
-        const [x, v] = [Position[axis], Velocity[axis]];
+        const x = Position[axis];
+        const v = Velocity[axis];
         for (let r = 0; r < spans.count; r++) {
           const first = spans.bounds[2 * r] as number;
           const last = spans.bounds[2 * r + 1] as number;

@@ -6,7 +6,9 @@ import type { PhysicsWorld } from '../world';
 export function drift(world: PhysicsWorld, spans: Spans, h: number): void {
   const { kernels, addresses } = world;
   const { Position, Velocity } = addresses;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     for (let r = 0; r < spans.count; r++) {
       kernels.driftAxis(Position[axis], Velocity[axis], h, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
     }
@@ -18,7 +20,9 @@ export function kick(world: PhysicsWorld, spans: Spans, h: number): void {
   const { kernels, addresses, scratch } = world;
   const { Velocity, Mass } = addresses;
   const { force } = scratch.at;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     for (let r = 0; r < spans.count; r++) {
       const first = spans.bounds[2 * r];
       kernels.kickAxis(Velocity[axis], force[axis], Mass.value, h, first, spans.bounds[2 * r + 1]);

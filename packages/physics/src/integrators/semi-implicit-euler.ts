@@ -29,7 +29,9 @@ export const semiImplicitEuler: Integrator = {
 function kickDrift(world: PhysicsWorld, spans: Spans, dt: number): void {
   const { kernels, addresses, scratch } = world;
   const { Position, Velocity, Mass } = addresses;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     for (let r = 0; r < spans.count; r++) {
       const first = spans.bounds[2 * r] as number;
       const last = spans.bounds[2 * r + 1] as number;

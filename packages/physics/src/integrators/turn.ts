@@ -27,7 +27,9 @@ function kickRun(world: PhysicsWorld, first: number, last: number, dt: number): 
   const { kernels, addresses, scratch, internal } = world;
   const { AngularVelocity: w, Inertia } = addresses;
   const bit = bitOf('AngularVelocity');
-  for (const axis of world.dimensions === 2 ? SPIN_2D : SPIN_3D) {
+  const axes = world.dimensions === 2 ? SPIN_2D : SPIN_3D;
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     const torque = scratch.at.torque[axis];
     kernels.kickSpinAxis(w[axis], torque, Inertia.value, internal.membersAt, bit, dt, first, last);
   }

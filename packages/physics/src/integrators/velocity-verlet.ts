@@ -35,7 +35,9 @@ function predict(world: PhysicsWorld, spans: Spans, dt: number): void {
   const { kernels, addresses, scratch } = world;
   const { Position, Velocity, Mass } = addresses;
   const { stage1, force } = scratch.at;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     for (let r = 0; r < spans.count; r++) {
       const first = spans.bounds[2 * r] as number;
       const last = spans.bounds[2 * r + 1] as number;
@@ -48,7 +50,9 @@ function correct(world: PhysicsWorld, spans: Spans, dt: number): void {
   const { kernels, addresses, scratch } = world;
   const { Velocity, Mass } = addresses;
   const { startVelocity, stage1, force } = scratch.at;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     const v = Velocity[axis];
     for (let r = 0; r < spans.count; r++) {
       const first = spans.bounds[2 * r] as number;

@@ -54,13 +54,18 @@ function saveAxes(world: PhysicsWorld, first: number, last: number): number {
   const { Position, Velocity } = addresses;
   const start = scratch.at.startVelocity;
   let good = 1;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     const previous = previousAddresses.Position[axis];
-    const [x, v] = [Position[axis], Velocity[axis]];
-    good &= kernels.beginAxis(previous, start[axis], x, v, MAX_POSITION, MAX_SPEED, first, last);
+    const v = Velocity[axis];
+    good &= kernels.beginAxis(previous, start[axis], Position[axis], v, MAX_POSITION, MAX_SPEED, first, last);
   }
   return good;
 }
+
+/** Of a quaternion. */
+const PARTS = ['x', 'y', 'z', 'w'] as const;
 
 function saveAngles(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, addresses, previousAddresses } = world;
@@ -68,7 +73,8 @@ function saveAngles(world: PhysicsWorld, first: number, last: number): void {
     kernels.copyColumn(previousAddresses.Rotation.angle, addresses.Rotation.angle, first, last);
     return;
   }
-  for (const part of ['x', 'y', 'z', 'w'] as const) {
+  for (let p = 0; p < PARTS.length; p++) {
+    const part = PARTS[p];
     kernels.copyColumn(previousAddresses.Orientation[part], addresses.Orientation[part], first, last);
   }
 }
@@ -78,7 +84,9 @@ function checkRun(world: PhysicsWorld, first: number, last: number): void {
   const { Position, Velocity } = addresses;
   clearAbsent(world, first, last);
   let good = 1;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     good &= kernels.checkAxis(Position[axis], Velocity[axis], MAX_POSITION, MAX_SPEED, first, last);
   }
   if (good === 1 && anglesGood(world, first, last)) return;
