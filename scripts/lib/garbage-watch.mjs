@@ -37,13 +37,14 @@ export function takeOverFrames() {
     waiting[count++] = callback;
     return count;
   };
-  globalThis.requestAnimationFrame = (callback) => {
-    if (isOurs) return wait(callback);
-    return real((time) => {
+  const ask = (/** @type {FrameRequestCallback} */ callback) =>
+    real((time) => {
       now = time;
       if (isOurs) wait(callback);
       else callback(time);
     });
+  globalThis.requestAnimationFrame = (callback) => {
+    return isOurs ? wait(callback) : ask(callback);
   };
   const prototype = /** @type {any} */ (WebGL2RenderingContext.prototype);
   Object.assign(globalThis, {
@@ -53,6 +54,7 @@ export function takeOverFrames() {
         prototype[name] = () => {};
       }
     },
+    __waiting: () => count > 0,
     __frames(/** @type {number} */ frames) {
       for (let i = 0; i < frames; i++) {
         now += 1000 / 60;
@@ -78,7 +80,7 @@ export async function allocations(page, session, { warm, frames, sourceMap }) {
   const run = (/** @type {number} */ count) => page.evaluate((n) => /** @type {any} */ (globalThis).__frames(n), count);
   await page.evaluate(() => /** @type {any} */ (globalThis).__takeFrames());
   // The frame that the display still owes.
-  await page.waitForTimeout(200);
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).__waiting());
   await run(warm);
   await session.send('HeapProfiler.enable');
   await session.send('HeapProfiler.collectGarbage');
