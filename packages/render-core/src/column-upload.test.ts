@@ -56,11 +56,13 @@ describe('textureRows', () => {
   });
 
   it('grows with slack and stays put while the population breathes', () => {
-    const rows = textureRows(40 * TEXTURE_WIDTH, 1, length);
-    expect(rows).toBe(50);
-    expect(textureRows(45 * TEXTURE_WIDTH, rows, length)).toBe(50);
-    expect(textureRows(15 * TEXTURE_WIDTH, rows, length)).toBe(50);
+    const rows = textureRows(20 * TEXTURE_WIDTH, 1, length);
+    expect(rows).toBe(25);
+    expect(textureRows(23 * TEXTURE_WIDTH, rows, length)).toBe(25);
+    expect(textureRows(8 * TEXTURE_WIDTH, rows, length)).toBe(25);
     expect(textureRows(5 * TEXTURE_WIDTH, rows, length)).toBe(6);
+    // A large one is not sent with thousands of rows that nobody has.
+    expect(textureRows(80 * TEXTURE_WIDTH, 1, length)).toBe(88);
   });
 
   it('refuses an array that is not a whole number of rows', () => {

@@ -55,10 +55,13 @@ export class ColumnUpload {
 
 const EMPTY = new Float32Array(0);
 
+/** Rows that are sent for nothing: every upload pays for them. */
+const MOST_SLACK = 8;
+
 /**
  * How many rows a data texture should have, so that uploads stay close to what is used while a population that grows
- * or breathes does not re-create the texture every frame: grows by a quarter more than needed, shrinks only when less
- * than a quarter is used.
+ * or breathes does not re-create the texture every frame: grows by a quarter more than needed but by no more than 8 rows,
+ * shrinks only when less than a quarter is used.
  *
  * @param used number of values in use, from the start of the array
  * @param current rows the texture has now; zero before the first call
@@ -74,5 +77,5 @@ export function textureRows(used: number, current: number, length: number): numb
   }
   const needed = Math.max(1, Math.ceil(used / TEXTURE_WIDTH));
   if (needed <= current && needed * 4 >= current) return current;
-  return Math.min(length / TEXTURE_WIDTH, needed + (needed >> 2));
+  return Math.min(length / TEXTURE_WIDTH, needed + Math.min(needed >> 2, MOST_SLACK));
 }
