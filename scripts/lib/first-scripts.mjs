@@ -1,4 +1,4 @@
-/** What makes a page start sooner: scripts it will need are fetched at once, and the graphics card wakes up meanwhile. */
+/** What makes a page start sooner: the scripts it will need are fetched at once. */
 import { dirname, relative } from 'node:path';
 
 /** Scripts that pixi loads when it has chosen how to draw, and a game's page draws with WebGL. */
@@ -43,19 +43,12 @@ export function scriptsByGame(metafile) {
   };
 }
 
-/** A worker's context, thrown away at once: the first one takes a tenth of a second and more, wherever it is made. */
-const WAKE = `<script>
-try {
-  new Worker(URL.createObjectURL(new Blob(['new OffscreenCanvas(1, 1).getContext("webgl2"); close()'])));
-} catch {}
-</script>`;
-
 /**
- * A page with that in its head.
+ * A page with links to them in its head.
  * @param {string} html
  * @param {readonly string[]} scripts as `firstScripts` says
  */
 export function startSooner(html, scripts) {
   const links = scripts.map((script) => `<link rel="modulepreload" href="${script}">`);
-  return html.replace('</head>', `${[WAKE, ...links].join('\n')}\n</head>`);
+  return html.replace('</head>', `${links.join('\n')}\n</head>`);
 }
