@@ -21,7 +21,7 @@ const bundles = [
   { name: 'particles', imports: particles, limit: 28 },
   { name: 'with emitters', imports: `${particles} ${emitters}`, limit: 37 },
   { name: 'with contacts', imports: `${particles} ${emitters} ${contacts}`, limit: 50 },
-  { name: 'everything', imports: '*', limit: 104 },
+  { name: 'everything', imports: '*', limit: 105 },
 ];
 
 /** Limit of a game's own code, KB gzipped. */
