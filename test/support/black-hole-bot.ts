@@ -87,6 +87,8 @@ async function finger(page: Page): Promise<Hand> {
     async push(heading) {
       if (heading !== undefined) {
         await touch(isDown ? 'touchMove' : 'touchStart', [await placeFor(page, heading, count++)]);
+        // Browsers hand moves of fingers out once a frame.
+        await frames(page);
       } else if (isDown) await touch('touchEnd');
       isDown = heading !== undefined;
     },
@@ -116,6 +118,7 @@ async function gamepad(page: Page): Promise<Hand> {
     Object.assign(globalThis, { stick: [0, 0, 0, 0] });
     const { stick } = globalThis as unknown as { stick: number[] };
     navigator.getGamepads = () => [{ connected: true, index: 0, axes: stick, buttons } as unknown as Gamepad];
+    globalThis.dispatchEvent(new Event('gamepadconnected'));
   });
   return {
     async push(heading) {

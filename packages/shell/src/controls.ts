@@ -90,6 +90,8 @@ export function listenToControls<Sim>(
   const noticeGamepad = () => {
     hasGamepad = true;
   };
+  // One that was used while the page loaded is not announced again.
+  if (navigator.getGamepads?.().some((gamepad) => gamepad !== null)) noticeGamepad();
   globalThis.addEventListener('gamepadconnected', noticeGamepad);
   return {
     poll() {
