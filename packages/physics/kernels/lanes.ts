@@ -42,6 +42,12 @@
   return v128.div<real>(a, b);
 }
 
+// Dot product of two vectors.
+// @ts-ignore: decorator
+@inline export function dot(ax: v128, ay: v128, az: v128, bx: v128, by: v128, bz: v128): v128 {
+  return add(add(mul(ax, bx), mul(ay, by)), mul(az, bz));
+}
+
 // Acceleration of a body by a force: F / m, and zero where m is zero (no Mass component: forces do not move the body).
 // @ts-ignore: decorator
 @inline export function accelerationOf(force: v128, mass: v128): v128 {

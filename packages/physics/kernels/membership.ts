@@ -39,11 +39,3 @@ export function listIds(members: usize, required: u32, rows: i32, ids: usize): i
   }
   return count;
 }
-
-// Sets `bits` on the given ids and clears nothing; used when bodies are made in bulk.
-export function markMembers(members: usize, bits: u32, ids: usize, count: i32): void {
-  for (let i = 0; i < count; i++) {
-    const p = members + ((<usize>load<u32>(ids + ((<usize>i) << 2))) << 2);
-    store<u32>(p, load<u32>(p) | bits);
-  }
-}

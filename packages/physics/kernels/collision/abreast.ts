@@ -6,7 +6,7 @@
 // of contacts, which are packed into blocks of LANES. Contacts with friction, or of a body that a wall holds, have blocks
 // of their own, and are solved one by one.
 import { get, put } from '../columns';
-import { LANES, add, div, mul, splat, sub } from '../lanes';
+import { LANES, add, div, dot, mul, splat, sub } from '../lanes';
 import { body, nobody } from './body';
 import { q0, q1, q2, q3, readQuads, writeQuads } from './quads';
 import { ContactTable, FINITE, putWord, rubbing, word } from './table';
@@ -235,9 +235,4 @@ export function pushBlock(block: usize, dt: real, part: real, slop: real): void 
   const db = mul(size, wb);
   writeQuads(block, 0, sub(ax, mul(nx, da)), sub(ay, mul(ny, da)), sub(az, mul(nz, da)), ar);
   writeQuads(block + B, 0, add(bx, mul(nx, db)), add(by, mul(ny, db)), add(bz, mul(nz, db)), br);
-}
-
-// @ts-ignore: decorator
-@inline function dot(ax: v128, ay: v128, az: v128, bx: v128, by: v128, bz: v128): v128 {
-  return add(add(mul(ax, bx), mul(ay, by)), mul(az, bz));
 }

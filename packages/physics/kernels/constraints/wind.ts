@@ -1,5 +1,5 @@
 // Wind on a sheet of triangles.
-import { LANES, add, at, div, mul, splat, sub } from '../lanes';
+import { LANES, add, at, div, dot, mul, splat, sub } from '../lanes';
 import { CHUNK, chunkOf, pushChunk, readTriangles, triangles } from './faces';
 
 // One that lost a corner feels nothing.
@@ -67,8 +67,3 @@ export function blowTriangles(
 
 // A square of twice an area that is as good as none, m^4: what it divides is smaller still.
 const LEAST: real = 1e-36;
-
-// @ts-ignore: decorator
-@inline function dot(ax: v128, ay: v128, az: v128, bx: v128, by: v128, bz: v128): v128 {
-  return add(add(mul(ax, bx), mul(ay, by)), mul(az, bz));
-}

@@ -33,13 +33,17 @@ export class Hulls {
   return given > 0 ? given : <f64>get(columns().radius, row);
 }
 
+// Height of a centre above the origin.
+// @ts-ignore: decorator
+@inline function heightOf(p: Pool, row: i32): f64 {
+  const c = columns();
+  return p.upX * <f64>get(c.positionX, row) + p.upY * <f64>get(c.positionY, row) + p.upZ * <f64>get(c.positionZ, row);
+}
+
 // Depth of the centre over the half height, within -1 and 1.
 // @ts-ignore: decorator
 @inline function relativeDepth(p: Pool, h: Hulls, row: i32): f64 {
-  const c = columns();
-  const height =
-    p.upX * <f64>get(c.positionX, row) + p.upY * <f64>get(c.positionY, row) + p.upZ * <f64>get(c.positionZ, row);
-  const depth = p.level - height;
+  const depth = p.level - heightOf(p, row);
   const size = half(h, row);
   if (!(size > 0)) return depth > 0 ? 1 : -1;
   return max<f64>(-1, min<f64>(1, depth / size));
@@ -75,18 +79,15 @@ export function upthrust(pool: usize, hulls: usize, fx: usize, fy: usize, fz: us
 export function upthrustPotential(pool: usize, hulls: usize, rows: i32): f64 {
   const p = changetype<Pool>(pool);
   const h = changetype<Hulls>(hulls);
-  const c = columns();
   let total: f64 = 0;
   for (let row = 0; row < rows; row++) {
     const volume = <f64>get(h.volume, row);
     const shape = shapeOf(h, row);
     if (volume == 0 || shape > 1) continue;
-    const height =
-      p.upX * <f64>get(c.positionX, row) + p.upY * <f64>get(c.positionY, row) + p.upZ * <f64>get(c.positionZ, row);
     const size = half(h, row);
     const d = relativeDepth(p, h, row);
     const partial = shape == 0 ? 0.1875 + d * (0.5 + d * (0.375 - 0.0625 * d * d)) : 0.25 * (1 + d) * (1 + d);
-    const work = d >= 1 ? p.level - height : size * partial;
+    const work = d >= 1 ? p.level - heightOf(p, row) : size * partial;
     total += p.density * p.gravity * volume * work;
   }
   return total;
@@ -101,9 +102,7 @@ export function balloonPotential(pool: usize, hulls: usize, rows: i32): f64 {
   for (let row = 0; row < rows; row++) {
     const volume = <f64>get(h.volume, row);
     if (volume == 0 || get(c.mass, row) == 0) continue;
-    const height =
-      p.upX * <f64>get(c.positionX, row) + p.upY * <f64>get(c.positionY, row) + p.upZ * <f64>get(c.positionZ, row);
-    total -= p.density * p.gravity * volume * height;
+    total -= p.density * p.gravity * volume * heightOf(p, row);
   }
   return total;
 }
