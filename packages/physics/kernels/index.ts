@@ -12,4 +12,5 @@ export * from './integrators/stages';
 export * from './integrators/spin';
 export * from './walls/box';
 export * from './pages';
+export { logarithm } from './math/elementary';
 export { staticEnd } from './columns';

@@ -1,6 +1,6 @@
 // Birth of one particle: where, how fast and in which direction.
 import { columns, put } from '../columns';
-import { cosine, sine } from '../math/elementary';
+import { turn, turnCosine, turnSine } from '../math/elementary';
 import { randomUnit } from '../math/random';
 import { dress } from './looks';
 import { NONE, link, nextGeneration, takeSlot } from './pool';
@@ -24,18 +24,16 @@ let directionZ: f64 = 0;
 
 // Uniform by angle within the wedge about the emitter's direction.
 function aim2d(e: Emitter): void {
-  const angle = e.spread * between(e, -1, 1);
-  const c = cosine(angle);
-  const s = sine(angle);
-  directionX = e.directionX * c - e.directionY * s;
-  directionY = e.directionX * s + e.directionY * c;
+  turn(e.spread * between(e, -1, 1));
+  directionX = e.directionX * turnCosine - e.directionY * turnSine;
+  directionY = e.directionX * turnSine + e.directionY * turnCosine;
   directionZ = 0;
 }
 
 // Uniform by solid angle within the cone about the emitter's direction d: with u and w normal to d and to each other.
 function aim3d(e: Emitter): void {
   const c = between(e, 1, e.cosSpread);
-  const turn = TWO_PI * randomUnit(draws(e));
+  turn(TWO_PI * randomUnit(draws(e)));
   const s = sqrt<f64>(max<f64>(0, 1 - c * c));
   const upright = abs<f64>(e.directionZ) > 0.9;
   let ux = upright ? 0 : e.directionY;
@@ -48,8 +46,8 @@ function aim3d(e: Emitter): void {
   const wx = e.directionY * uz - e.directionZ * uy;
   const wy = e.directionZ * ux - e.directionX * uz;
   const wz = e.directionX * uy - e.directionY * ux;
-  const a = s * cosine(turn);
-  const b = s * sine(turn);
+  const a = s * turnCosine;
+  const b = s * turnSine;
   directionX = c * e.directionX + a * ux + b * wx;
   directionY = c * e.directionY + a * uy + b * wy;
   directionZ = c * e.directionZ + a * uz + b * wz;

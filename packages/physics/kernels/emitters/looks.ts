@@ -1,13 +1,17 @@
 // Colour and size of a particle by the part of its life that is over, linear between evenly spaced stops.
 import { put } from '../columns';
+import { turn, turnCosine } from '../math/elementary';
 import { Emitter, MOST_STOPS, putWord, word } from './record';
 
 // Shades of a ramp: a life shows 256.
 const SHADES: u32 = 256;
 
-// Fills the tables of shades from the stops of the ramps.
-export function mixColors(emitter: usize): void {
+// What follows from the parameters, once they are set: the cosine of the spread, and the tables of shades from the stops
+// of the ramps.
+export function prepareEmitter(emitter: usize): void {
   const e = changetype<Emitter>(emitter);
+  turn(e.spread);
+  e.cosSpread = turnCosine;
   for (let ramp: i32 = 0; ramp < e.rampCount; ramp++) {
     const stops = word(emitter + offsetof<Emitter>('stops0'), ramp);
     const first = emitter + offsetof<Emitter>('color0') + ((<usize>ramp * MOST_STOPS) << 2);

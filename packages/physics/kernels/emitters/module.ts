@@ -1,4 +1,4 @@
 // Particle pools and what bears and ends their particles.
-export { mixColors } from './looks';
+export { prepareEmitter } from './looks';
 export { openPool } from './pool';
 export { stepEmitter } from './step';

@@ -16,6 +16,76 @@ export function arcTangent2(y: f64, x: f64): f64 {
   return NativeMath.atan2(y, x);
 }
 
+// What `turn` was asked for last.
+export let turnCosine: f64 = 0;
+export let turnSine: f64 = 0;
+
+// Beyond this angle, just above pi / 4, the reduction of fdlibm begins.
+const REDUCED: f64 = reinterpret<f64>(0x3fe921fc00000000);
+
+// pi / 2 in three parts of 33 bits, each followed by what the parts up to it leave.
+const QUARTER_1: f64 = reinterpret<f64>(0x3ff921fb54400000);
+const REST_1: f64 = reinterpret<f64>(0x3dd0b4611a626331);
+const QUARTER_2: f64 = reinterpret<f64>(0x3dd0b4611a600000);
+const REST_2: f64 = reinterpret<f64>(0x3ba3198a2e037073);
+const QUARTER_3: f64 = reinterpret<f64>(0x3ba3198a2e000000);
+const REST_3: f64 = reinterpret<f64>(0x397b839a252049c1);
+
+function exponentBits(x: f64): i32 {
+  return <i32>((reinterpret<u64>(x) >> 52) & 0x7ff);
+}
+
+// Sine and cosine of one angle within a million radians, the bits of `sine` and `cosine`: by the methods of fdlibm
+// e_rem_pio2.c, k_sin.c and k_cos.c (Sun 1993), without the table that larger angles need.
+export function turn(angle: f64): void {
+  let quarters: f64 = 0;
+  let high = angle;
+  let low: f64 = 0;
+  if (abs<f64>(angle) >= REDUCED) {
+    quarters = nearest<f64>(angle * 0.63661977236758134308);
+    let rest = angle - quarters * QUARTER_1;
+    let next = quarters * REST_1;
+    high = rest - next;
+    // The more bits the subtraction cancels, the more parts of pi count.
+    if (exponentBits(angle) - exponentBits(high) > 16) {
+      let before = rest;
+      next = quarters * QUARTER_2;
+      rest = before - next;
+      next = quarters * REST_2 - (before - rest - next);
+      high = rest - next;
+      if (exponentBits(angle) - exponentBits(high) > 49) {
+        before = rest;
+        next = quarters * QUARTER_3;
+        rest = before - next;
+        next = quarters * REST_3 - (before - rest - next);
+        high = rest - next;
+      }
+    }
+    low = rest - high - next;
+  }
+  const z = high * high;
+  const w = z * z;
+  const r =
+    8.33333333332248946124e-3 +
+    z * (-1.98412698298579493134e-4 + z * 2.75573137070700676789e-6) +
+    z * w * (-2.50507602534068634195e-8 + z * 1.58969099521155010221e-10);
+  const v = z * high;
+  let s = high - (z * (0.5 * low - v * r) - low + v * 1.66666666666666324348e-1);
+  if (quarters == 0) s = abs<f64>(high) < 1e-8 ? high : high + v * (-1.66666666666666324348e-1 + z * r);
+  const t =
+    z * (4.16666666666666019037e-2 + z * (-1.38888888888741095749e-3 + z * 2.48015872894767294178e-5)) +
+    w * w * (-2.75573143513906633035e-7 + z * (2.0875723212981748279e-9 + z * -1.13596475577881948265e-11));
+  const half = 0.5 * z;
+  const one = 1 - half;
+  const c = one + (1 - one - half + (z * t - high * low));
+  const quarter = <i32>quarters;
+  const odd = (quarter & 1) != 0;
+  turnSine = odd ? c : s;
+  turnCosine = odd ? s : c;
+  if ((quarter & 2) != 0) turnSine = -turnSine;
+  if (((quarter + 1) & 2) != 0) turnCosine = -turnCosine;
+}
+
 // ln 2 = LN2_HIGH + LN2_LOW; the high part has 33 bits, so that k LN2_HIGH is exact for every exponent k.
 export const LN2_HIGH: f64 = 6.9314718036912381649e-1;
 export const LN2_LOW: f64 = 1.90821492927058770002e-10;

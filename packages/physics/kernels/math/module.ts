@@ -1,4 +1,5 @@
-// Elementary functions and random numbers for TypeScript; kernels import the files.
-export { sine, cosine, arcTangent2, exponential, logarithm } from './elementary';
+// Elementary functions and random numbers for TypeScript; kernels import the files. The logarithm stands in the core
+// module, because random numbers need it: a game that needs no other function does not carry this module.
+export { sine, cosine, arcTangent2, exponential } from './elementary';
 export { power } from './power';
 export { randomWord, randomUnit, randomNormal } from './random';

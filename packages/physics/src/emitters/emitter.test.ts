@@ -6,6 +6,8 @@ import { momentum } from '../diagnostics/energy';
 import { stateHash } from '../diagnostics/hash';
 import { quadraticDrag } from '../forces/drag';
 import { uniformGravity } from '../forces/uniform-gravity';
+import { cos, sin } from '../math/elementary';
+import { createRandom } from '../math/random';
 import { step } from '../step';
 import { entityRef, isAlive } from '../store/references';
 import { createPhysicsWorld } from '../world';
@@ -20,6 +22,7 @@ import {
   setRate,
 } from './emitter';
 import type { EmitterOptions } from './options';
+import { W } from './record';
 
 describe('a particle', () => {
   test('is born at the emitter and flies as a body does, under gravity and drag', () => {
@@ -104,6 +107,21 @@ describe('a particle', () => {
     expect(seen[6][1]).toBeCloseTo(3, 12);
     expect(seen[7][0]).toBeGreaterThan(0);
     expect(seen[8][1]).toBe(0);
+  });
+
+  test.each([Math.PI, 1.5, 1e-9])('leaves at the very angle that was drawn, within %d rad', (spread) => {
+    const { emitter, world } = emitting({ capacity: 5000, spread, direction: { x: 1 } });
+    const random = createRandom(0);
+    random.state.set(emitter.internal.block.record.words.subarray(W.random0, W.random0 + 4));
+    burst(emitter, 5000);
+    step(world, 1e-9);
+    const { x, y } = world.components.Velocity;
+    for (const eid of emitter.ids) {
+      for (let skipped = 0; skipped < 4; skipped++) random.word();
+      const angle = spread * (-1 + 2 * random.uniform());
+      expect([x[eid], y[eid]]).toEqual([cos(angle), sin(angle)]);
+      for (let skipped = 0; skipped < 6; skipped++) random.word();
+    }
   });
 
   test('directions fill the wedge in the plane and the cone in space evenly', () => {

@@ -139,7 +139,7 @@ function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRec
   numbers.set(checked.lifetime, N.lifeMin);
   numbers.set(checked.speed, N.speedMin);
   numbers.set(checked.sizeFactor, N.factorMin);
-  numbers.set([direction.x, direction.y, direction.z, checked.spread, checked.cosSpread], N.directionX);
+  numbers.set([direction.x, direction.y, direction.z, checked.spread], N.directionX);
   numbers.set([positionSpread.x, positionSpread.y, positionSpread.z], N.areaX);
   numbers.set([velocitySpread.x, velocitySpread.y, velocitySpread.z], N.scatterX);
   numbers[N.mass] = checked.mass;
@@ -150,7 +150,7 @@ function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRec
     words.set(ramp, W.color0 + r * MOST_STOPS);
     words[W.stops0 + r] = ramp.length;
   });
-  emitterKernels(world).mixColors(at);
+  emitterKernels(world).prepareEmitter(at);
   words[W.repaint] = 1;
 }
 

@@ -2,7 +2,6 @@ import { MAX_POSITION } from '../components/position';
 import { MAX_SPEED } from '../components/velocity';
 import { PhysicsError } from '../faults/physics-error';
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
-import { cos } from '../math/elementary';
 import type { PhysicsWorld } from '../world';
 import { MOST_RAMPS, MOST_STOPS } from './record';
 
@@ -94,7 +93,6 @@ export interface CheckedParameters {
   readonly speed: readonly [number, number];
   readonly direction: Vector;
   readonly spread: number;
-  readonly cosSpread: number;
   readonly positionSpread: Vector;
   readonly velocitySpread: Vector;
   readonly inheritVelocity: number;
@@ -118,7 +116,6 @@ export function parametersOf(options: EmitterParameters): EmitterParameters {
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function checkParameters(world: PhysicsWorld, options: EmitterParameters): CheckedParameters {
-  const spread = checkNumber(options.spread ?? Math.PI, 'spread', { min: 0, max: Math.PI });
   const anywhere = { min: -MAX_POSITION, max: MAX_POSITION };
   const speeds = { min: -MAX_SPEED, max: MAX_SPEED };
   return {
@@ -127,8 +124,7 @@ export function checkParameters(world: PhysicsWorld, options: EmitterParameters)
     lifetime: range(options.lifetime ?? 1, 'lifetime', { above: 0, max: 1e9 }),
     speed: range(options.speed ?? 1, 'speed', { min: 0, max: MAX_SPEED }),
     direction: unit(place(world, options.direction ?? { y: 1 }, 'direction')),
-    spread,
-    cosSpread: cos(spread),
+    spread: checkNumber(options.spread ?? Math.PI, 'spread', { min: 0, max: Math.PI }),
     positionSpread: place(world, options.positionSpread ?? {}, 'positionSpread', anywhere),
     velocitySpread: place(world, options.velocitySpread ?? {}, 'velocitySpread', speeds),
     inheritVelocity: checkNumber(options.inheritVelocity ?? 0, 'inheritVelocity', { min: -10, max: 10 }),

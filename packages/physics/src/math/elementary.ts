@@ -3,9 +3,11 @@
 // (sine and cosine of angles beyond a million radians within 2).
 // Cost: some 20 ns, of which half is the call.
 import { decodeModule } from '../kernels/decode';
+import { instantiateKernels } from '../kernels/instantiate';
 import { KERNELS_F64, type KernelExports } from '../kernels/math.gen';
 
 let made: KernelExports | undefined;
+let logarithm: ((x: number) => number) | undefined;
 
 /** Made at the first use, with a page of memory of its own for a table. */
 function kernels(): KernelExports {
@@ -39,7 +41,8 @@ export function exp(x: number): number {
 
 /** Natural logarithm. */
 export function log(x: number): number {
-  return kernels().logarithm(x);
+  logarithm ??= instantiateKernels('f64', new WebAssembly.Memory({ initial: 1 })).logarithm;
+  return logarithm(x);
 }
 
 /** x to the power y. */
