@@ -3,89 +3,87 @@
 
 import type { Precision } from '../kernels/instantiate';
 import { allocate } from '../store/arena';
-import { TABLE_ADDRESS, TABLE_COLUMNS } from '../store/column-table';
+import { TABLE_ADDRESS, TableColumn } from '../store/column-table';
 import { realBytes } from '../store/columns';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 
 /** The words of the table after its first field, the f64 `previousDt`; in the order of the kernels' class. */
-export const TABLE_WORDS = [
-  'capacity',
-  'count',
-  'lost',
-  'a',
-  'b',
-  'nx',
-  'ny',
-  'nz',
-  'impulse',
-  'holding',
-  'rubbing',
-  'slotA',
-  'slotB',
-  'previousCount',
-  'previousA',
-  'previousB',
-  'previousHolding',
-  'order',
-  'flags',
-  'gap',
-  'x',
-  'y',
-  'z',
-  'wallCapacity',
-  'wallCount',
-  'wallLost',
-  'wallBody',
-  'wallId',
-  'wallNx',
-  'wallNy',
-  'wallNz',
-  'wallImpulse',
-  'wallHolding',
-  'wallGap',
-  'wallFriction',
-  'wallRubbed',
-  'wallRubbing',
-  'wallSlot',
-  'blocks',
-  'levels',
-  'mostLevels',
-  'bodies',
-  'bodyRows',
-  'bodyCount',
-  'rowWords',
-  'starts',
-  'sortedX',
-  'sortedY',
-  'sortedZ',
-  'sortedRadius',
-  'sortedBucket',
-  'sortedRow',
-  'maxBuckets',
-  'buckets',
-  'stride',
-  'layer',
-  'gridCount',
-  'largeCount',
-  'histogram',
-  'startX',
-  'startY',
-  'startZ',
-  'fromX',
-  'fromY',
-] as const;
-
-type Word = (typeof TABLE_WORDS)[number];
+export enum Word {
+  capacity,
+  count,
+  lost,
+  a,
+  b,
+  nx,
+  ny,
+  nz,
+  impulse,
+  holding,
+  rubbing,
+  slotA,
+  slotB,
+  previousCount,
+  previousA,
+  previousB,
+  previousHolding,
+  order,
+  flags,
+  gap,
+  x,
+  y,
+  z,
+  wallCapacity,
+  wallCount,
+  wallLost,
+  wallBody,
+  wallId,
+  wallNx,
+  wallNy,
+  wallNz,
+  wallImpulse,
+  wallHolding,
+  wallGap,
+  wallFriction,
+  wallRubbed,
+  wallRubbing,
+  wallSlot,
+  blocks,
+  levels,
+  mostLevels,
+  bodies,
+  bodyRows,
+  bodyCount,
+  rowWords,
+  starts,
+  sortedX,
+  sortedY,
+  sortedZ,
+  sortedRadius,
+  sortedBucket,
+  sortedRow,
+  maxBuckets,
+  buckets,
+  stride,
+  layer,
+  gridCount,
+  largeCount,
+  histogram,
+  startX,
+  startY,
+  startZ,
+  fromX,
+  fromY,
+  /** How many there are. */
+  end,
+}
 
 /** A world's contacts as the systems of this package see them. */
 export interface ContactTable {
   /** Its address. */
   readonly table: number;
-  /** Reads a counter of the table. */
-  read(word: Word): number;
-  /** Address of a list. */
-  readonly at: Readonly<Record<Word, number>>;
+  /** Counters and addresses of lists, by `Word`. */
+  readonly words: Uint32Array;
 }
 
 /** Of what the arena has left, contacts take at most this part: other features may come later. */
@@ -127,54 +125,51 @@ export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): 
 export const contactTable = resource<ContactTable>((world) => {
   const { arena } = world.internal;
   const take = (size: number) => allocate(arena, size, 'contacts');
-  const words: Record<Word, number> = Object.fromEntries(TABLE_WORDS.map((name) => [name, 0])) as Record<Word, number>;
-  const table = take(8 + 4 * TABLE_WORDS.length);
+  const table = take(8 + 4 * Word.end);
+  const words = new Uint32Array(world.memory.buffer, table + 8, Word.end);
   takeGrid(world, words, take);
   takeWallContacts(world, words, take);
   takeContacts(world, words, take);
   takeSorted(world, words, take);
   const { startVelocity, stage2 } = world.scratch.at;
-  Object.assign(words, { startX: startVelocity.x, startY: startVelocity.y, startZ: startVelocity.z });
-  Object.assign(words, { fromX: stage2.x, fromY: stage2.y });
-  const view = new Uint32Array(world.memory.buffer, table + 8, TABLE_WORDS.length);
-  for (let w = 0; w < TABLE_WORDS.length; w++) view[w] = words[TABLE_WORDS[w]];
-  return { table, at: words, read: (word) => view[TABLE_WORDS.indexOf(word)] };
+  words.set([startVelocity.x, startVelocity.y, startVelocity.z, stage2.x, stage2.y], Word.startX);
+  return { table, words };
 });
 
 /** From now on walls write their contacts down, and the kernels find the table. */
 export function useContacts(world: PhysicsWorld): void {
-  const pointer = TABLE_ADDRESS / 4 + TABLE_COLUMNS.indexOf('contacts');
+  const pointer = TABLE_ADDRESS / 4 + TableColumn.contacts;
   new Uint32Array(world.memory.buffer)[pointer] = contactTable(world).table;
 }
 
-const SORTED = ['sortedX', 'sortedY', 'sortedZ', 'sortedRadius', 'sortedBucket'] as const;
+const SORTED = [Word.sortedX, Word.sortedY, Word.sortedZ, Word.sortedRadius, Word.sortedBucket];
 
 type Take = (bytes: number) => number;
 
-function takeGrid(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
+function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const { rows } = world;
   let buckets = 1024;
   while (buckets < 2 * rows) buckets *= 2;
-  words.maxBuckets = buckets;
-  words.rowWords = take(4 * rows);
-  words.bodyRows = take(4 * rows);
-  words.levels = take(4 * rows);
-  words.mostLevels = rows;
+  words[Word.maxBuckets] = buckets;
+  words[Word.rowWords] = take(4 * rows);
+  words[Word.bodyRows] = take(4 * rows);
+  words[Word.levels] = take(4 * rows);
+  words[Word.mostLevels] = rows;
   // The broad phase is over before the first body is gathered, so that the two can share their memory.
   const bytes = realBytes(world.precision);
   const starts = 4 * (buckets + 16);
   const region = take(Math.max(bodyBytes(bytes) * rows, starts + 4 * rows));
-  words.starts = region;
-  words.sortedRow = region + starts;
-  words.bodies = region;
-  words.histogram = take(4 * 256);
+  words[Word.starts] = region;
+  words[Word.sortedRow] = region + starts;
+  words[Word.bodies] = region;
+  words[Word.histogram] = take(4 * 256);
 }
 
 /** Likewise, it is over before the first contact is packed into a block. */
-function takeSorted(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
+function takeSorted(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const column = sortedBytes(world) / SORTED.length;
-  const region = sharesSorted(world, words.capacity) ? words.blocks : take(SORTED.length * column);
-  for (const [i, name] of SORTED.entries()) words[name] = region + i * column;
+  const region = sharesSorted(world, words[Word.capacity]) ? words[Word.blocks] : take(SORTED.length * column);
+  for (const [i, list] of SORTED.entries()) words[list] = region + i * column;
 }
 
 const sortedBytes = ({ rows, precision }: PhysicsWorld) => SORTED.length * (rows + 16) * realBytes(precision);
@@ -182,20 +177,20 @@ const sortedBytes = ({ rows, precision }: PhysicsWorld) => SORTED.length * (rows
 const sharesSorted = (world: PhysicsWorld, capacity: number) =>
   capacity * packedBytes(realBytes(world.precision)) >= sortedBytes(world);
 
-function takeWallContacts(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
+function takeWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const capacity = Math.max(world.rows / 2, Math.min(2 * world.rows, LEAST_WALL_CONTACTS));
   const bytes = realBytes(world.precision);
-  words.wallCapacity = capacity;
-  for (const name of ['wallBody', 'wallId'] as const) words[name] = take(4 * capacity);
-  for (const name of ['wallNx', 'wallNy', 'wallNz', 'wallImpulse', 'wallHolding'] as const) {
-    words[name] = take(bytes * capacity);
+  words[Word.wallCapacity] = capacity;
+  for (const list of [Word.wallBody, Word.wallId]) words[list] = take(4 * capacity);
+  for (const list of [Word.wallNx, Word.wallNy, Word.wallNz, Word.wallImpulse, Word.wallHolding]) {
+    words[list] = take(bytes * capacity);
   }
-  for (const name of ['wallGap', 'wallFriction', 'wallRubbed'] as const) words[name] = take(bytes * capacity);
-  words.wallRubbing = take(12 * capacity);
-  words.wallSlot = take(4 * capacity);
+  for (const list of [Word.wallGap, Word.wallFriction, Word.wallRubbed]) words[list] = take(bytes * capacity);
+  words[Word.wallRubbing] = take(12 * capacity);
+  words[Word.wallSlot] = take(4 * capacity);
 }
 
-function takeContacts(world: PhysicsWorld, words: Record<Word, number>, take: Take): void {
+function takeContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const { dimensions, rows, precision, internal } = world;
   const bytes = realBytes(precision);
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
@@ -205,20 +200,20 @@ function takeContacts(world: PhysicsWorld, words: Record<Word, number>, take: Ta
   let most = Math.min(wanted, room / contactBytes(bytes));
   if (!sharesSorted(world, most)) most = (room - sortedBytes(world)) / contactBytes(bytes);
   const capacity = Math.max(256, Math.floor(most / 16) * 16);
-  words.capacity = capacity;
-  for (const name of ['a', 'b', 'slotA', 'slotB'] as const) words[name] = take(4 * capacity);
-  for (const name of ['nx', 'ny', 'nz', 'impulse', 'holding'] as const) words[name] = take(bytes * capacity);
-  words.rubbing = take(16 * capacity);
-  words.blocks = take(packedBytes(bytes) * capacity);
+  words[Word.capacity] = capacity;
+  for (const list of [Word.a, Word.b, Word.slotA, Word.slotB]) words[list] = take(4 * capacity);
+  for (const list of [Word.nx, Word.ny, Word.nz, Word.impulse, Word.holding]) words[list] = take(bytes * capacity);
+  words[Word.rubbing] = take(16 * capacity);
+  words[Word.blocks] = take(packedBytes(bytes) * capacity);
   const previous = take((8 + bytes) * capacity);
-  words.previousA = previous;
-  words.previousB = previous + 4 * capacity;
-  words.previousHolding = previous + 8 * capacity;
-  words.order = words.previousA;
-  words.flags = words.previousB;
-  words.gap = words.previousHolding;
+  words[Word.previousA] = previous;
+  words[Word.previousB] = previous + 4 * capacity;
+  words[Word.previousHolding] = previous + 8 * capacity;
+  words[Word.order] = words[Word.previousA];
+  words[Word.flags] = words[Word.previousB];
+  words[Word.gap] = words[Word.previousHolding];
   // Points are worked out when the step has no more use for these lists. In 2D z is zero, as nz is.
-  words.x = previous;
-  words.y = previous + bytes * capacity;
-  words.z = dimensions === 3 ? words.rubbing : words.nz;
+  words[Word.x] = previous;
+  words[Word.y] = previous + bytes * capacity;
+  words[Word.z] = dimensions === 3 ? words[Word.rubbing] : words[Word.nz];
 }

@@ -3,7 +3,7 @@ import type { RealColumn } from '../components/define';
 import { emit, hasHandlers } from '../events/handlers';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
-import { contactTable } from './contact-table';
+import { contactTable, Word } from './contact-table';
 
 /**
  * The contacts of the last step, by ascending (a, b); entry i of each array for i < `count`. The arrays stay valid, and
@@ -45,44 +45,44 @@ export interface WallContacts {
 }
 
 const contactsOf = resource<Contacts>((world) => {
-  const { at, read } = contactTable(world);
-  const capacity = read('capacity');
+  const table = contactTable(world).words;
+  const capacity = table[Word.capacity];
   const { reals, words } = viewers(world, capacity);
   return {
     get count() {
-      return read('count');
+      return table[Word.count];
     },
     get lost() {
-      return read('lost');
+      return table[Word.lost];
     },
-    a: words(at.a),
-    b: words(at.b),
-    x: reals(at.x),
-    y: reals(at.y),
-    z: reals(at.z),
-    nx: reals(at.nx),
-    ny: reals(at.ny),
-    nz: reals(at.nz),
-    impulse: reals(at.impulse),
+    a: words(table[Word.a]),
+    b: words(table[Word.b]),
+    x: reals(table[Word.x]),
+    y: reals(table[Word.y]),
+    z: reals(table[Word.z]),
+    nx: reals(table[Word.nx]),
+    ny: reals(table[Word.ny]),
+    nz: reals(table[Word.nz]),
+    impulse: reals(table[Word.impulse]),
   };
 });
 
 const wallContactsOf = resource<WallContacts>((world) => {
-  const { at, read } = contactTable(world);
-  const { reals, words } = viewers(world, read('wallCapacity'));
+  const table = contactTable(world).words;
+  const { reals, words } = viewers(world, table[Word.wallCapacity]);
   return {
     get count() {
-      return read('wallCount');
+      return table[Word.wallCount];
     },
     get lost() {
-      return read('wallLost');
+      return table[Word.wallLost];
     },
-    body: words(at.wallBody),
-    wall: words(at.wallId),
-    nx: reals(at.wallNx),
-    ny: reals(at.wallNy),
-    nz: reals(at.wallNz),
-    impulse: reals(at.wallImpulse),
+    body: words(table[Word.wallBody]),
+    wall: words(table[Word.wallId]),
+    nx: reals(table[Word.wallNx]),
+    ny: reals(table[Word.wallNy]),
+    nz: reals(table[Word.wallNz]),
+    impulse: reals(table[Word.wallImpulse]),
   };
 });
 
@@ -113,7 +113,7 @@ export function wallContacts(world: PhysicsWorld): WallContacts {
 
 /** Most contacts a step can hold; a larger `arenaBytes` gives more. */
 export function contactCapacity(world: PhysicsWorld): number {
-  return contactTable(world).read('capacity');
+  return contactTable(world).words[Word.capacity];
 }
 
 /** System of the `events` phase: tells of this step's contacts between bodies. */

@@ -12,7 +12,16 @@ const MOST_SIDE = 64;
 const ITEMS_A_WALL = 16;
 
 /** The words of `WallGrid` in kernels/walls/wall-grid.ts. */
-const GRID_WORDS = ['count', 'segments', 'starts', 'items', 'mostItems', 'side'] as const;
+enum GridWord {
+  count,
+  segments,
+  starts,
+  items,
+  mostItems,
+  side,
+  /** How many there are. */
+  end,
+}
 
 interface SegmentList {
   readonly grid: number;
@@ -26,13 +35,13 @@ interface SegmentList {
 
 const segmentList = resource<SegmentList>((world) => {
   const { arena } = world.internal;
-  const grid = allocate(arena, 4 * GRID_WORDS.length, 'segment walls');
-  writeGrid(world, grid, 'starts', allocate(arena, 4 * (MOST_SIDE * MOST_SIDE + 2), 'segment walls'));
+  const grid = allocate(arena, 4 * GridWord.end, 'segment walls');
+  writeGrid(world, grid, GridWord.starts, allocate(arena, 4 * (MOST_SIDE * MOST_SIDE + 2), 'segment walls'));
   return { grid, room: 0, ids: 0, tick: -1, membership: -1, count: 0 };
 });
 
-function writeGrid(world: PhysicsWorld, grid: number, word: (typeof GRID_WORDS)[number], value: number): void {
-  new Uint32Array(world.memory.buffer, grid, GRID_WORDS.length)[GRID_WORDS.indexOf(word)] = value;
+function writeGrid(world: PhysicsWorld, grid: number, word: GridWord, value: number): void {
+  new Uint32Array(world.memory.buffer, grid, GridWord.end)[word] = value;
 }
 
 /** Makes room for all walls, twice as much as before: the arena gives nothing back. @throws PhysicsError E_CAPACITY */
@@ -43,9 +52,9 @@ function reserve(world: PhysicsWorld, list: SegmentList, count: number): void {
   const { arena } = world.internal;
   const size = 12 * realBytes(world.precision);
   list.ids = allocate(arena, 4 * room, 'segment walls');
-  writeGrid(world, list.grid, 'segments', allocate(arena, size * room, 'segment walls'));
-  writeGrid(world, list.grid, 'items', allocate(arena, 4 * ITEMS_A_WALL * room, 'segment walls'));
-  writeGrid(world, list.grid, 'mostItems', ITEMS_A_WALL * room);
+  writeGrid(world, list.grid, GridWord.segments, allocate(arena, size * room, 'segment walls'));
+  writeGrid(world, list.grid, GridWord.items, allocate(arena, 4 * ITEMS_A_WALL * room, 'segment walls'));
+  writeGrid(world, list.grid, GridWord.mostItems, ITEMS_A_WALL * room);
   list.room = room;
 }
 

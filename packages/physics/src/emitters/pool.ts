@@ -58,8 +58,8 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
   words[W.colors] = take(COLOR_BYTES);
   words[W.bornAt] = take(capacity * 8);
   if (reports) words[W.endedAt] = take(capacity * 48);
-  for (const name of ['ids', 'generation', 'free', 'older', 'newer', 'ramp', 'life', 'factor'] as const) {
-    words[W[name]] = take(capacity * 4);
+  for (const list of [W.ids, W.generation, W.free, W.older, W.newer, W.ramp, W.life, W.factor]) {
+    words[list] = take(capacity * 4);
   }
   if (reports) words[W.endedIds] = take(capacity * 4);
   const { Position } = world.previousAddresses;

@@ -1,13 +1,23 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { NUMBERS, WORDS } from './record';
+import { MOST_RAMPS, MOST_STOPS, N, W } from './record';
+
+/** The members of an enumeration without `count`, in order; those numbered from 0 that stand for several, each. */
+function namesOf(fields: object): string[] {
+  const names = Object.entries(fields).filter(([, place]) => typeof place === 'number') as [string, number][];
+  return names.slice(0, -1).flatMap(([name, place], i) => {
+    const count = names[i + 1][1] - place;
+    return count === 1 ? [name] : Array.from({ length: count }, (_, k) => name.replace('0', String(k)));
+  });
+}
 
 test('the record has the fields of the kernel’s class, in its order, and its f64 are aligned', () => {
   const source = readFileSync(new URL('../../kernels/emitters/record.ts', import.meta.url), 'utf8');
   const [body] = source.slice(source.indexOf('class Emitter')).split('\n}');
   const fields = [...body.matchAll(/^ {2}(\w+): (\w+);/gm)];
-  expect(fields.filter(([, , type]) => type !== 'f64').map(([, name]) => name)).toEqual(WORDS);
-  expect(fields.filter(([, , type]) => type === 'f64').map(([, name]) => name)).toEqual(NUMBERS);
-  expect(fields.findIndex(([, , type]) => type === 'f64')).toBe(WORDS.length);
-  expect(WORDS.length % 2).toBe(0);
+  expect(fields.filter(([, , type]) => type !== 'f64').map(([, name]) => name)).toEqual(namesOf(W));
+  expect(fields.filter(([, , type]) => type === 'f64').map(([, name]) => name)).toEqual(namesOf(N));
+  expect(fields.findIndex(([, , type]) => type === 'f64')).toBe(W.count);
+  expect(W.count % 2).toBe(0);
+  expect(W.count - W.color0).toBe(MOST_RAMPS * MOST_STOPS + MOST_RAMPS);
 });

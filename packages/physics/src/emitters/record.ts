@@ -5,109 +5,99 @@ import type { Arena } from '../store/arena';
 export const MOST_RAMPS = 8;
 export const MOST_STOPS = 4;
 
-const numbered = (name: string, count: number) => Array.from({ length: count }, (_, i) => `${name}${i}`);
+/** Where the u32 fields stand in `record.words`, in order; a bundle has the numbers alone. */
+export enum W {
+  ids,
+  generation,
+  free,
+  older,
+  newer,
+  bornAt,
+  life,
+  factor,
+  ramp,
+  colors,
+  previousX,
+  previousY,
+  previousZ,
+  color,
+  size,
+  generations,
+  endedIds,
+  endedAt,
+  endedNow,
+  bursts,
+  burstCount,
+  capacity,
+  freeHead,
+  freeCount,
+  alive,
+  oldest,
+  newest,
+  dimensions,
+  recyclesOldest,
+  emits,
+  rampCount,
+  sizeStops,
+  changed,
+  repaint,
+  random0,
+  random1,
+  random2,
+  random3,
+  /** The stops of all ramps, and how many each has. */
+  color0,
+  stops0 = color0 + 32,
+  /** How many words there are. */
+  count = stops0 + 8,
+}
 
-const WORD_NAMES = [
-  'ids',
-  'generation',
-  'free',
-  'older',
-  'newer',
-  'bornAt',
-  'life',
-  'factor',
-  'ramp',
-  'colors',
-  'previousX',
-  'previousY',
-  'previousZ',
-  'color',
-  'size',
-  'generations',
-  'endedIds',
-  'endedAt',
-  'endedNow',
-  'bursts',
-  'burstCount',
-  'capacity',
-  'freeHead',
-  'freeCount',
-  'alive',
-  'oldest',
-  'newest',
-  'dimensions',
-  'recyclesOldest',
-  'emits',
-  'rampCount',
-  'sizeStops',
-  'changed',
-  'repaint',
-  'random0',
-  'random1',
-  'random2',
-  'random3',
-] as const;
+/** Where the f64 fields stand in `record.numbers`, which follow the words. */
+export enum N {
+  clock,
+  pending,
+  owed,
+  rate,
+  lifeMin,
+  lifeMax,
+  speedMin,
+  speedMax,
+  directionX,
+  directionY,
+  directionZ,
+  spread,
+  cosSpread,
+  x,
+  y,
+  z,
+  lastX,
+  lastY,
+  lastZ,
+  velocityX,
+  velocityY,
+  velocityZ,
+  areaX,
+  areaY,
+  areaZ,
+  scatterX,
+  scatterY,
+  scatterZ,
+  mass,
+  radius,
+  factorMin,
+  factorMax,
+  size0,
+  size1,
+  size2,
+  size3,
+  born,
+  ended,
+  lost,
+  /** How many there are. */
+  count,
+}
 
-/** The u32 fields, in order. */
-export const WORDS: readonly string[] = [
-  ...WORD_NAMES,
-  ...numbered('color', MOST_RAMPS * MOST_STOPS),
-  ...numbered('stops', MOST_RAMPS),
-];
-
-/** The f64 fields, in order, behind the words. */
-export const NUMBERS = [
-  'clock',
-  'pending',
-  'owed',
-  'rate',
-  'lifeMin',
-  'lifeMax',
-  'speedMin',
-  'speedMax',
-  'directionX',
-  'directionY',
-  'directionZ',
-  'spread',
-  'cosSpread',
-  'x',
-  'y',
-  'z',
-  'lastX',
-  'lastY',
-  'lastZ',
-  'velocityX',
-  'velocityY',
-  'velocityZ',
-  'areaX',
-  'areaY',
-  'areaZ',
-  'scatterX',
-  'scatterY',
-  'scatterZ',
-  'mass',
-  'radius',
-  'factorMin',
-  'factorMax',
-  'size0',
-  'size1',
-  'size2',
-  'size3',
-  'born',
-  'ended',
-  'lost',
-] as const;
-
-type Numbers = { readonly [Name in (typeof NUMBERS)[number]]: number };
-type Words = { readonly [Name in (typeof WORD_NAMES)[number] | 'color0' | 'stops0']: number };
-
-/** Where a field stands in `record.words`. */
-export const W = Object.fromEntries(WORDS.map((name, index) => [name, index])) as unknown as Words;
-
-/** Where a field stands in `record.numbers`. */
-export const N = Object.fromEntries(NUMBERS.map((name, index) => [name, index])) as unknown as Numbers;
-
-export const RECORD_BYTES = WORDS.length * 4 + NUMBERS.length * 8;
+export const RECORD_BYTES = W.count * 4 + N.count * 8;
 
 export interface EmitterRecord {
   readonly at: number;
@@ -118,7 +108,7 @@ export interface EmitterRecord {
 export function recordAt({ memory }: Arena, at: number): EmitterRecord {
   return {
     at,
-    words: new Uint32Array(memory.buffer, at, WORDS.length),
-    numbers: new Float64Array(memory.buffer, at + WORDS.length * 4, NUMBERS.length),
+    words: new Uint32Array(memory.buffer, at, W.count),
+    numbers: new Float64Array(memory.buffer, at + W.count * 4, N.count),
   };
 }

@@ -12,7 +12,7 @@
 // looked at where they are when the step ends. Cost: the broad phase, and 1 µs a merger.
 
 import { despawn } from '../bodies/spawn';
-import { contactTable, useContacts } from '../collision/contact-table';
+import { contactTable, useContacts, Word } from '../collision/contact-table';
 import { collisionKernels } from '../collision/kernels';
 import { bitOf } from '../components/all';
 import { pow } from '../math/elementary';
@@ -50,12 +50,12 @@ export function mergers(world: PhysicsWorld): Mergers {
 export function mergeOnContact(world: PhysicsWorld): void {
   const state = stateOf(world);
   const { into, gone } = state;
-  const { at, read } = findPairs(world);
-  const count = read('count');
+  const { words } = findPairs(world);
+  const count = words[Word.count];
   const pairs = new Uint32Array(world.memory.buffer);
   for (let c = 0; c < count; c++) {
-    const a = remaining(into, pairs[at.a / 4 + c]);
-    const b = remaining(into, pairs[at.b / 4 + c]);
+    const a = remaining(into, pairs[words[Word.a] / 4 + c]);
+    const b = remaining(into, pairs[words[Word.b] / 4 + c]);
     if (a === b || !isFree(world, a) || !isFree(world, b) || !overlap(world, a, b)) continue;
     merge(world, state, a, b);
   }

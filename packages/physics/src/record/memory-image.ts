@@ -1,5 +1,5 @@
 // The world's memory, put aside and written back. Pieces that hold only zeros are left out.
-import { RESERVED_BYTES, TABLE_ADDRESS, TABLE_COLUMNS } from '../store/column-table';
+import { RESERVED_BYTES, TABLE_ADDRESS, TableColumn } from '../store/column-table';
 import type { PhysicsWorld } from '../world';
 
 /** Which parts of a memory hold anything. */
@@ -32,7 +32,7 @@ export function noImage(): MemoryImage {
 /** Bytes of a piece: one page, which most systems hand out untouched until it is written to. */
 const PIECE = 4096;
 
-const TABLE_BYTES = 4 * TABLE_COLUMNS.length;
+const TABLE_BYTES = 4 * TableColumn.end;
 
 /** Copies the memory into an image, whose bytes are used again where they suffice. */
 export function takeImage(world: PhysicsWorld, image: MemoryImage): void {

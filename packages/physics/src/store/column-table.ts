@@ -6,48 +6,47 @@ export const TABLE_ADDRESS = 64;
 /** Bytes at the start of the memory that belong to tables. */
 export const RESERVED_BYTES = 4096;
 
-/** The columns of the table, in the order of the class in kernels/columns.ts. */
-export const TABLE_COLUMNS = [
-  'positionX',
-  'positionY',
-  'positionZ',
-  'velocityX',
-  'velocityY',
-  'velocityZ',
-  'mass',
-  'inertia',
-  'angularVelocityX',
-  'angularVelocityY',
-  'angularVelocityZ',
-  'radius',
-  'restitution',
-  'friction',
-  'members',
-  'angularVelocityBit',
-  'contacts',
-] as const;
+/** The words of the table, in the order of the class in kernels/columns.ts. */
+export enum TableColumn {
+  positionX,
+  positionY,
+  positionZ,
+  velocityX,
+  velocityY,
+  velocityZ,
+  mass,
+  inertia,
+  angularVelocityX,
+  angularVelocityY,
+  angularVelocityZ,
+  radius,
+  restitution,
+  friction,
+  members,
+  angularVelocityBit,
+  contacts,
+  /** How many there are. */
+  end,
+}
 
 /** Writes the table. */
 export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, members: number): void {
   const { Position, Velocity, Mass, Inertia, AngularVelocity, Collider } = at;
-  const table: Record<(typeof TABLE_COLUMNS)[number], number> = {
-    positionX: Position.x,
-    positionY: Position.y,
-    positionZ: Position.z,
-    velocityX: Velocity.x,
-    velocityY: Velocity.y,
-    velocityZ: Velocity.z,
-    mass: Mass.value,
-    inertia: Inertia.value,
-    angularVelocityX: AngularVelocity.x,
-    angularVelocityY: AngularVelocity.y,
-    angularVelocityZ: AngularVelocity.z,
-    radius: Collider.radius,
-    restitution: Collider.restitution,
-    friction: Collider.friction,
-    members,
-    angularVelocityBit: bitOf('AngularVelocity'),
-    contacts: 0,
-  };
-  new Uint32Array(memory.buffer, TABLE_ADDRESS, TABLE_COLUMNS.length).set(TABLE_COLUMNS.map((name) => table[name]));
+  const table = new Uint32Array(memory.buffer, TABLE_ADDRESS, TableColumn.end);
+  table[TableColumn.positionX] = Position.x;
+  table[TableColumn.positionY] = Position.y;
+  table[TableColumn.positionZ] = Position.z;
+  table[TableColumn.velocityX] = Velocity.x;
+  table[TableColumn.velocityY] = Velocity.y;
+  table[TableColumn.velocityZ] = Velocity.z;
+  table[TableColumn.mass] = Mass.value;
+  table[TableColumn.inertia] = Inertia.value;
+  table[TableColumn.angularVelocityX] = AngularVelocity.x;
+  table[TableColumn.angularVelocityY] = AngularVelocity.y;
+  table[TableColumn.angularVelocityZ] = AngularVelocity.z;
+  table[TableColumn.radius] = Collider.radius;
+  table[TableColumn.restitution] = Collider.restitution;
+  table[TableColumn.friction] = Collider.friction;
+  table[TableColumn.members] = members;
+  table[TableColumn.angularVelocityBit] = bitOf('AngularVelocity');
 }
