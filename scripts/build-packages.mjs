@@ -1,5 +1,5 @@
-/** Builds every package for publishing: one ES module and its declarations in `packages/<name>/dist`. */
-import { cpSync, existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+/** Builds every package for publishing: an ES module for each of its entries, and declarations, in its `dist`. */
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
 import { buildKernels } from './build-kernels.mjs';
 import { bundleOptions } from './lib/bundle.mjs';
@@ -13,13 +13,23 @@ try {
   await buildKernels();
   for (const name of names) {
     rmSync(`${root}/packages/${name}/dist`, { recursive: true, force: true });
-    const entryPoints = [`packages/${name}/src/index.ts`];
-    await build(bundleOptions({ entryPoints, outfile: `packages/${name}/dist/index.js`, packages: 'external' }));
+    const folders = { outbase: `packages/${name}/src`, outdir: `packages/${name}/dist` };
+    await build(bundleOptions({ ...folders, entryPoints: entriesOf(name), splitting: true, packages: 'external' }));
   }
   await writeDeclarations();
   process.stdout.write(`Built ${names.join(', ')}\n`);
 } catch (error) {
   await reportFailure(error);
+}
+
+/**
+ * The sources that a package exports.
+ * @param {string} name
+ * @returns {string[]}
+ */
+function entriesOf(name) {
+  const { exports } = JSON.parse(readFileSync(`${root}/packages/${name}/package.json`, 'utf8'));
+  return Object.values(exports).map((entry) => `packages/${name}/${entry['principia-source'].slice(2)}`);
 }
 
 /** All packages at once, because each imports the sources of those below it; then to each its own. */

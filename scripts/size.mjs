@@ -30,6 +30,7 @@ const SHARED = [
   '@principia/physics',
   '@principia/render-*',
   '@principia/shell',
+  '@principia/shell/*',
   'bitecs',
   'pixi.js',
   'three',

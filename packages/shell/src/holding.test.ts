@@ -109,3 +109,30 @@ it('forgets a body that is gone', () => {
   expect(holding.held).toEqual([]);
   expect(world.faults.faults).toEqual([]);
 });
+
+it('holds several bodies by one pointer, as they lie, and lets go of all', () => {
+  const { world, a, b } = worldWithBalls();
+  const holding = holdBodies(world);
+  const { Position, Velocity, Mass } = world.components;
+  holding.grab(1, a, 0, 2);
+  holding.grab(1, b, 0, 2);
+  holding.move(1, 0.5, 2);
+  step(world, DT);
+  expect([Position.x[a], Position.x[b]]).toEqual([expect.closeTo(1.5, 12), expect.closeTo(-0.5, 12)]);
+  holding.release(1, 2, 0);
+  expect([holding.held, Mass.value[a], Mass.value[b]]).toEqual([[], 1, 5]);
+  expect([Velocity.x[a], Velocity.x[b]]).toEqual([2, 2]);
+});
+
+it('puts down what has infinite mass, where others are thrown', () => {
+  const { world, a } = worldWithBalls();
+  const { Position, Velocity, Mass } = world.components;
+  Mass.value[a] = Infinity;
+  const holding = holdBodies(world);
+  holding.grab(1, a, 1, 2);
+  holding.move(1, 3, 2);
+  step(world, DT);
+  holding.release(1, 9, 9);
+  step(world, DT);
+  expect([Mass.value[a], Position.x[a], Velocity.x[a]]).toEqual([Infinity, expect.closeTo(1 + 50 * DT, 12), 0]);
+});

@@ -1,13 +1,13 @@
 // Bodies that follow pointers. A held body is kinematic: its mass is taken away, so that it pushes what it meets and
 // nothing pushes it, and at the start of every step it gets the velocity that brings it to its pointer by the step's
-// end. Letting go gives the mass back and throws.
+// end. Letting go gives the mass back and throws; what has infinite mass, as a pin, is put down.
 import { type EntityRef, entityRef, isAlive, keepState, type PhysicsWorld } from '@principia/physics';
 
-/** Bodies held by pointers, any number at once. Points are metres, velocities metres per second. */
+/** Bodies held by pointers, any number at once, several by one pointer too. Points are metres, velocities metres per second. */
 export interface Holding {
   /** The held bodies, in the order they were taken. */
   readonly held: readonly number[];
-  /** Takes body `id` at a point of it, unless another pointer has it; the body keeps its place under the pointer. */
+  /** Takes body `id` as well, unless it is held already; the body keeps its place under the pointer. */
   grab(pointer: number, id: number, x: number, y: number, z?: number): void;
   move(pointer: number, x: number, y: number, z?: number): void;
   /** Lets go and throws. */
@@ -34,6 +34,7 @@ interface Point {
 }
 
 interface Grip {
+  readonly pointer: number;
   readonly id: number;
   /** Another body may have the id by now. */
   readonly ref: EntityRef;
@@ -47,6 +48,7 @@ interface Grip {
 /** Lets pointers hold bodies of `world`: adds one system to its `input` phase. */
 export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): Holding {
   const { maxSpeed = 50, limit } = options;
+  /** By body. */
   const grips = new Map<number, Grip>();
   const { Position, Velocity, AngularVelocity, Mass } = world.components;
   const aim = (grip: Grip, x: number, y: number, z: number) => {
@@ -65,8 +67,8 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
   };
   const follow = (_: PhysicsWorld, dt: number) => {
     if (grips.size === 0) return;
-    for (const [pointer, { id, ref, target }] of grips) {
-      if (!isAlive(world, ref)) grips.delete(pointer);
+    for (const { id, ref, target } of grips.values()) {
+      if (!isAlive(world, ref)) grips.delete(id);
       else {
         push(id, (target.x - Position.x[id]) / dt, (target.y - Position.y[id]) / dt, (target.z - Position.z[id]) / dt);
         for (const axis of ['x', 'y', 'z'] as const) AngularVelocity[axis][id] = 0;
@@ -75,29 +77,31 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
   };
   keepState(world, grips);
   world.phases.input.push(follow);
+  const letGo = ({ id, ref, mass }: Grip, vx: number, vy: number, vz: number) => {
+    grips.delete(id);
+    if (!isAlive(world, ref)) return;
+    Mass.value[id] = mass;
+    if (mass === Infinity) push(id, 0, 0, 0);
+    else push(id, vx, vy, vz);
+  };
   const release = (pointer: number, vx: number, vy: number, vz = 0) => {
-    const grip = grips.get(pointer);
-    grips.delete(pointer);
-    if (grip === undefined || !isAlive(world, grip.ref)) return;
-    Mass.value[grip.id] = grip.mass;
-    push(grip.id, vx, vy, vz);
+    for (const grip of grips.values()) if (grip.pointer === pointer) letGo(grip, vx, vy, vz);
   };
   return {
     get held() {
-      return [...grips.values()].map(({ id }) => id);
+      return [...grips.keys()];
     },
     grab(pointer, id, x, y, z = 0) {
-      for (const grip of grips.values()) if (grip.id === id) return;
+      if (grips.has(id)) return;
       const offset = { x: Position.x[id] - x, y: Position.y[id] - y, z: Position.z[id] - z };
       const ref = entityRef(world, id);
-      const grip = { id, ref, mass: Mass.value[id], offset, target: { x: 0, y: 0, z: 0 } };
+      const grip = { pointer, id, ref, mass: Mass.value[id], offset, target: { x: 0, y: 0, z: 0 } };
       Mass.value[id] = 0;
       aim(grip, x, y, z);
-      grips.set(pointer, grip);
+      grips.set(id, grip);
     },
     move(pointer, x, y, z = 0) {
-      const grip = grips.get(pointer);
-      if (grip !== undefined) aim(grip, x, y, z);
+      for (const grip of grips.values()) if (grip.pointer === pointer) aim(grip, x, y, z);
     },
     release,
     place() {
@@ -108,7 +112,7 @@ export function holdBodies(world: PhysicsWorld, options: HoldingOptions = {}): H
       grips.clear();
     },
     releaseAll() {
-      for (const pointer of [...grips.keys()]) release(pointer, 0, 0);
+      for (const grip of grips.values()) letGo(grip, 0, 0, 0);
     },
   };
 }

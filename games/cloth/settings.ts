@@ -1,0 +1,21 @@
+/** What the panel offers. */
+import type { NumberSetting } from '@principia/shell';
+
+const number = { kind: 'number', integer: false, min: 0 } as const;
+
+export const settings = {
+  gravity: { ...number, label: 'Gravity', unit: 'm/s²', initial: 9.81, max: 30 },
+  wind: { ...number, label: 'Wind', unit: 'm/s', initial: 0.6, max: 10 },
+  strength: {
+    ...number,
+    label: 'Strength',
+    unit: 'N',
+    initial: 2.5,
+    min: 0.5,
+    max: 50,
+    scale: 'log',
+    about: 'Pull at which a thread breaks',
+  },
+} as const satisfies Record<string, NumberSetting>;
+
+export type Settings = typeof settings;

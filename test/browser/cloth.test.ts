@@ -1,0 +1,65 @@
+/** Tears the cloth through its real page, by mouse and by fingers. */
+import type { Page } from 'playwright-core';
+import { PNG } from 'pngjs';
+import { describe, expect, it } from 'vitest';
+import { CLOTH } from '../../games/cloth/sim.ts';
+import { body, fingersOf, frames, pictureOf, playGame, state } from '../support/game-page.ts';
+
+const { open: play } = playGame('cloth', { viewport: { width: 900, height: 600 }, hasTouch: true });
+
+const broken = async (page: Page) => ((await state(page)).game as { broken: number }).broken;
+
+/** Where a node is on the page. */
+async function nodePlace(page: Page, column: number, row: number) {
+  const { screen } = await body(page, CLOTH.columns * row + column);
+  return screen as { x: number; y: number };
+}
+
+describe('the cloth', () => {
+  it('hangs, and is seen', async () => {
+    const page = await play('wind=0');
+    expect(await broken(page)).toBe(0);
+    const { data } = PNG.sync.read(await pictureOf(page));
+    let warm = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i] > data[i + 2] + 20) warm++;
+    const [from, to] = [await nodePlace(page, 0, 0), await nodePlace(page, CLOTH.columns - 1, CLOTH.rows - 1)];
+    const length = CLOTH.columns * (to.y - from.y) + CLOTH.rows * (to.x - from.x);
+    // A line of 1.6 pixels reaches two or three pixels across; where threads cross, some count once for two.
+    expect(warm / length).toBeGreaterThan(1);
+    expect(warm / length).toBeLessThan(3);
+  });
+
+  it('tears under the mouse, and is whole again after a reset', async () => {
+    const page = await play('wind=0');
+    const { x, y } = await nodePlace(page, 32, 20);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    expect((await state(page)).held.length).toBeGreaterThan(10);
+    for (let i = 1; i <= 20; i++) {
+      await page.mouse.move(x, y + 10 * i);
+      await frames(page);
+    }
+    await page.mouse.up();
+    expect(await broken(page)).toBeGreaterThan(10);
+    expect((await state(page)).held).toEqual([]);
+    await page.keyboard.press('r');
+    await frames(page);
+    expect(await broken(page)).toBe(0);
+  });
+
+  it('is held by two fingers at once, each its own piece', async () => {
+    const page = await play('wind=0&strength=50');
+    const touch = await fingersOf(page);
+    const fingers = [await nodePlace(page, 12, 30), await nodePlace(page, 52, 30)].map((at, id) => ({ ...at, id }));
+    await touch('touchStart', fingers.slice(0, 1));
+    await frames(page);
+    const one = (await state(page)).held.length;
+    await touch('touchStart', fingers);
+    await frames(page);
+    expect(one).toBeGreaterThan(10);
+    expect((await state(page)).held.length).toBeGreaterThan(one + 10);
+    await touch('touchEnd');
+    await frames(page);
+    expect((await state(page)).held).toEqual([]);
+  });
+});
