@@ -1,106 +1,128 @@
-/** Draws energy errors over orbits as an SVG: both axes logarithmic, every line named at its end. */
+/** Draws energy errors over orbits as an SVG of small panels, all with the same logarithmic axes. */
 
 const WIDTH = 960;
-const HEIGHT = 600;
-const LEFT = 84;
-const RIGHT = 790;
-const TOP = 84;
-const BOTTOM = 540;
+const COLUMNS = 2;
+const HEAD = 78;
+/** Of a panel, its plot within it, and the space its names have at the right. */
+const PANEL = { width: 480, height: 300 };
+const PLOT = { left: 64, top: 50, width: 250, height: 200 };
 const LEAST = -16;
-const MOST = 1;
+const MOST = 2;
 const DECADES = 3;
 
-/** One colour for each order; dashes for what is not symplectic. */
-const COLOURS = new Map([
-  [1, '#c2410c'],
-  [2, '#2563eb'],
-  [4, '#7c3aed'],
-  [5, '#0f766e'],
-  [6, '#be185d'],
-  [15, '#111827'],
-]);
+/** Told apart by all eyes (Okabe and Ito), dark enough on white. */
+const COLOURS = ['#0072b2', '#d55e00', '#008060', '#a8417f'];
+const GREY = '#8b93a1';
+const NARROW = 2;
+/** Of a line that another one lies on, so that both are seen. */
+const WIDE = 6;
+const INK = '#111827';
 
 /** @param {number} orbits */
-const x = (orbits) => LEFT + ((RIGHT - LEFT) * Math.log10(orbits)) / DECADES;
+const x = (orbits) => PLOT.left + (PLOT.width * Math.log10(orbits)) / DECADES;
 
 /** @param {number} error */
 function y(error) {
   const power = Math.min(MOST, Math.max(LEAST, Math.log10(error)));
-  return BOTTOM - ((BOTTOM - TOP) * (power - LEAST)) / (MOST - LEAST);
+  return PLOT.top + PLOT.height - (PLOT.height * (power - LEAST)) / (MOST - LEAST);
 }
 
 /**
- * @param {import('./energy-errors.mjs').Line[]} lines
+ * @param {import('./energy-errors.mjs').Chart[]} charts
  * @returns {string}
  */
-export function energyChart(lines) {
+export function energyChart(charts) {
+  const height = HEAD + Math.ceil(charts.length / COLUMNS) * PANEL.height;
   const parts = [
-    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" ` +
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${height}" width="${WIDTH}" height="${height}" ` +
       'font-family="system-ui, Helvetica, Arial, sans-serif" role="img" ' +
       'aria-label="Energy error of each integrator over a thousand orbits">',
-    `<rect width="${WIDTH}" height="${HEIGHT}" fill="#ffffff"/>`,
-    text(LEFT, 34, 'Energy error over a thousand orbits', 'font-size="20" font-weight="600" fill="#111827"'),
+    `<rect width="${WIDTH}" height="${height}" fill="#ffffff"/>`,
+    text(24, 34, 'Energy error over a thousand orbits', `font-size="20" font-weight="600" fill="${INK}"`),
     text(
-      LEFT,
+      24,
       58,
-      'Eccentricity 0.3, 400 force evaluations an orbit for every scheme of fixed step; dashed: not symplectic',
+      'Largest |ΔE / E| so far. 400 force evaluations an orbit for every scheme of fixed step; grey: to compare with',
       'font-size="13" fill="#4b5563"',
     ),
-    ...grid(),
-    ...lines.map(path),
-    ...labels(lines),
+    ...charts.map((chart, i) => {
+      const [left, top] = [(i % COLUMNS) * PANEL.width, HEAD + Math.floor(i / COLUMNS) * PANEL.height];
+      return `<g transform="translate(${left} ${top})">\n${panel(chart).join('\n')}\n</g>`;
+    }),
     '</svg>',
   ];
   return `${parts.join('\n')}\n`;
 }
 
-/** @returns {string[]} */
-function grid() {
-  const parts = [];
-  for (let power = LEAST; power <= MOST; power++) {
-    const at = y(10 ** power).toFixed(1);
-    const strong = power % 4 === 0;
-    parts.push(`<path d="M${LEFT} ${at}H${RIGHT}" stroke="${strong ? '#d1d5db' : '#f1f3f5'}"/>`);
-    if (strong) parts.push(tick(LEFT - 10, Number(at) + 4, power, 'end'));
-  }
-  for (let power = 0; power <= DECADES; power++) {
-    const at = x(10 ** power).toFixed(1);
-    parts.push(`<path d="M${at} ${TOP}V${BOTTOM}" stroke="#e5e7eb"/>`);
-    parts.push(
-      text(Number(at), BOTTOM + 22, String(10 ** power), 'font-size="12" fill="#4b5563" text-anchor="middle"'),
-    );
-  }
-  const middle = (TOP + BOTTOM) / 2;
-  parts.push(text((LEFT + RIGHT) / 2, BOTTOM + 46, 'orbits', 'font-size="13" fill="#374151" text-anchor="middle"'));
-  parts.push(
-    text(
-      26,
-      middle,
-      'largest |ΔE / E| so far',
-      `font-size="13" fill="#374151" text-anchor="middle" transform="rotate(-90 26 ${middle})"`,
-    ),
-  );
-  return parts;
-}
-
-/** @param {import('./energy-errors.mjs').Line} line */
-function path({ points, order, symplectic }) {
-  const d = points.map(([orbits, error], i) => `${i === 0 ? 'M' : 'L'}${x(orbits).toFixed(1)} ${y(error).toFixed(1)}`);
-  const dash = symplectic ? '' : ' stroke-dasharray="6 4"';
-  const stroke = COLOURS.get(order) ?? '#111827';
-  return `<path d="${d.join('')}" fill="none" stroke="${stroke}" stroke-width="2" stroke-linejoin="round"${dash}/>`;
+/** @param {import('./energy-errors.mjs').Chart} chart */
+function panel({ title, note, lines }) {
+  const own = lines.filter(({ beside }) => !beside);
+  const styled = lines.map((line) => {
+    const place = own.indexOf(line);
+    if (place < 0) return { ...line, colour: GREY, width: 1.3 };
+    const covered = own.slice(place + 1).some((later) => liesOn(later, line));
+    return { ...line, colour: COLOURS[place], width: covered ? WIDE : NARROW };
+  });
+  return [
+    text(PLOT.left, 20, title, `font-size="14" font-weight="600" fill="${INK}"`),
+    text(PLOT.left, 38, note, 'font-size="12" fill="#4b5563"'),
+    ...grid(),
+    ...styled.map(path),
+    ...labels(styled),
+  ];
 }
 
 /**
- * Names at the ends of the lines, moved apart where they would overlap, each with a thin leader.
- * @param {import('./energy-errors.mjs').Line[]} lines
+ * @param {import('./energy-errors.mjs').Line} a
+ * @param {import('./energy-errors.mjs').Line} b
+ */
+function liesOn(a, b) {
+  const near = a.points.filter(([, error], i) => Math.abs(y(error) - y(b.points[i][1])) < NARROW);
+  return 2 * near.length > a.points.length;
+}
+
+/** @returns {string[]} */
+function grid() {
+  const parts = [];
+  const [right, bottom] = [PLOT.left + PLOT.width, PLOT.top + PLOT.height];
+  for (let power = LEAST; power <= MOST; power += 2) {
+    const at = y(10 ** power).toFixed(1);
+    const strong = power % 4 === 0;
+    parts.push(`<path d="M${PLOT.left} ${at}H${right}" stroke="${strong ? '#d1d5db' : '#eceff3'}"/>`);
+    if (strong) parts.push(tick(PLOT.left - 8, Number(at) + 4, power));
+  }
+  for (let power = 0; power <= DECADES; power++) {
+    const at = x(10 ** power).toFixed(1);
+    const name = power === DECADES ? `${10 ** power} orbits` : String(10 ** power);
+    parts.push(`<path d="M${at} ${PLOT.top}V${bottom}" stroke="#e5e7eb"/>`);
+    parts.push(text(Number(at), bottom + 19, name, 'font-size="11" fill="#4b5563" text-anchor="middle"'));
+  }
+  return parts;
+}
+
+/** @typedef {import('./energy-errors.mjs').Line & { colour: string, width: number }} Styled */
+
+/** @param {Styled} line */
+function path({ key, points, beside, colour, width }) {
+  const d = points.map(([orbits, error], i) => `${i === 0 ? 'M' : 'L'}${x(orbits).toFixed(1)} ${y(error).toFixed(1)}`);
+  const dash = beside ? ' stroke-dasharray="4 3"' : '';
+  return (
+    `<path data-scheme="${key}" d="${d.join('')}" fill="none" stroke="${colour}" stroke-width="${width}" ` +
+    `stroke-linejoin="round" stroke-linecap="round"${dash}/>`
+  );
+}
+
+/**
+ * Names at the ends of the lines, moved apart where they would overlap, each with a leader as wide as its line.
+ * @param {Styled[]} lines
  */
 function labels(lines) {
   const GAP = 17;
+  const right = PLOT.left + PLOT.width;
   const ends = lines
-    .map(({ name, order, points }) => {
-      const end = y((points.at(-1) ?? [1, 1])[1]);
-      return { name, order, end, at: end };
+    .map((line) => {
+      const end = y((line.points.at(-1) ?? [1, 1])[1]);
+      return { ...line, end, at: end };
     })
     .sort((a, b) => a.end - b.end);
   for (let pass = 0; pass < 200; pass++) {
@@ -111,24 +133,21 @@ function labels(lines) {
       ends[i].at += overlap / 2;
     }
   }
-  return ends.flatMap(({ name, order, end, at }) => {
-    const colour = COLOURS.get(order) ?? '#111827';
-    return [
-      `<path d="M${RIGHT} ${end.toFixed(1)}L${RIGHT + 14} ${at.toFixed(1)}" stroke="${colour}" stroke-width="0.8" fill="none"/>`,
-      text(RIGHT + 18, at + 4, name, `font-size="13" fill="${colour}"`),
-    ];
-  });
+  return ends.flatMap(({ name, end, at, colour, width, beside }) => [
+    `<path d="M${right + 2} ${end.toFixed(1)}L${right + 14} ${at.toFixed(1)}h12" stroke="${colour}" ` +
+      `stroke-width="${Math.min(width, 4)}" fill="none"/>`,
+    text(right + 31, at + 4, name, `font-size="12.5" fill="${beside ? '#6b7280' : INK}"`),
+  ]);
 }
 
 /**
- * @param {number} left
+ * @param {number} right
  * @param {number} baseline
  * @param {number} power
- * @param {string} anchor
  */
-function tick(left, baseline, power, anchor) {
-  const raised = `<tspan dy="-5" font-size="9">${String(power).replace('-', '−')}</tspan>`;
-  return `<text x="${left}" y="${baseline}" font-size="12" fill="#4b5563" text-anchor="${anchor}">10${raised}</text>`;
+function tick(right, baseline, power) {
+  const raised = `<tspan dy="-5" font-size="8.5">${String(power).replace('-', '−')}</tspan>`;
+  return `<text x="${right}" y="${baseline}" font-size="11" fill="#4b5563" text-anchor="end">10${raised}</text>`;
 }
 
 /**
@@ -138,5 +157,5 @@ function tick(left, baseline, power, anchor) {
  * @param {string} attributes
  */
 function text(left, baseline, content, attributes) {
-  return `<text x="${left}" y="${baseline.toFixed(1)}" ${attributes}>${content}</text>`;
+  return `<text x="${left.toFixed(1)}" y="${baseline.toFixed(1)}" ${attributes}>${content}</text>`;
 }

@@ -1,41 +1,39 @@
-/** Energy errors of the integrators over a thousand orbits of a planet, for the picture in docs/integrators.md. */
+/** Energy errors of the integrators over a thousand orbits, for the picture in docs/integrators.md. */
+import { PANELS } from './energy-panels.mjs';
 
-const ECCENTRICITY = 0.3;
 const ORBITS = 1000;
 /** All schemes do the same work: as many force evaluations an orbit. Those that choose their steps take what they want. */
 const EVALUATIONS = 400;
 /** Points of a line, evenly on a logarithmic axis. */
 const POINTS = 46;
 
-/** Left out: what is the same as another scheme in this problem, or follows it exactly. */
-const LEFT_OUT = ['boris', 'wisdomHolman', 'leapfrog', 'midpoint', 'positionFirstEuler', 'positionVerlet'];
-
 /**
- * @typedef {{ name: string, order: number, symplectic: boolean, points: [orbits: number, error: number][] }} Line
+ * @typedef {{ key: string, name: string, beside: boolean, points: [orbits: number, error: number][] }} Line
+ * @typedef {{ title: string, note: string, lines: Line[] }} Chart
  * @param {any} physics the package
- * @returns {Line[]}
+ * @returns {Chart[]}
  */
 export function energyErrors(physics) {
-  return Object.entries(physics.INTEGRATORS)
-    .filter(([key]) => !LEFT_OUT.includes(key))
-    .map(([, record]) => {
-      const { name, order, symplectic } = record;
-      process.stderr.write(`${name}\n`);
-      return { name, order, symplectic, points: measure(physics, record) };
-    });
+  return PANELS.map(({ title, note, problem, schemes, beside }) => {
+    process.stderr.write(`${title}: ${[...beside, ...schemes].join(', ')}\n`);
+    const line = (/** @type {string} */ key, /** @type {boolean} */ isBeside) => {
+      const record = physics.INTEGRATORS[key];
+      return { key, name: record.name, beside: isBeside, points: measure(physics, record, problem) };
+    };
+    return { title, note, lines: [...beside.map((key) => line(key, true)), ...schemes.map((key) => line(key, false))] };
+  });
 }
 
 /**
  * Largest relative energy error up to each point.
  * @param {any} physics
  * @param {any} record
+ * @param {import('./energy-panels.mjs').Panel['problem']} problem
  * @returns {[number, number][]}
  */
-function measure({ createPhysicsWorld, spawn, attractors, energy, step }, record) {
-  const world = createPhysicsWorld({ capacity: 10, integrator: record.create(), forces: [attractors()] });
-  spawn(world, { position: {}, attractor: 1 });
-  const velocity = { y: Math.sqrt((1 + ECCENTRICITY) / (1 - ECCENTRICITY)) };
-  spawn(world, { position: { x: 1 - ECCENTRICITY }, velocity, mass: 1 });
+function measure(physics, record, problem) {
+  const { energy, step } = physics;
+  const world = problem.build(physics, record.create());
   const start = energy(world).total;
   const perStep = Number.parseInt(record.evaluations, 10);
   const steps = Math.round(EVALUATIONS / perStep);

@@ -1,6 +1,7 @@
-import { existsSync, readFileSync } from 'node:fs';
-import { INTEGRATORS } from '@principia/physics';
+import { readFileSync } from 'node:fs';
+import { INTEGRATORS, type IntegratorName } from '@principia/physics';
 import { expect, test } from 'vitest';
+import { PANELS } from '../../scripts/lib/energy-panels.mjs';
 import { withTable } from '../../scripts/lib/integrators-table.mjs';
 
 const page = readFileSync('docs/integrators.md', 'utf8');
@@ -9,9 +10,17 @@ test('the table of integrators is the one that their records make (node scripts/
   expect(withTable(page, INTEGRATORS)).toBe(page);
 });
 
-test('the picture is there', () => {
-  expect(existsSync('docs/images/integrators.svg')).toBe(true);
-  expect(readFileSync('docs/images/integrators.svg', 'utf8')).toContain('Gauss-Radau');
+test('the picture shows every scheme, each in one panel (node scripts/integrators-page.mjs --picture)', () => {
+  const shown = PANELS.flatMap(({ schemes }) => schemes);
+  expect(shown.toSorted()).toEqual(Object.keys(INTEGRATORS).toSorted());
+  const panels = readFileSync('docs/images/integrators.svg', 'utf8').split('<g ').slice(1);
+  expect(panels.length).toBe(PANELS.length);
+  PANELS.forEach(({ schemes, beside }, i) => {
+    for (const key of [...schemes, ...beside]) {
+      expect(panels[i]).toContain(`data-scheme="${key}"`);
+      expect(panels[i]).toContain(`>${INTEGRATORS[key as IntegratorName].name}</text>`);
+    }
+  });
 });
 
 test('names are unique, and every record is of the scheme it creates', () => {
