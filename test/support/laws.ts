@@ -41,6 +41,7 @@ export function run(world: PhysicsWorld, seconds: number, dt = 1 / 60, each?: ()
 /** The force on a body now, N, and the torque, N m. */
 export function forceOn(world: PhysicsWorld, eid: number, time = world.time) {
   bodies(world);
+  world.internal.sweptRows = 16 * Math.ceil((world.lastId + 1) / 16);
   for (const force of world.forces) force.prepare?.(world, 1e-3);
   const { kernels, addresses, scratch } = world;
   for (const axis of ['x', 'y', 'z'] as const) {

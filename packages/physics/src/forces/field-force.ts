@@ -7,6 +7,7 @@
 // The function writes to `out` and must depend on its arguments alone, or two runs differ; use the portable sine and its
 // kin of this package. With a `potential` (J/kg, or J) given, the energy of the world closes.
 // Cost: one call of the function a body and evaluation, in TypeScript.
+import { PhysicsError } from '../faults/physics-error';
 import { checkFunction, checkKeys } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
 import type { Force } from './force';
@@ -36,6 +37,9 @@ function fieldForce(field: Field, options: FieldOptions, perMass: boolean, name:
   checkKeys(options, `the options of the ${name}`, ['potential', 'name']);
   const { potential } = options;
   if (potential !== undefined) checkFunction(potential, `the potential of the ${name}`);
+  if (options.name !== undefined && typeof options.name !== 'string') {
+    throw new PhysicsError('E_TYPE', `the name of the ${name} must be a text.`, { field: 'name', value: options.name });
+  }
   const out = { x: 0, y: 0, z: 0 };
   const force: Force = {
     name: options.name ?? name,

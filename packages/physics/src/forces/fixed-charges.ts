@@ -9,6 +9,7 @@
 // The pull of mobile charges on each other is in `mutualCoulomb`, which takes fixed ones along. Cost: a square root, a division and some 15 operations a
 // body and source.
 import { bitOf } from '../components/all';
+import { reportFault } from '../faults/fault-log';
 import { checkNumber } from '../faults/validate';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
@@ -71,8 +72,21 @@ function gather(world: PhysicsWorld, sources: Sources, k: number): Sources {
     sources.version = versions.membership;
   }
   const charge = addresses.Charge.value;
-  sources.count = lawKernels(world).gatherCharges(sources.ids, sources.listed, charge, k, sources.at);
+  const count = lawKernels(world).gatherCharges(sources.ids, sources.listed, charge, k, sources.at);
+  sources.count = count < 0 ? -1 - count : count;
+  if (count < 0) repair(world, sources);
   return sources;
+}
+
+/** The charge of a source that somebody made NaN or infinite becomes 0, with a fault. */
+function repair(world: PhysicsWorld, { ids, listed }: Sources): void {
+  const { Charge, Mass } = world.components;
+  for (const entity of new Uint32Array(world.memory.buffer, ids, listed)) {
+    const value = Charge.value[entity];
+    if (Mass.value[entity] !== 0 || Number.isFinite(value)) continue;
+    Charge.value[entity] = 0;
+    reportFault(world, { code: 'E_NONFINITE', entity, field: 'Charge.value', value, phase: 'begin' });
+  }
 }
 
 function makeRoom(world: PhysicsWorld, sources: Sources): void {

@@ -1,3 +1,4 @@
+import type { ComponentName } from '../components/all';
 import type { PhysicsWorld } from '../world';
 
 /** A parameter of a force as its documentation shows it. */
@@ -30,6 +31,8 @@ export interface Force {
   prepare?(world: PhysicsWorld, dt: number): void;
   /** It adds to `world.scratch.torque` as well: the turn of the bodies is kicked by the torque of the last evaluation. */
   readonly turns?: boolean;
+  /** Components whose columns its `prepare` changes, as an engine burns fuel: `limited` keeps those outside its limits. */
+  readonly spends?: readonly ComponentName[];
   /** Its `accumulate` does not look at `time`: where that goes for all forces, no step makes garbage. */
   readonly timeless?: boolean;
   /** Adds this force, N, to the force on each body. `time` is the moment it is asked for, s. */

@@ -1,7 +1,8 @@
 // A force for some bodies, some places or some time only: fuel in a region, wind in a corridor, a magnet that switches.
 //
 // Inside its limits the force is what it was; outside, the force and torque it added are taken back, to the bit. Works
-// with every force: local ones run in tiles as before, and one that reads the forces before it still does.
+// with every force: local ones run in tiles as before, and one that reads the forces before it still does. What a force
+// spends at the start of a step, such as fuel, it spends inside its limits only.
 //
 // Potential: a force limited in time has its own inside that time and none outside. A local force limited to a group has
 // the potential of that group, because bodies without its coefficients have none. A force limited to a region has no
@@ -54,13 +55,64 @@ export function limited(force: Force, limits: Limits): Force {
     ...force,
     name: `${force.name} (limited)`,
     timeless: force.timeless === true && from === -Infinity && until === Infinity,
+    ...prepareWithin(force, from, until, everywhere, limitsAt),
     accumulate(world, first, last, time) {
-      if (time < from || time >= until) return;
+      // What was spent at the start of a step drives the whole of it.
+      const moment = force.spends === undefined ? time : world.time;
+      if (moment < from || moment >= until) return;
       if (everywhere) force.accumulate(world, first, last, time);
       else accumulateWithin(world, force, limitsAt(world), first, last, time);
     },
     ...potentialWithin(force, limits, from, until, limitsAt),
   };
+}
+
+/** The whole preparation, but of what is spent outside the limits nothing is. */
+function prepareWithin(
+  force: Force,
+  from: number,
+  until: number,
+  everywhere: boolean,
+  limitsAt: (world: PhysicsWorld) => number,
+): Pick<Force, 'prepare'> {
+  const { spends } = force;
+  if (force.prepare === undefined || spends === undefined) return {};
+  return {
+    prepare(world, dt) {
+      if (world.time < from || world.time >= until) return;
+      if (everywhere) {
+        force.prepare?.(world, dt);
+        return;
+      }
+      const columns = spentOf(world, spends);
+      const saves = savesAt(world, columns.length);
+      const rows = world.lastId + 1;
+      for (let i = 0; i < columns.length; i++) world.kernels.copyColumn(saves[i], columns[i], 0, rows);
+      try {
+        force.prepare?.(world, dt);
+      } finally {
+        const limits = limitsAt(world);
+        for (let i = 0; i < columns.length; i++)
+          lawKernels(world).restoreOutside(limits, columns[i], saves[i], 0, rows);
+      }
+    },
+  };
+}
+
+const spentColumns = resource(() => new Map<readonly ComponentName[], number[]>());
+
+/** Addresses of all real columns of some components. */
+function spentOf(world: PhysicsWorld, spends: readonly ComponentName[]): readonly number[] {
+  const known = spentColumns(world);
+  let columns = known.get(spends);
+  if (columns === undefined) {
+    columns = spends.flatMap((name) => {
+      const fields = Object.entries(COMPONENTS[name].fields).filter(([, { kind }]) => kind === 'real');
+      return fields.map(([field]) => (world.addresses[name] as Record<string, number>)[field]);
+    });
+    known.set(spends, columns);
+  }
+  return columns;
 }
 
 function accumulateWithin(
@@ -74,7 +126,7 @@ function accumulateWithin(
   const { kernels, scratch } = world;
   const { force: f, torque: t } = scratch.at;
   const turns = force.turns === true;
-  const saves = savesAt(world, turns);
+  const saves = savesAt(world, turns ? 6 : 3);
   for (let a = 0; a < 3; a++) {
     kernels.copyColumn(saves[a], f[SPACE[a]], first, last);
     if (turns) kernels.copyColumn(saves[a + 3], t[SPACE[a]], first, last);
@@ -94,12 +146,12 @@ function accumulateWithin(
 
 const SPACE = ['x', 'y', 'z'] as const;
 
-function savesAt(world: PhysicsWorld, turns: boolean): readonly number[] {
+function savesAt(world: PhysicsWorld, count: number): readonly number[] {
   const saves = savesOf(world);
   saves[depth] ??= [];
   const columns = saves[depth];
   const bytes = world.rows * realBytes(world.precision);
-  while (columns.length < (turns ? 6 : 3)) {
+  while (columns.length < count) {
     columns.push(allocate(world.internal.arena, bytes, 'a limited force'));
   }
   return columns;
@@ -187,6 +239,9 @@ function regionNumbers(region: Region): readonly number[] {
 function writeLimits(world: PhysicsWorld, region: readonly number[] | undefined, group: number): number {
   const at = allocate(world.internal.arena, LIMITS_BYTES, 'limits');
   const [kind = 0, ...numbers] = region ?? [];
+  // In the plane a region has no depth: a centre lies in it, a box is open.
+  if (world.dimensions === 2 && kind === 2) numbers[2] = 0;
+  if (world.dimensions === 2 && kind === 1) [numbers[2], numbers[5]] = [-Infinity, Infinity];
   new Float64Array(world.memory.buffer, at, 6).set(numbers);
   new Uint32Array(world.memory.buffer, at + 48, 2).set([kind, group]);
   return at;

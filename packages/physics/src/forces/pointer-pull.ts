@@ -1,11 +1,13 @@
 // A damped spring from one body to a point that a finger or a script moves.
 //
 //   F = m ω² (p - r) - 2 ζ m ω v,  at most `maxForce`        ω = 2π f
+//   U = m ω² d²/2 while the spring pulls with less, F_max d - F_max²/(2 m ω²) beyond        d = |p - r|
 //
 //   m  mass, kg    p  the point, m    f  frequency, Hz    ζ  damping ratio, 1 critical
 //
 // Scaled by the mass, so that heavy and light bodies follow alike. Keep f below a tenth of the step rate. The body may be
-// held and let go while the world runs; what is held is input, as a key is, and no part of the world's state.
+// held and let go while the world runs; what is held is input, as a key is, and no part of the world's state. The energy
+// closes while the point rests and ζ = 0: damping takes some, a hand that moves adds to it.
 // Catto, Soft Constraints (Game Developers Conference, 2011). Cost: nothing unless something is held.
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
 import { assertBody, type EntityRef, entityRef, isAlive } from '../store/references';
@@ -82,6 +84,18 @@ export function pointerPull(options: PointerPullOptions = {}): PointerPull {
       kernels.addToRow(at.x, eid, scale * x);
       kernels.addToRow(at.y, eid, scale * y);
       kernels.addToRow(at.z, eid, scale * z);
+    },
+    potential(world) {
+      const { eid } = held;
+      if (held.world !== world || !isAlive(world, held.ref)) return 0;
+      const { Position: p, Mass } = world.components;
+      const stiffness = omega * omega * Mass.value[eid];
+      const x = target.x - p.x[eid];
+      const y = target.y - p.y[eid];
+      const z = world.dimensions === 3 ? target.z - p.z[eid] : 0;
+      const squared = x * x + y * y + z * z;
+      if (stiffness * stiffness * squared <= most * most) return (stiffness * squared) / 2;
+      return most * Math.sqrt(squared) - (most * most) / (2 * stiffness);
     },
   };
 }

@@ -37,7 +37,7 @@ export function postNewtonian(options: PostNewtonianOptions): Force {
     local: false,
     accumulate(world, first, last) {
       const mass = world.components.Mass.value[central];
-      if (!(mass > 0)) return;
+      if (!(mass > 0 && mass < Infinity)) return;
       const { x, y, z } = world.scratch.at.force;
       const inSpace = world.dimensions === 3 ? z : 0;
       lawKernels(world).postNewtonian(x, y, inSpace, central, G * mass, c, first, last);

@@ -31,6 +31,7 @@ export function rocketEngines(options: RocketOptions = {}): Force {
     reads: ['Engine', 'Mass', ...(frame === 'body' ? ['Rotation', 'Orientation'] : [])],
     local: true,
     timeless: true,
+    spends: ['Mass', 'Engine'],
     prepare(world, dt) {
       if (world.internal.counts.Engine === 0) return;
       const e = world.addresses.Engine;

@@ -8,7 +8,7 @@
 // Valid for charges at rest or slow against light, in vacuum. A charge without Mass pulls and stays where it is.
 // The tree's cells carry dipoles, which do not vanish where signs mix (centre: that of the absolute charges). In
 // matter that is neutral on average far fields cancel and an error is relative to what is left: the tree then opens
-// more and gains less than for gravity. Coulomb 1785; tree and cost as in mutual-gravity.ts.
+// more and gains less than for gravity. Coulomb 1785; the tree is that of mutual-gravity.ts. Cost: as there.
 import { checkNumber } from '../faults/validate';
 import { COULOMB_CONSTANT } from '../forces/fixed-charges';
 import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force';

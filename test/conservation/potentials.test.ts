@@ -1,0 +1,118 @@
+// Each conservative force carries its potential: asked of every law of the package.
+import { constantTorque, step } from '@principia/physics';
+import { describe, expect, test } from 'vitest';
+import { LAW_CASES, type LawWorld, lawWorld } from '../support/law-records';
+import { forceOn, slope } from '../support/laws';
+
+/** Where the first body is moved to, m: inside and outside what has a rim at 1, in and out of the pool. */
+const MOVES = [
+  { x: 0, y: 0, z: 0 },
+  { x: -0.5, y: 0.4, z: 0.3 },
+  { x: 0.9, y: -0.35, z: 0.5 },
+];
+
+/** Their energy is that of fuel, batteries and muscles, of which a world knows nothing. */
+const DRIVEN = ['thrust', 'rocketEngines'];
+
+const axesOf = ({ world }: LawWorld) => (world.dimensions === 2 ? (['x', 'y'] as const) : (['x', 'y', 'z'] as const));
+
+function moveBy({ world, subject }: LawWorld, by: { x: number; y: number; z: number }, sign: 1 | -1 = 1): void {
+  for (const axis of ['x', 'y', 'z'] as const) {
+    if (axis !== 'z' || world.dimensions === 3) world.components.Position[axis][subject] += sign * by[axis];
+  }
+}
+
+/** Extrapolated from two steps: what is left is of fourth order, 10⁻¹² of the energy, and its rounding, 10⁻¹² too. */
+function gradient({ world }: LawWorld, eid: number): Record<'x' | 'y' | 'z', number> {
+  const [wide, narrow] = [2e-4, 1e-4].map((h) => slope(world, eid, h));
+  const at = (axis: 'x' | 'y' | 'z') => (4 * narrow[axis] - wide[axis]) / 3;
+  return { x: at('x'), y: at('y'), z: at('z') };
+}
+
+/** The same for the turn of the body. */
+function torqueOf({ world, force, subject }: LawWorld): number {
+  const { angle } = world.components.Rotation;
+  const at = (turn: number) => {
+    angle[subject] += turn;
+    const energy = force.potential?.(world) ?? Number.NaN;
+    angle[subject] -= turn;
+    return energy;
+  };
+  const along = (h: number) => (at(-h) - at(h)) / (2 * h);
+  return (4 * along(1e-4) - along(2e-4)) / 3;
+}
+
+describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
+  const built = () => lawWorld(record, dimensions, { still: true });
+
+  if (built().force.potential !== undefined) {
+    test('the force is minus the gradient of the potential', () => {
+      const stage = built();
+      const { world, force, subject, moving } = stage;
+      for (const by of MOVES) {
+        moveBy(stage, by);
+        const size = 1 + Math.abs(force.potential?.(world) ?? Number.NaN);
+        for (const eid of moving) {
+          const pull = forceOn(world, eid);
+          const fall = gradient(stage, eid);
+          for (const axis of axesOf(stage)) expect(Math.abs(fall[axis] - pull[axis])).toBeLessThan(1e-9 * size);
+        }
+        if (force.turns === true) {
+          expect(Math.abs(torqueOf(stage) - forceOn(world, subject).torque)).toBeLessThan(1e-9 * size);
+        }
+        moveBy(stage, by, -1);
+      }
+    });
+    return;
+  }
+
+  test('it has no potential, because it has none', () => {
+    expect(DRIVEN.includes(record.maker) || needsNone(built(), () => built())).toBe(true);
+  });
+});
+
+/** Whether a law does nothing to what is at rest, or depends on velocity or time, or does work round a closed loop. */
+function needsNone(stage: LawWorld, again: () => LawWorld): boolean {
+  const { world, subject } = stage;
+  const rests = MOVES.map((by) => {
+    moveBy(stage, by);
+    const { x, y, z } = forceOn(world, subject);
+    moveBy(stage, by, -1);
+    return Math.hypot(x, y, z);
+  });
+  if (rests.every((size) => size === 0)) return true;
+  const here = forceOn(world, subject);
+  const differs = (other: typeof here) => Math.hypot(other.x - here.x, other.y - here.y, other.z - here.z) > 1e-9;
+  if (differs(forceOn(world, subject, 0.7))) return true;
+  const moves = again();
+  moves.world.components.Velocity.x[subject] = 0.6;
+  if (differs(forceOn(moves.world, subject))) return true;
+  const later = again();
+  step(later.world, 1e-12);
+  return differs(forceOn(later.world, subject)) || curl(again()) > 1e-6;
+}
+
+function curl(stage: LawWorld): number {
+  const { world, subject } = stage;
+  const h = 1e-5;
+  const change = (force: 'x' | 'y' | 'z', along: 'x' | 'y' | 'z') => {
+    const column = world.components.Position[along];
+    const at = column[subject];
+    column[subject] = at + h;
+    const above = forceOn(world, subject)[force];
+    column[subject] = at - h;
+    const below = forceOn(world, subject)[force];
+    column[subject] = at;
+    return (above - below) / (2 * h);
+  };
+  if (world.dimensions === 2) return Math.abs(change('y', 'x') - change('x', 'y'));
+  return Math.hypot(
+    change('z', 'y') - change('y', 'z'),
+    change('x', 'z') - change('z', 'x'),
+    change('y', 'x') - change('x', 'y'),
+  );
+}
+
+test('a torque has no potential: it is another after each turn', () => {
+  expect(constantTorque({ z: 1 }).potential).toBeUndefined();
+});
