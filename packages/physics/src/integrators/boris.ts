@@ -22,6 +22,7 @@ import type { PhysicsWorld } from '../world';
 import type { Integrator } from './integrator';
 import { integratorKernels } from './kernels';
 import { drift, kick } from './moves';
+import { multiplesOf } from './multiples';
 
 /** The magnetic field, T: give one of the two. In two dimensions only z acts. */
 export interface BorisOptions {
@@ -30,6 +31,8 @@ export interface BorisOptions {
   /** One that differs from place to place; called for each charge in each step. */
   readonly fieldAt?: Field;
 }
+
+const halfOf = multiplesOf([1 / 2]);
 
 const ANY = { min: -1e30, max: 1e30 };
 
@@ -53,14 +56,15 @@ export function boris(options: BorisOptions): Integrator {
       if (fieldAt !== undefined) fieldOf(world);
     },
     advance(world, spans, dt, evaluateForces) {
-      const middle = world.time + dt / 2;
-      drift(world, spans, dt / 2);
-      evaluateForces(world, spans, momentOf(world, dt / 2));
-      kick(world, spans, dt / 2);
-      if (fieldAt === undefined) turnAll(world, spans, uniform.at(world, middle), dt);
-      else sampleAndTurn(world, spans, fieldAt, middle, dt);
-      kick(world, spans, dt / 2);
-      drift(world, spans, dt / 2);
+      const half = halfOf(dt)[0];
+      drift(world, spans, half);
+      evaluateForces(world, spans, momentOf(world, half));
+      kick(world, spans, half);
+      if (uniform.steady !== undefined && fieldAt === undefined) turnAll(world, spans, uniform.steady, dt);
+      else if (fieldAt === undefined) turnAll(world, spans, uniform.at(world, world.time + half), dt);
+      else sampleAndTurn(world, spans, fieldAt, world.time + half, dt);
+      kick(world, spans, half);
+      drift(world, spans, half);
     },
   };
 }

@@ -2,22 +2,30 @@
 import { momentOf } from '../forces/evaluate';
 import type { Integrator } from './integrator';
 import { drift, kick } from './moves';
+import { multiplesOf } from './multiples';
 
 /** Lengths of the moves in steps, in the order drift, kick, drift, kick, …; a last drift ends it. */
 export type Lengths = readonly number[];
 
 /** The scheme drift d₁, kick k₁, drift d₂, … as a function. */
 export function compose(drifts: Lengths, kicks: Lengths): Integrator['advance'] {
+  const moves = multiplesOf([...drifts, ...kicks]);
+  const moments = multiplesOf(kicks.map((_, stage) => sum(drifts.slice(0, stage + 1))));
+  const stages = kicks.length;
   return (world, spans, dt, evaluateForces) => {
-    let passed = 0;
-    for (let stage = 0; stage < kicks.length; stage++) {
-      passed += drifts[stage];
-      drift(world, spans, drifts[stage] * dt);
-      evaluateForces(world, spans, momentOf(world, passed * dt));
-      kick(world, spans, kicks[stage] * dt);
+    const lengths = moves(dt);
+    const times = moments(dt);
+    for (let stage = 0; stage < stages; stage++) {
+      drift(world, spans, lengths[stage]);
+      evaluateForces(world, spans, momentOf(world, times[stage]));
+      kick(world, spans, lengths[drifts.length + stage]);
     }
-    if (drifts.length > kicks.length) drift(world, spans, drifts[kicks.length] * dt);
+    if (drifts.length > stages) drift(world, spans, lengths[stages]);
   };
+}
+
+function sum(numbers: Lengths): number {
+  return numbers.reduce((total, number) => total + number, 0);
 }
 
 /** The drifts and kicks of drift-kick-drift steps of the given lengths, one after the other. */

@@ -15,6 +15,17 @@ export const WANTED = 0;
 export const RATIO = 1;
 export const LENGTH = 2;
 export const END = 3;
+/** The error of the sub-step being tried, and what it is measured by. */
+export const ERROR = 4;
+export const POSITION_FLOOR = 5;
+export const VELOCITY_FLOOR = 6;
+/** The sub-step being tried: when in the step it starts, and its length. */
+export const PASSED = 7;
+export const STEP = 8;
+const SCALARS = 9;
+
+/** An error has no part of the velocity. */
+const NO_VELOCITY = [0];
 
 const STAGES = 7;
 
@@ -34,7 +45,7 @@ function makeStages(world: PhysicsWorld) {
   const at = { x: 0, y: 0, z: 0 };
   for (const axis of AXES[world.dimensions]) at[axis] = allocate(arena, COLUMNS * stride, 'Dormand-Prince');
   const [weights, weightsAt] = realColumn(arena, precision, 2 * (STAGES + 1), 'Dormand-Prince weights');
-  const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 4 * 8, 'Dormand-Prince'), 4);
+  const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 8 * SCALARS, 'Dormand-Prince'), SCALARS);
   const Column = precision === 'f32' ? Float32Array : Float64Array;
   const column = (axis: Axis, index: number): RealColumn =>
     new Column(arena.memory.buffer, at[axis] + index * stride, rows);
@@ -67,36 +78,33 @@ export function restore(world: PhysicsWorld, spans: Spans, { at, stride }: Stage
   }
 }
 
-/** Tries a sub-step of length h, `passed` seconds into the step: bodies are where it leads, and the forces are those there. */
-export function takeSubStep(
-  world: PhysicsWorld,
-  spans: Spans,
-  stages: Stages,
-  passed: number,
-  h: number,
-  evaluateForces: EvaluateForces,
-): void {
+/**
+ * Tries a sub-step of length STEP, which starts PASSED seconds into the step: bodies are where it leads, and the forces
+ * are those there.
+ */
+export function takeSubStep(world: PhysicsWorld, spans: Spans, stages: Stages, evaluateForces: EvaluateForces): void {
+  const { scalars } = stages;
   for (let i = 1; i < STAGES; i++) {
-    setWeights(stages, h * C[i], AA[i], h * h, A[i], h);
+    setWeights(stages, C, i, AA[i], A[i]);
     moveToStage(world, spans, stages, i);
-    evaluateForces(world, spans, momentOf(world, passed + C[i] * h));
+    evaluateForces(world, spans, momentOf(world, scalars[PASSED] + C[i] * scalars[STEP]));
     keepAcceleration(world, spans, stages, i);
   }
 }
 
 /** The first half of the table: start velocity and accelerations in a position; the second: accelerations in a velocity. */
 function setWeights(
-  { weights }: Stages,
-  ofVelocity: number,
+  { weights, scalars }: Stages,
+  ofVelocity: readonly number[],
+  i: number,
   inPosition: readonly number[],
-  scaleX: number,
   inVelocity: readonly number[],
-  scaleV: number,
 ): void {
-  weights[0] = ofVelocity;
+  const h = scalars[STEP];
+  weights[0] = h * ofVelocity[i];
   for (let j = 0; j < STAGES; j++) {
-    weights[1 + j] = scaleX * inPosition[j];
-    weights[1 + STAGES + j] = scaleV * inVelocity[j];
+    weights[1 + j] = h * h * inPosition[j];
+    weights[1 + STAGES + j] = h * inVelocity[j];
   }
 }
 
@@ -127,36 +135,37 @@ function keepAcceleration(world: PhysicsWorld, spans: Spans, stages: Stages, i: 
   }
 }
 
-/** The worst error of the sub-step just tried, in parts of the size of position and velocity. */
-export function worstRatio(
-  world: PhysicsWorld,
-  spans: Spans,
-  stages: Stages,
-  h: number,
-  positionFloor: number,
-  velocityFloor: number,
-): number {
-  const { at, stride, kernels, weightsAt, bytes } = stages;
+/**
+ * Leaves the worst error of the sub-step just tried, in parts of the size of position and velocity, in the
+ * scalar ERROR: a returned number would be garbage.
+ */
+export function findWorstRatio(world: PhysicsWorld, spans: Spans, stages: Stages): void {
+  const { at, stride, kernels, weightsAt, bytes, scalars } = stages;
   const { Position, Velocity } = world.addresses;
   const { x: errorX, y: errorV, z: sizeX } = world.scratch.at.stage1;
   const sizeV = world.scratch.at.stage2.x;
-  setWeights(stages, 0, EA, h * h, E, h);
-  let worst = 0;
+  const wx = weightsAt + bytes;
+  const wv = weightsAt + (1 + STAGES) * bytes;
+  setWeights(stages, NO_VELOCITY, 0, EA, E);
+  scalars[ERROR] = 0;
   for (let r = 0; r < spans.count; r++) {
-    const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+    const first = spans.bounds[2 * r];
+    const last = spans.bounds[2 * r + 1];
     world.kernels.zeroColumn(errorX, first, last);
     world.kernels.zeroColumn(errorV, first, last);
     world.kernels.zeroColumn(sizeX, first, last);
     world.kernels.zeroColumn(sizeV, first, last);
     for (const axis of AXES[world.dimensions]) {
-      const [x0, v0, a] = [at[axis], at[axis] + stride, at[axis] + 2 * stride];
-      const [wx, wv] = [weightsAt + bytes, weightsAt + (1 + STAGES) * bytes];
-      const [x, v] = [Position[axis], Velocity[axis]];
+      const x0 = at[axis];
+      const v0 = x0 + stride;
+      const a = v0 + stride;
+      const x = Position[axis];
+      const v = Velocity[axis];
       kernels.embeddedErrorAxis(errorX, errorV, sizeX, sizeV, x, v, x0, v0, a, stride, wx, wv, STAGES, first, last);
     }
-    worst = kernels.worstError(errorX, errorV, sizeX, sizeV, positionFloor, velocityFloor, worst, first, last);
+    const [floorX, floorV] = [scalars[POSITION_FLOOR], scalars[VELOCITY_FLOOR]];
+    scalars[ERROR] = kernels.worstError(errorX, errorV, sizeX, sizeV, floorX, floorV, scalars[ERROR], first, last);
   }
-  return worst;
 }
 
 /** The start of the last sub-step for one body and axis. */

@@ -17,14 +17,19 @@ import type { PhysicsWorld } from '../world';
 import {
   begin,
   END,
+  ERROR,
+  findWorstRatio,
   LENGTH,
+  PASSED,
+  POSITION_FLOOR,
   RATIO,
   restore,
+  STEP,
   stagesOf,
   startOf,
   takeSubStep,
+  VELOCITY_FLOOR,
   WANTED,
-  worstRatio,
 } from './dormand-prince-stages';
 import { denseWeights, twice } from './dormand-prince-tableau';
 import type { Integrator } from './integrator';
@@ -76,6 +81,8 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
   const stages = stagesOf(world);
   const { scalars } = stages;
   const tolerance = Math.max(limits.tolerance, world.precision === 'f32' ? 1e-6 : 0);
+  scalars[POSITION_FLOOR] = limits.positionFloor;
+  scalars[VELOCITY_FLOOR] = limits.velocityFloor;
   let passed = 0;
   let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : dt;
   evaluateForces(world, spans, momentOf(world, 0));
@@ -88,8 +95,11 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
     }
     const rest = dt - passed;
     const h = subStep(wanted, rest);
-    takeSubStep(world, spans, stages, passed, h, evaluateForces);
-    const error = worstRatio(world, spans, stages, h, limits.positionFloor, limits.velocityFloor) / tolerance;
+    scalars[PASSED] = passed;
+    scalars[STEP] = h;
+    takeSubStep(world, spans, stages, evaluateForces);
+    findWorstRatio(world, spans, stages);
+    const error = scalars[ERROR] / tolerance;
     if (error <= 1) {
       passed = h === rest ? dt : passed + h;
       const longer = growth(error, scalars[RATIO]);
@@ -118,7 +128,9 @@ function crossBlindly(world: PhysicsWorld, spans: Spans, passed: number, dt: num
   const h = (dt - passed) / LAST_RESORT;
   restore(world, spans, stages);
   for (let i = 0; i < LAST_RESORT; i++) {
-    takeSubStep(world, spans, stages, passed + i * h, h, evaluate);
+    stages.scalars[PASSED] = passed + i * h;
+    stages.scalars[STEP] = h;
+    takeSubStep(world, spans, stages, evaluate);
     begin(world, spans, stages);
   }
   stages.scalars.fill(0);

@@ -7,7 +7,10 @@
 // Differential Equations I, II.1.
 import { momentOf } from '../forces/evaluate';
 import type { Integrator } from './integrator';
+import { multiplesOf } from './multiples';
 import { clearSums, finishSums, rungeKuttaStage } from './runge-kutta-stages';
+
+const halfOf = multiplesOf([1 / 2]);
 
 export const midpoint: Integrator = {
   name: 'midpoint',
@@ -15,10 +18,11 @@ export const midpoint: Integrator = {
   symplectic: false,
   evaluations: 2,
   advance(world, spans, dt, evaluateForces) {
+    const half = halfOf(dt)[0];
     clearSums(world, spans);
     evaluateForces(world, spans, momentOf(world, 0));
-    rungeKuttaStage(world, spans, 0, dt / 2);
-    evaluateForces(world, spans, momentOf(world, dt / 2));
+    rungeKuttaStage(world, spans, 0, half);
+    evaluateForces(world, spans, momentOf(world, half));
     rungeKuttaStage(world, spans, 1, 0);
     finishSums(world, spans, dt);
   },

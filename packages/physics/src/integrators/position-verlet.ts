@@ -57,11 +57,15 @@ function move(world: PhysicsWorld, spans: Spans, dt: number, ratio: number): voi
   const { displacement, leftX, leftV } = memoryOf(world);
   const { stormerAxis } = integratorKernels(world);
   for (const axis of AXES[world.dimensions]) {
-    const [x, v, f] = [Position[axis], Velocity[axis], scratch.at.force[axis]];
-    const [d, px, pv] = [displacement[axis], leftX[axis], leftV[axis]];
+    const x = Position[axis];
+    const v = Velocity[axis];
+    const f = scratch.at.force[axis];
+    const d = displacement[axis];
+    const px = leftX[axis];
+    const pv = leftV[axis];
     for (let r = 0; r < spans.count; r++) {
-      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
-      stormerAxis(x, v, d, px, pv, f, Mass.value, dt, ratio, first, last);
+      const first = spans.bounds[2 * r];
+      stormerAxis(x, v, d, px, pv, f, Mass.value, dt, ratio, first, spans.bounds[2 * r + 1]);
     }
   }
 }

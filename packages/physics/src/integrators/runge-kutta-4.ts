@@ -3,8 +3,12 @@
 // Fourth order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
 // oscillator decays by (ω dt)⁶/72 a step. Choose it for accuracy over few periods. Hairer, Nørsett, Wanner: Solving
 // Ordinary Differential Equations I, II.1.
+import { momentOf } from '../forces/evaluate';
 import type { Integrator } from './integrator';
+import { multiplesOf } from './multiples';
 import { clearSums, finishSums, rungeKuttaStage } from './runge-kutta-stages';
+
+const halfOf = multiplesOf([1 / 2]);
 
 export const rungeKutta4: Integrator = {
   name: 'Runge-Kutta 4',
@@ -20,15 +24,15 @@ export const rungeKutta4: Integrator = {
     return growth(-half - root, 0) <= 1 + 1e-9 && growth(-half + root, 0) <= 1 + 1e-9;
   },
   advance(world, spans, dt, evaluateForces) {
-    const { time } = world;
+    const half = halfOf(dt)[0];
     clearSums(world, spans);
-    evaluateForces(world, spans, time);
-    rungeKuttaStage(world, spans, 1 / 6, dt / 2);
-    evaluateForces(world, spans, time + dt / 2);
-    rungeKuttaStage(world, spans, 1 / 3, dt / 2);
-    evaluateForces(world, spans, time + dt / 2);
+    evaluateForces(world, spans, momentOf(world, 0));
+    rungeKuttaStage(world, spans, 1 / 6, half);
+    evaluateForces(world, spans, momentOf(world, half));
+    rungeKuttaStage(world, spans, 1 / 3, half);
+    evaluateForces(world, spans, momentOf(world, half));
     rungeKuttaStage(world, spans, 1 / 3, dt);
-    evaluateForces(world, spans, time + dt);
+    evaluateForces(world, spans, momentOf(world, dt));
     rungeKuttaStage(world, spans, 1 / 6, 0);
     finishSums(world, spans, dt);
   },
