@@ -26,6 +26,7 @@ export function springs(): Force {
     equation: 'F = -(k (d - L) + c ḋ) n',
     reads: ['Position', 'Velocity'],
     local: false,
+    timeless: true,
     prepare(world, dt) {
       if (world.integrator.solvesSprings === true) return;
       const table = scanSprings(world);
