@@ -161,9 +161,10 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     const active = v128.andnot(weighs, v128.and(loose, cords(length)));
     const cosine = add(add(mul(mx, nx), mul(my, ny)), mul(mz, nz));
     const lower = v128.and(mul(knot.inverse, cosine), v128.and(active, activeBefore));
-    const share = mul(lower, pivotBefore);
-    if (row > first) knotAt(t, index - 2).upper = share;
-    const pivot = v128.max<real>(sub(diagonal, mul(lower, share)), mul(splat(LEAST_PIVOT), diagonal));
+    if (row > first) knotAt(t, index - 2).upper = mul(lower, pivotBefore);
+    // What each row waits for: the square first, so that the pivot before it comes in as late as can be.
+    const taken = mul(mul(lower, lower), pivotBefore);
+    const pivot = v128.max<real>(sub(diagonal, taken), mul(splat(LEAST_PIVOT), diagonal));
     pivotBefore = div(one, pivot);
     knownBefore = v128.and(mul(add(error, mul(lower, knownBefore)), pivotBefore), active);
     activeBefore = active;

@@ -134,38 +134,40 @@ function addThreads(list: SpringList, options: ClothOptions, columns: number, ro
   }
 }
 
-/** Both diagonals, every second row and then the others: springs of neighbouring rows cannot be solved at once. */
-function addShear(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
-  const stiffness = checkStiffness(options.shear ?? 0, 'cloth.shear');
+/**
+ * All springs from a node to the one `right` columns and `down` rows on, in two turns: those of neighbouring rows share
+ * nodes and cannot be solved at once, those of one turn can, one row after the other.
+ */
+function addKind(
+  list: SpringList,
+  [columns, rows]: readonly [number, number],
+  [right, down]: readonly [number, number],
+  stiffness: number,
+  length: number,
+): void {
   if (stiffness === 0) return;
-  const length = Math.SQRT2 * options.spacing;
-  for (const right of [1, -1]) {
-    for (const start of [0, 1]) {
-      for (let row = start; row + 1 < rows; row += 2) {
-        for (let column = Math.max(0, -right); column + Math.max(0, right) < columns; column++) {
-          const node = row * columns + column;
-          list.add(node, node + columns + right, stiffness, length);
-        }
+  for (const turn of [0, 1]) {
+    for (let row = 0; row + down < rows; row++) {
+      if (Math.floor(row / Math.max(1, down)) % 2 !== turn) continue;
+      for (let column = Math.max(0, -right); column + Math.max(0, right) < columns; column++) {
+        const node = row * columns + column;
+        list.add(node, node + down * columns + right, stiffness, length);
       }
     }
   }
 }
 
-/** Two threads along each row and column, of its even and of its odd nodes. */
+function addShear(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const stiffness = checkStiffness(options.shear ?? 0, 'cloth.shear');
+  const diagonal = Math.SQRT2 * options.spacing;
+  addKind(list, [columns, rows], [1, 1], stiffness, diagonal);
+  addKind(list, [columns, rows], [-1, 1], stiffness, diagonal);
+}
+
 function addBend(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
   const stiffness = checkStiffness(options.bend ?? 0, 'cloth.bend');
-  if (stiffness === 0) return;
-  const length = 2 * options.spacing;
-  for (const start of [0, 1]) {
-    for (let row = 0; row < rows; row++) {
-      addThread(list, [row * columns + start, 2, Math.ceil((columns - start) / 2)], stiffness, length);
-    }
-  }
-  for (const start of [0, 1]) {
-    for (let column = 0; column < columns; column++) {
-      addThread(list, [start * columns + column, 2 * columns, Math.ceil((rows - start) / 2)], stiffness, length);
-    }
-  }
+  addKind(list, [columns, rows], [2, 0], stiffness, 2 * options.spacing);
+  addKind(list, [columns, rows], [0, 2], stiffness, 2 * options.spacing);
 }
 
 /**
