@@ -19,7 +19,7 @@
 // a row, twice that for a taut one.
 import { LANES, add, at, div, mul, splat, sub } from '../lanes';
 import { cords, drop, isRun, pick } from './lanes';
-import { ConstraintTable, stride, word } from './table';
+import { ConstraintTable, LAYERS, stride, word } from './table';
 
 // What solving keeps of a body of each thread, and of the row from it to the next body.
 @unmanaged
@@ -49,6 +49,7 @@ const KNOT: usize = 208;
 const TAUT: real = 0.5;
 // Least pivot over the diagonal: a straight thread between two anchors is held twice.
 const LEAST_PIVOT: real = sizeof<real>() == 4 ? 1e-4 : 1e-10;
+const ALL = i32x4.splat(-1);
 const NEAR: real = 1e-30;
 const NEAR_ROOT: real = 1e-15;
 
@@ -57,17 +58,29 @@ const NEAR_ROOT: real = 1e-15;
   return changetype<Knot>(t.work + <usize>index * KNOT);
 }
 
-// Solves each strand once; if asked to, only those that begin with rods.
-export function solveStrands(t: ConstraintTable, onlyRods: bool): void {
-  for (let strand = 0; strand < t.strandCount; strand++) {
-    const first = <i32>word(t.strands, strand);
-    const last = <i32>word(t.strands, strand + 1);
-    if (onlyRods && v128.any_true(v128.load(t.softness + at(last - LANES)))) continue;
-    eliminate(t, first, last);
-    const taut = substitute(t, first, last);
-    if (v128.any_true(taut)) turn(t, first, last, taut);
-    else shift(t, first, last);
+// Solves each strand, layer by layer: what pulls hardest first. What comes later moves the nodes across it, which changes
+// its length by second order only; the other way round its pull would move what does not pull, by first order.
+export function solveStrands(t: ConstraintTable): void {
+  for (let i = 0; i < t.layerCount; i++) {
+    const layer = <i32>word(t.layers, LAYERS + 1 + i);
+    const end = <i32>word(t.layers, layer + 1);
+    for (let strand = <i32>word(t.layers, layer); strand < end; strand++) {
+      const first = <i32>word(t.strands, strand);
+      const last = <i32>word(t.strands, strand + 1);
+      const taut = solve(t, first, last, ALL);
+      // Turning changes lengths by second order: once more for that.
+      if (v128.any_true(taut)) solve(t, first, last, taut);
+    }
   }
+}
+
+// Solves those threads of a strand whose lanes are set. Returns which of them were taut, and turned.
+function solve(t: ConstraintTable, first: i32, last: i32, who: v128): v128 {
+  eliminate(t, first, last);
+  const taut = substitute(t, first, last, who);
+  if (v128.any_true(taut)) turn(t, first, last, taut);
+  else shift(t, first, last);
+  return taut;
 }
 
 // Reads a body of each thread.
@@ -184,7 +197,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
 }
 
 // From the last row to the first: finds the impulses. Returns which threads are taut.
-function substitute(t: ConstraintTable, first: i32, last: i32): v128 {
+function substitute(t: ConstraintTable, first: i32, last: i32, who: v128): v128 {
   const free = splat(<real>-3e38);
   let index = (last - first) / LANES;
   let below = knotAt(t, index).inverse;
@@ -195,7 +208,7 @@ function substitute(t: ConstraintTable, first: i32, last: i32): v128 {
     next = add(knot.known, mul(knot.upper, next));
     const tension = v128.load(t.tension + at(row));
     const least = v128.andnot(free, cords(v128.load(t.length + at(row))));
-    const total = v128.max<real>(add(tension, next), least);
+    const total = v128.bitselect(v128.max<real>(add(tension, next), least), tension, who);
     v128.store(t.tension + at(row), total);
     const by = sub(total, tension);
     knot.pull = div(by, knot.d);

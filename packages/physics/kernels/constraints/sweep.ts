@@ -8,6 +8,7 @@
 import { get, put } from '../columns';
 import { LANES, add, at, div, mul, splat, sub } from '../lanes';
 import { cords, drop, isRun, pick } from './lanes';
+import { orderLayers } from './layers';
 import { solveStrands } from './strands';
 import { ConstraintTable, isCord, packedAt, part, putPart, stride, tableAt, word } from './table';
 
@@ -18,14 +19,13 @@ const NEAR: f32 = 1e-30;
 export function sweepConstraints(table: usize, sweeps: i32): void {
   const t = tableAt(table);
   const first = t.coloursFirst;
+  orderLayers(t);
   clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, t.rowCount);
   for (let s = 0; s < sweeps; s++) {
     solveLanes(t, first, t.serialFirst);
     for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
-    solveStrands(t, false);
+    solveStrands(t);
   }
-  // What cannot stretch once more, for what the last threads did to those across them.
-  solveStrands(t, true);
 }
 
 function clear(t: ConstraintTable, first: i32, last: i32): void {

@@ -34,6 +34,9 @@ export class ConstraintTable {
   chains: usize;
   strands: usize;
   colours: usize;
+  // The first strand of each layer and, after the last, the end of all; LAYERS + 1 words behind, in which order layers
+  // are solved; behind as many again, how hard each pulls.
+  layers: usize;
   // What solving keeps of a chain or a strand.
   work: usize;
   // Ids of springs pulled beyond their limit.
@@ -41,6 +44,7 @@ export class ConstraintTable {
   nodeCount: i32;
   chainCount: i32;
   strandCount: i32;
+  layerCount: i32;
   // Rows of the longest thread.
   longest: i32;
   // All there is are rods in chains.
@@ -54,6 +58,9 @@ export class ConstraintTable {
 
 // Colours there are; rows beyond them are solved one by one.
 export const COLOURS: i32 = 63;
+
+// Layers there are; strands beyond them belong to the last.
+export const LAYERS: i32 = 15;
 
 // A stiffness from here on is a rod's: src/components/spring.ts stores infinity as 1e30.
 export const RIGID: f64 = 1e29;

@@ -1,9 +1,10 @@
 // Finds threads: springs made one after the other, each from the body where the last one ended, as cloths and ropes are
 // woven. Other springs may hold on to their bodies anywhere. LANES threads of one length that share no movable body are
-// a strand: they are solved side by side, row j of thread l standing at first + LANES j + l.
+// a strand: they are solved side by side, row j of thread l standing at first + LANES j + l. Strands that follow each
+// other and share no movable body are a layer, such as all threads of a cloth in one direction.
 import { LANES } from '../lanes';
 import { IN_CHAIN, isMovable, linkAt, linkCount, putRow } from './arrange';
-import { ConstraintTable, putWord, word } from './table';
+import { ConstraintTable, LAYERS, putWord, word } from './table';
 
 // Springs of the shortest thread: solving three directly gains nothing.
 const SHORTEST: i32 = 4;
@@ -20,6 +21,8 @@ export function findThreads(t: ConstraintTable, movable: u32, lastId: i32): void
   const links = linkCount(t);
   t.strandCount = 0;
   t.longest = 0;
+  t.layerCount = 1;
+  putWord(t.layers, 0, 0);
   filled = 0;
   spare = links >> 1;
   let thread: u32 = 0;
@@ -30,6 +33,7 @@ export function findThreads(t: ConstraintTable, movable: u32, lastId: i32): void
   }
   closeStrand(t);
   putWord(t.strands, t.strandCount, t.rowCount);
+  putWord(t.layers, t.layerCount, t.strandCount);
 }
 
 // The number of springs from `link` on that make a thread. One that comes back to a movable body ends before.
@@ -54,6 +58,7 @@ function join(t: ConstraintTable, link: i32, count: i32, movable: u32): void {
     closeStrand(t);
     openStrand(t, count);
   }
+  if (t.layerCount < LAYERS && crosses(t, link, count, movable)) putWord(t.layers, t.layerCount++, t.strandCount - 1);
   const first = <i32>word(t.strands, t.strandCount - 1);
   putWord(t.broken, filled, link);
   for (let j = 0; j < count; j++) {
@@ -89,15 +94,27 @@ function closeStrand(t: ConstraintTable): void {
   filled = 0;
 }
 
+// Whether a thread shares a movable body with one of the open strand.
 function meets(t: ConstraintTable, link: i32, count: i32, movable: u32): bool {
-  if (filled == 0) return true;
+  return filled == 0 || isTaken(t, link, count, movable, t.strandCount, t.strandCount);
+}
+
+// The same with one of the strands of the open layer before.
+function crosses(t: ConstraintTable, link: i32, count: i32, movable: u32): bool {
+  return isTaken(t, link, count, movable, <i32>word(t.layers, t.layerCount - 1) + 1, t.strandCount - 1);
+}
+
+// Whether the last strand of one of a thread's movable bodies is among those from `first` to `last`, counted from 1.
+function isTaken(t: ConstraintTable, link: i32, count: i32, movable: u32, first: i32, last: i32): bool {
   for (let j = 0; j < count; j++) {
     const p = linkAt(t, link + j);
-    if (isTaken(t, load<u32>(p, 4), movable) || isTaken(t, load<u32>(p, 8), movable)) return true;
+    if (j == 0 && isIn(t, load<u32>(p, 4), movable, first, last)) return true;
+    if (isIn(t, load<u32>(p, 8), movable, first, last)) return true;
   }
   return false;
 }
 
-function isTaken(t: ConstraintTable, body: u32, movable: u32): bool {
-  return <i32>word(t.joined, body * 2 + 1) == t.strandCount && isMovable(body, movable);
+function isIn(t: ConstraintTable, body: u32, movable: u32, first: i32, last: i32): bool {
+  const strand = <i32>word(t.joined, body * 2 + 1);
+  return strand >= first && strand <= last && isMovable(body, movable);
 }

@@ -12,11 +12,12 @@ const WORDS = [
   ...['springs', 'breakForce'],
   ...['nodes', 'packed', 'stride', 'inverse', 'masks', 'degree', 'joined'],
   ...['state', 'source', 'a', 'b', 'length', 'gain', 'softness', 'tension'],
-  ...['chains', 'strands', 'colours', 'work', 'broken'],
+  ...['chains', 'strands', 'colours', 'layers', 'work', 'broken'],
   ...[
     'nodeCount',
     'chainCount',
     'strandCount',
+    'layerCount',
     'longest',
     'rigid',
     'coloursFirst',
@@ -31,6 +32,9 @@ const WORDS = [
 const FILLING = 256;
 /** Rows of nothing there are in strands, for each spring at most. */
 const SPARE = 0.5;
+
+/** Layers of threads there are, and one more. */
+const LAYERS = 16;
 
 /** What forces and constraints can move. */
 const MOVABLE = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
@@ -79,6 +83,7 @@ export const constraintTable = resource((world): ConstraintTable => {
   take('degree', 4 * rows);
   take('joined', 8 * rows);
   take('colours', 4 * 65);
+  take('layers', (4 + 4 + real) * LAYERS);
   return table;
 });
 

@@ -85,6 +85,38 @@ describe('threads', () => {
     for (const axis of ['x', 'y', 'z'] as const) expect(Math.abs(after[axis] - before[axis])).toBeLessThan(1e-11);
   });
 
+  test('do not ask which of them are called rows: what hangs by its upper edge hangs alike by its left one', () => {
+    const SIZE = 20;
+    const places = (pins: NonNullable<ClothOptions['pins']>, gravity: { x?: number; y?: number }, isLeft: boolean) => {
+      const options = {
+        integrator: xpbd({ substeps: 5, iterations: 1 }),
+        forces: [uniformGravity(gravity), springs()],
+      };
+      const { world, sheet } = hang({ columns: SIZE, rows: SIZE, pins }, options);
+      const { Position, Velocity } = world.components;
+      const ids = Array.from(sheet.nodes, (_, i) => {
+        const [column, row] = [i % SIZE, Math.floor(i / SIZE)];
+        return isLeft ? sheet.at(row, column) : sheet.at(column, row);
+      });
+      ids.forEach((node, i) => {
+        Velocity.z[node] = 0.001 * (i % SIZE) * Math.floor(i / SIZE);
+      });
+      for (let s = 0; s < 60; s++) step(world, 1 / 60);
+      const { x, y, z } = Position;
+      return ids.map((node) => (isLeft ? [-y[node], -x[node], z[node]] : [x[node], y[node], z[node]]));
+    };
+    const upper = places('top', { y: -10 }, false);
+    const left = places(
+      Array.from({ length: SIZE }, (_, row) => [0, row] as const),
+      { x: 10 },
+      true,
+    );
+    // The same sums in the same order, up to the signs: coordinates of 1 m are rounded 300 times.
+    upper.forEach((place, i) => {
+      for (let axis = 0; axis < 3; axis++) expect(Math.abs(place[axis] - left[i][axis])).toBeLessThan(1e-10);
+    });
+  });
+
   test('leave a sheet its mirror symmetry', () => {
     const { world, sheet } = hang({ columns: 15, rows: 12, corner: { x: -0.35 }, pins: 'corners' });
     for (let s = 0; s < 60; s++) step(world, 1 / 60);

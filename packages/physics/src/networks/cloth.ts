@@ -128,10 +128,10 @@ function addThread(
 function addThreads(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
   const stiffness = checkStiffness(options.structural ?? Infinity, 'cloth.structural');
   if (stiffness === 0) return;
-  for (let row = 0; row < rows; row++) addThread(list, [row * columns, 1, columns], stiffness, options.spacing);
   for (let column = 0; column < columns; column++) {
     addThread(list, [column, columns, rows], stiffness, options.spacing);
   }
+  for (let row = 0; row < rows; row++) addThread(list, [row * columns, 1, columns], stiffness, options.spacing);
 }
 
 /**
