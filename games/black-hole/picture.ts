@@ -1,4 +1,5 @@
 /** Everything drawn of one game. */
+import 'pixi.js/graphics';
 import { type Camera2D, type ViewportSize, worldSource } from '@principia/render-core';
 import { applyCamera, createTrailLayer, type TrailLayer } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';

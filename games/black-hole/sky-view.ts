@@ -1,4 +1,5 @@
 /** The sky and the holes in it: with bent light where the renderer takes the shader, and plain elsewhere. */
+import 'pixi.js/sprite-tiling';
 import type { Camera2D, ViewportSize } from '@principia/render-core';
 import { Container, Geometry, Graphics, Mesh, Shader, type Texture, TilingSprite, UniformGroup } from 'pixi.js';
 import { lensProgram, MOST_LENSES } from './lens-program.ts';

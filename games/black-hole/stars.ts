@@ -10,11 +10,16 @@ export const SKY_METRES = 1300;
 const TINTS = ['#ffffff', '#dfe8ff', '#b9cdff', '#ffe9cf', '#ffd0a8', '#ffffff'];
 const CLOUDS = ['58, 70, 160', '112, 52, 140', '30, 96, 132', '150, 70, 80'];
 
-export function paintSky(seed: number): Texture {
+/** Painted by the processor: the graphics card would have to learn to paint gradients first, while the player waits. */
+function canvasOf(size: number): [HTMLCanvasElement, CanvasRenderingContext2D] {
   const canvas = document.createElement('canvas');
-  canvas.width = SIZE;
-  canvas.height = SIZE;
-  const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+  canvas.width = size;
+  canvas.height = size;
+  return [canvas, canvas.getContext('2d', { willReadFrequently: true }) as CanvasRenderingContext2D];
+}
+
+export function paintSky(seed: number): Texture {
+  const [canvas, context] = canvasOf(SIZE);
   const random = createRandom(seed, 3);
   context.fillStyle = '#04060e';
   context.fillRect(0, 0, SIZE, SIZE);
@@ -58,10 +63,7 @@ export function paintSky(seed: number): Texture {
 
 /** A soft round spot: dots of the path, sparks. */
 export function paintSpot(): Texture {
-  const canvas = document.createElement('canvas');
-  canvas.width = 32;
-  canvas.height = 32;
-  const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+  const [canvas, context] = canvasOf(32);
   const glow = context.createRadialGradient(16, 16, 0, 16, 16, 16);
   glow.addColorStop(0, 'rgba(255, 255, 255, 1)');
   glow.addColorStop(0.35, 'rgba(255, 255, 255, 0.85)');

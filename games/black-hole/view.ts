@@ -1,8 +1,9 @@
 /** The view: the picture, what is written over it, and the pointer that steers. */
 import { type Camera2D, fit, toScreen, watchViewport } from '@principia/render-core';
+import { openScreen } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
 import type { Stage, View } from '@principia/shell';
-import { Application, Container, RendererType } from 'pixi.js';
+import { Container, RendererType } from 'pixi.js';
 import { createHud } from './hud.ts';
 import { paletteOf } from './palette.ts';
 import { createPicture, type Picture } from './picture.ts';
@@ -18,16 +19,12 @@ const COARSE = matchMedia('(pointer: coarse)');
 const { width: STAGE_WIDTH, height: STAGE_HEIGHT } = BLACK_HOLE;
 
 export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<View> {
-  const app = new Application();
-  const options = { background: '#04060e', autoStart: false, autoDensity: true, antialias: true } as const;
-  await app.init({ preference: ['webgl', 'webgpu'], ...options });
-  const { canvas } = app;
-  stage.element.append(canvas);
-  app.stage.eventMode = 'none';
+  const screen = await openScreen(stage.element, { background: '#04060e', antialias: true });
+  const { canvas, renderer } = screen;
   const content = new Container();
-  app.stage.addChild(content);
+  screen.stage.addChild(content);
   const [sky, spot] = [paintSky(5), paintSpot()];
-  const canBend = app.renderer.type === RendererType.WEBGL;
+  const canBend = renderer.type === RendererType.WEBGL;
   const paint = (): Picture => {
     const sim = stage.sim();
     const made = createPicture({
@@ -48,7 +45,7 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
   const camera: Camera2D = { x: STAGE_WIDTH / 2, y: STAGE_HEIGHT / 2, pixelsPerMetre: 1 };
   let zoomed = 1;
   const viewport = watchViewport(canvas, (width, height, resolution) => {
-    app.renderer.resize(width, height, resolution);
+    renderer.resize(width, height, resolution);
   });
   const shown = { x: 0, y: 0 };
   const place = (x: number, y: number) => toScreen(camera, viewport, x, y, shown);
@@ -92,7 +89,7 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
       frame.height = STAGE_HEIGHT * scale;
       frame.room = y - stage.insets().top;
       hud.update(sim, frame);
-      app.render();
+      screen.render();
     },
     fit() {
       zoomed = 1;
@@ -106,7 +103,7 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
       viewport.destroy();
       hud.destroy();
       picture.destroy();
-      app.destroy({ removeView: true, releaseGlobalResources: false }, { children: true });
+      screen.destroy();
       sky.destroy(true);
       spot.destroy(true);
     },

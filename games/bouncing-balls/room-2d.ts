@@ -1,4 +1,5 @@
 /** The room as a picture: a lighter ground, a grid of metres, walls. */
+import 'pixi.js/graphics';
 import { createSegmentLayer } from '@principia/render-pixi';
 import type { BouncingBalls } from '@principia/scenes';
 import { Container, Graphics } from 'pixi.js';

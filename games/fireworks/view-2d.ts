@@ -1,8 +1,8 @@
 /** The picture in 2D, drawn by pixi.js. */
 import { type Camera2D, fit, toScreen, toWorld, watchViewport, worldSource } from '@principia/render-core';
-import { applyCamera, type BodyLayer, createBodyLayer } from '@principia/render-pixi';
+import { applyCamera, type BodyLayer, createBodyLayer, openScreen } from '@principia/render-pixi';
 import type { Stage, View } from '@principia/shell';
-import { Application, Container, RendererType, Sprite, Texture, type WebGLRenderer } from 'pixi.js';
+import { Container, RendererType, Sprite, Texture, type WebGLRenderer } from 'pixi.js';
 import type { Desk } from './desk.ts';
 import { createHud } from './hud.ts';
 import { paintShore, paintSky } from './landscape.ts';
@@ -16,16 +16,12 @@ import { listenToSky } from './sky-pointer.ts';
 const SEEN = { minX: -50, minY: -8, maxX: 50, maxY: 58 };
 
 export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: Desk): Promise<View> {
-  const app = new Application();
-  const options = { background: '#03040d', autoStart: false, autoDensity: true, antialias: false } as const;
-  await app.init({ preference: ['webgl', 'webgpu'], ...options });
-  const { canvas, renderer } = app;
-  stage.element.append(canvas);
-  app.stage.eventMode = 'none';
+  const screen = await openScreen(stage.element, { background: '#03040d' });
+  const { canvas, renderer } = screen;
   const light = renderer.type === RendererType.WEBGL ? createLight2D(renderer as WebGLRenderer) : undefined;
   const shining = new Container();
   const backdrop = createBackdrop();
-  app.stage.addChild(backdrop.sky, light?.container ?? shining, backdrop.shore);
+  screen.stage.addChild(backdrop.sky, light?.container ?? shining, backdrop.shore);
   const camera: Camera2D = { x: 0, y: 20, pixelsPerMetre: 10 };
   const clock = new LightClock();
   let layer = createSparks(stage.sim(), shining);
@@ -75,7 +71,7 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
       light?.show(1 - place(0, 0).y / viewport.height, time);
       pointer.update();
       hud.update(seconds, place);
-      renderer.render(app.stage);
+      screen.render();
     },
     fit() {
       zoomed = 1;
@@ -93,7 +89,7 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
       layer.destroy();
       light?.destroy();
       backdrop.destroy();
-      app.destroy({ removeView: true, releaseGlobalResources: false }, { children: true });
+      screen.destroy();
     },
   };
 }

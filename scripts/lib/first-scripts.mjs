@@ -1,9 +1,6 @@
 /** What makes a page start sooner: the scripts it will need are fetched at once. */
 import { dirname, relative } from 'node:path';
 
-/** Scripts that pixi loads when it has chosen how to draw, and a game's page draws with WebGL. */
-const OF_PIXI = /\/(WebGLRenderer|browserAll)-/;
-
 /**
  * The scripts of a page in the order they are met: what it imports, and its first picture, which it imports when it
  * runs. Without links a browser finds each only when it has read the one before.
@@ -19,10 +16,9 @@ export function firstScripts(outputs, entry) {
     if (found.has(path) || outputs[path] === undefined) return;
     found.add(path);
     const { imports } = outputs[path];
-    const later = imports.filter(({ kind }) => kind === 'dynamic-import');
-    const chosen = path === entry ? later.slice(0, 1) : later.filter((each) => OF_PIXI.test(each.path));
     for (const each of imports) if (each.kind === 'import-statement') visit(each.path);
-    for (const each of chosen) visit(each.path);
+    const picture = path === entry ? imports.find(({ kind }) => kind === 'dynamic-import') : undefined;
+    if (picture !== undefined) visit(picture.path);
   };
   visit(entry);
   return [...found]

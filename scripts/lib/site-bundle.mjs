@@ -3,6 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import { buildKernels, generatedFolder, kernelFolder } from '../build-kernels.mjs';
 import { bundleOptions } from './bundle.mjs';
+import { pixiPlugins } from './pixi-parts.mjs';
 import { gameNames } from './site-pages.mjs';
 
 /**
@@ -19,25 +20,11 @@ export function siteOptions(options) {
     assetNames: 'assets/[name]-[hash]',
     splitting: true,
     loader: { '.png': 'file', '.jpg': 'file', '.svg': 'file', '.ogg': 'file', '.mp3': 'file', '.woff2': 'file' },
-    plugins: [kernelsPlugin, knownBlendModes],
+    plugins: [kernelsPlugin, ...pixiPlugins],
     metafile: true,
     ...options,
   });
 }
-
-/**
- * Pixi asks the graphics card for a pixel before it shows anything, to find out which blend modes a plain canvas knows,
- * and waits for the answer. Whoever has WebGL 2 knows them all.
- * @type {import('esbuild').Plugin}
- */
-export const knownBlendModes = {
-  name: 'known blend modes',
-  setup(build) {
-    build.onLoad({ filter: /[\\/]canUseNewCanvasBlendModes\.mjs$/ }, () => ({
-      contents: 'export const canUseNewCanvasBlendModes = () => true;',
-    }));
-  },
-};
 
 /**
  * Compiles the kernels when the bundle asks for them, and lets esbuild watch their sources.

@@ -4,7 +4,8 @@ import { relative } from 'node:path';
 import { context, formatMessages } from 'esbuild';
 import { scriptsByGame, startSooner } from './first-scripts.mjs';
 import { root } from './paths.mjs';
-import { kernelsPlugin, knownBlendModes, siteOptions } from './site-bundle.mjs';
+import { pixiPlugins } from './pixi-parts.mjs';
+import { kernelsPlugin, siteOptions } from './site-bundle.mjs';
 import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 import { serveFiles } from './static-server.mjs';
 
@@ -58,7 +59,7 @@ async function watchGames(announce) {
     },
   };
   const start = async () => {
-    const bundler = await context(siteOptions({ write: false, plugins: [kernelsPlugin, knownBlendModes, publish] }));
+    const bundler = await context(siteOptions({ write: false, plugins: [kernelsPlugin, ...pixiPlugins, publish] }));
     await bundler.watch();
     return bundler;
   };

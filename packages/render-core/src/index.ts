@@ -17,5 +17,5 @@ export { listenToPointers, type PointerControl, type PointerOptions } from './po
 export { ReleaseVelocity } from './release-velocity.ts';
 export { SHAPES, type ShapeKind, type ShapeName } from './shapes.ts';
 export { TrailHistory, type TrailOptions } from './trails.ts';
-export { type Viewport, type ViewportOptions, watchViewport } from './viewport.ts';
+export { sizeToFill, type Viewport, type ViewportOptions, watchViewport } from './viewport.ts';
 export { worldSource } from './world-source.ts';

@@ -15,6 +15,16 @@ export interface ViewportOptions {
 }
 
 /**
+ * Size in CSS pixels and resolution of what fills `parent`; zero where that is hidden.
+ *
+ * @param maxResolution as in `ViewportOptions`
+ */
+export function sizeToFill(parent: HTMLElement, maxResolution = 2) {
+  const resolution = Math.min(globalThis.devicePixelRatio || 1, maxResolution);
+  return { width: parent.clientWidth, height: parent.clientHeight, resolution };
+}
+
+/**
  * Watches the parent element of a canvas and reports its size, so that the application can resize its renderer.
  * `onResize` is called once at the start, and then only when the size or the resolution changed; it is not called for
  * a hidden (zero-sized) parent, since a renderer cannot draw to nothing, but `width` and `height` then keep the last
@@ -31,14 +41,11 @@ export function watchViewport(
   const parent = canvas.parentElement;
   if (parent === null)
     throw new Error('the canvas has no parent element: append it to the page before watching its size');
-  const maxResolution = options.maxResolution ?? 2;
   const size = { width: 1, height: 1, resolution: 1 };
   let known = false;
 
   const measure = (): void => {
-    const width = parent.clientWidth;
-    const height = parent.clientHeight;
-    const resolution = Math.min(globalThis.devicePixelRatio || 1, maxResolution);
+    const { width, height, resolution } = sizeToFill(parent, options.maxResolution);
     if (width === 0 || height === 0) return;
     if (known && width === size.width && height === size.height && resolution === size.resolution) return;
     known = true;

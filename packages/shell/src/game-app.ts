@@ -10,17 +10,13 @@ import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
 import { createOutcomeCard, type OutcomeCard } from './outcome-card.ts';
-import { createPanel, type Panel } from './panel.ts';
-import { createPlotCard, type PlotCard } from './plot-card.ts';
 import { type Looks, Preferences } from './preferences.ts';
-import { createProfileCard, type ProfileCard } from './profile-card.ts';
 import { Recorder } from './recorder.ts';
 import { Session } from './session.ts';
 import type { Settings } from './settings.ts';
-import { createStats, type Stats } from './stats.ts';
+import type { Side } from './side.ts';
 import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
-import { createToolsCard, type ToolsCard } from './tools-card.ts';
 import { ViewHost } from './view-host.ts';
 
 /** Seconds between two looks at the figures and the plot. */
@@ -38,16 +34,14 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #banner: Banner;
   readonly #views: ViewHost<S, Sim>;
   readonly #toolbar: Toolbar;
-  readonly #panel: Panel;
-  readonly #plot: PlotCard;
-  readonly #stats: Stats;
-  readonly #profile: ProfileCard;
-  readonly #tools: ToolsCard;
   readonly #recorder: Recorder;
   readonly #help: HelpDialog;
   readonly #controls: ControlListener | undefined;
   readonly #outcome: OutcomeCard | undefined;
+  readonly #actions: Actions;
   readonly #commands: Commands;
+  /** There from the second frame on. */
+  #side: Side | undefined;
   readonly #preferences = new Preferences(matchMedia('(prefers-reduced-motion: reduce)').matches);
   #renderer: string;
   /** The player holds the way back. */
@@ -72,21 +66,14 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#layout = createLayout(game.title, () => this.#views.view?.fit());
     this.#banner = createBanner(this.#layout.root);
     const renderers = Object.entries(game.renderers).map(([name, { label }]) => [name, label] as const);
-    const actions = this.#actions();
-    this.#commands = gameCommands(game, actions);
-    this.#toolbar = createToolbar(this.#layout.bar, actions, renderers);
-    this.#panel = createPanel(this.#layout.side, game.settings, address.values, (name, value) => {
-      this.#guard(() => this.#set(name, value));
-    });
-    const { root, side } = this.#layout;
-    this.#plot = createPlotCard(side, () => (this.#session.started ? this.#session.sim.world : undefined));
-    this.#stats = createStats(side);
-    this.#profile = createProfileCard(side);
-    this.#tools = createToolsCard(side, actions, game.replay !== undefined);
+    this.#actions = this.#makeActions();
+    this.#commands = gameCommands(game, this.#actions);
+    this.#toolbar = createToolbar(this.#layout.bar, this.#actions, renderers);
+    const { root } = this.#layout;
     this.#recorder = new Recorder(game.title, () => this.#refresh());
     this.#help = createHelpDialog(root, game.title, this.#commands.help);
     this.#controls = this.#listen();
-    const watch = game.replay && actions.replay;
+    const watch = game.replay && this.#actions.replay;
     this.#outcome = game.outcome && createOutcomeCard(root, game.title, () => this.#again(), watch);
     this.#views = new ViewHost(this.#stage(), `${game.title}, drawn live; press H for help`, {
       onTrouble: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#renderer)]),
@@ -113,6 +100,21 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         this.#report(error);
       },
     );
+    await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    await this.#openSide();
+  }
+
+  async #openSide(): Promise<void> {
+    const { createSide } = await import('./side.ts');
+    const session = this.#session;
+    this.#side = createSide(this.#layout.side, {
+      ...{ settings: this.#game.settings, values: session.values, actions: this.#actions },
+      set: (name, value) => this.#guard(() => this.#set(name, value)),
+      world: () => (session.started ? session.sim.world : undefined),
+      canReplay: this.#game.replay !== undefined,
+    });
+    this.#showLooks();
+    this.#refresh();
   }
 
   #frame(seconds: number): void {
@@ -125,7 +127,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (this.#rewinding) this.#goBackBy(seconds * session.speed);
     else if (!this.#broken && !this.#manual) session.advance(seconds);
     this.#showOutcome();
-    this.#plot.note(session.sim.world);
+    this.#side?.plot.note(session.sim.world);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.frame += 0.1 * (seconds * 1000 - this.#timing.frame);
     if (session.sim.world.tick !== this.#tick) this.#timing.step += 0.1 * (session.stepTime - this.#timing.step);
@@ -163,22 +165,24 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #goBack(move: () => boolean): void {
     if (!move()) return;
     this.#broken = false;
-    this.#panel.refresh();
+    this.#side?.panel.refresh();
     this.#views.view?.refresh('setting');
   }
 
   #showFigures(): void {
     this.#sinceFigures = 0;
     const { sim } = this.#session;
-    this.#plot.draw();
+    const side = this.#side;
+    if (side === undefined) return;
+    side.plot.draw();
     const contacts = this.#game.contacts?.(sim);
-    this.#profile.show(sim.world);
+    side.profile.show(sim.world);
     const figures = this.#figures;
     Object.assign(figures, this.#timing);
     figures.bodies = bodies(sim.world).count;
     figures.contacts = contacts;
     figures.time = sim.world.time;
-    this.#stats.show(figures);
+    side.stats.show(figures);
   }
 
   /** Opens the picture of another renderer; the values stay, the world is made anew for its dimensions. */
@@ -204,7 +208,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     make();
     this.#outcome?.show(undefined);
     this.#broken = false;
-    this.#plot.clear();
+    this.#side?.plot.clear();
     this.#views.view?.refresh('world');
   }
 
@@ -215,7 +219,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
 
   #toggle(name: string): void {
     this.#guard(() => this.#set(name, !this.#session.values[name]));
-    this.#panel.refresh();
+    this.#side?.panel.refresh();
   }
 
   #pause(paused = !this.#session.paused): void {
@@ -227,8 +231,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const { paused, speed } = this.#session;
     const { calm, safeColors } = this.#preferences;
     this.#toolbar.show({ paused, slow: speed !== 1, rewinding: this.#rewinding, renderer: this.#renderer });
-    this.#tools.show({ filming: this.#recorder.filming, calm, safeColors });
-    this.#panel.refresh();
+    this.#side?.tools.show({ filming: this.#recorder.filming, calm, safeColors });
+    this.#side?.panel.refresh();
   }
 
   #change(looks: Partial<Looks>): void {
@@ -244,7 +248,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#layout.root.toggleAttribute('data-calm', calm);
     this.#layout.root.toggleAttribute('data-safe-colors', safeColors);
     this.#session.safeColors = safeColors;
-    this.#plot.safeColors = safeColors;
+    if (this.#side !== undefined) this.#side.plot.safeColors = safeColors;
   }
 
   /** Keys, touch pad and gamepad, for a game that is steered. */
@@ -290,7 +294,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     }
   }
 
-  #actions(): Actions {
+  #makeActions(): Actions {
     const session = this.#session;
     const preferences = this.#preferences;
     return {
@@ -321,8 +325,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       zoom: (factor) => this.#views.view?.zoom(factor),
       help: () => this.#help.toggle(),
       side: () => this.#layout.toggleSide(),
-      plot: () => this.#plot.next(),
-      profile: () => this.#profile.toggle(),
+      plot: () => this.#side?.plot.next(),
+      profile: () => this.#side?.profile.toggle(),
       picture: () => this.#attempt((canvas, time) => this.#recorder.picture(canvas, time)),
       film: () => this.#attempt((canvas, time) => this.#recorder.toggleFilm(canvas, time)),
       fullScreen: () => this.#attempt(() => toggleFullScreen(this.#layout.root)),
@@ -361,7 +365,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       state: () => ({
         ...sessionState(session),
         ...{ calm: this.#preferences.calm, filming: this.#recorder.filming },
-        ...{ ready: this.#views.view !== undefined, renderer: this.#renderer, banner: this.#banner.text },
+        ...{
+          ready: this.#views.view !== undefined && this.#side !== undefined,
+          renderer: this.#renderer,
+          banner: this.#banner.text,
+        },
         timing: { ...this.#timing },
         game: this.#game.tell?.(session.sim) ?? {},
       }),
@@ -372,7 +380,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       set: (name, value) => {
         this.#set(name, value);
         if (this.#resetWanted) this.#reset();
-        this.#panel.refresh();
+        this.#side?.panel.refresh();
       },
       pause: () => this.#pause(true),
       resume: () => this.#pause(false),

@@ -18,7 +18,7 @@ export interface BodyState {
 
 /** What `__game.state()` tells. */
 export interface GameState {
-  /** Whether there is a picture. */
+  /** Whether there is a picture, and all that stands beside it. */
   readonly ready: boolean;
   readonly renderer: string;
   readonly paused: boolean;

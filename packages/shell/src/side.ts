@@ -1,0 +1,41 @@
+/** What stands beside the picture: nobody needs it to begin, so it comes behind the first frame. */
+import type { PhysicsWorld } from '@principia/physics';
+import type { Actions } from './commands.ts';
+import { createPanel, type Panel } from './panel.ts';
+import { createPlotCard, type PlotCard } from './plot-card.ts';
+import { createProfileCard, type ProfileCard } from './profile-card.ts';
+import type { Settings } from './settings.ts';
+import { createStats, type Stats } from './stats.ts';
+import { createToolsCard, type ToolsCard } from './tools-card.ts';
+
+/** The cards, from top to bottom. */
+export interface Side {
+  readonly panel: Panel;
+  readonly plot: PlotCard;
+  readonly stats: Stats;
+  readonly profile: ProfileCard;
+  readonly tools: ToolsCard;
+}
+
+export interface SideOptions {
+  readonly settings: Settings;
+  /** Read when shown; written through `set` alone. */
+  readonly values: Readonly<Record<string, unknown>>;
+  readonly set: (name: string, value: unknown) => void;
+  /** The world shown now. */
+  readonly world: () => PhysicsWorld | undefined;
+  readonly actions: Actions;
+  /** Whether games can be watched again. */
+  readonly canReplay: boolean;
+}
+
+export function createSide(parent: HTMLElement, options: SideOptions): Side {
+  const { settings, values, set, world, actions, canReplay } = options;
+  return {
+    panel: createPanel(parent, settings, values, set),
+    plot: createPlotCard(parent, world),
+    stats: createStats(parent),
+    profile: createProfileCard(parent),
+    tools: createToolsCard(parent, actions, canReplay),
+  };
+}
