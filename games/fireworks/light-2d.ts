@@ -72,7 +72,11 @@ export function createLight2D(renderer: WebGLRenderer): Light2D {
     { made: pass(BLUR, { uLight: half }, stride()), to: near, across: false, by: NEAR },
     { made: pass(BLUR, { uLight: near }, stride()), to: narrow, across: true, by: FAR },
     { made: pass(BLUR, { uLight: narrow }, stride()), to: far, across: false, by: FAR },
+    // Once more: a single bell is cut off where it is still bright enough to show a square.
+    { made: pass(BLUR, { uLight: far }, stride()), to: narrow, across: true, by: FAR },
+    { made: pass(BLUR, { uLight: narrow }, stride()), to: far, across: false, by: FAR },
   ]);
+  const nothing = new Group();
   const container = new Group();
   for (const { mesh } of shows) container.addChild(mesh);
   const passes = [...fades, ...shows, ...blurs.flatMap((chain) => chain.map(({ made }) => made))];
@@ -89,8 +93,9 @@ export function createLight2D(renderer: WebGLRenderer): Light2D {
     renderer.render(order as RenderOptions);
   };
   const clear = () => {
-    for (const { group } of fades) group.uniforms.uFade = 0;
-    for (const [i, { mesh }] of fades.entries()) draw(mesh, [other, one][i], true);
+    // No program is needed to draw nothing.
+    for (const light of [one, other]) draw(nothing, light, true);
+    container.visible = false;
   };
   return {
     container,
@@ -112,6 +117,7 @@ export function createLight2D(renderer: WebGLRenderer): Light2D {
       clear();
     },
     add(shining, fade) {
+      container.visible = true;
       const { mesh, group } = fades[now];
       now = 1 - now;
       const onto = now === 1 ? other : one;
@@ -133,6 +139,7 @@ export function createLight2D(renderer: WebGLRenderer): Light2D {
     clear,
     destroy() {
       container.destroy();
+      nothing.destroy();
       for (const { mesh, geometry, shader } of passes) {
         mesh.destroy();
         geometry.destroy(true);

@@ -98,6 +98,9 @@ export function createLight3D(renderer: WebGLRenderer, camera: Camera): Light3D 
       spread(half, near, 0, 0.5 * NEAR);
       spread(near, narrow, 0.5 * FAR, 0);
       spread(narrow, far, 0, 0.5 * FAR);
+      // Once more: a single bell is cut off where it is still bright enough to show a square.
+      spread(far, narrow, 0.5 * FAR, 0);
+      spread(narrow, far, 0, 0.5 * FAR);
       renderer.setRenderTarget(null);
     },
     show() {

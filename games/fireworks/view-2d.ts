@@ -1,5 +1,13 @@
 /** The picture in 2D, drawn by pixi.js. */
-import { type Camera2D, fit, toScreen, toWorld, watchViewport, worldSource } from '@principia/render-core';
+import {
+  type Camera2D,
+  fit,
+  toScreen,
+  toWorld,
+  type Viewport,
+  watchViewport,
+  worldSource,
+} from '@principia/render-core';
 import { applyCamera, type BodyLayer, createBodyLayer, openScreen } from '@principia/render-pixi';
 import type { Stage, View } from '@principia/shell';
 import { Container, RendererType, Sprite, Texture, type WebGLRenderer } from 'pixi.js';
@@ -12,8 +20,12 @@ import type { Settings } from './settings.ts';
 import type { FireworksGame } from './sim.ts';
 import { listenToSky } from './sky-pointer.ts';
 
-/** What is always to be seen, m: the sky that shells reach, and some water. */
+/** What is to be seen, m: the sky that shells reach, and some water. */
 const SEEN = { minX: -50, minY: -8, maxX: 50, maxY: 58 };
+const SEEN_HEIGHT = SEEN.maxY - SEEN.minY;
+/** A tall window comes closer, as long as it shows this width, m, and `SEEN` leaves this part of its height free. */
+const LEAST_WIDTH = 72;
+const LEAST_FREE = 0.38;
 
 export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: Desk): Promise<View> {
   const screen = await openScreen(stage.element, { background: '#03040d' });
@@ -29,12 +41,20 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
   const look = () => {
     // Shells burst where the panel does not hide them; the landscape is as wide as the window.
     const { right } = stage.insets();
-    fit(camera, SEEN, { width: Math.max(1, viewport.width - right), height: viewport.height }, 0);
+    const { height } = viewport;
+    const width = Math.max(1, viewport.width - right);
+    fit(camera, SEEN, { width, height }, 0);
+    const closer = Math.min(width / LEAST_WIDTH, ((1 - LEAST_FREE) * height) / SEEN_HEIGHT);
+    camera.pixelsPerMetre = Math.max(camera.pixelsPerMetre, closer);
+    // What stays free goes above and below, so that shells burst before the eyes and not at the feet.
+    const free = Math.max(0, height - SEEN_HEIGHT * camera.pixelsPerMetre);
+    const lift = Math.min(0.26 * height, 0.8 * Math.max(0, free - 0.25 * height));
+    const ground = lift - SEEN.minY * camera.pixelsPerMetre;
     camera.pixelsPerMetre *= zoomed;
     camera.x = right / 2 / camera.pixelsPerMetre;
-    // The ground stays where it is.
-    camera.y = SEEN.minY + viewport.height / 2 / camera.pixelsPerMetre;
-    backdrop.paint(viewport.width, viewport.height, camera.pixelsPerMetre, viewport.resolution);
+    // The ground stays where it is, however close.
+    camera.y = (height / 2 - ground) / camera.pixelsPerMetre;
+    backdrop.paint(viewport, ground, camera.pixelsPerMetre);
     light?.clear();
   };
   const viewport = watchViewport(canvas, (width, height, resolution) => {
@@ -50,6 +70,7 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
   });
   const hud = createHud(stage, desk);
   let time = 0;
+  let hasShone = false;
   return {
     canvas,
     refresh(change) {
@@ -64,7 +85,9 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
       if (!stage.reducedMotion) time += seconds;
       applyCamera(shining, camera, viewport);
       layer.update(alpha);
-      if (light !== undefined && clock.advance(sim, alpha, stage.values().glow)) {
+      // As long as nothing has shone there is no light to fade: the first frame waits for no program of it.
+      hasShone ||= sim.scene.alive + sim.scene.flying > 0;
+      if (light !== undefined && hasShone && clock.advance(sim, alpha, stage.values().glow)) {
         shining.alpha = clock.gain;
         light.add(shining, clock.fade);
       }
@@ -114,9 +137,10 @@ function createBackdrop() {
   return {
     sky,
     shore,
-    paint(width: number, height: number, pixelsPerMetre: number, resolution: number) {
+    /** @param ground height of the water's edge above the lower end of the window, CSS pixels */
+    paint({ width, height, resolution }: Viewport, ground: number, pixelsPerMetre: number) {
       const scale = pixelsPerMetre * resolution;
-      const horizon = Math.round(height * resolution + SEEN.minY * scale);
+      const horizon = Math.round((height - ground) * resolution);
       const plan = { width: width * resolution, height: height * resolution, horizon, scale };
       const wanted = Object.values(plan).join(' ');
       if (wanted === painted) return;

@@ -8,6 +8,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   type Object3D,
+  RingGeometry,
   SphereGeometry,
   SRGBColorSpace,
 } from 'three';
@@ -36,9 +37,11 @@ export function createWorld3D(): World3D {
     plain({ map: shore, transparent: true }),
   );
   ring.position.y = SHORE_HEIGHT / 2;
-  const lake = new Mesh(new CircleGeometry(SKY, 64), new MeshBasicMaterial({ color: 0x0a0f2a }));
-  lake.rotation.x = -Math.PI / 2;
-  const parts = [dome, ring, lake];
+  const lake = new Mesh(new CircleGeometry(SHORE, 96), new MeshBasicMaterial({ color: 0x0a0f2a }));
+  // Behind the town lies the plain that its hills stand on.
+  const land = new Mesh(new RingGeometry(SHORE, SKY, 96), new MeshBasicMaterial({ color: 0x0c1030 }));
+  for (const flat of [lake, land]) flat.rotation.x = -Math.PI / 2;
+  const parts = [dome, ring, lake, land];
   const object = new Group().add(...parts);
   return {
     object,

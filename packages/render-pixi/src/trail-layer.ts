@@ -86,7 +86,9 @@ export function createTrailLayer(options: TrailLayerOptions): TrailLayer {
       mesh.uniforms.uRecordings = history.recordings;
       mesh.uniforms.uSkip = history.newestIsCurrent ? 1 : 0;
       mesh.place(originX, originY);
-      mesh.draw(history.count, length - 1);
+      // Before there is a second point no program is made for what cannot be seen.
+      const points = history.recordings - (history.newestIsCurrent ? 1 : 0);
+      mesh.draw(points > 0 ? history.count : 0, length - 1);
     },
     destroy() {
       if (!live) return;

@@ -50,7 +50,9 @@ export class Rockets {
   }
 
   get flying(): number {
-    return this.#rockets.filter(({ order }) => order !== undefined).length;
+    let count = 0;
+    for (let i = 0; i < this.#rockets.length; i++) if (this.#rockets[i].order !== undefined) count++;
+    return count;
   }
 
   /** Entities an emitter of tails and a rocket take. */

@@ -1,4 +1,6 @@
 /** A view drawn by pixi.js: canvas, camera, and pointers that hold bodies. A game adds what is to be seen. */
+// What most pictures are made of; who uses text or other parts of pixi imports `pixi.js/text` and the like.
+import 'pixi.js/graphics';
 import {
   type BodySource,
   type Bounds2,
@@ -11,8 +13,8 @@ import {
   worldSource,
   zoomAt,
 } from '@principia/render-core';
-import { applyCamera } from '@principia/render-pixi';
-import { Application, Container } from 'pixi.js';
+import { applyCamera, openScreen } from '@principia/render-pixi';
+import { Container } from 'pixi.js';
 import type { Simulation, Stage, View } from '../game.ts';
 import { pickBody2D } from '../pick.ts';
 import type { Settings } from '../settings.ts';
@@ -52,14 +54,10 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
   stage: Stage<S, Sim>,
   options: PixiViewOptions<Sim>,
 ): Promise<View> {
-  const app = new Application();
-  const looks = { backgroundAlpha: 0, autoStart: false, autoDensity: true, antialias: true } as const;
-  await app.init({ preference: ['webgl', 'webgpu'], ...looks });
-  const { canvas } = app;
-  stage.element.append(canvas);
-  app.stage.eventMode = 'none';
+  const screen = await openScreen(stage.element, { backgroundAlpha: 0, antialias: true });
+  const { canvas, renderer } = screen;
   const content = new Container();
-  app.stage.addChild(content);
+  screen.stage.addChild(content);
   const camera: Camera2D = { x: 0, y: 0, pixelsPerMetre: 100 };
   let shown = show(stage, options, content);
   let isFitted = true;
@@ -69,7 +67,7 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
     fitInto(camera, options, stage, viewport);
   };
   const viewport = watchViewport(canvas, (width, height, resolution) => {
-    app.renderer.resize(width, height, resolution);
+    renderer.resize(width, height, resolution);
     if (isFitted) queueMicrotask(fitAll);
   });
   const navigated = () => {
@@ -96,7 +94,7 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
     draw(alpha) {
       applyCamera(content, camera, viewport);
       shown.picture.update(alpha, camera.pixelsPerMetre);
-      app.render();
+      screen.render();
     },
     fit: fitAll,
     zoom(factor) {
@@ -108,7 +106,7 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
       pointers.destroy();
       viewport.destroy();
       shown.picture.destroy();
-      app.destroy({ removeView: true, releaseGlobalResources: false }, { children: true });
+      screen.destroy();
     },
   };
 }
