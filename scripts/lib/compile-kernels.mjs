@@ -2,6 +2,7 @@
 import { execFile } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { promisify } from 'node:util';
+import { padBodySizes } from './body-sizes.mjs';
 import { cacheFolder, resolveInstalled } from './paths.mjs';
 
 const run = promisify(execFile);
@@ -34,10 +35,18 @@ export async function compileKernels(folder, entry = 'index.ts', constants = 102
       compile(folder, entry, 'f32', output, kernelFlags(entry, constants)),
       compile(folder, entry, 'f64', output, kernelFlags(entry, constants)),
     ]);
-    return { f32, f64 };
+    return { f32: packable(f32), f64: packable(f64) };
   } finally {
     rmSync(output, { recursive: true, force: true });
   }
+}
+
+/**
+ * @param {CompiledKernels} compiled
+ * @returns {CompiledKernels}
+ */
+function packable({ wasm, declarations }) {
+  return { wasm: padBodySizes(wasm), declarations };
 }
 
 /**

@@ -3,7 +3,7 @@
  *
  * Both precisions come from one source and are nearly alike, but gzip, which packs what a site sends, looks back only
  * 32 KB and at whole bytes. `kernels/unpack` knows what WebAssembly looks like: what took 37 KB of a game as hexadecimal
- * text, and 25 KB by LZMA, takes it 17 KB. The first module is unpacked alone, the second needs the first. Base 64 of it
+ * text, and 25 KB by LZMA, takes it 16 KB. The first module is unpacked alone, the second needs the first. Base 64 of it
  * costs gzip nothing, since 64 signs that are all as likely take it 6 bits each.
  */
 import { compileAlone } from './compile-kernels.mjs';
@@ -35,7 +35,12 @@ export function encodeModules(packer, first, second) {
     );
   const { exports } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(packer)));
   const { memory, packedAt, bytesAt, pack } = /** @type {any} */ (exports);
-  new Uint8Array(memory.buffer).set(Buffer.concat([first, second]), bytesAt());
+  const both = Buffer.concat([first, second]);
+  const bytes = Buffer.from(memory.buffer, bytesAt(), both.length);
+  bytes.set(both);
   const length = pack(first.length, second.length);
+  // Sizes of bodies are written anew.
+  if (!bytes.equals(both))
+    throw new Error('A kernel module has bodies whose sizes are not as `padBodySizes` makes them.');
   return Buffer.from(memory.buffer, packedAt(), length).toString('base64').replaceAll('=', '');
 }

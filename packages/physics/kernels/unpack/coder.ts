@@ -25,6 +25,11 @@ export function endPacking(): i32 {
   return <i32>(stream + 4 - PACKED);
 }
 
+/** Bytes that are not packed. */
+export function skipBytes(count: u32): void {
+  source += count << 3;
+}
+
 /**
  * The next bit, whose probability of being 1 is that many 65536ths, 1 to 65535. Packing asks whether the next byte is
  * the `expected` one, unless that is negative, or else for the bits of it.

@@ -1,12 +1,13 @@
 // Reads two builds of a WebAssembly module. What a byte can be depends on the instruction it belongs to and on the
 // instructions before it, far more than on the bytes before it; so this follows the grammar of modules (WebAssembly Core
-// Specification 2.0, section 5) and guesses each byte from what it knows. Bytes that do not follow the grammar are read
-// all the same, only less well guessed.
+// Specification 2.0, section 5) and guesses each byte from what it knows. The size of a function body is not read but worked
+// out, and has two bytes.
 import * as counterpart from './counterpart';
-import { BYTES, CONTEXT_SLOTS, HABITS, OPERANDS, PLACES, SLOT_BITS, SLOTS } from './memory';
-import { nextByte, prepareTables } from './predictor';
+import { skipBytes } from './coder';
+import { BYTES, CONTEXT_SLOTS, CUSTOMS, HABITS, OPERANDS, PLACES, SLOT_BITS, SLOTS } from './memory';
+import { choose, nextByte, prepareTables } from './predictor';
 
-/** What a byte is; each kind has a set of weights for its first bytes. */
+/** What a byte is. */
 const OPCODE = 0;
 const PREFIXED = 1;
 const NUMBER = 2;
@@ -15,10 +16,12 @@ const OUTSIDE = 4;
 const HEADER = 5;
 
 const CODE_SECTION = 10;
-/** Beyond the table of habits: what holds nothing. */
-const NONE: usize = HABITS + 0x10000;
+/** Holds nothing. */
+const NONE: usize = OPERANDS + 0x800;
 /** Bytes that went the same way, after which the next is expected to do so too. */
-const ENOUGH = 11;
+const ENOUGH = 7;
+/** How often in a row the same must have come after two instructions to be expected. */
+const CUSTOM: u8 = 9;
 
 let at: i32 = 0;
 let begin: i32 = 0;
@@ -37,14 +40,18 @@ let op: i32 = 0;
 let here: i32 = 0;
 let there: i32 = 0;
 let thereEnd: i32 = 0;
+/** One more than the byte that stands here in the first build, or would if its real were a shorter one; or 0. */
+let other: i32 = 0;
 /** Where it is held what came in the second build for such a byte of the first. */
 let habit: usize = 0;
+/** Where it is held what came last after the same two instructions. */
+let custom: usize = 0;
 /** The place that went the same way before, and for how many bytes it did. */
 let match: i32 = 0;
 let matched: i32 = 0;
 
 export function readModules(first: i32, second: i32): void {
-  prepareTables(4 * 6);
+  prepareTables();
   readModule(first);
   readModule(first + second);
 }
@@ -71,17 +78,26 @@ function readBody(): void {
   if (begin == 0) counterpart.noteFunction(at);
   else compare(counterpart.enterFunction(fn), i32.MAX_VALUE);
   fn++;
-  op = 20;
-  const size = number(HEADER, 0);
-  const last = min(end, at + size);
+  // Its size is told by where it ends: two bytes for it stand there and are not packed.
+  const start = at;
+  store<u16>(BYTES + start, 0);
+  at += 2;
+  skipBytes(2);
   op = 21;
-  for (let groups = number(HEADER, 0); groups > 0 && at < last; groups--) {
+  for (let groups = number(HEADER, 0); groups > 0 && at < end; groups--) {
     op = 22;
     number(HEADER, 0);
     op = 23;
     byte(HEADER, 0);
   }
-  while (at < last) readInstruction();
+  for (let depth = 1; depth > 0 && at < end; ) {
+    readInstruction();
+    if (op1 >= 0x02 && op1 <= 0x04) depth++;
+    else if (op1 == 0x0b) depth--;
+  }
+  const size = at - start - 2;
+  store<u8>(BYTES + start, (size & 127) | 128);
+  store<u8>(BYTES + start, size >>> 7, 1);
 }
 
 function readInstruction(): void {
@@ -115,7 +131,9 @@ function readOperands(read: i32): void {
     if (simd <= 0x0b || (simd >= 0x54 && simd <= 0x5d)) numbers = 2;
     if (simd == 0x0c || simd == 0x0d) raw = 16;
     else if ((simd >= 0x15 && simd <= 0x22) || (simd >= 0x54 && simd <= 0x5b)) raw = 1;
-  } else if (read >= 0x100) numbers = read == 0x10a ? 2 : 1;
+  } else if (read == 0x10a) numbers = 2;
+  else if (read == 0x10b) numbers = 1;
+  else if (read == 0x0e) numbers = number(NUMBER, 0) + 1;
   else if (read == 0x43) raw = 4;
   else if (read == 0x44) raw = 8;
   else if (read >= 0x28 && read <= 0x3e) numbers = 2;
@@ -128,7 +146,7 @@ function readOperands(read: i32): void {
 /** A number of seven bits a byte, the lowest first. */
 function number(kind: i32, place: i32): i32 {
   let result = 0;
-  for (let shift = 0; shift < 35; shift += 7) {
+  for (let shift = 0; shift < 70; shift += 7) {
     const read = byte(kind, place++);
     result |= (read & 127) << shift;
     if (read < 128) break;
@@ -146,8 +164,13 @@ function compare(from: i32, until: i32): void {
 function byte(kind: i32, place: i32): i32 {
   if (at >= end) return 0;
   hashContexts(kind, place);
-  const expected = matched > ENOUGH ? load<u8>(BYTES + match) + 1 : load<u16>(habit);
-  const read = nextByte(kind * 4 + min(3, place & 7), expected);
+  let expected: i32 = load<u16>(habit);
+  if (matched > ENOUGH) expected = load<u8>(BYTES + match) + 1;
+  else if (expected == 0 && load<u8>(custom, 1) >= CUSTOM) expected = load<u8>(custom) + 1;
+  if (expected == 0) expected = other;
+  const read = nextByte(expected);
+  store<u8>(custom, load<u8>(custom) == read ? min<i32>(254, load<u8>(custom, 1)) + 1 : 1, 1);
+  store<u8>(custom, read);
   store<u8>(BYTES + at, read);
   store<u16>(habit, habit == NONE ? 0 : read + 1);
   if (kind == NUMBER && read < 128) {
@@ -171,7 +194,7 @@ function byte(kind: i32, place: i32): i32 {
 function context(index: i32, hash: i32): void {
   const mixed = hash * 0x2545f491;
   const slot = ((mixed ^ (mixed >>> 15)) * 0x3c6ef372) >>> (32 - SLOT_BITS);
-  store<usize>(CONTEXT_SLOTS + (index << 2), SLOTS + (((index << SLOT_BITS) | slot) << 2));
+  store<usize>(CONTEXT_SLOTS + (index << 2), SLOTS + (((index << SLOT_BITS) | slot) << 1));
 }
 
 function before(distance: i32): i32 {
@@ -180,26 +203,34 @@ function before(distance: i32): i32 {
 
 function hashContexts(kind: i32, place: i32): void {
   const state = kind | (op << 3) | (place << 13);
-  const place2 = there + at - here;
-  const other = place2 < thereEnd ? load<u8>(BYTES + place2) + 1 : 0;
+  const twin = there + at - here;
+  other = twin < thereEnd ? <i32>load<u8>(BYTES + twin) + 1 : 0;
+  // A constant of 32 bits, where the first build has one of 64.
+  if (op == 0x43 && kind == RAW && load<u8>(BYTES + there) == 0x44) {
+    const real = <f32>load<f64>(BYTES + there, 1);
+    other = ((reinterpret<i32>(real) >>> (place << 3)) & 255) + 1;
+  }
   const same = matched > 0 ? load<u8>(BYTES + match) + 1 : 0;
   habit = other == 0 ? NONE : HABITS + (((both(state, other) * 0x9e3779b1) >>> 17) << 1);
   const b1 = before(1);
   const b2 = before(2);
+  choose(0, op);
+  choose(1, op1);
+  choose(2, b1);
   let hash = both(state, op1);
   context(0, both(b1, b2));
   context(1, both(both(state, other), min(15, counterpart.agreed)));
   context(2, hash);
   context(3, (hash = both(hash, op2)));
-  context(4, (hash = both(hash, op3)));
-  context(5, (hash = both(hash, op4)));
-  context(6, both(hash, op5));
-  context(7, both(both(state, load<u8>(OPERANDS + op)), b1));
-  context(8, both(both(both(state, local), op1), fn));
-  context(9, both(both(state, other), fn));
-  context(10, both(same, min(20, matched)));
-  context(11, both(both(same, i32(matched > 7)), b1));
-  context(12, both(b2, before(3)));
+  custom = CUSTOMS + (((hash * 0x9e3779b1) >>> 17) << 1);
+  hash = both(hash, op3);
+  context(4, (hash = both(hash, op4)));
+  context(5, both(hash, op5));
+  context(6, both(both(state, load<u8>(OPERANDS + op)), b1));
+  context(7, both(both(both(state, local), op1), fn));
+  context(8, both(both(state, other), fn));
+  context(9, both(same, min(20, matched)));
+  context(10, both(both(same, i32(matched > 7)), b1));
 }
 
 /** The latest place that followed the same four bytes. */

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { kernelFolder } from '../../../../scripts/build-kernels.mjs';
+import { padBodySizes } from '../../../../scripts/lib/body-sizes.mjs';
 import { compilePacker, encodeModules } from '../../../../scripts/lib/encode-module.mjs';
 import { decodeModule } from './decode.ts';
 import { KERNELS_F32, KERNELS_F64 } from './modules.gen.ts';
@@ -9,14 +10,19 @@ const noise = (length: number) => Uint8Array.from({ length }, (_, i) => Math.imu
 const wave = (length: number) => Uint8Array.from({ length }, (_, i) => (i * i) >> 7);
 const flat = (length: number) => new Uint8Array(length).fill(200);
 
+/** A module with these bytes in a section of its own, whose size takes two bytes. */
+const moduleOf = (bytes: Uint8Array) =>
+  Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 0, (bytes.length & 127) | 128, bytes.length >> 7, ...bytes);
+
 test.each([
   ['noise', noise, [0, 1, 5, 5000]],
   ['what is like itself', wave, [1, 2, 9000]],
   ['one byte over and over', flat, [1, 18, 3000]],
 ])('%s survives the round trip', { timeout: 60_000 }, async (_, make, lengths) => {
   const { pack } = await packer;
-  const longest = make(lengths[lengths.length - 1]);
-  for (const first of lengths.map(make)) {
+  const modules = lengths.map((length) => moduleOf(make(length)));
+  const longest = modules[modules.length - 1];
+  for (const first of modules) {
     for (const second of [longest, first]) {
       const text = encodeModules(pack, first, second);
       const middle = first.length;
@@ -24,6 +30,17 @@ test.each([
       expect(decodeModule({ text, start: middle, end: middle + second.length })).toEqual(second);
     }
   }
+});
+
+test('a module whose bodies have sizes of other lengths is refused', async () => {
+  const { pack } = await packer;
+  const empty = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 3, 2, 1, 0];
+  const short = Uint8Array.of(...empty, 10, 4, 1, 2, 0, 0x0b);
+  expect(() => encodeModules(pack, short, short)).toThrow(/bodies whose sizes/);
+  const padded = Uint8Array.from(padBodySizes(short));
+  expect(WebAssembly.validate(padded)).toBe(true);
+  const text = encodeModules(pack, padded, padded);
+  expect(decodeModule({ text, start: 0, end: padded.length })).toEqual(padded);
 });
 
 test('both embedded modules are valid and export the same kernels', () => {
