@@ -59,14 +59,15 @@ async function buildModules({ quiet = false, force = false, from = kernelFolder,
   const texts = `${to}/texts.gen.ts`;
   const files = [texts, ...modules.map(({ file }) => `${to}/${file}`)];
   if (!force && files.every((file) => existsSync(file) && readFileSync(file, 'utf8').startsWith(header))) return false;
-  const { compilePacker, encodeModules } = await import('./lib/encode-module.mjs');
+  const { compilePacker, encodeModules, inSigns, SIGNS } = await import('./lib/encode-module.mjs');
   const packer = await compilePacker(kernelFolder);
-  const embedded = [`export const UNPACKER = '${Buffer.from(packer.unpack).toString('hex')}';`];
+  const embedded = [];
   for (const module of modules) {
     const { f32, f64, declarations } = await buildModule({ ...module, from, quiet });
     embedded.push(`export const ${module.constant} = '${encodeModules(packer.pack, f64.wasm, f32.wasm)}';`);
     write(`${to}/${module.file}`, `${header}\n${declarations}`);
   }
+  embedded.push(`export const UNPACKER = '${inSigns(packer.unpack, 4)}';`, `export const SIGNS = '${SIGNS}';`);
   write(texts, `${[header, ...embedded].join('\n')}\n`);
   return true;
 }

@@ -2,14 +2,19 @@
  * Text for two WebAssembly modules, the counterpart of `decodeModule` in the physics package.
  *
  * Both precisions come from one source and are nearly alike, but gzip, which packs what a site sends, looks back only
- * 32 KB and at whole bytes. `kernels/unpack` knows what WebAssembly looks like: what took 37 KB of a game as hexadecimal
- * text, and 25 KB by LZMA, takes it 16 KB. The first module is unpacked alone, the second needs the first. Base 64 of it
- * costs gzip nothing, since 64 signs that are all as likely take it 6 bits each.
+ * 32 KB and at whole bytes. `kernels/unpack` knows what WebAssembly looks like: what took 36 KB of a game as hexadecimal
+ * text, and 24 KB by LZMA, takes it 16 KB. The first module is unpacked alone, the second needs the first.
  */
 import { compileAlone } from './compile-kernels.mjs';
 
 /** The memory of `kernels/unpack/memory.ts`: up to `PACKED`, and what may follow. */
 const PAGES = 72;
+/**
+ * What bytes are written in: 64 signs that are all as likely take gzip 6 bits each, so it costs nothing. They are those
+ * that are most frequent in code, because a block of gzip has one table for its text and its code: 0.3 KB.
+ */
+export const SIGNS = 'abcdefghijklmnopqrstuvwxyz0123456789.,:;=+-*/()[]{}!&|?ABCDEFGHI';
+
 /** The most that one module may have there. */
 const MOST_BYTES = 0x10000;
 
@@ -42,5 +47,21 @@ export function encodeModules(packer, first, second) {
   // Sizes of bodies are written anew.
   if (!bytes.equals(both))
     throw new Error('A kernel module has bodies whose sizes are not as `padBodySizes` makes them.');
-  return Buffer.from(memory.buffer, packedAt(), length).toString('base64').replaceAll('=', '');
+  return inSigns(new Uint8Array(memory.buffer, packedAt(), length), 6);
+}
+
+/**
+ * @param {Uint8Array} bytes
+ * @param {number} width bits a sign, 6 at most; gzip packs 4 better where bytes repeat
+ */
+export function inSigns(bytes, width) {
+  let text = '';
+  let held = 0;
+  let bits = 0;
+  // A byte of zeros, so that the last bits are written too; what is too many is cut off.
+  for (const byte of [...bytes, 0]) {
+    held = ((held << 8) | byte) & 0xffff;
+    for (bits += 8; bits >= width; bits -= width) text += SIGNS[(held >> (bits - width)) & ((1 << width) - 1)];
+  }
+  return text.slice(0, Math.ceil((bytes.length * 8) / width));
 }

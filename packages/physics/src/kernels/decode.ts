@@ -1,6 +1,6 @@
-import { UNPACKER } from './texts.gen';
+import { SIGNS, UNPACKER } from './texts.gen';
 
-/** One of two modules that were packed together, one after the other, and written in base 64. */
+/** One of two modules that were packed together, one after the other, and written in 64 signs. */
 export interface EmbeddedModule {
   readonly text: string;
   /** Where its bytes begin and end among those of both. */
@@ -20,32 +20,27 @@ let unpacker: WebAssembly.Module | undefined;
 
 /** The bytes of an embedded WebAssembly module. */
 export function decodeModule({ text, start, end }: EmbeddedModule): Uint8Array<ArrayBuffer> {
-  unpacker ??= new WebAssembly.Module(decodeHexadecimal(UNPACKER));
+  unpacker ??= new WebAssembly.Module(readSigns(UNPACKER, 4, new Uint8Array(UNPACKER.length / 2), 0));
   const { memory, packedAt, bytesAt, unpack } = new WebAssembly.Instance(unpacker).exports as unknown as Unpacker;
   const bytes = new Uint8Array(memory.buffer);
-  decodeBase64(text, bytes, packedAt());
+  readSigns(text, 6, bytes, packedAt());
   const first = start === 0 ? end : start;
   unpack(first, end - first);
   return bytes.slice(bytesAt() + start, bytesAt() + end);
 }
 
-function decodeHexadecimal(text: string): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from({ length: text.length / 2 }, (_, i) => Number.parseInt(text.slice(2 * i, 2 * i + 2), 16));
-}
-
-/** No `atob` and no `Buffer`, so it runs in Node, browsers, workers and worklets alike; text without padding. */
-function decodeBase64(text: string, bytes: Uint8Array, to: number): void {
+/** No `atob` and no `Buffer`, so it runs in Node, browsers, workers and worklets alike. */
+function readSigns<Bytes extends Uint8Array>(text: string, width: number, bytes: Bytes, to: number): Bytes {
+  const digits = new Uint8Array(128);
+  for (let i = 0; i < SIGNS.length; i++) digits[SIGNS.charCodeAt(i)] = i;
+  let held = 0;
   let bits = 0;
   for (let i = 0, at = to; i < text.length; i++) {
-    bits = (bits << 6) | digit(text.charCodeAt(i));
-    if (i % 4 > 0) bytes[at++] = (bits >> (6 - 2 * (i % 4))) & 255;
+    held = (held << width) | digits[text.charCodeAt(i)];
+    bits += width;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes[at++] = held >> bits;
   }
-}
-
-/** 'A'…'Z', 'a'…'z', '0'…'9', '+' and '/' are 65…90, 97…122, 48…57, 43 and 47. */
-function digit(code: number): number {
-  if (code >= 97) return code - 71;
-  if (code >= 65) return code - 65;
-  if (code >= 48) return code + 4;
-  return code === 43 ? 62 : 63;
+  return bytes;
 }
