@@ -113,7 +113,7 @@ function runTable(result: Result): string {
     ['steps', `${result.steps}`, `${result.warmup} of them warm-up`],
     ['seed', `${result.seed}`, ''],
     ['state hash', result.hash, 'of the state after all steps; equal on every machine'],
-    ['energy drift', energyDrift === null ? 'not constant' : energyDrift.toExponential(2), energyNote ?? ''],
+    ['energy drift', energyDrift === null ? 'no energy' : energyDrift.toExponential(2), energyNote ?? ''],
     ...error,
     ['date', result.date.slice(0, 16).replace('T', ' '), 'UTC'],
     ['machine', `Node ${machine.node}`, `${machine.cpu}, ${machine.cores} cores, ${machine.platform}`],

@@ -14,9 +14,8 @@ export function resultTable(result: Result): string {
     ['garbage', `${result.garbageBytesPerStep} bytes a step`],
     [
       'energy drift',
-      result.energyDrift === null
-        ? `not constant: ${result.energyNote ?? 'none to speak of'}`
-        : drift(result.energyDrift),
+      (result.energyDrift === null ? 'no energy to speak of' : drift(result.energyDrift)) +
+        (result.energyNote === null ? '' : `: ${result.energyNote}`),
     ],
     ...forceError(result),
     ...stretch(result),

@@ -20,7 +20,7 @@ export interface Result {
   readonly bytes: number;
   /** Of the state after all steps. */
   readonly hash: string;
-  /** Relative change of the total energy over the timed steps; null where the scene does not keep it. */
+  /** Relative change of the total energy over the timed steps; null where there is none. */
   readonly energyDrift: number | null;
   /** RMS relative error of forces that are approximated; null where they are exact. */
   readonly rmsForceError: number | null;
@@ -37,7 +37,7 @@ export interface Result {
   readonly garbageBytesPerStep: number;
   readonly warmup: number;
   readonly seed: number;
-  /** Why `energyDrift` is null. */
+  /** Why energy is meant to change; null where it should be kept. */
   readonly energyNote: string | null;
   readonly date: string;
   readonly machine: Machine;

@@ -48,7 +48,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     createMs: creation.ms,
     bytes: creation.bytes,
     hash,
-    energyDrift: run.losesEnergy === undefined && Number.isFinite(drift) ? drift : null,
+    energyDrift: Number.isFinite(drift) ? drift : null,
     energyNote: run.losesEnergy ?? null,
     rmsForceError: run.forceError?.(run.world) ?? null,
     stretch,

@@ -1,6 +1,8 @@
 // Springs and oscillations. y points down.
 import {
+  centreOfMass,
   createPhysicsWorld,
+  discMass,
   energy,
   type Force,
   gaussRadau,
@@ -97,10 +99,10 @@ test('ch08-free-accuracy: largest error over 20 s, and how it falls with the ste
     });
     return error;
   };
-  expect(worst(positionFirstEuler, 1 / 60)).toBeCloseTo(2.079, 2);
-  expect(worst(positionFirstEuler, 1 / 120)).toBeCloseTo(1.041, 2);
-  expect(worst(velocityVerlet, 1 / 60)).toBeCloseTo(0.0528, 3);
-  expect(worst(velocityVerlet, 1 / 120)).toBeCloseTo(0.0132, 3);
+  expect(worst(positionFirstEuler, 1 / 60)).toBeCloseTo(2.079, 3);
+  expect(worst(positionFirstEuler, 1 / 120)).toBeCloseTo(1.041, 3);
+  expect(worst(velocityVerlet, 1 / 60)).toBeCloseTo(0.0528, 4);
+  expect(worst(velocityVerlet, 1 / 120)).toBeCloseTo(0.0132, 4);
   expect(worst(rungeKutta4, 1 / 60)).toBeLessThan(4e-6);
 });
 
@@ -184,6 +186,17 @@ describe('damped', () => {
       expect(Math.abs(rms / 11.785 - 1)).toBeLessThan(0.06);
     }
   });
+});
+
+test('ch08-stickman: a body of 20 and a head of 10 on it balance a fifth of the way up', () => {
+  const world = createPhysicsWorld({ capacity: 5 });
+  for (const [radius, y] of [
+    [20, 0],
+    [10, 30],
+  ]) {
+    spawn(world, { position: { y }, velocity: {}, mass: discMass(1, radius), collider: radius });
+  }
+  expect(centreOfMass(world).y).toBeCloseTo(30 / 5, 12);
 });
 
 describe('ch08-bungee', () => {

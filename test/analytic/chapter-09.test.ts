@@ -2,7 +2,10 @@
 import {
   attractors,
   bendGrip,
+  constantTorque,
   createPhysicsWorld,
+  discInertia,
+  discMass,
   energy,
   type Integrator,
   positionFirstEuler,
@@ -25,6 +28,17 @@ test('ch09-angular-kinematics: v = ωr = 100, T = 2π/ω, a = ω²r = 200', () =
   run(world, Math.PI, 1e-3);
   expect(at().x).toBeCloseTo(50, 8);
   expect(at().y).toBeCloseTo(0, 7);
+});
+
+test('ch09-wheel-shape: a rim from 40 to 50 turns with I = m (40² + 50²)/2, a disc less a disc', () => {
+  const [outer, inner] = [50, 40].map((radius) => ({ mass: discMass(1, radius), radius }));
+  const inertia = discInertia(outer.mass, outer.radius) - discInertia(inner.mass, inner.radius);
+  const mass = outer.mass - inner.mass;
+  expect(inertia / (mass * (40 ** 2 + 50 ** 2))).toBeCloseTo(1 / 2, 12);
+  const body = { mass, inertia, rotation: {}, angularVelocity: {} };
+  const { world, eid } = single([constantTorque({ z: inertia })], body);
+  run(world, 3);
+  expect(world.components.AngularVelocity.z[eid]).toBeCloseTo(3, 12);
 });
 
 test('ch09-rolling-wheel: without slip the point of contact rests, and a turn takes it 2πR', () => {
@@ -72,6 +86,7 @@ test('ch09-satellite-gravity: ω = √(GM/r³), and the geostationary radius', (
     return Math.sqrt(-forceOn(world, satellite).x / r);
   };
   expect(at(200)).toBeCloseTo(0.353553, 6);
+  expect(at(200)).toBeCloseTo(Math.sqrt(1e6 / 200 ** 3), 9);
   expect((2 * Math.PI) / at(200)).toBeCloseTo(17.7715, 4);
   const geostationary = (1e6 / 0.16) ** (1 / 3);
   expect(geostationary).toBeCloseTo(184.2016, 4);

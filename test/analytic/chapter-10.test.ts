@@ -82,7 +82,7 @@ test('ch10-multiple-orbiters: periods and eccentricities of three planets, whate
     expect(Math.hypot(x - position.x, y - position.y)).toBeLessThan(2e-3 * 2 * Math.PI * orbit.far);
     axes.push(period ** 2 / ((orbit.near + orbit.far) / 2) ** 3);
   }
-  for (const ratio of axes) expect(ratio / ((4 * Math.PI ** 2) / 1e6)).toBeCloseTo(1, 2);
+  for (const ratio of axes) expect(Math.abs(ratio / ((4 * Math.PI ** 2) / 1e6) - 1)).toBeLessThan(2e-3);
 });
 
 test('ch10-multiple-attractors: energies between two suns, and the swing on their bisector', () => {
@@ -98,9 +98,11 @@ test('ch10-multiple-attractors: energies between two suns, and the swing on thei
     [{ x: 300, y: 400 }, { x: 90 }, -10422.14],
   ] as const) {
     const { world } = launch(position, velocity);
-    expect(energy(world).total).toBeCloseTo(expected, 2);
+    const start = energy(world).total;
+    expect(start).toBeCloseTo(expected, 2);
     run(world, 3, 1e-4);
-    expect(energy(world).total / expected).toBeCloseTo(1, 6);
+    // Rounding of 3 × 10⁴ steps: 1.1e-16 √(3e4), some times over.
+    expect(Math.abs(energy(world).total / start - 1)).toBeLessThan(1e-13);
   }
   const { world, at } = launch({ x: 400, y: 300 }, { y: 60 });
   let furthest = 0;
@@ -240,7 +242,7 @@ describe('ch10-electric-field', () => {
         high = Math.max(high, at().y - 300);
         expect(at().y - 300).toBeCloseTo((50 / omega ** 2) * (1 - Math.cos(omega * world.time)), 4);
       });
-      expect(high / swing).toBeCloseTo(1, 2);
+      expect(high / swing).toBeCloseTo(1, swing === 11.1 ? 2 : 3);
     }
     const { world, at } = charged((t) => ({ x: 20 * Math.sin(t), y: 20 * Math.cos(t) }));
     run(world, 25);
@@ -288,9 +290,10 @@ describe('ch10-magnetic-lorentz', () => {
     expect(drift.at().x).toBeCloseTo(350, 0);
     // A thousandth a frame of 1/60 s: λ = 0.06003/s.
     const spiral = inField(0.5, [linearDrag()], { linearDrag: 0.06003 });
-    run(spiral.world, 300);
-    expect(spiral.at().x).toBeCloseTo(359.47, 1);
-    expect(spiral.at().y).toBeCloseTo(371.14, 1);
+    run(spiral.world, 300, 1 / 600);
+    // Drag costs Boris an order: it errs by λ dt/2, 5e-5 of the 79 that it goes up.
+    expect(Math.abs(spiral.at().x - 359.47)).toBeLessThan(0.01);
+    expect(Math.abs(spiral.at().y - 371.14)).toBeLessThan(0.01);
   });
 });
 
@@ -308,7 +311,7 @@ test.each([
   expect(orbit.near / near).toBeCloseTo(1, 3);
   expect(orbit.far / far).toBeCloseTo(1, 3);
   expect(orbit.period / period).toBeCloseTo(1, 3);
-  expect((Math.abs(orbit.angle) * 180) / Math.PI).toBeCloseTo(degrees, 0);
+  expect((Math.abs(orbit.angle) * 180) / Math.PI).toBeCloseTo(degrees, 1);
   const { x, y } = at();
   expect(Math.abs((x - 350) * going().y - (y - 250) * going().x)).toBeCloseTo(4000, 5);
   expect(energy(world).total / before).toBeCloseTo(1, 7);
