@@ -27,7 +27,7 @@ export const cloth = defineScene({
     bend: { about: 'stiffness against bending', unit: 'N/m', initial: 10, min: 0, max: 1e6 },
     wind: { about: 'speed of the breeze', unit: 'm/s', initial: 2, min: 0, max: 30 },
     drag: { about: 'drag of a node by its mass', unit: '1/s', initial: 0.5, min: 0, max: 20 },
-    substeps: countOf('sub-steps of a step', 5, 100),
+    substeps: countOf('sub-steps of a step', 4, 100),
     iterations: countOf('iterations of a sub-step', 1, 100),
   },
   build({ dimensions, precision, seed, parameters }) {

@@ -35,8 +35,10 @@ export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32
     join(t, load<u32>(linkAt(t, link), 8), link);
   }
   t.nodeCount = 0;
+  t.looseCount = 0;
   for (let body = 1; body <= lastId; body++) {
     if (word(t.degree, body) > 0) putWord(t.nodes, t.nodeCount++, body);
+    else if (isMovable(body, movable)) t.looseCount++;
   }
   t.rowCount = 0;
   findChains(t, links, movable);

@@ -29,18 +29,22 @@ export const triangles = changetype<Triangles>(memory.data(144, 16));
   return word(faces, k * count + face);
 }
 
-// Whether corner k of LANES faces is a run of bodies that all live.
+// Bits where corner k of LANES faces is no run of bodies that all live.
 // @ts-ignore: decorator
-@inline function isRun(faces: usize, count: i32, face: i32, k: i32, generations: usize): bool {
+@inline function strays(faces: usize, count: i32, face: i32, k: i32, generations: usize): v128 {
   const ids = faces + ((<usize>(k * count + face)) << 2);
   const lives = ids + ((<usize>count * 3) << 2);
   const first = load<u32>(ids);
+  const now = generations + ((<usize>first) << 2);
   if (sizeof<real>() == 8) {
-    return load<u32>(ids, 4) == first + 1 && load<u64>(lives) == load<u64>(generations + ((<usize>first) << 2));
+    const expected = i32x4.add(i32x4.splat(first), i32x4(0, 1, 0, 0));
+    return v128.or(
+      v128.xor(v128.load64_zero(ids), v128.and(expected, i32x4(-1, -1, 0, 0))),
+      v128.xor(v128.load64_zero(lives), v128.load64_zero(now)),
+    );
   }
   const expected = i32x4.add(i32x4.splat(first), i32x4(0, 1, 2, 3));
-  if (!i32x4.all_true(i32x4.eq(v128.load(ids), expected))) return false;
-  return i32x4.all_true(i32x4.eq(v128.load(lives), v128.load(generations + ((<usize>first) << 2))));
+  return v128.or(v128.xor(v128.load(ids), expected), v128.xor(v128.load(lives), v128.load(now)));
 }
 
 // Reads LANES triangles from `face` on into `triangles`; those that lost a corner, and what is behind the last one, have
@@ -48,9 +52,12 @@ export const triangles = changetype<Triangles>(memory.data(144, 16));
 export function readTriangles(faces: usize, count: i32, face: i32, generations: usize): bool {
   if (
     face + LANES > count ||
-    !isRun(faces, count, face, 0, generations) ||
-    !isRun(faces, count, face, 1, generations) ||
-    !isRun(faces, count, face, 2, generations)
+    v128.any_true(
+      v128.or(
+        strays(faces, count, face, 0, generations),
+        v128.or(strays(faces, count, face, 1, generations), strays(faces, count, face, 2, generations)),
+      ),
+    )
   ) {
     for (let lane = 0; lane < LANES; lane++) readOne(faces, count, face + lane, generations, lane);
     return false;

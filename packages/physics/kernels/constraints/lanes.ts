@@ -14,6 +14,44 @@
   return i32x4.all_true(i32x4.eq(v128.load(rows), i32x4.add(i32x4.splat(first), i32x4(0, 1, 2, 3))));
 }
 
+// Whether the rows here are n, n + 1, n + 4, n + 5 and those there the ones between: springs from each node of a row to
+// the next but one. In f64 rows like these follow each other anyway.
+// @ts-ignore: decorator
+@inline export function isWoven(here: usize, there: usize): bool {
+  if (sizeof<real>() == 8) return false;
+  const n = i32x4.splat(load<u32>(here));
+  const strays = v128.or(
+    v128.xor(v128.load(here), i32x4.add(n, i32x4(0, 1, 4, 5))),
+    v128.xor(v128.load(there), i32x4.add(n, i32x4(2, 3, 6, 7))),
+  );
+  return !v128.any_true(strays);
+}
+
+// The first halves of two vectors, and the second halves.
+// @ts-ignore: decorator
+@inline export function firsts(v: v128, w: v128): v128 {
+  return v128.shuffle<i64>(v, w, 0, 2);
+}
+
+// @ts-ignore: decorator
+@inline export function seconds(v: v128, w: v128): v128 {
+  return v128.shuffle<i64>(v, w, 1, 3);
+}
+
+// Whether LANES words here and there are the same.
+// @ts-ignore: decorator
+@inline export function areSame(words: usize, others: usize): bool {
+  if (sizeof<real>() == 8) return load<u64>(words) == load<u64>(others);
+  return i32x4.all_true(i32x4.eq(v128.load(words), v128.load(others)));
+}
+
+// The sign bit, where the word is not 0.
+// @ts-ignore: decorator
+@inline export function signs(words: usize): v128 {
+  if (sizeof<real>() == 8) return i64x2.shl(i64x2.ne(v128.load_ext<u32>(words), i64x2.splat(0)), 63);
+  return i32x4.shl(i32x4.ne(v128.load(words), i32x4.splat(0)), 31);
+}
+
 // @ts-ignore: decorator
 @inline export function pick(column: usize, rows: usize): v128 {
   const v = v128.splat<real>(0);

@@ -1,7 +1,18 @@
 // What the rows take from the columns: once a step, because stiffness, length and mass may be changed in place.
 import { columns, get, put } from '../columns';
 import { SpringTable } from '../forces/springs';
-import { RIGID, putWord, tableAt, useTable, word } from './table';
+import { LANES, at, splat } from '../lanes';
+import { areSame, isRun, isWoven, signs } from './lanes';
+import { ConstraintTable, RIGID, putWord, tableAt, useTable, word } from './table';
+
+// Stiffness and inverse masses of the row read last, and what follows from them: most rows of a network are alike.
+let stiffness: real = 0;
+let inverseA: real = -1;
+let inverseB: real = -1;
+let gain: real = 0;
+let softness: real = 0;
+let isRod: bool = false;
+let rods: i32 = 0;
 
 // Reads all springs for sub-steps of h seconds; 0 when one joins other bodies than its row says.
 //
@@ -18,33 +29,86 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
     const moves = mass > 0 && (word(c.members, body) & movable) == movable;
     put(t.inverse, body, moves ? 1 / mass : 0);
   }
-  let rods: u32 = 0;
+  inverseA = -1;
+  rods = 0;
   t.damped = 0;
   t.breakable = 0;
-  for (let row = 0; row < t.rowCount; row++) {
-    const spring = word(t.source, row);
-    if (spring == 0) continue;
-    const a = word(t.a, row);
-    const b = word(t.b, row);
-    const isA = word(springs.a, spring);
-    const isB = word(springs.b, spring);
-    if (!((isA == a && isB == b) || (isA == b && isB == a))) return 0;
-    const length = get(springs.length, spring);
-    put(t.length, row, word(springs.cord, spring) != 0 ? -length : length);
-    const w = <f64>get(t.inverse, a) + <f64>get(t.inverse, b);
-    const k = <f64>get(springs.stiffness, spring);
-    const s = k * h * h;
-    const rigid = k >= RIGID;
-    const per: f64 = w > 0 ? 1 / (rigid ? w : s * w + 1) : 0;
-    put(t.gain, row, <real>(rigid ? per : s * per));
-    put(t.softness, row, rigid ? 0 : <real>per);
-    if (rigid) rods++;
-    else if (get(springs.damping, spring) > 0) t.damped++;
-    if (get(t.breakForce, spring) > 0) t.breakable++;
+  for (let row = 0; row < t.rowCount; ) {
+    if (row >= t.coloursFirst && row < t.serialFirst && readRun(t, springs, row)) {
+      row += LANES;
+      continue;
+    }
+    if (!readRow(t, springs, row, h)) return 0;
+    row++;
   }
   const chained = word(t.chains, t.chainCount);
   t.rigid = i32(rods == chained && <u32>t.rowCount < chained + 4);
   return 1;
+}
+
+// False when the spring joins other bodies than its row says.
+// @ts-ignore: decorator
+@inline function readRow(t: ConstraintTable, springs: SpringTable, row: i32, h: f64): bool {
+  const spring = word(t.source, row);
+  if (spring == 0) return true;
+  const a = word(t.a, row);
+  const b = word(t.b, row);
+  const isA = word(springs.a, spring);
+  const isB = word(springs.b, spring);
+  if (!((isA == a && isB == b) || (isA == b && isB == a))) return false;
+  const length = get(springs.length, spring);
+  put(t.length, row, word(springs.cord, spring) != 0 ? -length : length);
+  const k = get(springs.stiffness, spring);
+  const wa = get(t.inverse, a);
+  const wb = get(t.inverse, b);
+  if (wa != inverseA || wb != inverseB || k != stiffness) weigh(k, wa, wb, h);
+  put(t.gain, row, gain);
+  put(t.softness, row, softness);
+  if (isRod) rods++;
+  else if (get(springs.damping, spring) > 0) t.damped++;
+  if (get(t.breakForce, spring) > 0) t.breakable++;
+  return true;
+}
+
+function weigh(k: real, wa: real, wb: real, h: f64): void {
+  stiffness = k;
+  inverseA = wa;
+  inverseB = wb;
+  isRod = <f64>k >= RIGID;
+  const w = <f64>wa + <f64>wb;
+  const s = <f64>k * h * h;
+  const per: f64 = w > 0 ? 1 / (isRod ? w : s * w + 1) : 0;
+  gain = <real>(isRod ? per : s * per);
+  softness = isRod ? 0 : <real>per;
+}
+
+// LANES rows at once, where springs and bodies follow each other, all are like the row read last, and none is damped or
+// breaks. False, and nothing is read, where that is not so.
+// @ts-ignore: decorator
+@inline function readRun(t: ConstraintTable, springs: SpringTable, row: i32): bool {
+  const words = (<usize>row) << 2;
+  const woven = isWoven(t.a + words, t.b + words);
+  if (!isRun(t.source + words) || !(woven || (isRun(t.a + words) && isRun(t.b + words)))) return false;
+  const spring = word(t.source, row);
+  const ids = (<usize>spring) << 2;
+  if (spring == 0 || !areSame(springs.a + ids, t.a + words) || !areSame(springs.b + ids, t.b + words)) return false;
+  const o = at(spring);
+  const others = v128.or(
+    v128.or(
+      v128.ne<real>(v128.load(springs.stiffness + o), splat(stiffness)),
+      v128.or(v128.load(springs.damping + o), v128.load(t.breakForce + o)),
+    ),
+    v128.or(
+      v128.ne<real>(v128.load(t.inverse + at(word(t.a, row))), splat(inverseA)),
+      v128.ne<real>(v128.load(t.inverse + at(word(t.b, row) + (woven ? 4 : 0))), splat(inverseB)),
+    ),
+  );
+  if (v128.any_true(others) || (woven && inverseA != inverseB)) return false;
+  v128.store(t.length + at(row), v128.xor(v128.load(springs.length + o), signs(springs.cord + ids)));
+  v128.store(t.gain + at(row), splat(gain));
+  v128.store(t.softness + at(row), splat(softness));
+  if (isRod) rods += LANES;
+  return true;
 }
 
 // Lists the springs pulled harder than they bear; `h` is the sub-step the tensions belong to.

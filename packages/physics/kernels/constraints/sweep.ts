@@ -7,7 +7,7 @@
 // A cord's tension is never below zero. Ends closer than 1e-15 m have no direction between them: x is taken.
 import { get, put } from '../columns';
 import { LANES, add, at, div, mul, splat, sub } from '../lanes';
-import { cords, drop, isRun, pick } from './lanes';
+import { cords, drop, firsts, isRun, isWoven, pick, seconds } from './lanes';
 import { orderLayers } from './layers';
 import { solveStrands } from './strands';
 import { ConstraintTable, isCord, packedAt, part, putPart, stride, tableAt, word } from './table';
@@ -130,18 +130,36 @@ function solveLanes(t: ConstraintTable, first: i32, last: i32): void {
 
 function bring(t: ConstraintTable, a: usize, b: usize): void {
   let column = t.packed;
+  const woven = isWoven(a, b);
+  const first = at(load<u32>(a));
   for (let i: usize = 0; i < 64; i += 16) {
-    v128.store(PLACE + i, pick(column, a));
-    v128.store(PLACE + i, pick(column, b), 64);
+    if (woven) {
+      const v = v128.load(column + first);
+      const w = v128.load(column + first, 16);
+      v128.store(PLACE + i, firsts(v, w));
+      v128.store(PLACE + i, seconds(v, w), 64);
+    } else {
+      v128.store(PLACE + i, pick(column, a));
+      v128.store(PLACE + i, pick(column, b), 64);
+    }
     column += stride;
   }
 }
 
 function takeBack(t: ConstraintTable, a: usize, b: usize): void {
   let column = t.packed;
+  const woven = isWoven(a, b);
+  const first = at(load<u32>(a));
   for (let i: usize = 0; i < 48; i += 16) {
-    drop(column, a, v128.load(PLACE + i));
-    drop(column, b, v128.load(PLACE + i, 64));
+    const v = v128.load(PLACE + i);
+    const w = v128.load(PLACE + i, 64);
+    if (woven) {
+      v128.store(column + first, firsts(v, w));
+      v128.store(column + first, seconds(v, w), 16);
+    } else {
+      drop(column, a, v);
+      drop(column, b, w);
+    }
     column += stride;
   }
 }

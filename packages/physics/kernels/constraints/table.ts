@@ -42,6 +42,8 @@ export class ConstraintTable {
   // Ids of springs pulled beyond their limit.
   broken: usize;
   nodeCount: i32;
+  // Bodies that forces can move and no spring joins.
+  looseCount: i32;
   chainCount: i32;
   strandCount: i32;
   layerCount: i32;

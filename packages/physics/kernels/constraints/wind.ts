@@ -54,8 +54,7 @@ export function blowTriangles(
   const ux = sub(splat(windX), mul(t.vx, third));
   const uy = sub(splat(windY), mul(t.vy, third));
   const uz = sub(splat(windZ), mul(t.vz, third));
-  const speed = v128.sqrt<real>(dot(ux, uy, uz, ux, uy, uz));
-  const scale = mul(mul(splat(strength), v128.sqrt<real>(square)), speed);
+  const scale = mul(splat(strength), v128.sqrt<real>(mul(square, dot(ux, uy, uz, ux, uy, uz))));
   const push = v128.and(scale, v128.gt<real>(square, splat(0)));
   const across = mul(splat(normal - tangential), dot(ux, uy, uz, nx, ny, nz));
   const part = mul(push, div(across, v128.max<real>(square, splat(LEAST))));

@@ -15,6 +15,7 @@ const WORDS = [
   ...['chains', 'strands', 'colours', 'layers', 'work', 'broken'],
   ...[
     'nodeCount',
+    'looseCount',
     'chainCount',
     'strandCount',
     'layerCount',

@@ -135,8 +135,8 @@ function addThreads(list: SpringList, options: ClothOptions, columns: number, ro
 }
 
 /**
- * All springs from a node to the one `right` columns and `down` rows on, in two turns: those of neighbouring rows share
- * nodes and cannot be solved at once, those of one turn can, one row after the other.
+ * All springs from a node to the one `right` columns and `down` rows on, in two turns: those of neighbouring rows,
+ * or along a row those that follow each other, share nodes and cannot be solved at once. Those of one turn can.
  */
 function addKind(
   list: SpringList,
@@ -148,8 +148,8 @@ function addKind(
   if (stiffness === 0) return;
   for (const turn of [0, 1]) {
     for (let row = 0; row + down < rows; row++) {
-      if (Math.floor(row / Math.max(1, down)) % 2 !== turn) continue;
       for (let column = Math.max(0, -right); column + Math.max(0, right) < columns; column++) {
+        if (Math.floor(down > 0 ? row / down : column / right) % 2 !== turn) continue;
         const node = row * columns + column;
         list.add(node, node + down * columns + right, stiffness, length);
       }
