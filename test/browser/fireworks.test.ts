@@ -96,6 +96,40 @@ describe('hands', () => {
     expect((await state(page)).tick).toBe(151);
   });
 
+  it('of a gamepad aim with the stick, hold and fire with the first button', async () => {
+    const page = await play('manual');
+    await page.evaluate(() => {
+      const buttons = Array.from({ length: 17 }, () => ({ pressed: false, touched: false, value: 0 }));
+      const gamepad = { connected: true, index: 0, axes: [-1, 0, 0, 0], buttons };
+      Object.assign(globalThis, { gamepad });
+      navigator.getGamepads = () => [gamepad as unknown as Gamepad];
+      dispatchEvent(new Event('gamepadconnected'));
+    });
+    const push = (axis: number, pressed: boolean) =>
+      page.evaluate(
+        ([x, on]) => {
+          const { gamepad } = globalThis as unknown as { gamepad: { axes: number[]; buttons: { pressed: boolean }[] } };
+          gamepad.axes[0] = x as number;
+          gamepad.buttons[0].pressed = on as boolean;
+        },
+        [axis, pressed],
+      );
+    await frames(page);
+    await steps(page, 30);
+    expect((await told(page)).sight.x).toBeCloseTo(-15, 6);
+    await push(0, true);
+    await frames(page);
+    await steps(page, 60);
+    expect((await told(page)).held).toHaveLength(1);
+    await push(0, false);
+    await frames(page);
+    await steps(page, 1);
+    const { sight, fired, log } = await told(page);
+    expect(sight.x).toBeCloseTo(-15, 6);
+    expect(fired).toBe(1);
+    expect(log.at(-1)?.input).toMatchObject({ do: 'fire', x: sight.x, y: sight.y });
+  });
+
   it('of two fingers hold two shells at once; one that is taken away is forgotten', async () => {
     const page = await play('manual');
     const touch = await fingersOf(page);

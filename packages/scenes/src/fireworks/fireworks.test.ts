@@ -204,6 +204,50 @@ test('wind carries along what the air carries: stars drift with it, and what res
   expect(sum / stars).toBeLessThan(8.01);
 });
 
+test.each([2, 3] as const)('with no drag every burst of a chain keeps Σp = Σp₀ + N m g t, in %iD', (dimensions) => {
+  const run = night({ dimensions, seed: 7 });
+  const { Mass, QuadraticDrag, Velocity } = run.world.components;
+  QuadraticDrag.coefficient.fill(0);
+  /** Stars of each burst, by the step they were born in, and the sum of their momenta then. */
+  const bursts = new Map<number, { stars: number[]; from: { x: number; y: number; z: number } }>();
+  const born = new Map<number, number>();
+  const sumOf = (stars: readonly number[]) => {
+    const sum = { x: 0, y: 0, z: 0 };
+    for (const id of stars) for (const axis of ['x', 'y', 'z'] as const) sum[axis] += 0.001 * Velocity[axis][id];
+    return sum;
+  };
+  // Whoever was not there at the step before was born in this one.
+  run.world.phases.begin.push(({ tick, lastId }) => {
+    const stars: number[] = [];
+    for (let id = 1; id <= lastId; id++) {
+      if (Mass.value[id] !== 0.001) born.delete(id);
+      else if (!born.has(id)) {
+        born.set(id, tick);
+        stars.push(id);
+      }
+    }
+    if (stars.length > 0) bursts.set(tick, { stars, from: sumOf(stars) });
+  });
+  run.launch({ x: 0, y: 40, z: 0, kind: kindOf('chain'), color: 2, power: 0 });
+  let checked = 0;
+  while (run.world.time < 9) {
+    step(run.world, run.dt);
+    for (const [tick, { stars, from }] of bursts) {
+      if (stars.some((id) => born.get(id) !== tick || Mass.value[id] !== 0.001)) continue;
+      const time = (run.world.tick - tick) * run.dt;
+      const wanted = { ...from, y: from.y - stars.length * 0.001 * GRAVITY * time };
+      // Ten stars of 1 g at up to 20 m/s carry 0.2 kg m/s: 1e-10 of that.
+      for (const axis of ['x', 'y', 'z'] as const) {
+        expect(Math.abs(sumOf(stars)[axis] - wanted[axis])).toBeLessThan(2e-11);
+      }
+      checked++;
+    }
+  }
+  // Ten bursts of the second generation, each whole for the two seconds that every star lives at least.
+  expect(bursts.size).toBeGreaterThan(10);
+  expect(checked).toBeGreaterThan(10 * 115);
+});
+
 test('a barrage keeps its number of sparks alive, and none is lost', () => {
   const run = fireworks.create({ count: 20_000 });
   for (let i = 0; i < 400; i++) {
