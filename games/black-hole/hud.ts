@@ -56,6 +56,9 @@ export interface Hud {
 }
 
 /** @param palette colours as they are now */
+/** Frames from one look at fuel and speed to the next. */
+const FRAMES_A_NUMBER = 9;
+
 export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
   const root = document.createElement('div');
   root.className = 'bh-hud';
@@ -146,6 +149,7 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
     parts.call.textContent = call[1];
   };
   let timer = 0;
+  let toNumbers = 0;
   return {
     update(sim, frame) {
       const colors = palette();
@@ -153,8 +157,12 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
       showColors(colors);
       showLives(sim.rules.lives);
       showScore(sim.rules);
-      showFuel(sim.rules);
-      showSpeed(sim);
+      // Numbers are words: they are garbage by the next frame, and nobody reads sixty a second.
+      if (toNumbers-- <= 0) {
+        toNumbers = FRAMES_A_NUMBER;
+        showFuel(sim.rules);
+        showSpeed(sim);
+      }
       showCall(callOf(sim, colors.goalName));
     },
     toast(news, sim) {

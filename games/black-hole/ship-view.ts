@@ -80,7 +80,9 @@ export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fa
       }
       if (flight.fate === 'flying') return;
       // The last dot says how it ends: a fall, the goal, or out of the stage.
-      const last = dots.find((dot) => !dot.visible) as Sprite;
+      let end = 0;
+      while (dots[end].visible) end++;
+      const last = dots[end];
       last.visible = flight.fate !== 'gone';
       last.tint = flight.fate === 'fallen' ? fall : goal;
     },

@@ -41,21 +41,24 @@ export function createOutcomeCard(
     again();
   });
   let isOver = false;
+  const tell = (outcome: Outcome) => {
+    const place = scores.add(outcome.score, new Date().toISOString().slice(0, 10));
+    title.textContent = outcome.title;
+    const lines = place === 0 ? [...outcome.lines, 'A new high score!'] : outcome.lines;
+    text.replaceChildren(...lines.map((line) => element('p', '', {}, line)));
+    const rows = scores.list.map(({ score, day }, i) =>
+      element('li', i === place ? 'new' : '', {}, element('b', '', {}, String(score)), ` ${day}`),
+    );
+    list.replaceChildren(...rows);
+    button.focus({ preventScroll: true });
+  };
   return {
+    // Asked in every frame: a function that others are made in makes an object by being called.
     show(outcome) {
       if ((outcome !== undefined) === isOver) return;
       isOver = outcome !== undefined;
       card.hidden = !isOver;
-      if (outcome === undefined) return;
-      const place = scores.add(outcome.score, new Date().toISOString().slice(0, 10));
-      title.textContent = outcome.title;
-      const lines = place === 0 ? [...outcome.lines, 'A new high score!'] : outcome.lines;
-      text.replaceChildren(...lines.map((line) => element('p', '', {}, line)));
-      const rows = scores.list.map(({ score, day }, i) =>
-        element('li', i === place ? 'new' : '', {}, element('b', '', {}, String(score)), ` ${day}`),
-      );
-      list.replaceChildren(...rows);
-      button.focus({ preventScroll: true });
+      if (outcome !== undefined) tell(outcome);
     },
   };
 }

@@ -26,22 +26,24 @@ export function createProfileCard(parent: HTMLElement): ProfileCard {
     profile: startProfile(world, () => performance.now()),
     tick: world.tick,
   });
+  const tell = (world: PhysicsWorld) => {
+    if (watched?.world !== world) watched = watch(world);
+    const { profile, tick } = watched;
+    const steps = world.tick - tick;
+    watched.tick = world.tick;
+    if (steps > 0) {
+      const times = PHASES.map((phase) => profile.times[phase] / steps);
+      const sum = times.reduce((total, time) => total + time, 0);
+      for (const [i, { bar, time }] of rows.entries()) {
+        bar.style.setProperty('--share', String(sum > 0 ? times[i] / sum : 0));
+        time.textContent = `${times[i].toFixed(times[i] < 1 ? 3 : 1)} ms`;
+      }
+    }
+    resetProfile(profile);
+  };
   return {
     show(world) {
-      if (card.hidden) return;
-      if (watched?.world !== world) watched = watch(world);
-      const { profile, tick } = watched;
-      const steps = world.tick - tick;
-      watched.tick = world.tick;
-      if (steps > 0) {
-        const times = PHASES.map((phase) => profile.times[phase] / steps);
-        const sum = times.reduce((total, time) => total + time, 0);
-        for (const [i, { bar, time }] of rows.entries()) {
-          bar.style.setProperty('--share', String(sum > 0 ? times[i] / sum : 0));
-          time.textContent = `${times[i].toFixed(times[i] < 1 ? 3 : 1)} ms`;
-        }
-      }
-      resetProfile(profile);
+      if (!card.hidden) tell(world);
     },
     toggle() {
       card.hidden = !card.hidden;

@@ -81,7 +81,8 @@ function turnAll(world: PhysicsWorld, spans: Spans, uniform: Vector, dt: number)
 function turnRun(world: PhysicsWorld, at: Vector, uniform: Vector, dt: number, first: number, last: number): void {
   const { borisTurn2d, borisTurn3d } = integratorKernels(world);
   const { Velocity: v, Charge, Mass } = world.addresses;
-  const [q, m] = [Charge.value, Mass.value];
+  const q = Charge.value;
+  const m = Mass.value;
   if (world.dimensions === 2) {
     borisTurn2d(v.x, v.y, q, m, at.z, uniform.z, dt, first, last);
   } else {
@@ -99,7 +100,8 @@ function sampleAndTurn(world: PhysicsWorld, spans: Spans, fieldAt: Field, time: 
   const { columns, at, field } = fieldOf(world);
   const { Position, Charge } = world.components;
   for (let r = 0; r < spans.count; r++) {
-    const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+    const first = spans.bounds[2 * r];
+    const last = spans.bounds[2 * r + 1];
     for (let row = first; row < last; row++) {
       field.x = 0;
       field.y = 0;
