@@ -21,7 +21,7 @@ const bundles = [
   { name: 'particles', imports: particles, limit: 27 },
   { name: 'with emitters', imports: `${particles} ${emitters}`, limit: 33 },
   { name: 'with contacts', imports: `${particles} ${emitters} ${contacts}`, limit: 44 },
-  { name: 'everything', imports: '*', limit: 101 },
+  { name: 'everything', imports: '*', limit: 102 },
 ];
 
 /** Limit of a game's own code, KB gzipped. */

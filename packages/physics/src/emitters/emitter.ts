@@ -1,5 +1,5 @@
 import { PhysicsError } from '../faults/physics-error';
-import { checkNumber, readVector, type VectorInput } from '../faults/validate';
+import { checkFlag, checkNumber, checkWord, readVector, type VectorInput } from '../faults/validate';
 import { seedWords } from '../math/random';
 import { assertUsable } from '../store/guards';
 import { type EntityRef, entityRef } from '../store/references';
@@ -66,13 +66,11 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
   assertUsable(world);
   checkOptionNames(options, 'createEmitter', false);
   const capacity = checkNumber(options.capacity, 'capacity', { min: 1, max: world.capacity, integer: true });
-  if (options.whenFull !== undefined && options.whenFull !== 'skip' && options.whenFull !== 'oldest') {
-    throw new PhysicsError('E_RANGE', "whenFull must be 'skip' or 'oldest'.", { field: 'whenFull' });
-  }
+  checkWord(options.whenFull ?? 'skip', 'whenFull', ['skip', 'oldest']);
   const parameters = constant(parametersOf(options));
   const checked = checkParameters(world, parameters);
   const followed = options.entity === undefined ? undefined : entityRef(world, options.entity);
-  const block = takeBlock(world, capacity, options.reportEndings === true);
+  const block = takeBlock(world, capacity, checkFlag(options.reportEndings, 'reportEndings'));
   let ids: Uint32Array;
   try {
     ids = constant(makeBodies(world, options));

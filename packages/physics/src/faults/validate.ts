@@ -127,6 +127,19 @@ export function checkFunction(value: unknown, field: string): void {
   }
 }
 
+/** The flag; false when it is left out. @throws PhysicsError E_TYPE */
+export function checkFlag(value: unknown, field: string): boolean {
+  if (value === undefined || typeof value === 'boolean') return value === true;
+  throw new PhysicsError('E_TYPE', `${field} must be true or false, got ${describe(value)}.`, { field, value });
+}
+
+/** The word. @throws PhysicsError E_RANGE unless it is one of `words` */
+export function checkWord<T extends string>(value: unknown, field: string, words: readonly T[]): T {
+  if (words.includes(value as T)) return value as T;
+  const all = words.map((word) => `'${word}'`).join(' or ');
+  throw new PhysicsError('E_RANGE', `${field} must be ${all}.`, { field, value });
+}
+
 /** @throws PhysicsError E_TYPE unless `value` is an object */
 export function checkObject(value: unknown, field: string): void {
   if (typeof value === 'object' && value !== null) return;

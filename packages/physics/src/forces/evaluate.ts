@@ -27,7 +27,8 @@ export const evaluateForces: EvaluateForces = (world, spans, time) => {
       collectThrown(world, error);
     }
   }
-  const alone = world.internal.plan?.forcesLocal === true;
+  // Forces that look at one body leave a bad one alone with it, unless the scheme mixes bodies, as Jacobi coordinates do.
+  const alone = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
   for (let r = 0; r < spans.count; r++) {
     const first = spans.bounds[2 * r];
     const last = spans.bounds[2 * r + 1];

@@ -1,5 +1,5 @@
 // How a medium moves: steadily, or as a function of time.
-import { checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
 import { createRandom } from '../math/random';
 import { SPEEDS } from './bounds';
 import { type TimeVector, timeVector, type VectorOverTime } from './time-vector';
@@ -29,6 +29,7 @@ export interface GustOptions {
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function gusts(options: GustOptions): (time: number) => Vector {
+  checkKeys(options, 'gusts', ['mean', 'spread', 'hold', 'seed']);
   const mean = checkVector(options.mean ?? {}, 'gusts.mean', SPEEDS);
   const spread = checkVector(options.spread, 'gusts.spread', SPEEDS);
   const hold = checkNumber(options.hold ?? 0.1, 'gusts.hold', { above: 0 });

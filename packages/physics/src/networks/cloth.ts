@@ -1,6 +1,7 @@
 // A cloth: a grid of nodes with springs along the threads, and where wanted across the meshes (against shear) and from
 // each node to the next but one (against bending).
-import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import { PhysicsError } from '../faults/physics-error';
+import { checkFlag, checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import {
@@ -75,7 +76,7 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   const columns = checkNumber(options.columns, 'cloth.columns', COUNTS);
   const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);
   const list = new SpringList();
-  if (options.tethers === true) addTethers(list, options, columns, rows);
+  if (checkFlag(options.tethers, 'cloth.tethers')) addTethers(list, options, columns, rows);
   addShear(list, options, columns, rows);
   addBend(list, options, columns, rows);
   // Last, because what is solved last is kept best.
@@ -108,6 +109,12 @@ function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, r
   if (pins === 'none') return [];
   if (pins === 'top') return Array.from({ length: columns }, (_, column) => column);
   if (pins === 'corners') return [0, columns - 1];
+  if (!Array.isArray(pins) || !pins.every((pair) => Array.isArray(pair))) {
+    throw new PhysicsError('E_TYPE', "cloth.pins must be 'none', 'top', 'corners' or pairs [column, row].", {
+      field: 'cloth.pins',
+      value: pins,
+    });
+  }
   return pins.map(([column, row]) => {
     checkNumber(column, 'cloth.pins: column', { min: 0, max: columns - 1, integer: true });
     checkNumber(row, 'cloth.pins: row', { min: 0, max: rows - 1, integer: true });

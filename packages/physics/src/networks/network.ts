@@ -1,7 +1,7 @@
 // What all networks share: nodes that are bodies, springs between them, and how they are made.
 import type { ManyInput } from '../bodies/many';
 import { spawnMany } from '../bodies/spawn-many';
-import { type Bounds, checkNumber } from '../faults/validate';
+import { type Bounds, checkNumber, checkObject } from '../faults/validate';
 import { makeRoom } from '../store/entities';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
@@ -64,6 +64,7 @@ export function spawnNetwork(
   assertUsable(world);
   checkNumber(damping, 'damping', { min: 0, max: 1e30 });
   checkNumber(breakForce, 'breakForce', { min: 0, max: 1e30 });
+  if (components !== undefined) checkObject(components, 'components');
   const springs = list.a.length;
   makeRoom(world, count + springs);
   const nodes = spawnMany(world, count, { ...components, velocity: {}, ...bodies });

@@ -154,6 +154,8 @@ test('a network that does not fit, or is given nonsense, leaves nothing behind',
   expect(() => createRope(world, { ...size, nodes: 4, damping: -1 })).toThrow(/E_RANGE/);
   expect(() => createRope(world, { ...size, nodes: 1 })).toThrow(/E_RANGE/);
   expect(() => createRope(world, { ...size, lenght: 1 } as never)).toThrow(/E_UNKNOWN/);
+  const body = { centre: {}, radius: 1, mass: 1, stiffness: 1, pressure: 1, detail: 3 };
+  expect(() => createSoftBody(world, { ...body, ambient: Number.NaN })).toThrow(/E_NONFINITE: softBody.ambient/);
   expect(world.lastId).toBe(0);
   expect(createRope(world, { ...size, nodes: 4 }).springs).toHaveLength(3);
 });

@@ -6,7 +6,7 @@
 // every node to each held end (Kim, Chentanez, Müller: Long Range Attachments, SCA 2012). A rope satisfies them all
 // anyway, so they take its load without changing its motion; but it is not solved directly any more.
 
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { checkFlag, checkKeys, checkNumber, checkVector, checkWord, type VectorInput } from '../faults/validate';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import {
@@ -56,14 +56,15 @@ export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
   const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
   const length = checkNumber(options.length ?? distance, 'rope.length', { min: 0, max: 1e12 }) / (count - 1);
   const stiffness = checkStiffness(options.stiffness ?? Infinity, 'rope.stiffness');
-  const { pins = 'start', cord = false, tethers = false } = options;
+  const pins = checkWord(options.pins ?? 'start', 'rope.pins', ['none', 'start', 'end', 'both']);
+  const cord = checkFlag(options.cord, 'rope.cord');
   const along = (start: number, way: number) =>
     Float64Array.from({ length: count }, (_, i) => start + (way * i) / (count - 1));
   const isHeld = (i: number) =>
     (i === 0 && (pins === 'start' || pins === 'both')) || (i === count - 1 && (pins === 'end' || pins === 'both'));
   const list = new SpringList();
   for (let i = 1; i < count; i++) list.add(i - 1, i, stiffness, length, cord ? 1 : 0);
-  if (tethers) addTethers(list, isHeld, count, length);
+  if (checkFlag(options.tethers, 'rope.tethers')) addTethers(list, isHeld, count, length);
   const position = { x: along(from.x, dx), y: along(from.y, dy), z: along(from.z, dz) };
   const masses = Float64Array.from({ length: count }, (_, i) => (isHeld(i) ? Infinity : mass));
   return spawnNetwork(world, count, { position, mass: masses }, list, options);

@@ -53,7 +53,7 @@ export function createSoftBody(world: PhysicsWorld, options: SoftBodyOptions): S
   const mass = checkNumber(options.mass, 'softBody.mass', { above: 0 });
   const stiffness = checkStiffness(options.stiffness, 'softBody.stiffness');
   const pressure = checkNumber(options.pressure, 'softBody.pressure', { min: 0, max: 1e30 });
-  const { ambient = 0 } = options;
+  const ambient = checkNumber(options.ambient ?? 0, 'softBody.ambient', { min: 0, max: 1e30 });
   const flat = world.dimensions === 2;
   const skin = flat ? ring(options.detail ?? 24) : icosphere(options.detail ?? 2);
   const count = skin.points.length / 3;

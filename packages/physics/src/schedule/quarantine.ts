@@ -190,8 +190,8 @@ function tag(world: PhysicsWorld, row: number, field: string, value: number, whe
 
 /**
  * Drops forces that are not finite, of bodies that others are joined to: a spring would carry them on before the step
- * is over. Called after each evaluation where forces look at more than their own body; elsewhere a bad force stays with
- * its body, and is found when the step ends.
+ * is over. Called after each evaluation where forces or the integrator look at more than one body; elsewhere a bad force
+ * stays with its body, and is found when the step ends.
  */
 export function dropBadForces(world: PhysicsWorld, first: number, last: number): void {
   const { x, y, z } = world.scratch.at.force;

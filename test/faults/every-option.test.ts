@@ -1,0 +1,91 @@
+// Cases 20 and 21 of integrators, walls and networks: each option that is NaN, of another type or unknown is refused.
+import { readdirSync, readFileSync } from 'node:fs';
+import * as physics from '@principia/physics';
+import { createPhysicsWorld, PhysicsError } from '@principia/physics';
+import { describe, expect, it } from 'vitest';
+import { LAW_RECORDS } from '../support/law-records';
+import { refusal, worldState } from '../support/worlds';
+
+type Maker = (...args: unknown[]) => unknown;
+
+/** What each maker needs to be content. Laws have a list of their own. */
+const GOOD: Record<string, object> = {
+  boris: { field: { z: 1 } },
+  dormandPrince: {},
+  gaussRadau: {},
+  implicitEuler: {},
+  wisdomHolman: {},
+  xpbd: {},
+  boxWalls: { min: { x: -1 }, max: { x: 1 } },
+  gusts: { spread: { x: 1 }, hold: 1 },
+  correlatedGusts: { deviation: { x: 1 }, time: 1 },
+};
+
+/** The same of those that make something in a world. */
+const GOOD_IN_WORLD: Record<string, object> = {
+  createRope: { from: {}, to: { x: 1 }, nodes: 3, mass: 1 },
+  createCloth: { corner: {}, columns: 3, rows: 3, spacing: 1, mass: 1 },
+  createSoftBody: { centre: {}, radius: 1, mass: 1, stiffness: 1, pressure: 1 },
+  createEmitter: { capacity: 5 },
+  explode: { impulse: 1, radius: 1 },
+  createRunner: {},
+};
+
+const folder = 'packages/physics/src';
+const sources = readdirSync(folder, { recursive: true, encoding: 'utf8' })
+  .filter((path) => path.endsWith('.ts') && !path.endsWith('.test.ts'))
+  .map((path) => readFileSync(`${folder}/${path}`, 'utf8'))
+  .join('\n');
+
+/** Exported functions that take options, alone or after a world. */
+function makers(pattern: string): string[] {
+  const laws = LAW_RECORDS.map(({ maker }) => maker);
+  const found = [
+    ...sources.matchAll(new RegExp(`export function (\\w+)\\(${pattern}options: \\w+( = \\{\\})?\\)`, 'g')),
+  ];
+  return found.map(([, name]) => name).filter((name) => name in physics && !laws.includes(name));
+}
+
+function check(call: (options: object) => unknown, good: object): void {
+  const { code, hint = '' } = refusal(() => call({ ...good, colour: 1 }));
+  expect(code).toBe('E_UNKNOWN');
+  for (const key of hint.replace(/^Valid: |\.$/g, '').split(', ')) {
+    let thrown: unknown = `${key}: nothing was thrown`;
+    try {
+      call({ ...good, [key]: Number.NaN });
+    } catch (error) {
+      thrown = error;
+    }
+    expect(thrown).toBeInstanceOf(PhysicsError);
+  }
+}
+
+describe('20, 21', () => {
+  it('the lists are of all that take options', () => {
+    const rest = ['createPhysicsWorld'];
+    expect(Object.keys(GOOD).toSorted()).toEqual(
+      makers('')
+        .filter((name) => !rest.includes(name))
+        .toSorted(),
+    );
+    expect(Object.keys(GOOD_IN_WORLD).toSorted()).toEqual(makers('world: PhysicsWorld, ').toSorted());
+  });
+
+  it.each(Object.entries(GOOD))('%s', (name, good) => {
+    const make = (physics as unknown as Record<string, Maker>)[name];
+    expect(make(good)).toBeDefined();
+    check(make, good);
+  });
+
+  it.each(Object.entries(GOOD_IN_WORLD))('%s leaves the world as it was', (name, good) => {
+    const make = (physics as unknown as Record<string, Maker>)[name];
+    const world = createPhysicsWorld({ dimensions: name === 'createCloth' ? 3 : 2, capacity: 200 });
+    const before = worldState(world);
+    check((options) => make(world, options), good);
+    expect(worldState(world)).toEqual(before);
+  });
+});
+
+it('what is refused is a PhysicsError with a code', () => {
+  expect(refusal(() => physics.boxWalls({ min: { x: Number.NaN } }))).toBeInstanceOf(PhysicsError);
+});
