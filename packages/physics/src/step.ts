@@ -3,6 +3,7 @@ import { PhysicsError } from './faults/physics-error';
 import { collectThrown } from './faults/thrown';
 import { checkNumber } from './faults/validate';
 import { prepareForces } from './forces/evaluate';
+import { lookNowhere } from './schedule/ahead';
 import { currentPlan, type Plan } from './schedule/plan';
 import { runPlan } from './schedule/run-plan';
 import { assertIdle } from './store/guards';
@@ -59,6 +60,7 @@ function run(world: PhysicsWorld, plan: Plan, dt: number): void {
     runPlan(world, plan, dt);
   } catch (error) {
     world.internal.slideScratch(0);
+    lookNowhere(plan.ahead);
     collectThrown(world, error);
   }
 }

@@ -1,4 +1,6 @@
 // The moves integrators are made of, for one axis. A body without mass (m = 0) keeps its velocity.
+import { aheadBytes, aheadCount, readAhead } from '../ahead';
+import { columns } from '../columns';
 import { BLOCK, LANES, accelerationOf, add, at, mul, splat } from '../lanes';
 
 // Kick: v += F/m dt.
@@ -20,22 +22,34 @@ export function driftAxis(x: usize, v: usize, dt: real, first: i32, last: i32): 
   }
 }
 
-// Kick, then drift with the new velocity, in one pass: the same bits as kickAxis followed by driftAxis.
-export function kickDriftAxis(x: usize, v: usize, force: usize, mass: usize, dt: real, first: i32, last: i32): void {
+// Kick, then drift with the new velocity, of all axes (2 or 3) in one pass: the same bits as kickAxis followed by
+// driftAxis, and time to read the next tile's rows while the divisions run.
+export function kickDrift(axes: i32, fx: usize, fy: usize, fz: usize, dt: real, first: i32, last: i32): void {
+  const c = columns();
   const h = splat(dt);
+  const x = c.positionX;
+  const y = c.positionY;
+  const z = c.positionZ;
+  const vx = c.velocityX;
+  const vy = c.velocityY;
+  const vz = c.velocityZ;
+  const ahead = aheadBytes();
+  const count = aheadCount();
   for (let row = first; row < last; row += BLOCK) {
-    const o = at(row);
-    kickDrift(x + o, v + o, force + o, mass + o, h);
-    kickDrift(x + o + 16, v + o + 16, force + o + 16, mass + o + 16, h);
-    kickDrift(x + o + 32, v + o + 32, force + o + 32, mass + o + 32, h);
-    kickDrift(x + o + 48, v + o + 48, force + o + 48, mass + o + 48, h);
+    const block = at(row);
+    readAhead(count, block + ahead);
+    for (let o = block; o < block + 64; o += 16) {
+      const mass = v128.load(c.mass + o);
+      kickDriftAxis(x + o, vx + o, fx + o, mass, h);
+      kickDriftAxis(y + o, vy + o, fy + o, mass, h);
+      if (axes == 3) kickDriftAxis(z + o, vz + o, fz + o, mass, h);
+    }
   }
 }
 
 // @ts-ignore: decorator
-@inline function kickDrift(x: usize, v: usize, force: usize, mass: usize, h: v128): void {
-  const a = accelerationOf(v128.load(force), v128.load(mass));
-  const velocity = add(v128.load(v), mul(a, h));
+@inline function kickDriftAxis(x: usize, v: usize, force: usize, mass: v128, h: v128): void {
+  const velocity = add(v128.load(v), mul(accelerationOf(v128.load(force), mass), h));
   v128.store(v, velocity);
   v128.store(x, add(v128.load(x), mul(velocity, h)));
 }

@@ -5,7 +5,6 @@
 // First order; symplectic for forces that depend on position alone: the energy error of an oscillator stays within
 // ω dt/2 of the energy for ever. One force evaluation. Hairer, Lubich, Wanner: Geometric Numerical Integration, I.1.2.
 import { momentOf } from '../forces/evaluate';
-import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import type { Integrator } from './integrator';
@@ -27,15 +26,9 @@ export const semiImplicitEuler: Integrator = {
 };
 
 function kickDrift(world: PhysicsWorld, spans: Spans, dt: number): void {
-  const { kernels, addresses, scratch } = world;
-  const { Position, Velocity, Mass } = addresses;
-  const axes = AXES[world.dimensions];
-  for (let a = 0; a < axes.length; a++) {
-    const axis = axes[a];
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r] as number;
-      const last = spans.bounds[2 * r + 1] as number;
-      kernels.kickDriftAxis(Position[axis], Velocity[axis], scratch.at.force[axis], Mass.value, dt, first, last);
-    }
+  const { kernels, dimensions, scratch } = world;
+  const { x, y, z } = scratch.at.force;
+  for (let r = 0; r < spans.count; r++) {
+    kernels.kickDrift(dimensions, x, y, z, dt, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number);
   }
 }

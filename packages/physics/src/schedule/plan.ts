@@ -1,5 +1,6 @@
 import { checkHas, checkList } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
+import { type Ahead, aheadOf } from './ahead';
 import { type LocalSystem, PHASES, type Phase, type System } from './phases';
 
 /** Systems that run together: one global system, or consecutive local ones that share tiles. */
@@ -19,6 +20,8 @@ export interface Plan {
   readonly forcesLocal: boolean;
   /** Every force ignores the time. */
   readonly forcesTimeless: boolean;
+  /** The table of what the next tile reads. */
+  readonly ahead: Ahead;
 }
 
 function isTiled(world: PhysicsWorld, system: System): system is LocalSystem {
@@ -102,6 +105,7 @@ function makePlan(world: PhysicsWorld): Plan {
   const plainForces = world.forces.some((force) => force.usesForceColumns === true);
   return {
     signature,
+    ahead: aheadOf(world),
     forcesLocal: world.forces.every(({ local }) => local),
     forcesTimeless: world.forces.every(({ timeless }) => timeless === true),
     groups: groups.map((group) => ({
