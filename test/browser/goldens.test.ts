@@ -6,7 +6,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { pictureOf, playGame, steps } from '../support/game-page.ts';
+import { frames, pictureOf, playGame, steps } from '../support/game-page.ts';
 import { differences, gridOf, readGrid, writeGrid } from '../support/picture-grid.ts';
 
 /** Light gathers from picture to picture: one after every four steps. */
@@ -30,6 +30,7 @@ const tear = async (page: Page) => {
   await page.mouse.move(320, 200);
   await page.mouse.down();
   await page.mouse.move(380, 300);
+  await frames(page);
   await steps(page, 60);
 };
 const burst = (page: Page) => watch(page, 220);
