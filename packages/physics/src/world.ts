@@ -1,8 +1,7 @@
 import { createWorld, deleteWorld, type WorldContext } from 'bitecs';
 import { type Addresses, COMPONENT_NAMES, type ComponentName, type Components } from './components/all';
 import { createFaultLog, type Fault, type FaultLog } from './faults/fault-log';
-import { PhysicsError } from './faults/physics-error';
-import { checkFunction, checkKeys, checkNumber } from './faults/validate';
+import { checkChoice, checkFunction, checkKeys, checkNumber } from './faults/validate';
 import type { Force } from './forces/force';
 import type { Integrator } from './integrators/integrator';
 import { velocityVerlet } from './integrators/velocity-verlet';
@@ -164,9 +163,9 @@ const OPTIONS = [
 export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
   checkKeys(options, 'createPhysicsWorld', OPTIONS);
   const { dimensions = 2, capacity = 10_000, precision = 'f64', seed = 1 } = options;
-  checkChoice('dimensions', dimensions, [2, 3]);
-  checkChoice('precision', precision, ['f32', 'f64']);
-  checkChoice('onFault', options.onFault ?? 'quarantine', ['quarantine', 'throw']);
+  checkChoice(dimensions, 'dimensions', [2, 3]);
+  checkChoice(precision, 'precision', ['f32', 'f64']);
+  checkChoice(options.onFault ?? 'quarantine', 'onFault', ['quarantine', 'throw']);
   checkNumber(capacity, 'capacity', { min: 1, max: MAX_CAPACITY, integer: true });
   checkNumber(seed, 'seed', { min: 0, max: 2 ** 53 - 1, integer: true });
   checkParts(options);
@@ -194,15 +193,6 @@ function checkParts({ forces = [], walls = [], integrator, preset, memoryFactory
   if (integrator !== undefined) checkIntegrator(integrator, 'integrator');
   if (preset !== undefined) checkFunction(preset, 'preset');
   if (memoryFactory !== undefined) checkFunction(memoryFactory, 'memoryFactory');
-}
-
-function checkChoice<T>(field: string, value: T, choices: readonly T[]): void {
-  if (!choices.includes(value)) {
-    throw new PhysicsError('E_RANGE', `${field} must be ${choices.join(' or ')}, got ${String(value)}.`, {
-      field,
-      value,
-    });
-  }
 }
 
 function memoryBytes(rows: number, precision: Precision): number {

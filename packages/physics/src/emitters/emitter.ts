@@ -1,5 +1,5 @@
 import { PhysicsError } from '../faults/physics-error';
-import { checkFlag, checkNumber, checkWord, readVector, type VectorInput } from '../faults/validate';
+import { checkChoice, checkFlag, checkNumber, readVector, type VectorInput } from '../faults/validate';
 import { seedWords } from '../math/random';
 import { assertUsable } from '../store/guards';
 import { type EntityRef, entityRef } from '../store/references';
@@ -66,7 +66,7 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
   assertUsable(world);
   checkOptionNames(options, 'createEmitter', false);
   const capacity = checkNumber(options.capacity, 'capacity', { min: 1, max: world.capacity, integer: true });
-  checkWord(options.whenFull ?? 'skip', 'whenFull', ['skip', 'oldest']);
+  checkChoice(options.whenFull ?? 'skip', 'whenFull', ['skip', 'oldest']);
   const parameters = constant(parametersOf(options));
   const checked = checkParameters(world, parameters);
   const followed = options.entity === undefined ? undefined : entityRef(world, options.entity);

@@ -133,11 +133,11 @@ export function checkFlag(value: unknown, field: string): boolean {
   throw new PhysicsError('E_TYPE', `${field} must be true or false, got ${describe(value)}.`, { field, value });
 }
 
-/** The word. @throws PhysicsError E_RANGE unless it is one of `words` */
-export function checkWord<T extends string>(value: unknown, field: string, words: readonly T[]): T {
-  if (words.includes(value as T)) return value as T;
-  const all = words.map((word) => `'${word}'`).join(' or ');
-  throw new PhysicsError('E_RANGE', `${field} must be ${all}.`, { field, value });
+/** The word or number. @throws PhysicsError E_RANGE unless it is one of `choices` */
+export function checkChoice<T extends string | number>(value: unknown, field: string, choices: readonly T[]): T {
+  if (choices.includes(value as T)) return value as T;
+  const all = choices.map((choice) => (typeof choice === 'string' ? `'${choice}'` : choice)).join(' or ');
+  throw new PhysicsError('E_RANGE', `${field} must be ${all}, got ${String(value)}.`, { field, value });
 }
 
 /** @throws PhysicsError E_TYPE unless `value` is an object */

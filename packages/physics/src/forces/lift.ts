@@ -9,7 +9,7 @@
 // game changes `Lift.coefficient`. It does no work. Anderson, Fundamentals of Aerodynamics, section 1.5.
 // Cost: one square root and a cross product a body.
 import { PhysicsError } from '../faults/physics-error';
-import { checkKeys, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import { checkChoice, checkKeys, checkVector, type Vector, type VectorInput } from '../faults/validate';
 import type { Force } from './force';
 import { lawKernels } from './law-kernels';
 import { shownVector } from './time-vector';
@@ -67,6 +67,5 @@ export function unit(vector: Vector, field: string): Vector {
 
 /** @throws PhysicsError E_RANGE */
 export function checkFrame(value: unknown, field: string): 'world' | 'body' {
-  if (value === 'world' || value === 'body') return value;
-  throw new PhysicsError('E_RANGE', `${field} must be 'world' or 'body', got ${String(value)}.`, { field, value });
+  return checkChoice(value, field, ['world', 'body']);
 }

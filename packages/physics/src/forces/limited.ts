@@ -11,7 +11,7 @@ import { bitOf, COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../compo
 import { PhysicsError } from '../faults/physics-error';
 import { checkHas, checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
 import { allocate } from '../store/arena';
-import { realBytes } from '../store/columns';
+import { realAddresses, realBytes } from '../store/columns';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 import { LENGTHS, PLACES } from './bounds';
@@ -106,10 +106,7 @@ function spentOf(world: PhysicsWorld, spends: readonly ComponentName[]): readonl
   const known = spentColumns(world);
   let columns = known.get(spends);
   if (columns === undefined) {
-    columns = spends.flatMap((name) => {
-      const fields = Object.entries(COMPONENTS[name].fields).filter(([, { kind }]) => kind === 'real');
-      return fields.map(([field]) => (world.addresses[name] as Record<string, number>)[field]);
-    });
+    columns = spends.flatMap((name) => realAddresses(world, name));
     known.set(spends, columns);
   }
   return columns;

@@ -2,7 +2,7 @@
 // is known about the last one. kernels/n-body does the work, in memory of its own in the world's arena.
 import { bitOf } from '../components/all';
 import { PhysicsError } from '../faults/physics-error';
-import { checkKeys, checkNumber } from '../faults/validate';
+import { checkChoice, checkKeys, checkNumber } from '../faults/validate';
 import type { Force, ForceParameter } from '../forces/force';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
@@ -83,13 +83,8 @@ export function checkMutualOptions(name: string, options: MutualOptions, own: re
   checkKeys(options, name, [...own, 'softening', 'law', 'relativeError', 'method']);
   checkNumber(options.softening ?? 0, `${name}.softening`, { min: 0, max: 1e12 });
   checkNumber(options.relativeError ?? 0, `${name}.relativeError`, { min: 0, max: 0.5 });
-  checkOneOf(`${name}.law`, options.law, ['inverse-square', 'inverse-distance']);
-  checkOneOf(`${name}.method`, options.method, ['auto', 'direct', 'tree']);
-}
-
-function checkOneOf(field: string, value: string | undefined, choices: readonly string[]): void {
-  if (value === undefined || choices.includes(value)) return;
-  throw new PhysicsError('E_RANGE', `${field} must be ${choices.join(' or ')}, got ${value}.`, { field, value });
+  if (options.law !== undefined) checkChoice(options.law, `${name}.law`, ['inverse-square', 'inverse-distance']);
+  checkChoice(options.method ?? 'auto', `${name}.method`, ['auto', 'direct', 'tree']);
 }
 
 /** The force of a description whose options were checked. */

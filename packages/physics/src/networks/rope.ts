@@ -6,7 +6,7 @@
 // every node to each held end (Kim, Chentanez, Müller: Long Range Attachments, SCA 2012). A rope satisfies them all
 // anyway, so they take its load without changing its motion; but it is not solved directly any more.
 
-import { checkFlag, checkKeys, checkNumber, checkVector, checkWord, type VectorInput } from '../faults/validate';
+import { checkChoice, checkFlag, checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import {
@@ -56,7 +56,7 @@ export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
   const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
   const length = checkNumber(options.length ?? distance, 'rope.length', { min: 0, max: 1e12 }) / (count - 1);
   const stiffness = checkStiffness(options.stiffness ?? Infinity, 'rope.stiffness');
-  const pins = checkWord(options.pins ?? 'start', 'rope.pins', ['none', 'start', 'end', 'both']);
+  const pins = checkChoice(options.pins ?? 'start', 'rope.pins', ['none', 'start', 'end', 'both']);
   const cord = checkFlag(options.cord, 'rope.cord');
   const along = (start: number, way: number) =>
     Float64Array.from({ length: count }, (_, i) => start + (way * i) / (count - 1));

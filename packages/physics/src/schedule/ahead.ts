@@ -1,7 +1,7 @@
 // What the next tile's rows are, so that a kernel that waits for divisions fetches them meanwhile (kernels/ahead.ts).
 import { COMPONENTS, type ComponentName } from '../components/all';
 import { AXES } from '../store/axes';
-import { realBytes } from '../store/columns';
+import { realAddresses, realBytes } from '../store/columns';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 
@@ -26,7 +26,8 @@ export function aheadOf(world: PhysicsWorld): Ahead {
   columns.add(addresses.Mass.value);
   if (phases.walls.length > 0) columns.add(addresses.Collider.radius);
   for (const { reads } of forces) {
-    if (Array.isArray(reads)) for (const name of reads) addFields(world, columns, name);
+    if (!Array.isArray(reads)) continue;
+    for (const name of reads.filter(isComponent)) for (const start of realAddresses(world, name)) columns.add(start);
   }
   const list = [...columns].slice(0, MAX_COLUMNS);
   const table = new Uint32Array(memory.buffer, TABLE_ADDRESS, WORDS + list.length);
@@ -34,12 +35,9 @@ export function aheadOf(world: PhysicsWorld): Ahead {
   return table;
 }
 
-/** The columns of a component; places and velocities are there already. */
-function addFields({ addresses }: PhysicsWorld, columns: Set<number>, name: ComponentName): void {
-  if (name === 'Position' || name === 'Velocity' || !Object.hasOwn(COMPONENTS, name)) return;
-  for (const [field, { kind }] of Object.entries(COMPONENTS[name].fields)) {
-    if (kind === 'real') columns.add((addresses[name] as Record<string, number>)[field]);
-  }
+/** Whether it is one, and not place or velocity, whose axes are there already. */
+function isComponent(name: unknown): name is ComponentName {
+  return name !== 'Position' && name !== 'Velocity' && Object.hasOwn(COMPONENTS, name as string);
 }
 
 /** Tells kernels where the tile after rows [first, last) of run `r` is, if it is as long as this one. */

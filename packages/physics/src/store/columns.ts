@@ -1,6 +1,7 @@
-import { type Addresses, COMPONENT_NAMES, COMPONENTS, type Components } from '../components/all';
+import { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from '../components/all';
 import type { RealColumn } from '../components/define';
 import type { Precision } from '../kernels/instantiate';
+import type { PhysicsWorld } from '../world';
 import { type Arena, allocate } from './arena';
 
 /** Bytes of one real number. */
@@ -69,6 +70,13 @@ export function componentColumns(arena: Arena, precision: Precision, rows: numbe
     addresses[name] = starts;
   }
   return [components as unknown as Components, addresses as unknown as Addresses];
+}
+
+/** Addresses of all real columns of a component. */
+export function realAddresses({ addresses }: PhysicsWorld, name: ComponentName): readonly number[] {
+  const starts = addresses[name] as Readonly<Record<string, number>>;
+  const fields = Object.entries(COMPONENTS[name].fields).filter(([, { kind }]) => kind === 'real');
+  return fields.map(([field]) => starts[field]);
 }
 
 /** How many real and word columns the components have together: what the memory is sized by. */
