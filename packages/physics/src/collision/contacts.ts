@@ -44,7 +44,7 @@ export interface WallContacts {
   readonly impulse: RealColumn;
 }
 
-const contactsOf = resource<Contacts>((world) => {
+const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
   const table = contactTable(world).words;
   const capacity = table[Word.capacity];
   const { reals, words } = viewers(world, capacity);
@@ -67,7 +67,7 @@ const contactsOf = resource<Contacts>((world) => {
   };
 });
 
-const wallContactsOf = resource<WallContacts>((world) => {
+const wallContactsOf = /* @__PURE__ */ resource<WallContacts>((world) => {
   const table = contactTable(world).words;
   const { reals, words } = viewers(world, table[Word.wallCapacity]);
   return {
