@@ -76,7 +76,7 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
       world.components.Position[axis][victim] = NaN;
       step(world, DT);
       const { Position } = world.components;
-      expect(world.faults.faults).toEqual([
+      expect(world.faults.faults).toMatchObject([
         { code: 'E_NONFINITE', entity: victim, field: `Position.${axis}`, value: NaN, step: 1, phase: 'begin' },
       ]);
       // Put back to the last good pose, stopped, and then a step of free fall: g dt² / 2 is 1.4 mm.

@@ -1,4 +1,3 @@
-import { adviceOn } from './faults/advice';
 import { PhysicsError } from './faults/physics-error';
 import { collectThrown } from './faults/thrown';
 import { checkNumber } from './faults/validate';
@@ -89,9 +88,9 @@ function rethrow(world: PhysicsWorld): void {
   let count = internal.thrownCount;
   internal.thrownCount = 0;
   if (world.onFault === 'throw') {
-    for (const { code, entity, field, value, step, phase } of internal.stepFaults) {
+    for (const { code, entity, field, value, step, phase, hint } of internal.stepFaults) {
       const problem = `${field} of body ${entity} was ${value} ${phase === 'begin' ? 'before' : 'in'} step ${step}.`;
-      errors.push(new PhysicsError(code, problem, { entity, field, value, hint: adviceOn(code) }));
+      errors.push(new PhysicsError(code, problem, { entity, field, value, hint }));
       count++;
     }
   }

@@ -1,8 +1,8 @@
 // What `spawnMany` is given, checked and completed before anything is made.
-import { COMPONENTS, type ComponentName } from '../components/all';
+import { COMPONENTS, type ComponentName, keyOf } from '../components/all';
 import type { ComponentSpec, FieldSpec } from '../components/define';
-import { describe, PhysicsError } from '../faults/physics-error';
-import { checkKeys } from '../faults/validate';
+import { PhysicsError } from '../faults/physics-error';
+import { checkKeys, isRecord, mustBe } from '../faults/validate';
 import { checkField, completeValues, type FieldValues, fieldName, initialValues, type Space } from '../store/values';
 import { type BodyInput, componentOfKey, lacksVelocity } from './spawn';
 
@@ -24,7 +24,7 @@ export interface Filling {
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function checkMany(space: Space, values: ManyInput, count: number): Filling[] {
-  if (typeof values !== 'object' || values === null || Array.isArray(values)) checkKeys(values, 'spawnMany', []);
+  if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
   const fillings: Filling[] = [];
   for (const [key, data] of Object.entries(values)) {
     if (data === undefined) continue;
@@ -40,16 +40,11 @@ export function checkMany(space: Space, values: ManyInput, count: number): Filli
 function checkComponent(space: Space, name: ComponentName, data: unknown, count: number): [string, Many][] {
   const spec: ComponentSpec = COMPONENTS[name];
   const isScalar = typeof data === 'number' || isList(data);
-  if (isScalar && spec.scalar === undefined) {
-    throw new PhysicsError('E_TYPE', `${spec.key} must be { ${Object.keys(spec.fields).join(', ')} }.`, {
-      field: spec.key,
-    });
-  }
-  const given = (isScalar ? { [spec.scalar as string]: data } : data) as Record<string, unknown>;
-  checkKeys(given, spec.key, Object.keys(spec.fields));
+  const given = (isScalar && spec.scalar !== undefined ? { [spec.scalar]: data } : data) as Record<string, unknown>;
+  checkKeys(given, keyOf(name), Object.keys(spec.fields), 'field');
   const columns: Record<string, Many> = { ...initialValues(name) };
   for (const [field, many] of Object.entries(given)) {
-    columns[field] = checkColumn(space, fieldName(spec, field), spec.fields[field], many, count);
+    columns[field] = checkColumn(space, fieldName(name, field), spec.fields[field], many, count);
   }
   return Object.entries(spec.complete === undefined ? columns : completeColumns(space, name, columns, count));
 }
@@ -61,8 +56,7 @@ function isList(value: unknown): value is ArrayLike<number> {
 function checkColumn(space: Space, name: string, spec: FieldSpec, many: unknown, count: number): Many {
   if (typeof many === 'number') return checkField(space, spec, name, many);
   if (!isList(many)) {
-    const problem = `${name} must be a number or an array of ${count}, got ${describe(many)}.`;
-    throw new PhysicsError('E_TYPE', problem, { field: name, value: many });
+    throw mustBe(`a number or an array of ${count}`, many, name);
   }
   if (many.length !== count) {
     throw new PhysicsError('E_RANGE', `${name} has ${many.length} values for ${count} bodies.`, { field: name });

@@ -1,6 +1,6 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
-import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all';
-import { checkKeys } from '../faults/validate';
+import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all';
+import { isRecord, mustBe, unknownName } from '../faults/validate';
 import { contextOf, removeWholly } from '../store/bitecs';
 import { makeRoom } from '../store/entities';
 import { assertUsable } from '../store/guards';
@@ -12,7 +12,6 @@ type FieldsOf<Name extends ComponentName> = {
   readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: number;
 };
 
-type Key<Name extends ComponentName> = (typeof COMPONENTS)[Name]['key'];
 type NamesWithScalar = {
   [Name in ComponentName]: (typeof COMPONENTS)[Name] extends { readonly scalar?: infer S }
     ? S extends string
@@ -23,16 +22,18 @@ type NamesWithScalar = {
 
 /** The components of a new body: `{ position: { x: 1 }, velocity: { y: 2 }, mass: 3, collider: { radius: 0.5 } }`. */
 export type BodyInput = {
-  readonly [Name in ComponentName as Key<Name>]?: FieldsOf<Name> | (Name extends NamesWithScalar ? number : never);
+  readonly [Name in ComponentName as Uncapitalize<Name>]?:
+    | FieldsOf<Name>
+    | (Name extends NamesWithScalar ? number : never);
 };
 
-const NAME_OF_KEY = new Map<string, ComponentName>(COMPONENT_NAMES.map((name) => [COMPONENTS[name].key, name]));
+const NAME_OF_KEY = new Map<string, ComponentName>(COMPONENT_NAMES.map((name) => [keyOf(name), name]));
 
 /** The component a key of `spawn` names. @throws PhysicsError E_UNKNOWN */
 export function componentOfKey(key: string, caller: string): ComponentName {
   const name = NAME_OF_KEY.get(key);
-  if (name === undefined) checkKeys({ [key]: 0 }, caller, [...NAME_OF_KEY.keys()]);
-  return name as ComponentName;
+  if (name === undefined) throw unknownName(caller, 'option', key, [...NAME_OF_KEY.keys()]);
+  return name;
 }
 
 /**
@@ -62,7 +63,7 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
 }
 
 function checkBody(world: PhysicsWorld, body: BodyInput): [ComponentName, FieldValues][] {
-  if (typeof body !== 'object' || body === null || Array.isArray(body)) checkKeys(body, 'spawn', []);
+  if (!isRecord(body)) throw mustBe('an object', body, 'spawn');
   const checked: [ComponentName, FieldValues][] = [];
   for (const [key, data] of Object.entries(body)) {
     if (data === undefined) continue;

@@ -57,6 +57,11 @@ export type Addresses = {
 
 export const COMPONENT_NAMES = Object.keys(COMPONENTS) as ComponentName[];
 
+/** A component's name as `spawn(world, { … })` and messages write it: Position is position there. */
+export function keyOf(name: ComponentName): string {
+  return name[0].toLowerCase() + name.slice(1);
+}
+
 const BITS = Object.fromEntries(COMPONENT_NAMES.map((name, at) => [name, (1 << at) >>> 0])) as Record<
   ComponentName,
   number

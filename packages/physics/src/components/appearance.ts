@@ -3,8 +3,6 @@ import { defineComponent, real, u32 } from './define';
 
 /** How a body is drawn. Physics never reads it; renderers do. */
 export const Appearance = defineComponent({
-  name: 'Appearance',
-  key: 'appearance',
   visual: true,
   scalar: 'color',
   fields: {

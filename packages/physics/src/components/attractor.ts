@@ -2,8 +2,6 @@ import { defineComponent, real } from './define';
 
 /** A fixed centre of Newtonian attraction: it pulls bodies that have Mass and is not pulled itself. */
 export const Attractor = defineComponent({
-  name: 'Attractor',
-  key: 'attractor',
   scalar: 'mu',
   fields: {
     /** Gravitational parameter μ = G M, m³/s²; negative repels. */

@@ -2,8 +2,6 @@ import { defineComponent, real } from './define';
 
 /** Electric charge, C. */
 export const Charge = defineComponent({
-  name: 'Charge',
-  key: 'charge',
   scalar: 'value',
   fields: { value: real('C', { bounds: { min: -1e38, max: 1e38 } }) },
 });

@@ -2,8 +2,6 @@ import { defineComponent, real } from './define';
 
 /** A round collider (disc in 2D, ball in 3D) about the body's position, and how its surface behaves. */
 export const Collider = defineComponent({
-  name: 'Collider',
-  key: 'collider',
   scalar: 'radius',
   fields: {
     /** Metres. */

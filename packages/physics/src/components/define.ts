@@ -22,11 +22,8 @@ export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
   readonly life?: string | undefined;
 }
 
-/** A component: a name, its fields, and the field a bare number sets. */
+/** A component: its fields, and the one a bare number sets. `COMPONENTS` names it. */
 export interface ComponentSpec<Fields extends Record<string, FieldSpec> = Record<string, FieldSpec>> {
-  readonly name: string;
-  /** The key in `spawn(world, { … })`. */
-  readonly key: string;
   readonly fields: Fields;
   readonly scalar?: (keyof Fields & string) | undefined;
   /** A row's values changed how a body looks, not only where it is. */

@@ -2,24 +2,18 @@ import { defineComponent, real } from './define';
 
 /** Coefficient c of drag F = -c (v - w), kg/s; Stokes: 6 π η r. */
 export const LinearDrag = defineComponent({
-  name: 'LinearDrag',
-  key: 'linearDrag',
   scalar: 'coefficient',
   fields: { coefficient: real('kg/s', { bounds: { min: 0, max: 1e38 } }) },
 });
 
 /** Coefficient k of drag F = -k |v - w| (v - w), kg/m; k = ρ C_d A / 2. */
 export const QuadraticDrag = defineComponent({
-  name: 'QuadraticDrag',
-  key: 'quadraticDrag',
   scalar: 'coefficient',
   fields: { coefficient: real('kg/m', { bounds: { min: 0, max: 1e38 } }) },
 });
 
 /** Coefficient k of the drag on rotation τ = -k ω, N m s; Stokes: 8 π η r³ for a sphere. */
 export const AngularDrag = defineComponent({
-  name: 'AngularDrag',
-  key: 'angularDrag',
   scalar: 'coefficient',
   fields: { coefficient: real('N m s', { bounds: { min: 0, max: 1e38 } }) },
 });

@@ -2,8 +2,6 @@ import { defineComponent, real, u32 } from './define';
 
 /** What a body displaces when a fluid covers it: read by `upthrust`, `immersedDrag` and `addedMass`. */
 export const Hull = defineComponent({
-  name: 'Hull',
-  key: 'hull',
   scalar: 'volume',
   fields: {
     /** Volume when wholly immersed, m³. */

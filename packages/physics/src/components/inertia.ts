@@ -5,8 +5,6 @@ import { defineComponent, real } from './define';
  * the rotation: contacts do not turn the body.
  */
 export const Inertia = defineComponent({
-  name: 'Inertia',
-  key: 'inertia',
   scalar: 'value',
   fields: { value: real('kg m²', { initial: 1, bounds: { min: 0, max: 1e38 }, infinite: 0 }) },
 });

@@ -5,8 +5,6 @@ import { defineComponent, real } from './define';
  * static, or kinematic when it has a velocity; infinity is taken and means the same.
  */
 export const Mass = defineComponent({
-  name: 'Mass',
-  key: 'mass',
   scalar: 'value',
   fields: {
     value: real('kg', {

@@ -5,8 +5,6 @@ export const MAX_POSITION = 1e15;
 
 /** Where the centre of mass is, metres. Having it makes an entity a body. In 2D `z` is zero. */
 export const Position = defineComponent({
-  name: 'Position',
-  key: 'position',
   fields: {
     x: real('m', { bounds: { min: -MAX_POSITION, max: MAX_POSITION } }),
     y: real('m', { bounds: { min: -MAX_POSITION, max: MAX_POSITION } }),

@@ -6,15 +6,11 @@ const DIRECTION = { bounds: { min: -1e12, max: 1e12 } };
 
 /** A steady force on the body, N, in world axes or its own: write the columns to steer. See `thrust`. */
 export const Thrust = defineComponent({
-  name: 'Thrust',
-  key: 'thrust',
   fields: { x: real('N', NEWTONS), y: real('N', NEWTONS), z: real('N', { ...NEWTONS, spatial: true }) },
 });
 
 /** An engine of given power along the way the body goes. See `motors`. */
 export const Motor = defineComponent({
-  name: 'Motor',
-  key: 'motor',
   scalar: 'power',
   fields: {
     /** Power P, W; negative brakes. */
@@ -26,8 +22,6 @@ export const Motor = defineComponent({
 
 /** A rocket engine that burns part of its body's mass. See `rocketEngines`. */
 export const Engine = defineComponent({
-  name: 'Engine',
-  key: 'engine',
   fields: {
     /** Speed v_e at which the exhaust leaves, m/s. */
     exhaustSpeed: real('m/s', { bounds: { min: 0, max: 299_792_458 } }),

@@ -2,8 +2,6 @@ import { defineComponent, u32 } from './define';
 
 /** Marks a body whose values became nonsense: it was put back to its last good pose and stopped. */
 export const Quarantined = defineComponent({
-  name: 'Quarantined',
-  key: 'quarantined',
   scalar: 'step',
   fields: { step: u32('', {}) },
 });

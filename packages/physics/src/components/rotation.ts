@@ -12,16 +12,12 @@ export const MAX_QUATERNION_PART = 2;
 
 /** 2D: angle of the body, radians, anticlockwise from +x. */
 export const Rotation = defineComponent({
-  name: 'Rotation',
-  key: 'rotation',
   scalar: 'angle',
   fields: { angle: real('rad', { bounds: { min: -MAX_ANGLE, max: MAX_ANGLE } }) },
 });
 
 /** 3D: unit quaternion from the body's frame to the world's. Given values are normalised. */
 export const Orientation = defineComponent({
-  name: 'Orientation',
-  key: 'orientation',
   fields: { x: real(''), y: real(''), z: real(''), w: real('', { initial: 1 }) },
   complete(values, entity) {
     const { x = 0, y = 0, z = 0, w = 0 } = values;
@@ -43,8 +39,6 @@ export const Orientation = defineComponent({
 
 /** Angular velocity, rad/s. In 2D only `z` turns the body, anticlockwise. */
 export const AngularVelocity = defineComponent({
-  name: 'AngularVelocity',
-  key: 'angularVelocity',
   scalar: 'z',
   fields: {
     x: real('rad/s', { bounds: { min: -MAX_ANGULAR_SPEED, max: MAX_ANGULAR_SPEED }, spatial: true }),

@@ -6,8 +6,6 @@ import { bodyId, defineComponent, real, u32 } from './define';
  * A body without mass is an anchor.
  */
 export const Spring = defineComponent({
-  name: 'Spring',
-  key: 'spring',
   fields: {
     /** The bodies it joins, by id. */
     a: bodyId('aLife'),

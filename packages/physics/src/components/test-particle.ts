@@ -2,7 +2,5 @@ import { defineComponent } from './define';
 
 /** Marks a body that feels mutual forces but exerts none: it follows the field of the others. */
 export const TestParticle = defineComponent({
-  name: 'TestParticle',
-  key: 'testParticle',
   fields: {},
 });

@@ -5,8 +5,6 @@ export const MAX_SPEED = 299_792_458;
 
 /** Velocity of the centre of mass, m/s. */
 export const Velocity = defineComponent({
-  name: 'Velocity',
-  key: 'velocity',
   fields: {
     x: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
     y: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),

@@ -8,8 +8,6 @@ const DIRECTION = { bounds: { min: -1e12, max: 1e12 } };
 
 /** A straight wall between two points of the plane; both its sides and its ends are solid. 2D. */
 export const SegmentWall = defineComponent({
-  name: 'SegmentWall',
-  key: 'segmentWall',
   fields: {
     ax: real('m', PLACE),
     ay: real('m', PLACE),
@@ -22,8 +20,6 @@ export const SegmentWall = defineComponent({
 
 /** A half-space: solid where n·x < offset. The normal points out of it. 2D and 3D. */
 export const PlaneWall = defineComponent({
-  name: 'PlaneWall',
-  key: 'planeWall',
   fields: {
     nx: real('', DIRECTION),
     ny: real('', { ...DIRECTION, initial: 1 }),

@@ -1,4 +1,5 @@
 import type { PhysicsWorld } from '../world';
+import { ADVICE } from './advice';
 import type { FaultCode } from './physics-error';
 import { checkList } from './validate';
 
@@ -17,6 +18,8 @@ export interface Fault {
    * tolerance) or after ('finish': a force or contact made it).
    */
   readonly phase: 'begin' | 'integrate' | 'finish';
+  /** What to do about it. */
+  readonly hint?: string | undefined;
 }
 
 const MOST = 1024;
@@ -35,8 +38,7 @@ export function createFaultLog(): FaultLog {
 /** Enters a fault of the present step in the log, and in the list of the step's that handlers are told of. */
 export function reportFault(world: PhysicsWorld, fault: Omit<Fault, 'step'>): void {
   const { faults: log, internal } = world;
-  const { code, entity, field, value, phase } = fault;
-  const dated = { code, entity, field, value, step: world.tick, phase };
+  const dated = { hint: ADVICE[fault.code], ...fault, step: world.tick };
   if (internal.stepFaults.length < MOST) internal.stepFaults.push(dated);
   if (log.faults.length < MOST) log.faults.push(dated);
   else log.lost++;

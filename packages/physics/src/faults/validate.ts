@@ -1,4 +1,4 @@
-import { describe, PhysicsError } from './physics-error';
+import { describe, type FaultCode, PhysicsError } from './physics-error';
 
 /** Bounds of a number; `above` and `below` exclude the bound itself. */
 export interface Bounds {
@@ -19,22 +19,35 @@ export function checkNumber(
   entity?: number,
   hint?: string,
 ): number {
-  if (typeof value !== 'number') {
-    throw new PhysicsError('E_TYPE', `${field} must be a number, got ${describe(value)}.`, {
-      entity,
-      field,
-      value,
-      hint,
-    });
-  }
-  if (!Number.isFinite(value)) {
-    throw new PhysicsError('E_NONFINITE', `${field} must be finite, got ${value}.`, { entity, field, value, hint });
-  }
-  const problem = outOfBounds(value, bounds);
-  if (problem !== undefined) {
-    throw new PhysicsError('E_RANGE', `${field} must be ${problem}, got ${value}.`, { entity, field, value, hint });
-  }
-  return value;
+  const isNumber = typeof value === 'number';
+  const wanted = !isNumber ? 'a number' : !Number.isFinite(value) ? 'finite' : outOfBounds(value, bounds);
+  if (wanted === undefined) return value as number;
+  const code = !isNumber ? 'E_TYPE' : Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
+  throw mustBe(wanted, value, field, code, entity, hint);
+}
+
+/** The error for a value that is not what it must be: "mass must be a number, got an object." */
+export function mustBe(
+  wanted: string,
+  value: unknown,
+  field: string,
+  code: FaultCode = 'E_TYPE',
+  entity?: number,
+  hint?: string,
+): PhysicsError {
+  return new PhysicsError(code, `${field} must be ${wanted}, got ${describe(value)}.`, { entity, field, value, hint });
+}
+
+/** The error for a name that is none of those there are: "position has no field "w". Valid: x, y, z." */
+export function unknownName(
+  what: string,
+  kind: string,
+  name: string,
+  known: readonly string[],
+  entity?: number,
+): PhysicsError {
+  const hint = `Valid: ${known.join(', ')}.`;
+  return new PhysicsError('E_UNKNOWN', `${what} has no ${kind} "${name}".`, { entity, field: name, value: name, hint });
 }
 
 function outOfBounds(value: number, bounds: Bounds): string | undefined {
@@ -64,22 +77,10 @@ export interface Vector {
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE; E_UNKNOWN for a key that is not an axis
  */
 export function checkVector(value: unknown, field: string, bounds: Bounds = {}): Vector {
-  if (typeof value !== 'object' || value === null) {
-    throw new PhysicsError('E_TYPE', `${field} must be a vector { x, y, z }, got ${describe(value)}.`, {
-      field,
-      value,
-    });
-  }
+  checkKeys(value, field, ['x', 'y', 'z'], 'axis');
   const vector = { x: 0, y: 0, z: 0 };
-  for (const [axis, component] of Object.entries(value)) {
-    if (axis !== 'x' && axis !== 'y' && axis !== 'z') {
-      throw new PhysicsError('E_UNKNOWN', `${field} has no axis "${axis}".`, {
-        field,
-        value,
-        hint: 'Give x, y and z.',
-      });
-    }
-    vector[axis] = checkNumber(component, `${field}.${axis}`, bounds);
+  for (const [axis, component] of Object.entries(value as VectorInput)) {
+    vector[axis as keyof Vector] = checkNumber(component, `${field}.${axis}`, bounds);
   }
   return vector;
 }
@@ -89,7 +90,7 @@ export function checkVector(value: unknown, field: string, bounds: Bounds = {}):
  * @throws PhysicsError as `checkVector`; `out` may then hold a part of it
  */
 export function readVector(out: Float64Array, at: number, value: VectorInput, field: string, bounds: Bounds): void {
-  if (typeof value !== 'object' || value === null) checkVector(value, field, bounds);
+  if (!isRecord(value)) checkVector(value, field, bounds);
   out[at] = out[at + 1] = out[at + 2] = 0;
   for (const axis in value) {
     const place = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
@@ -102,64 +103,49 @@ export function readVector(out: Float64Array, at: number, value: VectorInput, fi
 }
 
 /**
- * Refuses keys that are not in `known`, naming the nearest list of valid ones.
+ * Refuses what is no object, and keys that are not in `known`, naming the valid ones.
+ * @param kind what a key is: an option, an axis
  * @throws PhysicsError E_TYPE, E_UNKNOWN
  */
-export function checkKeys(value: unknown, what: string, known: readonly string[]): void {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
-    throw new PhysicsError('E_TYPE', `${what} must be an object, got ${describe(value)}.`, { field: what, value });
-  }
-  for (const key of Object.keys(value)) {
-    if (!known.includes(key)) {
-      throw new PhysicsError('E_UNKNOWN', `${what} has no option "${key}".`, {
-        field: key,
-        value,
-        hint: `Valid: ${known.join(', ')}.`,
-      });
-    }
-  }
+export function checkKeys(value: unknown, what: string, known: readonly string[], kind = 'option'): void {
+  if (!isRecord(value)) throw mustBe(`{ ${known.join(', ')} }`, value, what);
+  for (const key of Object.keys(value)) if (!known.includes(key)) throw unknownName(what, kind, key, known);
 }
 
 /** @throws PhysicsError E_TYPE */
 export function checkFunction(value: unknown, field: string): void {
-  if (typeof value !== 'function') {
-    throw new PhysicsError('E_TYPE', `${field} must be a function, got ${describe(value)}.`, { field, value });
-  }
+  if (typeof value !== 'function') throw mustBe('a function', value, field);
 }
 
 /** The flag; false when it is left out. @throws PhysicsError E_TYPE */
 export function checkFlag(value: unknown, field: string): boolean {
-  if (value === undefined || typeof value === 'boolean') return value === true;
-  throw new PhysicsError('E_TYPE', `${field} must be true or false, got ${describe(value)}.`, { field, value });
+  if (value !== undefined && typeof value !== 'boolean') throw mustBe('true or false', value, field);
+  return value === true;
 }
 
 /** The word or number. @throws PhysicsError E_RANGE unless it is one of `choices` */
 export function checkChoice<T extends string | number>(value: unknown, field: string, choices: readonly T[]): T {
   if (choices.includes(value as T)) return value as T;
-  const all = choices.map((choice) => (typeof choice === 'string' ? `'${choice}'` : choice)).join(' or ');
-  throw new PhysicsError('E_RANGE', `${field} must be ${all}, got ${String(value)}.`, { field, value });
+  throw mustBe(choices.map(describe).join(' or '), value, field, 'E_RANGE');
 }
 
-/** @throws PhysicsError E_TYPE unless `value` is an object */
+/** @throws PhysicsError E_TYPE unless `value` is an object or an array */
 export function checkObject(value: unknown, field: string): void {
-  if (typeof value === 'object' && value !== null) return;
-  throw new PhysicsError('E_TYPE', `${field} must be an object, got ${describe(value)}.`, { field, value });
+  if (!isRecord(value) && !Array.isArray(value)) throw mustBe('an object', value, field);
 }
 
 /** @throws PhysicsError E_TYPE unless `value` is an array, or undefined */
 export function checkList(value: unknown, field: string): void {
-  if (value !== undefined && !Array.isArray(value)) {
-    throw new PhysicsError('E_TYPE', `${field} must be an array, got ${describe(value)}.`, { field, value });
-  }
+  if (value !== undefined && !Array.isArray(value)) throw mustBe('an array', value, field);
 }
 
 /** @throws PhysicsError E_TYPE unless `value` is an object whose `method` is a function */
 export function checkHas(value: unknown, method: string, field: string, hint: string): void {
-  const holder = value as Record<string, unknown> | null | undefined;
-  if (typeof holder === 'object' && holder !== null && typeof holder[method] === 'function') return;
-  throw new PhysicsError('E_TYPE', `${field} has no function \`${method}\`; it is ${describe(value)}.`, {
-    field,
-    value,
-    hint,
-  });
+  if (isRecord(value) && typeof value[method] === 'function') return;
+  throw mustBe(`an object with a function ${method}`, value, field, 'E_TYPE', undefined, hint);
+}
+
+/** Whether a value is an object with names for what it holds. */
+export function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
 }

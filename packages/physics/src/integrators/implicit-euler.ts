@@ -140,5 +140,6 @@ function report(world: PhysicsWorld, spans: Spans, { residualColumns }: Equation
     field: 'Velocity',
     value: most,
     phase: 'integrate',
+    hint: 'Take shorter steps, or for nets of very stiff springs the integrator xpbd().',
   });
 }

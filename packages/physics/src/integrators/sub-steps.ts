@@ -25,5 +25,6 @@ export function reportUnderflow(world: PhysicsWorld, entity: number, wanted: num
     field: 'Position',
     value: wanted,
     phase: 'integrate',
+    hint: 'A force is singular or jumps there: soften it, keep bodies apart, or take shorter steps.',
   });
 }

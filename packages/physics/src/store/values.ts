@@ -1,8 +1,8 @@
 // Values of a component as a caller gives them, checked before the world is touched.
-import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all';
+import { COMPONENT_NAMES, COMPONENTS, type ComponentName, keyOf } from '../components/all';
 import type { ComponentSpec, FieldSpec } from '../components/define';
-import { describe, PhysicsError } from '../faults/physics-error';
-import { checkNumber } from '../faults/validate';
+import { PhysicsError } from '../faults/physics-error';
+import { checkNumber, isRecord, mustBe, unknownName } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
 import { checkBodyId, noteLives } from './links';
 
@@ -18,13 +18,15 @@ export type Space = Pick<PhysicsWorld, 'dimensions' | 'capacity' | 'components' 
  */
 export function checkValues(space: Space, name: ComponentName, data: unknown, entity?: number): FieldValues {
   const spec: ComponentSpec = COMPONENTS[name];
-  const given = normalise(spec, data, entity);
+  const given = normalise(name, data, entity);
   const values: FieldValues = {};
   for (const field of Object.keys(given)) {
     // Not `spec.fields[field]` alone: "constructor" would be found there, and a function be written to.
-    if (!Object.hasOwn(spec.fields, field)) throw unknownField(spec, field, entity);
+    if (!Object.hasOwn(spec.fields, field)) {
+      throw unknownName(keyOf(name), 'field', field, Object.keys(spec.fields), entity);
+    }
     const known = spec.fields[field] as FieldSpec;
-    values[field] = checkField(space, known, fieldName(spec, field), given[field], entity);
+    values[field] = checkField(space, known, fieldName(name, field), given[field], entity);
   }
   return values;
 }
@@ -61,8 +63,9 @@ export function initialValues(name: ComponentName): Readonly<FieldValues> {
 }
 
 /** A field as messages name it: "position.x", or "mass" where a bare number sets it. */
-export function fieldName(spec: ComponentSpec, field: string): string {
-  return field === spec.scalar ? spec.key : `${spec.key}.${field}`;
+export function fieldName(name: ComponentName, field: string): string {
+  const { scalar }: ComponentSpec = COMPONENTS[name];
+  return field === scalar ? keyOf(name) : `${keyOf(name)}.${field}`;
 }
 
 /**
@@ -93,22 +96,10 @@ export function asGiven(name: ComponentName, values: FieldValues): FieldValues {
   return values;
 }
 
-function normalise(spec: ComponentSpec, data: unknown, entity: number | undefined): Record<string, unknown> {
-  if (typeof data === 'object' && data !== null && !Array.isArray(data)) return data as Record<string, unknown>;
-  if (spec.scalar !== undefined && typeof data === 'number') return { [spec.scalar]: data };
-  const fields = Object.keys(spec.fields).join(', ');
-  const wanted = `${spec.scalar ? 'a number or ' : ''}{ ${fields} }`;
-  throw new PhysicsError('E_TYPE', `${spec.key} must be ${wanted}, got ${describe(data)}.`, {
-    entity,
-    field: spec.key,
-    value: data,
-  });
-}
-
-function unknownField(spec: ComponentSpec, field: string, entity: number | undefined): PhysicsError {
-  return new PhysicsError('E_UNKNOWN', `${spec.key} has no field "${field}".`, {
-    entity,
-    field,
-    hint: `Valid: ${Object.keys(spec.fields).join(', ')}.`,
-  });
+function normalise(name: ComponentName, data: unknown, entity: number | undefined): Record<string, unknown> {
+  const { scalar, fields }: ComponentSpec = COMPONENTS[name];
+  if (isRecord(data)) return data;
+  if (scalar !== undefined && typeof data === 'number') return { [scalar]: data };
+  const wanted = `${scalar ? 'a number or ' : ''}{ ${Object.keys(fields).join(', ')} }`;
+  throw mustBe(wanted, data, keyOf(name), 'E_TYPE', entity);
 }
