@@ -17,7 +17,7 @@ import { contextOf } from './store/bitecs';
 import { RESERVED_BYTES, writeColumnTable } from './store/column-table';
 import { columnCounts, componentColumns, realBytes, wordColumn } from './store/columns';
 import { assertUsable } from './store/guards';
-import { createPrevious, PREVIOUS_COLUMNS, type Previous, type PreviousAddresses } from './store/previous';
+import { POSE, type Previous, type PreviousAddresses } from './store/previous';
 import { MAX_CAPACITY } from './store/references';
 import { createScratch, SCRATCH_COLUMNS, type Scratch } from './store/scratch';
 import type { Spans } from './store/spans';
@@ -197,7 +197,7 @@ function checkParts({ forces = [], walls = [], integrator, preset, memoryFactory
 
 function memoryBytes(rows: number, precision: Precision): number {
   const { reals, words } = columnCounts();
-  const realColumns = reals + SCRATCH_COLUMNS + PREVIOUS_COLUMNS;
+  const realColumns = reals + SCRATCH_COLUMNS + columnCounts(POSE).reals;
   const wordColumns = words + 4;
   return columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192) + 65536;
 }
@@ -217,7 +217,7 @@ function worldRecord(
   seed: number,
 ): PhysicsWorld {
   const [components, addresses] = componentColumns(arena, precision, rows);
-  const [previous, previousAddresses] = createPrevious(arena, precision, rows);
+  const [previous, previousAddresses] = componentColumns<(typeof POSE)[number]>(arena, precision, rows, POSE);
   const { scratch, moveTo } = createScratch(arena, precision, rows);
   const [members, membersAt] = wordColumn(arena, rows, 'members');
   const [generations] = wordColumn(arena, rows, 'generations');

@@ -8,8 +8,9 @@ import { MAX_POSITION } from '../components/position';
 import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_PART } from '../components/rotation';
 import { MAX_SPEED } from '../components/velocity';
 import { reportFault } from '../faults/fault-log';
-import { AXES } from '../store/axes';
+import { ANGLES, AXES } from '../store/axes';
 import { clearAbsent } from '../store/incomplete';
+import { type Columns, copyPose } from '../store/previous';
 import { isOpen } from '../store/rows';
 import type { PhysicsWorld } from '../world';
 import type { LocalSystem } from './phases';
@@ -64,19 +65,10 @@ function saveAxes(world: PhysicsWorld, first: number, last: number): number {
   return good;
 }
 
-/** Of a quaternion. */
-const PARTS = ['x', 'y', 'z', 'w'] as const;
-
 function saveAngles(world: PhysicsWorld, first: number, last: number): void {
-  const { kernels, addresses, previousAddresses } = world;
-  if (world.dimensions === 2) {
-    kernels.copyColumn(previousAddresses.Rotation.angle, addresses.Rotation.angle, first, last);
-    return;
-  }
-  for (let p = 0; p < PARTS.length; p++) {
-    const part = PARTS[p];
-    kernels.copyColumn(previousAddresses.Orientation[part], addresses.Orientation[part], first, last);
-  }
+  const angle = ANGLES[world.dimensions];
+  const [now, before]: Record<string, number>[] = [world.addresses[angle], world.previousAddresses[angle]];
+  for (const part in now) world.kernels.copyColumn(before[part], now[part], first, last);
 }
 
 function checkRun(world: PhysicsWorld, first: number, last: number): void {
@@ -113,78 +105,53 @@ function anglesGood(world: PhysicsWorld, first: number, last: number): boolean {
   return (good & whole) === 1;
 }
 
-function repairRow(world: PhysicsWorld, row: number, when: When): void {
-  const bad = firstBad(world, row);
-  if (bad === undefined) capSpeeds(world, row, when);
-  else quarantine(world, row, bad.field, bad.value, when);
+/** The largest size of what a row of a body holds. */
+const LIMITS = [
+  ['Position', MAX_POSITION],
+  ['Orientation', MAX_QUATERNION_PART],
+  ['Rotation', MAX_ANGLE],
+  ['Velocity', MAX_SPEED],
+  ['AngularVelocity', MAX_ANGULAR_SPEED],
+] as const;
+
+/** Caps speeds beyond their limit; with anything else that is wrong a body cannot go on. */
+function repairRow(world: PhysicsWorld, row: number, phase: When): void {
+  for (const [name, limit] of LIMITS) {
+    const columns: Columns = world.components[name];
+    let isTold = false;
+    for (const axis in columns) {
+      const value = columns[axis][row];
+      if (Math.abs(value) <= limit) continue;
+      const field = `${name}.${axis}`;
+      if (name in world.previous || !Number.isFinite(value)) {
+        quarantine(world, row, field, value, phase);
+        return;
+      }
+      if (!isTold) reportFault(world, { code: 'E_SPEED', entity: row, field, value, phase });
+      isTold = true;
+      columns[axis][row] = Math.sign(value) * limit;
+    }
+  }
 }
 
-/** The first field of a row that cannot be gone on with; a speed that is only too high can. */
-function firstBad({ components }: PhysicsWorld, row: number): { field: string; value: number } | undefined {
-  const { Position, Velocity, AngularVelocity, Rotation, Orientation } = components;
+/** Puts a body to rest where it was when the step began. */
+function quarantine(world: PhysicsWorld, row: number, field: string, value: number, phase: When): void {
+  copyPose(world.previous, world.components, row);
   for (const axis of AXES[3]) {
-    if (!(Math.abs(Position[axis][row]) <= MAX_POSITION)) {
-      return { field: `Position.${axis}`, value: Position[axis][row] };
-    }
-    if (!Number.isFinite(Velocity[axis][row])) return { field: `Velocity.${axis}`, value: Velocity[axis][row] };
-    if (!Number.isFinite(AngularVelocity[axis][row])) {
-      return { field: `AngularVelocity.${axis}`, value: AngularVelocity[axis][row] };
-    }
+    world.components.Velocity[axis][row] = 0;
+    world.components.AngularVelocity[axis][row] = 0;
   }
-  for (const part of ['x', 'y', 'z', 'w'] as const) {
-    if (!(Math.abs(Orientation[part][row]) <= MAX_QUATERNION_PART)) {
-      return { field: `Orientation.${part}`, value: Orientation[part][row] };
-    }
-  }
-  const angle = Rotation.angle[row];
-  return Math.abs(angle) <= MAX_ANGLE ? undefined : { field: 'Rotation.angle', value: angle };
-}
-
-function capSpeeds(world: PhysicsWorld, row: number, when: When): void {
-  for (const [name, limit] of [
-    ['Velocity', MAX_SPEED],
-    ['AngularVelocity', MAX_ANGULAR_SPEED],
-  ] as const) {
-    const columns = world.components[name];
-    let worst: 'x' | 'y' | 'z' | undefined;
-    for (const axis of AXES[3]) {
-      if (Math.abs(columns[axis][row] as number) > limit && worst === undefined) worst = axis;
-    }
-    if (worst === undefined) continue;
-    reportFault(world, {
-      code: 'E_SPEED',
-      entity: row,
-      field: `${name}.${worst}`,
-      value: columns[worst][row],
-      phase: when,
-    });
-    for (const axis of AXES[3]) {
-      columns[axis][row] = Math.min(limit, Math.max(-limit, columns[axis][row] as number));
-    }
-  }
-}
-
-function quarantine(world: PhysicsWorld, row: number, field: string, value: number, when: When): void {
-  const { components, previous } = world;
-  for (const axis of AXES[3]) {
-    components.Position[axis][row] = previous.Position[axis][row];
-    components.Velocity[axis][row] = 0;
-    components.AngularVelocity[axis][row] = 0;
-    components.Orientation[axis][row] = previous.Orientation[axis][row];
-  }
-  components.Orientation.w[row] = previous.Orientation.w[row];
-  components.Rotation.angle[row] = previous.Rotation.angle[row];
-  tag(world, row, field, value, when);
+  tag(world, row, field, value, phase);
 }
 
 /** Reports a body that went wrong, once for as long as nobody puts it in order. */
-function tag(world: PhysicsWorld, row: number, field: string, value: number, when: When): void {
+function tag(world: PhysicsWorld, row: number, field: string, value: number, phase: When): void {
   const { Quarantined } = world.components;
   // bitECS is asked, not the rows: those learn of a quarantine, or of an entity's end, when the step is over.
   const isBody = isOpen(world, row, 'Position') && entityExists(world, row);
   if (!isBody || hasComponent(world, row, Quarantined)) return;
   const code = Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
-  reportFault(world, { code, entity: row, field, value, phase: when });
+  reportFault(world, { code, entity: row, field, value, phase });
   addComponent(world, row, set(Quarantined, { step: world.tick }));
 }
 

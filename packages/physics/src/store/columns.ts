@@ -1,8 +1,9 @@
 import { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from '../components/all';
-import type { RealColumn } from '../components/define';
+import type { FieldSpec, RealColumn } from '../components/define';
 import type { Precision } from '../kernels/instantiate';
 import type { PhysicsWorld } from '../world';
 import { type Arena, allocate } from './arena';
+import { AXES } from './axes';
 
 /** Bytes of one real number. */
 export function realBytes(precision: Precision): number {
@@ -43,33 +44,36 @@ export function axisColumns(
   rows: number,
   what: string,
 ): [AxisColumns, AxisAddresses] {
-  const [x, ax] = realColumn(arena, precision, rows, `${what}.x`);
-  const [y, ay] = realColumn(arena, precision, rows, `${what}.y`);
-  const [z, az] = realColumn(arena, precision, rows, `${what}.z`);
-  return [
-    { x, y, z },
-    { x: ax, y: ay, z: az },
-  ];
+  const [columns, starts] = named(AXES[3], (axis) => realColumn(arena, precision, rows, `${what}.${axis}`));
+  return [columns, starts];
 }
 
-/** The columns of every component. */
-export function componentColumns(arena: Arena, precision: Precision, rows: number): [Components, Addresses] {
-  const components: Record<string, Record<string, RealColumn | Uint32Array>> = {};
-  const addresses: Record<string, Record<string, number>> = {};
-  for (const name of COMPONENT_NAMES) {
-    const columns: Record<string, RealColumn | Uint32Array> = {};
-    const starts: Record<string, number> = {};
-    for (const [field, spec] of Object.entries(COMPONENTS[name].fields)) {
+/** The columns of every component, or of some. */
+export function componentColumns<Name extends ComponentName = ComponentName>(
+  arena: Arena,
+  precision: Precision,
+  rows: number,
+  names: readonly ComponentName[] = COMPONENT_NAMES,
+): [Pick<Components, Name>, Pick<Addresses, Name>] {
+  return named(names, (name) => {
+    const fields: Readonly<Record<string, FieldSpec>> = COMPONENTS[name].fields;
+    return named(Object.keys(fields), (field): [RealColumn | Uint32Array, number] => {
       const what = `${name}.${field}`;
-      const [column, address] =
-        spec.kind === 'real' ? realColumn(arena, precision, rows, what) : wordColumn(arena, rows, what);
-      columns[field] = column;
-      starts[field] = address;
-    }
-    components[name] = columns;
-    addresses[name] = starts;
-  }
-  return [components as unknown as Components, addresses as unknown as Addresses];
+      return fields[field].kind === 'real' ? realColumn(arena, precision, rows, what) : wordColumn(arena, rows, what);
+    });
+  }) as unknown as [Pick<Components, Name>, Pick<Addresses, Name>];
+}
+
+/** What `make` makes for each name: the columns by name, and their addresses. */
+function named<Name extends string, Column, Address>(
+  names: readonly Name[],
+  make: (name: Name) => [Column, Address],
+): [Record<Name, Column>, Record<Name, Address>] {
+  const made = names.map((name) => [name, ...make(name)] as const);
+  return [
+    Object.fromEntries(made.map(([name, column]) => [name, column])),
+    Object.fromEntries(made.map(([name, , address]) => [name, address])),
+  ] as [Record<Name, Column>, Record<Name, Address>];
 }
 
 /** Addresses of all real columns of a component. */
@@ -79,11 +83,11 @@ export function realAddresses({ addresses }: PhysicsWorld, name: ComponentName):
   return fields.map(([field]) => starts[field]);
 }
 
-/** How many real and word columns the components have together: what the memory is sized by. */
-export function columnCounts(): { reals: number; words: number } {
+/** How many real and word columns all components have, or some: what the memory is sized by. */
+export function columnCounts(names: readonly ComponentName[] = COMPONENT_NAMES): { reals: number; words: number } {
   let reals = 0;
   let words = 0;
-  for (const name of COMPONENT_NAMES) {
+  for (const name of names) {
     for (const spec of Object.values(COMPONENTS[name].fields)) {
       if (spec.kind === 'real') reals++;
       else words++;

@@ -6,7 +6,7 @@
 // step zeroes what they do not have: they cost nothing when there are none.
 import { bitOf } from '../components/all';
 import type { PhysicsWorld } from '../world';
-import { AXES } from './axes';
+import { ANGLES, AXES } from './axes';
 
 /** What forces move. */
 const MOVABLE = bitOf('Position') | bitOf('Velocity');
@@ -21,7 +21,7 @@ function isStray(world: PhysicsWorld, bits: number): boolean {
 }
 
 function turnBit({ dimensions }: PhysicsWorld): number {
-  return bitOf(dimensions === 2 ? 'Rotation' : 'Orientation');
+  return bitOf(ANGLES[dimensions]);
 }
 
 /** Keeps the counts when `rows` rows go from one set of components to another. */
@@ -46,16 +46,10 @@ export function clearAbsent(world: PhysicsWorld, first: number, last: number): v
   const { unmoved, strays } = internal.incomplete;
   if (unmoved === 0 && strays === 0) return;
   const at = internal.membersAt;
-  const { Position, Velocity, Rotation, Orientation } = addresses;
   for (const axis of AXES[dimensions]) {
-    kernels.zeroAbsent(Position[axis], at, bitOf('Position'), first, last);
-    kernels.zeroAbsent(Velocity[axis], at, bitOf('Velocity'), first, last);
+    kernels.zeroAbsent(addresses.Position[axis], at, bitOf('Position'), first, last);
+    kernels.zeroAbsent(addresses.Velocity[axis], at, bitOf('Velocity'), first, last);
   }
-  if (dimensions === 2) {
-    kernels.zeroAbsent(Rotation.angle, at, turnBit(world), first, last);
-    return;
-  }
-  for (const part of ['x', 'y', 'z', 'w'] as const) {
-    kernels.zeroAbsent(Orientation[part], at, turnBit(world), first, last);
-  }
+  const angles: Record<string, number> = addresses[ANGLES[dimensions]];
+  for (const part in angles) kernels.zeroAbsent(angles[part], at, turnBit(world), first, last);
 }

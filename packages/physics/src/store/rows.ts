@@ -4,9 +4,8 @@ import { bitOf, COMPONENTS, type ComponentName } from '../components/all';
 import type { ComponentSpec } from '../components/define';
 import type { PhysicsWorld } from '../world';
 import { countIncomplete } from './incomplete';
+import { type Columns, copyPose } from './previous';
 import { type FieldValues, initialValues } from './values';
-
-type Writable = { [row: number]: number };
 
 /** Whether the row of a component is in use. */
 export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): boolean {
@@ -42,7 +41,7 @@ export function cleanRow(world: PhysicsWorld, eid: number): void {
 
 /** The present values of a row. */
 export function readRow(world: PhysicsWorld, eid: number, name: ComponentName): FieldValues {
-  const columns = world.components[name] as Record<string, Writable>;
+  const columns: Columns = world.components[name];
   const values: FieldValues = {};
   for (const field of Object.keys(columns)) values[field] = columns[field][eid];
   return values;
@@ -51,7 +50,7 @@ export function readRow(world: PhysicsWorld, eid: number, name: ComponentName): 
 /** Writes checked values to a row in use; others are left alone. */
 export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, values: Readonly<FieldValues>): void {
   if (!isOpen(world, eid, name)) return;
-  const columns = world.components[name] as Record<string, Writable>;
+  const columns: Columns = world.components[name];
   for (const field of Object.keys(values)) columns[field][eid] = values[field];
   if (name in world.previous) teleport(world, eid);
   if (name === 'Collider' || (COMPONENTS[name] as ComponentSpec).visual) world.versions.style++;
@@ -65,14 +64,8 @@ function release(world: PhysicsWorld, eid: number): void {
 
 /** Makes the previous pose of a body its present one, so that renderers do not draw it crossing the gap. */
 export function teleport(world: PhysicsWorld, eid: number): void {
-  const { components, previous, versions } = world;
-  for (const axis of ['x', 'y', 'z'] as const) {
-    previous.Position[axis][eid] = components.Position[axis][eid];
-    previous.Orientation[axis][eid] = components.Orientation[axis][eid];
-  }
-  previous.Orientation.w[eid] = components.Orientation.w[eid];
-  previous.Rotation.angle[eid] = components.Rotation.angle[eid];
-  versions.pose++;
+  copyPose(world.components, world.previous, eid);
+  world.versions.pose++;
 }
 
 /** Zeroes a row: an absent component has zero coefficients, so kernels may sweep it without asking. */
@@ -81,7 +74,7 @@ export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName):
   const { internal, versions } = world;
   changeBits(world, eid, (internal.members[eid] & ~bitOf(name)) >>> 0);
   internal.counts[name]--;
-  const columns = world.components[name] as Record<string, Writable>;
+  const columns: Columns = world.components[name];
   for (const field of Object.keys(columns)) columns[field][eid] = 0;
   if (name in world.previous) teleport(world, eid);
   if (name === 'Position') internal.generations[eid]++;

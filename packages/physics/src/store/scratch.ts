@@ -38,27 +38,17 @@ interface ScratchOwner {
 /** Makes the scratch columns and the function that slides their addresses onto a tile (row 0 is "not tiled"). */
 export function createScratch(arena: Arena, precision: Precision, rows: number): ScratchOwner {
   const made = BUFFERS.map((name) => axisColumns(arena, precision, rows, name));
-  type Buffer = (typeof made)[0];
-  const [force, startVelocity, stage1, stage2, torque] = made as [Buffer, Buffer, Buffer, Buffer, Buffer];
   const base = made.map(([, at]) => ({ ...at }));
   const bytes = realBytes(precision);
+  const [force, , , , torque] = made.map(([columns]) => columns);
+  const at = Object.fromEntries(BUFFERS.map((name, i) => [name, made[i][1]]));
   return {
-    scratch: {
-      force: force[0],
-      torque: torque[0],
-      at: {
-        force: force[1],
-        torque: torque[1],
-        startVelocity: startVelocity[1],
-        stage1: stage1[1],
-        stage2: stage2[1],
-      },
-    },
+    scratch: { force, torque, at } as Scratch,
     moveTo(firstRow) {
       const shift = firstRow * bytes;
       for (let i = 0; i < made.length; i++) {
-        const at = (made[i] as Buffer)[1];
-        const from = base[i] as AxisAddresses;
+        const at = made[i][1];
+        const from = base[i];
         at.x = from.x - shift;
         at.y = from.y - shift;
         at.z = from.z - shift;
