@@ -63,7 +63,8 @@ try {
 async function measure(imports) {
   const physics = "'./packages/physics/src/index.ts'";
   const names = imports.split(/\s+/).join(', ');
-  const contents = imports === '*' ? `export * from ${physics};` : `import { ${names} } from ${physics}; use(${names});`;
+  const contents =
+    imports === '*' ? `export * from ${physics};` : `import { ${names} } from ${physics}; use(${names});`;
   const { outputFiles } = await build({
     ...bundleOptions({ minify: true, sourcemap: false, external: ['bitecs'] }),
     stdin: { contents, resolveDir: '.', loader: 'ts' },
