@@ -30,11 +30,11 @@ export const DESK_STYLE = `
   font-size: 14px; text-align: center; text-shadow: 0 1px 4px #000, 0 0 12px #000; pointer-events: none }
 .fw-ring, .fw-sight { position: absolute; left: -32px; top: -32px; width: 64px; height: 64px; border-radius: 50%; pointer-events: none;
   box-sizing: border-box }
-.fw-ring { border: 2px solid #ffe6b0cc; scale: calc(0.25 + 0.9 * var(--power, 0.35)); box-shadow: 0 0 18px #ffcf7a88, inset 0 0 18px #ffcf7a55 }
+.fw-ring { display: grid; place-items: center; color: #ffe6b0; font: 700 26px/1 system-ui, sans-serif; border: 2px solid #ffe6b0cc; scale: calc(0.25 + 0.9 * var(--power, 0.35)); box-shadow: 0 0 18px #ffcf7a88, inset 0 0 18px #ffcf7a55 }
 .fw-sight { background: radial-gradient(circle, #ffe6b0 0 2px, #0000 3px), linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 10px / 2px 14px no-repeat,
   linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 40px / 2px 14px no-repeat, linear-gradient(#ffe6b0cc, #ffe6b0cc) 10px 31px / 14px 2px no-repeat,
   linear-gradient(#ffe6b0cc, #ffe6b0cc) 40px 31px / 14px 2px no-repeat }
-@container (max-width: 760px) { .fw-desk button { min-width: 31px; padding: 0 4px } .fw-tray, .fw-tray > div { gap: 1px }
+@container (max-width: 860px) { .fw-desk button { min-width: 31px; padding: 0 4px } .fw-tray, .fw-tray > div { gap: 1px }
   .fw-tray .fw-color { min-width: 24px } .fw-tray span { margin: 4px 2px } }
 @container (max-width: 600px) { .fw-tray .fw-color { min-width: 36px } .fw-tray span.fw-break { display: none } .fw-tray { padding: 4px }
   .fw-hint { font-size: 12.5px } }

@@ -3,7 +3,7 @@ import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
 import { DEMO_SHOW } from './demo-show.ts';
 import { readShow, writeShow } from './show.ts';
 import { ShowEditor } from './show-editor.ts';
-import { type Cue, type FireworksGame, SURPRISE } from './sim.ts';
+import { type Cue, type FireworksGame, SURPRISE, SWARM, THROWN } from './sim.ts';
 import { Sound } from './sound.ts';
 
 type Place = { readonly x: number; readonly y: number; readonly z: number };
@@ -79,11 +79,13 @@ export class Desk {
   /** A shell goes up; while a show is being made it becomes part of it. */
   fire(sim: FireworksGame, finger: number, { x, y, z }: Place): void {
     let { kind, color } = this;
-    if (this.isEditing) {
+    const power = sim.powerOf(finger, kind);
+    // A swarm that was not held for a second is none.
+    if (this.isEditing && (kind !== SWARM || power > 0)) {
       // A show has no surprises: what goes up now goes up every time.
-      if (kind === SURPRISE) kind = Math.floor(SHELL_NAMES.length * Math.random());
+      if (kind === SURPRISE) kind = Math.floor(THROWN * Math.random());
       if (color === SURPRISE) color = Math.floor(STAR_COLORS.length * Math.random());
-      if (!this.editor.add({ x, y, z, kind, color, power: sim.powerOf(finger) })) {
+      if (!this.editor.add({ x, y, z, kind, color, power })) {
         this.say(`A show has at most ${this.editor.cues.length} shells: take one out first.`);
       }
     }

@@ -6,7 +6,7 @@ import { DESK_STYLE } from './desk-style.ts';
 import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
-import { type FireworksGame, SURPRISE } from './sim.ts';
+import { type FireworksGame, SURPRISE, SWARM } from './sim.ts';
 import { createTimeline } from './timeline.ts';
 
 export interface Hud {
@@ -72,10 +72,16 @@ export function createHud(stage: Stage<Settings, FireworksGame>, desk: Desk): Hu
 }
 
 function hintOf(sim: FireworksGame, desk: Desk): string {
+  if (desk.kind === SWARM) return swarmHint(sim);
   if (desk.isEditing) return '';
   if (sim.isDemo) return 'Click or tap the sky to send up a shell; hold for a larger one';
   if (sim.isShowing) return desk.isDemo ? '' : 'A show: yours, or one that was shared with you';
   return sim.fired > 0 && sim.fired < 4 ? 'T opens the timeline: compose a show and share it' : '';
+}
+
+function swarmHint({ held, swarmStars }: FireworksGame): string {
+  if (held.size > 0 && swarmStars > 0) return `${swarmStars} stars, each of which bursts into ${swarmStars}`;
+  return 'Hold for seconds and let go: two stars for each whole second, and each bursts into as many';
 }
 
 function button(label: string, content: string, action: () => void, className = ''): HTMLButtonElement {
@@ -97,7 +103,8 @@ function createTray(desk: Desk, toggleBarrage: () => void) {
   const edit = button('Compose a show (T)', 'Show', () => desk.edit());
   const barrage = button('Barrage: a hundred thousand sparks at once (G)', icon(BARRAGE_ICON), toggleBarrage);
   const kinds = [SURPRISE, ...SHELL_NAMES.keys()].map((kind) => {
-    const label = kind === SURPRISE ? 'any shell (K)' : `${SHELL_NAMES[kind]} (K)`;
+    const name = kind === SWARM ? 'swarm: hold for seconds' : SHELL_NAMES[kind];
+    const label = kind === SURPRISE ? 'any shell (K)' : `${name} (K)`;
     const path = kind === SURPRISE ? SURPRISE_ICON : SHELL_ICONS[kind];
     return { kind, made: button(label, icon(path), () => desk.choose(kind, desk.color)) };
   });

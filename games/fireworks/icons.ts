@@ -27,6 +27,7 @@ export const SHELL_ICONS: readonly string[] = [
     return `M12 12L${at([x, y])}M${x - 2} ${y}L${x + 2} ${y}M${x} ${y - 2}L${x} ${y + 2}`;
   }),
   'M8 15Q4.5 9 8 5.5Q12 3 16 5.5Q19.5 9 16 15ZM9.5 15v2.5h5V15M12 20v1.5',
+  dot([12, 12], 2) + around(5, (angle) => dot(turn(angle, 5), 0.9) + dot(turn(angle + 0.6, 9), 0.6)),
 ];
 
 /** A kind that is drawn anew for each shell. */

@@ -33,6 +33,7 @@ await startGame({
     ['Press, touch', 'sends a shell up to there; hold longer for a larger one; every finger may hold one'],
     ['Arrow keys, Enter', 'aim, and fire; the stick and the first button of a gamepad do the same'],
     ['K, C', 'next kind of shell, next colour'],
+    ['A swarm', 'is lit where you let go: two stars for every whole second that you hold, each bursts into as many'],
     ['T', 'the timeline: every click adds a shell to your show; drag marks, Backspace takes back, Delete takes out'],
     ['L', 'play your show, or end it'],
     ['Drag, in 3D', 'turn the view; wheel and pinch come closer'],

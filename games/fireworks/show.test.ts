@@ -34,7 +34,7 @@ describe('a show as text', () => {
       fc.property(show, (cues) => {
         const text = writeShow(cues);
         expect(readShow(text)).toEqual(cues);
-        expect(text).toMatch(/^1\.[\w-]+$/);
+        expect(text).toMatch(/^2\.[\w-]+$/);
         // 4/3 characters a byte, five bytes a shell, and a check byte.
         expect(text.length).toBe(2 + Math.ceil((4 * (1 + 5 * cues.length)) / 3));
       }),
@@ -71,8 +71,9 @@ describe('a show as text', () => {
   it.each([
     ['', 'does not begin with a version'],
     ['AAAA', 'does not begin with a version'],
-    ['2.AAAA', 'version “2”, and this game reads version 1'],
-    ['1.', 'characters that no show has'],
+    ['3.AAAA', 'version “3”: this game reads 1 and 2'],
+    ['toString.AAAA', 'version “toString”'],
+    ['2.', 'characters that no show has'],
     ['1.A!A', 'characters that no show has'],
     ['1.A', 'cut off'],
     ['1.AAAA', 'not that of whole shells'],
@@ -83,8 +84,23 @@ describe('a show as text', () => {
   });
 
   it('has a number for every kind of shell and every colour', () => {
-    expect(SHELL_NAMES).toHaveLength(8);
+    expect(SHELL_NAMES).toHaveLength(9);
     expect(STAR_COLORS).toHaveLength(8);
+  });
+
+  it('of version 1, which knew eight kinds, plays as it did', () => {
+    // A willow, 3 s after the beginning, and a chain after 102.3 s, which is later than version 2 can say.
+    const old = readShow('1.xAelnkS2_8CBB0M');
+    expect(old).toEqual([
+      { tick: 180, x: 12, y: 30, z: 2, kind: 1, color: 3, power: 0.4 },
+      { tick: LAST_TICK, x: -47.2, y: 12.6, z: -14, kind: 6, color: 4, power: 0.2 },
+    ]);
+    expect(readShow(writeShow(old))).toEqual(old);
+  });
+
+  it('with a number that no shell has is refused', () => {
+    // Five bytes of 255, which is 2^40 - 1 and above the largest number of a shell, and their check.
+    expect(problem('2.bP______')).toContain('a time that no show has');
   });
 
   it('with too many shells or a wrong order is refused', () => {

@@ -1,15 +1,21 @@
 /**
- * Shows as text, short enough for an address: `1.` and, in base64 as addresses take it, a check byte and five bytes a
- * shell. A shell is 40 bits, largest first: 10 time in tenths of a second, 8 x, 7 y, 5 z, 3 kind, 3 colour, 4 power.
+ * Shows as text, short enough for an address: `2.` and, in base64 as addresses take it, a check byte and five bytes a
+ * shell. The five bytes are one number of mixed radix; its places are, largest first: time in tenths of a second, x, y,
+ * z, kind, colour, power. Version 1, which knew eight kinds, is read as well.
  */
 import { FIREWORKS_SKY } from '@principia/scenes';
 import type { Cue } from './sim.ts';
 
 /** Most shells of a show, and its last moment, steps. */
 export const MOST_CUES = 200;
-export const LAST_TICK = 6 * 1023;
+export const LAST_TICK = 6 * 999;
 
-const VERSION = '1';
+/** How many values each place has. All together are below 2^40. */
+const RADICES: Readonly<Record<string, readonly number[]>> = {
+  1: [1024, 256, 128, 32, 8, 8, 16],
+  2: [1000, 241, 127, 31, 9, 8, 16],
+};
+const VERSION = '2';
 const BYTES = 5;
 const TENTH = 6;
 const STEP_X = 0.4;
@@ -19,17 +25,17 @@ const POWERS = 15;
 
 const whole = (value: number, low: number, high: number) => Math.min(high, Math.max(low, Math.round(value)));
 
-/** The fields of a shell as whole numbers, and how many values each can have. */
-function fieldsOf({ tick, x, y, z, kind, color, power }: Cue): [number, number][] {
+/** The numbers of a shell, in the order of the places. */
+function placesOf({ tick, x, y, z, kind, color, power }: Cue): number[] {
   const { halfWidth, lowest, highest } = FIREWORKS_SKY;
   return [
-    [whole(tick / TENTH, 0, LAST_TICK / TENTH), 1024],
-    [whole((x + halfWidth) / STEP_X, 0, (2 * halfWidth) / STEP_X), 256],
-    [whole((y - lowest) / STEP_Y, 0, Math.floor((highest - lowest) / STEP_Y)), 128],
-    [whole(z, -MOST_Z, MOST_Z) + MOST_Z, 32],
-    [kind, 8],
-    [color, 8],
-    [whole(power * POWERS, 0, POWERS), 16],
+    whole(tick / TENTH, 0, LAST_TICK / TENTH),
+    whole((x + halfWidth) / STEP_X, 0, (2 * halfWidth) / STEP_X),
+    whole((y - lowest) / STEP_Y, 0, Math.floor((highest - lowest) / STEP_Y)),
+    whole(z, -MOST_Z, MOST_Z) + MOST_Z,
+    kind,
+    color,
+    whole(power * POWERS, 0, POWERS),
   ];
 }
 
@@ -43,7 +49,7 @@ function cueOf([tick, x, y, z, kind, color, power]: number[]): Cue {
 
 /** The nearest shell that an address can hold. */
 export function tidy(cue: Cue): Cue {
-  return cueOf(fieldsOf(cue).map(([value]) => value));
+  return cueOf(placesOf(cue));
 }
 
 function checkByte(bytes: Uint8Array, from: number): number {
@@ -56,8 +62,7 @@ function checkByte(bytes: Uint8Array, from: number): number {
 export function writeShow(cues: readonly Cue[]): string {
   const bytes = new Uint8Array(1 + BYTES * cues.length);
   for (const [i, cue] of cues.entries()) {
-    let bits = 0;
-    for (const [value, size] of fieldsOf(cue)) bits = bits * size + value;
+    let bits = placesOf(cue).reduce((sum, value, place) => sum * RADICES[VERSION][place] + value, 0);
     for (let b = BYTES; b > 0; b--) {
       bytes[BYTES * i + b] = bits % 256;
       bits = Math.floor(bits / 256);
@@ -71,31 +76,33 @@ export function writeShow(cues: readonly Cue[]): string {
 /** @throws Error with a sentence that says what is wrong with the text and what to do */
 export function readShow(text: string): Cue[] {
   const [, version, body] = /^([^.]*)\.(.*)$/s.exec(text) ?? [];
-  if (version === undefined || body === undefined) throw broken('it does not begin with a version, such as “1.”');
-  if (version !== VERSION) {
-    throw new Error(`The show in the address is of version “${version.slice(0, 12)}”, and this game reads version 1.`);
+  if (version === undefined || body === undefined) throw broken('it does not begin with a version, such as “2.”');
+  if (!Object.hasOwn(RADICES, version)) {
+    throw new Error(`The show in the address is of version “${version.slice(0, 12)}”: this game reads 1 and 2.`);
   }
   const bytes = bytesOf(body);
   if ((bytes.length - 1) % BYTES !== 0) throw broken('its length is not that of whole shells');
   if (checkByte(bytes, 1) !== bytes[0]) throw broken('its check does not fit');
   const count = (bytes.length - 1) / BYTES;
   if (count > MOST_CUES) throw new Error(`The show in the address has ${count} shells; ${MOST_CUES} are the most.`);
-  const cues = Array.from({ length: count }, (_, i) => unpack(bytes, 1 + BYTES * i));
+  const cues = Array.from({ length: count }, (_, i) => unpack(bytes, 1 + BYTES * i, RADICES[version]));
   for (const [i, { tick }] of cues.entries()) {
     if (i > 0 && tick < cues[i - 1].tick) throw broken('its shells are not in the order of their times');
   }
   return cues;
 }
 
-function unpack(bytes: Uint8Array, at: number): Cue {
+function unpack(bytes: Uint8Array, at: number, radices: readonly number[]): Cue {
   let bits = 0;
   for (let b = 0; b < BYTES; b++) bits = bits * 256 + bytes[at + b];
   const values: number[] = [];
-  for (const size of [16, 8, 8, 32, 128, 256, 1024]) {
-    values.unshift(bits % size);
-    bits = Math.floor(bits / size);
+  for (const radix of radices.toReversed()) {
+    values.unshift(bits % radix);
+    bits = Math.floor(bits / radix);
   }
-  return cueOf(values);
+  // Bits beyond the first place are what nobody has written.
+  if (bits > 0) throw broken('it has a time that no show has');
+  return tidy(cueOf(values));
 }
 
 function bytesOf(body: string): Uint8Array {

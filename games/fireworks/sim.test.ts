@@ -1,7 +1,7 @@
 import { restore, snapshot, step } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { DEMO_SHOW } from './demo-show.ts';
-import { createGame, type FireworksGame, type Input, LONGEST_HOLD, SURPRISE } from './sim.ts';
+import { createGame, type FireworksGame, type Input, LONGEST_HOLD, SURPRISE, SWARM } from './sim.ts';
 
 const VALUES = { wind: 0, barrage: false, sparks: 1000 };
 
@@ -80,6 +80,61 @@ describe('a hand', () => {
     game.press({ do: 'steer', way: 'up', on: true });
     run(game, 2);
     expect(game.sight.y).toBe(50);
+  });
+});
+
+describe('a swarm', () => {
+  const letGo: Input = { do: 'fire', finger: 1, x: -12, y: 28, z: 0, kind: SWARM, color: 0 };
+  const hold = (game: FireworksGame, seconds: number) => {
+    game.press({ do: 'hold', finger: 1 });
+    run(game, seconds);
+    game.press(letGo);
+  };
+
+  it.each([
+    [0, 0],
+    [0.4, 0],
+    [0.9, 0],
+    [1, 2],
+    [1.9, 2],
+    [2, 4],
+    [2.5, 4],
+    [3, 6],
+    [5, 10],
+    [60, 10],
+  ])('that is held for %d s has 2 ⌊s⌋ stars where the hand is: %i, ten at most', (seconds, stars) => {
+    const game = night();
+    hold(game, seconds);
+    run(game, game.dt);
+    expect([game.scene.alive, game.scene.flying, game.refused]).toEqual([stars, 0, 0]);
+    expect(game.fired).toBe(stars > 0 ? 1 : 0);
+    const { count } = game.scene.news;
+    expect(count).toBe(stars > 0 ? 1 : 0);
+    if (count > 0) expect(game.scene.news.at(0)).toMatchObject({ what: 'burst', x: -12, y: 28, kind: SWARM });
+  });
+
+  it('bursts for six seconds from the moment it is let go, however long the night has lasted', () => {
+    for (const waited of [0, 7, 20]) {
+      const game = night();
+      run(game, waited);
+      hold(game, 2);
+      run(game, 2);
+      // Nobody ends before two seconds; from four seconds on all are children.
+      expect(game.scene.alive).toBeGreaterThanOrEqual(4);
+      run(game, 2.1);
+      expect(game.scene.alive).toBeGreaterThanOrEqual(16);
+      run(game, 6);
+      expect(game.scene.alive).toBe(0);
+    }
+  });
+
+  it('is no surprise: a click that draws its shell always sends one up', () => {
+    for (let seed = 1; seed <= 3; seed++) {
+      const game = night({ seed });
+      for (let i = 0; i < 28; i++) game.press({ ...letGo, kind: SURPRISE });
+      run(game, game.dt);
+      expect(game.scene.flying).toBe(28);
+    }
   });
 });
 

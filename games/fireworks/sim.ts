@@ -4,15 +4,23 @@ import {
   FIREWORKS_SKY,
   type Fireworks,
   fireworks,
+  heldStars,
   InputLog,
   type LoggedInput,
+  mostSeconds,
   SHELL_NAMES,
+  SHELLS,
   type ShellOrder,
   STAR_COLORS,
 } from '@principia/scenes';
 
 /** A kind or colour that is drawn when the shell goes up. */
 export const SURPRISE = -1;
+
+/** The kind that is not thrown but lit where one points, after whole seconds of holding. */
+export const SWARM = SHELLS.findIndex(({ isHeld }) => isHeld);
+/** Kinds that a surprise is drawn from: those that a mere click sends up. */
+export const THROWN = SHELL_NAMES.length - 1;
 
 /** The ways keys push the sight. */
 export type Way = 'up' | 'left' | 'down' | 'right';
@@ -121,12 +129,26 @@ export class FireworksGame {
     this.log.add(input);
   }
 
-  /** How large a shell gets that is held since then, 0 to 1. */
-  powerOf(finger: number): number {
+  /** How large a shell gets that is held since then, 0 to 1. @param kind number of the chosen kind */
+  powerOf(finger: number, kind: number): number {
     const since = this.held.get(finger);
+    if (kind === SWARM) return this.#wholeSeconds(since) / mostSeconds(SHELLS[SWARM]);
     if (since === undefined) return CLICK_POWER;
     const share = Math.min(1, (this.world.time - since) / LONGEST_HOLD);
     return CLICK_POWER + (1 - CLICK_POWER) * share;
+  }
+
+  /** Stars that a swarm would have that is let go now; what is held longest counts. */
+  get swarmStars(): number {
+    let most = 0;
+    for (const finger of this.held.keys()) most = Math.max(most, this.powerOf(finger, SWARM));
+    return heldStars(SHELLS[SWARM], most);
+  }
+
+  #wholeSeconds(since = this.world.time): number {
+    // Half a step more: times are sums of steps.
+    const seconds = Math.floor(this.world.time - since + 0.5 * this.dt);
+    return Math.min(mostSeconds(SHELLS[SWARM]), seconds);
   }
 
   /** Two games with equal hashes go on alike. */
@@ -147,8 +169,9 @@ export class FireworksGame {
   }
 
   #fire({ finger, x, y, z, kind, color }: Extract<Input, { do: 'fire' }>): void {
-    const power = this.powerOf(finger);
+    const power = this.powerOf(finger, kind);
     this.held.delete(finger);
+    if (kind === SWARM && power === 0) return;
     this.fired++;
     if (this.isDemo) this.#play([]);
     this.#launch({ x, y, z, kind, color, power });
@@ -185,7 +208,7 @@ export class FireworksGame {
     const random = this.#random;
     const order = {
       ...clampToSky(x, y, this.world.dimensions === 3 ? z : 0),
-      kind: kind === SURPRISE ? random.integer(0, SHELL_NAMES.length - 1) : kind,
+      kind: kind === SURPRISE ? random.integer(0, THROWN - 1) : kind,
       color: color === SURPRISE ? random.integer(0, STAR_COLORS.length - 1) : color,
       power,
     };

@@ -1,8 +1,9 @@
 /** Mouse and fingers: press, hold for a larger shell, let go; every finger may hold one. */
+import { heldStars, SHELLS } from '@principia/scenes';
 import type { Stage } from '@principia/shell';
 import type { Desk } from './desk.ts';
 import type { Settings } from './settings.ts';
-import { clampToSky, type FireworksGame } from './sim.ts';
+import { clampToSky, type FireworksGame, SWARM } from './sim.ts';
 
 type Place = { readonly x: number; readonly y: number; readonly z: number };
 
@@ -84,7 +85,14 @@ export function listenToSky(
   return {
     update() {
       if (rings.size === 0) return;
-      for (const [finger, ring] of rings) ring.style.setProperty('--power', String(stage.sim().powerOf(finger)));
+      for (const [finger, ring] of rings) {
+        const power = stage.sim().powerOf(finger, desk.kind);
+        const isSwarm = desk.kind === SWARM;
+        // The number in the ring of a swarm is to be read from the first second on.
+        ring.style.setProperty('--power', String(isSwarm ? 0.6 + 0.4 * power : power));
+        const stars = isSwarm ? String(heldStars(SHELLS[SWARM], power)) : '';
+        if (ring.textContent !== stars) ring.textContent = stars;
+      }
     },
     destroy() {
       for (const [type, listener] of Object.entries(listeners))

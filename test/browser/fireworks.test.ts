@@ -203,7 +203,7 @@ describe('a show', () => {
     await page.locator('[data-do=share]').click();
     await page.waitForFunction(() => __game.state().banner.includes('link to your show'));
     const link = page.url();
-    expect(link).toMatch(/#show=1\.[\w-]+$/);
+    expect(link).toMatch(/#show=2\.[\w-]+$/);
     const { cues } = await told(page);
     const guest = await page.context().newPage();
     await guest.goto(link);

@@ -20,11 +20,13 @@ import {
 } from '@principia/physics';
 import type { Air } from './fireworks/aim';
 import { STAR_COLORS, STAR_RGB } from './fireworks/colors';
+import { FAMILY_BODIES } from './fireworks/families';
 import { formVelocities } from './fireworks/forms';
 import { NewsRing, type SkyNews } from './fireworks/news';
+import { type Place, STILL } from './fireworks/place';
 import { Rockets, SHELL_DRAG, type ShellOrder } from './fireworks/rockets';
-import { SHELLS } from './fireworks/shells';
-import { AIR_DENSITY, GLOW, type Place, rampsOf, STAR_MASS, StarPools } from './fireworks/stars';
+import { heldStars, SHELLS } from './fireworks/shells';
+import { AIR_DENSITY, GLOW, rampsOf, STAR_MASS, StarPools } from './fireworks/stars';
 import { countOf, defineScene, type SceneRun } from './scene';
 
 /** The part of the sky that shells burst in, m: half its width and depth, and its lowest and highest place. */
@@ -36,9 +38,14 @@ export interface Fireworks extends SceneRun {
   readonly news: NewsRing;
   /** Sparks and stars alive now. */
   readonly alive: number;
+  /** Stars of shells and swarms born so far. */
+  readonly born: number;
   /** Shells in the air. */
   readonly flying: number;
-  /** Throws a shell at the next step; false where none is left on the ground. */
+  /**
+   * Throws a shell at the next step, or lights a kind that is held where it is to burst; false where no shell is left on
+   * the ground, or none was held for a second.
+   */
   launch(order: ShellOrder): boolean;
   /** Wind along x, m/s. */
   setWind(speed: number): void;
@@ -93,6 +100,9 @@ export const fireworks = defineScene({
       get alive() {
         return (show?.stars.alive ?? 0) + (barrage?.alive ?? 0);
       },
+      get born() {
+        return show?.stars.born ?? 0;
+      },
       get flying() {
         return show?.rockets.flying ?? 0;
       },
@@ -111,7 +121,7 @@ export const fireworks = defineScene({
 
 /** Bodies and bytes of all pools: a pool takes up to 92 bytes a star, and an emitter 40 KB of its own. */
 function roomFor(count: number, shells: number): { bodies: number; bytes: number } {
-  const stars = shells > 0 ? SHELLS.reduce((sum, { capacity }) => sum + capacity, 0) : 0;
+  const stars = shells > 0 ? SHELLS.reduce((sum, { capacity }) => sum + capacity, FAMILY_BODIES) : 0;
   const bodies = barrageCapacity(count) + stars + shells * Rockets.entities + 1;
   return { bodies, bytes: 2 ** 21 + 512 * bodies + 49_152 * (shells + SHELLS.length + 1) };
 }
@@ -139,6 +149,12 @@ function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells:
     stars,
     rockets,
     launch(order: ShellOrder): boolean {
+      const kind = SHELLS[order.kind];
+      if (kind.isHeld) {
+        if (heldStars(kind, order.power) === 0) return false;
+        burst(order, { x: order.x, y: order.y, z: order.z }, STILL);
+        return true;
+      }
       const from = rockets.launch(order);
       if (from !== undefined) tell('launch', from, order.kind, order.color, order.power);
       return from !== undefined;

@@ -12,7 +12,7 @@ export { FIREWORKS_SKY, type Fireworks, fireworks } from './fireworks';
 export { STAR_COLORS, STAR_RGB, type StarColor } from './fireworks/colors';
 export type { NewsRing, SkyNews } from './fireworks/news';
 export type { ShellOrder } from './fireworks/rockets';
-export { SHELL_NAMES, SHELLS, type ShellForm, type ShellKind } from './fireworks/shells';
+export { heldStars, mostSeconds, SHELL_NAMES, SHELLS, type ShellForm, type ShellKind } from './fireworks/shells';
 export { gas } from './gas';
 export { InputLog, type LoggedInput } from './input-log';
 export { type ClusterRun, nbodyDirect, nbodyTree } from './n-body/cluster';

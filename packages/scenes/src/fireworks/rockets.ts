@@ -1,7 +1,8 @@
 // Shells on their way up: a fixed number of bodies, thrown from mortars on the ground with a fuse that ends at the top.
 import { createEmitter, keepState, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
 import { type Air, aim } from './aim';
-import { GLOW, type Place } from './stars';
+import type { Place } from './place';
+import { GLOW } from './stars';
 
 /** A shell of 8 cm that weighs 0.3 kg: ρ C_d A / 2m, 1/m. */
 export const SHELL_DRAG = 0.0047;

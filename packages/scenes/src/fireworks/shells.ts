@@ -9,6 +9,8 @@ export interface ShellKind {
   readonly form: ShellForm;
   /** Stars of a shell; even, as they fly off in opposite pairs. */
   readonly stars: number;
+  /** Number of their colour, whatever was ordered. */
+  readonly color?: number;
   /** Speed of the fastest star, m/s, and of the slowest as a part of it. */
   readonly speed: number;
   readonly slowest: number;
@@ -22,16 +24,32 @@ export interface ShellKind {
   readonly turning?: number;
   /** Weight of the air it displaces over its own: above 1 it is a lantern full of hot air, and rises. */
   readonly buoyancy?: number;
-  /** What each star becomes when it ends: how many stars of which other kind; for how long after the shell burst, s. */
-  readonly ends?: { readonly kind: number; readonly count: number; readonly until?: number };
-  /** Stars alive at once: about a dozen shells. */
+  /** What each star becomes when it ends: how many stars of which other kind and colour. */
+  readonly ends?: { readonly kind: number; readonly count: number; readonly color: number };
+  /**
+   * Each star bursts into as many of its own when it ends, until so many seconds after the shell burst. `color` is their
+   * number; left out, each burst draws one.
+   */
+  readonly family?: { readonly seconds: number; readonly color?: number };
+  /** Not thrown but lit where one points: two stars for every whole second that one holds, `stars` at most. */
+  readonly isHeld?: boolean;
+  /** Stars alive at once: about a dozen shells. 0 where families have their own. */
   readonly capacity: number;
   /** Whether it can be ordered: sparks of other stars cannot. */
   readonly isShell: boolean;
 }
 
 const STAR_SIZE = [0.22, 0.3, 0.24, 0.08];
+const YELLOW = 2;
+const GREEN = 3;
+const SILVER = 6;
 const common = { slowest: 0.9, size: STAR_SIZE, isShell: true, form: 'ball' } as const;
+
+/** The stars of chains and swarms. Their pools are those of families, not of kinds. */
+const chain: Omit<ShellKind, 'name'> = {
+  ...{ ...common, speed: 13, slowest: 0.4, life: [2, 4], drag: 0.05, capacity: 0, stars: 10 },
+  size: [0.46, 0.44, 0.38, 0.26],
+};
 
 /** Every kind; those that are ordered come first, and a kind's place is its number in shows and logs. */
 export const SHELLS: readonly ShellKind[] = [
@@ -71,7 +89,7 @@ export const SHELLS: readonly ShellKind[] = [
       drag: 0.09,
       capacity: 1400,
     },
-    ends: { kind: 8, count: 6 },
+    ends: { kind: 9, count: 6, color: SILVER },
   },
   {
     ...{ ...common, name: 'palm', form: 'palm', stars: 192, speed: 22, slowest: 0.5, life: [1.7, 2.7], drag: 0.055 },
@@ -88,15 +106,13 @@ export const SHELLS: readonly ShellKind[] = [
     turning: 4.5,
     capacity: 2200,
   },
-  {
-    ...{ ...common, name: 'chain', stars: 10, speed: 13, slowest: 0.4, life: [2, 4], drag: 0.05, capacity: 1200 },
-    ...{ size: [0.46, 0.44, 0.38, 0.26], ends: { kind: 6, count: 10, until: 6 } },
-  },
+  { ...chain, name: 'chain', family: { seconds: 6, color: GREEN } },
   {
     // Rises at √((b - 1) g / drag) = 2.2 m/s in the end, if nothing blows.
     ...{ ...common, name: 'lantern', stars: 44, speed: 19, slowest: 0.15, life: [5, 7.5], drag: 0.25, capacity: 600 },
     ...{ size: [0.3, 0.46, 0.46, 0.12], buoyancy: 1.12 },
   },
+  { ...chain, name: 'swarm', color: YELLOW, isHeld: true, family: { seconds: 6 } },
   {
     ...{ ...common, name: 'spark', stars: 6, speed: 9, slowest: 0.5, life: [0.12, 0.34], drag: 0.3, capacity: 1800 },
     ...{ size: [0.3, 0.24, 0.05], isShell: false },
@@ -105,3 +121,13 @@ export const SHELLS: readonly ShellKind[] = [
 
 /** Names of the kinds that can be ordered, in the order of their numbers. */
 export const SHELL_NAMES: readonly string[] = SHELLS.filter(({ isShell }) => isShell).map(({ name }) => name);
+
+/** Stars of a burst of a kind that is held: two a second. @param power whole seconds, as a part of the most that count */
+export function heldStars({ stars }: ShellKind, power: number): number {
+  return 2 * Math.round(0.5 * stars * power);
+}
+
+/** Seconds of holding that count. */
+export function mostSeconds({ stars }: ShellKind): number {
+  return 0.5 * stars;
+}

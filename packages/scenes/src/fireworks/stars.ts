@@ -6,16 +6,18 @@ import {
   createEmitter,
   createPattern,
   type Emitter,
+  emitterCounts,
   endings,
-  keepState,
   type PhysicsWorld,
   type Random,
   setEmitter,
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
 import { colorRamp, STAR_COLORS, STAR_RGB } from './colors';
+import { type BearStars, Families, MOST_FOLLOWED } from './families';
 import { formVelocities } from './forms';
-import { SHELLS, type ShellKind } from './shells';
+import { type Place, readPlace, STILL } from './place';
+import { heldStars, SHELLS, type ShellKind } from './shells';
 
 /** Mass of a star, kg. */
 export const STAR_MASS = 0.001;
@@ -23,13 +25,6 @@ export const STAR_MASS = 0.001;
 const VARIANTS = 5;
 /** From this power on a smaller ball glows inside the large one, in the next colour. */
 const PISTIL_POWER = 0.6;
-
-/** Numbers that bursts are asked with. */
-export interface Place {
-  readonly x: number;
-  readonly y: number;
-  readonly z: number;
-}
 
 interface BurstOrder {
   position: Place;
@@ -39,28 +34,32 @@ interface BurstOrder {
   scale: number;
 }
 
-const STILL: Place = { x: 0, y: 0, z: 0 };
-
 /** Factor of a shell's speeds by its power. */
 export function strengthOf(power: number): number {
   return 0.72 + 0.56 * power;
 }
 
 export class StarPools {
-  readonly emitters: readonly Emitter[];
+  /** By the number of the kind; kinds of families have none. */
+  readonly #pools: readonly (Emitter | undefined)[];
+  readonly #emitters: readonly Emitter[];
+  readonly #families: Families;
   readonly #patterns: readonly (readonly BurstPattern[])[];
-  readonly #until = SHELLS.map(() => Number.NEGATIVE_INFINITY);
   readonly #random: Random;
-  readonly #world: PhysicsWorld;
   readonly #place = { x: 0, y: 0, z: 0 };
   /** What a burst is asked with, written anew for each. */
   readonly #order: BurstOrder = { position: STILL, velocity: STILL, ramp: 0, pattern: undefined, scale: 1 };
 
+  /** Stars of stars inherit no velocity. */
+  readonly #bear: BearStars = (emitter, kind, count, ramp, place) => {
+    this.#burst(emitter, kind, count, ramp, place, STILL, SHELLS[kind].speed);
+  };
+
   constructor(world: PhysicsWorld, random: Random) {
-    this.#world = world;
     this.#random = random;
-    keepState(world, this.#until);
-    this.emitters = SHELLS.map((kind) => createStars(world, kind));
+    this.#pools = SHELLS.map((kind) => (kind.family === undefined ? createStars(world, kind) : undefined));
+    this.#families = new Families(world, random, (capacity) => createStars(world, { ...FAMILY_KIND, capacity }));
+    this.#emitters = [...this.#pools.filter((pool) => pool !== undefined), ...this.#families.emitters];
     this.#patterns = SHELLS.map((kind) =>
       Array.from({ length: VARIANTS }, () => createPattern(world, formVelocities(kind, world.dimensions, random))),
     );
@@ -69,58 +68,60 @@ export class StarPools {
   /** Stars of all kinds alive now. */
   get alive(): number {
     let sum = 0;
-    for (let i = 0; i < this.emitters.length; i++) sum += aliveCount(this.emitters[i]);
+    for (let i = 0; i < this.#emitters.length; i++) sum += aliveCount(this.#emitters[i]);
     return sum;
+  }
+
+  /** Stars born so far. */
+  get born(): number {
+    return this.#emitters.reduce((sum, emitter) => sum + emitterCounts(emitter).born, 0);
   }
 
   /** @param colors eight, as 0xRRGGBB */
   setColors(colors: readonly number[]): void {
-    for (const emitter of this.emitters) setEmitter(emitter, { color: rampsOf(colors) });
+    for (const emitter of this.#emitters) setEmitter(emitter, { color: rampsOf(colors) });
   }
 
   /** Bears the stars of a shell at the next emission. */
   break(kind: number, color: number, power: number, position: Place, velocity: Place): void {
-    const { speed, ends } = SHELLS[kind];
-    const scale = speed * strengthOf(power);
-    this.#burst(kind, position, velocity, color, scale);
-    if (power >= PISTIL_POWER) this.#burst(kind, position, velocity, (color + 2) % STAR_COLORS.length, 0.5 * scale);
-    if (ends?.until !== undefined) this.#until[kind] = this.#world.time + ends.until;
+    const shell = SHELLS[kind];
+    const scale = shell.speed * strengthOf(power);
+    const ramp = shell.color ?? color;
+    const count = shell.isHeld ? heldStars(shell, power) : shell.stars;
+    this.#burst(this.#poolFor(kind, count), kind, count, ramp, position, velocity, scale);
+    if (power < PISTIL_POWER || shell.isHeld) return;
+    const inner = (ramp + 2) % STAR_COLORS.length;
+    this.#burst(this.#poolFor(kind, count), kind, count, inner, position, velocity, 0.5 * scale);
   }
 
   /** Lets the stars that ended in the last step become what their kind says. @param crackled told where */
   follow(crackled: (place: Place) => void): void {
+    this.#families.follow(this.#bear);
     for (let kind = 0; kind < SHELLS.length; kind++) {
       const { ends } = SHELLS[kind];
-      if (ends === undefined) continue;
-      const { count, states } = endings(this.emitters[kind]);
-      if (ends.until !== undefined && this.#world.time >= this.#until[kind]) continue;
-      // No more than fit into a step; the others just go out.
+      const pool = this.#pools[kind];
+      if (ends === undefined || pool === undefined) continue;
+      const { count, states } = endings(pool);
       for (let i = 0; i < Math.min(count, MOST_FOLLOWED); i++) {
-        const position = this.#place;
-        position.x = states[6 * i];
-        position.y = states[6 * i + 1];
-        position.z = states[6 * i + 2];
-        // The book's sparks turn green; crackling ones are silver.
-        this.#burst(
-          ends.kind,
-          position,
-          STILL,
-          ends.kind === kind ? GREEN : SILVER,
-          SHELLS[ends.kind].speed,
-          ends.count,
-        );
-        if (ends.kind !== kind) crackled(position);
+        const place = readPlace(states, i, this.#place);
+        this.#bear(this.#poolFor(ends.kind, ends.count), ends.kind, ends.count, ends.color, place);
+        crackled(place);
       }
     }
   }
 
+  #poolFor(kind: number, count: number): Emitter {
+    return this.#pools[kind] ?? this.#families.found(kind, count);
+  }
+
   #burst(
+    emitter: Emitter,
     kind: number,
+    count: number,
+    ramp: number,
     position: Place,
     velocity: Place,
-    ramp: number,
     scale: number,
-    count = SHELLS[kind].stars,
   ): void {
     const patterns = this.#patterns[kind];
     const order = this.#order;
@@ -129,13 +130,12 @@ export class StarPools {
     order.ramp = ramp;
     order.pattern = patterns[this.#random.integer(0, patterns.length - 1)];
     order.scale = scale;
-    burst(this.emitters[kind], count, order);
+    burst(emitter, count, order);
   }
 }
 
-const MOST_FOLLOWED = 60;
-const GREEN = 3;
-const SILVER = 6;
+/** All kinds that families have are of the same stars. */
+const FAMILY_KIND = SHELLS.find(({ family }) => family !== undefined) as ShellKind;
 
 export function rampsOf(colors: readonly number[]): number[][] {
   return colors.map((color) => colorRamp(color));
@@ -149,7 +149,7 @@ export const AIR_DENSITY = 1.2;
  * of air that lifts them; the inertia of the air they drag along is left out, which changes how soon they rise as fast.
  */
 function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
-  const { capacity, life, drag, size, turning, buoyancy, ends } = kind;
+  const { capacity, life, drag, size, turning, buoyancy, ends, family } = kind;
   const emitter = createEmitter(world, {
     ...{ capacity, lifetime: life, size, mass: STAR_MASS, quadraticDrag: drag * STAR_MASS, whenFull: 'oldest' },
     ...{
@@ -157,7 +157,7 @@ function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
       sizeFactor: [0.75, 1.2],
       shape: GLOW,
       color: rampsOf(STAR_RGB),
-      reportEndings: ends !== undefined,
+      reportEndings: ends !== undefined || family !== undefined,
     },
   });
   if (turning !== undefined) {
