@@ -5,8 +5,11 @@
 // its movable ends has. Bodies that cannot move are never written, so they conflict with nothing.
 import { columns } from '../columns';
 import { SpringTable } from '../forces/springs';
+import { LANES } from '../lanes';
+import { kindOf } from './lanes';
 import { COLOURS, ConstraintTable, putWord, tableAt, word } from './table';
 import { findThreads } from './threads';
+import { forgetSum } from './unchanged';
 
 // The state of a spring that has its row already.
 export const IN_CHAIN: u32 = 0xffffffff;
@@ -25,6 +28,7 @@ export const IN_CHAIN: u32 = 0xffffffff;
 // `lastId` the highest id.
 export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32 {
   const t = tableAt(table);
+  forgetSum(t);
   const links = linkCount(t);
   const bodies = <usize>(lastId + 1);
   memory.fill(t.degree, 0, bodies << 2);
@@ -47,6 +51,9 @@ export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32
   fillUp(t);
   t.coloursFirst = t.rowCount;
   colourRest(t, links, movable);
+  for (let row = t.coloursFirst; row < t.serialFirst; row += LANES) {
+    putWord(t.kinds, row / LANES, kindOf(t.a + ((<usize>row) << 2), t.b + ((<usize>row) << 2)));
+  }
   return word(t.chains, t.chainCount);
 }
 

@@ -47,11 +47,11 @@ export const triangles = changetype<Triangles>(memory.data(144, 16));
   return v128.or(v128.xor(v128.load(ids), expected), v128.xor(v128.load(lives), v128.load(now)));
 }
 
-// Reads LANES triangles from `face` on into `triangles`; those that lost a corner, and what is behind the last one, have
-// no extent. Returns whether each corner of them is a run.
-export function readTriangles(faces: usize, count: i32, face: i32, generations: usize): bool {
+// Reads LANES triangles from `face` on into `triangles`; those that lost a corner, and those from `end` on, have no
+// extent. Returns whether each corner of them is a run.
+export function readTriangles(faces: usize, count: i32, face: i32, end: i32, generations: usize): bool {
   if (
-    face + LANES > count ||
+    face + LANES > end ||
     v128.any_true(
       v128.or(
         strays(faces, count, face, 0, generations),
@@ -59,7 +59,7 @@ export function readTriangles(faces: usize, count: i32, face: i32, generations: 
       ),
     )
   ) {
-    for (let lane = 0; lane < LANES; lane++) readOne(faces, count, face + lane, generations, lane);
+    for (let lane = 0; lane < LANES; lane++) readOne(faces, count, face + lane, end, generations, lane);
     return false;
   }
   const c = columns();
@@ -87,10 +87,10 @@ export function readTriangles(faces: usize, count: i32, face: i32, generations: 
   return add(add(v128.load(column + a), v128.load(column + b)), v128.load(column + d));
 }
 
-function readOne(faces: usize, count: i32, face: i32, generations: usize, lane: i32): void {
+function readOne(faces: usize, count: i32, face: i32, end: i32, generations: usize, lane: i32): void {
   const c = columns();
   const to = changetype<usize>(triangles) + at(lane);
-  const isThere = face < count && isWhole(faces, count, face, 3, generations);
+  const isThere = face < end && isWhole(faces, count, face, 3, generations);
   const a = isThere ? corner(faces, count, face, 0) : 0;
   const b = isThere ? corner(faces, count, face, 1) : 0;
   const d = isThere ? corner(faces, count, face, 2) : 0;
@@ -126,8 +126,16 @@ export const CHUNK: i32 = 32 * LANES;
 }
 
 // Adds the forces of a chunk to each corner of its faces; a bit of `runs` is set where LANES faces have runs of corners.
-export function pushChunk(faces: usize, count: i32, first: i32, runs: u32, fx: usize, fy: usize, fz: usize): void {
-  const last = min<i32>(first + CHUNK, count);
+export function pushChunk(
+  faces: usize,
+  count: i32,
+  first: i32,
+  last: i32,
+  runs: u32,
+  fx: usize,
+  fy: usize,
+  fz: usize,
+): void {
   for (let k = 0; k < 3; k++) {
     let by = chunkOf(faces, count);
     let bits = runs;
@@ -137,7 +145,7 @@ export function pushChunk(faces: usize, count: i32, first: i32, runs: u32, fx: u
         push(fx + body, by);
         push(fy + body, by + at(CHUNK));
         push(fz + body, by + at(2 * CHUNK));
-      } else pushEach(faces, count, face, k, by, fx, fy, fz);
+      } else pushEach(faces, count, face, last, k, by, fx, fy, fz);
       by += 16;
       bits >>= 1;
     }
@@ -149,8 +157,18 @@ export function pushChunk(faces: usize, count: i32, first: i32, runs: u32, fx: u
   v128.store(force, add(v128.load(force), v128.load(by)));
 }
 
-function pushEach(faces: usize, count: i32, face: i32, k: i32, by: usize, fx: usize, fy: usize, fz: usize): void {
-  const lanes = min<i32>(LANES, count - face);
+function pushEach(
+  faces: usize,
+  count: i32,
+  face: i32,
+  last: i32,
+  k: i32,
+  by: usize,
+  fx: usize,
+  fy: usize,
+  fz: usize,
+): void {
+  const lanes = min<i32>(LANES, last - face);
   for (let lane = 0; lane < lanes; lane++) {
     const body = corner(faces, count, face + lane, k);
     put(fx, body, get(fx, body) + get(by, lane));

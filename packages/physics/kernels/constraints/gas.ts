@@ -68,13 +68,13 @@ export function inflateTriangles(
     let runs: u32 = 0;
     let place = to;
     for (let face = first, bit: u32 = 1; face < last; face += LANES, bit <<= 1) {
-      if (readTriangles(faces, count, face, generations)) runs |= bit;
+      if (readTriangles(faces, count, face, count, generations)) runs |= bit;
       v128.store(place, mul(sixth, sub(mul(t.by, t.dz), mul(t.bz, t.dy))));
       v128.store(place + at(CHUNK), mul(sixth, sub(mul(t.bz, t.dx), mul(t.bx, t.dz))));
       v128.store(place + at(2 * CHUNK), mul(sixth, sub(mul(t.bx, t.dy), mul(t.by, t.dx))));
       place += 16;
     }
-    pushChunk(faces, count, first, runs, fx, fy, fz);
+    pushChunk(faces, count, first, last, runs, fx, fy, fz);
   }
 }
 

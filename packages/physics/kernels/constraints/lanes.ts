@@ -27,6 +27,14 @@
   return !v128.any_true(strays);
 }
 
+// How the bodies of LANES rows stand: both ends follow each other, or are woven, or neither.
+export const RUNS: u32 = 1;
+export const WOVEN: u32 = 2;
+
+export function kindOf(a: usize, b: usize): u32 {
+  return isRun(a) && isRun(b) ? RUNS : isWoven(a, b) ? WOVEN : 0;
+}
+
 // The first halves of two vectors, and the second halves.
 // @ts-ignore: decorator
 @inline export function firsts(v: v128, w: v128): v128 {
@@ -36,20 +44,6 @@
 // @ts-ignore: decorator
 @inline export function seconds(v: v128, w: v128): v128 {
   return v128.shuffle<i64>(v, w, 1, 3);
-}
-
-// Whether LANES words here and there are the same.
-// @ts-ignore: decorator
-@inline export function areSame(words: usize, others: usize): bool {
-  if (sizeof<real>() == 8) return load<u64>(words) == load<u64>(others);
-  return i32x4.all_true(i32x4.eq(v128.load(words), v128.load(others)));
-}
-
-// The sign bit, where the word is not 0.
-// @ts-ignore: decorator
-@inline export function signs(words: usize): v128 {
-  if (sizeof<real>() == 8) return i64x2.shl(i64x2.ne(v128.load_ext<u32>(words), i64x2.splat(0)), 63);
-  return i32x4.shl(i32x4.ne(v128.load(words), i32x4.splat(0)), 31);
 }
 
 // @ts-ignore: decorator

@@ -1,9 +1,8 @@
-// What the rows take from the columns: once a step, because stiffness, length and mass may be changed in place.
+// What the rows take from the columns, whenever stiffness, length or mass was changed in place.
 import { columns, get, put } from '../columns';
 import { SpringTable } from '../forces/springs';
-import { LANES, at, splat } from '../lanes';
-import { areSame, isRun, isWoven, signs } from './lanes';
 import { ConstraintTable, RIGID, putWord, tableAt, useTable, word } from './table';
+import { areUnchanged, forgetSum } from './unchanged';
 
 // Stiffness and inverse masses of the row read last, and what follows from them: most rows of a network are alike.
 let stiffness: real = 0;
@@ -11,16 +10,25 @@ let inverseA: real = -1;
 let inverseB: real = -1;
 let gain: real = 0;
 let softness: real = 0;
+// For a row of a strand: sum of the inverse masses plus flexibility, and flexibility.
+let diagonal: real = 0;
+let flexibility: real = 0;
 let isRod: bool = false;
 let rods: i32 = 0;
 
-// Reads all springs for sub-steps of h seconds; 0 when one joins other bodies than its row says.
+// A k h^2 whose inverse is finite in f32.
+const LEAST_STIFFNESS: f64 = 1e-30;
+
+// Reads all springs for sub-steps of h seconds, unless they are what they were; 0 when one joins other bodies than its
+// row says.
 //
 // With w the sum of the inverse masses and s = k h^2, a row changes its tension by gain C - softness tension, where
-// gain = s / (s w + 1) and softness = 1 / (s w + 1). A rod's are 1 / w and 0.
+// gain = s / (s w + 1) and softness = 1 / (s w + 1). A rod's are 1 / w and 0. Rows of strands hold w + 1 / s and 1 / s
+// in their place, 0 and 0 where nothing pulls.
 export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   const t = tableAt(table);
   useTable(t);
+  if (areUnchanged(t, h)) return 1;
   const springs = changetype<SpringTable>(t.springs);
   const c = columns();
   for (let i = 0; i < t.nodeCount; i++) {
@@ -33,13 +41,10 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   rods = 0;
   t.damped = 0;
   t.breakable = 0;
-  for (let row = 0; row < t.rowCount; ) {
-    if (row >= t.coloursFirst && row < t.serialFirst && readRun(t, springs, row)) {
-      row += LANES;
-      continue;
-    }
-    if (!readRow(t, springs, row, h)) return 0;
-    row++;
+  for (let row = 0; row < t.rowCount; row++) {
+    if (readRow(t, springs, row, h)) continue;
+    forgetSum(t);
+    return 0;
   }
   const chained = word(t.chains, t.chainCount);
   t.rigid = i32(rods == chained && <u32>t.rowCount < chained + 4);
@@ -62,8 +67,9 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   const wa = get(t.inverse, a);
   const wb = get(t.inverse, b);
   if (wa != inverseA || wb != inverseB || k != stiffness) weigh(k, wa, wb, h);
-  put(t.gain, row, gain);
-  put(t.softness, row, softness);
+  const isInStrand = <u32>row >= word(t.strands, 0) && <u32>row < word(t.strands, t.strandCount);
+  put(t.gain, row, isInStrand ? diagonal : gain);
+  put(t.softness, row, isInStrand ? flexibility : softness);
   if (isRod) rods++;
   else if (get(springs.damping, spring) > 0) t.damped++;
   if (get(t.breakForce, spring) > 0) t.breakable++;
@@ -80,35 +86,9 @@ function weigh(k: real, wa: real, wb: real, h: f64): void {
   const per: f64 = w > 0 ? 1 / (isRod ? w : s * w + 1) : 0;
   gain = <real>(isRod ? per : s * per);
   softness = isRod ? 0 : <real>per;
-}
-
-// LANES rows at once, where springs and bodies follow each other, all are like the row read last, and none is damped or
-// breaks. False, and nothing is read, where that is not so.
-// @ts-ignore: decorator
-@inline function readRun(t: ConstraintTable, springs: SpringTable, row: i32): bool {
-  const words = (<usize>row) << 2;
-  const woven = isWoven(t.a + words, t.b + words);
-  if (!isRun(t.source + words) || !(woven || (isRun(t.a + words) && isRun(t.b + words)))) return false;
-  const spring = word(t.source, row);
-  const ids = (<usize>spring) << 2;
-  if (spring == 0 || !areSame(springs.a + ids, t.a + words) || !areSame(springs.b + ids, t.b + words)) return false;
-  const o = at(spring);
-  const others = v128.or(
-    v128.or(
-      v128.ne<real>(v128.load(springs.stiffness + o), splat(stiffness)),
-      v128.or(v128.load(springs.damping + o), v128.load(t.breakForce + o)),
-    ),
-    v128.or(
-      v128.ne<real>(v128.load(t.inverse + at(word(t.a, row))), splat(inverseA)),
-      v128.ne<real>(v128.load(t.inverse + at(word(t.b, row) + (woven ? 4 : 0))), splat(inverseB)),
-    ),
-  );
-  if (v128.any_true(others) || (woven && inverseA != inverseB)) return false;
-  v128.store(t.length + at(row), v128.xor(v128.load(springs.length + o), signs(springs.cord + ids)));
-  v128.store(t.gain + at(row), splat(gain));
-  v128.store(t.softness + at(row), splat(softness));
-  if (isRod) rods += LANES;
-  return true;
+  const pulls = w > 0 && s > LEAST_STIFFNESS;
+  flexibility = isRod || !pulls ? 0 : <real>(1 / s);
+  diagonal = pulls ? <real>(isRod ? w : w + 1 / s) : 0;
 }
 
 // Lists the springs pulled harder than they bear; `h` is the sub-step the tensions belong to.

@@ -17,7 +17,7 @@
 // Sources: Han, Harada: Tridiagonal matrix formulation for inextensible hair strand simulation (VRIPHYS 2013); for why a
 // pull must turn: Tournier et al.: Stable constrained dynamics (SIGGRAPH 2015). Cost: three divisions and a square root
 // a row, twice that for a taut one.
-import { LANES, add, at, div, mul, splat, sub } from '../lanes';
+import { LANES, add, at, div, dot, mul, splat, sub } from '../lanes';
 import { cords, drop, isRun, pick } from './lanes';
 import { ConstraintTable, LAYERS, stride, word } from './table';
 
@@ -33,6 +33,8 @@ class Knot {
   ry: v128;
   rz: v128;
   d: v128;
+  // 1 / d.
+  per: v128;
   // e, and natural length plus e times tension.
   flexibility: v128;
   rest: v128;
@@ -43,7 +45,7 @@ class Knot {
   pull: v128;
 }
 
-const KNOT: usize = 208;
+const KNOT: usize = 224;
 
 // A pull by which a thread counts as taut: D w over its length; at 2/3 it would be unstable along n.
 const TAUT: real = 0.5;
@@ -53,9 +55,28 @@ const ALL = i32x4.splat(-1);
 const NEAR: real = 1e-30;
 const NEAR_ROOT: real = 1e-15;
 
+// Of twice its length: an error of one in a thousand.
+const ROUGH: real = 2e-3;
+
 // @ts-ignore: decorator
-@inline function knotAt(t: ConstraintTable, index: i32): Knot {
-  return changetype<Knot>(t.work + <usize>index * KNOT);
+@inline function firstKnot(t: ConstraintTable): Knot {
+  return changetype<Knot>(t.work + KNOT);
+}
+
+// That of the last bodies, which no row follows.
+// @ts-ignore: decorator
+@inline function lastKnot(t: ConstraintTable, first: i32, last: i32): Knot {
+  return changetype<Knot>(t.work + <usize>((last - first) / LANES + 1) * KNOT);
+}
+
+// @ts-ignore: decorator
+@inline function after(knot: Knot): Knot {
+  return changetype<Knot>(changetype<usize>(knot) + KNOT);
+}
+
+// @ts-ignore: decorator
+@inline function before(knot: Knot): Knot {
+  return changetype<Knot>(changetype<usize>(knot) - KNOT);
 }
 
 // Solves each strand, layer by layer: what pulls hardest first. What comes later moves the nodes across it, which changes
@@ -67,89 +88,82 @@ export function solveStrands(t: ConstraintTable): void {
     for (let strand = <i32>word(t.layers, layer); strand < end; strand++) {
       const first = <i32>word(t.strands, strand);
       const last = <i32>word(t.strands, strand + 1);
-      const taut = solve(t, first, last, ALL);
-      // Turning changes lengths by second order: once more for that.
-      if (v128.any_true(taut)) solve(t, first, last, taut);
+      const rough = solve(t, first, last, ALL);
+      // Turning changes lengths by second order: once more where that is much.
+      if (v128.any_true(rough)) solve(t, first, last, rough);
     }
   }
 }
 
-// Solves those threads of a strand whose lanes are set. Returns which of them were taut, and turned.
+// Solves those threads of a strand whose lanes are set. Returns which of them turned so far that their lengths are rough.
 function solve(t: ConstraintTable, first: i32, last: i32, who: v128): v128 {
   eliminate(t, first, last);
   const taut = substitute(t, first, last, who);
-  if (v128.any_true(taut)) turn(t, first, last, taut);
-  else shift(t, first, last);
+  if (v128.any_true(taut)) return turn(t, first, last, taut);
+  shift(t, first, last);
   return taut;
 }
 
 // Reads a body of each thread.
 // @ts-ignore: decorator
-@inline function gather(t: ConstraintTable, column: usize, row: i32, knot: Knot): void {
-  const ids = column + ((<usize>row) << 2);
-  const X = t.packed;
+@inline function gather(packed: usize, next: usize, ids: usize, knot: Knot): void {
   if (isRun(ids)) {
-    const p = X + at(load<u32>(ids));
+    const p = packed + at(load<u32>(ids));
     knot.x = v128.load(p);
-    knot.y = v128.load(p + stride);
-    knot.z = v128.load(p + stride * 2);
-    knot.inverse = v128.load(p + stride * 3);
+    knot.y = v128.load(p + next);
+    knot.z = v128.load(p + next * 2);
+    knot.inverse = v128.load(p + next * 3);
     return;
   }
-  knot.x = pick(X, ids);
-  knot.y = pick(X + stride, ids);
-  knot.z = pick(X + stride * 2, ids);
-  knot.inverse = pick(X + stride * 3, ids);
+  knot.x = pick(packed, ids);
+  knot.y = pick(packed + next, ids);
+  knot.z = pick(packed + next * 2, ids);
+  knot.inverse = pick(packed + next * 3, ids);
 }
 
-// Writes a body of each thread, moved by s.
+// Writes a body of each thread.
 // @ts-ignore: decorator
-@inline function scatter(
-  t: ConstraintTable,
-  column: usize,
-  row: i32,
-  knot: Knot,
-  sx: v128,
-  sy: v128,
-  sz: v128,
-): void {
-  const ids = column + ((<usize>row) << 2);
-  const x = add(knot.x, sx);
-  const y = add(knot.y, sy);
-  const z = add(knot.z, sz);
-  const X = t.packed;
+@inline function scatter(packed: usize, next: usize, ids: usize, x: v128, y: v128, z: v128): void {
   if (isRun(ids)) {
-    const p = X + at(load<u32>(ids));
+    const p = packed + at(load<u32>(ids));
     v128.store(p, x);
-    v128.store(p + stride, y);
-    v128.store(p + stride * 2, z);
+    v128.store(p + next, y);
+    v128.store(p + next * 2, z);
     return;
   }
-  drop(X, ids, x);
-  drop(X + stride, ids, y);
-  drop(X + stride * 2, ids, z);
+  drop(packed, ids, x);
+  drop(packed + next, ids, y);
+  drop(packed + next * 2, ids, z);
 }
 
 // From the first row to the last.
 function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   const zero = splat(0);
   const one = splat(1);
-  let index = 0;
-  let knot = knotAt(t, 0);
-  gather(t, t.a, first, knot);
+  const packed = t.packed;
+  const next = stride;
+  const diagonals = t.gain;
+  const flexibilities = t.softness;
+  const lengths = t.length;
+  const tensions = t.tension;
+  const end = at(last);
+  let ids = t.b + ((<usize>first) << 2);
+  let knot = firstKnot(t);
+  gather(packed, next, t.a + ((<usize>first) << 2), knot);
   let nx = zero;
   let ny = zero;
   let nz = zero;
   let pivotBefore = zero;
   let knownBefore = zero;
   let activeBefore = zero;
-  for (let row = first; row < last; row += LANES) {
-    const next = knotAt(t, ++index);
-    gather(t, t.b, row, next);
-    let rx = sub(next.x, knot.x);
-    let ry = sub(next.y, knot.y);
-    let rz = sub(next.z, knot.z);
-    let square = add(add(mul(rx, rx), mul(ry, ry)), mul(rz, rz));
+  for (let o = at(first); o < end; o += 16) {
+    const below = after(knot);
+    gather(packed, next, ids, below);
+    ids += LANES << 2;
+    let rx = sub(below.x, knot.x);
+    let ry = sub(below.y, knot.y);
+    let rz = sub(below.z, knot.z);
+    let square = dot(rx, ry, rz, rx, ry, rz);
     const near = v128.lt<real>(square, splat(NEAR));
     if (v128.any_true(near)) {
       rx = v128.bitselect(splat(NEAR_ROOT), rx, near);
@@ -162,19 +176,20 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     const mx = mul(rx, per);
     const my = mul(ry, per);
     const mz = mul(rz, per);
-    const gain = v128.load(t.gain + at(row));
-    const length = v128.load(t.length + at(row));
-    const tension = v128.load(t.tension + at(row));
-    const weighs = v128.gt<real>(gain, zero);
-    const diagonal = v128.bitselect(div(one, gain), one, weighs);
-    const flexibility = mul(v128.load(t.softness + at(row)), diagonal);
+    const length = v128.load(lengths + o);
+    const tension = v128.load(tensions + o);
+    const stored = v128.load(diagonals + o);
+    const weighs = v128.gt<real>(stored, zero);
+    const diagonal = v128.bitselect(stored, one, weighs);
+    const flexibility = v128.load(flexibilities + o);
     const rest = add(v128.abs<real>(length), mul(flexibility, tension));
     const error = sub(d, rest);
     const loose = v128.and(v128.le<real>(error, zero), v128.le<real>(tension, zero));
     const active = v128.andnot(weighs, v128.and(loose, cords(length)));
-    const cosine = add(add(mul(mx, nx), mul(my, ny)), mul(mz, nz));
+    const cosine = dot(mx, my, mz, nx, ny, nz);
     const lower = v128.and(mul(knot.inverse, cosine), v128.and(active, activeBefore));
-    if (row > first) knotAt(t, index - 2).upper = mul(lower, pivotBefore);
+    // Before the first row this writes where nobody reads.
+    before(knot).upper = mul(lower, pivotBefore);
     // What each row waits for: the square first, so that the pivot before it comes in as late as can be.
     const taken = mul(mul(lower, lower), pivotBefore);
     const pivot = v128.max<real>(sub(diagonal, taken), mul(splat(LEAST_PIVOT), diagonal));
@@ -185,6 +200,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     knot.ry = ry;
     knot.rz = rz;
     knot.d = d;
+    knot.per = per;
     knot.flexibility = flexibility;
     knot.rest = rest;
     knot.upper = zero;
@@ -192,29 +208,33 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     nx = mx;
     ny = my;
     nz = mz;
-    knot = next;
+    knot = below;
   }
 }
 
 // From the last row to the first: finds the impulses. Returns which threads are taut.
 function substitute(t: ConstraintTable, first: i32, last: i32, who: v128): v128 {
   const free = splat(<real>-3e38);
-  let index = (last - first) / LANES;
-  let below = knotAt(t, index).inverse;
+  const lengths = t.length;
+  const tensions = t.tension;
+  let knot = lastKnot(t, first, last);
+  let below = knot.inverse;
   let next = splat(0);
   let taut = splat(0);
-  for (let row = last - LANES; row >= first; row -= LANES) {
-    const knot = knotAt(t, --index);
+  for (let o = at(last); o > at(first); ) {
+    o -= 16;
+    knot = before(knot);
     next = add(knot.known, mul(knot.upper, next));
-    const tension = v128.load(t.tension + at(row));
-    const least = v128.andnot(free, cords(v128.load(t.length + at(row))));
+    const tension = v128.load(tensions + o);
+    const least = v128.andnot(free, cords(v128.load(lengths + o)));
     const total = v128.bitselect(v128.max<real>(add(tension, next), least), tension, who);
-    v128.store(t.tension + at(row), total);
+    v128.store(tensions + o, total);
     const by = sub(total, tension);
-    knot.pull = div(by, knot.d);
-    knot.rest = add(knot.rest, mul(knot.flexibility, by));
+    const rest = add(knot.rest, mul(knot.flexibility, by));
+    knot.pull = mul(by, knot.per);
+    knot.rest = rest;
     const across = mul(by, add(knot.inverse, below));
-    taut = v128.or(taut, v128.gt<real>(across, mul(splat(TAUT), knot.rest)));
+    taut = v128.or(taut, v128.gt<real>(across, mul(splat(TAUT), rest)));
     below = knot.inverse;
   }
   return taut;
@@ -222,31 +242,38 @@ function substitute(t: ConstraintTable, first: i32, last: i32, who: v128): v128 
 
 // Moves the bodies by impulses along n.
 function shift(t: ConstraintTable, first: i32, last: i32): void {
+  const packed = t.packed;
+  const next = stride;
+  let ids = t.a + ((<usize>first) << 2);
   let fx = splat(0);
   let fy = splat(0);
   let fz = splat(0);
-  let index = 0;
+  let knot = firstKnot(t);
   for (let row = first; row < last; row += LANES) {
-    const knot = knotAt(t, index++);
     const w = knot.inverse;
     const x = mul(knot.pull, knot.rx);
     const y = mul(knot.pull, knot.ry);
     const z = mul(knot.pull, knot.rz);
-    scatter(t, t.a, row, knot, mul(w, sub(x, fx)), mul(w, sub(y, fy)), mul(w, sub(z, fz)));
+    const sx = add(knot.x, mul(w, sub(x, fx)));
+    const sy = add(knot.y, mul(w, sub(y, fy)));
+    const sz = add(knot.z, mul(w, sub(z, fz)));
+    scatter(packed, next, ids, sx, sy, sz);
+    ids += LANES << 2;
     fx = x;
     fy = y;
     fz = z;
+    knot = after(knot);
   }
-  const knot = knotAt(t, index);
-  const w = v128.neg<real>(knot.inverse);
-  scatter(t, t.b, last - LANES, knot, mul(w, fx), mul(w, fy), mul(w, fz));
+  const w = knot.inverse;
+  const end = t.b + ((<usize>(last - LANES)) << 2);
+  scatter(packed, next, end, sub(knot.x, mul(w, fx)), sub(knot.y, mul(w, fy)), sub(knot.z, mul(w, fz)));
 }
 
-// Moves the bodies by impulses that turn with them, where threads are taut. From the first body to the last, and back.
-function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): void {
+// Moves the bodies by impulses that turn with them, where threads are taut. Returns the taut ones whose lengths are rough.
+function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): v128 {
   const zero = splat(0);
   const one = splat(1);
-  const count = (last - first) / LANES;
+  let knot = firstKnot(t);
   let fx = zero;
   let fy = zero;
   let fz = zero;
@@ -255,22 +282,15 @@ function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): void {
   let sz = zero;
   let above = zero;
   let share = zero;
-  for (let index = 0; index <= count; index++) {
-    const knot = knotAt(t, index);
+  for (let row = first; row < last; row += LANES) {
     const w = knot.inverse;
-    let g = zero;
-    let x = zero;
-    let y = zero;
-    let z = zero;
-    if (index < count) {
-      const pulls = v128.and(taut, v128.gt<real>(knot.pull, zero));
-      const end = v128.max<real>(knot.rest, mul(knot.d, splat(<real>0.001)));
-      g = v128.and(div(mul(knot.pull, knot.d), end), pulls);
-      const pull = v128.bitselect(g, knot.pull, pulls);
-      x = mul(pull, knot.rx);
-      y = mul(pull, knot.ry);
-      z = mul(pull, knot.rz);
-    }
+    const pulls = v128.and(taut, v128.gt<real>(knot.pull, zero));
+    const end = v128.max<real>(knot.rest, mul(knot.d, splat(<real>0.001)));
+    const g = v128.and(div(mul(knot.pull, knot.d), end), pulls);
+    const pull = v128.bitselect(g, knot.pull, pulls);
+    const x = mul(pull, knot.rx);
+    const y = mul(pull, knot.ry);
+    const z = mul(pull, knot.rz);
     const from = mul(w, above);
     const per = div(one, sub(add(add(one, from), mul(w, g)), mul(from, share)));
     sx = mul(add(mul(w, sub(x, fx)), mul(from, sx)), per);
@@ -285,13 +305,51 @@ function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): void {
     knot.rx = sx;
     knot.ry = sy;
     knot.rz = sz;
+    knot = after(knot);
   }
-  scatter(t, t.b, last - LANES, knotAt(t, count), sx, sy, sz);
-  for (let index = count - 1; index >= 0; index--) {
-    const knot = knotAt(t, index);
+  const from = mul(knot.inverse, above);
+  const per = div(one, sub(add(one, from), mul(from, share)));
+  sx = mul(sub(mul(from, sx), mul(knot.inverse, fx)), per);
+  sy = mul(sub(mul(from, sy), mul(knot.inverse, fy)), per);
+  sz = mul(sub(mul(from, sz), mul(knot.inverse, fz)), per);
+  return v128.and(turnBack(t, first, last, sx, sy, sz), taut);
+}
+
+// From the last body, which is moved by s, to the first.
+// @ts-ignore: decorator
+@inline function turnBack(t: ConstraintTable, first: i32, last: i32, endX: v128, endY: v128, endZ: v128): v128 {
+  const packed = t.packed;
+  const next = stride;
+  let knot = lastKnot(t, first, last);
+  let sx = endX;
+  let sy = endY;
+  let sz = endZ;
+  let x = add(knot.x, sx);
+  let y = add(knot.y, sy);
+  let z = add(knot.z, sz);
+  scatter(packed, next, t.b + ((<usize>(last - LANES)) << 2), x, y, z);
+  let rough = splat(0);
+  let ids = t.a + ((<usize>last) << 2);
+  for (let row = last - LANES; row >= first; row -= LANES) {
+    knot = before(knot);
+    ids -= LANES << 2;
     sx = add(knot.rx, mul(knot.upper, sx));
     sy = add(knot.ry, mul(knot.upper, sy));
     sz = add(knot.rz, mul(knot.upper, sz));
-    scatter(t, t.a, first + LANES * index, knot, sx, sy, sz);
+    const toX = add(knot.x, sx);
+    const toY = add(knot.y, sy);
+    const toZ = add(knot.z, sz);
+    scatter(packed, next, ids, toX, toY, toZ);
+    const rx = sub(x, toX);
+    const ry = sub(y, toY);
+    const rz = sub(z, toZ);
+    const wanted = mul(knot.rest, knot.rest);
+    const error = v128.abs<real>(sub(dot(rx, ry, rz, rx, ry, rz), wanted));
+    const isRough = v128.gt<real>(error, mul(splat(ROUGH), wanted));
+    rough = v128.or(rough, v128.and(isRough, v128.ne<real>(knot.pull, splat(0))));
+    x = toX;
+    y = toY;
+    z = toZ;
   }
+  return rough;
 }

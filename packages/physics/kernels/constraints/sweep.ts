@@ -6,8 +6,8 @@
 //
 // A cord's tension is never below zero. Ends closer than 1e-15 m have no direction between them: x is taken.
 import { get, put } from '../columns';
-import { LANES, add, at, div, mul, splat, sub } from '../lanes';
-import { cords, drop, firsts, isRun, isWoven, pick, seconds } from './lanes';
+import { LANES, add, at, div, dot, mul, splat, sub } from '../lanes';
+import { RUNS, WOVEN, cords, drop, firsts, pick, seconds } from './lanes';
 import { orderLayers } from './layers';
 import { solveStrands } from './strands';
 import { ConstraintTable, isCord, packedAt, part, putPart, stride, tableAt, word } from './table';
@@ -20,9 +20,11 @@ export function sweepConstraints(table: usize, sweeps: i32): void {
   const t = tableAt(table);
   const first = t.coloursFirst;
   orderLayers(t);
-  clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, t.rowCount);
+  clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, first);
+  clear(t, t.serialFirst, t.rowCount);
   for (let s = 0; s < sweeps; s++) {
-    solveLanes(t, first, t.serialFirst);
+    if (s == 0) solveLanes(t, first, t.serialFirst, true);
+    else solveLanes(t, first, t.serialFirst, false);
     for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
     solveStrands(t);
   }
@@ -77,22 +79,32 @@ function pull(t: ConstraintTable, row: i32, by: real): void {
 const PLACE: usize = memory.data(128, 16);
 
 // Rows of a multiple of LANES. Where the bodies of LANES rows follow each other, as in a cloth, they are vectors as they
-// stand.
-function solveLanes(t: ConstraintTable, first: i32, last: i32): void {
+// stand. A fresh row's tension is zero, whatever is stored.
+// @ts-ignore: decorator
+@inline function solveLanes(t: ConstraintTable, first: i32, last: i32, fresh: bool): void {
   const free = splat(<real>-3e38);
+  const packed = t.packed;
+  const apart = stride;
+  const lengths = t.length;
+  const gains = t.gain;
+  const softnesses = t.softness;
+  const tensions = t.tension;
+  const as = t.a;
+  const bs = t.b;
+  const kinds = t.kinds;
   for (let row = first; row < last; row += LANES) {
     const o = at(row);
-    const a = t.a + ((<usize>row) << 2);
-    const b = t.b + ((<usize>row) << 2);
-    const isRuns = isRun(a) && isRun(b);
+    const a = as + ((<usize>row) << 2);
+    const b = bs + ((<usize>row) << 2);
+    const kind = word(kinds, row / LANES);
     let p = PLACE;
     let q = PLACE + 64;
     let next = <usize>16;
-    if (isRuns) {
-      p = packedAt(t, load<u32>(a));
-      q = packedAt(t, load<u32>(b));
-      next = stride;
-    } else bring(t, a, b);
+    if (kind == RUNS) {
+      p = packed + at(load<u32>(a));
+      q = packed + at(load<u32>(b));
+      next = apart;
+    } else bring(packed, apart, a, b, kind);
     const xa = v128.load(p);
     const ya = v128.load(p + next);
     const za = v128.load(p + next * 2);
@@ -102,38 +114,45 @@ function solveLanes(t: ConstraintTable, first: i32, last: i32): void {
     const x = sub(xb, xa);
     const y = sub(yb, ya);
     const z = sub(zb, za);
-    const square = add(add(mul(x, x), mul(y, y)), mul(z, z));
+    const square = dot(x, y, z, x, y, z);
+    const d = v128.sqrt<real>(square);
+    const length = v128.load(lengths + o);
+    const least = v128.andnot(free, cords(length));
+    const drawn = mul(v128.load(gains + o), sub(d, v128.abs<real>(length)));
+    const tension = fresh ? splat(0) : v128.load(tensions + o);
+    const kept = fresh ? drawn : add(sub(tension, mul(v128.load(softnesses + o), tension)), drawn);
     if (v128.any_true(v128.lt<real>(square, splat(<real>NEAR)))) {
+      if (fresh) v128.store(tensions + o, splat(0));
       for (let i = row; i < row + LANES; i++) solveRow(t, i);
       continue;
     }
-    const d = v128.sqrt<real>(square);
-    const tension = v128.load(t.tension + o);
-    const length = v128.load(t.length + o);
-    const least = v128.andnot(free, cords(length));
-    const drawn = mul(v128.load(t.gain + o), sub(d, v128.abs<real>(length)));
-    const kept = sub(tension, mul(v128.load(t.softness + o), tension));
-    const total = v128.max<real>(add(kept, drawn), least);
-    v128.store(t.tension + o, total);
-    const scale = div(sub(total, tension), d);
+    const total = v128.max<real>(kept, least);
+    v128.store(tensions + o, total);
+    const scale = div(fresh ? total : sub(total, tension), d);
     const wa = mul(v128.load(p + next * 3), scale);
     const wb = mul(v128.load(q + next * 3), scale);
-    v128.store(p, add(xa, mul(wa, x)));
-    v128.store(p + next, add(ya, mul(wa, y)));
-    v128.store(p + next * 2, add(za, mul(wa, z)));
-    v128.store(q, sub(xb, mul(wb, x)));
-    v128.store(q + next, sub(yb, mul(wb, y)));
-    v128.store(q + next * 2, sub(zb, mul(wb, z)));
-    if (!isRuns) takeBack(t, a, b);
+    const toXa = add(xa, mul(wa, x));
+    const toYa = add(ya, mul(wa, y));
+    const toZa = add(za, mul(wa, z));
+    const toXb = sub(xb, mul(wb, x));
+    const toYb = sub(yb, mul(wb, y));
+    const toZb = sub(zb, mul(wb, z));
+    v128.store(p, toXa);
+    v128.store(p + next, toYa);
+    v128.store(p + next * 2, toZa);
+    v128.store(q, toXb);
+    v128.store(q + next, toYb);
+    v128.store(q + next * 2, toZb);
+    if (kind != RUNS) takeBack(packed, apart, a, b, kind);
   }
 }
 
-function bring(t: ConstraintTable, a: usize, b: usize): void {
-  let column = t.packed;
-  const woven = isWoven(a, b);
+// @ts-ignore: decorator
+@inline function bring(packed: usize, apart: usize, a: usize, b: usize, kind: u32): void {
+  let column = packed;
   const first = at(load<u32>(a));
   for (let i: usize = 0; i < 64; i += 16) {
-    if (woven) {
+    if (kind == WOVEN) {
       const v = v128.load(column + first);
       const w = v128.load(column + first, 16);
       v128.store(PLACE + i, firsts(v, w));
@@ -142,24 +161,24 @@ function bring(t: ConstraintTable, a: usize, b: usize): void {
       v128.store(PLACE + i, pick(column, a));
       v128.store(PLACE + i, pick(column, b), 64);
     }
-    column += stride;
+    column += apart;
   }
 }
 
-function takeBack(t: ConstraintTable, a: usize, b: usize): void {
-  let column = t.packed;
-  const woven = isWoven(a, b);
+// @ts-ignore: decorator
+@inline function takeBack(packed: usize, apart: usize, a: usize, b: usize, kind: u32): void {
+  let column = packed;
   const first = at(load<u32>(a));
   for (let i: usize = 0; i < 48; i += 16) {
     const v = v128.load(PLACE + i);
     const w = v128.load(PLACE + i, 64);
-    if (woven) {
+    if (kind == WOVEN) {
       v128.store(column + first, firsts(v, w));
       v128.store(column + first, seconds(v, w), 16);
     } else {
       drop(column, a, v);
       drop(column, b, w);
     }
-    column += stride;
+    column += apart;
   }
 }

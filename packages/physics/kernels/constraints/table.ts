@@ -30,6 +30,8 @@ export class ConstraintTable {
   gain: usize;
   softness: usize;
   tension: usize;
+  // Per LANES rows: how their bodies stand, lanes.ts.
+  kinds: usize;
   // First row of each chain, of each strand, and, after the last, the end of all; where each colour ends.
   chains: usize;
   strands: usize;
@@ -39,6 +41,8 @@ export class ConstraintTable {
   layers: usize;
   // What solving keeps of a chain or a strand.
   work: usize;
+  // What unchanged.ts knows of the springs.
+  sum: usize;
   // Ids of springs pulled beyond their limit.
   broken: usize;
   nodeCount: i32;

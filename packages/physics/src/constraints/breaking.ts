@@ -7,7 +7,7 @@ import { despawn } from '../bodies/spawn';
 import { scanSprings } from '../forces/spring-table';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
-import { type ConstraintTable, constraintTable, makeRows, wordOf } from './constraint-table';
+import { type ConstraintTable, constraintTable, makeRows, Word } from './constraint-table';
 import { constraintKernels } from './kernels';
 
 /** What broke. */
@@ -33,7 +33,7 @@ export function breakSprings(world: PhysicsWorld): void {
   const table = constraintTable(world);
   const count = findBroken(world, table);
   if (count === 0) return;
-  const ids = new Uint32Array(world.memory.buffer, wordOf(table, 'broken'), count).slice().sort();
+  const ids = new Uint32Array(world.memory.buffer, table.words[Word.broken], count).slice().sort();
   for (const id of ids) {
     despawn(world, id);
     broken.ids.push(id);
@@ -44,7 +44,7 @@ export function breakSprings(world: PhysicsWorld): void {
 function findBroken(world: PhysicsWorld, table: ConstraintTable): number {
   const kernels = constraintKernels(world);
   if (world.integrator.solvesSprings === true) {
-    return wordOf(table, 'breakable') > 0 ? kernels.findBroken(table.at, table.substep) : 0;
+    return table.words[Word.breakable] > 0 ? kernels.findBroken(table.at, table.substep) : 0;
   }
   makeRows(world, table);
   scanSprings(world);

@@ -8,26 +8,48 @@ import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 import { constraintKernels } from './kernels';
 
-const WORDS = [
-  ...['springs', 'breakForce'],
-  ...['nodes', 'packed', 'stride', 'inverse', 'masks', 'degree', 'joined'],
-  ...['state', 'source', 'a', 'b', 'length', 'gain', 'softness', 'tension'],
-  ...['chains', 'strands', 'colours', 'layers', 'work', 'broken'],
-  ...[
-    'nodeCount',
-    'looseCount',
-    'chainCount',
-    'strandCount',
-    'layerCount',
-    'longest',
-    'rigid',
-    'coloursFirst',
-    'serialFirst',
-    'rowCount',
-    'damped',
-    'breakable',
-  ],
-] as const;
+/** Where the fields stand; a bundle has the numbers alone. */
+export enum Word {
+  springs,
+  breakForce,
+  nodes,
+  packed,
+  stride,
+  inverse,
+  masks,
+  degree,
+  joined,
+  state,
+  source,
+  a,
+  b,
+  length,
+  gain,
+  softness,
+  tension,
+  kinds,
+  chains,
+  strands,
+  colours,
+  layers,
+  work,
+  sum,
+  broken,
+  nodeCount,
+  looseCount,
+  chainCount,
+  strandCount,
+  layerCount,
+  longest,
+  rigid,
+  coloursFirst,
+  serialFirst,
+  rowCount,
+  damped,
+  breakable,
+  /** How many there are. */
+  count,
+}
 
 /** Rows that only fill up: at most three for each of 64 colours, three behind chains, three behind strands. */
 const FILLING = 256;
@@ -54,37 +76,31 @@ export interface ConstraintTable {
   substep: number;
 }
 
-/** A counter or an address of the table. */
-export function wordOf({ words }: ConstraintTable, name: (typeof WORDS)[number]): number {
-  return words[WORDS.indexOf(name)];
-}
-
-function put({ words }: ConstraintTable, name: string, value: number): void {
-  words[(WORDS as readonly string[]).indexOf(name)] = value;
-}
-
 /** @throws PhysicsError E_CAPACITY */
 export const constraintTable = resource((world): ConstraintTable => {
   const { arena } = world.internal;
-  const at = allocate(arena, 4 * WORDS.length, 'constraints');
-  const words = new Uint32Array(arena.memory.buffer, at, WORDS.length);
+  const at = allocate(arena, 4 * Word.count, 'constraints');
+  const words = new Uint32Array(arena.memory.buffer, at, Word.count);
   const table = { at, words, room: 0, workRoom: 0, version: -1, substep: 0 };
   const { rows } = world;
   const real = realBytes(world.precision);
-  const take = (name: string, bytes: number) => put(table, name, allocate(arena, bytes, 'constraints'));
-  put(table, 'springs', springTable(world).at);
-  put(table, 'breakForce', world.addresses.Spring.breakForce);
-  take('nodes', 4 * rows);
+  const take = (word: Word, bytes: number) => {
+    words[word] = allocate(arena, bytes, 'constraints');
+  };
+  words[Word.springs] = springTable(world).at;
+  words[Word.breakForce] = world.addresses.Spring.breakForce;
+  take(Word.nodes, 4 * rows);
   // Not a multiple of 4096 apart, or the four columns would evict each other from the cache.
   const stride = real * rows + 320;
-  take('packed', 4 * stride);
-  put(table, 'stride', stride);
-  take('inverse', real * rows);
-  take('masks', 8 * rows);
-  take('degree', 4 * rows);
-  take('joined', 8 * rows);
-  take('colours', 4 * 65);
-  take('layers', (4 + 4 + real) * LAYERS);
+  take(Word.packed, 4 * stride);
+  words[Word.stride] = stride;
+  take(Word.inverse, real * rows);
+  take(Word.masks, 8 * rows);
+  take(Word.degree, 4 * rows);
+  take(Word.joined, 8 * rows);
+  take(Word.colours, 4 * 65);
+  take(Word.sum, 64);
+  take(Word.layers, (4 + 4 + real) * LAYERS);
   return table;
 });
 
@@ -114,23 +130,25 @@ export function makeRows(world: PhysicsWorld, table: ConstraintTable): void {
   const room = Math.min(world.rows, Math.max(64, Math.ceil(1.5 * counts.Spring)));
   const rows = Math.ceil(room * (1 + SPARE)) + FILLING;
   const real = realBytes(world.precision);
-  const take = (name: string, bytes: number) =>
-    put(table, name, allocate(arena, bytes, `${counts.Spring} springs as constraints`));
-  for (const name of ['state', 'source', 'a', 'b', 'chains', 'strands', 'broken']) take(name, 4 * (rows + 1));
-  for (const name of ['length', 'gain', 'softness', 'tension']) take(name, real * rows);
+  const take = (word: Word, bytes: number) => {
+    table.words[word] = allocate(arena, bytes, `${counts.Spring} springs as constraints`);
+  };
+  for (const word of [Word.state, Word.source, Word.a, Word.b, Word.chains, Word.strands, Word.broken, Word.kinds])
+    take(word, 4 * (rows + 1));
+  for (const word of [Word.length, Word.gain, Word.softness, Word.tension]) take(word, real * rows);
   table.room = room;
 }
 
 /** What is kept of a body of a chain (kernels/constraints/taut-chain.ts), and of one of each thread of a strand. */
 const CHAIN_BYTES = 232;
-const STRAND_BYTES = 208;
+const STRAND_BYTES = 224;
 
 /** Room to solve chains of so many rows in all, or the longest strand. @throws PhysicsError E_CAPACITY */
 function makeWork(world: PhysicsWorld, table: ConstraintTable, chained: number): void {
-  const longest = wordOf(table, 'longest');
-  const bytes = Math.max(chained && CHAIN_BYTES * (chained + 1), longest && STRAND_BYTES * (longest + 1));
+  const longest = table.words[Word.longest];
+  const bytes = Math.max(chained && CHAIN_BYTES * (chained + 1), longest && STRAND_BYTES * (longest + 2));
   if (bytes <= table.workRoom) return;
   const room = Math.ceil(1.5 * bytes);
-  put(table, 'work', allocate(world.internal.arena, room, `${Math.max(chained, longest)} springs in a row`));
+  table.words[Word.work] = allocate(world.internal.arena, room, `${Math.max(chained, longest)} springs in a row`);
   table.workRoom = room;
 }

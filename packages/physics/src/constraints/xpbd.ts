@@ -35,7 +35,7 @@ import { drift, kick } from '../integrators/moves';
 import { dropBadForces } from '../schedule/quarantine';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
-import { type ConstraintTable, constraintTable, refreshConstraints, wordOf } from './constraint-table';
+import { type ConstraintTable, constraintTable, refreshConstraints, Word } from './constraint-table';
 import { constraintKernels } from './kernels';
 
 export interface XpbdOptions {
@@ -70,7 +70,7 @@ export function xpbd(options: XpbdOptions = {}): Integrator {
       if (times.dt !== dt) times = timesOf(dt, substeps);
       const { list } = times;
       const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
-      if (table !== undefined && wordOf(table, 'rigid') === 0 && wordOf(table, 'looseCount') === 0) {
+      if (table !== undefined && table.words[Word.rigid] === 0 && table.words[Word.looseCount] === 0) {
         for (let s = 0; s < substeps; s++) moveNodes(world, spans, table, list, iterations, evaluateForces, s);
         return;
       }
@@ -120,7 +120,7 @@ function subStep(
   kick(world, spans, half);
   drift(world, spans, h);
   const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
-  const rigid = table === undefined || wordOf(table, 'rigid') === 1;
+  const rigid = table === undefined || table.words[Word.rigid] === 1;
   if (!rigid) kickNodes(world, table, half, h);
   if (table !== undefined) correctPositions(world, table, h, iterations);
   force(world, spans, evaluateForces, times[STARTS + s + 1] as number);
@@ -152,6 +152,6 @@ function correctPositions(world: PhysicsWorld, table: ConstraintTable, h: number
   kernels.solveChains(at, iterations, h);
   kernels.sweepConstraints(at, iterations);
   kernels.unpackBodies(at, h);
-  if (wordOf(table, 'damped') > 0) kernels.dampConstraints(at, h);
+  if (table.words[Word.damped] > 0) kernels.dampConstraints(at, h);
   table.substep = h;
 }

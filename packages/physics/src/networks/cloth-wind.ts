@@ -57,12 +57,12 @@ export function clothWind(options: ClothWindOptions): Force {
       faces(world);
     },
     accumulate(world, _first, _last, time) {
-      const { at, count } = faces(world);
+      const { at, count, parts } = faces(world);
       const { x, y, z } = wind.at(world, time);
       const f = world.scratch.at.force;
       const lives = world.internal.generations.byteOffset;
       constraintKernels(world).blowTriangles(
-        ...([at, count, lives, f.x, f.y, f.z] as const),
+        ...([at, count, parts, lives, f.x, f.y, f.z] as const),
         ...([x, y, z, density, normal, tangential] as const),
       );
     },

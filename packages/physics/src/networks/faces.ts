@@ -4,10 +4,13 @@ import { PhysicsError } from '../faults/physics-error';
 import { allocate } from '../store/arena';
 import { assertBody } from '../store/references';
 import type { PhysicsWorld } from '../world';
+import { partsOf } from './strips';
 
 export interface Faces {
   readonly at: number;
   readonly count: number;
+  /** Where the parts of a list of triangles stand: strips.ts. */
+  readonly parts: number;
 }
 
 /**
@@ -37,12 +40,15 @@ function place(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, fie
   const { arena, generations } = world.internal;
   for (let i = 0; i < ids.length; i++) assertBody(world, ids[i]);
   const count = ids.length / corners;
+  const list = corners === 3 ? partsOf(ids, world.rows) : [];
   const at = allocate(arena, 8 * ids.length + FORCES, field);
+  const parts = allocate(arena, 4 * list.length, field);
+  new Uint32Array(arena.memory.buffer, parts, list.length).set(list);
   const words = new Uint32Array(arena.memory.buffer, at, 2 * ids.length);
   for (let i = 0; i < ids.length; i++) {
     const word = count * (i % corners) + Math.floor(i / corners);
     words[word] = ids[i];
     words[word + ids.length] = generations[ids[i]];
   }
-  return { at, count };
+  return { at, count, parts };
 }
