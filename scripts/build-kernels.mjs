@@ -115,7 +115,7 @@ function hashOfSources(folder) {
   const sources = readdirSync(folder, { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.ts') && !name.endsWith('.test.ts'))
     .sort();
-  const scripts = ['build-kernels', 'lib/body-sizes', 'lib/compile-kernels', 'lib/encode-module'];
+  const scripts = ['build-kernels', 'lib/body-sizes', 'lib/compile-kernels', 'lib/encode-module', 'lib/order-locals'];
   const hash = createHash('sha256').update(JSON.parse(readFileSync(compiler, 'utf8')).version);
   for (const name of scripts) hash.update(readFileSync(`${root}/scripts/${name}.mjs`));
   for (const name of sources) hash.update(`\n${name}\n`).update(readFileSync(`${folder}/${name}`));

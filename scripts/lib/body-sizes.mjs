@@ -47,7 +47,7 @@ function padBodies(wasm, from) {
  * @param {Uint8Array} bytes
  * @param {number} at
  */
-function readNumber(bytes, at) {
+export function readNumber(bytes, at) {
   let value = 0;
   for (let shift = 0, end = at; ; shift += 7) {
     const byte = bytes[end++];
@@ -57,7 +57,7 @@ function readNumber(bytes, at) {
 }
 
 /** @param {number} value */
-function number(value) {
+export function number(value) {
   const bytes = [];
   for (let left = value; ; left >>>= 7) {
     if (left < 128) return [...bytes, left];

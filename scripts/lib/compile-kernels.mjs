@@ -3,6 +3,7 @@ import { execFile } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { promisify } from 'node:util';
 import { padBodySizes } from './body-sizes.mjs';
+import { orderLocals } from './order-locals.mjs';
 import { cacheFolder, resolveInstalled } from './paths.mjs';
 
 const run = promisify(execFile);
@@ -46,7 +47,7 @@ export async function compileKernels(folder, entry = 'index.ts', constants = 102
  * @returns {CompiledKernels}
  */
 function packable({ wasm, declarations }) {
-  return { wasm: padBodySizes(wasm), declarations };
+  return { wasm: padBodySizes(orderLocals(wasm)), declarations };
 }
 
 /**

@@ -1,5 +1,4 @@
 // Unpacks what `pack.ts` packed: the code at `PACKED`, whose bytes are the result.
-import { beginUnpacking } from './coder';
 import { BYTES, PACKED } from './memory';
 import { readModules } from './reader';
 
@@ -14,6 +13,5 @@ export function bytesAt(): usize {
 
 /** Two modules of so many bytes; unpacks once an instance. */
 export function unpack(first: i32, second: i32): void {
-  beginUnpacking();
   readModules(first, second);
 }
