@@ -1,41 +1,21 @@
 // Walls that are half-spaces (2D and 3D), each an entity with PlaneWall. kernels/walls/planes.ts has the maths.
-import { bitOf } from '../components/all';
 import type { LocalSystem } from '../schedule/phases';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
+import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
 import { collisionKernels } from './kernels';
 
-interface PlaneList {
+interface PlaneList extends Roster {
   /** Addresses of the planes' columns, for the kernel. */
   readonly columns: number;
-  room: number;
-  ids: number;
-  membership: number;
-  count: number;
 }
 
 const planeList = resource<PlaneList>((world) => {
   const { nx, ny, nz, offset, restitution, friction } = world.addresses.PlaneWall;
   const columns = allocate(world.internal.arena, 4 * 6, 'plane walls');
   new Uint32Array(world.memory.buffer, columns, 6).set([nx, ny, nz, offset, restitution, friction]);
-  return { columns, room: 0, ids: 0, membership: -1, count: 0 };
+  return { columns, ...emptyRoster() };
 });
-
-/** The planes in ascending id; listed anew when any component came or went. @throws PhysicsError E_CAPACITY */
-function listed(world: PhysicsWorld): PlaneList {
-  const list = planeList(world);
-  const { kernels, internal, versions, lastId } = world;
-  if (list.membership === versions.membership) return list;
-  const count = internal.counts.PlaneWall;
-  if (count > list.room) {
-    list.room = Math.max(64, 2 * count);
-    list.ids = allocate(internal.arena, 4 * list.room, 'plane walls');
-  }
-  list.count = kernels.listIds(internal.membersAt, bitOf('PlaneWall'), lastId + 1, list.ids);
-  list.membership = versions.membership;
-  return list;
-}
 
 /**
  * System of the `walls` phase: bodies with Mass and Collider against every PlaneWall. A contact's restitution is the
@@ -46,7 +26,9 @@ export const planeWalls: LocalSystem = {
   usesScratch: true,
   run(world, spans, dt) {
     if (world.internal.counts.PlaneWall === 0) return;
-    const { columns, ids, count } = listed(world);
+    const list = planeList(world);
+    refreshRoster(world, list, 'PlaneWall', 0);
+    const { columns, ids, count } = list;
     const { x, y, z } = world.scratch.at.startVelocity;
     const lag = (world.integrator.velocityLag ?? 0) * dt;
     for (let r = 0; r < spans.count; r++) {

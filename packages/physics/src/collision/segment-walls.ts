@@ -1,9 +1,9 @@
 // Walls that are straight segments (2D), each an entity with SegmentWall. kernels/walls/segments.ts has the maths.
-import { bitOf } from '../components/all';
 import type { LocalSystem } from '../schedule/phases';
 import { allocate } from '../store/arena';
 import { realBytes } from '../store/columns';
 import { resource } from '../store/resource';
+import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
 import { collisionKernels } from './kernels';
 
@@ -23,52 +23,33 @@ enum GridWord {
   end,
 }
 
-interface SegmentList {
+interface SegmentList extends Roster {
   readonly grid: number;
-  /** Walls there is room for. */
-  room: number;
-  ids: number;
+  readonly words: Uint32Array;
+  /** The step they were gathered in. */
   tick: number;
-  membership: number;
-  count: number;
 }
 
 const segmentList = resource<SegmentList>((world) => {
   const { arena } = world.internal;
   const grid = allocate(arena, 4 * GridWord.end, 'segment walls');
-  writeGrid(world, grid, GridWord.starts, allocate(arena, 4 * (MOST_SIDE * MOST_SIDE + 2), 'segment walls'));
-  return { grid, room: 0, ids: 0, tick: -1, membership: -1, count: 0 };
+  const words = new Uint32Array(world.memory.buffer, grid, GridWord.end);
+  words[GridWord.starts] = allocate(arena, 4 * (MOST_SIDE * MOST_SIDE + 2), 'segment walls');
+  return { grid, words, tick: -1, ...emptyRoster() };
 });
-
-function writeGrid(world: PhysicsWorld, grid: number, word: GridWord, value: number): void {
-  new Uint32Array(world.memory.buffer, grid, GridWord.end)[word] = value;
-}
-
-/** Makes room for all walls, twice as much as before: the arena gives nothing back. @throws PhysicsError E_CAPACITY */
-function reserve(world: PhysicsWorld, list: SegmentList, count: number): void {
-  if (count <= list.room) return;
-  let room = Math.max(64, list.room);
-  while (room < count) room *= 2;
-  const { arena } = world.internal;
-  const size = 12 * realBytes(world.precision);
-  list.ids = allocate(arena, 4 * room, 'segment walls');
-  writeGrid(world, list.grid, GridWord.segments, allocate(arena, size * room, 'segment walls'));
-  writeGrid(world, list.grid, GridWord.items, allocate(arena, 4 * ITEMS_A_WALL * room, 'segment walls'));
-  writeGrid(world, list.grid, GridWord.mostItems, ITEMS_A_WALL * room);
-  list.room = room;
-}
 
 /** Gathers the walls, once a step, in ascending id. */
 function gather(world: PhysicsWorld): SegmentList {
   const list = segmentList(world);
   if (list.tick === world.tick) return list;
-  const { kernels, internal, addresses, versions, lastId } = world;
-  reserve(world, list, internal.counts.SegmentWall);
-  if (list.membership !== versions.membership) {
-    list.count = kernels.listIds(internal.membersAt, bitOf('SegmentWall'), lastId + 1, list.ids);
-    list.membership = versions.membership;
+  const size = 12 * realBytes(world.precision);
+  if (refreshRoster(world, list, 'SegmentWall', size + 4 * ITEMS_A_WALL)) {
+    const { words, at, room } = list;
+    words[GridWord.segments] = at;
+    words[GridWord.items] = at + size * room;
+    words[GridWord.mostItems] = ITEMS_A_WALL * room;
   }
-  const { ax, ay, bx, by, restitution, friction } = addresses.SegmentWall;
+  const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
   collisionKernels(world).gatherSegments(list.grid, list.ids, list.count, ax, ay, bx, by, restitution, friction);
   list.tick = world.tick;
   return list;

@@ -17,8 +17,8 @@
 import { bitOf } from '../components/all';
 import { reportFault } from '../faults/fault-log';
 import { checkKeys, checkNumber } from '../faults/validate';
-import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
+import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
 import type { Force } from './force';
 
@@ -28,15 +28,7 @@ const LIGHT_SPEEDS = { min: 1e-3, max: 1e12 };
 /** Bytes of one centre, kernels/forces/attractors.ts. */
 const CENTRE_BYTES = 80;
 
-interface Centres {
-  ids: number;
-  at: number;
-  room: number;
-  count: number;
-  version: number;
-}
-
-const centresOf = resource((): Centres => ({ ids: 0, at: 0, room: 0, count: 0, version: -1 }));
+const centresOf = resource(emptyRoster);
 
 export interface AttractorsOptions {
   /** Makes black holes of the centres: a speed of light c, m/s. Left out, the pull is Newton's. */
@@ -74,24 +66,18 @@ export function attractors(options: AttractorsOptions = {}): Force {
 }
 
 /** Lists the centres anew when entities changed, and copies where they are now. */
-function gather(world: PhysicsWorld, horizonPerMu: number): Centres {
+function gather(world: PhysicsWorld, horizonPerMu: number): Roster {
   const centres = centresOf(world);
-  const { kernels, internal, versions, addresses } = world;
-  if (centres.version !== versions.membership) {
-    makeRoom(world, centres);
-    const wanted = bitOf('Attractor') | bitOf('Position');
-    const none = internal.counts.Attractor === 0;
-    centres.count = none ? 0 : kernels.listIds(internal.membersAt, wanted, world.lastId + 1, centres.ids);
-    centres.version = versions.membership;
-  }
-  const { mu, softening } = addresses.Attractor;
-  const bad = kernels.gatherAttractors(centres.ids, centres.count, mu, softening, horizonPerMu, centres.at);
+  refreshRoster(world, centres, 'Attractor', CENTRE_BYTES, bitOf('Attractor') | bitOf('Position'));
+  const { ids, at, count } = centres;
+  const { mu, softening } = world.addresses.Attractor;
+  const bad = world.kernels.gatherAttractors(ids, count, mu, softening, horizonPerMu, at);
   if (bad > 0) repair(world, centres);
   return centres;
 }
 
 /** Coefficients that somebody made NaN or infinite become 0, with a fault; poses are put right when the step begins. */
-function repair(world: PhysicsWorld, { ids, count }: Centres): void {
+function repair(world: PhysicsWorld, { ids, count }: Roster): void {
   const { Attractor } = world.components;
   for (const entity of new Uint32Array(world.memory.buffer, ids, count)) {
     for (const field of ['mu', 'softening'] as const) {
@@ -101,12 +87,4 @@ function repair(world: PhysicsWorld, { ids, count }: Centres): void {
       reportFault(world, { code: 'E_NONFINITE', entity, field: `Attractor.${field}`, value, phase: 'begin' });
     }
   }
-}
-
-function makeRoom(world: PhysicsWorld, centres: Centres): void {
-  const { arena, counts } = world.internal;
-  if (counts.Attractor <= centres.room) return;
-  centres.room = Math.max(16, 2 * counts.Attractor);
-  centres.ids = allocate(arena, centres.room * 4, 'attractors');
-  centres.at = allocate(arena, centres.room * CENTRE_BYTES, 'attractors');
 }

@@ -11,8 +11,8 @@
 import { bitOf } from '../components/all';
 import { reportFault } from '../faults/fault-log';
 import { checkNumber } from '../faults/validate';
-import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
+import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
 import { POSITIVE } from './bounds';
 import type { Force } from './force';
@@ -24,13 +24,9 @@ export const COULOMB_CONSTANT = 8.9875517862e9;
 /** Bytes of one source, kernels/forces/electromagnetic.ts. */
 const SOURCE_BYTES = 40;
 
-interface Sources {
-  ids: number;
-  at: number;
-  room: number;
-  listed: number;
-  version: number;
-  count: number;
+interface Sources extends Roster {
+  /** How many of those listed have no mass. */
+  fixed: number;
 }
 
 /**
@@ -39,7 +35,7 @@ interface Sources {
  */
 export function fixedCharges(constant: number = COULOMB_CONSTANT): Force {
   const k = checkNumber(constant, 'fixedCharges', POSITIVE);
-  const sourcesOf = resource((): Sources => ({ ids: 0, at: 0, room: 0, listed: 0, version: -1, count: 0 }));
+  const sourcesOf = resource((): Sources => ({ fixed: 0, ...emptyRoster() }));
   return {
     name: 'fixed charges',
     equation: 'F = k q Q r / |r|³',
@@ -51,48 +47,34 @@ export function fixedCharges(constant: number = COULOMB_CONSTANT): Force {
       gather(world, sourcesOf(world), k);
     },
     accumulate(world, first, last) {
-      const { at, count } = sourcesOf(world);
+      const { at, fixed } = sourcesOf(world);
       const { x, y, z } = world.scratch.at.force;
-      lawKernels(world).coulombForce(x, y, z, world.addresses.Charge.value, at, count, first, last);
+      lawKernels(world).coulombForce(x, y, z, world.addresses.Charge.value, at, fixed, first, last);
     },
     potential(world) {
-      const { at, count } = gather(world, sourcesOf(world), k);
-      return lawKernels(world).coulombPotential(world.addresses.Charge.value, at, count, world.lastId + 1);
+      const { at, fixed } = gather(world, sourcesOf(world), k);
+      return lawKernels(world).coulombPotential(world.addresses.Charge.value, at, fixed, world.lastId + 1);
     },
   };
 }
 
 /** Lists the charges anew when entities changed, and copies those without mass as they are now. */
 function gather(world: PhysicsWorld, sources: Sources, k: number): Sources {
-  const { kernels, internal, versions, addresses } = world;
-  if (sources.version !== versions.membership) {
-    makeRoom(world, sources);
-    const wanted = bitOf('Charge') | bitOf('Position');
-    sources.listed = kernels.listIds(internal.membersAt, wanted, world.lastId + 1, sources.ids);
-    sources.version = versions.membership;
-  }
-  const charge = addresses.Charge.value;
-  const count = lawKernels(world).gatherCharges(sources.ids, sources.listed, charge, k, sources.at);
-  sources.count = count < 0 ? -1 - count : count;
+  refreshRoster(world, sources, 'Charge', SOURCE_BYTES, bitOf('Charge') | bitOf('Position'));
+  const charge = world.addresses.Charge.value;
+  const count = lawKernels(world).gatherCharges(sources.ids, sources.count, charge, k, sources.at);
+  sources.fixed = count < 0 ? -1 - count : count;
   if (count < 0) repair(world, sources);
   return sources;
 }
 
 /** The charge of a source that somebody made NaN or infinite becomes 0, with a fault. */
-function repair(world: PhysicsWorld, { ids, listed }: Sources): void {
+function repair(world: PhysicsWorld, { ids, count }: Sources): void {
   const { Charge, Mass } = world.components;
-  for (const entity of new Uint32Array(world.memory.buffer, ids, listed)) {
+  for (const entity of new Uint32Array(world.memory.buffer, ids, count)) {
     const value = Charge.value[entity];
     if (Mass.value[entity] !== 0 || Number.isFinite(value)) continue;
     Charge.value[entity] = 0;
     reportFault(world, { code: 'E_NONFINITE', entity, field: 'Charge.value', value, phase: 'begin' });
   }
-}
-
-function makeRoom(world: PhysicsWorld, sources: Sources): void {
-  const { arena, counts } = world.internal;
-  if (counts.Charge <= sources.room) return;
-  sources.room = Math.min(world.rows, Math.max(16, 2 * counts.Charge));
-  sources.ids = allocate(arena, sources.room * 4, 'charges');
-  sources.at = allocate(arena, sources.room * SOURCE_BYTES, 'charges');
 }

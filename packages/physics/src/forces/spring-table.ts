@@ -4,6 +4,7 @@ import { collectThrown } from '../faults/thrown';
 import { allocate } from '../store/arena';
 import { removeWholly } from '../store/bitecs';
 import { resource } from '../store/resource';
+import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
 
 /** Words of the table before the two f64, in the order of the class in kernels/forces/springs.ts. */
@@ -13,16 +14,13 @@ const [IDS, LINKS, LOST, COUNT, ACTIVE, LOST_COUNT] = [9, 10, 11, 12, 13, 14];
 
 export interface SpringTable {
   readonly at: number;
+  readonly roster: Roster;
   readonly words: Uint32Array;
   /** Largest stiffness over reduced mass, 1/s², and damping over reduced mass, 1/s. */
   readonly stiffest: Float64Array;
   /** The two and the step, s, that the integrator `passedBy` was last found to be stable with. */
   readonly passed: Float64Array;
   passedBy: object | undefined;
-  /** Springs there is room for. */
-  room: number;
-  /** Membership version the list of ids belongs to. */
-  version: number;
   /** Springs removed before the last step because they lost an end. */
   removed: number[];
 }
@@ -36,31 +34,20 @@ export const springTable = resource((world): SpringTable => {
   words.set([a, b, aLife, bLife, stiffness, damping, length, cord, generations, 0, 0, 0, 0, 0, 0, world.rows]);
   const stiffest = new Float64Array(arena.memory.buffer, at + WORDS * 4, 2);
   const passed = new Float64Array(3).fill(Number.NaN);
-  return { at, words, stiffest, passed, passedBy: undefined, room: 0, version: -1, removed: [] };
+  return { at, words, stiffest, passed, passedBy: undefined, removed: [], roster: emptyRoster() };
 });
 
 /** Lists the springs whose ends both live, and looks at each: ends and stiffness may have been changed in place. */
 export function scanSprings(world: PhysicsWorld): SpringTable {
   const table = springTable(world);
-  const { internal, versions, kernels } = world;
-  if (table.version !== versions.membership) {
-    makeRoom(world, table);
-    const { words } = table;
-    words[COUNT] = kernels.listIds(internal.membersAt, bitOf('Spring'), world.lastId + 1, words[IDS]);
-    table.version = versions.membership;
+  const { roster, words } = table;
+  // Behind the ids: 12 bytes each for the springs that act, 4 for those that lost an end.
+  if (refreshRoster(world, roster, 'Spring', 16)) {
+    words.set([roster.ids, roster.at, roster.at + roster.room * 12], IDS);
+    words[COUNT] = roster.count;
   }
-  kernels.scanSprings(table.at, bitOf('Position'));
+  world.kernels.scanSprings(table.at, bitOf('Position'));
   return table;
-}
-
-function makeRoom(world: PhysicsWorld, table: SpringTable): void {
-  const { arena, counts } = world.internal;
-  const springs = counts.Spring;
-  if (springs <= table.room) return;
-  const room = Math.min(world.rows, Math.max(64, 2 * springs));
-  const at = allocate(arena, room * 20, `${springs} springs`);
-  table.words.set([at, at + room * 4, at + room * 16], IDS);
-  table.room = room;
 }
 
 /** Removes springs that lost an end: their entities go with the body. */

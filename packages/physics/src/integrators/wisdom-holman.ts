@@ -20,8 +20,8 @@ import { bitOf } from '../components/all';
 import { checkKeys, checkNumber } from '../faults/validate';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity';
 import { momentOf } from '../forces/evaluate';
-import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
+import { emptyRoster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
 import type { Integrator } from './integrator';
 import { integratorKernels } from './kernels';
@@ -38,7 +38,7 @@ export interface WisdomHolmanOptions {
 /** Bytes of a body, kernels/integrators/wisdom-holman.ts. */
 const PLANET_BYTES = 80;
 
-const planetsOf = resource((): { at: number; ids: number; room: number } => ({ at: 0, ids: 0, room: 0 }));
+const planetsOf = resource(emptyRoster);
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
@@ -52,7 +52,7 @@ export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
     evaluations: 1,
     wholeWorld: true,
     isStable: () => true,
-    prepare: makeRoom,
+    prepare: list,
     advance(world, spans, dt, evaluateForces) {
       const { at } = planetsOf(world);
       const star = isMassive(world, central) ? central : heaviest(world);
@@ -85,20 +85,13 @@ function heaviest(world: PhysicsWorld): number {
   return most;
 }
 
-/** Takes memory for as many bodies as there are, and as many again. */
-function makeRoom(world: PhysicsWorld): void {
-  const planets = planetsOf(world);
-  const { arena, counts } = world.internal;
-  if (counts.Position <= planets.room) return;
-  planets.room = Math.max(32, 2 * counts.Position);
-  planets.at = allocate(arena, planets.room * PLANET_BYTES, 'Wisdom-Holman');
-  planets.ids = allocate(arena, planets.room * 4, 'Wisdom-Holman');
+/** Lists the bodies with mass. @throws PhysicsError E_CAPACITY */
+function list(world: PhysicsWorld): void {
+  refreshRoster(world, planetsOf(world), 'Position', PLANET_BYTES, bitOf('Position') | bitOf('Mass'));
 }
 
-/** Lists the bodies with mass, the star first. Returns how many. */
+/** Gathers them, the star first. Returns how many. */
 function gather(world: PhysicsWorld, star: number, G: number): number {
-  const { at, ids } = planetsOf(world);
-  const bits = bitOf('Position') | bitOf('Mass');
-  const count = world.kernels.listIds(world.internal.membersAt, bits, world.lastId + 1, ids);
+  const { at, ids, count } = planetsOf(world);
   return integratorKernels(world).gatherPlanets(at, ids, count, star, G);
 }
