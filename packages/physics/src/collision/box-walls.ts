@@ -3,6 +3,7 @@ import { PhysicsError } from '../faults/physics-error';
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
 import type { LocalSystem } from '../schedule/phases';
 import { AXES } from '../store/axes';
+import { eachRun } from '../store/spans';
 
 /** A box that keeps bodies inside. An axis left out of `min` or `max` has no wall on that side. */
 export interface BoxWallsOptions {
@@ -47,20 +48,16 @@ export function boxWalls(options: BoxWallsOptions): LocalSystem {
   return {
     name: 'box walls',
     usesScratch: true,
-    run({ kernels, addresses, dimensions, scratch, integrator }, spans, dt) {
+    run: eachRun(({ kernels, addresses, dimensions, scratch, integrator }, first, last, dt) => {
       const { Position, Velocity } = addresses;
       const start = scratch.at.startVelocity;
       const lag = (integrator.velocityLag ?? 0) * dt;
       for (let a = 0; a < dimensions; a++) {
-        const axis = AXES[3][a] as 'x' | 'y' | 'z';
+        const axis = AXES[3][a];
         const x = Position[axis];
         const v = Velocity[axis];
-        for (let r = 0; r < spans.count; r++) {
-          const first = spans.bounds[2 * r] as number;
-          const last = spans.bounds[2 * r + 1] as number;
-          kernels.boxAxis(a, x, v, start[axis], low[axis], high[axis], restitution, friction, dt, lag, first, last);
-        }
+        kernels.boxAxis(a, x, v, start[axis], low[axis], high[axis], restitution, friction, dt, lag, first, last);
       }
-    },
+    }),
   };
 }

@@ -3,6 +3,7 @@ import type { LocalSystem } from '../schedule/phases';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
 import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
+import { eachRun } from '../store/spans';
 import { collisionKernels } from './kernels';
 
 interface PlaneList extends Roster {
@@ -24,17 +25,12 @@ const planeList = resource<PlaneList>((world) => {
 export const planeWalls: LocalSystem = {
   name: 'plane walls',
   usesScratch: true,
-  run(world, spans, dt) {
+  run: eachRun((world, first, last, dt) => {
     if (world.internal.counts.PlaneWall === 0) return;
     const list = planeList(world);
     refreshRoster(world, list, 'PlaneWall', 0);
-    const { columns, ids, count } = list;
     const { x, y, z } = world.scratch.at.startVelocity;
     const lag = (world.integrator.velocityLag ?? 0) * dt;
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r] as number;
-      const last = spans.bounds[2 * r + 1] as number;
-      collisionKernels(world).planeWalls(columns, ids, count, x, y, z, dt, lag, first, last);
-    }
-  },
+    collisionKernels(world).planeWalls(list.columns, list.ids, list.count, x, y, z, dt, lag, first, last);
+  }),
 };

@@ -4,6 +4,7 @@ import { allocate } from '../store/arena';
 import { realBytes } from '../store/columns';
 import { resource } from '../store/resource';
 import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
+import { eachRun } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import { collisionKernels } from './kernels';
 
@@ -62,19 +63,14 @@ function gather(world: PhysicsWorld): SegmentList {
 export const segmentWalls: LocalSystem = {
   name: 'segment walls',
   usesScratch: true,
-  run(world, spans, dt) {
+  run: eachRun((world, first, last, dt) => {
     if (world.dimensions !== 2 || world.internal.counts.SegmentWall === 0) return;
     const { grid } = gather(world);
-    const { previousAddresses, scratch, integrator } = world;
-    const kernels = collisionKernels(world);
-    const { x, y } = previousAddresses.Position;
-    const start = scratch.at.startVelocity;
-    const lag = (integrator.velocityLag ?? 0) * dt;
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r] as number;
-      kernels.segmentWalls(grid, x, y, start.x, start.y, dt, lag, first, spans.bounds[2 * r + 1] as number);
-    }
-  },
+    const { x, y } = world.previousAddresses.Position;
+    const start = world.scratch.at.startVelocity;
+    const lag = (world.integrator.velocityLag ?? 0) * dt;
+    collisionKernels(world).segmentWalls(grid, x, y, start.x, start.y, dt, lag, first, last);
+  }),
 };
 
 /** Keeps bodies that contacts pushed in this step on their side of the segment walls. */

@@ -1,9 +1,10 @@
 import { collectThrown } from '../faults/thrown';
 import { dropBadForces } from '../schedule/quarantine';
+import { AXES, clearAxes } from '../store/axes';
 import { holdUnmoved } from '../store/incomplete';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
-import { assignerOf } from './assign';
+import { type Assign, assignerOf } from './assign';
 import type { Force } from './force';
 
 /**
@@ -19,37 +20,31 @@ export type EvaluateForces = (world: PhysicsWorld, spans: Spans, time: number) =
 
 export const evaluateForces: EvaluateForces = (world, spans, time) => {
   const { forces } = world;
-  const assigned = assignFirst(world, spans);
-  for (let f = assigned; f < forces.length; f++) {
+  const assign = forces.length === 0 ? undefined : assignerOf(forces[0]);
+  for (let r = 0; r < spans.count; r++) begin(world, assign, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+  for (let f = assign === undefined ? 0 : 1; f < forces.length; f++) {
     try {
       accumulate(world, forces[f] as Force, spans, time);
     } catch (error) {
       collectThrown(world, error);
     }
   }
-  // Forces that look at one body leave a bad one alone with it, unless the scheme mixes bodies, as Jacobi coordinates do.
-  const alone = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
-  for (let r = 0; r < spans.count; r++) {
-    const first = spans.bounds[2 * r];
-    const last = spans.bounds[2 * r + 1];
-    holdUnmoved(world, first, last);
-    if (!alone) dropBadForces(world, first, last);
-  }
+  for (let r = 0; r < spans.count; r++) finish(world, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
 };
 
-/** Puts the columns at zero, or at the first force where that can be written over them; how many forces are done. */
-function assignFirst(world: PhysicsWorld, spans: Spans): 0 | 1 {
-  if (anyForceTurns(world)) clearTorques(world, spans);
-  const { forces } = world;
-  const assign = forces.length === 0 ? undefined : assignerOf(forces[0]);
-  if (assign === undefined) {
-    clearForces(world, spans);
-    return 0;
-  }
-  for (let r = 0; r < spans.count; r++) {
-    assign(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number);
-  }
-  return 1;
+/** Puts the columns at zero, or at the first force where that can be written over them. */
+function begin(world: PhysicsWorld, assign: Assign | undefined, first: number, last: number): void {
+  const { force, torque } = world.scratch.at;
+  if (anyForceTurns(world)) clearAxes(world, torque, AXES[3], first, last);
+  if (assign === undefined) clearAxes(world, force, AXES[world.dimensions], first, last);
+  else assign(world, first, last);
+}
+
+function finish(world: PhysicsWorld, first: number, last: number): void {
+  holdUnmoved(world, first, last);
+  // Forces that look at one body leave a bad one alone with it, unless the scheme mixes bodies, as Jacobi coordinates do.
+  const isAlone = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
+  if (!isAlone) dropBadForces(world, first, last);
 }
 
 function accumulate(world: PhysicsWorld, force: Force, spans: Spans, time: number): void {
@@ -59,30 +54,6 @@ function accumulate(world: PhysicsWorld, force: Force, spans: Spans, time: numbe
   }
   for (let r = 0; r < spans.count; r++) {
     force.accumulate(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number, time);
-  }
-}
-
-function clearForces(world: PhysicsWorld, spans: Spans): void {
-  const { kernels, dimensions, scratch } = world;
-  const at = scratch.at.force;
-  for (let r = 0; r < spans.count; r++) {
-    const first = spans.bounds[2 * r] as number;
-    const last = spans.bounds[2 * r + 1] as number;
-    kernels.zeroColumn(at.x, first, last);
-    kernels.zeroColumn(at.y, first, last);
-    if (dimensions === 3) kernels.zeroColumn(at.z, first, last);
-  }
-}
-
-function clearTorques(world: PhysicsWorld, spans: Spans): void {
-  const { kernels, scratch } = world;
-  const at = scratch.at.torque;
-  for (let r = 0; r < spans.count; r++) {
-    const first = spans.bounds[2 * r] as number;
-    const last = spans.bounds[2 * r + 1] as number;
-    kernels.zeroColumn(at.x, first, last);
-    kernels.zeroColumn(at.y, first, last);
-    kernels.zeroColumn(at.z, first, last);
   }
 }
 

@@ -15,7 +15,7 @@ export const heun: Integrator = {
   symplectic: false,
   evaluations: 2,
   advance(world, spans, dt, evaluateForces) {
-    clearSums(world, spans);
+    clearSums(world, spans, dt);
     evaluateForces(world, spans, momentOf(world, 0));
     rungeKuttaStage(world, spans, 1 / 2, dt);
     evaluateForces(world, spans, momentOf(world, dt));

@@ -19,7 +19,7 @@ export const midpoint: Integrator = {
   evaluations: 2,
   advance(world, spans, dt, evaluateForces) {
     const half = halfOf(dt)[0];
-    clearSums(world, spans);
+    clearSums(world, spans, dt);
     evaluateForces(world, spans, momentOf(world, 0));
     rungeKuttaStage(world, spans, 0, half);
     evaluateForces(world, spans, momentOf(world, half));

@@ -25,7 +25,7 @@ export const rungeKutta4: Integrator = {
   },
   advance(world, spans, dt, evaluateForces) {
     const half = halfOf(dt)[0];
-    clearSums(world, spans);
+    clearSums(world, spans, dt);
     evaluateForces(world, spans, momentOf(world, 0));
     rungeKuttaStage(world, spans, 1 / 6, half);
     evaluateForces(world, spans, momentOf(world, half));

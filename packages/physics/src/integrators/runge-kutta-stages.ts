@@ -1,22 +1,16 @@
 // What explicit Runge-Kutta methods are made of in which every stage starts from the derivative of the one before alone:
 // the state at the start of the step, and the weighted sum of the derivatives (v, F/m) so far in `stage1` and `stage2`.
-import { AXES } from '../store/axes';
-import type { Spans } from '../store/spans';
+import { AXES, clearAxes } from '../store/axes';
+import { eachRun, type Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 
 /** Empties the sums of a step. */
-export function clearSums(world: PhysicsWorld, spans: Spans): void {
-  const { kernels, scratch } = world;
-  const { stage1, stage2 } = scratch.at;
-  for (const axis of AXES[world.dimensions]) {
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r] as number;
-      const last = spans.bounds[2 * r + 1] as number;
-      kernels.zeroColumn(stage1[axis], first, last);
-      kernels.zeroColumn(stage2[axis], first, last);
-    }
-  }
-}
+export const clearSums = eachRun((world, first, last) => {
+  const { stage1, stage2 } = world.scratch.at;
+  const axes = AXES[world.dimensions];
+  clearAxes(world, stage1, axes, first, last);
+  clearAxes(world, stage2, axes, first, last);
+});
 
 /** With k = (v, F/m) here: adds `weight` k to the sums and moves the state to start + `next` k. */
 export function rungeKuttaStage(world: PhysicsWorld, spans: Spans, weight: number, next: number): void {
@@ -38,19 +32,13 @@ export function rungeKuttaStage(world: PhysicsWorld, spans: Spans, weight: numbe
 }
 
 /** Moves the state to start + dt sum. */
-export function finishSums(world: PhysicsWorld, spans: Spans, dt: number): void {
-  const { kernels, addresses, scratch } = world;
-  const { Position, Velocity } = addresses;
+export const finishSums = eachRun((world, first, last, dt) => {
+  const { kernels, addresses, previousAddresses, scratch } = world;
   const { startVelocity, stage1, stage2 } = scratch.at;
   for (const axis of AXES[world.dimensions]) {
-    const x = Position[axis];
-    const v = Velocity[axis];
-    const x0 = world.previousAddresses.Position[axis];
-    const v0 = startVelocity[axis];
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r] as number;
-      const last = spans.bounds[2 * r + 1] as number;
-      kernels.rungeKuttaFinishAxis(x, v, x0, v0, stage1[axis], stage2[axis], dt, first, last);
-    }
+    const x = addresses.Position[axis];
+    const v = addresses.Velocity[axis];
+    const x0 = previousAddresses.Position[axis];
+    kernels.rungeKuttaFinishAxis(x, v, x0, startVelocity[axis], stage1[axis], stage2[axis], dt, first, last);
   }
-}
+});

@@ -5,8 +5,7 @@
 // First order; symplectic for forces that depend on position alone: the energy error of an oscillator stays within
 // ω dt/2 of the energy for ever. One force evaluation. Hairer, Lubich, Wanner: Geometric Numerical Integration, I.1.2.
 import { momentOf } from '../forces/evaluate';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
+import { eachRun } from '../store/spans';
 import type { Integrator } from './integrator';
 
 export const semiImplicitEuler: Integrator = {
@@ -25,10 +24,7 @@ export const semiImplicitEuler: Integrator = {
   },
 };
 
-function kickDrift(world: PhysicsWorld, spans: Spans, dt: number): void {
-  const { kernels, dimensions, scratch } = world;
+const kickDrift = eachRun(({ kernels, dimensions, scratch }, first, last, dt) => {
   const { x, y, z } = scratch.at.force;
-  for (let r = 0; r < spans.count; r++) {
-    kernels.kickDrift(dimensions, x, y, z, dt, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number);
-  }
-}
+  kernels.kickDrift(dimensions, x, y, z, dt, first, last);
+});

@@ -5,21 +5,17 @@
 import { bitOf } from '../components/all';
 import { anyForceTurns } from '../forces/evaluate';
 import type { LocalSystem } from '../schedule/phases';
+import { eachRun } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 
 export const turn: LocalSystem = {
   name: 'turn',
   usesScratch: true,
-  run(world, spans, dt) {
+  run: eachRun((world, first, last, dt) => {
     if (world.internal.counts.AngularVelocity === 0) return;
-    const kicked = anyForceTurns(world);
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r] as number;
-      const last = spans.bounds[2 * r + 1] as number;
-      if (kicked) kickRun(world, first, last, dt);
-      turnRun(world, first, last, dt);
-    }
-  },
+    if (anyForceTurns(world)) kickRun(world, first, last, dt);
+    turnRun(world, first, last, dt);
+  }),
 };
 
 /** A body without inertia, or without AngularVelocity, does not turn. */

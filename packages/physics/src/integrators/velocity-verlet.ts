@@ -7,8 +7,7 @@
 // Two force evaluations: nothing is carried over from the last step, because contacts and users may have moved bodies.
 import { momentOf } from '../forces/evaluate';
 import { AXES } from '../store/axes';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
+import { eachRun } from '../store/spans';
 import type { Integrator } from './integrator';
 
 export const velocityVerlet: Integrator = {
@@ -31,33 +30,21 @@ export const velocityVerlet: Integrator = {
   },
 };
 
-function predict(world: PhysicsWorld, spans: Spans, dt: number): void {
+const predict = eachRun((world, first, last, dt) => {
   const { kernels, addresses, scratch } = world;
   const { Position, Velocity, Mass } = addresses;
   const { stage1, force } = scratch.at;
-  const axes = AXES[world.dimensions];
-  for (let a = 0; a < axes.length; a++) {
-    const axis = axes[a];
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r] as number;
-      const last = spans.bounds[2 * r + 1] as number;
-      kernels.verletPredictAxis(Position[axis], Velocity[axis], stage1[axis], force[axis], Mass.value, dt, first, last);
-    }
+  for (const axis of AXES[world.dimensions]) {
+    kernels.verletPredictAxis(Position[axis], Velocity[axis], stage1[axis], force[axis], Mass.value, dt, first, last);
   }
-}
+});
 
-function correct(world: PhysicsWorld, spans: Spans, dt: number): void {
+const correct = eachRun((world, first, last, dt) => {
   const { kernels, addresses, scratch } = world;
   const { Velocity, Mass } = addresses;
   const { startVelocity, stage1, force } = scratch.at;
-  const axes = AXES[world.dimensions];
-  for (let a = 0; a < axes.length; a++) {
-    const axis = axes[a];
+  for (const axis of AXES[world.dimensions]) {
     const v = Velocity[axis];
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r] as number;
-      const last = spans.bounds[2 * r + 1] as number;
-      kernels.verletCorrectAxis(v, startVelocity[axis], stage1[axis], force[axis], Mass.value, dt, first, last);
-    }
+    kernels.verletCorrectAxis(v, startVelocity[axis], stage1[axis], force[axis], Mass.value, dt, first, last);
   }
-}
+});

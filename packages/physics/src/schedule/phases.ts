@@ -1,5 +1,5 @@
 import { checkFunction } from '../faults/validate';
-import type { Spans } from '../store/spans';
+import { eachRun, type Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 
 /**
@@ -67,11 +67,5 @@ export function localSystem(
   run: (world: PhysicsWorld, first: number, last: number, dt: number) => void,
 ): LocalSystem {
   checkFunction(run, 'localSystem: run');
-  return {
-    name,
-    run(world, spans, dt) {
-      for (let r = 0; r < spans.count; r++)
-        run(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number, dt);
-    },
-  };
+  return { name, run: eachRun(run) };
 }

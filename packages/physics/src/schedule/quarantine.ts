@@ -12,6 +12,7 @@ import { ANGLES, AXES } from '../store/axes';
 import { clearAbsent } from '../store/incomplete';
 import { type Columns, copyPose } from '../store/previous';
 import { isOpen } from '../store/rows';
+import { eachRun } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import type { LocalSystem } from './phases';
 
@@ -21,25 +22,10 @@ type When = 'begin' | 'finish';
 const MAX_FORCE = 3e38;
 
 /** Saves poses, and puts right what was written between steps. First system of every preset. */
-export const begin: LocalSystem = {
-  name: 'begin',
-  usesScratch: true,
-  run(world, spans) {
-    for (let r = 0; r < spans.count; r++) {
-      beginRun(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number);
-    }
-  },
-};
+export const begin: LocalSystem = { name: 'begin', usesScratch: true, run: eachRun(beginRun) };
 
 /** Finds what the step itself made bad. Last system of every preset. */
-export const checkFinite: LocalSystem = {
-  name: 'check finite',
-  run(world, spans) {
-    for (let r = 0; r < spans.count; r++) {
-      checkRun(world, spans.bounds[2 * r] as number, spans.bounds[2 * r + 1] as number);
-    }
-  },
-};
+export const checkFinite: LocalSystem = { name: 'check finite', run: eachRun(checkRun) };
 
 function beginRun(world: PhysicsWorld, first: number, last: number): void {
   if (saveAxes(world, first, last) === 0 || !anglesGood(world, first, last)) {

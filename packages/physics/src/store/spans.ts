@@ -26,6 +26,15 @@ export function refreshSpans(world: PhysicsWorld): void {
   internal.spansVersion = world.versions.membership;
 }
 
+/** A function that does to every run of rows what `run` does to one; for systems and for the parts of integrators. */
+export function eachRun(
+  run: (world: PhysicsWorld, first: number, last: number, dt: number) => void,
+): (world: PhysicsWorld, spans: Spans, dt: number) => void {
+  return (world, spans, dt) => {
+    for (let r = 0; r < spans.count; r++) run(world, spans.bounds[2 * r], spans.bounds[2 * r + 1], dt);
+  };
+}
+
 /** The ids of all bodies, ascending: `ids[0 … count)`. */
 export interface BodyList {
   readonly ids: Uint32Array;
