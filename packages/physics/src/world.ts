@@ -1,7 +1,7 @@
 import { createWorld, deleteWorld, type WorldContext } from 'bitecs';
 import { type Addresses, COMPONENT_NAMES, type ComponentName, type Components } from './components/all';
 import { createFaultLog, type Fault, type FaultLog } from './faults/fault-log';
-import { checkChoice, checkFunction, checkKeys, checkNumber } from './faults/validate';
+import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from './faults/validate';
 import type { Force } from './forces/force';
 import type { Integrator } from './integrators/integrator';
 import { velocityVerlet } from './integrators/velocity-verlet';
@@ -166,8 +166,8 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   checkChoice(dimensions, 'dimensions', [2, 3]);
   checkChoice(precision, 'precision', ['f32', 'f64']);
   checkChoice(options.onFault ?? 'quarantine', 'onFault', ['quarantine', 'throw']);
-  checkNumber(capacity, 'capacity', { min: 1, max: MAX_CAPACITY, integer: true });
-  checkNumber(seed, 'seed', { min: 0, max: 2 ** 53 - 1, integer: true });
+  checkWhole(capacity, 'capacity', 1, MAX_CAPACITY);
+  checkWhole(seed, 'seed', 0, 2 ** 53 - 1);
   checkParts(options);
   const rows = Math.ceil((capacity + 1) / 1024) * 1024;
   const preset = options.preset ?? standard;

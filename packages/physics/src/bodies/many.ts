@@ -13,7 +13,8 @@ export type Many = number | ArrayLike<number>;
 export type ManyInput = {
   readonly [Key in keyof BodyInput]?:
     | { readonly [F in keyof Exclude<NonNullable<BodyInput[Key]>, number>]?: Many }
-    | (Extract<NonNullable<BodyInput[Key]>, number> extends never ? never : Many);
+    | (Extract<NonNullable<BodyInput[Key]>, number> extends never ? never : Many)
+    | undefined;
 };
 
 /** A component of the new bodies, with checked values for all its fields. */

@@ -5,7 +5,7 @@
 import { addEntity, type ComponentData, type ComponentRef, type Query, type WorldContext } from 'bitecs';
 import { bitOf } from '../components/all';
 import { PhysicsError } from '../faults/physics-error';
-import { checkFunction, checkNumber } from '../faults/validate';
+import { checkFunction, checkWhole } from '../faults/validate';
 import { contextOf, queryOf, removeWholly } from '../store/bitecs';
 import { ComponentSet } from '../store/component-set';
 import { capacityError, makeRoom } from '../store/entities';
@@ -29,7 +29,7 @@ const CHUNK = 65536;
  */
 export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput, progress?: Progress): Uint32Array {
   assertUsable(world);
-  checkNumber(count, 'count', { min: 0, max: 0xffffffff, integer: true });
+  checkWhole(count, 'count', 0, 0xffffffff);
   if (progress !== undefined) checkFunction(progress, 'progress');
   if (world.state === 'stepping') {
     throw new PhysicsError('E_REENTRANT', 'spawnMany cannot run inside a step.', { hint: 'Use spawn, or wait.' });

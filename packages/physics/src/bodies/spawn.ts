@@ -24,7 +24,8 @@ type NamesWithScalar = {
 export type BodyInput = {
   readonly [Name in ComponentName as Uncapitalize<Name>]?:
     | FieldsOf<Name>
-    | (Name extends NamesWithScalar ? number : never);
+    | (Name extends NamesWithScalar ? number : never)
+    | undefined;
 };
 
 const NAME_OF_KEY = new Map<string, ComponentName>(COMPONENT_NAMES.map((name) => [keyOf(name), name]));

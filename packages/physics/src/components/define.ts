@@ -1,3 +1,4 @@
+import { PhysicsError } from '../faults/physics-error';
 import type { Bounds } from '../faults/validate';
 
 /** A column of real numbers: f32 or f64 by the world's precision. */
@@ -60,6 +61,31 @@ export function u32(unit: string, options: FieldOptions = {}): FieldSpec<'u32'> 
 /** A field that names a body by its id. The field `life` notes the body's generation: ids are given again, lives not. */
 export function bodyId(life: string): FieldSpec<'u32'> {
   return { ...u32('id', { bounds: { min: 1 } }), life };
+}
+
+/**
+ * Makes fields that are a direction together one of length 1.
+ * @param hint said of what has no direction
+ * @throws PhysicsError E_RANGE
+ */
+export function normaliseFields(
+  values: Record<string, number>,
+  fields: readonly string[],
+  what: string,
+  hint: string,
+  entity: number | undefined,
+): void {
+  const length = Math.sqrt(fields.reduce((sum, field) => sum + values[field] * values[field], 0));
+  if (!(length > 1e-12 && length < Infinity)) {
+    const given = fields.map((field) => values[field]).join(', ');
+    throw new PhysicsError('E_RANGE', `${what} (${given}) has no direction.`, {
+      entity,
+      field: what,
+      value: values,
+      hint,
+    });
+  }
+  for (const field of fields) values[field] /= length;
 }
 
 /** Declares a component; its columns are made per world. */

@@ -1,5 +1,4 @@
-import { PhysicsError } from '../faults/physics-error';
-import { defineComponent, real } from './define';
+import { defineComponent, normaliseFields, real } from './define';
 
 const NEWTONS = { bounds: { min: -1e38, max: 1e38 } };
 const DIRECTION = { bounds: { min: -1e12, max: 1e12 } };
@@ -41,18 +40,6 @@ export const Engine = defineComponent({
     thrustZ: real('N'),
   },
   complete(values, entity) {
-    const { x = 0, y = 0, z = 0 } = values;
-    const length = Math.sqrt(x * x + y * y + z * z);
-    if (!(length > 1e-12)) {
-      throw new PhysicsError('E_RANGE', `engine (${x}, ${y}, ${z}) has no direction.`, {
-        entity,
-        field: 'engine',
-        value: values,
-        hint: 'Give x, y and z of the push, such as { y: 1 }.',
-      });
-    }
-    values.x = x / length;
-    values.y = y / length;
-    values.z = z / length;
+    normaliseFields(values, ['x', 'y', 'z'], 'engine', 'Give x, y and z of the push, such as { y: 1 }.', entity);
   },
 });

@@ -1,5 +1,4 @@
-import { PhysicsError } from '../faults/physics-error';
-import { defineComponent, real } from './define';
+import { defineComponent, normaliseFields, real } from './define';
 
 /** Largest |angular velocity| about an axis, rad/s; a value beyond is capped. */
 export const MAX_ANGULAR_SPEED = 1e9;
@@ -20,20 +19,13 @@ export const Rotation = defineComponent({
 export const Orientation = defineComponent({
   fields: { x: real(''), y: real(''), z: real(''), w: real('', { initial: 1 }) },
   complete(values, entity) {
-    const { x = 0, y = 0, z = 0, w = 0 } = values;
-    const norm = Math.sqrt(x * x + y * y + z * z + w * w);
-    if (!(norm > 1e-12) || !Number.isFinite(norm)) {
-      throw new PhysicsError('E_RANGE', `orientation (${x}, ${y}, ${z}, ${w}) has no direction.`, {
-        entity,
-        field: 'orientation',
-        value: values,
-        hint: 'Give a quaternion of length 1; { w: 1 } is "not rotated".',
-      });
-    }
-    values.x = x / norm;
-    values.y = y / norm;
-    values.z = z / norm;
-    values.w = w / norm;
+    normaliseFields(
+      values,
+      ['x', 'y', 'z', 'w'],
+      'orientation',
+      'Give a quaternion of length 1; { w: 1 } is "not rotated".',
+      entity,
+    );
   },
 });
 

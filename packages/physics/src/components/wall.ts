@@ -1,5 +1,4 @@
-import { PhysicsError } from '../faults/physics-error';
-import { defineComponent, real } from './define';
+import { defineComponent, normaliseFields, real } from './define';
 import { MAX_POSITION } from './position';
 
 const PLACE = { bounds: { min: -MAX_POSITION, max: MAX_POSITION } };
@@ -30,17 +29,12 @@ export const PlaneWall = defineComponent({
     friction: real('', { initial: 1, bounds: { min: 0, max: 100 } }),
   },
   complete(values, entity) {
-    const { nx = 0, ny = 0, nz = 0 } = values;
-    const norm = Math.sqrt(nx * nx + ny * ny + nz * nz);
-    if (!(norm > 1e-12)) {
-      throw new PhysicsError('E_RANGE', 'planeWall needs a normal that is not zero.', {
-        entity,
-        field: 'planeWall',
-        value: values,
-      });
-    }
-    values.nx = nx / norm;
-    values.ny = ny / norm;
-    values.nz = nz / norm;
+    normaliseFields(
+      values,
+      ['nx', 'ny', 'nz'],
+      'planeWall',
+      'Give nx, ny and nz of the normal, such as { ny: 1 }.',
+      entity,
+    );
   },
 });

@@ -1,5 +1,5 @@
 import { PhysicsError } from '../faults/physics-error';
-import { checkChoice, checkFlag, checkNumber, readVector, type VectorInput } from '../faults/validate';
+import { checkChoice, checkFlag, checkNumber, checkWhole, readVector, type VectorInput } from '../faults/validate';
 import { seedWords } from '../math/random';
 import { assertUsable } from '../store/guards';
 import { type EntityRef, entityRef } from '../store/references';
@@ -46,8 +46,8 @@ export interface EmitterInternals {
   parameters: EmitterParameters;
   /** Where bursts wait for the next step, twelve numbers each. */
   readonly bursts: Float64Array;
-  /** What was reported last; the same object every time. */
-  readonly endings: { count: number; readonly ids: Uint32Array; readonly states: Float64Array };
+  /** What was reported last, once somebody asked; the same object every time. */
+  endings: { count: number; readonly ids: Uint32Array; readonly states: Float64Array } | undefined;
   destroyed: boolean;
   /** How often the world had been restored when it was last seen to have this emitter. */
   timeline: number;
@@ -65,7 +65,7 @@ export interface EmitterInternals {
 export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   assertUsable(world);
   checkOptionNames(options, 'createEmitter', false);
-  const capacity = checkNumber(options.capacity, 'capacity', { min: 1, max: world.capacity, integer: true });
+  const capacity = checkWhole(options.capacity, 'capacity', 1, world.capacity);
   checkChoice(options.whenFull ?? 'skip', 'whenFull', ['skip', 'oldest']);
   const parameters = constant(parametersOf(options));
   const checked = checkParameters(world, parameters);
@@ -88,7 +88,8 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
       followed,
       entity: options.entity ?? 0,
       parameters,
-      ...waitingRoom(world, block, capacity),
+      bursts: new Float64Array(world.memory.buffer, block.record.words[W.bursts], MOST_BURSTS * BURST_NUMBERS),
+      endings: undefined,
       destroyed: false,
       timeline: world.versions.restored,
     },
@@ -96,18 +97,6 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
   emittersOf(world).list.push(emitter);
   if (!world.phases.emit.includes(emitParticles)) world.phases.emit.push(emitParticles);
   return emitter;
-}
-
-/** Views of the block's memory that are handed out again and again. */
-function waitingRoom({ memory: { buffer } }: PhysicsWorld, { record: { words }, reports }: Block, capacity: number) {
-  return {
-    bursts: new Float64Array(buffer, words[W.bursts], MOST_BURSTS * BURST_NUMBERS),
-    endings: {
-      count: 0,
-      ids: new Uint32Array(buffer, words[W.endedIds], reports ? capacity : 0),
-      states: new Float64Array(buffer, words[W.endedAt], reports ? 6 * capacity : 0),
-    },
-  };
 }
 
 function openRecord(
@@ -125,21 +114,23 @@ function openRecord(
   const stream = emittersOf(world).made++;
   seedWords(record.words.subarray(W.random0, W.random0 + 4), world.seed, stream);
   writeParameters(world, record, checked);
-  writePosition(record, checked.position, true);
+  record.numbers.set(checked.position, N.x);
+  comeToRest(record);
   new Uint32Array(world.memory.buffer, record.words[W.ids], ids.length).set(ids);
   emitterKernels(world).openPool(record.at);
   world.versions.style++;
 }
 
 function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRecord, checked: CheckedParameters): void {
-  const { direction, positionSpread, velocitySpread, ramps, sizes } = checked;
+  const { ramps, sizes } = checked;
   numbers[N.rate] = checked.rate;
   numbers.set(checked.lifetime, N.lifeMin);
   numbers.set(checked.speed, N.speedMin);
   numbers.set(checked.sizeFactor, N.factorMin);
-  numbers.set([direction.x, direction.y, direction.z, checked.spread], N.directionX);
-  numbers.set([positionSpread.x, positionSpread.y, positionSpread.z], N.areaX);
-  numbers.set([velocitySpread.x, velocitySpread.y, velocitySpread.z], N.scatterX);
+  numbers.set(checked.direction, N.directionX);
+  numbers[N.spread] = checked.spread;
+  numbers.set(checked.positionSpread, N.areaX);
+  numbers.set(checked.velocitySpread, N.scatterX);
   numbers[N.mass] = checked.mass;
   numbers.set(sizes, N.size0);
   words[W.sizeStops] = sizes.length;
@@ -152,14 +143,9 @@ function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRec
   words[W.repaint] = 1;
 }
 
-function writePosition({ numbers }: EmitterRecord, { x, y, z }: { x: number; y: number; z: number }, jump: boolean) {
-  numbers[N.x] = x;
-  numbers[N.y] = y;
-  numbers[N.z] = z;
-  if (!jump) return;
-  numbers[N.lastX] = x;
-  numbers[N.lastY] = y;
-  numbers[N.lastZ] = z;
+/** No way lies behind the emitter. */
+function comeToRest({ numbers }: EmitterRecord): void {
+  numbers.copyWithin(N.lastX, N.x, N.x + 3);
 }
 
 /** @throws PhysicsError E_DESTROYED (the world), E_STALE (the emitter) */
@@ -191,7 +177,7 @@ export function setEmitter(emitter: Emitter, changes: EmitterParameters): void {
   const checked = checkParameters(emitter.world, parameters);
   emitter.internal.parameters = parameters;
   writeParameters(emitter.world, record, checked);
-  if (changes.position !== undefined) writePosition(record, checked.position, false);
+  if (changes.position !== undefined) record.numbers.set(checked.position, N.x);
 }
 
 /**
@@ -209,9 +195,7 @@ export function setRate(emitter: Emitter, rate: number): void {
  */
 export function moveEmitter(emitter: Emitter, position: VectorInput, jump = false): void {
   setEmitter(emitter, { position });
-  if (!jump) return;
-  const { numbers } = emitter.internal.block.record;
-  numbers.copyWithin(N.lastX, N.x, N.x + 3);
+  if (jump) comeToRest(emitter.internal.block.record);
 }
 
 /** What a burst can have of its own. */
@@ -235,10 +219,9 @@ export interface BurstOptions {
 export function burst(emitter: Emitter, count: number, options: BurstOptions = NOTHING): void {
   const { words, at } = recordOf(emitter);
   const { world, internal, capacity } = emitter;
-  if (!isWhole(count, 0, capacity)) checkNumber(count, 'count', { min: 0, max: capacity, integer: true });
+  checkWhole(count, 'count', 0, capacity);
   const { ramp = -1, pattern, scale = 1, position = NOTHING, velocity = NOTHING } = options;
-  const ramps = words[W.rampCount];
-  if (!isWhole(ramp, -1, ramps - 1)) checkNumber(ramp, 'ramp', { min: -1, max: ramps - 1, integer: true });
+  checkWhole(ramp, 'ramp', -1, words[W.rampCount] - 1);
   checkNumber(scale, 'scale', SCALES);
   if (pattern !== undefined && pattern.world !== world) {
     throw new PhysicsError('E_RANGE', 'pattern must be one of the emitter’s world.', { field: 'pattern' });
@@ -269,10 +252,6 @@ const NOTHING = {};
 const SCALES = { min: -1e6, max: 1e6 };
 const PLACES = { min: -1e15, max: 1e15 };
 const SPEEDS = { min: -1e9, max: 1e9 };
-
-function isWhole(value: unknown, min: number, max: number): boolean {
-  return Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
-}
 
 /** Particles alive now. @throws PhysicsError E_STALE, E_DESTROYED */
 export function aliveCount(emitter: Emitter): number {
@@ -316,9 +295,15 @@ export function endings(emitter: Emitter): Endings {
       hint: 'Make it with `reportEndings: true`.',
     });
   }
-  const { endings: reported } = emitter.internal;
-  reported.count = words[W.endedNow];
-  return reported;
+  const { world, capacity, internal } = emitter;
+  const { buffer } = world.memory;
+  internal.endings ??= {
+    count: 0,
+    ids: new Uint32Array(buffer, words[W.endedIds], capacity),
+    states: new Float64Array(buffer, words[W.endedAt], 6 * capacity),
+  };
+  internal.endings.count = words[W.endedNow];
+  return internal.endings;
 }
 
 /**

@@ -1,7 +1,6 @@
 import { MAX_POSITION } from '../components/position';
 import { MAX_SPEED } from '../components/velocity';
-import { PhysicsError } from '../faults/physics-error';
-import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import { checkKeys, checkNumber, checkVector, checkWhole, mustBe, type VectorInput } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
 import { MOST_RAMPS, MOST_STOPS } from './record';
 
@@ -85,16 +84,18 @@ const FIXED = [
   'reportEndings',
 ] as const;
 
+type Triple = readonly [x: number, y: number, z: number];
+
 /** The parameters as the record takes them. */
 export interface CheckedParameters {
-  readonly position: Vector;
+  readonly position: Triple;
   readonly rate: number;
   readonly lifetime: readonly [number, number];
   readonly speed: readonly [number, number];
-  readonly direction: Vector;
+  readonly direction: Triple;
   readonly spread: number;
-  readonly positionSpread: Vector;
-  readonly velocitySpread: Vector;
+  readonly positionSpread: Triple;
+  readonly velocitySpread: Triple;
   readonly inheritVelocity: number;
   readonly mass: number;
   readonly ramps: readonly (readonly number[])[];
@@ -135,10 +136,10 @@ export function checkParameters(world: PhysicsWorld, options: EmitterParameters)
   };
 }
 
-function place(world: PhysicsWorld, value: VectorInput, field: string, bounds = {}): Vector {
-  const vector = checkVector(value, field, bounds);
-  if (world.dimensions === 2) checkNumber(vector.z, `${field}.z`, { min: 0, max: 0 });
-  return vector;
+function place(world: PhysicsWorld, value: VectorInput, field: string, bounds = {}): Triple {
+  const { x, y, z } = checkVector(value, field, bounds);
+  if (world.dimensions === 2) checkNumber(z, `${field}.z`, { min: 0, max: 0 });
+  return [x, y, z];
 }
 
 function range(value: unknown, field: string, bounds: Parameters<typeof checkNumber>[2]): readonly [number, number] {
@@ -146,39 +147,39 @@ function range(value: unknown, field: string, bounds: Parameters<typeof checkNum
     const both = checkNumber(value, field, bounds);
     return [both, both];
   }
-  if (value.length !== 2) throw listError(field, value, 'a number or [min, max]');
+  if (value.length !== 2) throw mustBe('a number or [min, max]', value, field, 'E_RANGE');
   const min = checkNumber(value[0], `${field}[0]`, bounds);
   return [min, checkNumber(value[1], `${field}[1]`, { ...bounds, min })];
 }
 
-function listError(field: string, value: unknown, wanted: string): PhysicsError {
-  return new PhysicsError('E_RANGE', `${field} must be ${wanted}.`, { field, value });
-}
-
-function unit({ x, y, z }: Vector): Vector {
+function unit(direction: Triple): Triple {
   // Scaled first, so that no square leaves the range of numbers.
-  const most = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
-  if (most === 0) throw listError('direction', { x, y, z }, 'a vector that is not zero');
-  const [a, b, c] = [x / most, y / most, z / most];
-  const norm = Math.sqrt(a * a + b * b + c * c);
-  return { x: a / norm, y: b / norm, z: c / norm };
+  const most = Math.max(...direction.map(Math.abs));
+  if (most === 0) throw mustBe('a vector that is not zero', 0, 'direction', 'E_RANGE');
+  const [x, y, z] = direction.map((part) => part / most);
+  const norm = Math.sqrt(x * x + y * y + z * z);
+  return [x / norm, y / norm, z / norm];
 }
 
 function colorRamps(color: NonNullable<EmitterParameters['color']>): readonly (readonly number[])[] {
   const lists = Array.isArray(color) ? (Array.isArray(color[0]) ? color : [color]) : [[color]];
-  if (lists.length > MOST_RAMPS) throw listError('color', color, `at most ${MOST_RAMPS} lists of colours`);
+  if (lists.length > MOST_RAMPS) {
+    throw mustBe(`at most ${MOST_RAMPS} lists of colours`, color, 'color', 'E_RANGE');
+  }
   for (const list of lists) {
     if (!Array.isArray(list) || list.length < 1 || list.length > MOST_STOPS) {
-      throw listError('color', color, `a colour, or lists of 1 to ${MOST_STOPS} colours`);
+      throw mustBe(`a colour, or lists of 1 to ${MOST_STOPS} colours`, color, 'color', 'E_RANGE');
     }
-    for (const each of list) checkNumber(each, 'color', { min: 0, max: 0xffffffff, integer: true });
+    for (const each of list) checkWhole(each, 'color', 0, 0xffffffff);
   }
   return lists as readonly (readonly number[])[];
 }
 
 function sizeRamp(size: number | readonly number[]): readonly number[] {
   const list = Array.isArray(size) ? size : [size];
-  if (list.length < 1 || list.length > MOST_STOPS) throw listError('size', size, `1 to ${MOST_STOPS} radii`);
+  if (list.length < 1 || list.length > MOST_STOPS) {
+    throw mustBe(`1 to ${MOST_STOPS} radii`, size, 'size', 'E_RANGE');
+  }
   for (const each of list) checkNumber(each, 'size', { min: 0, max: 1e12 });
   return list;
 }

@@ -85,9 +85,9 @@ export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32
     velocity: {},
     mass: 1,
     appearance: { shape },
-    ...(collider === undefined ? {} : { collider }),
-    ...(linearDrag === undefined ? {} : { linearDrag }),
-    ...(quadraticDrag === undefined ? {} : { quadraticDrag }),
+    collider,
+    linearDrag,
+    quadraticDrag,
   });
   return ids.sort();
 }

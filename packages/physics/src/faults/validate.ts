@@ -26,6 +26,12 @@ export function checkNumber(
   throw mustBe(wanted, value, field, code, entity, hint);
 }
 
+/** `checkNumber` of a whole number; makes no object, for what is called in every step. */
+export function checkWhole(value: unknown, field: string, min: number, max: number): number {
+  const isWhole = Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
+  return isWhole ? (value as number) : checkNumber(value, field, { min, max, integer: true });
+}
+
 /** The error for a value that is not what it must be: "mass must be a number, got an object." */
 export function mustBe(
   wanted: string,

@@ -6,7 +6,8 @@
 // The coefficients are the columns LinearDrag and QuadraticDrag; zero, or no component, feels nothing.
 // A source of both: Batchelor, An Introduction to Fluid Dynamics, sections 4.9 and 5.11.
 // Cost: linear one multiply-add an axis; quadratic one square root more.
-import type { Force, ForceParameter } from './force';
+import type { Force } from './force';
+import { shownVector } from './time-vector';
 import { type Wind, windState } from './wind';
 
 const STILL = { x: 0, y: 0, z: 0 };
@@ -21,7 +22,7 @@ export function linearDrag(wind: Wind = STILL): Force {
   return {
     name: 'linear drag',
     equation: 'F = -c (v - w)',
-    parameters: windParameters(wind),
+    parameters: shownVector('wind', 'm/s', medium.steady),
     reads: ['Velocity', 'LinearDrag'],
     local: true,
     timeless: typeof wind !== 'function',
@@ -49,7 +50,7 @@ export function quadraticDrag(wind: Wind = STILL): Force {
   return {
     name: 'quadratic drag',
     equation: 'F = -k |v - w| (v - w)',
-    parameters: windParameters(wind),
+    parameters: shownVector('wind', 'm/s', medium.steady),
     reads: ['Velocity', 'QuadraticDrag'],
     local: true,
     timeless: typeof wind !== 'function',
@@ -65,16 +66,5 @@ export function quadraticDrag(wind: Wind = STILL): Force {
         kernels.quadraticDrag3d(force.x, force.y, force.z, x, y, z, k, w.x, w.y, w.z, first, last);
       }
     },
-  };
-}
-
-/** Of a steady wind; one that changes has no value to show. */
-function windParameters(wind: Wind): Record<string, ForceParameter> {
-  if (typeof wind === 'function') return {};
-  const { x = 0, y = 0, z = 0 } = wind;
-  return {
-    windX: { unit: 'm/s', value: x },
-    windY: { unit: 'm/s', value: y },
-    windZ: { unit: 'm/s', value: z },
   };
 }

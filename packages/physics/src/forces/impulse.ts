@@ -6,7 +6,7 @@
 //
 // An impulse is the limit of a large force for a short time: Goldstein, Classical Mechanics, section 1.1. The law of an
 // explosion is for games: a real blast goes by Sedov (1946).
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../faults/validate';
 import { assertUsable } from '../store/guards';
 import { assertBody } from '../store/references';
 import { isOpen } from '../store/rows';
@@ -64,7 +64,7 @@ export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
   const { x, y, z } = checkVector(options.centre ?? {}, 'explode.centre', PLACES);
   const impulse = checkNumber(options.impulse, 'explode.impulse', ANY);
   const radius = checkNumber(options.radius, 'explode.radius', LENGTHS);
-  const falloff = checkNumber(options.falloff ?? 1, 'explode.falloff', { min: 0, max: 16, integer: true });
+  const falloff = checkWhole(options.falloff ?? 1, 'explode.falloff', 0, 16);
   const depth = world.dimensions === 3 ? z : 0;
   lawKernels(world).blast(x, y, depth, impulse, radius, falloff, 0, world.lastId + 1);
 }

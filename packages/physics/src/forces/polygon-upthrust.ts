@@ -9,7 +9,7 @@
 // concave. Acts on bodies whose Hull.shape is the number given here, turned by their Rotation. In 2D only. With an
 // Inertia and an AngularVelocity the body turns; damp it with `angularDrag`. Cost: some 10 ns a vertex.
 import { PhysicsError } from '../faults/physics-error';
-import { checkKeys, checkList, checkNumber } from '../faults/validate';
+import { checkKeys, checkList, checkNumber, checkWhole } from '../faults/validate';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
 import { PLACES } from './bounds';
@@ -28,7 +28,7 @@ export interface PolygonHull {
 export function polygonUpthrust(pool: Pool, hull: PolygonHull): Force {
   const { at, parameters } = poolState(pool, 'polygonUpthrust');
   checkKeys(hull, 'polygonUpthrust', ['shape', 'vertices']);
-  const shape = checkNumber(hull.shape, 'polygonUpthrust.shape', { min: 2, max: 1000, integer: true });
+  const shape = checkWhole(hull.shape, 'polygonUpthrust.shape', 2, 1000);
   const outline = anticlockwise(hull.vertices);
   const area = areaOf(outline);
   const cornersAt = resource((world) => {

@@ -10,7 +10,7 @@
 // fluctuation-dissipation theorem). The number depends on the seed, the step and the body's id alone, so it is the same
 // in every evaluation of a step. With white noise every integrator is of first order at best.
 // Gillespie, Am. J. Phys. 64, 225 (1996). Cost: some 60 ns a body in the plane, 130 ns in space.
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { checkKeys, checkVector, checkWhole, type VectorInput } from '../faults/validate';
 import { NOT_NEGATIVE } from './bounds';
 import type { Force } from './force';
 import { lawKernels } from './law-kernels';
@@ -30,7 +30,7 @@ export function randomDrive(options: RandomDriveOptions): Force {
   const all = typeof given === 'number' ? { x: given, y: given, z: given } : given;
   const density = checkVector(all, 'randomDrive.spectralDensity', NOT_NEGATIVE);
   const own = options.seed;
-  if (own !== undefined) checkNumber(own, 'randomDrive.seed', { min: 0, max: 2 ** 53 - 1, integer: true });
+  if (own !== undefined) checkWhole(own, 'randomDrive.seed', 0, 2 ** 53 - 1);
   let length = 0;
   return {
     name: 'random drive',

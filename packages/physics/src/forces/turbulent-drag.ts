@@ -11,7 +11,7 @@
 // J. Fluid Mech. 236, 281 (1992). u is a function of place and time, not of the step: its statistics cannot depend on
 // the frame rate. List no other drag beside it. Each mode takes 56 bytes of a world's memory, once.
 // Cost: some 3 ns a body and mode in f32, 7 ns in f64.
-import { checkKeys, checkNumber } from '../faults/validate';
+import { checkKeys, checkNumber, checkWhole } from '../faults/validate';
 import { cos, pow, sin } from '../math/elementary';
 import { createRandom, type Random } from '../math/random';
 import { allocate } from '../store/arena';
@@ -92,7 +92,7 @@ function checkSpectrum(options: TurbulenceOptions) {
   const smallest = number('smallest', largest / 30);
   checkNumber(smallest, 'turbulentDrag.smallest', { max: largest });
   const time = number('time', largest / deviation);
-  const count = checkNumber(options.modes ?? 32, 'turbulentDrag.modes', { min: 1, max: 256, integer: true });
+  const count = checkWhole(options.modes ?? 32, 'turbulentDrag.modes', 1, 256);
   const { seed = 1 } = options;
   createRandom(seed);
   return { deviation, largest, smallest, time, count, seed };

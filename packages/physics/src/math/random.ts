@@ -1,7 +1,7 @@
 // Seeded random numbers: xoshiro128** 1.1 (Blackman and Vigna, Scrambled Linear Pseudorandom Number Generators, ACM
 // TOMS 47, 2021). kernels/math/random.ts is its twin and works on the same four words.
 import { PhysicsError } from '../faults/physics-error';
-import { checkNumber, type Vector } from '../faults/validate';
+import { checkNumber, checkWhole, type Vector } from '../faults/validate';
 import { log } from './elementary';
 
 /** A stream of random numbers. The same seed gives the same stream on every machine. */
@@ -33,8 +33,8 @@ export interface Random {
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
 export function createRandom(seed: number, stream = 0): Random {
-  checkNumber(seed, 'seed', { min: 0, max: 2 ** 53 - 1, integer: true });
-  checkNumber(stream, 'stream', { min: 0, max: 2 ** 32 - 1, integer: true });
+  checkWhole(seed, 'seed', 0, 2 ** 53 - 1);
+  checkWhole(stream, 'stream', 0, 2 ** 32 - 1);
   const state = new Uint32Array(4);
   seedWords(state, seed, stream);
   return generator(state);

@@ -2,7 +2,7 @@
 // is known about the last one. kernels/n-body does the work, in memory of its own in the world's arena.
 import { bitOf } from '../components/all';
 import { PhysicsError } from '../faults/physics-error';
-import { checkChoice, checkKeys, checkNumber } from '../faults/validate';
+import { checkChoice, checkKeys, checkNumber, checkWhole } from '../faults/validate';
 import type { Force, ForceParameter } from '../forces/force';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
@@ -114,7 +114,7 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
     },
     report: (world) => reportOf(world, sum.workOf(world)),
     rmsError(world, samples = SAMPLES) {
-      checkNumber(samples, 'rmsError.samples', { min: 1, max: SAMPLES, integer: true });
+      checkWhole(samples, 'rmsError.samples', 1, SAMPLES);
       return nBodyKernels(world).nBodyError(sum.evaluate(world), sum.power, samples);
     },
   };

@@ -1,7 +1,15 @@
 // A cloth: a grid of nodes with springs along the threads, and where wanted across the meshes (against shear) and from
 // each node to the next but one (against bending).
 import { PhysicsError } from '../faults/physics-error';
-import { checkFlag, checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import {
+  checkFlag,
+  checkKeys,
+  checkNumber,
+  checkVector,
+  checkWhole,
+  type Vector,
+  type VectorInput,
+} from '../faults/validate';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import {
@@ -116,8 +124,8 @@ function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, r
     });
   }
   return pins.map(([column, row]) => {
-    checkNumber(column, 'cloth.pins: column', { min: 0, max: columns - 1, integer: true });
-    checkNumber(row, 'cloth.pins: row', { min: 0, max: rows - 1, integer: true });
+    checkWhole(column, 'cloth.pins: column', 0, columns - 1);
+    checkWhole(row, 'cloth.pins: row', 0, rows - 1);
     return row * columns + column;
   });
 }

@@ -12,7 +12,7 @@
 // a face, twice an evaluation.
 
 import { constraintKernels } from '../constraints/kernels';
-import { checkKeys, checkNumber } from '../faults/validate';
+import { checkKeys, checkNumber, checkWhole } from '../faults/validate';
 import type { Force } from '../forces/force';
 import { log } from '../math/elementary';
 import type { PhysicsWorld } from '../world';
@@ -34,7 +34,7 @@ export interface GasOptions {
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function enclosedGas(options: GasOptions): Force {
   checkKeys(options, 'enclosedGas', ['faces', 'corners', 'amount', 'ambient', 'reference']);
-  const corners = checkNumber(options.corners, 'enclosedGas.corners', { min: 2, max: 3, integer: true }) as 2 | 3;
+  const corners = checkWhole(options.corners, 'enclosedGas.corners', 2, 3) as 2 | 3;
   const amount = checkNumber(options.amount, 'enclosedGas.amount', { min: 0, max: 1e30 });
   const ambient = checkNumber(options.ambient ?? 0, 'enclosedGas.ambient', { min: 0, max: 1e30 });
   const reference = checkNumber(options.reference ?? 1, 'enclosedGas.reference', { above: 0 });

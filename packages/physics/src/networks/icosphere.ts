@@ -1,4 +1,4 @@
-import { checkNumber } from '../faults/validate';
+import { checkWhole } from '../faults/validate';
 
 /** Points on the unit sphere, three numbers each, and triangles seen counter-clockwise from outside. */
 export interface Sphere {
@@ -32,7 +32,7 @@ const FACES = [
 
 /** An icosahedron whose edges are halved so many times: 10·4^n + 2 points. @throws PhysicsError E_RANGE */
 export function icosphere(divisions: number): Sphere {
-  checkNumber(divisions, 'icosphere', { min: 0, max: 6, integer: true });
+  checkWhole(divisions, 'icosphere', 0, 6);
   const points: number[] = [];
   for (const [x, y, z] of CORNERS) addPoint(points, x, y, z);
   let faces = [...FACES];

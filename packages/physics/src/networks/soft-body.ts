@@ -1,5 +1,5 @@
 // A soft body: a skin of springs around a gas. In 2D a ring, in 3D a ball made of a divided icosahedron.
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../faults/validate';
 import type { Force } from '../forces/force';
 import { cos, sin } from '../math/elementary';
 import { assertUsable } from '../store/guards';
@@ -72,7 +72,7 @@ export function createSoftBody(world: PhysicsWorld, options: SoftBodyOptions): S
 
 /** Counter-clockwise, so that the inside is on the left of each edge. */
 function ring(detail: number): Skin {
-  const count = checkNumber(detail, 'softBody.detail', { min: 3, max: 1e6, integer: true });
+  const count = checkWhole(detail, 'softBody.detail', 3, 1e6);
   const points: number[] = [];
   const faces: number[] = [];
   for (let i = 0; i < count; i++) {

@@ -49,16 +49,7 @@ export type System = GlobalSystem | LocalSystem;
 export type Phases = { readonly [P in Phase]: System[] };
 
 export function createPhases(): Phases {
-  return Object.freeze({
-    input: [],
-    emit: [],
-    begin: [],
-    integrate: [],
-    walls: [],
-    collide: [],
-    finish: [],
-    events: [],
-  });
+  return Object.freeze(Object.fromEntries(PHASES.map((phase) => [phase, []]))) as unknown as Phases;
 }
 
 /** Your own local system in plain TypeScript: `run` gets ascending runs of rows. @throws PhysicsError E_TYPE */

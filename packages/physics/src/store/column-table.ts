@@ -1,4 +1,5 @@
 import { type Addresses, bitOf } from '../components/all';
+import type { AxisAddresses } from './columns';
 
 /** Where the table of column addresses stands in the world's memory; kernels/columns.ts reads it there. */
 export const TABLE_ADDRESS = 64;
@@ -31,22 +32,16 @@ export enum TableColumn {
 
 /** Writes the table. */
 export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, members: number): void {
-  const { Position, Velocity, Mass, Inertia, AngularVelocity, Collider } = at;
   const table = new Uint32Array(memory.buffer, TABLE_ADDRESS, TableColumn.end);
-  table[TableColumn.positionX] = Position.x;
-  table[TableColumn.positionY] = Position.y;
-  table[TableColumn.positionZ] = Position.z;
-  table[TableColumn.velocityX] = Velocity.x;
-  table[TableColumn.velocityY] = Velocity.y;
-  table[TableColumn.velocityZ] = Velocity.z;
-  table[TableColumn.mass] = Mass.value;
-  table[TableColumn.inertia] = Inertia.value;
-  table[TableColumn.angularVelocityX] = AngularVelocity.x;
-  table[TableColumn.angularVelocityY] = AngularVelocity.y;
-  table[TableColumn.angularVelocityZ] = AngularVelocity.z;
-  table[TableColumn.radius] = Collider.radius;
-  table[TableColumn.restitution] = Collider.restitution;
-  table[TableColumn.friction] = Collider.friction;
+  const axes = (start: TableColumn, { x, y, z }: AxisAddresses) => table.set([x, y, z], start);
+  axes(TableColumn.positionX, at.Position);
+  axes(TableColumn.velocityX, at.Velocity);
+  axes(TableColumn.angularVelocityX, at.AngularVelocity);
+  table[TableColumn.mass] = at.Mass.value;
+  table[TableColumn.inertia] = at.Inertia.value;
+  table[TableColumn.radius] = at.Collider.radius;
+  table[TableColumn.restitution] = at.Collider.restitution;
+  table[TableColumn.friction] = at.Collider.friction;
   table[TableColumn.members] = members;
   table[TableColumn.angularVelocityBit] = bitOf('AngularVelocity');
 }
