@@ -49,5 +49,10 @@ export interface BodySource {
     readonly style: number;
     /** Grows when `ids` changed. */
     readonly membership: number;
+    /**
+     * Steps taken. Where this, and `pose`, grew by one and `membership` not at all, the previous poses are those that
+     * were the present ones, and are not sent again. Left out, both always are.
+     */
+    readonly steps?: number;
   };
 }

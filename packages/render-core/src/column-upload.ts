@@ -51,6 +51,12 @@ export class ColumnUpload {
     this.#origin = origin;
     return shadow;
   }
+
+  /** Says that another column has the values of the last `refresh`, which `data` is to have from then on. */
+  rename(column: RealColumn): Float32Array {
+    if (column instanceof Float32Array) this.#data = column;
+    return this.#data;
+  }
 }
 
 const EMPTY = new Float32Array(0);

@@ -40,6 +40,9 @@ export function worldSource(world: PhysicsWorld): BodySource {
       get membership() {
         return versions.membership + versions.restored * TIMELINE;
       },
+      get steps() {
+        return world.tick;
+      },
     },
   };
 }

@@ -16,7 +16,7 @@ export interface BodyLayerOptions {
   blendMode?: 'normal' | 'add';
   /** Radius below which no body is drawn however small it is, physical pixels; default 0.5. */
   minimumPixels?: number;
-  /** False leaves the angles out, which saves two of six uploads; right for particles. Default true. */
+  /** False leaves the angles of boxes and marked discs out. Default true. */
   rotation?: boolean;
 }
 
@@ -63,9 +63,9 @@ export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
     update(alpha) {
       textures.syncIds();
       textures.syncPosition();
-      if (rotation) textures.syncAngle();
       textures.syncStyle();
-      mesh.uniforms.uAlpha = alpha;
+      if (rotation) textures.syncAngle();
+      mesh.uniforms.uAlpha = textures.alphaOf(alpha);
       mesh.place(textures.originX, textures.originY);
       mesh.draw(source.count);
     },

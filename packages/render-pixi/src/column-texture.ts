@@ -11,8 +11,10 @@ export class ColumnTexture {
   /** What a shader binds. */
   readonly source: BufferImageSource;
   readonly #channels: 1 | 4;
-  #data: ColumnData;
   #rows = 1;
+  /** The used part of the array, and of the one before it: where two take turns, no view is made. */
+  #view: ColumnData;
+  #otherView: ColumnData;
 
   /**
    * @param kind `real` for 32-bit floats, `whole` for unsigned 32-bit integers
@@ -21,11 +23,12 @@ export class ColumnTexture {
   constructor(kind: 'real' | 'whole', channels: 1 | 4 = 1) {
     const length = TEXTURE_WIDTH * channels;
     this.#channels = channels;
-    this.#data = kind === 'real' ? new Float32Array(length) : new Uint32Array(length);
+    const zeros = kind === 'real' ? new Float32Array(length) : new Uint32Array(length);
+    this.#view = this.#otherView = zeros;
     const real = channels === 1 ? 'r32float' : 'rgba32float';
     const whole = channels === 1 ? 'r32uint' : 'rgba32uint';
     this.source = new BufferImageSource({
-      resource: this.#data,
+      resource: zeros,
       width: TEXTURE_WIDTH,
       height: 1,
       format: kind === 'real' ? real : whole,
@@ -42,18 +45,35 @@ export class ColumnTexture {
    * @param data the column; its length is a multiple of the texture's width
    */
   upload(data: ColumnData, used: number): void {
-    const rows = textureRows(used, data === this.#data ? this.#rows : 0, data.length / this.#channels);
-    if (data === this.#data && rows === this.#rows) {
-      this.source.update();
-      return;
+    const rows = textureRows(used, this.#rows, data.length / this.#channels);
+    const fits = Math.min(rows, data.length / this.#channels / TEXTURE_WIDTH);
+    this.#show(data, fits);
+    if (fits !== this.#rows) {
+      this.#rows = fits;
+      if (this.source.resize(TEXTURE_WIDTH, fits)) return;
     }
-    this.#data = data;
-    this.#rows = rows;
-    this.source.resource = data.subarray(0, rows * TEXTURE_WIDTH * this.#channels);
-    if (!this.source.resize(TEXTURE_WIDTH, rows)) this.source.update();
+    this.source.update();
+  }
+
+  /** Says that another array has the values of the last `upload`; it is what a renderer that comes anew is sent. */
+  rename(data: ColumnData): void {
+    this.#show(data, this.#rows);
+  }
+
+  #show(data: ColumnData, rows: number): void {
+    const length = rows * TEXTURE_WIDTH * this.#channels;
+    if (isView(this.#view, data, length)) return;
+    const last = this.#view;
+    this.#view = isView(this.#otherView, data, length) ? this.#otherView : data.subarray(0, length);
+    this.#otherView = last;
+    this.source.resource = this.#view;
   }
 
   destroy(): void {
     this.source.destroy();
   }
+}
+
+function isView(view: ColumnData, data: ColumnData, length: number): boolean {
+  return view.buffer === data.buffer && view.byteOffset === data.byteOffset && view.length === length;
 }

@@ -63,7 +63,7 @@ export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
     },
     update(alpha) {
       textures.syncPosition();
-      mesh.uniforms.uAlpha = alpha;
+      mesh.uniforms.uAlpha = textures.alphaOf(alpha);
       mesh.place(textures.originX, textures.originY);
     },
     destroy() {

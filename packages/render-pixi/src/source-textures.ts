@@ -1,4 +1,12 @@
-import { type BodySource, ColumnUpload, type RealColumn, TEXTURE_WIDTH } from '@principia/render-core';
+import {
+  type BodySource,
+  ColumnUpload,
+  PosePair,
+  PosesSent,
+  type RealColumn,
+  SHAPES,
+  TEXTURE_WIDTH,
+} from '@principia/render-core';
 import { ColumnTexture } from './column-texture.ts';
 
 /** A real column and its way to the GPU, through an f32 shadow where the column is f64. */
@@ -14,9 +22,14 @@ class RealTexture {
   upload(column: RealColumn, used: number, origin = 0): void {
     this.texture.upload(this.#upload.refresh(column, used, origin), used);
   }
+
+  /** Says that another column has the values of the last `upload`. */
+  rename(column: RealColumn): void {
+    this.texture.rename(this.#upload.rename(column));
+  }
 }
 
-/** Which poses, styles and id lists are on the GPU already. */
+/** Which styles are on the GPU already. */
 interface Uploaded {
   version: number;
   membership: number;
@@ -24,7 +37,8 @@ interface Uploaded {
 
 /**
  * The columns of one `BodySource` as textures, shared by all layers that draw it, so that each column is uploaded once
- * however many layers there are. Every `sync…` uploads only when the source's version counters moved.
+ * however many layers there are. Every `sync…` uploads only when the source's version counters moved. Where steps follow
+ * each other, the textures of present poses and those of previous ones change roles, see `PosePair`: draw with `alphaOf`.
  */
 export class SourceTextures {
   readonly ids = new ColumnTexture('whole');
@@ -39,10 +53,12 @@ export class SourceTextures {
   readonly color = new ColumnTexture('whole');
   readonly shape = new ColumnTexture('whole');
   readonly #source: BodySource;
-  readonly #position: Uploaded = { version: Number.NaN, membership: Number.NaN };
-  readonly #angle: Uploaded = { version: Number.NaN, membership: Number.NaN };
+  readonly #poses = new PosePair();
+  readonly #positionSent = new PosesSent();
+  readonly #angleSent = new PosesSent();
   readonly #style: Uploaded = { version: Number.NaN, membership: Number.NaN };
   #membership = Number.NaN;
+  #hasTurning = false;
   #idList: Uint32Array | undefined;
   #originX = 0;
   #originY = 0;
@@ -75,11 +91,15 @@ export class SourceTextures {
 
   /** Where zero of the uploaded positions lies in the world, metres; (0, 0) for an f32 source. */
   get originX(): number {
-    return this.x.origin;
+    return this.#originOf(this.x, this.previousX);
   }
 
   get originY(): number {
-    return this.y.origin;
+    return this.#originOf(this.y, this.previousY);
+  }
+
+  #originOf(one: RealTexture, other: RealTexture): number {
+    return (this.#poses.isSwapped ? other : one).origin;
   }
 
   /** Takes f64 positions relative to (x, y) metres from the next upload on. */
@@ -87,7 +107,7 @@ export class SourceTextures {
     if (x === this.#originX && y === this.#originY) return;
     this.#originX = x;
     this.#originY = y;
-    this.#position.version = Number.NaN;
+    this.#positionSent.forget();
   }
 
   syncIds(): void {
@@ -98,21 +118,36 @@ export class SourceTextures {
   }
 
   syncPosition(): void {
-    const { position, previousPosition, versions } = this.#source;
-    if (!this.#moved(this.#position, versions.pose)) return;
-    const used = this.#source.lastId + 1;
-    this.x.upload(position.x, used, this.#originX);
-    this.y.upload(position.y, used, this.#originY);
-    this.previousX.upload(previousPosition.x, used, this.#originX);
-    this.previousY.upload(previousPosition.y, used, this.#originY);
+    const { position, previousPosition } = this.#source;
+    this.#poses.refresh(this.#source);
+    const what = this.#positionSent.take(this.#poses);
+    if (what === 0) return;
+    this.#send(what, this.x, this.previousX, position.x, previousPosition.x, this.#originX);
+    this.#send(what, this.y, this.previousY, position.y, previousPosition.y, this.#originY);
   }
 
+  /** After `syncStyle`: discs, rings and glows look the same however they are turned, and need no angles. */
   syncAngle(): void {
-    const { angle, previousAngle, versions } = this.#source;
-    if (!this.#moved(this.#angle, versions.pose)) return;
+    if (!this.#hasTurning) return;
+    const { angle, previousAngle } = this.#source;
+    this.#poses.refresh(this.#source);
+    const what = this.#angleSent.take(this.#poses);
+    if (what !== 0) this.#send(what, this.angle, this.previousAngle, angle, previousAngle, 0);
+  }
+
+  /** What shaders take for `alpha`. */
+  alphaOf(alpha: number): number {
+    return this.#poses.alphaOf(alpha);
+  }
+
+  /** Sends a column to the texture that is the present one now; the other is sent as well, or has it already. */
+  #send(what: 1 | 2, one: RealTexture, other: RealTexture, now: RealColumn, before: RealColumn, origin: number): void {
     const used = this.#source.lastId + 1;
-    this.angle.upload(angle, used);
-    this.previousAngle.upload(previousAngle, used);
+    const { isSwapped } = this.#poses;
+    (isSwapped ? other : one).upload(now, used, origin);
+    const previous = isSwapped ? one : other;
+    if (what === 1) previous.rename(before);
+    else previous.upload(before, used, origin);
   }
 
   syncStyle(): void {
@@ -123,6 +158,7 @@ export class SourceTextures {
     this.size.upload(size, used);
     this.color.upload(color, used);
     this.shape.upload(shape, used);
+    this.#hasTurning = anyTurns(shape, used);
   }
 
   /** Membership counts too, because rows above the former last id were never uploaded. */
@@ -149,4 +185,12 @@ export class SourceTextures {
       ...[this.angle, this.previousAngle, this.radius, this.size],
     ];
   }
+}
+
+/** Whether a row has a shape whose rotation can be seen. A function of its own, which compilers get to know. */
+function anyTurns(shape: Uint32Array, used: number): boolean {
+  for (let id = 0; id < used; id++) {
+    if (shape[id] === SHAPES.box || shape[id] === SHAPES.markedDisc) return true;
+  }
+  return false;
 }

@@ -81,7 +81,7 @@ export function createTrailLayer(options: TrailLayerOptions): TrailLayer {
         if (history.record()) trails.recorded();
       }
       trails.sync();
-      mesh.uniforms.uAlpha = alpha;
+      mesh.uniforms.uAlpha = textures.alphaOf(alpha);
       mesh.uniforms.uNewestSlice = history.newestSlice;
       mesh.uniforms.uRecordings = history.recordings;
       mesh.uniforms.uSkip = history.newestIsCurrent ? 1 : 0;

@@ -100,13 +100,14 @@ export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
   const passes = form === 'mesh' ? createInstancedPasses(options, textures) : [createImpostorPass(options, textures)];
   passes.push(createFlatPass(source, textures));
   const object = new Group();
-  for (const { mesh } of passes) object.add(prepared(mesh, options, target));
-  object.raycast = (raycaster, hits) => raycastBodies(source, object, uniforms.poseAlpha.value, raycaster, hits);
+  let drawnAlpha = 1;
+  for (const { mesh } of passes) object.add(prepared(mesh, options, target, textures));
+  object.raycast = (raycaster, hits) => raycastBodies(source, object, drawnAlpha, raycaster, hits);
   return {
     object,
     update(alpha) {
-      uniforms.poseAlpha.value = alpha;
-      textures.refresh();
+      drawnAlpha = alpha;
+      textures.refresh(alpha);
       for (let i = 0; i < passes.length; i++) showPass(passes[i], source.count, textures);
     },
     setOrigin(x, y, z) {
@@ -128,11 +129,15 @@ function showPass(pass: BodyPass, count: number, textures: BodyTextures): void {
   pass.setCount(count);
 }
 
-function prepared(mesh: Mesh, options: BodyMeshOptions, target: TargetPixels): Mesh {
+function prepared(mesh: Mesh, options: BodyMeshOptions, target: TargetPixels, textures: BodyTextures): Mesh {
   mesh.frustumCulled = false;
   mesh.castShadow = options.castShadow ?? false;
   mesh.receiveShadow = options.receiveShadow ?? false;
-  mesh.onBeforeRender = (renderer: WebGLRenderer) => target.read(renderer);
+  mesh.onBeforeRender = (renderer: WebGLRenderer) => {
+    target.read(renderer);
+    textures.send(renderer);
+  };
+  mesh.onBeforeShadow = (renderer: WebGLRenderer) => textures.send(renderer);
   mesh.raycast = () => {}; // the group answers for all passes
   return mesh;
 }

@@ -1,14 +1,14 @@
 import { SHAPES } from '@principia/render-core';
-import type { DataTexture } from 'three';
 import { expect, test } from 'vitest';
 import { createFakeSource, type FakeSource } from '../../render-core/src/fake-source.ts';
 import { colorBytes } from './body-color.ts';
 import { BodyTextures } from './body-textures.ts';
+import type { ColumnTexture } from './column-texture.ts';
 
 function textures(source: FakeSource) {
   const held = new BodyTextures(source, colorBytes(0x102030), false);
-  const of = (name: string) => held.uniforms[name].value as DataTexture;
-  return { held, of, versions: (...names: string[]) => names.map((name) => of(name).version) };
+  const of = (name: string) => held.uniforms[name].value as ColumnTexture;
+  return { held, of, versions: (...names: string[]) => names.map((name) => of(name).uploads) };
 }
 
 test('colours of three become bytes in memory order', () => {
@@ -20,27 +20,49 @@ test('the columns of an f32 world are the textures themselves', () => {
   const source = createFakeSource(2048, 3);
   source.show([5, 1500]);
   const { held, of } = textures(source);
-  held.refresh();
-  expect(of('positionX').image.data).toBe(source.position.x);
-  expect(of('previousZ').image.data).toBe(source.previousPosition.z);
-  expect(of('positionX').image.height).toBe(2);
+  held.refresh(1);
+  expect(of('positionX').data).toBe(source.position.x);
+  expect(of('previousZ').data).toBe(source.previousPosition.z);
+  expect(of('positionX').rows).toBe(2);
 });
 
 test('only what the source says has changed is sent', () => {
   const source = createFakeSource(1024, 3);
   source.show([1, 2]);
   const { held, versions } = textures(source);
-  held.refresh();
+  held.refresh(1);
   const names = ['positionX', 'bodyStyle', 'bodyIds', 'turnX'];
   const before = versions(...names);
-  held.refresh();
+  held.refresh(1);
   expect(versions(...names)).toEqual(before);
   source.versions.pose++;
-  held.refresh();
+  held.refresh(1);
   expect(versions(...names)).toEqual([before[0] + 1, before[1], before[2], before[3]]);
   source.versions.style++;
-  held.refresh();
+  held.refresh(1);
   expect(versions(...names)).toEqual([before[0] + 1, before[1] + 1, before[2], before[3]]);
+});
+
+test('a step sends the new poses alone, and what was new becomes what was before', () => {
+  const source = createFakeSource(1024, 3);
+  source.versions.steps = 0;
+  source.show([1, 2]);
+  const { held, of, versions } = textures(source);
+  held.refresh(0.25);
+  expect(held.uniforms.poseAlpha.value).toBe(0.25);
+  const before = versions('positionX', 'previousX');
+  source.versions.pose++;
+  source.versions.steps++;
+  held.refresh(0.25);
+  expect(versions('positionX', 'previousX')).toEqual([before[0], before[1] + 1]);
+  // The halves have changed roles, also for a renderer that comes anew.
+  expect([of('previousX').data, of('positionX').data]).toEqual([source.position.x, source.previousPosition.x]);
+  expect(held.uniforms.poseAlpha.value).toBe(0.75);
+  // Somebody moved a body by hand: there may be more than one reason why the poses are others.
+  source.versions.pose += 2;
+  source.versions.steps++;
+  held.refresh(1);
+  expect(versions('positionX', 'previousX')).toEqual([before[0] + 1, before[1] + 2]);
 });
 
 test('rotations are sent once a body shows them', () => {
@@ -48,12 +70,12 @@ test('rotations are sent once a body shows them', () => {
   source.radius[1] = 1;
   source.show([1]);
   const { held, of } = textures(source);
-  held.refresh();
-  expect(of('turnX').image.data).not.toBe(source.orientation.x);
+  held.refresh(1);
+  expect(of('turnX').data).not.toBe(source.orientation.x);
   source.shape[1] = SHAPES.box;
   source.versions.style++;
-  held.refresh();
-  expect(of('turnX').image.data).toBe(source.orientation.x);
+  held.refresh(1);
+  expect(of('turnX').data).toBe(source.orientation.x);
 });
 
 test('an id beyond those sent before is sent even if no version of its columns moved', () => {
@@ -61,14 +83,14 @@ test('an id beyond those sent before is sent even if no version of its columns m
   source.position.x[3000] = 8;
   source.show([1]);
   const { held, of } = textures(source);
-  held.refresh();
+  held.refresh(1);
   source.ids[1] = 3000;
   source.count = 2;
   source.lastId = 3000;
   source.versions.membership++;
-  held.refresh();
-  const { data, height } = of('positionX').image;
-  expect([(data as Float32Array)[3000], height]).toEqual([8, 3]);
+  held.refresh(1);
+  const { data, rows } = of('positionX');
+  expect([(data as Float32Array)[3000], rows]).toEqual([8, 3]);
 });
 
 test('the style holds drawn radius, colour and shape, with the defaults filled in', () => {
@@ -79,7 +101,7 @@ test('the style holds drawn radius, colour and shape, with the defaults filled i
   source.shape[2] = SHAPES.glow;
   source.show([1, 2]);
   const { held } = textures(source);
-  held.refresh();
+  held.refresh(1);
   const radius = new Float32Array(held.style.data.buffer);
   expect([radius[4], radius[8]]).toEqual([1, 0.25]);
   expect(Array.from(held.style.data.slice(5, 7))).toEqual([0xff302010, SHAPES.disc]);
@@ -94,8 +116,8 @@ test('an origin is subtracted before f64 is rounded, and ignored for f32', () =>
     source.show([1]);
     const { held, of } = textures(source);
     held.centres.setOrigin(1e9, 0, 0);
-    held.refresh();
-    const sent = (of('positionX').image.data as Float32Array)[1];
+    held.refresh(1);
+    const sent = (of('positionX').data as Float32Array)[1];
     expect(sent + held.centres.origin.x).toBe(precision === 'f64' ? 1e9 + 0.125 : 1e9);
   }
 });

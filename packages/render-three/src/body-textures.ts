@@ -1,9 +1,10 @@
-import type { BodySource } from '@principia/render-core';
-import type { IUniform } from 'three';
+import { type BodySource, PosePair } from '@principia/render-core';
+import type { IUniform, WebGLRenderer } from 'three';
 import { BodyStyle } from './body-style.ts';
 import { CentreTextures } from './centre-textures.ts';
 import { ColumnTexture } from './column-texture.ts';
-import { TurnTextures } from './turn-textures.ts';
+import type { PoseColumns } from './pose-columns.ts';
+import { createTurnTextures } from './turn-textures.ts';
 
 /**
  * The columns of a source as textures, kept as fresh as the source's version counters ask for: nothing is sent
@@ -16,7 +17,8 @@ export class BodyTextures {
   /** The ids to draw: `ids[0 … count)`, an array of the source's `rows` that is never replaced. */
   readonly ids: Uint32Array;
   readonly #source: BodySource;
-  readonly #turns: TurnTextures;
+  readonly #poses = new PosePair();
+  readonly #turns: PoseColumns;
   /** Send rotations even where every body is a ball, as for a custom geometry. */
   readonly #alwaysTurns: boolean;
   readonly #idTexture = new ColumnTexture('uint');
@@ -29,12 +31,12 @@ export class BodyTextures {
     this.#alwaysTurns = alwaysTurns;
     this.style = new BodyStyle(source.rows, defaultColor);
     this.ids = new Uint32Array(source.rows);
-    this.centres = new CentreTextures(source);
-    this.#turns = new TurnTextures(source);
+    this.centres = new CentreTextures(source, this.#poses);
+    this.#turns = createTurnTextures(source, this.#poses);
     this.uniforms = {
       poseAlpha: { value: 1 },
-      bodyIds: { value: this.#idTexture.texture },
-      bodyStyle: { value: this.#styleTexture.texture },
+      bodyIds: { value: this.#idTexture },
+      bodyStyle: { value: this.#styleTexture },
       ...this.centres.uniforms,
       ...this.#turns.uniforms,
     };
@@ -45,8 +47,12 @@ export class BodyTextures {
     return this.#membershipVersion;
   }
 
-  /** Marks for upload what the source says has changed. Call once a frame, before drawing. */
-  refresh(): void {
+  /**
+   * Marks for upload what the source says has changed. Call once a frame, before drawing.
+   *
+   * @param alpha where between the previous poses, 0, and the present ones, 1, to draw
+   */
+  refresh(alpha: number): void {
     const { versions, lastId } = this.#source;
     const used = lastId + 1;
     if (versions.membership !== this.#membershipVersion) this.#refreshIds(versions.membership);
@@ -55,9 +61,19 @@ export class BodyTextures {
       this.style.pack(this.#source, used);
       this.#styleTexture.upload(this.style.data, used);
     }
+    this.#poses.refresh(this.#source);
+    this.uniforms.poseAlpha.value = this.#poses.alphaOf(alpha);
     this.centres.refresh();
     // Balls look the same however they are turned: most particle worlds never send a rotation.
     if (this.#alwaysTurns || this.style.hasTurning) this.#turns.refresh();
+  }
+
+  /** Sends what is marked. Call before each drawing, of shadows too. */
+  send(renderer: WebGLRenderer): void {
+    this.#idTexture.send(renderer);
+    this.#styleTexture.send(renderer);
+    this.centres.send(renderer);
+    this.#turns.send(renderer);
   }
 
   dispose(): void {

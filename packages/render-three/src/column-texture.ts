@@ -1,42 +1,42 @@
 import { TEXTURE_WIDTH, textureRows } from '@principia/render-core';
-import {
-  DataTexture,
-  FloatType,
-  type PixelFormat,
-  RedFormat,
-  RedIntegerFormat,
-  RGBAIntegerFormat,
-  type TextureDataType,
-  UnsignedIntType,
-} from 'three';
+import { ExternalTexture, type WebGLRenderer } from 'three';
 
 /** What a texel of a column texture holds. */
 export type TexelKind = 'real' | 'uint' | 'uint4';
 
-/** Stands in until the first upload; a fetch outside a texture gives zero. */
-const nothing = { real: new Float32Array(TEXTURE_WIDTH), uint: new Uint32Array(4 * TEXTURE_WIDTH) };
+const lanesOf: Record<TexelKind, number> = { real: 1, uint: 1, uint4: 4 };
 
-const formats: Record<TexelKind, { format: PixelFormat; type: TextureDataType; lanes: number }> = {
-  real: { format: RedFormat, type: FloatType, lanes: 1 },
-  uint: { format: RedIntegerFormat, type: UnsignedIntType, lanes: 1 },
-  uint4: { format: RGBAIntegerFormat, type: UnsignedIntType, lanes: 4 },
-};
+/** What one renderer has of a column, and how WebGL calls it. */
+interface GpuCopy {
+  /** A renderer whose context was lost and restored has others: what it had before is gone. */
+  readonly properties: WebGLRenderer['properties'];
+  readonly gl: WebGL2RenderingContext;
+  /** Of the storage. */
+  readonly sizedFormat: number;
+  /** Of what is sent. */
+  readonly format: number;
+  readonly type: number;
+  handle: WebGLTexture;
+  rows: number;
+  uploads: number;
+}
 
 /**
  * A data texture over an array that somebody else writes: nothing is copied on the CPU, and an upload sends only the
- * rows in use. Its height follows the use with some slack, because three's own partial texture updates take one GL
- * call per 1024 values.
+ * rows in use. The storage on the GPU is the column's own, not three's, which asks itself at every upload what
+ * kind of texture it is, and makes objects on the way.
  */
-export class ColumnTexture {
-  readonly texture: DataTexture;
-  readonly #lanes: number;
+export class ColumnTexture extends ExternalTexture {
+  readonly #kind: TexelKind;
+  readonly #copies: GpuCopy[] = [];
+  #data: Float32Array | Uint32Array | undefined;
+  #rows = 1;
   #used = 0;
+  #uploads = 0;
 
   constructor(kind: TexelKind) {
-    const { format, type, lanes } = formats[kind];
-    this.#lanes = lanes;
-    this.texture = new DataTexture(kind === 'real' ? nothing.real : nothing.uint, TEXTURE_WIDTH, 1, format, type);
-    this.texture.needsUpdate = true;
+    super();
+    this.#kind = kind;
   }
 
   /** Number of leading texels the GPU is up to date with after the next frame. */
@@ -44,28 +44,104 @@ export class ColumnTexture {
     return this.#used;
   }
 
+  /** The array of the last `upload`. */
+  get data(): Float32Array | Uint32Array | undefined {
+    return this.#data;
+  }
+
+  /** Rows of the storage on the GPU. */
+  get rows(): number {
+    return this.#rows;
+  }
+
+  /** Grows with every `upload`. */
+  get uploads(): number {
+    return this.#uploads;
+  }
+
   /**
-   * Sends the array to the GPU with the next frame.
+   * Has the array sent to the GPU with the next frame.
    *
    * @param data one or four values a texel, a whole number of rows
    * @param used number of leading texels that matter
    * @throws Error when `data` is not a whole number of rows
    */
   upload(data: Float32Array | Uint32Array, used: number): void {
-    const { image } = this.texture;
-    const rows = textureRows(used, image.height, data.length / this.#lanes);
-    if (rows !== image.height) {
-      // The GPU's storage cannot change its size: let go of it, the next frame makes a new one.
-      this.texture.dispose();
-      image.height = rows;
-    }
-    image.data = data;
+    this.#rows = textureRows(used, this.#rows, data.length / lanesOf[this.#kind]);
+    this.#data = data;
     this.#used = used;
-    this.texture.needsUpdate = true;
+    this.#uploads++;
   }
 
-  /** Frees the GPU's copy. */
-  dispose(): void {
-    this.texture.dispose();
+  /** Says that another array has the values of the last `upload`; it is what a renderer that comes anew is sent. */
+  rename(data: Float32Array | Uint32Array): void {
+    this.#data = data;
   }
+
+  /** Sends what this renderer has not got yet. Call it before each drawing, shadows too. */
+  send(renderer: WebGLRenderer): void {
+    const copy = this.#copyOf(renderer);
+    this.sourceTexture = copy.handle;
+    if (copy.uploads === this.#uploads) return;
+    copy.uploads = this.#uploads;
+    bindForUpload(renderer, copy);
+    if (copy.rows !== this.#rows) this.#replaceStorage(renderer, copy);
+    const sent = Math.min(copy.rows, Math.ceil(this.#used / TEXTURE_WIDTH));
+    if (this.#data === undefined || sent === 0) return;
+    const { gl, format, type } = copy;
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, TEXTURE_WIDTH, sent, format, type, this.#data);
+  }
+
+  /** Frees the copies on GPUs. */
+  override dispose(): void {
+    for (const { gl, handle } of this.#copies) gl.deleteTexture(handle);
+    this.#copies.length = 0;
+    super.dispose();
+  }
+
+  #copyOf(renderer: WebGLRenderer): GpuCopy {
+    const { properties } = renderer;
+    for (let i = 0; i < this.#copies.length; i++) {
+      if (this.#copies[i].properties === properties) return this.#copies[i];
+    }
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const lost = this.#copies.findIndex((copy) => copy.gl === gl);
+    if (lost >= 0) this.#copies.splice(lost, 1);
+    const copy = { properties, gl, ...formatOf(gl, this.#kind), handle: gl.createTexture(), rows: 0, uploads: -1 };
+    this.#copies.push(copy);
+    return copy;
+  }
+
+  /** The storage of a texture cannot change its size: there is a new one. */
+  #replaceStorage(renderer: WebGLRenderer, copy: GpuCopy): void {
+    const { gl } = copy;
+    if (copy.rows > 0) {
+      gl.deleteTexture(copy.handle);
+      copy.handle = gl.createTexture();
+      this.sourceTexture = copy.handle;
+      bindForUpload(renderer, copy);
+    }
+    copy.rows = this.#rows;
+    gl.texStorage2D(gl.TEXTURE_2D, 1, copy.sizedFormat, TEXTURE_WIDTH, copy.rows);
+    // Without mipmaps a texture is complete only with such a filter.
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  }
+}
+
+/** Through three's own record of the state, on a unit that no drawing uses. */
+function bindForUpload({ state, capabilities }: WebGLRenderer, { gl, handle }: GpuCopy): void {
+  const unit = gl.TEXTURE0 + capabilities.maxTextures - 1;
+  state.activeTexture(unit);
+  state.bindTexture(gl.TEXTURE_2D, handle, unit);
+  state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  state.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+  state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+}
+
+function formatOf(gl: WebGL2RenderingContext, kind: TexelKind) {
+  if (kind === 'real') return { sizedFormat: gl.R32F, format: gl.RED, type: gl.FLOAT };
+  if (kind === 'uint') return { sizedFormat: gl.R32UI, format: gl.RED_INTEGER, type: gl.UNSIGNED_INT };
+  return { sizedFormat: gl.RGBA32UI, format: gl.RGBA_INTEGER, type: gl.UNSIGNED_INT };
 }

@@ -59,11 +59,14 @@ export function createSegmentLines(options: SegmentLinesOptions = {}): SegmentLi
   let numbers = new Float32Array(bits.buffer);
   let count = 0;
   let changed = false;
-  const line = createWideLineMesh(segmentEnds, { segments: { value: texture.texture } }, options.width ?? 1.5, () => {
-    if (!changed) return;
-    changed = false;
-    texture.upload(bits, count * ENDS);
-    line.setCount(count);
+  const uniforms = { segments: { value: texture } };
+  const line = createWideLineMesh(segmentEnds, uniforms, options.width ?? 1.5, (renderer) => {
+    if (changed) {
+      changed = false;
+      texture.upload(bits, count * ENDS);
+      line.setCount(count);
+    }
+    texture.send(renderer);
   });
   const grow = () => {
     const larger = new Uint32Array(bits.length * 2);

@@ -1,4 +1,4 @@
-import { type BodySource, TEXTURE_WIDTH, type TrailHistory } from '@principia/render-core';
+import { type BodySource, PosePair, TEXTURE_WIDTH, type TrailHistory } from '@principia/render-core';
 import {
   type ColorRepresentation,
   DataArrayTexture,
@@ -32,6 +32,7 @@ export class TrailTextures {
   readonly #slotList: Uint32Array;
   /** Where the bodies are now; needed only where the newest recording may be some steps old. */
   readonly #centres: CentreTextures | undefined;
+  readonly #poses = new PosePair();
   readonly #centreOffset = new Vector3();
   #recordings = 0;
   /** All slices are to be sent, not just the latest. */
@@ -47,11 +48,11 @@ export class TrailTextures {
     const axes = this.#source.dimensions === 2 ? (['x', 'y'] as const) : (['x', 'y', 'z'] as const);
     this.#slices = axes.map((axis) => sliceTexture(history[axis], history));
     this.#slotList = new Uint32Array(history.rowsPerSlice * TEXTURE_WIDTH);
-    this.#centres = history.interval > 1 ? new CentreTextures(this.#source) : undefined;
+    this.#centres = history.interval > 1 ? new CentreTextures(this.#source, this.#poses) : undefined;
     this.uniforms = {
-      birth: { value: this.#birth.texture },
-      slots: { value: this.#slots.texture },
-      bodyColors: { value: this.#colors.texture },
+      birth: { value: this.#birth },
+      slots: { value: this.#slots },
+      bodyColors: { value: this.#colors },
       onlyColor: { value: colors.color === undefined ? 0 : colorBytes(colors.color) },
       defaultColor: { value: colorBytes(colors.defaultColor ?? 0x8fb8ff) },
       points: { value: history.length },
@@ -84,6 +85,8 @@ export class TrailTextures {
       this.#colors.upload(color, lastId + 1);
     }
     if (this.#centres === undefined) return;
+    this.#poses.refresh(this.#source);
+    this.uniforms.poseAlpha.value = this.#poses.alphaOf(alpha);
     const { x, y, z } = history.origin;
     this.#centres.setOrigin(x, y, z);
     this.#centres.refresh();
@@ -98,6 +101,10 @@ export class TrailTextures {
       if (this.#sendsAll || known.__webglTexture === undefined) this.#slices[i].clearLayerUpdates();
     }
     this.#sendsAll = false;
+    this.#birth.send(renderer);
+    this.#slots.send(renderer);
+    this.#colors.send(renderer);
+    this.#centres?.send(renderer);
   }
 
   dispose(): void {

@@ -123,6 +123,8 @@ function repairRow(world: PhysicsWorld, row: number, phase: When): void {
 /** Puts a body to rest where it was when the step began. */
 function quarantine(world: PhysicsWorld, row: number, field: string, value: number, phase: When): void {
   copyPose(world.previous, world.components, row);
+  // What was good when it was last drawn may be another pose than that.
+  world.versions.pose++;
   for (const axis of AXES[3]) {
     world.components.Velocity[axis][row] = 0;
     world.components.AngularVelocity[axis][row] = 0;

@@ -1,19 +1,22 @@
 /**
  * GLSL that fetches one body from the column textures: the `pull…` functions, given its cell, return or
- * fill in the `body…` globals below what it has, interpolated between the previous step and the present one by `poseAlpha`.
+ * fill in the `body…` globals below what it has, interpolated by `poseAlpha`.
  */
 import { TEXTURE_WIDTH } from '@principia/render-core';
 
 /** `log2(TEXTURE_WIDTH)`: the value of body `id` is texel (id mod 1024, id div 1024) of its column. */
 const columnWidthBits = 10;
 
-/** Uniforms of the position columns of a world of 2 or 3 dimensions: present axes, then those a step ago. */
+/**
+ * Uniforms of the position columns of a world of 2 or 3 dimensions: present axes, then those a step ago; the other way
+ * round where `PosePair` has swapped them, which turns `poseAlpha` round as well.
+ */
 export const centreUniforms = {
   2: ['positionX', 'positionY', 'previousX', 'previousY'],
   3: ['positionX', 'positionY', 'positionZ', 'previousX', 'previousY', 'previousZ'],
 } as const;
 
-/** Uniforms of the rotation columns: an angle now and a step ago, or a quaternion now and a step ago. */
+/** Uniforms of the rotation columns: an angle now and a step ago, or a quaternion now and a step ago, or swapped. */
 export const turnUniforms = {
   2: ['angleNow', 'anglePrevious'],
   3: ['turnX', 'turnY', 'turnZ', 'turnW', 'previousTurnX', 'previousTurnY', 'previousTurnZ', 'previousTurnW'],
@@ -21,7 +24,7 @@ export const turnUniforms = {
 
 const shared = /* glsl */ `
 uniform highp usampler2D bodyStyle; // per body: drawn radius as float bits, RGBA bytes, shape kind, unused
-uniform float poseAlpha;            // 0 the previous step, 1 the present one
+uniform float poseAlpha;            // 0 the previous step, 1 the present one, or the other way round
 
 vec3 bodyCentre;  // in the frame of the object that draws the bodies, metres
 vec4 bodyTurn;    // unit quaternion
