@@ -49,25 +49,32 @@ const NEWTON: i32 = 12;
 const TOLERANCE: f64 = 1e-3;
 const ROUNDED: f64 = 1e-5;
 
-// Solves every chain to what reals can say. One that bends too sharply for that within the sub-step is solved row by
-// row instead, `iterations` times up and down: that stretches, but nothing upsets it.
+// Solves every chain to what reals can say. One that bends too sharply for that within the sub-step is solved as if it were
+// taut, and where that fails row by row, `iterations` times up and down: that stretches, but nothing upsets it.
 export function solveChains(table: usize, iterations: i32, h: f64): void {
   const t = tableAt(table);
   for (let chain = 0; chain < t.chainCount; chain++) {
     const first = <i32>word(t.chains, chain);
     const last = <i32>word(t.chains, chain + 1);
-    if (isTaut(t, first, last)) {
-      if (solveTautChain(t, first, last)) continue;
-    } else if (newton(t, first, last, findStart(t, first, last, h))) continue;
-    for (let row = first; row < last; row++) {
-      packBody(t, word(t.a, row));
-      packBody(t, word(t.b, row));
-      put(t.tension, row, 0);
+    if (!isTaut(t, first, last)) {
+      if (newton(t, first, last, findStart(t, first, last, h))) continue;
+      takeBack(t, first, last);
     }
+    if (solveTautChain(t, first, last)) continue;
+    takeBack(t, first, last);
     for (let i = 0; i < iterations; i++) {
       for (let row = first; row < last; row++) solveRow(t, row);
       for (let row = last - 1; row >= first; row--) solveRow(t, row);
     }
+  }
+}
+
+// Puts the bodies back where they came from, without tensions.
+function takeBack(t: ConstraintTable, first: i32, last: i32): void {
+  for (let row = first; row < last; row++) {
+    packBody(t, word(t.a, row));
+    packBody(t, word(t.b, row));
+    put(t.tension, row, 0);
   }
 }
 

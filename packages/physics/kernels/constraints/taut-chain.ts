@@ -26,7 +26,7 @@ const TOLERANCE: f64 = 1e-3;
 // Least flexibility times the mass: a body on a rod from an anchor moves by no more than rounding.
 const RIGID_ENOUGH: f64 = 1e-12;
 // Resistance to turning, over the mass, that counts as none.
-const LEAST_ACROSS: f64 = 1e-9;
+const LEAST_ACROSS: f64 = 1e-4;
 
 @unmanaged
 class Node {
@@ -89,6 +89,7 @@ export function solveTautChain(t: ConstraintTable, first: i32, last: i32): bool 
   let error = Infinity;
   for (let i = 0; i <= MOST_ITERATIONS; i++) {
     error = setUp(t, first, last, i > 0);
+
     if ((i >= LEAST_ITERATIONS && error <= enough) || i == MOST_ITERATIONS) break;
     eliminate(t, first, last);
     substitute(t, first, last);
@@ -168,18 +169,15 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     node.ry = m * (node.toY - node.y);
     node.rz = m * (node.toZ - node.z);
     if (row > first) addAbove(nodeOf(t, row - 1), node);
-    const a = node.yy * node.zz - node.yz * node.yz;
-    const b = node.xz * node.yz - node.xy * node.zz;
-    const c = node.xy * node.yz - node.xz * node.yy;
-    const per = m > 0 ? 1 / (node.xx * a + node.xy * b + node.xz * c) : 0;
-    const yy = (node.xx * node.zz - node.xz * node.xz) * per;
-    const yz = (node.xy * node.xz - node.xx * node.yz) * per;
-    node.zz = (node.xx * node.yy - node.xy * node.xy) * per;
-    node.xx = a * per;
-    node.xy = b * per;
-    node.xz = c * per;
-    node.yy = yy;
-    node.yz = yz;
+    if (m > 0) {
+      invert(node.xx, node.xy, node.xz, node.yy, node.yz, node.zz);
+      node.xx = inverse.xx;
+      node.xy = inverse.xy;
+      node.xz = inverse.xz;
+      node.yy = inverse.yy;
+      node.yz = inverse.yz;
+      node.zz = inverse.zz;
+    } else node.xx = node.xy = node.xz = node.yy = node.yz = node.zz = 0;
     if (row < last) weighRow(node);
   }
 }
@@ -216,16 +214,45 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   const xy = node.xy + k * x * y;
   const xz = node.xz + k * x * z;
   const yz = node.yz + k * y * z;
-  const a = yy * zz - yz * yz;
-  const b = xz * yz - xy * zz;
-  const c = xy * yz - xz * yy;
-  const per = 1 / (xx * a + xy * b + xz * c);
-  node.sxx = a * per;
-  node.sxy = b * per;
-  node.sxz = c * per;
-  node.syy = (xx * zz - xz * xz) * per;
-  node.syz = (xy * xz - xx * yz) * per;
-  node.szz = (xx * yy - xy * xy) * per;
+  invert(xx, xy, xz, yy, yz, zz);
+  node.sxx = inverse.xx;
+  node.sxy = inverse.xy;
+  node.sxz = inverse.xz;
+  node.syy = inverse.yy;
+  node.syz = inverse.yz;
+  node.szz = inverse.zz;
+}
+
+@unmanaged
+class Symmetric {
+  xx: f64;
+  xy: f64;
+  xz: f64;
+  yy: f64;
+  yz: f64;
+  zz: f64;
+}
+
+const inverse = changetype<Symmetric>(memory.data(48, 16));
+
+// Of a positive definite matrix, by its factors L D L'. By cofactors a matrix that is a thousand million times as stiff one way
+// as the others would have a determinant of rounding only.
+// @ts-ignore: decorator
+@inline function invert(xx: f64, xy: f64, xz: f64, yy: f64, yz: f64, zz: f64): void {
+  const a = 1 / xx;
+  const yx = xy * a;
+  const zx = xz * a;
+  const b = 1 / (yy - yx * xy);
+  const across = yz - zx * xy;
+  const zy = across * b;
+  const c = 1 / (zz - zx * xz - zy * across);
+  const back = yx * zy - zx;
+  inverse.zz = c;
+  inverse.yz = -zy * c;
+  inverse.yy = b + zy * zy * c;
+  inverse.xz = back * c;
+  inverse.xy = -yx * b - back * zy * c;
+  inverse.xx = a + yx * yx * b + back * back * c;
 }
 
 // Adds S of the row above, and what it wants, to a body.
