@@ -69,6 +69,19 @@ describe('the error of the tree', () => {
     }
   });
 
+  test.each(cases)('is what was asked for, however few there are: $dimensions dimensions, $law', (options) => {
+    const { dimensions, law } = options;
+    for (const count of [500, 1000, 2000, 10_000]) {
+      const force = gravityTree({ law, relativeError: 0.005, softening: 0.01 });
+      const world = worldOf(force, cloud('plummer', count, dimensions), { dimensions });
+      for (let s = 0; s < 5; s++) {
+        expect(force.rmsError(world), `${count} bodies, step ${s}`).toBeLessThan(0.005);
+        step(world, 1e-3);
+      }
+      expect(force.report(world).method).toBe('tree');
+    }
+  });
+
   test.each(cases)('is nothing but rounding when no cell may act: $dimensions dimensions, $law', (options) => {
     const { dimensions, law } = options;
     const power = law === 'inverse-square' ? 2 : 1;
