@@ -162,23 +162,23 @@ const OPTIONS = [
  */
 export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
   checkKeys(options, 'createPhysicsWorld', OPTIONS);
-  const { dimensions = 2, capacity = 10_000, precision = 'f64', seed = 1 } = options;
-  checkChoice(dimensions, 'dimensions', [2, 3]);
-  checkChoice(precision, 'precision', ['f32', 'f64']);
-  checkChoice(options.onFault ?? 'quarantine', 'onFault', ['quarantine', 'throw']);
-  checkWhole(capacity, 'capacity', 1, MAX_CAPACITY);
-  checkWhole(seed, 'seed', 0, 2 ** 53 - 1);
+  const dimensions = checkChoice(options.dimensions ?? 2, 'dimensions', [2, 3]);
+  const precision = checkChoice(options.precision ?? 'f64', 'precision', ['f32', 'f64']);
+  const onFault = checkChoice(options.onFault ?? 'quarantine', 'onFault', ['quarantine', 'throw']);
+  const capacity = checkWhole(options.capacity ?? 10_000, 'capacity', 1, MAX_CAPACITY);
+  const seed = checkWhole(options.seed ?? 1, 'seed', 0, 2 ** 53 - 1);
   checkParts(options);
   const rows = Math.ceil((capacity + 1) / 1024) * 1024;
-  const preset = options.preset ?? standard;
+  const { preset = standard, integrator = velocityVerlet, forces = [] } = options;
   const perEntity = preset.bytesPerEntity?.(dimensions, precision) ?? 256;
   const extra = checkNumber(options.arenaBytes ?? Math.max(2 ** 20, perEntity * rows), 'arenaBytes', {
     min: 0,
     max: 2 ** 32,
   });
-  const own = columnBytes(options.integrator?.columns ?? 0, rows, precision);
+  const own = columnBytes(integrator.columns ?? 0, rows, precision);
   const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES, options.memoryFactory);
-  const world = createWorld(worldRecord(options, arena, dimensions, precision, capacity, rows, seed)) as PhysicsWorld;
+  const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault };
+  const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows) }) as PhysicsWorld;
   world.internal.componentMap = contextOf(world).componentMap;
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
   observeComponents(world);
@@ -207,15 +207,7 @@ function columnBytes(columns: number, rows: number, precision: Precision): numbe
   return columns * (rows * realBytes(precision) + 8192);
 }
 
-function worldRecord(
-  options: PhysicsWorldOptions,
-  arena: Arena,
-  dimensions: 2 | 3,
-  precision: Precision,
-  capacity: number,
-  rows: number,
-  seed: number,
-): PhysicsWorld {
+function worldParts(arena: Arena, precision: Precision, rows: number) {
   const [components, addresses] = componentColumns(arena, precision, rows);
   const [previous, previousAddresses] = componentColumns<(typeof POSE)[number]>(arena, precision, rows, POSE);
   const { scratch, moveTo } = createScratch(arena, precision, rows);
@@ -224,11 +216,6 @@ function worldRecord(
   const [ids, idsAt] = wordColumn(arena, rows, 'ids');
   const [spanWords, spansAt] = wordColumn(arena, rows / 4, 'spans');
   return {
-    dimensions,
-    precision,
-    capacity,
-    rows,
-    seed,
     memory: arena.memory,
     kernels: instantiateKernels(precision, arena.memory),
     components,
@@ -237,9 +224,6 @@ function worldRecord(
     previousAddresses,
     scratch,
     phases: createPhases(),
-    forces: [...(options.forces ?? [])],
-    integrator: options.integrator ?? velocityVerlet,
-    onFault: options.onFault ?? 'quarantine',
     time: 0,
     tick: 0,
     lastId: 0,

@@ -3,7 +3,7 @@
 // its membership mask and one small set. That reaches into bitECS's own tables (public by its `$internal` symbol, and its version is
 // pinned); a test holds the result against the component-by-component path.
 import { addEntity, type ComponentData, type ComponentRef, type Query, type WorldContext } from 'bitecs';
-import { bitOf } from '../components/all';
+import { bitOf, type ComponentName } from '../components/all';
 import { PhysicsError } from '../faults/physics-error';
 import { checkFunction, checkWhole } from '../faults/validate';
 import { contextOf, queryOf, removeWholly } from '../store/bitecs';
@@ -55,6 +55,10 @@ function componentData(world: PhysicsWorld, fillings: readonly Filling[]): Compo
   return fillings.map(({ name }) => componentMap.get(world.components[name]) as ComponentData);
 }
 
+function bitsOf(fillings: readonly Filling[]): number {
+  return fillings.reduce((bits, { name }) => bits | bitOf(name), 0);
+}
+
 function makeEntities(
   world: PhysicsWorld,
   fillings: readonly Filling[],
@@ -63,7 +67,7 @@ function makeEntities(
 ): void {
   const count = ids.length;
   const context = contextOf(world);
-  const bits = fillings.reduce((all, { name }) => all | bitOf(name), 0);
+  const bits = bitsOf(fillings);
   const data = componentData(world, fillings);
   const flags = data.reduce((all, { bitflag }) => all | bitflag, 0);
   const masks = context.entityMasks[data[0]?.generationId ?? 0];
@@ -168,14 +172,14 @@ function takeBack(world: PhysicsWorld, ids: Uint32Array): void {
   }
 }
 
+type Columns = Record<ComponentName, Record<string, Float64Array>>;
+
 function fillColumns(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Array): void {
   const run = isRun(ids);
   for (const { name, fields } of fillings) {
-    const columns = world.components[name] as Record<string, Float64Array>;
-    for (const [field, many] of fields) writeColumn(columns[field], many, ids, run);
-    if (!(name in world.previous)) continue;
-    const previous = (world.previous as unknown as Record<string, Record<string, Float64Array>>)[name];
-    for (const [field, many] of fields) writeColumn(previous[field], many, ids, run);
+    for (const { [name]: columns } of [world.components, world.previous] as Partial<Columns>[]) {
+      if (columns !== undefined) for (const [field, many] of fields) writeColumn(columns[field], many, ids, run);
+    }
   }
 }
 
@@ -195,11 +199,8 @@ function isRun(ids: Uint32Array): boolean {
 
 function finish(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Array): void {
   const { internal, versions } = world;
-  let bits = 0;
-  for (const { name } of fillings) {
-    bits |= bitOf(name);
-    internal.counts[name] += ids.length;
-  }
+  const bits = bitsOf(fillings);
+  for (const { name } of fillings) internal.counts[name] += ids.length;
   for (let i = 0; i < ids.length; i++) {
     const eid = ids[i];
     internal.members[eid] |= bits;

@@ -1,6 +1,5 @@
 // Walls of an axis-aligned box, with the instant of impact found inside the step (kernels/walls/box.ts has the maths).
-import { PhysicsError } from '../faults/physics-error';
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { checkKeys, checkNumber, checkVector, mustBe, type VectorInput } from '../faults/validate';
 import type { LocalSystem } from '../schedule/phases';
 import { AXES } from '../store/axes';
 import { eachRun } from '../store/spans';
@@ -31,16 +30,8 @@ export function boxWalls(options: BoxWallsOptions): LocalSystem {
   const low = { x: -FAR, y: -FAR, z: -FAR, ...options.min };
   const high = { x: FAR, y: FAR, z: FAR, ...options.max };
   for (const axis of AXES[3]) {
-    if (!(low[axis] < high[axis])) {
-      throw new PhysicsError(
-        'E_RANGE',
-        `boxWalls: min.${axis} (${low[axis]}) must be below max.${axis} (${high[axis]}).`,
-        {
-          field: axis,
-          value: options,
-        },
-      );
-    }
+    if (low[axis] < high[axis]) continue;
+    throw mustBe(`below max.${axis} (${high[axis]})`, low[axis], `boxWalls.min.${axis}`, 'E_RANGE');
   }
   const restitution = checkNumber(options.restitution ?? 0, 'boxWalls.restitution', { min: 0, max: 10 });
   const friction =

@@ -54,8 +54,8 @@ export function real(unit: string, options: FieldOptions = {}): FieldSpec<'real'
 
 /** A field of unsigned 32-bit integers: ids, colours, counters. */
 export function u32(unit: string, options: FieldOptions = {}): FieldSpec<'u32'> {
-  const { initial = 0, bounds = {}, hint } = options;
-  return { kind: 'u32', unit, initial, bounds: { min: 0, max: 0xffffffff, integer: true, ...bounds }, hint };
+  const field = real(unit, options);
+  return { ...field, kind: 'u32', bounds: { min: 0, max: 0xffffffff, integer: true, ...field.bounds } };
 }
 
 /** A field that names a body by its id. The field `life` notes the body's generation: ids are given again, lives not. */

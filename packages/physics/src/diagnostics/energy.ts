@@ -1,5 +1,6 @@
 import { checkVector, type Vector, type VectorInput } from '../faults/validate';
 import { AXES } from '../store/axes';
+import type { AxisAddresses } from '../store/columns';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 
@@ -46,9 +47,12 @@ function kineticEnergy(world: PhysicsWorld): number {
 /** Total momentum, kg m/s. @throws PhysicsError E_DESTROYED */
 export function momentum(world: PhysicsWorld): Vector {
   assertUsable(world);
-  const { kernels, addresses } = world;
-  const { Mass, Velocity } = addresses;
-  const along = (axis: 'x' | 'y' | 'z') => kernels.dotColumns(Mass.value, Velocity[axis], 0, world.lastId + 1);
+  return massTimes(world, world.addresses.Velocity);
+}
+
+/** The sum of m u over the bodies, for a vector u of each. */
+function massTimes({ kernels, addresses, lastId }: PhysicsWorld, u: AxisAddresses): Vector {
+  const along = (axis: 'x' | 'y' | 'z') => kernels.dotColumns(addresses.Mass.value, u[axis], 0, lastId + 1);
   return { x: along('x'), y: along('y'), z: along('z') };
 }
 
@@ -61,11 +65,9 @@ export function totalMass(world: PhysicsWorld): number {
 /** Centre of mass, m; the origin when nothing has mass. @throws PhysicsError E_DESTROYED */
 export function centreOfMass(world: PhysicsWorld): Vector {
   const mass = totalMass(world);
-  const { kernels, addresses } = world;
-  const { Mass, Position } = addresses;
-  const along = (axis: 'x' | 'y' | 'z') =>
-    mass === 0 ? 0 : kernels.dotColumns(Mass.value, Position[axis], 0, world.lastId + 1) / mass;
-  return { x: along('x'), y: along('y'), z: along('z') };
+  if (mass === 0) return { x: 0, y: 0, z: 0 };
+  const { x, y, z } = massTimes(world, world.addresses.Position);
+  return { x: x / mass, y: y / mass, z: z / mass };
 }
 
 /**

@@ -1,7 +1,6 @@
 import type { Fault } from '../faults/fault-log';
-import { describe, PhysicsError } from '../faults/physics-error';
 import { collectThrown } from '../faults/thrown';
-import { checkFunction } from '../faults/validate';
+import { checkFunction, unknownName } from '../faults/validate';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 
@@ -35,13 +34,7 @@ const listenersOf = resource<Listeners>(() => ({ contact: [], fault: [] }), { ou
  */
 export function on<Name extends EventName>(world: PhysicsWorld, name: Name, handler: Handler<Name>): () => void {
   const listeners = listenersOf(world);
-  if (!Object.hasOwn(listeners, name)) {
-    throw new PhysicsError('E_UNKNOWN', `there is no event ${describe(name)}.`, {
-      field: 'name',
-      value: name,
-      hint: `Valid: ${Object.keys(listeners).join(', ')}.`,
-    });
-  }
+  if (!Object.hasOwn(listeners, name)) throw unknownName('a world', 'event', String(name), Object.keys(listeners));
   checkFunction(handler, 'handler');
   const lists = listeners as { [N in EventName]: readonly Listener<Name>[] };
   const listener = { handler, gone: false };

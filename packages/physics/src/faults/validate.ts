@@ -52,7 +52,7 @@ export function unknownName(
   known: readonly string[],
   entity?: number,
 ): PhysicsError {
-  const hint = `Valid: ${known.join(', ')}.`;
+  const hint = `Valid: ${known.join(', ') || 'none'}.`;
   return new PhysicsError('E_UNKNOWN', `${what} has no ${kind} "${name}".`, { entity, field: name, value: name, hint });
 }
 

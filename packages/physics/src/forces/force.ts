@@ -60,15 +60,10 @@ export interface CustomForce {
  * [first, last); rows of absent bodies hold zeros and need no test.
  */
 export function defineForce(force: CustomForce): Force {
+  const { name, equation = '', reads = [], local = true, turns = false, accumulate, prepare, potential } = force;
   return {
-    name: force.name,
-    equation: force.equation ?? '',
-    reads: force.reads ?? [],
-    local: force.local ?? true,
-    turns: force.turns ?? false,
-    usesForceColumns: true,
-    accumulate: force.accumulate,
-    ...(force.prepare === undefined ? {} : { prepare: force.prepare }),
-    ...(force.potential === undefined ? {} : { potential: force.potential }),
+    ...{ name, equation, reads, local, turns, usesForceColumns: true, accumulate },
+    ...(prepare && { prepare }),
+    ...(potential && { potential }),
   };
 }

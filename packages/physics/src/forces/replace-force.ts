@@ -1,4 +1,5 @@
-import { PhysicsError } from '../faults/physics-error';
+import { checkHas, unknownName } from '../faults/validate';
+import { FORCE_HINT } from '../schedule/plan';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import type { Force } from './force';
@@ -14,12 +15,7 @@ import type { Force } from './force';
  */
 export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): void {
   assertUsable(world);
-  if (typeof force?.accumulate !== 'function') {
-    throw new PhysicsError('E_TYPE', 'replaceForce needs a force, such as uniformGravity({ y: -1.62 }).', {
-      field: 'force',
-      value: force,
-    });
-  }
+  checkHas(force, 'accumulate', 'replaceForce: force', FORCE_HINT);
   placeOf(world, force, old);
   if (world.state === 'idle') world.forces[placeOf(world, force, old)] = force;
   else {
@@ -32,10 +28,6 @@ export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): vo
 function placeOf({ forces }: PhysicsWorld, force: Force, old: Force | undefined): number {
   const place = forces.findIndex((each) => (old === undefined ? each.name === force.name : each === old));
   if (place >= 0) return place;
-  const wanted = old === undefined ? `no force named "${force.name}"` : `no such force "${old.name}"`;
-  throw new PhysicsError('E_UNKNOWN', `there is ${wanted} in this world.`, {
-    field: 'force',
-    value: force.name,
-    hint: `Its forces: ${forces.map(({ name }) => name).join(', ') || 'none'}.`,
-  });
+  const names = forces.map(({ name }) => name);
+  throw unknownName('this world', 'force', (old ?? force).name, names);
 }

@@ -32,12 +32,14 @@ function usesScratch(system: System): boolean {
   return typeof system !== 'function' && system.usesScratch === true;
 }
 
+/** Said of what is no force. */
+export const FORCE_HINT = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';
+
 /** @throws PhysicsError E_TYPE, naming the first that is no force */
 export function checkForces(forces: readonly unknown[], what: string): void {
   checkList(forces, what);
-  const hint = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';
   // By index: `forEach` would pass over the holes of a sparse array.
-  for (let f = 0; f < forces.length; f++) checkHas(forces[f], 'accumulate', `${what}[${f}]`, hint);
+  for (let f = 0; f < forces.length; f++) checkHas(forces[f], 'accumulate', `${what}[${f}]`, FORCE_HINT);
 }
 
 /** @throws PhysicsError E_TYPE, naming the first that is no system */

@@ -2,7 +2,7 @@ import { collectThrown } from '../faults/thrown';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import { type Ahead, lookAhead, lookNowhere } from './ahead';
-import type { LocalSystem, Phase } from './phases';
+import type { Phase } from './phases';
 import type { Group, Plan } from './plan';
 
 /** Bodies of a tile: a dozen f32 columns of it are 100 KB, and the next tile's fit beside them in the second-level cache. */
@@ -13,24 +13,7 @@ export function runPlan(world: PhysicsWorld, { groups, ahead }: Plan, dt: number
   for (let g = 0; g < groups.length; g++) {
     const group = groups[g] as Group;
     if (group.tiled) runTiles(world, group, ahead, dt);
-    else runWhole(world, group, dt);
-  }
-}
-
-function runWhole(world: PhysicsWorld, group: Group, dt: number): void {
-  const clock = world.profile?.clock;
-  const start = clock === undefined ? 0 : clock();
-  const system = group.systems[0];
-  if (typeof system === 'function') runGuarded(world, system, dt);
-  else system?.run(world, world.spans, dt);
-  if (clock !== undefined) addTime(world, group.phases[0] as Phase, clock() - start);
-}
-
-function runGuarded(world: PhysicsWorld, system: (world: PhysicsWorld, dt: number) => void, dt: number): void {
-  try {
-    system(world, dt);
-  } catch (error) {
-    collectThrown(world, error);
+    else runGroup(world, group, world.spans, dt);
   }
 }
 
@@ -44,20 +27,22 @@ function runTiles(world: PhysicsWorld, group: Group, ahead: Ahead, dt: number): 
       tile.bounds[1] = Math.min(first + TILE_ROWS, last);
       if (group.slides) internal.slideScratch(first);
       lookAhead(world, ahead, spans, r);
-      runTile(world, group, tile, dt);
+      runGroup(world, group, tile, dt);
     }
   }
   if (group.slides) internal.slideScratch(0);
   lookNowhere(ahead);
 }
 
-function runTile(world: PhysicsWorld, group: Group, tile: Spans, dt: number): void {
+function runGroup(world: PhysicsWorld, group: Group, spans: Spans, dt: number): void {
   const clock = world.profile?.clock;
   const { systems } = group;
   for (let s = 0; s < systems.length; s++) {
     const start = clock === undefined ? 0 : clock();
     try {
-      (systems[s] as LocalSystem).run(world, tile, dt);
+      const system = systems[s];
+      if (typeof system === 'function') system(world, dt);
+      else system.run(world, spans, dt);
     } catch (error) {
       collectThrown(world, error);
     }

@@ -24,17 +24,6 @@ const plainMemory: MemoryFactory = (pages) => new WebAssembly.Memory({ initial: 
  */
 export function createArena(bytes: number, reserved: number, factory: MemoryFactory = plainMemory): Arena {
   const pages = Math.ceil(bytes / PAGE);
-  const hint = 'Lower `capacity`, or use precision "f32".';
-  if (pages > 65536) {
-    throw new PhysicsError(
-      'E_CAPACITY',
-      `the world would need ${(bytes / 2 ** 30).toFixed(1)} GiB, 4 GiB is the most.`,
-      {
-        field: 'capacity',
-        hint,
-      },
-    );
-  }
   let memory: WebAssembly.Memory;
   try {
     memory = factory(pages);
@@ -42,7 +31,7 @@ export function createArena(bytes: number, reserved: number, factory: MemoryFact
   } catch (cause) {
     const error = new PhysicsError('E_CAPACITY', `no memory for ${(bytes / 2 ** 20).toFixed(0)} MiB.`, {
       field: 'capacity',
-      hint,
+      hint: 'A world has 4096 at most: lower `capacity`, or use precision "f32".',
     });
     error.cause = cause;
     throw error;

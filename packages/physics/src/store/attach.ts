@@ -4,9 +4,9 @@
 // While a step runs nothing changes under its feet: the edits are queued and made when it ends.
 import { hasComponent, observe, onAdd, onGet, onRemove, onSet, removeComponent } from 'bitecs';
 import { bitOf, COMPONENT_NAMES, type ComponentName } from '../components/all';
-import { PhysicsError } from '../faults/physics-error';
 import type { PhysicsWorld } from '../world';
 import { contextOf, guardTables, isPrefab } from './bitecs';
+import { capacityError } from './entities';
 import { closeRow, isOpen, openRow, readRow, writeRow } from './rows';
 import { asGiven, checkValues, completeValues, type FieldValues, initialValues } from './values';
 
@@ -33,12 +33,7 @@ export function observeComponents(world: PhysicsWorld): void {
 function added(world: PhysicsWorld, eid: number, name: ComponentName): void {
   if (eid > world.capacity) {
     removeComponent(world, eid, world.components[name]);
-    throw new PhysicsError('E_CAPACITY', `entity ${eid} is beyond the world's capacity of ${world.capacity}.`, {
-      entity: eid,
-      field: 'capacity',
-      value: world.capacity,
-      hint: 'Make the world with a larger `capacity`.',
-    });
+    throw capacityError(world, 1, eid);
   }
   if (world.state !== 'stepping') {
     if (isOpen(world, eid, name)) return;

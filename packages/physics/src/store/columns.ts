@@ -85,13 +85,7 @@ export function realAddresses({ addresses }: PhysicsWorld, name: ComponentName):
 
 /** How many real and word columns all components have, or some: what the memory is sized by. */
 export function columnCounts(names: readonly ComponentName[] = COMPONENT_NAMES): { reals: number; words: number } {
-  let reals = 0;
-  let words = 0;
-  for (const name of names) {
-    for (const spec of Object.values(COMPONENTS[name].fields)) {
-      if (spec.kind === 'real') reals++;
-      else words++;
-    }
-  }
-  return { reals, words };
+  const fields = names.flatMap((name) => Object.values<FieldSpec>(COMPONENTS[name].fields));
+  const reals = fields.filter(({ kind }) => kind === 'real').length;
+  return { reals, words: fields.length - reals };
 }

@@ -27,8 +27,9 @@ export function makeRoom(world: PhysicsWorld, count: number): void {
   if (room < count) throw capacityError(world, count);
 }
 
-export function capacityError(world: PhysicsWorld, more: number): PhysicsError {
+export function capacityError(world: PhysicsWorld, more: number, entity?: number): PhysicsError {
   return new PhysicsError('E_CAPACITY', `no room for ${more} more: the world holds ${world.capacity} entities.`, {
+    entity,
     field: 'capacity',
     value: world.capacity,
     hint: 'Make the world with a larger `capacity`.',
