@@ -18,10 +18,10 @@ const contacts = 'colliding contacts segmentWalls planeWalls collideBodies';
 
 /** Limits in KB keep what was reached: lower them when you make something smaller. */
 const bundles = [
-  { name: 'particles', imports: particles, limit: 26.2 },
-  { name: 'with emitters', imports: `${particles} ${emitters}`, limit: 32.0 },
-  { name: 'with contacts', imports: `${particles} ${emitters} ${contacts}`, limit: 42.7 },
-  { name: 'everything', imports: '*', limit: 100 },
+  { name: 'particles', imports: particles, limit: 25.7 },
+  { name: 'with emitters', imports: `${particles} ${emitters}`, limit: 31.4 },
+  { name: 'with contacts', imports: `${particles} ${emitters} ${contacts}`, limit: 42.0 },
+  { name: 'everything', imports: '*', limit: 99.6 },
 ];
 
 /** Limit of a game's own code, KB gzipped. */
@@ -70,7 +70,8 @@ async function measure(imports) {
     stdin: { contents, resolveDir: '.', loader: 'ts' },
     write: false,
   });
-  return sizeOf(outputFiles);
+  // Where bitECS is bundled as well, nothing imports it: its names stand nowhere.
+  return sizeOf(outputFiles.map(({ text }) => Buffer.from(text.replace(/import\{[^}]*\}from"bitecs";/g, ''))));
 }
 
 /** @param {string} name of a game */
@@ -81,13 +82,13 @@ async function measureGame(name) {
     outdir: 'dist/size',
     write: false,
   });
-  return sizeOf(outputFiles);
+  return sizeOf(outputFiles.map(({ contents }) => contents));
 }
 
-/** @param {readonly import('esbuild').OutputFile[]} files */
+/** @param {readonly Uint8Array[]} files */
 function sizeOf(files) {
   const sum = (/** @type {(code: Uint8Array) => number} */ measured) =>
-    files.reduce((total, { contents }) => total + measured(contents), 0);
+    files.reduce((total, code) => total + measured(code), 0);
   return {
     minified: sum((code) => code.length),
     gzip: sum((code) => gzipSync(code, { level: 9 }).length),
