@@ -219,8 +219,7 @@ function toastOf({ kind, points }: News, { rules }: BlackHoleGame): string {
   if (kind === 'goal') return `Dodged! +${points}${rules.dodged === 4 ? ' — now they move' : ''}`;
   if (kind === 'fall') return rules.lives === 0 ? '' : `Swallowed — ${livesText(rules.lives)}`;
   if (kind === 'left') return 'Lost in space: back to the start';
-  if (kind === 'redraw')
-    return points < 0 ? 'Other holes: the prize is a point less' : 'Other holes: that costs a life';
+  if (kind === 'redraw') return 'Other holes: no bonus in this level';
   if (kind === 'sling') return 'Slingshot! bonus +1 at the goal';
   if (kind === 'empty') return 'The tank is empty';
   return '';

@@ -25,7 +25,7 @@ await startGame({
     ['Press, touch', 'push towards the finger or the mouse; the d-pad or stick of a gamepad works too'],
     ['The aim', 'cross the line at the top: as many points as there are holes, then there is one more'],
     ['Beware', 'the dark disc of a hole takes one of three lives'],
-    ['N, double click', 'other holes; takes a point off the prize, and a life when no prize is left'],
+    ['N, double click', 'other holes, as often as you like; the level then gives no bonus'],
     ['Bonus', 'for fuel left over, and for every slingshot round a hole'],
   ],
 });

@@ -4,9 +4,9 @@
  * - A centre of the ship inside a horizon costs one of three lives; the holes are drawn anew.
  * - The goal line gives as many points as there are holes, so that n levels give n (n + 1) / 2; then there is one more.
  * - Whoever leaves the stage starts again below the same holes, for free.
- * - A wish for other holes takes a point off the prize of the level; when the prize is used up, it costs a life.
+ * - Other holes may be wished for at any time, free of charge.
  * - Bonus points, apart from the score: one for every slingshot of a flight that reaches the goal, and up to five for
- *   fuel left over.
+ *   fuel left over; none where other holes were wished for in the level.
  */
 import { constant, keepState } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole } from '@principia/scenes';
@@ -46,7 +46,7 @@ export class Rules {
   bonus = 0;
   /** Levels cleared. */
   dodged = 0;
-  /** Wishes for other holes in this level. */
+  /** Wishes for other holes in this level: after one it gives no bonus. */
   redraws = 0;
   /** Change of velocity left in the tank, m/s. */
   fuel = TANK;
@@ -75,7 +75,7 @@ export class Rules {
 
   /** Points that the goal gives now. */
   get prize(): number {
-    return Math.max(0, this.dodged + 1 - this.redraws);
+    return this.dodged + 1;
   }
 
   get movingHoles(): number {
@@ -98,11 +98,9 @@ export class Rules {
   /** The player asks for other holes. */
   redraw(): void {
     if (this.phase === 'over') return;
-    const free = this.prize > 0;
-    this.#tell('redraw', free ? -1 : 0);
+    this.#tell('redraw', 0);
     this.redraws++;
-    if (free) this.#newHoles(false);
-    else this.#loseLife();
+    this.#newHoles(false);
   }
 
   /** Before the step: pushes the ship as the player steers, while there is fuel. */
@@ -170,7 +168,8 @@ export class Rules {
     const { prize } = this;
     this.#tell('goal', prize);
     this.score += prize;
-    this.bonus += this.slings + (this.options.fuel ? Math.floor((FUEL_BONUS * this.fuel) / TANK) : 0);
+    const saved = this.options.fuel ? Math.floor((FUEL_BONUS * this.fuel) / TANK) : 0;
+    if (this.redraws === 0) this.bonus += this.slings + saved;
     this.dodged++;
     this.#newHoles();
   }
@@ -187,7 +186,7 @@ export class Rules {
     this.#tell('over', this.score);
   }
 
-  /** @param isNewLevel the prize is whole again */
+  /** @param isNewLevel no other holes were wished for yet */
   #newHoles(isNewLevel = true): void {
     if (isNewLevel) this.redraws = 0;
     this.#scene.redraw(this.level, this.movingHoles);

@@ -228,8 +228,8 @@ describe('the rules', () => {
     }
   });
 
-  it('other holes take a point off the prize, then a life', () => {
-    const game = play(2);
+  it('other holes are free, however often, and start the ship anew; the level gives no bonus then', () => {
+    const game = play(2, { fuel: true });
     game.press('up');
     step(game.world, game.dt);
     win(game);
@@ -238,13 +238,18 @@ describe('the rules', () => {
       game.press('redraw');
       step(game.world, game.dt);
       expect(game.scene.holes).not.toBe(holes);
-      return [game.rules.prize, game.rules.lives];
+      expect(game.scene.holes).toHaveLength(2);
+      const { x, y } = ship(game);
+      expect(Math.hypot(x - 400, y - 50)).toBeLessThan(0.01);
+      return [game.rules.prize, game.rules.lives, game.rules.score];
     };
-    expect(wish()).toEqual([1, 3]);
-    expect(wish()).toEqual([0, 3]);
-    expect(wish()).toEqual([0, 2]);
+    const { bonus } = game.rules;
+    expect(bonus).toBeGreaterThan(0);
+    for (let i = 0; i < 5; i++) expect(wish()).toEqual([2, 3, 1]);
     win(game);
-    expect([game.rules.score, game.rules.prize]).toEqual([1, 3]);
+    expect([game.rules.score, game.rules.prize, game.rules.bonus]).toEqual([3, 3, bonus]);
+    win(game);
+    expect(game.rules.bonus).toBeGreaterThan(bonus);
   });
 });
 

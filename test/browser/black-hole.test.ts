@@ -160,7 +160,7 @@ describe('other hands', () => {
     await page.mouse.dblclick(300, 200);
     await steps(page, 1);
     const after = await told(page);
-    expect(after.prize).toBe(0);
+    expect(after.prize).toBe(1);
     expect(after.holes).not.toEqual(before.holes);
   });
 
