@@ -50,6 +50,18 @@ describe('magnetic field', () => {
     }
   });
 
+  test('a field B(t) that grows turns the velocity by ∫ q B/m dt, and does no work', () => {
+    const body = { velocity: { x: 3 }, mass: 2, charge: 4 };
+    const law = magneticField((t) => ({ z: 0.5 + 0.3 * t }));
+    const { world, going, speed } = single([law], body, { integrator: rungeKutta4 });
+    run(world, 2, 1e-3);
+    // Clockwise for a positive charge; Runge and Kutta's error is some (q B dt/m)⁴ · 2000 steps / 120 = 1e-10.
+    const angle = -(4 / 2) * (0.5 * 2 + (0.3 * 2 ** 2) / 2);
+    expect(going().x).toBeCloseTo(3 * Math.cos(angle), 9);
+    expect(going().y).toBeCloseTo(3 * Math.sin(angle), 9);
+    expect(speed()).toBeCloseTo(3, 9);
+  });
+
   test('F = q v × B in space', () => {
     const body = { velocity: { x: 1, y: 2, z: 3 }, charge: 2 };
     const force = lawOn(magneticField({ x: 4, y: 5, z: 6 }), body, { dimensions: 3 });
