@@ -17,7 +17,8 @@ export let q3: v128 = i32x4.splat(0);
 }
 
 // Reads the reals that lie `offset` bytes into the bodies.
-export function readQuads(list: usize, offset: usize): void {
+// @ts-ignore: decorator
+@inline export function readQuads(list: usize, offset: usize): void {
   transpose(
     v128.load(quadAt(list, 0) + offset),
     v128.load(quadAt(list, 1) + offset),
@@ -26,7 +27,8 @@ export function readQuads(list: usize, offset: usize): void {
   );
 }
 
-export function writeQuads(list: usize, offset: usize, x: v128, y: v128, z: v128, w: v128): void {
+// @ts-ignore: decorator
+@inline export function writeQuads(list: usize, offset: usize, x: v128, y: v128, z: v128, w: v128): void {
   transpose(x, y, z, w);
   v128.store(quadAt(list, 0) + offset, q0);
   v128.store(quadAt(list, 1) + offset, q1);
@@ -34,7 +36,8 @@ export function writeQuads(list: usize, offset: usize, x: v128, y: v128, z: v128
   v128.store(quadAt(list, 3) + offset, q3);
 }
 
-function transpose(e0: v128, e1: v128, e2: v128, e3: v128): void {
+// @ts-ignore: decorator
+@inline function transpose(e0: v128, e1: v128, e2: v128, e3: v128): void {
   if (sizeof<real>() == 8) {
     q0 = i64x2.shuffle(e0, e1, 0, 2);
     q1 = i64x2.shuffle(e0, e1, 1, 3);
