@@ -17,6 +17,8 @@ export default defineConfig({
           include: ['{packages,games,bench,test}/**/*.test.ts'],
           exclude: ['**/node_modules/**', '**/dist/**', 'test/browser/**'],
           globalSetup: ['test/support/kernels-setup.ts'],
+          // Thousands of steps of a reference take seconds, and several times as long on a busy machine.
+          testTimeout: 60_000,
         },
       },
       {
