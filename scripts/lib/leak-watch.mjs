@@ -12,6 +12,15 @@
  *   memories: number }} Counts
  */
 
+/**
+ * A flag for the browser under which only what is held grows: compilers of JavaScript go on for minutes to add machine
+ * code of functions that are seldom called, some 5 KB for every world that is made.
+ */
+export const WITHOUT_COMPILERS = '--js-flags=--no-opt,--no-maglev,--no-sparkplug';
+
+/** What pixi keeps of every view: it names the programs of a new renderer anew, and files their sources by name. */
+export const KEPT_BY_PIXI = 10e3;
+
 /** Runs in the page before anything else: wraps what makes and deletes objects of the graphics card, and worlds. */
 export function countInPage() {
   const kinds = 'Buffer Framebuffer Program Query Renderbuffer Sampler Shader Texture TransformFeedback VertexArray';
