@@ -1,0 +1,72 @@
+/** The page of `npm run frame-cost`: hands a hundred thousand particles to a renderer, and times the JavaScript of it. */
+import { step } from '@principia/physics';
+import { type BodySource, worldSource } from '@principia/render-core';
+import { createBodyLayer, openScreen } from '@principia/render-pixi';
+import { createBodyMesh } from '@principia/render-three';
+import { particles } from '@principia/scenes';
+import { OrthographicCamera, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+
+/** Milliseconds of JavaScript in a frame after a step: `update()` of the bodies, and `render()` of the library. */
+export type FrameTime = readonly [update: number, render: number];
+
+/** A renderer that shows a source. */
+interface Picture {
+  readonly gl: WebGL2RenderingContext;
+  update(): void;
+  render(): void;
+}
+
+/** Small, so that a software renderer has little to fill. */
+const SIZE = 128;
+
+async function pixiPicture(source: BodySource): Promise<Picture> {
+  const parent = document.createElement('div');
+  parent.style.cssText = `width: ${SIZE}px; height: ${SIZE}px`;
+  document.body.append(parent);
+  const screen = await openScreen(parent);
+  const layer = createBodyLayer({ source });
+  screen.stage.addChild(layer.container);
+  screen.stage.y = SIZE;
+  return {
+    gl: screen.canvas.getContext('webgl2') as WebGL2RenderingContext,
+    update: () => layer.update(0.5),
+    render: () => screen.render(),
+  };
+}
+
+function threePicture(source: BodySource): Picture {
+  const renderer = new WebGLRenderer();
+  renderer.setSize(SIZE, SIZE);
+  document.body.append(renderer.domElement);
+  const bodies = createBodyMesh({ source });
+  const scene = new Scene().add(bodies.object);
+  const camera = source.dimensions === 2 ? new OrthographicCamera(0, 100, 100, 0, 1, 1000) : new PerspectiveCamera();
+  camera.position.z = 200;
+  if (source.dimensions === 3) camera.position.set(50, 50, 200);
+  return {
+    gl: renderer.getContext() as WebGL2RenderingContext,
+    update: () => bodies.update(0.5),
+    render: () => renderer.render(scene, camera),
+  };
+}
+
+async function open(renderer: 'pixi' | 'three', dimensions: 2 | 3, count: number) {
+  const { world, dt } = particles.create({ dimensions, count });
+  const source = worldSource(world);
+  const picture = renderer === 'pixi' ? await pixiPicture(source) : threePicture(source);
+  const { gl } = picture;
+  const pixel = new Uint8Array(4);
+  const frame = (): FrameTime => {
+    // Waits until the graphics card has drawn the last frame: its work is not timed.
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    step(world, dt);
+    const start = performance.now();
+    picture.update();
+    const updated = performance.now();
+    picture.render();
+    return [updated - start, performance.now() - updated];
+  };
+  Object.assign(globalThis, { __frames: (count: number) => Array.from({ length: count }, frame) });
+}
+
+Object.assign(globalThis, { __open: open });
