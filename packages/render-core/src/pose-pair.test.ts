@@ -1,4 +1,4 @@
-import { createPhysicsWorld, despawn, restore, snapshot, spawn, step } from '@principia/physics';
+import { burst, createEmitter, createPhysicsWorld, despawn, restore, snapshot, spawn, step } from '@principia/physics';
 import { expect, test } from 'vitest';
 import { ColumnUpload } from './column-upload.ts';
 import { PosePair, PosesSent } from './pose-pair.ts';
@@ -87,6 +87,17 @@ test('is right whatever else happens to the bodies between two frames', () => {
         check();
       }
     }
+  }
+});
+
+test('a particle comes from the place of its birth, not from where the last one of its row ended', () => {
+  const { world, send, check } = sender('f32');
+  const emitter = createEmitter(world, { capacity: 8, lifetime: 0.05, speed: 3, mass: 1, whenFull: 'oldest' });
+  for (let i = 0; i < 20; i++) {
+    if (i % 3 < 2) burst(emitter, 3, { position: { x: i } });
+    step(world, 1 / 60);
+    send();
+    check();
   }
 });
 

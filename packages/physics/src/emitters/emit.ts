@@ -20,8 +20,11 @@ export function emitParticles(world: PhysicsWorld, dt: number): void {
     const { record } = emitter.internal.block;
     if (emitter.internal.followed !== undefined) follow(world, emitter, record);
     carry(record, emitter.internal.parameters.inheritVelocity ?? 0);
+    const born = record.numbers[N.born];
     emitterKernels(world).stepEmitter(record.at, dt);
     if (record.words[W.changed] !== 0) world.versions.style++;
+    // Its previous pose is the place of its birth, and not where the row's last life ended.
+    if (record.numbers[N.born] !== born) world.versions.pose++;
     if (world.internal.counts.Quarantined > 0) releaseInert(world, emitter);
   }
 }
