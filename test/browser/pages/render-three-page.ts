@@ -409,6 +409,23 @@ function interleaved(jobs: (() => void)[], rounds: number, settle: () => void): 
   return times.map((t) => t.sort((a, b) => a - b)[Math.floor(t.length / 2)]);
 }
 
+/** Counts the textures that the context has: also those that three does not know of. */
+function countTextures(gl: WebGL2RenderingContext | WebGLRenderingContext): () => number {
+  const held = new Set<WebGLTexture | null>();
+  const create = gl.createTexture.bind(gl);
+  const free = gl.deleteTexture.bind(gl);
+  gl.createTexture = () => {
+    const texture = create();
+    held.add(texture);
+    return texture;
+  };
+  gl.deleteTexture = (texture) => {
+    held.delete(texture);
+    free(texture);
+  };
+  return () => held.size;
+}
+
 /** Lit pixels of a scene with a shadow of every kind, for each of three's materials; what remains after `destroy`. */
 function everyMaterial(form: 'impostor' | 'mesh', depth: WebGLRendererParameters) {
   const stage = createStage({ depth });
@@ -427,19 +444,25 @@ function everyMaterial(form: 'impostor' | 'mesh', depth: WebGLRendererParameters
   stage.scene.fog = new Fog(0x203040, 5, 40);
   const kinds = [MeshBasicMaterial, MeshLambertMaterial, MeshPhongMaterial, MeshToonMaterial, MeshStandardMaterial];
   const source = sketch(createFakeSource(1024, 3), cluster(10));
+  const textures = countTextures(stage.renderer.getContext());
+  const held: number[] = [];
+  const freed: number[] = [];
   const counts = kinds.map((Kind) => {
     const bodies = createBodyMesh({ source, form, material: new Kind(), castShadow: true, receiveShadow: true });
-    const trails = createTrailLines({ source, length: 4 });
+    const trails = createTrailLines({ source, length: 4, interval: 2 });
     stage.scene.add(bodies.object, trails.object);
     bodies.update(1);
     trails.update(1);
     const { count } = lit(pixelsOf(stage), width);
     stage.scene.remove(bodies.object, trails.object);
+    const taken = textures();
     bodies.destroy();
     trails.destroy();
+    held.push(textures());
+    freed.push(taken - textures());
     return count;
   });
-  return { counts, geometries: stage.renderer.info.memory.geometries, textures: stage.renderer.info.memory.textures };
+  return { counts, geometries: stage.renderer.info.memory.geometries, held, freed };
 }
 
 /** A picture of everything, to look at. */
