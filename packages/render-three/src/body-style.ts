@@ -1,4 +1,4 @@
-import { type BodySource, type RealColumn, SHAPES } from '@principia/render-core';
+import { type BodySource, SHAPES } from '@principia/render-core';
 
 /** Numbers a body takes in the packed style: radius, colour, shape, unused. */
 const LANES = 4;
@@ -26,8 +26,7 @@ export class BodyStyle {
 
   /** Packs the rows of ids `0 … used - 1`. */
   pack(source: BodySource, used: number): void {
-    packRadii(this.#radius, source.size, source.radius, used);
-    this.#shapes = packLooks(this.data, this.#radius, source.color, source.shape, this.#defaultColor, used);
+    this.#shapes = packLooks(this.data, this.#radius, source, this.#defaultColor, used);
   }
 
   /** Whether a row that was packed last time, with a radius, has this shape. */
@@ -56,29 +55,29 @@ export class BodyStyle {
   }
 }
 
-/** Functions of their own, which compilers get to know by their arrays: a loop on fields stayed uncompiled. */
-function packRadii(out: Float32Array, size: RealColumn, radius: RealColumn, used: number): void {
-  for (let id = 0, at = 0; id < used; id++, at += LANES) {
-    out[at] = size[id];
-    if (out[at] === 0) out[at] = radius[id];
-  }
-}
-
-/** @returns a bit for every shape of a body that is drawn */
+/**
+ * A function of its own, which compilers get to know by its arrays: a loop on fields stayed uncompiled. Of a body that is
+ * not drawn only that is written: pools of particles are large, and few of them alight.
+ *
+ * @returns a bit for every shape of a body that is drawn
+ */
 function packLooks(
   out: Uint32Array,
   drawn: Float32Array,
-  color: Uint32Array,
-  shape: Uint32Array,
+  { size, radius, color, shape }: BodySource,
   defaultColor: number,
   used: number,
 ): number {
   let shapes = 0;
   for (let id = 0, at = 0; id < used; id++, at += LANES) {
+    const own = size[id];
+    const extent = own === 0 ? radius[id] : own;
+    drawn[at] = extent;
+    if (!(extent > 0)) continue;
     const bytes = color[id];
     out[at + 1] = bytes === 0 ? defaultColor : bytes;
     out[at + 2] = shape[id];
-    if (drawn[at] > 0) shapes |= 1 << shape[id];
+    shapes |= 1 << shape[id];
   }
   return shapes;
 }
