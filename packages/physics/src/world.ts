@@ -1,4 +1,4 @@
-import { createWorld, deleteWorld, type WorldContext } from 'bitecs';
+import { createWorld, deleteWorld, type Query, type WorldContext } from 'bitecs';
 import { type Addresses, COMPONENT_NAMES, type ComponentName, type Components } from './components/all';
 import { createFaultLog, type Fault, type FaultLog } from './faults/fault-log';
 import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from './faults/validate';
@@ -128,8 +128,8 @@ export interface WorldInternals {
   readonly fresh: Record<ComponentName, number>;
   /** Values that `spawn` has checked and is about to set. */
   checked: FieldValues | undefined;
-  /** Bits of the components whose additions a user's observer may be waiting for. */
-  observed: number;
+  /** bitECS's queries of our components whose additions nobody but us waits for. */
+  readonly unobserved: Set<Query>;
   /** What prefabs hand on to their instances. */
   readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
   /** The world ends with this step. */
@@ -264,7 +264,7 @@ function bookkeeping(components: Components) {
     componentMap: undefined,
     fresh: zeros(),
     checked: undefined,
-    observed: 0,
+    unobserved: new Set(),
     templates: new Map(),
     ending: false,
     spansVersion: -1,

@@ -2,7 +2,7 @@
 import { COMPONENTS, type ComponentName, keyOf } from '../components/all';
 import type { ComponentSpec, FieldSpec } from '../components/define';
 import { PhysicsError } from '../faults/physics-error';
-import { checkKeys, isRecord, mustBe } from '../faults/validate';
+import { checkKeys, isRecord, isWithin, mustBe } from '../faults/validate';
 import { checkField, completeValues, type FieldValues, fieldName, initialValues, type Space } from '../store/values';
 import { type BodyInput, componentOfKey, lacksVelocity } from './spawn';
 
@@ -17,10 +17,15 @@ export type ManyInput = {
     | undefined;
 };
 
+/** Checked values of a field: one number for all, or one for each body. */
+export type Column = number | Float64Array;
+
+type Columns = Record<string, Column>;
+
 /** A component of the new bodies, with checked values for all its fields. */
 export interface Filling {
   readonly name: ComponentName;
-  readonly fields: readonly (readonly [string, Many])[];
+  readonly fields: readonly (readonly [string, Column])[];
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
@@ -38,12 +43,12 @@ export function checkMany(space: Space, values: ManyInput, count: number): Filli
   return fillings;
 }
 
-function checkComponent(space: Space, name: ComponentName, data: unknown, count: number): [string, Many][] {
+function checkComponent(space: Space, name: ComponentName, data: unknown, count: number): [string, Column][] {
   const spec: ComponentSpec = COMPONENTS[name];
   const isScalar = typeof data === 'number' || isList(data);
   const given = (isScalar && spec.scalar !== undefined ? { [spec.scalar]: data } : data) as Record<string, unknown>;
   checkKeys(given, keyOf(name), Object.keys(spec.fields), 'field');
-  const columns: Record<string, Many> = { ...initialValues(name) };
+  const columns: Columns = { ...initialValues(name) };
   for (const [field, many] of Object.entries(given)) {
     columns[field] = checkColumn(space, fieldName(name, field), spec.fields[field], many, count);
   }
@@ -54,7 +59,7 @@ function isList(value: unknown): value is ArrayLike<number> {
   return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 }
 
-function checkColumn(space: Space, name: string, spec: FieldSpec, many: unknown, count: number): Many {
+function checkColumn(space: Space, name: string, spec: FieldSpec, many: unknown, count: number): Column {
   if (typeof many === 'number') return checkField(space, spec, name, many);
   if (!isList(many)) {
     throw mustBe(`a number or an array of ${count}`, many, name);
@@ -62,48 +67,35 @@ function checkColumn(space: Space, name: string, spec: FieldSpec, many: unknown,
   if (many.length !== count) {
     throw new PhysicsError('E_RANGE', `${name} has ${many.length} values for ${count} bodies.`, { field: name });
   }
-  return checkEach(space, name, spec, many);
-}
-
-/** The same array when it can be stored as it is, which one plain comparison per value finds out. */
-function checkEach(space: Space, name: string, spec: FieldSpec, many: ArrayLike<number>): ArrayLike<number> {
-  const { min = -Infinity, max = Infinity, above = -Infinity, integer = false } = spec.bounds;
-  const flat = spec.spatial === true && space.dimensions === 2;
-  let stored = many;
-  for (let i = 0; i < many.length; i++) {
-    const value = many[i];
-    const inside = typeof value === 'number' && value - value === 0 && value >= min && value <= max && value > above;
-    if (inside && !integer && !flat) continue;
-    const checked = checkField(space, spec, `${name}[${i}]`, value);
-    if (checked === value) continue;
-    if (stored === many) stored = Float64Array.from(many);
-    (stored as Float64Array)[i] = checked;
+  // Only a value that needs all the checks is worth the words that would name it.
+  const special = spec.life !== undefined || (spec.spatial === true && space.dimensions === 2);
+  const checked = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    const value: unknown = many[i];
+    const isGood = !special && isWithin(value, spec.bounds);
+    checked[i] = isGood ? value : checkField(space, spec, `${name}[${i}]`, value);
   }
-  return stored;
+  return checked;
 }
 
 const nothing = (): FieldValues => ({});
 
 /** Components whose fields depend on each other are completed body by body, or once when all are alike. */
-function completeColumns(
-  space: Space,
-  name: ComponentName,
-  columns: Record<string, Many>,
-  count: number,
-): Record<string, Many> {
-  const fields = Object.keys(columns);
-  const bodyAt = (i: number): FieldValues =>
-    Object.fromEntries(fields.map((field) => [field, valueAt(columns[field], i)]));
-  if (fields.every((field) => typeof columns[field] === 'number'))
-    return completeValues(space, name, bodyAt(0), nothing);
-  const completed = Object.fromEntries(fields.map((field) => [field, new Float64Array(count)]));
+function completeColumns(space: Space, name: ComponentName, columns: Columns, count: number): Columns {
+  const given = Object.entries(columns);
+  const bodyAt = (i: number): FieldValues => {
+    const values = Object.fromEntries(given.map(([field, column]) => [field, valueAt(column, i)]));
+    return completeValues(space, name, values, nothing);
+  };
+  if (!given.some(([, column]) => isList(column))) return bodyAt(0);
+  const completed = Object.fromEntries(given.map(([field]) => [field, new Float64Array(count)]));
   for (let i = 0; i < count; i++) {
-    const values = completeValues(space, name, bodyAt(i), nothing);
-    for (const field of fields) completed[field][i] = values[field];
+    const values = bodyAt(i);
+    for (const field in values) completed[field][i] = values[field];
   }
   return completed;
 }
 
-function valueAt(many: Many, i: number): number {
-  return typeof many === 'number' ? many : many[i];
+function valueAt(column: Column, i: number): number {
+  return typeof column === 'number' ? column : column[i];
 }

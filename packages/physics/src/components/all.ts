@@ -17,7 +17,7 @@ import { TestParticle } from './test-particle';
 import { Velocity } from './velocity';
 import { PlaneWall, SegmentWall } from './wall';
 
-/** Every component of a world, in the order of their membership bits. At most 32. */
+/** Every component of a world, in the order of their membership bits. At most 31, as in one mask of bitECS. */
 export const COMPONENTS = {
   Position,
   Velocity,

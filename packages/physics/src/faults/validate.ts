@@ -56,6 +56,11 @@ export function unknownName(
   return new PhysicsError('E_UNKNOWN', `${what} has no ${kind} "${name}".`, { entity, field: name, value: name, hint });
 }
 
+/** Whether `checkNumber` accepts the value. */
+export function isWithin(value: unknown, bounds: Bounds): value is number {
+  return Number.isFinite(value) && outOfBounds(value as number, bounds) === undefined;
+}
+
 function outOfBounds(value: number, bounds: Bounds): string | undefined {
   if (bounds.integer === true && !Number.isInteger(value)) return 'a whole number';
   if (bounds.above !== undefined && !(value > bounds.above)) return `greater than ${bounds.above}`;
@@ -101,10 +106,9 @@ export function readVector(out: Float64Array, at: number, value: VectorInput, fi
   for (const axis in value) {
     const place = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
     const component = value[axis as 'x'];
-    const isGood = place >= 0 && Number.isFinite(component) && outOfBounds(component as number, bounds) === undefined;
+    if (place >= 0 && isWithin(component, bounds)) out[at + place] = component;
     // Says what is wrong.
-    if (!isGood) checkVector(value, field, bounds);
-    else out[at + place] = component as number;
+    else checkVector(value, field, bounds);
   }
 }
 

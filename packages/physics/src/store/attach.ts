@@ -3,7 +3,7 @@
 // bitECS tells us through observers, so its own idiom works unchanged: addComponent(world, eid, set(Position, { x })).
 // While a step runs nothing changes under its feet: the edits are queued and made when it ends.
 import { hasComponent, observe, onAdd, onGet, onRemove, onSet, removeComponent } from 'bitecs';
-import { bitOf, COMPONENT_NAMES, type ComponentName } from '../components/all';
+import { COMPONENT_NAMES, type ComponentName } from '../components/all';
 import type { PhysicsWorld } from '../world';
 import { contextOf, guardTables, isPrefab } from './bitecs';
 import { capacityError } from './entities';
@@ -12,7 +12,6 @@ import { asGiven, checkValues, completeValues, type FieldValues, initialValues }
 
 /** Registers the observers; called once when the world is made. */
 export function observeComponents(world: PhysicsWorld): void {
-  const { internal } = world;
   for (const name of COMPONENT_NAMES) {
     const component = world.components[name];
     observe(world, onAdd(component), (eid: number) => added(world, eid, name));
@@ -20,14 +19,7 @@ export function observeComponents(world: PhysicsWorld): void {
     observe(world, onRemove(component), (eid: number) => removed(world, eid, name));
     observe(world, onGet(component), (eid: number) => asGiven(name, present(world, eid, name)));
   }
-  guardTables(world, {
-    onLookup(name) {
-      internal.fresh[name] = 0;
-    },
-    onObserve(name) {
-      internal.observed |= bitOf(name);
-    },
-  });
+  guardTables(world);
 }
 
 function added(world: PhysicsWorld, eid: number, name: ComponentName): void {

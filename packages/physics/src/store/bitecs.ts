@@ -18,14 +18,6 @@ export function contextOf(world: PhysicsWorld): WorldContext {
   return (world as unknown as { [$internal]: WorldContext })[$internal];
 }
 
-/** What bitECS does not tell of by itself. */
-export interface TableWatch {
-  /** `addComponent` looks its component up first: so a call that adds is told from a later one that only sets. */
-  onLookup(name: ComponentName): void;
-  /** Somebody else asked to be told when a component is added. */
-  onObserve(name: ComponentName): void;
-}
-
 /** The component that columns are, and the world they belong to. */
 const owners = new WeakMap<object, { readonly world: PhysicsWorld; readonly name: ComponentName }>();
 
@@ -36,21 +28,22 @@ export function bitIn(world: PhysicsWorld, component: ComponentRef): number {
 }
 
 /** Guards bitECS's tables of a new world, when our observers are registered and before anybody else's. */
-export function guardTables(world: PhysicsWorld, watch: TableWatch): void {
+export function guardTables(world: PhysicsWorld): void {
   for (const name of COMPONENT_NAMES) owners.set(world.components[name], { world, name });
-  guardComponents(world, watch);
-  guardQueries(world, watch);
+  guardComponents(world);
+  guardQueries(world);
 }
 
 /**
  * A component of another world would be taken silently, and whoever wrote its columns would move bodies over there.
+ * `addComponent` looks its component up first: so a call that adds is told from a later one that only sets.
  */
-function guardComponents(world: PhysicsWorld, watch: TableWatch): void {
+function guardComponents(world: PhysicsWorld): void {
   const { componentMap } = contextOf(world);
   const has = componentMap.has.bind(componentMap);
   componentMap.has = (component) => {
     const owner = owners.get(component);
-    if (owner?.world === world) watch.onLookup(owner.name);
+    if (owner?.world === world) world.internal.fresh[owner.name] = 0;
     else if (owner !== undefined) throw foreignError(owner.name);
     return has(component);
   };
@@ -64,15 +57,18 @@ function foreignError(name: ComponentName): PhysicsError {
 }
 
 /** Our observers hang on bitECS's query of each component, which `removeQuery` would take from under them. */
-function guardQueries(world: PhysicsWorld, watch: TableWatch): void {
+function guardQueries(world: PhysicsWorld): void {
   const { queries } = contextOf(world);
+  const { unobserved } = world.internal;
   const ours = new Set<Query>();
   for (const name of COMPONENT_NAMES) {
-    const query = queryOf(world, name);
+    // The first that bitECS made for a component.
+    const [query] = queriesOf(world, name);
     ours.add(query);
+    unobserved.add(query);
     const { subscribe } = query.addObservable;
     query.addObservable.subscribe = (observer) => {
-      watch.onObserve(name);
+      unobserved.delete(query);
       return subscribe(observer);
     };
   }
@@ -80,10 +76,9 @@ function guardQueries(world: PhysicsWorld, watch: TableWatch): void {
   queries.delete = (query) => !ours.has(query) && remove(query);
 }
 
-/** bitECS's query of one component: the first it made for it, for our observers. */
-export function queryOf(world: PhysicsWorld, name: ComponentName): Query {
-  const [query] = contextOf(world).componentMap.get(world.components[name])?.queries ?? [];
-  return query as Query;
+/** bitECS's queries that ask for a component. */
+export function queriesOf(world: PhysicsWorld, name: ComponentName): Query[] {
+  return [...(contextOf(world).componentMap.get(world.components[name])?.queries ?? [])];
 }
 
 /** Whether an entity is a bitECS prefab: a pattern for others, which no query finds and which is no body. */
