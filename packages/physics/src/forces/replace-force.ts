@@ -1,6 +1,6 @@
 import { checkHas, unknownName } from '../faults/validate';
 import { FORCE_HINT } from '../schedule/plan';
-import { assertUsable } from '../store/guards';
+import { assertUsable, whenIdle } from '../store/guards';
 import type { PhysicsWorld } from '../world';
 import type { Force } from './force';
 
@@ -17,12 +17,9 @@ export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): vo
   assertUsable(world);
   checkHas(force, 'accumulate', 'replaceForce: force', FORCE_HINT);
   placeOf(world, force, old);
-  if (world.state === 'idle') world.forces[placeOf(world, force, old)] = force;
-  else {
-    world.internal.commands.push(() => {
-      world.forces[placeOf(world, force, old)] = force;
-    });
-  }
+  whenIdle(world, () => {
+    world.forces[placeOf(world, force, old)] = force;
+  });
 }
 
 function placeOf({ forces }: PhysicsWorld, force: Force, old: Force | undefined): number {

@@ -7,6 +7,7 @@ import { COMPONENT_NAMES, type ComponentName } from '../components/all';
 import type { PhysicsWorld } from '../world';
 import { contextOf, guardTables, isPrefab } from './bitecs';
 import { capacityError } from './entities';
+import { whenIdle } from './guards';
 import { closeRow, isOpen, openRow, readRow, writeRow } from './rows';
 import { asGiven, checkValues, completeValues, type FieldValues, initialValues } from './values';
 
@@ -27,15 +28,9 @@ function added(world: PhysicsWorld, eid: number, name: ComponentName): void {
     removeComponent(world, eid, world.components[name]);
     throw capacityError(world, 1, eid);
   }
-  if (world.state !== 'stepping') {
-    if (isOpen(world, eid, name)) return;
-    world.internal.fresh[name] = eid;
-    openRow(world, eid, name);
-    return;
-  }
   world.internal.fresh[name] = eid;
   if (isLeaving(world, eid)) return;
-  world.internal.commands.push(() => {
+  whenIdle(world, () => {
     if (hasComponent(world, eid, world.components[name])) openRow(world, eid, name);
   });
 }
@@ -59,8 +54,7 @@ function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: u
     throw error;
   }
   if (isPrefab(world, eid)) setTemplate(world, eid, name, values);
-  else if (world.state !== 'stepping') writeRow(world, eid, name, values);
-  else if (!isLeaving(world, eid)) internal.commands.push(() => writeRow(world, eid, name, values));
+  else if (!isLeaving(world, eid)) whenIdle(world, () => writeRow(world, eid, name, values));
 }
 
 function checkWhole(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): FieldValues {
@@ -84,7 +78,5 @@ function setTemplate(world: PhysicsWorld, eid: number, name: ComponentName, valu
 }
 
 function removed(world: PhysicsWorld, eid: number, name: ComponentName): void {
-  if (eid > world.capacity) return;
-  if (world.state === 'stepping') world.internal.commands.push(() => closeRow(world, eid, name));
-  else closeRow(world, eid, name);
+  if (eid <= world.capacity) whenIdle(world, () => closeRow(world, eid, name));
 }

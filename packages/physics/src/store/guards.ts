@@ -15,6 +15,12 @@ export function assertUsable(world: PhysicsWorld): void {
   }
 }
 
+/** Makes an edit now, or, while a step runs, when it ends: nothing changes under its feet. */
+export function whenIdle({ state, internal }: PhysicsWorld, edit: () => void): void {
+  if (state === 'stepping') internal.commands.push(edit);
+  else edit();
+}
+
 /**
  * Also refuses a world in the middle of a step.
  * @throws PhysicsError E_REENTRANT, E_DESTROYED, E_TYPE
