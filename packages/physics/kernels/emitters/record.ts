@@ -96,17 +96,34 @@ export class Emitter {
   clock: f64;
   pending: f64;
   owed: f64;
+  // What the emitter was told, in the order of src/emitters/options.ts. The direction is a unit vector, the spread the
+  // half-angle of the cone.
   rate: f64;
   lifeMin: f64;
   lifeMax: f64;
   speedMin: f64;
   speedMax: f64;
-  // Unit vector, half-angle of the cone, and its cosine.
   directionX: f64;
   directionY: f64;
   directionZ: f64;
   spread: f64;
+  areaX: f64;
+  areaY: f64;
+  areaZ: f64;
+  scatterX: f64;
+  scatterY: f64;
+  scatterZ: f64;
+  inheritVelocity: f64;
+  mass: f64;
+  factorMin: f64;
+  factorMax: f64;
+  size0: f64;
+  size1: f64;
+  size2: f64;
+  size3: f64;
+  // Cosine of the spread, and the radius of the colliders.
   cosSpread: f64;
+  radius: f64;
   // Where it is, where it was, and the velocity every particle gets of it.
   x: f64;
   y: f64;
@@ -117,20 +134,6 @@ export class Emitter {
   velocityX: f64;
   velocityY: f64;
   velocityZ: f64;
-  areaX: f64;
-  areaY: f64;
-  areaZ: f64;
-  scatterX: f64;
-  scatterY: f64;
-  scatterZ: f64;
-  mass: f64;
-  radius: f64;
-  factorMin: f64;
-  factorMax: f64;
-  size0: f64;
-  size1: f64;
-  size2: f64;
-  size3: f64;
   born: f64;
   ended: f64;
   lost: f64;

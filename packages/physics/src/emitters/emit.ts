@@ -19,7 +19,7 @@ export function emitParticles(world: PhysicsWorld, dt: number): void {
     const emitter = list[i];
     const { record } = emitter.internal.block;
     if (emitter.internal.followed !== undefined) follow(world, emitter, record);
-    carry(record, emitter.internal.parameters.inheritVelocity ?? 0);
+    carry(record);
     const born = record.numbers[N.born];
     emitterKernels(world).stepEmitter(record.at, dt);
     if (record.words[W.changed] !== 0) world.versions.style++;
@@ -53,9 +53,9 @@ function isPlace(coordinate: number): boolean {
 }
 
 /** The velocity particles inherit: that of the emitter's way since the last step. */
-function carry({ numbers }: EmitterRecord, inherit: number): void {
+function carry({ numbers }: EmitterRecord): void {
   const pending = numbers[N.pending];
-  const factor = pending > 0 ? inherit / pending : 0;
+  const factor = pending > 0 ? numbers[N.inheritVelocity] / pending : 0;
   numbers[N.velocityX] = (numbers[N.x] - numbers[N.lastX]) * factor;
   numbers[N.velocityY] = (numbers[N.y] - numbers[N.lastY]) * factor;
   numbers[N.velocityZ] = (numbers[N.z] - numbers[N.lastZ]) * factor;

@@ -1,7 +1,7 @@
 import { PhysicsError } from '../faults/physics-error';
 import { checkChoice, checkFlag, checkNumber, checkWhole, readVector, type VectorInput } from '../faults/validate';
 import { seedWords } from '../math/random';
-import { assertUsable } from '../store/guards';
+import { assertUsable, whenIdle } from '../store/guards';
 import { type EntityRef, entityRef } from '../store/references';
 import { constant } from '../store/resource';
 import type { PhysicsWorld } from '../world';
@@ -122,18 +122,9 @@ function openRecord(
 }
 
 function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRecord, checked: CheckedParameters): void {
-  const { ramps, sizes } = checked;
-  numbers[N.rate] = checked.rate;
-  numbers.set(checked.lifetime, N.lifeMin);
-  numbers.set(checked.speed, N.speedMin);
-  numbers.set(checked.sizeFactor, N.factorMin);
-  numbers.set(checked.direction, N.directionX);
-  numbers[N.spread] = checked.spread;
-  numbers.set(checked.positionSpread, N.areaX);
-  numbers.set(checked.velocitySpread, N.scatterX);
-  numbers[N.mass] = checked.mass;
-  numbers.set(sizes, N.size0);
-  words[W.sizeStops] = sizes.length;
+  const { ramps } = checked;
+  numbers.set(checked.numbers, N.rate);
+  words[W.sizeStops] = checked.numbers.length - (N.size0 - N.rate);
   words[W.rampCount] = ramps.length;
   ramps.forEach((ramp, r) => {
     words.set(ramp, W.color0 + r * MOST_STOPS);
@@ -313,15 +304,13 @@ export function endings(emitter: Emitter): Endings {
 export function destroyEmitter(emitter: Emitter): void {
   const { world, internal } = emitter;
   assertUsable(world);
-  noticeRestore(emitter);
-  if (internal.destroyed) return;
-  if (world.state === 'stepping') {
-    world.internal.commands.push(() => destroyEmitter(emitter));
-    return;
-  }
-  internal.destroyed = true;
-  const { list } = emittersOf(world);
-  list.splice(list.indexOf(emitter), 1);
-  removeBodies(world, internal.block.record);
-  returnBlock(world, internal.block);
+  whenIdle(world, () => {
+    noticeRestore(emitter);
+    if (internal.destroyed) return;
+    internal.destroyed = true;
+    const { list } = emittersOf(world);
+    list.splice(list.indexOf(emitter), 1);
+    removeBodies(world, internal.block.record);
+    returnBlock(world, internal.block);
+  });
 }

@@ -89,18 +89,9 @@ type Triple = readonly [x: number, y: number, z: number];
 /** The parameters as the record takes them. */
 export interface CheckedParameters {
   readonly position: Triple;
-  readonly rate: number;
-  readonly lifetime: readonly [number, number];
-  readonly speed: readonly [number, number];
-  readonly direction: Triple;
-  readonly spread: number;
-  readonly positionSpread: Triple;
-  readonly velocitySpread: Triple;
-  readonly inheritVelocity: number;
-  readonly mass: number;
+  /** All numbers from the rate on, in the record's order. */
+  readonly numbers: readonly number[];
   readonly ramps: readonly (readonly number[])[];
-  readonly sizes: readonly number[];
-  readonly sizeFactor: readonly [number, number];
 }
 
 /** Refuses keys that are not options. @throws PhysicsError E_TYPE, E_UNKNOWN */
@@ -121,18 +112,20 @@ export function checkParameters(world: PhysicsWorld, options: EmitterParameters)
   const speeds = { min: -MAX_SPEED, max: MAX_SPEED };
   return {
     position: place(world, options.position ?? {}, 'position', anywhere),
-    rate: checkNumber(options.rate ?? 0, 'rate', { min: 0, max: 1e9 }),
-    lifetime: range(options.lifetime ?? 1, 'lifetime', { above: 0, max: 1e9 }),
-    speed: range(options.speed ?? 1, 'speed', { min: 0, max: MAX_SPEED }),
-    direction: unit(place(world, options.direction ?? { y: 1 }, 'direction')),
-    spread: checkNumber(options.spread ?? Math.PI, 'spread', { min: 0, max: Math.PI }),
-    positionSpread: place(world, options.positionSpread ?? {}, 'positionSpread', anywhere),
-    velocitySpread: place(world, options.velocitySpread ?? {}, 'velocitySpread', speeds),
-    inheritVelocity: checkNumber(options.inheritVelocity ?? 0, 'inheritVelocity', { min: -10, max: 10 }),
-    mass: checkNumber(options.mass ?? 1, 'mass', { above: 0, max: 1e38 }),
+    numbers: [
+      checkNumber(options.rate ?? 0, 'rate', { min: 0, max: 1e9 }),
+      ...range(options.lifetime ?? 1, 'lifetime', { above: 0, max: 1e9 }),
+      ...range(options.speed ?? 1, 'speed', { min: 0, max: MAX_SPEED }),
+      ...unit(place(world, options.direction ?? { y: 1 }, 'direction')),
+      checkNumber(options.spread ?? Math.PI, 'spread', { min: 0, max: Math.PI }),
+      ...place(world, options.positionSpread ?? {}, 'positionSpread', anywhere),
+      ...place(world, options.velocitySpread ?? {}, 'velocitySpread', speeds),
+      checkNumber(options.inheritVelocity ?? 0, 'inheritVelocity', { min: -10, max: 10 }),
+      checkNumber(options.mass ?? 1, 'mass', { above: 0, max: 1e38 }),
+      ...range(options.sizeFactor ?? 1, 'sizeFactor', { min: 0, max: 1e6 }),
+      ...sizeRamp(options.size ?? 0),
+    ],
     ramps: colorRamps(options.color ?? 0),
-    sizes: sizeRamp(options.size ?? 0),
-    sizeFactor: range(options.sizeFactor ?? 1, 'sizeFactor', { min: 0, max: 1e6 }),
   };
 }
 
