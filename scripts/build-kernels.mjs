@@ -76,15 +76,23 @@ async function buildModules({ quiet = false, force = false, from = kernelFolder,
 async function buildModule({ name, entry, constant, constants, from, quiet }) {
   const start = performance.now();
   const { compileKernels, kernelInterface } = await import('./lib/compile-kernels.mjs');
-  const { f32, f64 } = await compileKernels(from, entry, constants);
+  const { shortExports } = await import('./lib/short-exports.mjs');
+  const compiled = await compileKernels(from, entry, constants);
+  const f64 = shortExports(compiled.f64.wasm);
+  const f32 = shortExports(compiled.f32.wasm);
+  if (f64.names !== f32.names) throw new Error(`The kernels of ${entry} do not export the same in f32 and in f64.`);
   const declarations = [
     "import type { EmbeddedModule } from './decode.ts';",
     `import { ${constant} } from './texts.gen.ts';\n`,
-    // The first is unpacked alone, the second needs the first: worlds are f64 unless one asks for f32.
-    `export const KERNELS_F64: EmbeddedModule = { text: ${constant}, start: 0, end: ${f64.wasm.length} };`,
-    `export const KERNELS_F32: EmbeddedModule = { text: ${constant}, start: ${f64.wasm.length}, end: ${f64.wasm.length + f32.wasm.length} };\n`,
+    'export const KERNELS: EmbeddedModule = {',
+    `  text: ${constant},`,
+    `  names: '${f64.names}',`,
+    `  f64: ${f64.wasm.length},`,
+    `  f32: ${f32.wasm.length},`,
+    '  compiled: {},',
+    '};\n',
     '/** What both modules export. An address (`usize`) is a byte offset into the memory; u32 results need `>>> 0`. */',
-    kernelInterface({ f32, f64 }),
+    kernelInterface(compiled),
   ].join('\n');
   if (!quiet) {
     const [a, b] = [f32, f64].map(({ wasm }) => `${(wasm.length / 1024).toFixed(1)} KB`);
@@ -115,7 +123,15 @@ function hashOfSources(folder) {
   const sources = readdirSync(folder, { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.ts') && !name.endsWith('.test.ts'))
     .sort();
-  const scripts = ['build-kernels', 'lib/body-sizes', 'lib/compile-kernels', 'lib/encode-module', 'lib/order-locals'];
+  const scripts = [
+    'build-kernels',
+    'lib/body-sizes',
+    'lib/compile-kernels',
+    'lib/encode-module',
+    'lib/order-locals',
+    'lib/order-types',
+    'lib/short-exports',
+  ];
   const hash = createHash('sha256').update(JSON.parse(readFileSync(compiler, 'utf8')).version);
   for (const name of scripts) hash.update(readFileSync(`${root}/scripts/${name}.mjs`));
   for (const name of sources) hash.update(`\n${name}\n`).update(readFileSync(`${folder}/${name}`));

@@ -5,6 +5,7 @@ import { createRequire } from 'node:module';
 import { promisify } from 'node:util';
 import { padBodySizes } from './body-sizes.mjs';
 import { orderLocals } from './order-locals.mjs';
+import { orderTypes } from './order-types.mjs';
 import { cacheFolder, resolveInstalled } from './paths.mjs';
 
 const run = promisify(execFile);
@@ -50,18 +51,22 @@ export async function compileKernels(folder, entry = 'index.ts', constants = 102
       compileKernel(folder, entry, 'f32', output, constants),
       compileKernel(folder, entry, 'f64', output, constants),
     ]);
-    return { f32: packable(f32), f64: packable(f64) };
+    return packable(f32, f64);
   } finally {
     rmSync(output, { recursive: true, force: true });
   }
 }
 
 /**
- * @param {CompiledKernels} compiled
- * @returns {CompiledKernels}
+ * @param {CompiledKernels} f32
+ * @param {CompiledKernels} f64
  */
-function packable({ wasm, declarations }) {
-  return { wasm: padBodySizes(orderLocals(wasm)), declarations };
+function packable(f32, f64) {
+  const ordered = orderTypes(orderLocals(f64.wasm), orderLocals(f32.wasm));
+  return {
+    f32: { ...f32, wasm: padBodySizes(ordered.f32) },
+    f64: { ...f64, wasm: padBodySizes(ordered.f64) },
+  };
 }
 
 /**

@@ -15,6 +15,7 @@ const RAW = 3;
 const OUTSIDE = 4;
 const HEADER = 5;
 
+const EXPORT_SECTION = 7;
 const CODE_SECTION = 10;
 /** Holds nothing. */
 const NONE: usize = OPERANDS + 0x800;
@@ -210,6 +211,8 @@ function hashContexts(kind: i32, place: i32): void {
     const real = <f32>load<f64>(BYTES + there, 1);
     other = ((reinterpret<i32>(real) >>> (place << 3)) & 255) + 1;
   }
+  // Exports are a letter and an index each, and both count.
+  if (op == EXPORT_SECTION) other = before(4) + 2;
   const same = matched > 0 ? load<u8>(BYTES + match) + 1 : 0;
   habit = other == 0 ? NONE : HABITS + (((both(state, other) * 0x9e3779b1) >>> 17) << 1);
   const b1 = before(1);

@@ -1,5 +1,5 @@
-import { KERNELS_F32, KERNELS_F64, type KernelExports } from '../kernels/constraints.gen';
+import { KERNELS, type KernelExports } from '../kernels/constraints.gen';
 import { kernelModule } from '../kernels/instantiate';
 
 /** The kernels of constraints and networks, for a world. */
-export const constraintKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS_F32, KERNELS_F64);
+export const constraintKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);

@@ -1,5 +1,5 @@
-import { KERNELS_F32, KERNELS_F64, type KernelExports } from '../kernels/emitters.gen';
+import { KERNELS, type KernelExports } from '../kernels/emitters.gen';
 import { kernelModule } from '../kernels/instantiate';
 
 /** The kernels of emitters, for a world. */
-export const emitterKernels = kernelModule<KernelExports>(KERNELS_F32, KERNELS_F64);
+export const emitterKernels = kernelModule<KernelExports>(KERNELS);

@@ -1,5 +1,5 @@
 import { kernelModule } from '../kernels/instantiate';
-import { KERNELS_F32, KERNELS_F64, type KernelExports } from '../kernels/integrators.gen';
+import { KERNELS, type KernelExports } from '../kernels/integrators.gen';
 
 /** The kernels of the schemes of many stages, on a world that uses one. */
-export const integratorKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS_F32, KERNELS_F64);
+export const integratorKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);

@@ -1,11 +1,16 @@
 import { SIGNS, UNPACKER } from './texts.gen';
 
-/** One of two modules that were packed together, one after the other, and written in 64 signs. */
+/** Two builds of one module, packed together and written in 64 signs. */
 export interface EmbeddedModule {
   readonly text: string;
-  /** Where its bytes begin and end among those of both. */
-  readonly start: number;
-  readonly end: number;
+  /** What the functions that both export are called, with dots between; the modules have other names for them. */
+  readonly names: string;
+  /** How many bytes the build has that is unpacked alone, as worlds are f64 unless one asks for f32. */
+  readonly f64: number;
+  /** How many bytes the build has that is unpacked after it. */
+  readonly f32: number;
+  /** What was compiled of them in this process. */
+  readonly compiled: { f32?: WebAssembly.Module; f64?: WebAssembly.Module };
 }
 
 /** What `kernels/unpack/unpack.ts` exports. */
@@ -18,15 +23,16 @@ interface Unpacker {
 
 let unpacker: WebAssembly.Module | undefined;
 
-/** The bytes of an embedded WebAssembly module. */
-export function decodeModule({ text, start, end }: EmbeddedModule): Uint8Array<ArrayBuffer> {
+/** The bytes of one build of an embedded WebAssembly module. */
+export function decodeModule({ text, f64, f32 }: EmbeddedModule, precision: 'f32' | 'f64'): Uint8Array<ArrayBuffer> {
   unpacker ??= new WebAssembly.Module(readSigns(UNPACKER, 4, new Uint8Array(UNPACKER.length / 2), 0));
   const { memory, packedAt, bytesAt, unpack } = new WebAssembly.Instance(unpacker).exports as unknown as Unpacker;
   const bytes = new Uint8Array(memory.buffer);
   readSigns(text, 6, bytes, packedAt());
-  const first = start === 0 ? end : start;
-  unpack(first, end - first);
-  return bytes.slice(bytesAt() + start, bytesAt() + end);
+  const second = precision === 'f32' ? f32 : 0;
+  unpack(f64, second);
+  const from = bytesAt();
+  return second > 0 ? bytes.slice(from + f64, from + f64 + second) : bytes.slice(from, from + f64);
 }
 
 /** No `atob` and no `Buffer`, so it runs in Node, browsers, workers and worklets alike. */

@@ -2,20 +2,15 @@
 // the kernels' own (kernels/math), so TypeScript and kernels agree to the last bit. Each is within 1 ulp
 // (sine and cosine of angles beyond a million radians within 2).
 // Cost: some 20 ns, of which half is the call.
-import { decodeModule } from '../kernels/decode';
-import { instantiateKernels } from '../kernels/instantiate';
-import { KERNELS_F64, type KernelExports } from '../kernels/math.gen';
+import { instantiate, instantiateKernels } from '../kernels/instantiate';
+import { KERNELS, type KernelExports } from '../kernels/math.gen';
 
 let made: KernelExports | undefined;
 let logarithm: ((x: number) => number) | undefined;
 
 /** Made at the first use, with a page of memory of its own for a table. */
 function kernels(): KernelExports {
-  if (made === undefined) {
-    const memory = new WebAssembly.Memory({ initial: 1 });
-    const module = new WebAssembly.Module(decodeModule(KERNELS_F64));
-    made = new WebAssembly.Instance(module, { env: { memory } }).exports as unknown as KernelExports;
-  }
+  made ??= instantiate<KernelExports>(KERNELS, 'f64', new WebAssembly.Memory({ initial: 1 }));
   return made;
 }
 

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { decodeModule } from '../kernels/decode';
-import { KERNELS_F32, KERNELS_F64, type KernelExports } from '../kernels/math.gen';
+import { instantiate } from '../kernels/instantiate';
+import { KERNELS, type KernelExports } from '../kernels/math.gen';
 import { createRandom } from './random';
 
 const N = 200_000;
@@ -107,10 +107,9 @@ describe('seeded random numbers', () => {
   });
 
   test('the kernels draw the same numbers from the same words', () => {
-    for (const build of [KERNELS_F32, KERNELS_F64]) {
+    for (const precision of ['f32', 'f64'] as const) {
       const memory = new WebAssembly.Memory({ initial: 1 });
-      const module = new WebAssembly.Module(decodeModule(build));
-      const kernels = new WebAssembly.Instance(module, { env: { memory } }).exports as unknown as KernelExports;
+      const kernels = instantiate<KernelExports>(KERNELS, precision, memory);
       const random = createRandom(11);
       const words = new Uint32Array(memory.buffer, 8192, 4);
       words.set(random.state);
