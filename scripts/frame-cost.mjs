@@ -8,23 +8,21 @@
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { parseArgs } from 'node:util';
 import { build } from 'esbuild';
 import { chromium } from 'playwright-core';
 import { buildKernels } from './build-kernels.mjs';
 import { bundleOptions } from './lib/bundle.mjs';
+import { commandOptions } from './lib/command-options.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
 import { serveFiles } from './lib/static-server.mjs';
 
 /** @typedef {import('playwright-core').Browser} Browser */
 
-const { values } = parseArgs({
-  options: {
-    bodies: { type: 'string', default: '100000' },
-    sparks: { type: 'string', default: '50000' },
-    drawn: { type: 'boolean', default: false },
-  },
+const values = commandOptions({
+  bodies: { type: 'string', default: '100000' },
+  sparks: { type: 'string', default: '50000' },
+  drawn: { type: 'boolean', default: false },
 });
 const ROUNDS = 6;
 const FRAMES = 15;

@@ -7,20 +7,18 @@
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
+import { commandOptions } from './lib/command-options.mjs';
 import { countInPage, KEPT_BY_PIXI, objectsOf, playRound, takeCounts, WITHOUT_COMPILERS } from './lib/leak-watch.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
 import { gameNames } from './lib/site-pages.mjs';
 import { serveFiles } from './lib/static-server.mjs';
 
-const { values } = parseArgs({
-  options: {
-    minutes: { type: 'string', default: '10' },
-    game: { type: 'string', multiple: true },
-    together: { type: 'boolean', default: false },
-  },
+const values = commandOptions({
+  minutes: { type: 'string', default: '10' },
+  game: { type: 'string', multiple: true },
+  together: { type: 'boolean', default: false },
 });
 /** Rounds before the first count: caches and compilers fill. */
 const WARM = 5;

@@ -5,19 +5,17 @@
  * Options of `npm start -- …`: `--port 8000` (the first free one from there on), `--host 127.0.0.1`; of
  * `npm run build -- …`: `--out dist/site`.
  */
-import { parseArgs } from 'node:util';
+import { commandOptions } from './lib/command-options.mjs';
 import { root } from './lib/paths.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
 import { serveSite } from './lib/site-server.mjs';
 
-const { values } = parseArgs({
-  options: {
-    serve: { type: 'boolean', default: false },
-    port: { type: 'string', default: '8000' },
-    host: { type: 'string', default: '127.0.0.1' },
-    out: { type: 'string', default: `${root}/dist/site` },
-  },
+const values = commandOptions({
+  serve: { type: 'boolean', default: false },
+  port: { type: 'string', default: '8000' },
+  host: { type: 'string', default: '127.0.0.1' },
+  out: { type: 'string', default: `${root}/dist/site` },
 });
 
 if (values.serve) await serve(Number(values.port), values.host);

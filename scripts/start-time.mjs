@@ -8,20 +8,18 @@
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
+import { commandOptions } from './lib/command-options.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
 import { gameNames } from './lib/site-pages.mjs';
 import { serveSite } from './lib/site-server.mjs';
 import { serveFiles } from './lib/static-server.mjs';
 
-const { values } = parseArgs({
-  options: {
-    loads: { type: 'string', default: '5' },
-    game: { type: 'string', multiple: true },
-    built: { type: 'boolean', default: false },
-  },
+const values = commandOptions({
+  loads: { type: 'string', default: '5' },
+  game: { type: 'string', multiple: true },
+  built: { type: 'boolean', default: false },
 });
 
 const folder = mkdtempSync(join(tmpdir(), 'principia-start-'));
