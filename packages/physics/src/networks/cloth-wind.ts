@@ -61,10 +61,8 @@ export function clothWind(options: ClothWindOptions): Force {
       const { x, y, z } = wind.at(world, time);
       const f = world.scratch.at.force;
       const lives = world.internal.generations.byteOffset;
-      constraintKernels(world).blowTriangles(
-        ...([at, count, parts, lives, f.x, f.y, f.z] as const),
-        ...([x, y, z, density, normal, tangential] as const),
-      );
+      const blow = constraintKernels(world).blowTriangles;
+      blow(at, count, parts, lives, f.x, f.y, f.z, x, y, z, density, normal, tangential);
     },
   };
 }
