@@ -131,6 +131,7 @@ function hashOfSources(folder) {
     'lib/order-locals',
     'lib/order-types',
     'lib/short-exports',
+    'lib/wasm-sections',
   ];
   const hash = createHash('sha256').update(JSON.parse(readFileSync(compiler, 'utf8')).version);
   for (const name of scripts) hash.update(readFileSync(`${root}/scripts/${name}.mjs`));

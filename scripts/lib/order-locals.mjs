@@ -3,85 +3,41 @@
  * easier to guess than the compiler's order by how often each is used: 0.1 KB of a game with contacts. Locals that
  * nothing uses go. The numbers of parameters stay, so callers see no difference.
  */
-import { number, readNumber } from './body-sizes.mjs';
-
-const TYPES = 1;
-const FUNCTIONS = 3;
-const CODE = 10;
+import {
+  CODE,
+  changeSections,
+  contentOf,
+  FUNCTIONS,
+  number,
+  readBodies,
+  readList,
+  readNumber,
+  readTypes,
+  TYPES,
+} from './wasm-sections.mjs';
 
 /**
  * @param {Uint8Array} wasm
  * @returns {Uint8Array}
  */
 export function orderLocals(wasm) {
-  const sections = [wasm.subarray(0, 8)];
-  /** @type {number[][]} */
-  let types = [];
-  /** @type {number[]} */
-  let functions = [];
-  for (let at = 8; at < wasm.length; ) {
-    const size = readNumber(wasm, at + 1);
-    const end = size.end + size.value;
-    if (wasm[at] === TYPES) types = readTypes(wasm, size.end);
-    if (wasm[at] === FUNCTIONS) functions = readFunctions(wasm, size.end);
-    if (wasm[at] === CODE) {
-      const bodies = orderBodies(wasm, size.end, (index) => types[functions[index]]);
-      sections.push(Uint8Array.of(CODE, ...number(bodies.length)), bodies);
-    } else sections.push(wasm.subarray(at, end));
-    at = end;
-  }
-  return Buffer.concat(sections);
+  const parameters = readTypes(contentOf(wasm, TYPES)).map(parametersOf);
+  const functions = readList(contentOf(wasm, FUNCTIONS), readNumber);
+  return changeSections(wasm, {
+    [CODE]: (content) => {
+      const bodies = readBodies(content).map((body, i) => orderBody(body, parameters[functions[i]]));
+      return [...number(bodies.length), ...bodies.flatMap((body) => [...number(body.length), ...body])];
+    },
+  });
 }
 
 /**
- * The types of the parameters of each type of function.
- * @param {Uint8Array} wasm
- * @param {number} from
+ * The types of the parameters of a type of function.
+ * @param {number[]} type its bytes
  */
-function readTypes(wasm, from) {
-  const types = [];
-  let { value: left, end: at } = readNumber(wasm, from);
-  for (; left > 0; left--) {
-    const parameters = readNumber(wasm, at + 1);
-    const last = parameters.end + parameters.value;
-    types.push([...wasm.subarray(parameters.end, last)]);
-    const results = readNumber(wasm, last);
-    at = results.end + results.value;
-  }
-  return types;
-}
-
-/**
- * The type of each function.
- * @param {Uint8Array} wasm
- * @param {number} from
- */
-function readFunctions(wasm, from) {
-  const functions = [];
-  let { value: left, end: at } = readNumber(wasm, from);
-  for (; left > 0; left--) {
-    const type = readNumber(wasm, at);
-    functions.push(type.value);
-    at = type.end;
-  }
-  return functions;
-}
-
-/**
- * @param {Uint8Array} wasm
- * @param {number} from where the content of the code section begins
- * @param {(index: number) => number[]} parametersOf types of the parameters of a function
- */
-function orderBodies(wasm, from, parametersOf) {
-  const count = readNumber(wasm, from);
-  const parts = [Uint8Array.from(number(count.value))];
-  for (let index = 0, at = count.end; index < count.value; index++) {
-    const size = readNumber(wasm, at);
-    at = size.end + size.value;
-    const body = orderBody(wasm.subarray(size.end, at), parametersOf(index));
-    parts.push(Uint8Array.from([...number(body.length), ...body]));
-  }
-  return Buffer.concat(parts);
+function parametersOf(type) {
+  const count = readNumber(Uint8Array.from(type), 1);
+  return type.slice(count.end, count.end + count.value);
 }
 
 /**
