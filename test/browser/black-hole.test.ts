@@ -202,6 +202,20 @@ describe('other hands', () => {
     expect((await told(page)).heading).toBe('');
   });
 
+  it('a phone lying on its side has the touch pad to itself until the settings are asked for', async () => {
+    const page = await play('manual&seed=4', { viewport: { width: 780, height: 390 }, isMobile: true });
+    const left = page.locator('.game-pad [data-name=left]');
+    await left.hover();
+    await page.mouse.down();
+    await steps(page, 1);
+    expect((await told(page)).heading).toBe('left');
+    await page.mouse.up();
+    expect(await page.locator('.game-side').isVisible()).toBe(false);
+    await page.keyboard.press('p');
+    expect(await page.locator('.game-side').isVisible()).toBe(true);
+    expect(await left.isVisible()).toBe(false);
+  });
+
   it('plays itself when nobody does, until somebody does', async () => {
     const page = await play('manual&seed=4');
     await steps(page, 120 * 14);

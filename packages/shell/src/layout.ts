@@ -1,6 +1,6 @@
 import { element } from './element.ts';
 import type { Insets } from './game.ts';
-import { addStyles } from './styles.ts';
+import { addStyles, NARROW } from './styles.ts';
 
 /** The parts of a game's page, from back to front. */
 export interface Layout {
@@ -16,9 +16,6 @@ export interface Layout {
   toggleSide(shown?: boolean): void;
 }
 
-/** Windows narrower than this show the side over the stage, and only when asked, CSS pixels. */
-const NARROW = 760;
-
 /** Builds the page of a game. */
 export function createLayout(title: string, onSide: () => void): Layout {
   addStyles();
@@ -29,8 +26,8 @@ export function createLayout(title: string, onSide: () => void): Layout {
   document.body.append(root);
   /** Games ask in every frame. */
   const covered = { top: 0, right: 0, bottom: 0, left: 0 };
-  const isNarrow = () => root.clientWidth < NARROW;
-  let shown = !isNarrow();
+  const narrow = matchMedia(NARROW);
+  let shown = !narrow.matches;
   side.hidden = !shown;
   return {
     root,
@@ -38,7 +35,7 @@ export function createLayout(title: string, onSide: () => void): Layout {
     bar,
     side,
     insets() {
-      const right = shown && !isNarrow() ? side.offsetWidth + 16 : 0;
+      const right = shown && !narrow.matches ? side.offsetWidth + 16 : 0;
       covered.top = bar.offsetHeight;
       covered.right = right;
       return covered;

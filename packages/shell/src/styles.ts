@@ -1,3 +1,6 @@
+/** Windows of a phone, upright or lying: the side shows over the stage, and only when asked. */
+export const NARROW = '(max-width: 759px), (max-height: 479px)';
+
 /** The look of every game; a game that wants other colours overrides the variables of `.game`. */
 const styles = `
 html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
@@ -33,7 +36,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
   border-radius: 50%; margin-right: 4px; background: var(--mark) }
 .game-card select, .game-card input { border: 0; border-radius: 6px; background: #ffffff14; color: var(--ink); font: inherit;
-  font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 150px } .game-card option { background: #1a2349 }
+  font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 100% } .game-card option { background: #1a2349 }
 .game-card input { width: 52px } .game-card h2 select { color: var(--dim); font-weight: 600; margin-left: -4px }
 .game-plot-column { display: flex; gap: 8px; align-items: center; font-size: 12px; color: var(--dim); white-space: nowrap }
 .game-profile { display: grid; grid-template-columns: max-content 1fr max-content; gap: 1px 8px; margin: 0; font-size: 12px;
@@ -88,9 +91,12 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
 .u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }
 .uplot canvas { display: block; position: relative; width: 100%; height: 100% } .u-axis.u-off { display: none }
-@media (min-width: 760px) { .game:has(.game-side:not([hidden])) .game-bar { right: 288px } }
+.game:has(.game-side:not([hidden])) .game-bar { right: 288px }
+.game:has(.game-side:not([hidden])) .game-pad { right: 300px }
 @media (max-width: 999px) { .game-title { display: none } .game-bar { padding-left: max(12px, env(safe-area-inset-left)) } }
-@media (max-width: 759px) { .game-side { top: 66px; max-height: calc(100% - 78px) }
+@media ${NARROW} { .game-side { top: 66px; max-height: calc(100% - 78px) }
+  .game:has(.game-side:not([hidden])) .game-bar { right: 0 }
+  .game:has(.game-side:not([hidden])) .game-pad { display: none }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar button { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
 @media (min-width: 860px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
