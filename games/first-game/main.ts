@@ -12,7 +12,7 @@ const collider = { radius: 0.5, restitution: 0.8 };
 const ball = spawn(world, { position: { y: 6 }, velocity: { x: 3 }, mass: 1, collider, quadraticDrag: 0.01 });
 
 const app = new Application();
-await app.init({ background: '#10141c', resizeTo: window, antialias: true });
+await app.init({ preference: ['webgl', 'webgpu'], background: '#10141c', resizeTo: window, antialias: true });
 document.body.append(app.canvas);
 const layer = createBodyLayer({ source: worldSource(world), defaultColor: 0xffb454 });
 app.stage.addChild(layer.container);

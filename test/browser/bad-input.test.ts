@@ -9,6 +9,7 @@ const games = [
   ['black-hole', 'pixi'],
   ['fireworks', 'pixi'],
   ['fireworks', 'three'],
+  ['cloth', 'pixi'],
 ] as const;
 
 /** A world that goes on when it is told to: whatever happened did not kill it. */
@@ -18,22 +19,24 @@ async function expectAlive(page: Page) {
   expect((await state(page)).tick).toBeGreaterThanOrEqual(tick + 10);
 }
 
+/** Runs in a page before its game: a browser that draws in two dimensions alone. */
+function withoutWebGL(): void {
+  const { getContext } = HTMLCanvasElement.prototype;
+  const only2d = function (this: HTMLCanvasElement, kind: string, ...more: unknown[]) {
+    return kind === '2d' ? (getContext as (...given: unknown[]) => unknown).call(this, kind, ...more) : null;
+  };
+  Object.assign(HTMLCanvasElement.prototype, { getContext: only2d });
+  Object.assign(OffscreenCanvas.prototype, { getContext: () => null });
+  Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined });
+}
+
 describe.each(games)('%s in %s', (game, renderer) => {
   const played = playGame(game, { viewport: { width: 640, height: 420 }, hasTouch: true });
   const open = (query = '', options: Parameters<typeof played.open>[1] = {}) =>
     played.open(`renderer=${renderer}&${query}`, options);
 
   it('says so where there is no WebGL, and the world is there all the same', async () => {
-    const prepare = () => {
-      const { getContext } = HTMLCanvasElement.prototype;
-      const only2d = function (this: HTMLCanvasElement, kind: string, ...more: unknown[]) {
-        return kind === '2d' ? (getContext as (...given: unknown[]) => unknown).call(this, kind, ...more) : null;
-      };
-      Object.assign(HTMLCanvasElement.prototype, { getContext: only2d });
-      Object.assign(OffscreenCanvas.prototype, { getContext: () => null });
-      Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined });
-    };
-    const page = await open('manual', { prepare, until: 'game' });
+    const page = await open('manual', { prepare: withoutWebGL, until: 'game' });
     await page.waitForFunction(() => __game.state().banner !== '');
     expect(await state(page)).toMatchObject({ ready: false });
     expect((await state(page)).banner).toMatch(/no WebGL 2.*hardware acceleration/);
@@ -139,5 +142,15 @@ describe.each(games)('%s in %s', (game, renderer) => {
     await page.keyboard.press('y');
     expect(await state(page)).toMatchObject({ safeColors: true, banner: '' });
     await expectAlive(page);
+  });
+});
+
+describe('first-game', () => {
+  const { open } = playGame('first-game');
+
+  it('says so where there is no WebGL', async () => {
+    const page = await open('', { prepare: withoutWebGL, until: 'nothing' });
+    await page.locator('[role=alert]').waitFor();
+    expect(await page.locator('[role=alert]').textContent()).toMatch(/cannot start here.*needs WebGL 2/);
   });
 });
