@@ -3,6 +3,7 @@
 // own default, 0.9; its error against the direct sum is measured when it is made and told with its name.
 import type { ClusterRun, SceneRun } from '@principia/scenes';
 import { forceManyBody, type SimulationNodeDatum } from 'd3-force';
+import { median } from '../statistics';
 import { kick, kickDrift, type NBodyState, nBodyState } from './n-body-columns';
 import type { Peer } from './peer';
 
@@ -56,7 +57,7 @@ function pullBy(force: (alpha: number) => void, nodes: Node[], { x, a }: NBodySt
   }
 }
 
-/** Its RMS relative error by its own rule for close pairs; bodies that feel next to nothing count as a tenth of the mean. */
+/** Its RMS relative error by its own rule for close pairs; who feels next to nothing counts as a tenth of the median. */
 function errorOf({ count, G, softening, x: { x, y }, mass, a }: NBodyState): number {
   const samples = Math.min(SAMPLES, count);
   const off: number[] = [];
@@ -76,7 +77,7 @@ function errorOf({ count, G, softening, x: { x, y }, mass, a }: NBodyState): num
     off.push(Math.hypot(ax - a.x[i], ay - a.y[i]));
     size.push(Math.hypot(ax, ay));
   }
-  const least = (0.1 * size.reduce((sum, value) => sum + value, 0)) / samples;
+  const least = 0.1 * median(size);
   const squares = off.map((value, k) => (value / Math.max(size[k], least)) ** 2);
   return Math.sqrt(squares.reduce((sum, value) => sum + value, 0) / samples);
 }

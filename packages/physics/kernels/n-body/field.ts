@@ -2,6 +2,7 @@
 import { get, put } from '../columns';
 import { LANES, add, at, mul, sub, splat } from '../lanes';
 import { laneSum, pull } from './direct';
+import { middleOf } from './middle';
 import { NBody, SAMPLES } from './workspace';
 
 export let fieldX: f64 = 0;
@@ -57,7 +58,7 @@ export function directOntoTests(w: NBody, inverseSquare: bool): void {
   }
 }
 
-// A body whose field nearly cancels counts as if it felt this share of the mean field.
+// A body whose field nearly cancels counts as if it felt this share of the median field.
 const LEAST_FIELD: f64 = 0.1;
 
 // Steps of the golden section, in parts of 2³²: never the same bodies again, and evenly between those of before.
@@ -70,7 +71,6 @@ export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: 
   if (n == 0) return 0;
   // Where in its part of the order each is, of 2³²: in the middle for choice 0.
   const within = <u64>(<u32>(1 << 31) + <u32>choice * SHIFT);
-  let mean: f64 = 0;
   for (let k = 0; k < n; k++) {
     const body = <i32>((((((<u64>k) << 32) + within) / <u64>n) * <u64>w.bodies) >> 32);
     const place = w.resultsByTree || body < w.sources ? body : body - w.sources + w.tests;
@@ -82,12 +82,11 @@ export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: 
     const dy = <f64>get(w.ay, place) * per - fieldY;
     const dz = <f64>get(w.az, place) * per - fieldZ;
     const size2 = fieldX * fieldX + fieldY * fieldY + fieldZ * fieldZ;
-    mean += sqrt<f64>(size2) / <f64>n;
     const at = w.sample + ((<usize>k) << 4);
     store<f64>(at, dx * dx + dy * dy + dz * dz);
     store<f64>(at, size2, 8);
   }
-  const least = LEAST_FIELD * LEAST_FIELD * mean * mean;
+  const least = LEAST_FIELD * LEAST_FIELD * middleOf<f64>(w.counts, w.sample + 8, 16, n);
   if (least == 0) return 0;
   let sum: f64 = 0;
   for (let k = 0; k < n; k++) {

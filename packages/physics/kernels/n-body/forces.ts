@@ -4,11 +4,12 @@ import { direct2d, direct3d } from './direct';
 import { evaluate2d } from './evaluate-2d';
 import { evaluate3d } from './evaluate-3d';
 import { directOntoTests, sampleError } from './field';
+import { middleOf } from './middle';
 import { buildTree } from './tree';
 import { boundGroup, fieldScale, walkGroup } from './walk';
 import { NBody } from './workspace';
 
-// A group whose field nearly cancels is given this share of the mean field: the error there is small against the
+// A group whose field nearly cancels is given this share of the median field: the error there is small against the
 // errors elsewhere, and the walk would open everything.
 const LEAST_SHARE: f64 = 0.1;
 
@@ -32,15 +33,12 @@ const CALIBRATION: f64 = 6;
 export function prepareTree(w: NBody, dimensions: i32, law: i32): void {
   if (w.treeValid != 0 || w.bodies == 0) return;
   buildTree(w, dimensions, law == 2 ? 3 : 2);
-  let sum: f64 = 0;
   for (let g = 0; g < w.groupCount; g++) {
     const at = w.groups + ((<usize>g) << 3);
     boundGroup(w, load<i32>(at), load<i32>(at, 4));
-    const scale = fieldScale(w, law == 2);
-    put(w.groupFields, g, scale);
-    sum += <f64>scale;
+    put(w.groupFields, g, fieldScale(w, law == 2));
   }
-  const least = <real>((LEAST_SHARE * sum) / <f64>w.groupCount);
+  const least = <real>(LEAST_SHARE * middleOf<real>(w.counts, w.groupFields, sizeof<real>(), w.groupCount));
   for (let g = 0; g < w.groupCount; g++) put(w.groupFields, g, max<real>(least, get(w.groupFields, g)));
 }
 

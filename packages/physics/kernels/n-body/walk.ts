@@ -43,11 +43,13 @@ export function boundGroup(w: NBody, first: i32, last: i32): void {
   halfZ = half * (highZ - lowZ);
 }
 
-// The size of the field at the centre of the group bounded last, from a coarse walk.
+// The size of the field at the centre of the group bounded last, from a coarse walk. No cell pulls harder than it would
+// at the box's corners: two bodies that meet by the centre do not make the field of the others.
 export function fieldScale(w: NBody, inverseSquare: bool): real {
   let ax: f64 = 0;
   let ay: f64 = 0;
   let az: f64 = 0;
+  const corner2 = <f64>(halfX * halfX + halfY * halfY + halfZ * halfZ);
   for (let node = 0; node < w.nodeCount; ) {
     const p = w.nodes + <usize>node * NODE_BYTES;
     const next = load<i32>(w.links + <usize>node * LINK_BYTES);
@@ -57,7 +59,7 @@ export function fieldScale(w: NBody, inverseSquare: bool): real {
     const d2 = dx * dx + dy * dy + dz * dz;
     const near2 = <f64>load<real>(p + NEAR2);
     if (next == node + 1 || d2 > near2) {
-      const u = d2 + near2;
+      const u = max<f64>(d2 + near2, corner2);
       const k = <f64>load<real>(p + 3 * REAL) / (inverseSquare ? u * sqrt<f64>(u) : u);
       ax += k * dx;
       ay += k * dy;

@@ -1,6 +1,7 @@
 // The working memory of one mutual force: bodies packed by slot, the same bodies in tree order, the tree, the lists of
 // one group, results. Lengths are in units of `length` and strengths in units of `strength`, powers of two near the
 // extent of the system and the strongest body: exact to scale by, and no unit system overflows the range of f32.
+import { BINS } from './middle';
 
 @unmanaged
 export class NBody {
@@ -21,6 +22,8 @@ export class NBody {
   ax: usize;
   ay: usize;
   az: usize;
+  // Numbers of what falls into each of some bins.
+  counts: usize;
   // Tree order: slot of a place, and the columns again.
   order: usize;
   px: usize;
@@ -31,7 +34,6 @@ export class NBody {
   keys: usize;
   spareKeys: usize;
   spareOrder: usize;
-  counts: usize;
   // The tree, depth first: numbers and links of each node; groups as pairs of places; lists of the group at work.
   nodes: usize;
   links: usize;
@@ -138,6 +140,7 @@ function layOut(w: NBody, base: usize, capacity: i32, nodeCapacity: i32, write: 
   const ay = take(reals);
   const az = take(reals);
   const sample = take((<usize>SAMPLES) << 4);
+  const counts = take((<usize>BINS) << 2);
   if (write) {
     w.ids = ids;
     w.x = x;
@@ -148,6 +151,7 @@ function layOut(w: NBody, base: usize, capacity: i32, nodeCapacity: i32, write: 
     w.ay = ay;
     w.az = az;
     w.sample = sample;
+    w.counts = counts;
   }
   if (nodeCapacity > 0) layOutTree(w, capacity, nodeCapacity, write);
   return cursor;
@@ -164,7 +168,6 @@ function layOutTree(w: NBody, capacity: i32, nodeCapacity: i32, write: bool): vo
   const keys = take((<usize>(capacity + 64)) << 3);
   const spareKeys = take((<usize>(capacity + 64)) << 3);
   const spareOrder = take(words);
-  const counts = take(8192);
   const nodes = take(<usize>nodeCapacity * NODE_BYTES);
   const links = take(<usize>nodeCapacity * LINK_BYTES);
   const sums = take(<usize>nodeCapacity * SUM_BYTES);
@@ -182,7 +185,6 @@ function layOutTree(w: NBody, capacity: i32, nodeCapacity: i32, write: bool): vo
   w.keys = keys;
   w.spareKeys = spareKeys;
   w.spareOrder = spareOrder;
-  w.counts = counts;
   w.nodes = nodes;
   w.links = links;
   w.sums = sums;
