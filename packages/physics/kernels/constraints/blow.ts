@@ -1,7 +1,7 @@
 // The wind on LANES triangles.
 //
 //   F = rho A |u| (c_n (u.n) n + c_t (u - (u.n) n)) / 2, a third on each corner, u: wind minus mean velocity
-import { add, div, dot, mul, splat, sub } from '../lanes';
+import { add, div, dot, larger, mul, splat, sub } from '../lanes';
 
 // What blows, and, after `blow`, the force on each corner.
 @unmanaged
@@ -58,7 +58,7 @@ export function setBreeze(x: f64, y: f64, z: f64, density: f64, normal: f64, tan
   const scale = mul(breeze.strength, v128.sqrt<real>(mul(square, dot(ux, uy, uz, ux, uy, uz))));
   const push = v128.and(scale, v128.gt<real>(square, splat(0)));
   const across = mul(breeze.across, dot(ux, uy, uz, nx, ny, nz));
-  const part = mul(push, div(across, v128.max<real>(square, splat(LEAST))));
+  const part = mul(push, div(across, larger(square, splat(LEAST))));
   const along = mul(push, breeze.along);
   breeze.fx = add(mul(part, nx), mul(along, ux));
   breeze.fy = add(mul(part, ny), mul(along, uy));

@@ -17,7 +17,7 @@
 // Sources: Han, Harada: Tridiagonal matrix formulation for inextensible hair strand simulation (VRIPHYS 2013); for why a
 // pull must turn: Tournier et al.: Stable constrained dynamics (SIGGRAPH 2015). Cost: three divisions and a square root
 // a row, twice that for a taut one.
-import { LANES, add, at, div, dot, mul, splat, sub } from '../lanes';
+import { LANES, add, at, div, dot, larger, mul, splat, sub } from '../lanes';
 import { cords, drop, isRun, pick } from './lanes';
 import { ConstraintTable, LAYERS, stride, word } from './table';
 
@@ -192,7 +192,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     before(knot).upper = mul(lower, pivotBefore);
     // What each row waits for: the square first, so that the pivot before it comes in as late as can be.
     const taken = mul(mul(lower, lower), pivotBefore);
-    const pivot = v128.max<real>(sub(diagonal, taken), mul(splat(LEAST_PIVOT), diagonal));
+    const pivot = larger(sub(diagonal, taken), mul(splat(LEAST_PIVOT), diagonal));
     pivotBefore = div(one, pivot);
     knownBefore = v128.and(mul(add(error, mul(lower, knownBefore)), pivotBefore), active);
     activeBefore = active;
@@ -227,7 +227,7 @@ function substitute(t: ConstraintTable, first: i32, last: i32, who: v128): v128 
     next = add(knot.known, mul(knot.upper, next));
     const tension = v128.load(tensions + o);
     const least = v128.andnot(free, cords(v128.load(lengths + o)));
-    const total = v128.bitselect(v128.max<real>(add(tension, next), least), tension, who);
+    const total = v128.bitselect(larger(add(tension, next), least), tension, who);
     v128.store(tensions + o, total);
     const by = sub(total, tension);
     const rest = add(knot.rest, mul(knot.flexibility, by));
@@ -285,7 +285,7 @@ function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): v128 {
   for (let row = first; row < last; row += LANES) {
     const w = knot.inverse;
     const pulls = v128.and(taut, v128.gt<real>(knot.pull, zero));
-    const end = v128.max<real>(knot.rest, mul(knot.d, splat(<real>0.001)));
+    const end = larger(knot.rest, mul(knot.d, splat(<real>0.001)));
     const g = v128.and(div(mul(knot.pull, knot.d), end), pulls);
     const pull = v128.bitselect(g, knot.pull, pulls);
     const x = mul(pull, knot.rx);

@@ -6,7 +6,7 @@
 //
 // A cord's tension is never below zero. Ends closer than 1e-15 m have no direction between them: x is taken.
 import { get, put } from '../columns';
-import { LANES, add, at, div, dot, mul, splat, sub } from '../lanes';
+import { LANES, add, at, div, dot, larger, mul, splat, sub } from '../lanes';
 import { RUNS, WOVEN, cords, drop, firsts, pick, seconds } from './lanes';
 import { orderLayers } from './layers';
 import { solveStrands } from './strands';
@@ -126,7 +126,7 @@ const PLACE: usize = memory.data(128, 16);
       for (let i = row; i < row + LANES; i++) solveRow(t, i);
       continue;
     }
-    const total = v128.max<real>(kept, least);
+    const total = larger(kept, least);
     v128.store(tensions + o, total);
     const scale = div(fresh ? total : sub(total, tension), d);
     const wa = mul(v128.load(p + next * 3), scale);
