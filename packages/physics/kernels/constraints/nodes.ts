@@ -1,8 +1,9 @@
 // The bodies at springs: packed for the solver, kicked, and given back what it found. LANES of them at once where their
 // ids follow each other, with the same result as one by one.
-import { columns, get, put } from '../columns';
+import { Columns, columns, get, put } from '../columns';
 import { LANES, add, at, mul, splat, sub } from '../lanes';
-import { ConstraintTable, packedAt, part, putPart, stride, tableAt, word } from './table';
+import { turned0, turned1, turned2, turned3 } from './lanes';
+import { ConstraintTable, packedAt, part, putPart, tableAt, word } from './table';
 
 // Largest coordinate the solver looks at, m; that of src/components/position.ts. Its square is finite in f32.
 const FAR: real = 1e15;
@@ -30,12 +31,22 @@ export function packBodies(table: usize): void {
     const y = v128.load(c.positionY + o);
     const z = v128.load(c.positionZ + o);
     const good = v128.and(v128.and(isNear(x), isNear(y)), isNear(z));
-    v128.store(p, v128.and(x, good));
-    v128.store(p + stride, v128.and(y, good));
-    v128.store(p + stride * 2, v128.and(z, good));
-    v128.store(p + stride * 3, v128.and(v128.load(t.inverse + o), good));
+    const toX = v128.and(x, good);
+    const toY = v128.and(y, good);
+    const toZ = v128.and(z, good);
+    const inverse = v128.and(v128.load(t.inverse + o), good);
+    v128.store(p, turned0(toX, toY, toZ, inverse));
+    v128.store(p + secondAt(1), turned1(toX, toY, toZ, inverse));
+    v128.store(p + secondAt(2), turned2(toX, toY, toZ, inverse));
+    v128.store(p, turned3(toX, toY, toZ, inverse), 48);
     i += LANES;
   }
+}
+
+// Where the k-th of four vectors stands whose bodies follow each other: lanes.ts.
+// @ts-ignore: decorator
+@inline function secondAt(k: i32): usize {
+  return sizeof<real>() == 4 || k == 3 ? (<usize>k) << 4 : (<usize>(3 - k)) << 4;
 }
 
 // @ts-ignore: decorator
@@ -103,36 +114,40 @@ export function unpackBodies(table: usize, h: f64): void {
     const body = word(t.nodes, i);
     const isRun = isRunAt(t, i);
     const p = packedAt(t, body);
-    if (isRun || part(p, 3) != 0) {
-      correct(c.positionX, c.velocityX, body, isRun, p, p, rate);
-      correct(c.positionY, c.velocityY, body, isRun, p + stride, p, rate);
-      correct(c.positionZ, c.velocityZ, body, isRun, p + stride * 2, p, rate);
+    if (isRun) correctRun(c, p, at(body), splat(rate));
+    else if (part(p, 3) != 0) {
+      correct(c.positionX, c.velocityX, body, part(p, 0), rate);
+      correct(c.positionY, c.velocityY, body, part(p, 1), rate);
+      correct(c.positionZ, c.velocityZ, body, part(p, 2), rate);
     }
     i += isRun ? LANES : 1;
   }
 }
 
 // @ts-ignore: decorator
-@inline function correct(
-  position: usize,
-  velocity: usize,
-  body: u32,
-  isRun: bool,
-  to: usize,
-  packed: usize,
-  rate: real,
-): void {
-  if (!isRun) {
-    const from = get(position, body);
-    put(velocity, body, get(velocity, body) + (load<real>(to) - from) * rate);
-    put(position, body, load<real>(to));
-    return;
-  }
-  const o = at(body);
-  const from = v128.load(position + o);
-  const speed = v128.load(velocity + o);
-  const moves = v128.ne<real>(v128.load(packed + stride * 3), splat(0));
-  const gained = add(speed, mul(sub(v128.load(to), from), splat(rate)));
-  v128.store(velocity + o, v128.bitselect(gained, speed, moves));
-  v128.store(position + o, v128.bitselect(v128.load(to), from, moves));
+@inline function correct(position: usize, velocity: usize, body: u32, to: real, rate: real): void {
+  const from = get(position, body);
+  put(velocity, body, get(velocity, body) + (to - from) * rate);
+  put(position, body, to);
+}
+
+// @ts-ignore: decorator
+@inline function correctRun(c: Columns, p: usize, o: usize, rate: v128): void {
+  const v0 = v128.load(p);
+  const v1 = v128.load(p + secondAt(1));
+  const v2 = v128.load(p + secondAt(2));
+  const v3 = v128.load(p, 48);
+  const moves = v128.ne<real>(turned3(v0, v1, v2, v3), splat(0));
+  correctAxis(c.positionX + o, c.velocityX + o, turned0(v0, v1, v2, v3), moves, rate);
+  correctAxis(c.positionY + o, c.velocityY + o, turned1(v0, v1, v2, v3), moves, rate);
+  correctAxis(c.positionZ + o, c.velocityZ + o, turned2(v0, v1, v2, v3), moves, rate);
+}
+
+// @ts-ignore: decorator
+@inline function correctAxis(position: usize, velocity: usize, to: v128, moves: v128, rate: v128): void {
+  const from = v128.load(position);
+  const speed = v128.load(velocity);
+  const gained = add(speed, mul(sub(to, from), rate));
+  v128.store(velocity, v128.bitselect(gained, speed, moves));
+  v128.store(position, v128.bitselect(to, from, moves));
 }

@@ -1,7 +1,7 @@
 // What the rows take from the columns, whenever stiffness, length or mass was changed in place.
 import { columns, get, put } from '../columns';
 import { SpringTable } from '../forces/springs';
-import { ConstraintTable, RIGID, putWord, tableAt, useTable, word } from './table';
+import { ConstraintTable, RIGID, putWord, tableAt, word } from './table';
 import { areUnchanged, forgetSum } from './unchanged';
 
 // Stiffness and inverse masses of the row read last, and what follows from them: most rows of a network are alike.
@@ -24,10 +24,9 @@ const LEAST_STIFFNESS: f64 = 1e-30;
 //
 // With w the sum of the inverse masses and s = k h^2, a row changes its tension by gain C - softness tension, where
 // gain = s / (s w + 1) and softness = 1 / (s w + 1). A rod's are 1 / w and 0. Rows of strands hold w + 1 / s and 1 / s
-// in their place, 0 and 0 where nothing pulls.
+// in their place, infinity and 0 where nothing pulls.
 export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   const t = tableAt(table);
-  useTable(t);
   if (areUnchanged(t, h)) return 1;
   const springs = changetype<SpringTable>(t.springs);
   const c = columns();
@@ -55,7 +54,11 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
 // @ts-ignore: decorator
 @inline function readRow(t: ConstraintTable, springs: SpringTable, row: i32, h: f64): bool {
   const spring = word(t.source, row);
-  if (spring == 0) return true;
+  const isInStrand = <u32>row >= word(t.strands, 0) && <u32>row < word(t.strands, t.strandCount);
+  if (spring == 0) {
+    put(t.gain, row, isInStrand ? Infinity : 0);
+    return true;
+  }
   const a = word(t.a, row);
   const b = word(t.b, row);
   const isA = word(springs.a, spring);
@@ -67,7 +70,6 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   const wa = get(t.inverse, a);
   const wb = get(t.inverse, b);
   if (wa != inverseA || wb != inverseB || k != stiffness) weigh(k, wa, wb, h);
-  const isInStrand = <u32>row >= word(t.strands, 0) && <u32>row < word(t.strands, t.strandCount);
   put(t.gain, row, isInStrand ? diagonal : gain);
   put(t.softness, row, isInStrand ? flexibility : softness);
   if (isRod) rods++;
@@ -88,7 +90,7 @@ function weigh(k: real, wa: real, wb: real, h: f64): void {
   softness = isRod ? 0 : <real>per;
   const pulls = w > 0 && s > LEAST_STIFFNESS;
   flexibility = isRod || !pulls ? 0 : <real>(1 / s);
-  diagonal = pulls ? <real>(isRod ? w : w + 1 / s) : 0;
+  diagonal = pulls ? <real>(isRod ? w : w + 1 / s) : Infinity;
 }
 
 // Lists the springs pulled harder than they bear; `h` is the sub-step the tensions belong to.

@@ -18,8 +18,8 @@
 // pull must turn: Tournier et al.: Stable constrained dynamics (SIGGRAPH 2015). Cost: three divisions and a square root
 // a row, twice that for a taut one.
 import { LANES, add, at, div, dot, larger, mul, splat, sub } from '../lanes';
-import { cords, drop, isRun, pick } from './lanes';
-import { ConstraintTable, LAYERS, stride, word } from './table';
+import { placeOf, signs, turned0, turned1, turned2, turned3 } from './lanes';
+import { ConstraintTable, LAYERS, word } from './table';
 
 // What solving keeps of a body of each thread, and of the row from it to the next body.
 @unmanaged
@@ -28,29 +28,29 @@ class Knot {
   y: v128;
   z: v128;
   inverse: v128;
-  // r and its length.
+  // r.
   rx: v128;
   ry: v128;
   rz: v128;
-  d: v128;
   // 1 / d.
   per: v128;
-  // e, and natural length plus e times tension.
-  flexibility: v128;
+  // Natural length plus e times tension.
   rest: v128;
-  // Share of the next row's unknown, and the known side, both by the pivot.
+  // Share that the row before has of this one's unknown, and the known side, both by the pivot.
   upper: v128;
   known: v128;
   // Impulse over d.
   pull: v128;
 }
 
-const KNOT: usize = 224;
+const KNOT: usize = 192;
 
 // A pull by which a thread counts as taut: D w over its length; at 2/3 it would be unstable along n.
 const TAUT: real = 0.5;
 // Least pivot over the diagonal: a straight thread between two anchors is held twice.
 const LEAST_PIVOT: real = sizeof<real>() == 4 ? 1e-4 : 1e-10;
+// Least length at the end that is divided by, over that at the start.
+const LEAST_END: real = 0.001;
 const ALL = i32x4.splat(-1);
 const NEAR: real = 1e-30;
 const NEAR_ROOT: real = 1e-15;
@@ -106,104 +106,82 @@ function solve(t: ConstraintTable, first: i32, last: i32, who: v128): v128 {
 
 // Reads a body of each thread.
 // @ts-ignore: decorator
-@inline function gather(packed: usize, next: usize, ids: usize, knot: Knot): void {
-  if (isRun(ids)) {
-    const p = packed + at(load<u32>(ids));
-    knot.x = v128.load(p);
-    knot.y = v128.load(p + next);
-    knot.z = v128.load(p + next * 2);
-    knot.inverse = v128.load(p + next * 3);
-    return;
-  }
-  knot.x = pick(packed, ids);
-  knot.y = pick(packed + next, ids);
-  knot.z = pick(packed + next * 2, ids);
-  knot.inverse = pick(packed + next * 3, ids);
+@inline function gather(packed: usize, ids: usize, knot: Knot): void {
+  const a = v128.load(placeOf(packed, ids, 0));
+  const b = v128.load(placeOf(packed, ids, 1));
+  const c = v128.load(placeOf(packed, ids, 2));
+  const d = v128.load(placeOf(packed, ids, 3));
+  knot.x = turned0(a, b, c, d);
+  knot.y = turned1(a, b, c, d);
+  knot.z = turned2(a, b, c, d);
+  knot.inverse = turned3(a, b, c, d);
 }
 
 // Writes a body of each thread.
 // @ts-ignore: decorator
-@inline function scatter(packed: usize, next: usize, ids: usize, x: v128, y: v128, z: v128): void {
-  if (isRun(ids)) {
-    const p = packed + at(load<u32>(ids));
-    v128.store(p, x);
-    v128.store(p + next, y);
-    v128.store(p + next * 2, z);
-    return;
-  }
-  drop(packed, ids, x);
-  drop(packed + next, ids, y);
-  drop(packed + next * 2, ids, z);
+@inline function scatter(packed: usize, ids: usize, x: v128, y: v128, z: v128, inverse: v128): void {
+  v128.store(placeOf(packed, ids, 0), turned0(x, y, z, inverse));
+  v128.store(placeOf(packed, ids, 1), turned1(x, y, z, inverse));
+  v128.store(placeOf(packed, ids, 2), turned2(x, y, z, inverse));
+  v128.store(placeOf(packed, ids, 3), turned3(x, y, z, inverse));
 }
 
 // From the first row to the last.
 function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   const zero = splat(0);
-  const one = splat(1);
-  const packed = t.packed;
-  const next = stride;
   const diagonals = t.gain;
   const flexibilities = t.softness;
   const lengths = t.length;
   const tensions = t.tension;
+  const packed = t.packed;
   const end = at(last);
   let ids = t.b + ((<usize>first) << 2);
   let knot = firstKnot(t);
-  gather(packed, next, t.a + ((<usize>first) << 2), knot);
+  gather(packed, t.a + ((<usize>first) << 2), knot);
   let nx = zero;
   let ny = zero;
   let nz = zero;
   let pivotBefore = zero;
   let knownBefore = zero;
-  let activeBefore = zero;
   for (let o = at(first); o < end; o += 16) {
     const below = after(knot);
-    gather(packed, next, ids, below);
+    gather(packed, ids, below);
     ids += LANES << 2;
     let rx = sub(below.x, knot.x);
     let ry = sub(below.y, knot.y);
     let rz = sub(below.z, knot.z);
     let square = dot(rx, ry, rz, rx, ry, rz);
     const near = v128.lt<real>(square, splat(NEAR));
-    if (v128.any_true(near)) {
+    if (i32x4.bitmask(near) != 0) {
       rx = v128.bitselect(splat(NEAR_ROOT), rx, near);
       ry = v128.andnot(ry, near);
       rz = v128.andnot(rz, near);
       square = v128.bitselect(splat(NEAR), square, near);
     }
     const d = v128.sqrt<real>(square);
-    const per = div(one, d);
+    const per = div(splat(1), d);
     const mx = mul(rx, per);
     const my = mul(ry, per);
     const mz = mul(rz, per);
     const length = v128.load(lengths + o);
     const tension = v128.load(tensions + o);
-    const stored = v128.load(diagonals + o);
-    const weighs = v128.gt<real>(stored, zero);
-    const diagonal = v128.bitselect(stored, one, weighs);
-    const flexibility = v128.load(flexibilities + o);
-    const rest = add(v128.abs<real>(length), mul(flexibility, tension));
+    const rest = add(v128.abs<real>(length), mul(v128.load(flexibilities + o), tension));
     const error = sub(d, rest);
     const loose = v128.and(v128.le<real>(error, zero), v128.le<real>(tension, zero));
-    const active = v128.andnot(weighs, v128.and(loose, cords(length)));
-    const cosine = dot(mx, my, mz, nx, ny, nz);
-    const lower = v128.and(mul(knot.inverse, cosine), v128.and(active, activeBefore));
-    // Before the first row this writes where nobody reads.
-    before(knot).upper = mul(lower, pivotBefore);
+    const slack = v128.and(loose, signs(length));
+    const diagonal = v128.bitselect(splat(Infinity), v128.load(diagonals + o), slack);
+    const lower = mul(knot.inverse, dot(mx, my, mz, nx, ny, nz));
+    knot.upper = mul(lower, pivotBefore);
     // What each row waits for: the square first, so that the pivot before it comes in as late as can be.
     const taken = mul(mul(lower, lower), pivotBefore);
     const pivot = larger(sub(diagonal, taken), mul(splat(LEAST_PIVOT), diagonal));
-    pivotBefore = div(one, pivot);
-    knownBefore = v128.and(mul(add(error, mul(lower, knownBefore)), pivotBefore), active);
-    activeBefore = active;
+    pivotBefore = div(splat(1), pivot);
+    knownBefore = mul(add(error, mul(lower, knownBefore)), pivotBefore);
     knot.rx = rx;
     knot.ry = ry;
     knot.rz = rz;
-    knot.d = d;
     knot.per = per;
-    knot.flexibility = flexibility;
     knot.rest = rest;
-    knot.upper = zero;
     knot.known = knownBefore;
     nx = mx;
     ny = my;
@@ -214,28 +192,33 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
 
 // From the last row to the first: finds the impulses. Returns which threads are taut.
 function substitute(t: ConstraintTable, first: i32, last: i32, who: v128): v128 {
-  const free = splat(<real>-3e38);
+  const flexibilities = t.softness;
   const lengths = t.length;
   const tensions = t.tension;
+  const start = at(first);
   let knot = lastKnot(t, first, last);
-  let below = knot.inverse;
-  let next = splat(0);
+  let inverseBelow = knot.inverse;
+  // Of the row below: its unknown, and the share that the row above has of it.
+  let below = splat(0);
+  let upper = splat(0);
   let taut = splat(0);
-  for (let o = at(last); o > at(first); ) {
+  for (let o = at(last); o > start; ) {
     o -= 16;
     knot = before(knot);
-    next = add(knot.known, mul(knot.upper, next));
+    below = add(knot.known, mul(upper, below));
+    upper = knot.upper;
     const tension = v128.load(tensions + o);
-    const least = v128.andnot(free, cords(v128.load(lengths + o)));
-    const total = v128.bitselect(larger(add(tension, next), least), tension, who);
+    const wanted = add(tension, below);
+    const pushes = signs(v128.and(wanted, v128.load(lengths + o)));
+    const total = v128.bitselect(v128.andnot(wanted, pushes), tension, who);
     v128.store(tensions + o, total);
     const by = sub(total, tension);
-    const rest = add(knot.rest, mul(knot.flexibility, by));
+    const rest = add(knot.rest, mul(v128.load(flexibilities + o), by));
     knot.pull = mul(by, knot.per);
     knot.rest = rest;
-    const across = mul(by, add(knot.inverse, below));
+    const across = mul(by, add(knot.inverse, inverseBelow));
     taut = v128.or(taut, v128.gt<real>(across, mul(splat(TAUT), rest)));
-    below = knot.inverse;
+    inverseBelow = knot.inverse;
   }
   return taut;
 }
@@ -243,36 +226,36 @@ function substitute(t: ConstraintTable, first: i32, last: i32, who: v128): v128 
 // Moves the bodies by impulses along n.
 function shift(t: ConstraintTable, first: i32, last: i32): void {
   const packed = t.packed;
-  const next = stride;
+  const end = lastKnot(t, first, last);
   let ids = t.a + ((<usize>first) << 2);
   let fx = splat(0);
   let fy = splat(0);
   let fz = splat(0);
   let knot = firstKnot(t);
-  for (let row = first; row < last; row += LANES) {
+  for (; knot != end; knot = after(knot)) {
     const w = knot.inverse;
     const x = mul(knot.pull, knot.rx);
     const y = mul(knot.pull, knot.ry);
     const z = mul(knot.pull, knot.rz);
-    const sx = add(knot.x, mul(w, sub(x, fx)));
-    const sy = add(knot.y, mul(w, sub(y, fy)));
-    const sz = add(knot.z, mul(w, sub(z, fz)));
-    scatter(packed, next, ids, sx, sy, sz);
+    const toX = add(knot.x, mul(w, sub(x, fx)));
+    const toY = add(knot.y, mul(w, sub(y, fy)));
+    const toZ = add(knot.z, mul(w, sub(z, fz)));
+    scatter(packed, ids, toX, toY, toZ, w);
     ids += LANES << 2;
     fx = x;
     fy = y;
     fz = z;
-    knot = after(knot);
   }
   const w = knot.inverse;
-  const end = t.b + ((<usize>(last - LANES)) << 2);
-  scatter(packed, next, end, sub(knot.x, mul(w, fx)), sub(knot.y, mul(w, fy)), sub(knot.z, mul(w, fz)));
+  const lastIds = t.b + ((<usize>(last - LANES)) << 2);
+  scatter(packed, lastIds, sub(knot.x, mul(w, fx)), sub(knot.y, mul(w, fy)), sub(knot.z, mul(w, fz)), w);
 }
 
 // Moves the bodies by impulses that turn with them, where threads are taut. Returns the taut ones whose lengths are rough.
 function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): v128 {
   const zero = splat(0);
   const one = splat(1);
+  const end = lastKnot(t, first, last);
   let knot = firstKnot(t);
   let fx = zero;
   let fy = zero;
@@ -282,11 +265,10 @@ function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): v128 {
   let sz = zero;
   let above = zero;
   let share = zero;
-  for (let row = first; row < last; row += LANES) {
+  for (; knot != end; knot = after(knot)) {
     const w = knot.inverse;
     const pulls = v128.and(taut, v128.gt<real>(knot.pull, zero));
-    const end = larger(knot.rest, mul(knot.d, splat(<real>0.001)));
-    const g = v128.and(div(mul(knot.pull, knot.d), end), pulls);
+    const g = v128.and(div(knot.pull, larger(mul(knot.rest, knot.per), splat(LEAST_END))), pulls);
     const pull = v128.bitselect(g, knot.pull, pulls);
     const x = mul(pull, knot.rx);
     const y = mul(pull, knot.ry);
@@ -305,7 +287,6 @@ function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): v128 {
     knot.rx = sx;
     knot.ry = sy;
     knot.rz = sz;
-    knot = after(knot);
   }
   const from = mul(knot.inverse, above);
   const per = div(one, sub(add(one, from), mul(from, share)));
@@ -319,7 +300,8 @@ function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): v128 {
 // @ts-ignore: decorator
 @inline function turnBack(t: ConstraintTable, first: i32, last: i32, endX: v128, endY: v128, endZ: v128): v128 {
   const packed = t.packed;
-  const next = stride;
+  const start = firstKnot(t);
+  let ids = t.a + ((<usize>last) << 2);
   let knot = lastKnot(t, first, last);
   let sx = endX;
   let sy = endY;
@@ -327,19 +309,18 @@ function turn(t: ConstraintTable, first: i32, last: i32, taut: v128): v128 {
   let x = add(knot.x, sx);
   let y = add(knot.y, sy);
   let z = add(knot.z, sz);
-  scatter(packed, next, t.b + ((<usize>(last - LANES)) << 2), x, y, z);
+  scatter(packed, t.b + ((<usize>(last - LANES)) << 2), x, y, z, knot.inverse);
   let rough = splat(0);
-  let ids = t.a + ((<usize>last) << 2);
-  for (let row = last - LANES; row >= first; row -= LANES) {
+  while (knot != start) {
     knot = before(knot);
-    ids -= LANES << 2;
     sx = add(knot.rx, mul(knot.upper, sx));
     sy = add(knot.ry, mul(knot.upper, sy));
     sz = add(knot.rz, mul(knot.upper, sz));
     const toX = add(knot.x, sx);
     const toY = add(knot.y, sy);
     const toZ = add(knot.z, sz);
-    scatter(packed, next, ids, toX, toY, toZ);
+    ids -= LANES << 2;
+    scatter(packed, ids, toX, toY, toZ, knot.inverse);
     const rx = sub(x, toX);
     const ry = sub(y, toY);
     const rz = sub(z, toZ);

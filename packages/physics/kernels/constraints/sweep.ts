@@ -1,30 +1,30 @@
-// Gauss-Seidel sweeps of XPBD over what is no chain: the coloured rows, then the threads, each thread as a whole
-// (strands.ts). Rows of a colour share no movable body, so LANES of them are solved at once, with the same result as one
+// Gauss-Seidel sweeps of XPBD over what is no chain: the groups of rows, then the threads, each thread as a whole
+// (strands.ts). Rows of a group share no movable body, so LANES of them are solved at once, with the same result as one
 // after the other.
 //
 //   tension += gain (d - L) - softness tension        x_a += w_a n dtension        x_b -= w_b n dtension
 //
 // A cord's tension is never below zero. Ends closer than 1e-15 m have no direction between them: x is taken.
 import { get, put } from '../columns';
-import { LANES, add, at, div, dot, larger, mul, splat, sub } from '../lanes';
-import { RUNS, WOVEN, cords, drop, firsts, pick, seconds } from './lanes';
+import { LANES, add, at, div, dot, mul, splat, sub } from '../lanes';
+import { placeOf, signs, turned0, turned1, turned2, turned3 } from './lanes';
 import { orderLayers } from './layers';
 import { solveStrands } from './strands';
-import { ConstraintTable, isCord, packedAt, part, putPart, stride, tableAt, word } from './table';
+import { ConstraintTable, isCord, packedAt, part, putPart, tableAt, word } from './table';
 
-const NEAR: f32 = 1e-30;
+const NEAR: real = 1e-30;
+const NEAR_ROOT: real = 1e-15;
 
 // Sweeps so many times, from tensions of zero. To start from those of the last sub-step would be unstable: what is left
 // of an error would be added up sub-step by sub-step.
 export function sweepConstraints(table: usize, sweeps: i32): void {
   const t = tableAt(table);
-  const first = t.coloursFirst;
+  const first = t.groupsFirst;
   orderLayers(t);
   clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, first);
   clear(t, t.serialFirst, t.rowCount);
   for (let s = 0; s < sweeps; s++) {
-    if (s == 0) solveLanes(t, first, t.serialFirst, true);
-    else solveLanes(t, first, t.serialFirst, false);
+    solveGroups(t, first, t.serialFirst, s == 0);
     for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
     solveStrands(t);
   }
@@ -60,7 +60,7 @@ function pull(t: ConstraintTable, row: i32, by: real): void {
   let z = part(pb, 2) - part(pa, 2);
   const square = x * x + y * y + z * z;
   let scale = by;
-  if (square < <real>NEAR) {
+  if (square < NEAR) {
     x = 1;
     y = 0;
     z = 0;
@@ -75,110 +75,77 @@ function pull(t: ConstraintTable, row: i32, by: real): void {
   putPart(pb, 2, part(pb, 2) - wb * z);
 }
 
-// Where bodies that do not follow each other are brought together: x, y, z and inverse mass of both ends.
-const PLACE: usize = memory.data(128, 16);
-
-// Rows of a multiple of LANES. Where the bodies of LANES rows follow each other, as in a cloth, they are vectors as they
-// stand. A fresh row's tension is zero, whatever is stored.
-// @ts-ignore: decorator
-@inline function solveLanes(t: ConstraintTable, first: i32, last: i32, fresh: bool): void {
-  const free = splat(<real>-3e38);
+// Groups of LANES rows that share no movable body. A fresh row's tension is zero, whatever is stored.
+function solveGroups(t: ConstraintTable, first: i32, last: i32, fresh: bool): void {
   const packed = t.packed;
-  const apart = stride;
   const lengths = t.length;
   const gains = t.gain;
   const softnesses = t.softness;
   const tensions = t.tension;
-  const as = t.a;
-  const bs = t.b;
-  const kinds = t.kinds;
-  for (let row = first; row < last; row += LANES) {
-    const o = at(row);
-    const a = as + ((<usize>row) << 2);
-    const b = bs + ((<usize>row) << 2);
-    const kind = word(kinds, row / LANES);
-    let p = PLACE;
-    let q = PLACE + 64;
-    let next = <usize>16;
-    if (kind == RUNS) {
-      p = packed + at(load<u32>(a));
-      q = packed + at(load<u32>(b));
-      next = apart;
-    } else bring(packed, apart, a, b, kind);
-    const xa = v128.load(p);
-    const ya = v128.load(p + next);
-    const za = v128.load(p + next * 2);
-    const xb = v128.load(q);
-    const yb = v128.load(q + next);
-    const zb = v128.load(q + next * 2);
-    const x = sub(xb, xa);
-    const y = sub(yb, ya);
-    const z = sub(zb, za);
-    const square = dot(x, y, z, x, y, z);
+  let a = t.a + ((<usize>first) << 2);
+  let b = t.b + ((<usize>first) << 2);
+  const end = at(last);
+  for (let o = at(first); o < end; o += 16) {
+    const p0 = placeOf(packed, a, 0);
+    const p1 = placeOf(packed, a, 1);
+    const p2 = placeOf(packed, a, 2);
+    const p3 = placeOf(packed, a, 3);
+    const q0 = placeOf(packed, b, 0);
+    const q1 = placeOf(packed, b, 1);
+    const q2 = placeOf(packed, b, 2);
+    const q3 = placeOf(packed, b, 3);
+    const a0 = v128.load(p0);
+    const a1 = v128.load(p1);
+    const a2 = v128.load(p2);
+    const a3 = v128.load(p3);
+    const b0 = v128.load(q0);
+    const b1 = v128.load(q1);
+    const b2 = v128.load(q2);
+    const b3 = v128.load(q3);
+    const xa = turned0(a0, a1, a2, a3);
+    const ya = turned1(a0, a1, a2, a3);
+    const za = turned2(a0, a1, a2, a3);
+    const wa = turned3(a0, a1, a2, a3);
+    const xb = turned0(b0, b1, b2, b3);
+    const yb = turned1(b0, b1, b2, b3);
+    const zb = turned2(b0, b1, b2, b3);
+    const wb = turned3(b0, b1, b2, b3);
+    let x = sub(xb, xa);
+    let y = sub(yb, ya);
+    let z = sub(zb, za);
+    let square = dot(x, y, z, x, y, z);
+    const near = v128.lt<real>(square, splat(NEAR));
+    if (i32x4.bitmask(near) != 0) {
+      x = v128.bitselect(splat(NEAR_ROOT), x, near);
+      y = v128.andnot(y, near);
+      z = v128.andnot(z, near);
+      square = v128.bitselect(splat(NEAR), square, near);
+    }
     const d = v128.sqrt<real>(square);
     const length = v128.load(lengths + o);
-    const least = v128.andnot(free, cords(length));
     const drawn = mul(v128.load(gains + o), sub(d, v128.abs<real>(length)));
     const tension = fresh ? splat(0) : v128.load(tensions + o);
-    const kept = fresh ? drawn : add(sub(tension, mul(v128.load(softnesses + o), tension)), drawn);
-    if (v128.any_true(v128.lt<real>(square, splat(<real>NEAR)))) {
-      if (fresh) v128.store(tensions + o, splat(0));
-      for (let i = row; i < row + LANES; i++) solveRow(t, i);
-      continue;
-    }
-    const total = larger(kept, least);
+    const wanted = fresh ? drawn : add(sub(tension, mul(v128.load(softnesses + o), tension)), drawn);
+    const total = v128.andnot(wanted, signs(v128.and(wanted, length)));
     v128.store(tensions + o, total);
     const scale = div(fresh ? total : sub(total, tension), d);
-    const wa = mul(v128.load(p + next * 3), scale);
-    const wb = mul(v128.load(q + next * 3), scale);
-    const toXa = add(xa, mul(wa, x));
-    const toYa = add(ya, mul(wa, y));
-    const toZa = add(za, mul(wa, z));
-    const toXb = sub(xb, mul(wb, x));
-    const toYb = sub(yb, mul(wb, y));
-    const toZb = sub(zb, mul(wb, z));
-    v128.store(p, toXa);
-    v128.store(p + next, toYa);
-    v128.store(p + next * 2, toZa);
-    v128.store(q, toXb);
-    v128.store(q + next, toYb);
-    v128.store(q + next * 2, toZb);
-    if (kind != RUNS) takeBack(packed, apart, a, b, kind);
-  }
-}
-
-// @ts-ignore: decorator
-@inline function bring(packed: usize, apart: usize, a: usize, b: usize, kind: u32): void {
-  let column = packed;
-  const first = at(load<u32>(a));
-  for (let i: usize = 0; i < 64; i += 16) {
-    if (kind == WOVEN) {
-      const v = v128.load(column + first);
-      const w = v128.load(column + first, 16);
-      v128.store(PLACE + i, firsts(v, w));
-      v128.store(PLACE + i, seconds(v, w), 64);
-    } else {
-      v128.store(PLACE + i, pick(column, a));
-      v128.store(PLACE + i, pick(column, b), 64);
-    }
-    column += apart;
-  }
-}
-
-// @ts-ignore: decorator
-@inline function takeBack(packed: usize, apart: usize, a: usize, b: usize, kind: u32): void {
-  let column = packed;
-  const first = at(load<u32>(a));
-  for (let i: usize = 0; i < 48; i += 16) {
-    const v = v128.load(PLACE + i);
-    const w = v128.load(PLACE + i, 64);
-    if (kind == WOVEN) {
-      v128.store(column + first, firsts(v, w));
-      v128.store(column + first, seconds(v, w), 16);
-    } else {
-      drop(column, a, v);
-      drop(column, b, w);
-    }
-    column += apart;
+    const byA = mul(wa, scale);
+    const byB = mul(wb, scale);
+    const toXa = add(xa, mul(byA, x));
+    const toYa = add(ya, mul(byA, y));
+    const toZa = add(za, mul(byA, z));
+    const toXb = sub(xb, mul(byB, x));
+    const toYb = sub(yb, mul(byB, y));
+    const toZb = sub(zb, mul(byB, z));
+    v128.store(p0, turned0(toXa, toYa, toZa, wa));
+    v128.store(p1, turned1(toXa, toYa, toZa, wa));
+    v128.store(p2, turned2(toXa, toYa, toZa, wa));
+    v128.store(p3, turned3(toXa, toYa, toZa, wa));
+    v128.store(q0, turned0(toXb, toYb, toZb, wb));
+    v128.store(q1, turned1(toXb, toYb, toZb, wb));
+    v128.store(q2, turned2(toXb, toYb, toZb, wb));
+    v128.store(q3, turned3(toXb, toYb, toZb, wb));
+    a += LANES << 2;
+    b += LANES << 2;
   }
 }

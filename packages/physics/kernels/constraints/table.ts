@@ -1,9 +1,9 @@
 // The memory of a world's constraints; src/constraints/constraint-table.ts writes the addresses, in this order.
 //
 // A row is one spring as the solver sees it. Rows stand in this order: first chains, row after row along each; then
-// strands of threads that are solved side by side; then colours, groups of rows that share no movable body, each filled
-// up to a multiple of four with rows of nothing; then the few that found no colour. Bodies are packed as
-// four columns: x, y, z, inverse mass.
+// strands of threads that are solved side by side; then groups of four that share no movable body, some filled
+// up with rows of nothing; then the few that found no group. Bodies are packed
+// as x, y, z, inverse mass.
 
 @unmanaged
 export class ConstraintTable {
@@ -12,15 +12,13 @@ export class ConstraintTable {
   breakForce: usize;
   // Ids of the bodies that springs join, ascending.
   nodes: usize;
-  // Per body: x, y, z, inverse mass; inverse mass; colours taken; number of springs; the first two of them.
+  // Per body: x, y, z, inverse mass; inverse mass; open groups it is in; number of springs; the first two of them.
   packed: usize;
-  // Bytes from one packed column to the next.
-  stride: usize;
   inverse: usize;
   masks: usize;
   degree: usize;
   joined: usize;
-  // Per spring of the list: its colour, and whether it belongs to a chain or a thread.
+  // Per spring of the list: whether it has its row.
   state: usize;
   // Per row: id of the spring (0: nothing), its ends, natural length (negative for a cord), gain, softness, tension h^2.
   source: usize;
@@ -30,12 +28,10 @@ export class ConstraintTable {
   gain: usize;
   softness: usize;
   tension: usize;
-  // Per LANES rows: how their bodies stand, lanes.ts.
-  kinds: usize;
-  // First row of each chain, of each strand, and, after the last, the end of all; where each colour ends.
+  // First row of each chain, of each strand, and, after the last, the end of all; next row of each open group.
   chains: usize;
   strands: usize;
-  colours: usize;
+  open: usize;
   // The first strand of each layer and, after the last, the end of all; LAYERS + 1 words behind, in which order layers
   // are solved; behind as many again, how hard each pulls.
   layers: usize;
@@ -55,15 +51,15 @@ export class ConstraintTable {
   longest: i32;
   // All there is are rods in chains.
   rigid: i32;
-  coloursFirst: i32;
+  groupsFirst: i32;
   serialFirst: i32;
   rowCount: i32;
   damped: i32;
   breakable: i32;
 }
 
-// Colours there are; rows beyond them are solved one by one.
-export const COLOURS: i32 = 63;
+// Groups that are open at once, at most.
+export const OPEN_GROUPS: i32 = 64;
 
 // Layers there are; strands beyond them belong to the last.
 export const LAYERS: i32 = 15;
@@ -86,29 +82,20 @@ export const RIGID: f64 = 1e29;
   store<u32>(column + ((<usize>row) << 2), value);
 }
 
-// Bytes from one packed column to the next. Each world has an instance of this module, and so a value of its own.
-export let stride: usize = 0;
-
-// Before anything is packed or solved.
-// @ts-ignore: decorator
-@inline export function useTable(t: ConstraintTable): void {
-  stride = t.stride;
-}
-
 // Where the x of a body is packed.
 // @ts-ignore: decorator
 @inline export function packedAt(t: ConstraintTable, body: u32): usize {
-  return t.packed + <usize>body * sizeof<real>();
+  return t.packed + <usize>body * (4 * sizeof<real>());
 }
 
 // @ts-ignore: decorator
 @inline export function part(packed: usize, index: i32): real {
-  return load<real>(packed + <usize>index * stride);
+  return load<real>(packed + <usize>index * sizeof<real>());
 }
 
 // @ts-ignore: decorator
 @inline export function putPart(packed: usize, index: i32, value: real): void {
-  store<real>(packed + <usize>index * stride, value);
+  store<real>(packed + <usize>index * sizeof<real>(), value);
 }
 
 // @ts-ignore: decorator

@@ -170,13 +170,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     node.rz = m * (node.toZ - node.z);
     if (row > first) addAbove(nodeOf(t, row - 1), node);
     if (m > 0) {
-      invert(node.xx, node.xy, node.xz, node.yy, node.yz, node.zz);
-      node.xx = inverse.xx;
-      node.xy = inverse.xy;
-      node.xz = inverse.xz;
-      node.yy = inverse.yy;
-      node.yz = inverse.yz;
-      node.zz = inverse.zz;
+      invert(mobilityOf(node), node.xx, node.xy, node.xz, node.yy, node.yz, node.zz);
     } else node.xx = node.xy = node.xz = node.yy = node.yz = node.zz = 0;
     if (row < last) weighRow(node);
   }
@@ -214,15 +208,10 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   const xy = node.xy + k * x * y;
   const xz = node.xz + k * x * z;
   const yz = node.yz + k * y * z;
-  invert(xx, xy, xz, yy, yz, zz);
-  node.sxx = inverse.xx;
-  node.sxy = inverse.xy;
-  node.sxz = inverse.xz;
-  node.syy = inverse.yy;
-  node.syz = inverse.yz;
-  node.szz = inverse.zz;
+  invert(stiffnessOf(node), xx, xy, xz, yy, yz, zz);
 }
 
+// The six numbers of a symmetric matrix, as they stand in a node.
 @unmanaged
 class Symmetric {
   xx: f64;
@@ -233,12 +222,20 @@ class Symmetric {
   zz: f64;
 }
 
-const inverse = changetype<Symmetric>(memory.data(48, 16));
+// @ts-ignore: decorator
+@inline function mobilityOf(node: Node): Symmetric {
+  return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('xx'));
+}
+
+// @ts-ignore: decorator
+@inline function stiffnessOf(node: Node): Symmetric {
+  return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('sxx'));
+}
 
 // Of a positive definite matrix, by its factors L D L'. By cofactors a matrix that is a thousand million times as stiff one way
 // as the others would have a determinant of rounding only.
 // @ts-ignore: decorator
-@inline function invert(xx: f64, xy: f64, xz: f64, yy: f64, yz: f64, zz: f64): void {
+@inline function invert(to: Symmetric, xx: f64, xy: f64, xz: f64, yy: f64, yz: f64, zz: f64): void {
   const a = 1 / xx;
   const yx = xy * a;
   const zx = xz * a;
@@ -247,12 +244,12 @@ const inverse = changetype<Symmetric>(memory.data(48, 16));
   const zy = across * b;
   const c = 1 / (zz - zx * xz - zy * across);
   const back = yx * zy - zx;
-  inverse.zz = c;
-  inverse.yz = -zy * c;
-  inverse.yy = b + zy * zy * c;
-  inverse.xz = back * c;
-  inverse.xy = -yx * b - back * zy * c;
-  inverse.xx = a + yx * yx * b + back * back * c;
+  to.zz = c;
+  to.yz = -zy * c;
+  to.yy = b + zy * zy * c;
+  to.xz = back * c;
+  to.xy = -yx * b - back * zy * c;
+  to.xx = a + yx * yx * b + back * back * c;
 }
 
 // Adds S of the row above, and what it wants, to a body.

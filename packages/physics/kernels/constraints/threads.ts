@@ -3,7 +3,7 @@
 // a strand: they are solved side by side, row j of thread l standing at first + LANES j + l. Strands that follow each
 // other and share no movable body are a layer, such as all threads of a cloth in one direction.
 import { LANES } from '../lanes';
-import { IN_CHAIN, isMovable, linkAt, linkCount, putRow } from './arrange';
+import { hasRow, isMovable, linkAt, linkCount, putLink, putNothing } from './links';
 import { ConstraintTable, LAYERS, putWord, word } from './table';
 
 // Springs of the shortest thread: solving three directly gains nothing.
@@ -15,7 +15,8 @@ let length: i32 = 0;
 // Rows of nothing that may still be spent on strands of fewer threads.
 let spare: i32 = 0;
 
-export function findThreads(t: ConstraintTable, movable: u32, lastId: i32): void {
+// Returns how many rows of nothing may still be spent.
+export function findThreads(t: ConstraintTable, movable: u32, lastId: i32): i32 {
   // Per body the last thread and the last strand it was in; chains need this no more.
   memory.fill(t.joined, 0, (<usize>(lastId + 1)) << 3);
   const links = linkCount(t);
@@ -27,13 +28,14 @@ export function findThreads(t: ConstraintTable, movable: u32, lastId: i32): void
   spare = links >> 1;
   let thread: u32 = 0;
   for (let link = 0; link < links; ) {
-    const count = word(t.state, link) == IN_CHAIN ? 1 : follow(t, link, links, movable, ++thread);
+    const count = hasRow(t, link) ? 1 : follow(t, link, links, movable, ++thread);
     if (count >= SHORTEST) join(t, link, count, movable);
     link += count;
   }
   closeStrand(t);
   putWord(t.strands, t.strandCount, t.rowCount);
   putWord(t.layers, t.layerCount, t.strandCount);
+  return spare;
 }
 
 // The number of springs from `link` on that make a thread. One that comes back to a movable body ends before.
@@ -41,7 +43,7 @@ function follow(t: ConstraintTable, link: i32, links: i32, movable: u32, thread:
   let count = 0;
   let end = load<u32>(linkAt(t, link), 4);
   putWord(t.joined, end * 2, thread);
-  while (link + count < links && word(t.state, link + count) != IN_CHAIN) {
+  while (link + count < links && !hasRow(t, link + count)) {
     const p = linkAt(t, link + count);
     if (load<u32>(p, 4) != end) break;
     end = load<u32>(p, 8);
@@ -67,8 +69,7 @@ function join(t: ConstraintTable, link: i32, count: i32, movable: u32): void {
     const b = load<u32>(p, 8);
     putWord(t.joined, a * 2 + 1, t.strandCount);
     putWord(t.joined, b * 2 + 1, t.strandCount);
-    putWord(t.state, link + j, IN_CHAIN);
-    putRow(t, first + LANES * j + filled, load<u32>(p), a, b);
+    putLink(t, first + LANES * j + filled, link + j);
   }
   filled++;
 }
@@ -76,10 +77,10 @@ function join(t: ConstraintTable, link: i32, count: i32, movable: u32): void {
 function openStrand(t: ConstraintTable, count: i32): void {
   putWord(t.strands, t.strandCount++, t.rowCount);
   length = count;
-  for (let row = 0; row < LANES * count; row++) putRow(t, t.rowCount++, 0, 0, 0);
+  putNothing(t, LANES * count);
 }
 
-// A strand with fewer threads than lanes wastes rows: where that is too many, its springs are left to the colours.
+// A strand with fewer threads than lanes wastes rows: where that is too many, its springs are left to the groups.
 function closeStrand(t: ConstraintTable): void {
   const waste = (LANES - filled) * length;
   if (filled > 0 && waste > spare) {

@@ -14,7 +14,6 @@ export enum Word {
   breakForce,
   nodes,
   packed,
-  stride,
   inverse,
   masks,
   degree,
@@ -27,10 +26,9 @@ export enum Word {
   gain,
   softness,
   tension,
-  kinds,
   chains,
   strands,
-  colours,
+  open,
   layers,
   work,
   sum,
@@ -42,7 +40,7 @@ export enum Word {
   layerCount,
   longest,
   rigid,
-  coloursFirst,
+  groupsFirst,
   serialFirst,
   rowCount,
   damped,
@@ -51,9 +49,9 @@ export enum Word {
   count,
 }
 
-/** Rows that only fill up: at most three for each of 64 colours, three behind chains, three behind strands. */
-const FILLING = 256;
-/** Rows of nothing there are in strands, for each spring at most. */
+/** Rows that only fill up: at most three behind chains, three behind strands. */
+const FILLING = 6;
+/** Rows of nothing there are in strands and groups, for each spring at most. */
 const SPARE = 0.5;
 
 /** Layers of threads there are, and one more. */
@@ -90,15 +88,12 @@ export const constraintTable = resource((world): ConstraintTable => {
   words[Word.springs] = springTable(world).at;
   words[Word.breakForce] = world.addresses.Spring.breakForce;
   take(Word.nodes, 4 * rows);
-  // Not a multiple of 4096 apart, or the four columns would evict each other from the cache.
-  const stride = real * rows + 320;
-  take(Word.packed, 4 * stride);
-  words[Word.stride] = stride;
+  take(Word.packed, 4 * real * rows);
   take(Word.inverse, real * rows);
   take(Word.masks, 8 * rows);
   take(Word.degree, 4 * rows);
   take(Word.joined, 8 * rows);
-  take(Word.colours, 4 * 65);
+  take(Word.open, 4 * 64);
   take(Word.sum, 64);
   take(Word.layers, (4 + 4 + real) * LAYERS);
   return table;
@@ -133,7 +128,7 @@ export function makeRows(world: PhysicsWorld, table: ConstraintTable): void {
   const take = (word: Word, bytes: number) => {
     table.words[word] = allocate(arena, bytes, `${counts.Spring} springs as constraints`);
   };
-  for (const word of [Word.state, Word.source, Word.a, Word.b, Word.chains, Word.strands, Word.broken, Word.kinds])
+  for (const word of [Word.state, Word.source, Word.a, Word.b, Word.chains, Word.strands, Word.broken])
     take(word, 4 * (rows + 1));
   for (const word of [Word.length, Word.gain, Word.softness, Word.tension]) take(word, real * rows);
   table.room = room;
@@ -141,7 +136,7 @@ export function makeRows(world: PhysicsWorld, table: ConstraintTable): void {
 
 /** What is kept of a body of a chain (kernels/constraints/taut-chain.ts), and of one of each thread of a strand. */
 const CHAIN_BYTES = 232;
-const STRAND_BYTES = 224;
+const STRAND_BYTES = 192;
 
 /** Room to solve chains of so many rows in all, or the longest strand. @throws PhysicsError E_CAPACITY */
 function makeWork(world: PhysicsWorld, table: ConstraintTable, chained: number): void {

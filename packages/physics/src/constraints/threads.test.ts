@@ -21,7 +21,7 @@ describe('threads', () => {
   test.each([
     ['f32', 40, 40],
     ['f64', 40, 40],
-    // Strands with fewer threads than lanes, and threads too long for that, which are coloured rows instead.
+    // Strands with fewer threads than lanes, and threads too long for that, which are solved link by link instead.
     ['f32', 7, 30],
     ['f64', 5, 12],
   ] as const)(

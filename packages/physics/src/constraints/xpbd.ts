@@ -19,7 +19,7 @@
 // chain is solved by Gauss-Seidel, from part to part of the network. A part is a thread, four or more springs made one
 // after the other, each from the body where the last one ended: it is solved as a whole, as taut chains implicitly
 // (kernels/constraints/strands.ts). Threads that cross take turns, those that pulled hardest in the sub-step before first.
-// So the threads of a cloth do not stretch, however many nodes it has. Springs that belong to no thread are parts of their own, in colours that share no body: a
+// So the threads of a cloth do not stretch, however many nodes it has. Springs that belong to no thread are parts of their own: a
 // stiff network of these is left stretched by the load of a few sub-steps. Its error falls with the square of h, and
 // sub-steps serve better than iterations at the same cost.
 //

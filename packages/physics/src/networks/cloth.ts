@@ -85,8 +85,7 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);
   const list = new SpringList();
   if (checkFlag(options.tethers, 'cloth.tethers')) addTethers(list, options, columns, rows);
-  addShear(list, options, columns, rows);
-  addBend(list, options, columns, rows);
+  addBraces(list, options, columns, rows);
   // Last, because what is solved last is kept best.
   addThreads(list, options, columns, rows);
   const bodies = placeNodes(options, columns, rows);
@@ -150,39 +149,25 @@ function addThreads(list: SpringList, options: ClothOptions, columns: number, ro
 }
 
 /**
- * All springs from a node to the one `right` columns and `down` rows on, in two turns: those of neighbouring rows,
- * or along a row those that follow each other, share nodes and cannot be solved at once. Those of one turn can.
+ * Springs against shear and bending, row by row: so their nodes are in the cache while a solver goes through them. Of
+ * those along a row first every other two: neighbours share a node, and the solver would wait for each.
  */
-function addKind(
-  list: SpringList,
-  [columns, rows]: readonly [number, number],
-  [right, down]: readonly [number, number],
-  stiffness: number,
-  length: number,
-): void {
-  if (stiffness === 0) return;
-  for (const turn of [0, 1]) {
-    for (let row = 0; row + down < rows; row++) {
-      for (let column = Math.max(0, -right); column + Math.max(0, right) < columns; column++) {
-        if (Math.floor(down > 0 ? row / down : column / right) % 2 !== turn) continue;
-        const node = row * columns + column;
-        list.add(node, node + down * columns + right, stiffness, length);
-      }
-    }
+function addBraces(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const shear = checkStiffness(options.shear ?? 0, 'cloth.shear');
+  const bend = checkStiffness(options.bend ?? 0, 'cloth.bend');
+  const [diagonal, straight] = [Math.SQRT2 * options.spacing, 2 * options.spacing];
+  const add = (column: number, row: number, right: number, down: number, stiffness: number, length: number) => {
+    const [toColumn, toRow] = [column + right, row + down];
+    if (stiffness === 0 || toColumn < 0 || toColumn >= columns || toRow >= rows) return;
+    list.add(row * columns + column, toRow * columns + toColumn, stiffness, length);
+  };
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) add(column, row, 1, 1, shear, diagonal);
+    for (let column = 0; column < columns; column++) add(column, row, -1, 1, shear, diagonal);
+    for (let column = 0; column < columns; column++) if (column % 4 < 2) add(column, row, 2, 0, bend, straight);
+    for (let column = 0; column < columns; column++) if (column % 4 > 1) add(column, row, 2, 0, bend, straight);
+    for (let column = 0; column < columns; column++) add(column, row, 0, 2, bend, straight);
   }
-}
-
-function addShear(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
-  const stiffness = checkStiffness(options.shear ?? 0, 'cloth.shear');
-  const diagonal = Math.SQRT2 * options.spacing;
-  addKind(list, [columns, rows], [1, 1], stiffness, diagonal);
-  addKind(list, [columns, rows], [-1, 1], stiffness, diagonal);
-}
-
-function addBend(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
-  const stiffness = checkStiffness(options.bend ?? 0, 'cloth.bend');
-  addKind(list, [columns, rows], [2, 0], stiffness, 2 * options.spacing);
-  addKind(list, [columns, rows], [0, 2], stiffness, 2 * options.spacing);
 }
 
 /**
