@@ -1,6 +1,8 @@
 import { restore, snapshot, step } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { DEMO_SHOW } from './demo-show.ts';
+import { Desk } from './desk.ts';
+import { tidy } from './show.ts';
 import { createGame, type FireworksGame, type Input, LONGEST_HOLD, SURPRISE, SWARM } from './sim.ts';
 
 const VALUES = { wind: 0, barrage: false, sparks: 1000 };
@@ -28,6 +30,25 @@ describe('a hand', () => {
     expect(powers[0]).toBeLessThan(0.4);
     expect(powers[1]).toBeCloseTo((powers[0] + 1) / 2, 1);
     expect(powers.slice(2)).toEqual([1, 1]);
+  });
+
+  it('that lets go and presses again within a step begins anew, in the sky and in the show being made', () => {
+    const game = night();
+    const desk = new Desk('');
+    desk.edit(true);
+    desk.choose(0, 1);
+    desk.hold(game, 1);
+    run(game, 2 * LONGEST_HOLD);
+    desk.fire(game, 1, { x: 10, y: 30, z: 0 });
+    desk.hold(game, 1);
+    desk.fire(game, 1, { x: -10, y: 30, z: 0 });
+    run(game, game.dt);
+    const sent = [0, 1].map((i) => game.scene.news.at(i));
+    expect(sent[0].power).toBe(1);
+    expect(sent[1].power).toBeLessThan(0.4);
+    expect(desk.editor.cues.map(({ power }) => power)).toEqual(
+      sent.map(({ x, y, z, kind, color, power }) => tidy({ x, y, z, kind, color, power, tick: 0 }).power),
+    );
   });
 
   it('of ten fingers sends up ten shells, each where it points', () => {

@@ -97,7 +97,10 @@ export class FireworksGame {
 
   constructor({ values, seed, dimensions, opening = [], isDemo = false, log }: FireworksOptions) {
     const { wind, barrage, sparks } = values;
-    this.scene = fireworks.create({ seed, dimensions, wind, shells: SHELLS_IN_AIR, count: barrage ? sparks : 0 });
+    // Its own state is kept; the rest of it stays.
+    this.scene = constant(
+      fireworks.create({ seed, dimensions, wind, shells: SHELLS_IN_AIR, count: barrage ? sparks : 0 }),
+    );
     this.log = new InputLog(log);
     this.#random = createRandom(seed, 2);
     this.show = constant(opening);
@@ -131,7 +134,7 @@ export class FireworksGame {
 
   /** How large a shell gets that is held since then, 0 to 1. @param kind number of the chosen kind */
   powerOf(finger: number, kind: number): number {
-    const since = this.held.get(finger);
+    const since = this.#heldSince(finger);
     if (kind === SWARM) return this.#wholeSeconds(since) / mostSeconds(SHELLS[SWARM]);
     if (since === undefined) return CLICK_POWER;
     const share = Math.min(1, (this.world.time - since) / LONGEST_HOLD);
@@ -143,6 +146,16 @@ export class FireworksGame {
     let most = 0;
     for (const finger of this.held.keys()) most = Math.max(most, this.powerOf(finger, SWARM));
     return heldStars(SHELLS[SWARM], most);
+  }
+
+  /** World time at which a finger began to hold, also where the next step is yet to take what it did last. */
+  #heldSince(finger: number): number | undefined {
+    const { waiting } = this.log.state;
+    for (let i = waiting.length - 1; i >= 0; i--) {
+      const input = waiting[i];
+      if ('finger' in input && input.finger === finger) return input.do === 'hold' ? this.world.time : undefined;
+    }
+    return this.held.get(finger);
   }
 
   #wholeSeconds(since = this.world.time): number {
