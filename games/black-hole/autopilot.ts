@@ -12,57 +12,63 @@ interface Course {
 }
 
 const HEADINGS: readonly (Heading | undefined)[] = ['up', 'up', 'left', 'right', 'down', undefined];
-const NONE: Course = { headings: [], ends: [], value: Number.NEGATIVE_INFINITY };
+const NONE: Course = constant({ headings: [], ends: [], value: Number.NEGATIVE_INFINITY });
 const HORIZON = 9;
 const LOOK_DT = 1 / 40;
 /** Seconds between two searches, and courses tried in each. */
 const PATIENCE = 0.25;
 const TRIES = 24;
+/** Where the times of a plan are. */
+const [BEGIN, SEARCH] = [0, 1];
 
 export class Autopilot {
   readonly #scene: BlackHole;
   readonly #random: Random;
   readonly #flight: Flight;
   readonly #craft: Craft = { x: 0, y: 0, vx: 0, vy: 0 };
-  /** The course, since when it is flown and was searched for, s, and past which holes. */
-  readonly #plan = { course: NONE, age: 0, sinceSearch: PATIENCE, holes: undefined as unknown };
+  /** The course, and past which holes. */
+  readonly #plan = { course: NONE, holes: undefined as unknown };
+  /** Since when it is flown, and was searched for, s: in cells, which snapshots copy without garbage. */
+  readonly #since = new Float64Array([0, PATIENCE]);
 
   constructor(scene: BlackHole, seed: number) {
     this.#scene = scene;
     this.#flight = new Flight(scene.isSteep);
     this.#random = createRandom(seed, 2);
-    keepState(scene.world, this.#plan, this.#random.state);
+    keepState(scene.world, this.#plan, this.#since, this.#random.state);
   }
 
   /** Forgets its plans. */
   begin(seed: number): void {
-    Object.assign(this.#plan, { course: NONE, age: 0, sinceSearch: PATIENCE, holes: undefined });
+    Object.assign(this.#plan, { course: NONE, holes: undefined });
+    this.#since.set([0, PATIENCE]);
     this.#random.state.set(createRandom(seed, 2).state);
   }
 
   /** The heading for the step to come. */
   steer(dt: number): Heading | undefined {
     const plan = this.#plan;
+    const since = this.#since;
     if (plan.holes !== this.#scene.holes) {
       plan.holes = this.#scene.holes;
       plan.course = NONE;
-      plan.sinceSearch = PATIENCE;
+      since[SEARCH] = PATIENCE;
     }
-    if (plan.sinceSearch >= PATIENCE) this.#search();
-    plan.sinceSearch += dt;
-    plan.age += dt;
-    return headingAt(plan.course, plan.age - dt);
+    if (since[SEARCH] >= PATIENCE) this.#search();
+    since[SEARCH] += dt;
+    since[BEGIN] += dt;
+    return headingAt(plan.course, since[BEGIN] - dt);
   }
 
   /** Tries the rest of the present course, and others. */
   #search(): void {
-    this.#plan.sinceSearch = 0;
+    this.#since[SEARCH] = 0;
     const { world, ship } = this.#scene;
     const { Position, Velocity } = world.components;
     Object.assign(this.#craft, {
       ...{ x: Position.x[ship], y: Position.y[ship], vx: Velocity.x[ship], vy: Velocity.y[ship] },
     });
-    let best = rest(this.#plan.course, this.#plan.age);
+    let best = rest(this.#plan.course, this.#since[BEGIN]);
     best.value = this.#judge(best);
     for (let i = 0; i < TRIES; i++) {
       const course = i % 3 === 0 && best.ends.length > 0 ? this.#vary(best) : this.#draw();
@@ -70,7 +76,7 @@ export class Autopilot {
       if (course.value > best.value) best = course;
     }
     this.#plan.course = constant(best);
-    this.#plan.age = 0;
+    this.#since[BEGIN] = 0;
   }
 
   #draw(): Course {
@@ -100,11 +106,10 @@ export class Autopilot {
     let clear = 0;
     let time = 0;
     for (; time < HORIZON && flight.fate === 'flying'; time += LOOK_DT) {
-      const push = thrustOf(headingAt(course, time));
-      flight.step(LOOK_DT, push.x, push.y);
-      top = Math.max(top, flight.craft.y);
+      flight.step(LOOK_DT, thrustOf(headingAt(course, time)));
+      top = Math.max(top, flight.y);
       // Whatever comes close is chaos: small errors of the copy grow there.
-      if (!isClear(this.#scene.holes, flight.craft.x, flight.craft.y)) clear++;
+      if (!isClear(this.#scene.holes, flight.x, flight.y)) clear++;
     }
     const risk = 4 * clear * LOOK_DT;
     if (flight.fate === 'goal') return 1000 - 10 * time - 30 * risk;

@@ -12,17 +12,18 @@ export interface Craft {
 /** How a flight stands. */
 export type Fate = 'flying' | 'fallen' | 'goal' | 'gone';
 
+/** Where the numbers of a flight are. */
+const [X, Y, VX, VY, AX, AY, TIME] = [0, 1, 2, 3, 4, 5, 6];
+
 /** Steps a copy of the ship by velocity Verlet, as the world does, past the holes of one layout. */
 export class Flight {
-  readonly craft: Craft = { x: 0, y: 0, vx: 0, vy: 0 };
   fate: Fate = 'flying';
-  time = 0;
+  /** Place, velocity, acceleration and time: in an array, where thousands of steps a second leave no garbage. */
+  readonly #now = new Float64Array(7);
   readonly #isSteep: boolean;
   #holes: readonly Hole[] = [];
-  #mu: number[] = [];
+  #mu = new Float64Array(0);
   readonly #place = { x: 0, y: 0 };
-  #ax = 0;
-  #ay = 0;
 
   /** @param isSteep the holes pull after Paczyński and Wiita */
   constructor(isSteep = false) {
@@ -31,43 +32,55 @@ export class Flight {
 
   /** Sets the copy where the ship is. @param time of the holes on their circles, s */
   begin(craft: Readonly<Craft>, holes: readonly Hole[], time: number): void {
-    Object.assign(this.craft, craft);
+    const now = this.#now;
+    now[X] = craft.x;
+    now[Y] = craft.y;
+    now[VX] = craft.vx;
+    now[VY] = craft.vy;
+    now[TIME] = time;
     this.fate = 'flying';
-    this.time = time;
     if (this.#holes !== holes) {
       this.#holes = holes;
-      this.#mu = holes.map(({ radius }) => holeMu(radius));
+      this.#mu = Float64Array.from(holes, ({ radius }) => holeMu(radius));
     }
     this.#pull();
   }
 
-  /** One step under a thrust of (`tx`, `ty`) m/s². Does nothing once the flight has ended. */
-  step(dt: number, tx: number, ty: number): void {
+  get x(): number {
+    return this.#now[X];
+  }
+
+  get y(): number {
+    return this.#now[Y];
+  }
+
+  /** One step under a thrust, m/s². Does nothing once the flight has ended. */
+  step(dt: number, thrust: { readonly x: number; readonly y: number }): void {
     if (this.fate !== 'flying') return;
-    const { craft } = this;
-    const vx = craft.vx + 0.5 * dt * (this.#ax + tx);
-    const vy = craft.vy + 0.5 * dt * (this.#ay + ty);
-    craft.x += dt * vx;
-    craft.y += dt * vy;
-    this.time += dt;
+    const now = this.#now;
+    now[VX] += 0.5 * dt * (now[AX] + thrust.x);
+    now[VY] += 0.5 * dt * (now[AY] + thrust.y);
+    now[X] += dt * now[VX];
+    now[Y] += dt * now[VY];
+    now[TIME] += dt;
     this.#pull();
-    craft.vx = vx + 0.5 * dt * (this.#ax + tx);
-    craft.vy = vy + 0.5 * dt * (this.#ay + ty);
+    now[VX] += 0.5 * dt * (now[AX] + thrust.x);
+    now[VY] += 0.5 * dt * (now[AY] + thrust.y);
     if (this.fate !== 'flying') return;
-    if (craft.y > BLACK_HOLE.goal) this.fate = 'goal';
-    else if (craft.x < 0 || craft.x > BLACK_HOLE.width || craft.y < 0) this.fate = 'gone';
+    if (now[Y] > BLACK_HOLE.goal) this.fate = 'goal';
+    else if (now[X] < 0 || now[X] > BLACK_HOLE.width || now[Y] < 0) this.fate = 'gone';
   }
 
   /** Sums the pull of all holes, and notices a fall. */
   #pull(): void {
-    const { craft } = this;
+    const now = this.#now;
     let ax = 0;
     let ay = 0;
     for (let i = 0; i < this.#holes.length; i++) {
       const hole = this.#holes[i];
-      const at = hole.orbit === 0 ? hole : holePlace(hole, this.time, this.#place);
-      const dx = at.x - craft.x;
-      const dy = at.y - craft.y;
+      const at = hole.orbit === 0 ? hole : holePlace(hole, now[TIME], this.#place);
+      const dx = at.x - now[X];
+      const dy = at.y - now[Y];
       const square = dx * dx + dy * dy;
       if (square <= hole.radius * hole.radius) this.fate = 'fallen';
       const d = Math.sqrt(square);
@@ -76,7 +89,7 @@ export class Flight {
       ax += pull * dx;
       ay += pull * dy;
     }
-    this.#ax = ax;
-    this.#ay = ay;
+    now[AX] = ax;
+    now[AY] = ay;
   }
 }

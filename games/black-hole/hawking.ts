@@ -13,7 +13,7 @@ const REFERENCE = 10;
 const TINTS = [0xa9c8ff, 0xe8efff, 0xfff0d0, 0xffd296, 0xffa860, 0xff7d45];
 
 /** Lets every hole send out what is due in `seconds`. */
-export function glow({ values, count }: HoleTable, seconds: number, burst: Sparks['burst']): void {
+export function glow({ values, count }: HoleTable, seconds: number, { source, burst }: Sparks): void {
   for (let i = 0; i < count; i++) {
     const x = values[4 * i];
     const y = values[4 * i + 1];
@@ -27,17 +27,21 @@ export function glow({ values, count }: HoleTable, seconds: number, burst: Spark
       const dx = Math.cos(angle);
       const dy = Math.sin(angle);
       const speed = 18 + 22 * Math.random();
-      const fromX = x + 1.1 * r * dx;
-      const fromY = y + 1.1 * r * dy;
-      if (!isSwallowed(values, count, fromX, fromY)) burst(fromX, fromY, 1, 5, TINTS[cool], speed * dx, speed * dy);
+      source[0] = x + 1.1 * r * dx;
+      source[1] = y + 1.1 * r * dy;
+      source[2] = speed * dx;
+      source[3] = speed * dy;
+      if (!isSwallowed(values, count, source)) burst(1, 5, TINTS[cool]);
     }
   }
 }
 
 /** What comes out of one hole may lie within another. */
-function isSwallowed(values: Float32Array, count: number, x: number, y: number): boolean {
+function isSwallowed(values: Float32Array, count: number, place: Float64Array): boolean {
   for (let i = 0; i < count; i++) {
-    if (Math.hypot(values[4 * i] - x, values[4 * i + 1] - y) < values[4 * i + 2]) return true;
+    const dx = values[4 * i] - place[0];
+    const dy = values[4 * i + 1] - place[1];
+    if (dx * dx + dy * dy < values[4 * i + 2] ** 2) return true;
   }
   return false;
 }

@@ -84,11 +84,11 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
     width: Number.NaN,
     height: Number.NaN,
     fuel: Number.NaN,
-    lives: Number.NaN,
-    score: Number.NaN,
-    level: Number.NaN,
+    lives: -1,
+    score: -1,
+    level: -1,
   };
-  const words = { prize: Number.NaN, bonus: Number.NaN, fuel: Number.NaN, spent: Number.NaN, speed: Number.NaN };
+  const words = { prize: -1, bonus: -1, fuel: -1, spent: -1, speed: -1 };
   const place = ({ left, top, width, height, room }: Frame) => {
     // A small stage needs all its room for the game.
     root.classList.toggle('outside', width < 620 && room > OUTSIDE_ROOM);

@@ -21,8 +21,8 @@ export interface Picture {
   update(alpha: number, seconds: number, camera: Camera2D, size: ViewportSize): void;
   /** Something happened: sparks. */
   celebrate(news: News): void;
-  /** The ship between two steps. */
-  readonly ship: { x: number; y: number };
+  /** The ship between two steps: x and y, m. */
+  readonly ship: Readonly<Float64Array>;
   destroy(): void;
 }
 
@@ -38,7 +38,7 @@ export interface PictureOptions {
 }
 
 export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette }: PictureOptions): Picture {
-  const ship = { x: BLACK_HOLE.start.x, y: BLACK_HOLE.start.y };
+  const ship = new Float64Array([BLACK_HOLE.start.x, BLACK_HOLE.start.y]);
   const holes: HoleTable = { values: new Float32Array(4 * MOST_LENSES), count: 0 };
   const skyPlace = new Container();
   const world = new Container();
@@ -62,7 +62,8 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
   let trail: TrailLayer | undefined;
   let isPathShown = true;
   let isGlowing = true;
-  let time = 0;
+  // In a cell: a variable that a function keeps would be a new number on the heap with every frame.
+  const time = new Float64Array(1);
   return {
     ship,
     show(values) {
@@ -80,24 +81,25 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
       if (trail !== undefined) trailPlace.addChild(trail.container);
     },
     update(alpha, seconds, camera, size) {
-      time += isCalm ? 0 : seconds;
+      if (!isCalm) time[0] += seconds;
       readPlaces(sim, alpha, ship, holes);
       skyView?.update(holes, camera, size, time);
       applyCamera(world, camera, size);
       trail?.update(alpha);
       path.container.visible = isPathShown && sim.rules.phase === 'flying';
       if (path.container.visible) path.update(sim);
-      shipView.update(sim, ship.x, ship.y, seconds);
-      if (!isCalm) exhaust(sim, ship, sparks.burst);
+      shipView.update(sim, ship, seconds);
+      if (!isCalm) exhaust(sim, ship, sparks);
       sparks.update(seconds);
-      if (isGlowing && !isCalm) glow(holes, seconds, rays.burst);
+      if (isGlowing && !isCalm) glow(holes, seconds, rays);
       rays.update(seconds);
     },
     celebrate({ kind, x, y }) {
       if (isCalm) return;
-      if (kind === 'fall' || kind === 'over') sparks.burst(x, y, 70, 120, palette.fall);
-      if (kind === 'goal') sparks.burst(x, y, 60, 150, palette.goal);
-      if (kind === 'sling') sparks.burst(x, y, 24, 60, 0x9fd0ff);
+      sparks.source.set([x, y, 0, 0]);
+      if (kind === 'fall' || kind === 'over') sparks.burst(70, 120, palette.fall);
+      if (kind === 'goal') sparks.burst(60, 150, palette.goal);
+      if (kind === 'sling') sparks.burst(24, 60, 0x9fd0ff);
     },
     destroy() {
       skyView?.destroy();
@@ -144,11 +146,11 @@ function mix(from: number, to: number, share: number): number {
 }
 
 /** Where everything is between two steps. */
-function readPlaces({ world, scene }: BlackHoleGame, alpha: number, ship: { x: number; y: number }, holes: HoleTable) {
+function readPlaces({ world, scene }: BlackHoleGame, alpha: number, ship: Float64Array, holes: HoleTable) {
   const { Position, Collider } = world.components;
   const old = world.previous.Position;
-  ship.x = mix(old.x[scene.ship], Position.x[scene.ship], alpha);
-  ship.y = mix(old.y[scene.ship], Position.y[scene.ship], alpha);
+  ship[0] = mix(old.x[scene.ship], Position.x[scene.ship], alpha);
+  ship[1] = mix(old.y[scene.ship], Position.y[scene.ship], alpha);
   holes.count = Math.min(MOST_LENSES, scene.holeIds.length);
   for (let i = 0; i < holes.count; i++) {
     const id = scene.holeIds[i];
@@ -158,8 +160,13 @@ function readPlaces({ world, scene }: BlackHoleGame, alpha: number, ship: { x: n
   }
 }
 
-function exhaust({ rules }: BlackHoleGame, { x, y }: { x: number; y: number }, burst: Sparks['burst']): void {
+function exhaust({ rules }: BlackHoleGame, ship: Readonly<Float64Array>, sparks: Sparks): void {
   if (rules.phase !== 'flying' || rules.heading === undefined || !rules.hasFuel) return;
   const way = DIRECTIONS[rules.heading];
-  burst(x - 8 * way.x, y - 8 * way.y, 1, 14, 0xffa04c, -70 * way.x, -70 * way.y);
+  const { source } = sparks;
+  source[0] = ship[0] - 8 * way.x;
+  source[1] = ship[1] - 8 * way.y;
+  source[2] = -70 * way.x;
+  source[3] = -70 * way.y;
+  sparks.burst(1, 14, 0xffa04c);
 }

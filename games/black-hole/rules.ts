@@ -48,16 +48,14 @@ export class Rules {
   dodged = 0;
   /** Wishes for other holes in this level: after one it gives no bonus. */
   redraws = 0;
-  /** Change of velocity left in the tank, m/s. */
-  fuel = TANK;
-  /** Change of velocity spent in this flight, m/s. */
-  spent = 0;
   slings = 0;
   heading: Heading | undefined;
   /** News so far, and the last few of them. */
   newsCount = 0;
   readonly news: News[] = [];
   options: RuleOptions;
+  /** Change of velocity left in the tank and spent in this flight, m/s: in cells, which snapshots copy without garbage. */
+  readonly #delta = new Float64Array([TANK, 0]);
   readonly #scene: BlackHole;
   /** Holes the ship is near to. */
   readonly #near = new Set<number>();
@@ -65,7 +63,21 @@ export class Rules {
   constructor(scene: BlackHole, options: RuleOptions) {
     this.#scene = scene;
     this.options = options;
-    keepState(scene.world, this, this.#near);
+    keepState(scene.world, this, this.#delta, this.#near);
+  }
+
+  /** Change of velocity left in the tank, m/s. */
+  get fuel(): number {
+    return this.#delta[0];
+  }
+
+  set fuel(left: number) {
+    this.#delta[0] = left;
+  }
+
+  /** Change of velocity spent in this flight, m/s. */
+  get spent(): number {
+    return this.#delta[1];
   }
 
   /** The number of holes, which is the prize of the level. */
@@ -112,7 +124,7 @@ export class Rules {
     world.components.Thrust.x[ship] = push.x;
     world.components.Thrust.y[ship] = push.y;
     if (!isPushing) return;
-    this.spent += cost;
+    this.#delta[1] += cost;
     if (!this.options.fuel) return;
     this.fuel = Math.max(0, this.fuel - cost);
     if (!this.hasFuel) this.#tell('empty', 0);
@@ -131,7 +143,7 @@ export class Rules {
     }
     const { world, ship, placeShip } = this.#scene;
     const { x, y } = world.components.Position;
-    if (this.#hasFallen(x[ship], y[ship])) {
+    if (this.#hasFallen()) {
       this.#tell('fall', 0);
       this.#loseLife();
     } else if (y[ship] > BLACK_HOLE.goal) {
@@ -144,9 +156,11 @@ export class Rules {
   }
 
   /** However many discs overlap there, it is one fall. */
-  #hasFallen(x: number, y: number): boolean {
-    const { world, holeIds } = this.#scene;
+  #hasFallen(): boolean {
+    const { world, ship, holeIds } = this.#scene;
     const { Position, Collider } = world.components;
+    const x = Position.x[ship];
+    const y = Position.y[ship];
     let fallen = false;
     for (let i = 0; i < holeIds.length; i++) {
       const id = holeIds[i];
@@ -196,7 +210,7 @@ export class Rules {
 
   #newFlight(): void {
     this.fuel = TANK;
-    this.spent = 0;
+    this.#delta[1] = 0;
     this.slings = 0;
     this.#near.clear();
   }

@@ -13,7 +13,8 @@ const DOTS = AHEAD / AHEAD_DT / STEPS_A_DOT;
 
 export interface ShipView {
   readonly container: Container;
-  update(sim: BlackHoleGame, x: number, y: number, seconds: number): void;
+  /** @param place of the ship between two steps: x and y, m */
+  update(sim: BlackHoleGame, place: Readonly<Float64Array>, seconds: number): void;
 }
 
 export function createShipView({ hull: hullColor, hullShade }: Palette): ShipView {
@@ -24,13 +25,14 @@ export function createShipView({ hull: hullColor, hullShade }: Palette): ShipVie
   hull.poly([0, -8, 6.4, 6, 0, 3.2]).fill({ color: hullShade, alpha: 0.75 });
   hull.circle(0, -0.5, 1.7).fill(0xcfefff);
   const container = new Container({ children: [flame, hull] });
-  let time = 0;
+  // In a cell: a variable that a function keeps would be a new number on the heap with every frame.
+  const time = new Float64Array(1);
   return {
     container,
-    update({ rules, world }, x, y, seconds) {
-      time += seconds;
+    update({ rules, world }, place, seconds) {
+      time[0] += seconds;
       container.visible = rules.phase !== 'over';
-      container.position.set(x, -y);
+      container.position.set(place[0], -place[1]);
       const { heading } = rules;
       if (heading !== undefined) {
         const { x: dx, y: dy } = DIRECTIONS[heading];
@@ -40,7 +42,7 @@ export function createShipView({ hull: hullColor, hullShade }: Palette): ShipVie
         container.rotation += turn * (1 - Math.exp(-18 * Math.max(seconds, 1 / 60)));
       } else if (world.tick === 0) container.rotation = 0;
       flame.visible = heading !== undefined && rules.hasFuel && rules.phase === 'flying';
-      flame.scale.set(1, 0.85 + 0.2 * Math.sin(70 * time) + 0.1 * Math.sin(113 * time));
+      flame.scale.set(1, 0.85 + 0.2 * Math.sin(70 * time[0]) + 0.1 * Math.sin(113 * time[0]));
     },
   };
 }
@@ -60,23 +62,31 @@ export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fa
     container.addChild(dot);
     return dot;
   });
+  /** Pixi works a colour out anew whenever it is told one, and makes objects of it. */
+  const tints = dots.map(() => Number.NaN);
+  const paint = (index: number, tint: number) => {
+    if (tints[index] === tint) return;
+    tints[index] = tint;
+    dots[index].tint = tint;
+  };
   return {
     container,
     update({ scene, rules }) {
-      const { ship, world, holes, holeTime } = scene;
+      const { ship, world, holes } = scene;
       const { Position, Velocity } = world.components;
       craft.x = Position.x[ship];
       craft.y = Position.y[ship];
       craft.vx = Velocity.x[ship];
       craft.vy = Velocity.y[ship];
-      flight.begin(craft, holes, holeTime);
+      // Where all holes rest, the time on their circles is nothing to anybody, and a number less.
+      flight.begin(craft, holes, rules.movingHoles > 0 ? scene.holeTime : 0);
       const push = thrustOf(rules.hasFuel ? rules.heading : undefined);
       for (let d = 0; d < dots.length; d++) {
         const dot = dots[d];
-        for (let s = 0; s < STEPS_A_DOT; s++) flight.step(AHEAD_DT, push.x, push.y);
+        for (let s = 0; s < STEPS_A_DOT; s++) flight.step(AHEAD_DT, push);
         dot.visible = flight.fate === 'flying';
-        dot.position.set(flight.craft.x, -flight.craft.y);
-        dot.tint = path;
+        dot.position.set(flight.x, -flight.y);
+        paint(d, path);
       }
       if (flight.fate === 'flying') return;
       // The last dot says how it ends: a fall, the goal, or out of the stage.
@@ -84,7 +94,7 @@ export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fa
       while (dots[end].visible) end++;
       const last = dots[end];
       last.visible = flight.fate !== 'gone';
-      last.tint = flight.fate === 'fallen' ? fall : goal;
+      paint(end, flight.fate === 'fallen' ? fall : goal);
     },
   };
 }

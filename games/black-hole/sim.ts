@@ -1,5 +1,5 @@
 /** The simulation: the scene, its rules and its inputs. Needs no screen; the same seed and log give the same game. */
-import { keepState, stateHash } from '@principia/physics';
+import { constant, keepState, stateHash } from '@principia/physics';
 import { type BlackHole, blackHole, InputLog, type LoggedInput } from '@principia/scenes';
 import { Autopilot } from './autopilot.ts';
 import type { Heading } from './heading.ts';
@@ -38,14 +38,15 @@ export class BlackHoleGame {
   autopilot: boolean;
   isDemo = false;
   readonly #pilot: Autopilot;
-  /** Seconds without input. */
-  readonly #idle = { time: 0 };
+  /** Seconds without input: in a cell, which snapshots copy without garbage. */
+  readonly #idle = new Float64Array(1);
   readonly #seed: number;
   readonly #values: BlackHoleValues;
 
   constructor({ values, seed, log }: BlackHoleOptions) {
     this.#values = { fuel: values.fuel, moving: values.moving, steep: values.steep, autopilot: values.autopilot };
-    this.scene = blackHole.create({ seed, steep: values.steep ? 1 : 0 });
+    // Its own state is kept; the rest of it stays.
+    this.scene = constant(blackHole.create({ seed, steep: values.steep ? 1 : 0 }));
     this.rules = new Rules(this.scene, this.#values);
     this.log = new InputLog(log);
     this.autopilot = values.autopilot;
@@ -98,7 +99,7 @@ export class BlackHoleGame {
       return;
     }
     if (this.isDemo) this.#endDemo();
-    this.#idle.time = 0;
+    this.#idle[0] = 0;
     if (input === 'redraw') {
       this.rules.redraw();
     } else if (input === 'release') {
@@ -124,8 +125,8 @@ export class BlackHoleGame {
     const { rules } = this;
     if (!this.autopilot && !this.isDemo) {
       if (rules.phase !== 'ready') return;
-      this.#idle.time += dt;
-      if (this.#idle.time < IDLE_SECONDS) return;
+      this.#idle[0] += dt;
+      if (this.#idle[0] < IDLE_SECONDS) return;
       this.isDemo = true;
     }
     if (this.isDemo && rules.phase === 'over') rules.restart();

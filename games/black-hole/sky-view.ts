@@ -13,7 +13,8 @@ export interface HoleTable {
 
 export interface SkyView {
   readonly container: Container;
-  update(holes: HoleTable, camera: Camera2D, size: ViewportSize, time: number): void;
+  /** @param time one number, s */
+  update(holes: HoleTable, camera: Camera2D, size: ViewportSize, time: Float64Array): void;
   destroy(): void;
 }
 
@@ -44,7 +45,7 @@ export function createBentSky(sky: Texture): SkyView {
       uniforms.uCamera[2] = camera.pixelsPerMetre;
       uniforms.uSize[0] = width;
       uniforms.uSize[1] = height;
-      uniforms.uTime = time;
+      uniforms.uTime = time[0];
       group.update();
     },
     destroy() {

@@ -3,8 +3,10 @@ import { Container, Sprite, type Texture } from 'pixi.js';
 
 export interface Sparks {
   readonly container: Container;
+  /** Where the next burst comes from, m, and the velocity of its middle, m/s: x, y, vx, vy. */
+  readonly source: Float64Array;
   /** @param spread speed of the fastest, m/s */
-  burst(x: number, y: number, count: number, spread: number, tint: number, vx?: number, vy?: number): void;
+  burst(count: number, spread: number, tint: number): void;
   update(seconds: number): void;
 }
 
@@ -14,34 +16,44 @@ export function createSparks(spot: Texture, most: number): Sparks {
   const sparks = Array.from({ length: most }, () => {
     const sprite = new Sprite({ texture: spot, anchor: 0.5, blendMode: 'add', visible: false });
     container.addChild(sprite);
-    return { sprite, vx: 0, vy: 0, age: 0, life: 0 };
+    return { sprite, tint: 0xffffff };
   });
+  const source = new Float64Array(4);
+  /** Of each spark its velocity, age and life. */
+  const flights = new Float64Array(4 * most);
   let next = 0;
   return {
     container,
-    burst(x, y, count, spread, tint, vx = 0, vy = 0) {
+    source,
+    burst(count, spread, tint) {
       for (let i = 0; i < count; i++) {
-        const spark = sparks[next++ % most];
+        const spark = sparks[next];
+        const at = 4 * next;
+        next = (next + 1) % most;
         const angle = 2 * Math.PI * Math.random();
         const speed = spread * Math.sqrt(Math.random());
-        spark.vx = vx + speed * Math.cos(angle);
-        spark.vy = vy + speed * Math.sin(angle);
-        spark.age = 0;
-        spark.life = 0.35 + 0.6 * Math.random();
-        spark.sprite.tint = tint;
-        spark.sprite.position.set(x, -y);
+        flights[at] = source[2] + speed * Math.cos(angle);
+        flights[at + 1] = source[3] + speed * Math.sin(angle);
+        flights[at + 2] = 0;
+        flights[at + 3] = 0.35 + 0.6 * Math.random();
+        // Pixi works a colour out anew whenever it is told one, and makes objects of it.
+        if (spark.tint !== tint) spark.sprite.tint = tint;
+        spark.tint = tint;
+        spark.sprite.position.set(source[0], -source[1]);
       }
     },
     update(seconds) {
-      for (const spark of sparks) {
-        spark.age += seconds;
-        const left = 1 - spark.age / spark.life;
-        spark.sprite.visible = left > 0;
+      for (let i = 0; i < most; i++) {
+        const { sprite } = sparks[i];
+        const at = 4 * i;
+        flights[at + 2] += seconds;
+        const left = 1 - flights[at + 2] / flights[at + 3];
+        sprite.visible = left > 0;
         if (!(left > 0)) continue;
-        spark.sprite.x += spark.vx * seconds;
-        spark.sprite.y -= spark.vy * seconds;
-        spark.sprite.alpha = left;
-        spark.sprite.scale.set((1 + 5 * left) / 32);
+        const { position } = sprite;
+        position.set(position.x + flights[at] * seconds, position.y - flights[at + 1] * seconds);
+        sprite.alpha = left;
+        sprite.scale.set((1 + 5 * left) / 32);
       }
     },
   };

@@ -51,7 +51,7 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
   const place = (x: number, y: number) => toScreen(camera, viewport, x, y, shown);
   const frame = { left: 0, top: 0, width: 0, height: 0, room: 0 };
   const steering = listenToSteering(canvas, {
-    ship: () => place(picture.ship.x, picture.ship.y),
+    ship: () => place(picture.ship[0], picture.ship[1]),
     press: (input) => stage.sim().press(input),
   });
   const tellNews = (sim: BlackHoleGame) => {

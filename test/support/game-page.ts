@@ -25,8 +25,12 @@ export interface PlayedGame {
   open(query?: string, options?: OpenOptions): Promise<Page>;
 }
 
-/** Serves `games/<name>` to the tests that follow. @param defaults options of every page, unless it has its own */
-export function playGame(name: string, defaults: OpenOptions = {}): PlayedGame {
+/**
+ * Serves `games/<name>` to the tests that follow.
+ * @param defaults options of every page, unless it has its own
+ * @param args further flags of the browser
+ */
+export function playGame(name: string, defaults: OpenOptions = {}, args: readonly string[] = []): PlayedGame {
   let browser: Browser | undefined;
   let served: ServedPage | undefined;
   let errors: string[] = [];
@@ -34,7 +38,7 @@ export function playGame(name: string, defaults: OpenOptions = {}): PlayedGame {
 
   beforeAll(async () => {
     const html = readFileSync(`games/${name}/index.html`, 'utf8');
-    [served, browser] = await Promise.all([servePage(`games/${name}/main.ts`, { html }), launchChromium()]);
+    [served, browser] = await Promise.all([servePage(`games/${name}/main.ts`, { html }), launchChromium({ args })]);
   });
 
   afterAll(async () => {

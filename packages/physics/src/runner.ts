@@ -14,6 +14,9 @@ export interface RunnerOptions {
 /** Steps one frame may take: more would hang the program, as a dt mistaken for microseconds does. */
 const MOST_STEPS = 1e6;
 
+/** Time that waits for a step, and time that was not simulated, s. */
+const [WAITING, DROPPED] = [0, 1];
+
 const NOT_NEGATIVE = { min: 0 };
 
 /** Turns frame times into steps of one fixed length. */
@@ -40,29 +43,29 @@ export interface Runner {
 export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): Runner {
   assertUsable(world);
   const { dt, maxFrame } = checkOptions(options);
-  let accumulator = 0;
-  let droppedTime = 0;
+  // In cells: a variable that a function keeps would be a new number on the heap with every frame.
+  const times = new Float64Array(2);
   return {
     dt,
     get alpha() {
-      return Math.min(1, accumulator / dt);
+      return Math.min(1, times[WAITING] / dt);
     },
     get droppedTime() {
-      return droppedTime;
+      return times[DROPPED];
     },
     advance(elapsed) {
       assertIdle(world, 'advance');
       checkNumber(elapsed, 'elapsed', NOT_NEGATIVE);
       const frame = Math.min(elapsed, maxFrame);
+      const wanted = times[WAITING] + frame;
       // Steps that threw may have left time behind; a world that throws at every step must not save it up.
-      const kept = Math.min(accumulator + frame, maxFrame + dt);
-      droppedTime += elapsed - frame + (accumulator + frame - kept);
-      accumulator = kept;
+      times[WAITING] = Math.min(wanted, maxFrame + dt);
+      times[DROPPED] += elapsed - frame + (wanted - times[WAITING]);
       let steps = 0;
       // A sum of frames such as 1/30 + 1/30 may fall short of 4/60 by rounding alone; that must not cost a step.
       const enough = dt * (1 - 1e-9);
-      while (accumulator >= enough && world.state === 'idle') {
-        accumulator = Math.max(0, accumulator - dt);
+      while (times[WAITING] >= enough && world.state === 'idle') {
+        times[WAITING] = Math.max(0, times[WAITING] - dt);
         step(world, dt);
         steps++;
       }

@@ -75,7 +75,9 @@ function packLooks(
     drawn[at] = extent;
     if (!(extent > 0)) continue;
     const bytes = color[id];
-    out[at + 1] = bytes === 0 ? defaultColor : bytes;
+    out[at + 1] = bytes;
+    // Apart: compilers would make an object of a number that may be the one or the other, for every body.
+    if (bytes === 0) out[at + 1] = defaultColor;
     out[at + 2] = shape[id];
     shapes |= 1 << shape[id];
   }

@@ -104,6 +104,12 @@ export class ColumnTexture extends ExternalTexture {
     for (let i = 0; i < this.#copies.length; i++) {
       if (this.#copies[i].properties === properties) return this.#copies[i];
     }
+    return this.#makeCopy(renderer);
+  }
+
+  /** Apart from the search: a function that makes another one makes an object for its variables at every call. */
+  #makeCopy(renderer: WebGLRenderer): GpuCopy {
+    const { properties } = renderer;
     const gl = renderer.getContext() as WebGL2RenderingContext;
     const lost = this.#copies.findIndex((copy) => copy.gl === gl);
     if (lost >= 0) this.#copies.splice(lost, 1);

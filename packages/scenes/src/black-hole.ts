@@ -63,12 +63,13 @@ export const blackHole = defineScene({
       thrust: {},
       appearance: {},
     });
-    const sky = new Sky(world, seed, 1 / 120, isSteep);
+    const dt = 1 / 120;
+    const sky = new Sky(world, seed, dt, isSteep);
     world.phases.input.push(() => sky.drive());
     sky.redraw(count, moving);
     const placeShip = (x: number, y: number) => teleport(world, ship, x, y);
     return {
-      ...{ world, dt: sky.dt, ship, placeShip, isSteep },
+      ...{ world, dt, ship, placeShip, isSteep },
       ...(moving > 0 ? { losesEnergy: 'moving holes give energy to the ship and take it' } : {}),
       get holes() {
         return sky.holes;
@@ -89,8 +90,9 @@ export const blackHole = defineScene({
 class Sky {
   holes: readonly Hole[] = [];
   readonly ids: number[] = [];
-  time = 0;
-  readonly dt: number;
+  readonly #dt: number;
+  /** Time on the holes' circles, s: in a cell, which snapshots copy without garbage. */
+  readonly #time = new Float64Array(1);
   readonly #world: PhysicsWorld;
   readonly #seed: number;
   readonly #isSteep: boolean;
@@ -101,9 +103,13 @@ class Sky {
     this.#world = world;
     this.#seed = seed;
     this.#random = layoutRandom(seed);
-    this.dt = dt;
+    this.#dt = dt;
     this.#isSteep = isSteep;
-    keepState(world, this, this.#random.state);
+    keepState(world, this, this.#time, this.#random.state);
+  }
+
+  get time(): number {
+    return this.#time[0];
   }
 
   rewind(): void {
@@ -112,7 +118,7 @@ class Sky {
 
   redraw(count: number, moving: number): void {
     this.holes = constant(drawHoles(this.#random, count, moving, this.#isSteep));
-    this.time = 0;
+    this.#time[0] = 0;
     while (this.ids.length > count) despawn(this.#world, this.ids.pop() as number);
     for (const [i, hole] of this.holes.entries()) this.#put(i, hole);
   }
@@ -120,12 +126,13 @@ class Sky {
   /** Gives every moving hole the velocity that takes it to its next place, so that the forces know it too. */
   drive(): void {
     const { Position, Velocity } = this.#world.components;
-    this.time += this.dt;
+    const dt = this.#dt;
+    this.#time[0] += dt;
     for (let i = 0; i < this.holes.length; i++) {
       if (this.holes[i].orbit === 0) continue;
-      const next = holePlace(this.holes[i], this.time, this.#place);
-      Velocity.x[this.ids[i]] = (next.x - Position.x[this.ids[i]]) / this.dt;
-      Velocity.y[this.ids[i]] = (next.y - Position.y[this.ids[i]]) / this.dt;
+      const next = holePlace(this.holes[i], this.#time[0], this.#place);
+      Velocity.x[this.ids[i]] = (next.x - Position.x[this.ids[i]]) / dt;
+      Velocity.y[this.ids[i]] = (next.y - Position.y[this.ids[i]]) / dt;
     }
   }
 

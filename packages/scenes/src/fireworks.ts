@@ -83,14 +83,21 @@ export const fireworks = defineScene({
     });
     const random = createRandom(seed, 1);
     const news = new NewsRing();
-    const air = { drag: SHELL_DRAG, gravity: GRAVITY, wind: parameters.wind };
+    // In a cell, which snapshots copy without garbage.
+    const blowing = new Float64Array([parameters.wind]);
+    const air = {
+      ...{ drag: SHELL_DRAG, gravity: GRAVITY },
+      get wind() {
+        return blowing[0];
+      },
+    };
     const setWind = (speed: number) => {
-      if (speed !== air.wind) replaceForce(world, quadraticDrag({ x: speed }));
-      air.wind = speed;
+      if (speed !== blowing[0]) replaceForce(world, quadraticDrag({ x: speed }));
+      blowing[0] = speed;
     };
     const show = shells > 0 ? createShow(world, random, news, shells, air) : undefined;
     const barrage = count > 0 ? new Barrage(world, random, count) : undefined;
-    keepState(world, random.state, news, air);
+    keepState(world, random.state, news, blowing);
     world.phases.input.push(() => {
       show?.run();
       barrage?.run();
@@ -181,8 +188,10 @@ function burstSize(count: number): number {
 
 /** Bursts without shells, at random places, as often as it takes. */
 class Barrage {
-  /** Whether it goes on; sparks due, and steps done. */
-  readonly #state = { isOn: true, due: 0, steps: 0 };
+  /** Whether it goes on, and steps done. */
+  readonly #state = { isOn: true, steps: 0 };
+  /** Sparks due: in a cell, which snapshots copy without garbage. */
+  readonly #due = new Float64Array(1);
   readonly #emitter: Emitter;
   readonly #random: Random;
   readonly #patterns;
@@ -210,7 +219,7 @@ class Barrage {
       quadraticDrag: 0.08 * STAR_MASS,
     });
     this.#order = { position: this.#place, ramp: 0, pattern: this.#patterns[0], scale: 1 };
-    keepState(world, this.#state);
+    keepState(world, this.#state, this.#due);
     for (let left = count; left > 0; left -= this.#size) this.#burst(Math.min(left, this.#size));
   }
 
@@ -232,7 +241,8 @@ class Barrage {
     if (state.steps++ === 0) return;
     if (state.steps === 2) setEmitter(this.#emitter, { lifetime: BARRAGE_LIFE });
     if (!state.isOn) return;
-    for (state.due += this.#rate; state.due >= this.#size; state.due -= this.#size) this.#burst(this.#size);
+    const due = this.#due;
+    for (due[0] += this.#rate; due[0] >= this.#size; due[0] -= this.#size) this.#burst(this.#size);
   }
 
   #burst(count: number): void {

@@ -20,6 +20,8 @@ export class History {
   /** Moments that were given up, for the next ones. */
   readonly #spare: Snapshot[] = [];
   #interval = SHORTEST;
+  /** Bytes of the largest moment: with those of the last one, how many there may be would change to and fro. */
+  #largest = 0;
 
   /** @param clock milliseconds; tells what a moment costs */
   constructor(sim: Simulation, clock: () => number) {
@@ -51,9 +53,10 @@ export class History {
     const taken = snapshot(world, this.#spare.pop());
     moments.push(taken);
     const cost = (this.#clock() - start) / 1000;
-    this.#interval = Math.max(SHORTEST, (SECONDS * taken.bytes) / BUDGET, cost / SHARE);
+    this.#largest = Math.max(this.#largest, taken.bytes);
+    this.#interval = Math.max(SHORTEST, (SECONDS * this.#largest) / BUDGET, cost / SHARE);
     // What a moment costs varies, and with it how many there are: some of the others wait, as far as memory allows.
-    while (this.#spare.length > 0 && (moments.length + this.#spare.length) * taken.bytes > BUDGET) this.#spare.pop();
+    while (this.#spare.length > 0 && (moments.length + this.#spare.length) * this.#largest > BUDGET) this.#spare.pop();
   }
 
   /**

@@ -166,7 +166,10 @@ export class Session<S extends Settings, Sim extends Simulation> {
     this.#backTime = undefined;
     const start = this.#clock();
     const most = Math.max(1, Math.floor(STEPS_BUDGET / Math.max(this.stepTime, 1e-3)));
-    this.steps = this.#runner.advance(Math.min(seconds * this.speed, most * this.#runner.dt));
+    const longest = most * this.#runner.dt;
+    // Handed on as it came, where it may be: a number that is worked out is garbage by the next frame.
+    const asItCame = this.speed === 1 && seconds <= longest;
+    this.steps = this.#runner.advance(asItCame ? seconds : Math.min(seconds * this.speed, longest));
     this.#note(start, this.steps);
     if (this.steps === 0) return;
     this.#steppedByHand = false;

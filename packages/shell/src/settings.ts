@@ -70,8 +70,11 @@ export function switchSetting(label: string, initial: boolean, own: { key?: stri
 
 /** The values a game starts with when nobody says otherwise. */
 export function initialValues<S extends Settings>(settings: S): ValuesOf<S> {
-  const entries = Object.entries(settings).map(([name, { initial }]) => [name, initial]);
-  return Object.fromEntries(entries) as ValuesOf<S>;
+  const names = Object.keys(settings);
+  // Nothing first: in a field that has held something else, a number is read without making another, as snapshots do.
+  const values: Record<string, unknown> = Object.fromEntries(names.map((name) => [name, undefined]));
+  for (const name of names) values[name] = settings[name].initial;
+  return values as ValuesOf<S>;
 }
 
 /**

@@ -1,7 +1,7 @@
 // The contacts of the last step as arrays, and as events.
 import type { RealColumn } from '../components/define';
 import { emit, hasHandlers } from '../events/handlers';
-import { resource } from '../store/resource';
+import { constant, resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 import { contactTable, Word } from './contact-table';
 
@@ -48,7 +48,7 @@ const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
   const table = contactTable(world).words;
   const capacity = table[Word.capacity];
   const { reals, words } = viewers(world, capacity);
-  return {
+  return constant({
     get count() {
       return table[Word.count];
     },
@@ -64,13 +64,13 @@ const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
     ny: reals(table[Word.ny]),
     nz: reals(table[Word.nz]),
     impulse: reals(table[Word.impulse]),
-  };
+  });
 });
 
 const wallContactsOf = /* @__PURE__ */ resource<WallContacts>((world) => {
   const table = contactTable(world).words;
   const { reals, words } = viewers(world, table[Word.wallCapacity]);
-  return {
+  return constant({
     get count() {
       return table[Word.wallCount];
     },
@@ -83,7 +83,7 @@ const wallContactsOf = /* @__PURE__ */ resource<WallContacts>((world) => {
     ny: reals(table[Word.wallNy]),
     nz: reals(table[Word.wallNz]),
     impulse: reals(table[Word.wallImpulse]),
-  };
+  });
 });
 
 function viewers(world: PhysicsWorld, length: number) {

@@ -44,7 +44,7 @@ export function breakSprings(world: PhysicsWorld): void {
 function findBroken(world: PhysicsWorld, table: ConstraintTable): number {
   const kernels = constraintKernels(world);
   if (world.integrator.solvesSprings === true) {
-    return table.words[Word.breakable] > 0 ? kernels.findBroken(table.at, table.substep) : 0;
+    return table.words[Word.breakable] > 0 ? kernels.findBroken(table.at, table.substep[0]) : 0;
   }
   makeRows(world, table);
   scanSprings(world);

@@ -70,8 +70,8 @@ export interface ConstraintTable {
   workRoom: number;
   /** Membership version the order of the rows belongs to. */
   version: number;
-  /** Sub-step the tensions belong to, s; 0 before the first. */
-  substep: number;
+  /** Sub-step the tensions belong to, s; 0 before the first: in a cell, which snapshots copy without garbage. */
+  readonly substep: Float64Array;
 }
 
 /** @throws PhysicsError E_CAPACITY */
@@ -79,7 +79,7 @@ export const constraintTable = resource((world): ConstraintTable => {
   const { arena } = world.internal;
   const at = allocate(arena, 4 * Word.count, 'constraints');
   const words = new Uint32Array(arena.memory.buffer, at, Word.count);
-  const table = { at, words, room: 0, workRoom: 0, version: -1, substep: 0 };
+  const table = { at, words, room: 0, workRoom: 0, version: -1, substep: new Float64Array(1) };
   const { rows } = world;
   const real = realBytes(world.precision);
   const take = (word: Word, bytes: number) => {
@@ -114,7 +114,7 @@ export function refreshConstraints(world: PhysicsWorld, h: number): ConstraintTa
   makeWork(world, table, kernels.arrangeConstraints(table.at, MOVABLE, world.lastId));
   kernels.readConstraints(table.at, MOVABLE, h);
   table.version = world.versions.membership;
-  table.substep = 0;
+  table.substep[0] = 0;
   return table;
 }
 

@@ -153,5 +153,5 @@ function correctPositions(world: PhysicsWorld, table: ConstraintTable, h: number
   kernels.sweepConstraints(at, iterations);
   kernels.unpackBodies(at, h);
   if (table.words[Word.damped] > 0) kernels.dampConstraints(at, h);
-  table.substep = h;
+  table.substep[0] = h;
 }

@@ -34,7 +34,9 @@ const predict = eachRun((world, first, last, dt) => {
   const { kernels, addresses, scratch } = world;
   const { Position, Velocity, Mass } = addresses;
   const { stage1, force } = scratch.at;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     kernels.verletPredictAxis(Position[axis], Velocity[axis], stage1[axis], force[axis], Mass.value, dt, first, last);
   }
 });
@@ -43,7 +45,9 @@ const correct = eachRun((world, first, last, dt) => {
   const { kernels, addresses, scratch } = world;
   const { Velocity, Mass } = addresses;
   const { startVelocity, stage1, force } = scratch.at;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
     const v = Velocity[axis];
     kernels.verletCorrectAxis(v, startVelocity[axis], stage1[axis], force[axis], Mass.value, dt, first, last);
   }

@@ -53,7 +53,8 @@ function saveAxes(world: PhysicsWorld, first: number, last: number): number {
 
 function saveAngles(world: PhysicsWorld, first: number, last: number): void {
   const angle = ANGLES[world.dimensions];
-  const [now, before]: Record<string, number>[] = [world.addresses[angle], world.previousAddresses[angle]];
+  const now: Record<string, number> = world.addresses[angle];
+  const before: Record<string, number> = world.previousAddresses[angle];
   for (const part in now) world.kernels.copyColumn(before[part], now[part], first, last);
 }
 

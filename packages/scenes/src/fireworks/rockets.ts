@@ -1,5 +1,5 @@
 // Shells on their way up: a fixed number of bodies, thrown from mortars on the ground with a fuse that ends at the top.
-import { createEmitter, keepState, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
+import { constant, createEmitter, keepState, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
 import { type Air, aim } from './aim';
 import type { Place } from './place';
 import { GLOW } from './stars';
@@ -31,12 +31,12 @@ interface Rocket {
   readonly id: number;
   readonly light: (lit: boolean) => void;
   order: ShellOrder | undefined;
-  /** World time it bursts at, s. */
-  ends: number;
 }
 
 export class Rockets {
   readonly #rockets: readonly Rocket[];
+  /** World time at which each bursts, s: in cells, which snapshots copy without garbage. */
+  readonly #ends: Float64Array;
   readonly #world: PhysicsWorld;
   readonly #air: Air;
   readonly #dt: number;
@@ -46,8 +46,9 @@ export class Rockets {
     this.#dt = dt;
     this.#air = air;
     this.#rockets = Array.from({ length: count }, () => createRocket(world));
+    this.#ends = new Float64Array(count);
     for (const rocket of this.#rockets) this.#park(rocket);
-    keepState(world, this.#rockets);
+    keepState(world, this.#rockets, this.#ends);
   }
 
   get flying(): number {
@@ -61,14 +62,15 @@ export class Rockets {
 
   /** Throws a shell. @returns where its mortar stands; undefined when all shells are in the air */
   launch(order: ShellOrder): Place | undefined {
-    const rocket = this.#rockets.find((each) => each.order === undefined);
-    if (rocket === undefined) return undefined;
+    const index = this.#rockets.findIndex((each) => each.order === undefined);
+    if (index < 0) return undefined;
+    const rocket = this.#rockets[index];
     const from = { x: MORTAR * order.x, y: 0, z: MORTAR * order.z };
     const way = { x: order.x - from.x, y: order.y, z: order.z - from.z };
     const { velocity, fuse } = aim(way, this.#air, this.#dt);
     const { Mass, Appearance, Velocity } = this.#world.components;
-    rocket.order = order;
-    rocket.ends = this.#world.time + fuse;
+    rocket.order = constant(order);
+    this.#ends[index] = this.#world.time + fuse;
     this.#place(rocket.id, from);
     for (const axis of ['x', 'y', 'z'] as const) Velocity[axis][rocket.id] = velocity[axis];
     Mass.value[rocket.id] = SHELL_MASS;
@@ -86,7 +88,7 @@ export class Rockets {
       const rocket = this.#rockets[i];
       const { order, id } = rocket;
       // Half a step early or late: times are sums of steps.
-      if (order === undefined || time < rocket.ends - 0.5 * this.#dt) continue;
+      if (order === undefined || time < this.#ends[i] - 0.5 * this.#dt) continue;
       burst(
         order,
         { x: Position.x[id], y: Position.y[id], z: Position.z[id] },
@@ -128,5 +130,5 @@ function createRocket(world: PhysicsWorld): Rocket {
     ...{ mass: 0.0002, quadraticDrag: 0.0002 * 0.3, size: [0.2, 0.16, 0.04], shape: GLOW, whenFull: 'oldest' },
     color: [rgba(1, 0.8, 0.5, 0.5), rgba(1, 0.55, 0.2, 0.35), rgba(0.8, 0.25, 0.05, 0.02)],
   });
-  return { id, light: (lit) => setRate(tail, lit ? TAIL_RATE : 0), order: undefined, ends: 0 };
+  return { id, light: (lit) => setRate(tail, lit ? TAIL_RATE : 0), order: undefined };
 }
