@@ -8,6 +8,8 @@ const fromSource = {
 
 export default defineConfig({
   test: {
+    // Vitest leaves a core to nobody: half of a machine with two.
+    maxWorkers: '100%',
     forceRerunTriggers: [...configDefaults.forceRerunTriggers, '**/packages/physics/kernels/**'],
     projects: [
       {
