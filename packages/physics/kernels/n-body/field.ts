@@ -81,17 +81,17 @@ export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: 
     const dx = <f64>get(w.ax, place) * per - fieldX;
     const dy = <f64>get(w.ay, place) * per - fieldY;
     const dz = <f64>get(w.az, place) * per - fieldZ;
-    const size2 = fieldX * fieldX + fieldY * fieldY + fieldZ * fieldZ;
     const at = w.sample + ((<usize>k) << 4);
     store<f64>(at, dx * dx + dy * dy + dz * dz);
-    store<f64>(at, size2, 8);
+    store<real>(at, <real>sqrt<f64>(fieldX * fieldX + fieldY * fieldY + fieldZ * fieldZ), 8);
   }
-  const least = LEAST_FIELD * LEAST_FIELD * middleOf<f64>(w.counts, w.sample + 8, 16, n);
+  const least = LEAST_FIELD * middleOf(w.counts, w.sample + 8, 16, n);
   if (least == 0) return 0;
   let sum: f64 = 0;
   for (let k = 0; k < n; k++) {
     const at = w.sample + ((<usize>k) << 4);
-    sum += load<f64>(at) / max<f64>(least, load<f64>(at, 8));
+    const size = max<f64>(least, <f64>load<real>(at, 8));
+    sum += load<f64>(at) / (size * size);
   }
   return sqrt<f64>(sum / <f64>n);
 }

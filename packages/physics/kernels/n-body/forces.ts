@@ -38,7 +38,7 @@ export function prepareTree(w: NBody, dimensions: i32, law: i32): void {
     boundGroup(w, load<i32>(at), load<i32>(at, 4));
     put(w.groupFields, g, fieldScale(w, law == 2));
   }
-  const least = <real>(LEAST_SHARE * middleOf<real>(w.counts, w.groupFields, sizeof<real>(), w.groupCount));
+  const least = <real>(LEAST_SHARE * middleOf(w.counts, w.groupFields, sizeof<real>(), w.groupCount));
   for (let g = 0; g < w.groupCount; g++) put(w.groupFields, g, max<real>(least, get(w.groupFields, g)));
 }
 
