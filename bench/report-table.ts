@@ -19,6 +19,7 @@ export function resultTable(result: Result): string {
     ],
     ...forceError(result),
     ...stretch(result),
+    ...reference(result),
     ['hash', result.hash],
   ];
   return [
@@ -41,6 +42,22 @@ function forceError({ rmsForceError }: Result): [string, string][] {
 function stretch({ stretch }: Result): [string, string][] {
   if (stretch === null) return [];
   return [['stretch', `${percent(stretch.worst)} worst, ${percent(stretch.rms)} RMS`]];
+}
+
+/** Lines where there is a scheme to compare with. */
+function reference({ reference }: Result): [string, string][] {
+  if (reference === null) return [];
+  const { name, timeRatio, worstKm, errorKm } = reference;
+  const rows = Object.entries(errorKm).map(([body, at]): [string, string] => [
+    `  ${body}`,
+    Object.entries(at)
+      .map(([label, distance]) => `${label} ${distance.toPrecision(3)} km`)
+      .join(', '),
+  ]);
+  return [
+    [`against ${name}`, `${timeRatio.toPrecision(2)}x its time, at most ${worstKm.toFixed(0)} km apart`],
+    ...rows,
+  ];
 }
 
 function percent(share: number): string {

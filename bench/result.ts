@@ -3,6 +3,7 @@ import type { PhysicsWorld } from '@principia/physics';
 import type { Stretch } from '@principia/scenes';
 import type { RunRequest } from './arguments';
 import type { Creation } from './creation';
+import type { ReferenceResult } from './reference';
 import type { ScalingPoint } from './scaling';
 import type { Summary } from './statistics';
 
@@ -28,6 +29,8 @@ export interface Result {
   readonly stretch: Stretch | null;
   /** Distance from where each body should be, km, by body and time; null where that is not known. */
   readonly errorKm: Readonly<Record<string, Readonly<Record<string, number>>>> | null;
+  /** Against a scheme that is next to exact; null where there is none. */
+  readonly reference: ReferenceResult | null;
   /** Milliseconds a step spends in each phase. */
   readonly profile: Readonly<Record<string, number>>;
   readonly peers: readonly PeerResult[];

@@ -7,6 +7,7 @@ import { measureSteps } from './measure';
 import { garbageBytesPerStep } from './memory';
 import { peersOf } from './peers/all';
 import { startProgress } from './progress';
+import { compareWithReference } from './reference';
 import { echo, type Result, thisMachine } from './result';
 import { measureScaling, type ScalingPoint } from './scaling';
 import { summarise } from './statistics';
@@ -55,6 +56,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     rmsForceError: run.forceError?.(run.world) ?? null,
     stretch,
     errorKm: run.errorKm?.() ?? null,
+    reference: run.reference === undefined ? null : compareWithReference(run.reference),
     garbageBytesPerStep: garbageBytesPerStep(advance),
     profile,
     peers: measured.peers.map(({ name, ratio }) => ({ name, msPerStep: ratio * ours.median, ratio })),

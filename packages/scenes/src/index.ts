@@ -21,7 +21,7 @@ export { type PlasmaRun, plasma } from './n-body/plasma';
 export { type Particles, particles } from './particles';
 export { findScene, SCENES } from './registry';
 export { rope } from './rope';
-export type { Scene, SceneOptions, SceneParameter, SceneRun, Stretch } from './scene';
+export type { ReferenceRuns, Scene, SceneOptions, SceneParameter, SceneRun, Stretch } from './scene';
 export { type SolarSystemRun, solarSystem } from './solar-system';
 export { buildSolarSystem, type SolarSystem, type SolarSystemOptions } from './solar-system/build';
 export { advanceTo, type ErrorsKm, type ErrorTable, errorsAt, measureErrors } from './solar-system/errors';

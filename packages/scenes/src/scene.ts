@@ -32,6 +32,21 @@ export interface Stretch {
   readonly rms: number;
 }
 
+/** Two fresh worlds of the same bodies, one by the scheme of the scene and one by the reference. */
+export interface ReferenceRuns {
+  /** The scheme that is next to exact. */
+  readonly name: string;
+  /** Times to go to one after the other, s. */
+  readonly times: readonly number[];
+  /** Names of some of these times. */
+  readonly labels: ReadonlyMap<number, string>;
+  /** Moves one of the two to a time. */
+  readonly ours: (time: number) => void;
+  readonly theirs: (time: number) => void;
+  /** How far apart they have each body, km, at the time both have come to. */
+  readonly apartKm: () => Readonly<Record<string, number>>;
+}
+
 /** A scene made: a world and how to move it on. */
 export interface SceneRun {
   readonly world: PhysicsWorld;
@@ -45,6 +60,8 @@ export interface SceneRun {
   readonly stretch?: (world: PhysicsWorld) => Stretch;
   /** Distance of each body from where it should be, km, by body and time, of a run of its own; absent where unknown. */
   readonly errorKm?: () => Readonly<Record<string, Readonly<Record<string, number>>>>;
+  /** The same by a scheme that is next to exact, from the start anew; absent where there is none to compare with. */
+  readonly reference?: () => ReferenceRuns;
   /** Why the energy of this scene is not constant; absent where it is. */
   readonly losesEnergy?: string;
 }

@@ -4,7 +4,7 @@
 import { cos, createRandom, gaussRadau, leapfrog, sin, spawnMany } from '@principia/physics';
 import { countOf, defineScene, type SceneRun } from './scene';
 import { buildSolarSystem, type SolarSystem } from './solar-system/build';
-import { DAY, errorsOf } from './solar-system/errors';
+import { againstGaussRadau, DAY, errorsOf } from './solar-system/errors';
 import { ASTRONOMICAL_UNIT, STATES } from './solar-system/states';
 
 /** A scene that knows its planets. */
@@ -37,7 +37,8 @@ export const solarSystem = defineScene({
       integrator: scheme,
     });
     if (others > 0) spawnMany(system.world, others, asteroids(others, seed), progress);
-    return { ...system, dt: DAY, errorKm: () => errorsOf(scheme) };
+    const run = { ...system, dt: DAY, errorKm: () => errorsOf(scheme) };
+    return scheme.name === gaussRadau().name ? run : { ...run, reference: () => againstGaussRadau(scheme) };
   },
 });
 

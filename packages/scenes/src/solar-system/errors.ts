@@ -1,10 +1,14 @@
 // How far the simulated solar system is from JPL's after a day, a month, 1, 10 and 50 years.
-import { type Integrator, type PhysicsWorld, step } from '@principia/physics';
+import { gaussRadau, type Integrator, type PhysicsWorld, step } from '@principia/physics';
+import type { ReferenceRuns } from '../scene';
 import { buildSolarSystem, type SolarSystem } from './build';
 import { REFERENCES, type Reference } from './references';
 import { BODY_NAMES, type BodyName, OBLIQUITY, STATES } from './states';
 
 export const DAY = 86400;
+
+/** Longest step of a scheme that chooses sub-steps of its own, s. */
+const LONGEST = 32 * DAY;
 
 /** Distance from where JPL has the body, km: planets as seen from the Sun, the Moon as seen from the Earth. */
 export type ErrorsKm = Partial<Record<BodyName, number>>;
@@ -46,7 +50,7 @@ function earthAndMoon({ positions }: Reference): readonly number[] {
 }
 
 /** Runs a fresh system to each reference in turn, up to `years`, and returns the errors there. */
-export function measureErrors(system: SolarSystem, dt = 32 * DAY, years = 50): ErrorTable {
+export function measureErrors(system: SolarSystem, dt = LONGEST, years = 50): ErrorTable {
   const table: ErrorTable = {};
   for (const reference of REFERENCES) {
     if (reference.days > years * 365.25) break;
@@ -61,12 +65,49 @@ export function measureErrors(system: SolarSystem, dt = 32 * DAY, years = 50): E
 }
 
 /**
- * The errors of an integrator over 50 years, in space and in f64: with sub-steps of its own where it chooses them, with
- * 4-day steps and no Moon for Wisdom-Holman, with hours for all others.
+ * How an integrator is run here: with sub-steps of its own where it chooses them, with 4-day steps and no Moon for
+ * Wisdom-Holman, with hours for all others.
  */
+function mannerOf({ name }: Integrator): { readonly dt: number; readonly moon: boolean } {
+  if (name === 'Wisdom-Holman') return { dt: 4 * DAY, moon: false };
+  const choosesSteps = name === 'Gauss-Radau 15' || name === 'Dormand-Prince 5(4)';
+  return { dt: choosesSteps ? LONGEST : DAY / 24, moon: true };
+}
+
+/** The errors of an integrator over 50 years, in space and in f64. */
 export function errorsOf(integrator: Integrator): ErrorTable {
-  const isMap = integrator.name === 'Wisdom-Holman';
-  const choosesSteps = integrator.name === 'Gauss-Radau 15' || integrator.name === 'Dormand-Prince 5(4)';
-  const dt = isMap ? 4 * DAY : choosesSteps ? 32 * DAY : DAY / 24;
-  return measureErrors(buildSolarSystem({ integrator, moon: !isMap }), dt);
+  const { dt, moon } = mannerOf(integrator);
+  return measureErrors(buildSolarSystem({ integrator, moon }), dt);
+}
+
+/** Distance of each body from where another run has it, as seen from the Sun, km. */
+export function distancesBetween(a: SolarSystem, b: SolarSystem): ErrorsKm {
+  const [p, q] = [a.world.components.Position, b.world.components.Position];
+  const distances: ErrorsKm = {};
+  for (const name of BODY_NAMES) {
+    const [i, j] = [a.ids[name], b.ids[name]];
+    if (i === undefined || j === undefined || name === 'sun') continue;
+    const [m, n] = [a.ids.sun as number, b.ids.sun as number];
+    const [dx, dy, dz] = (['x', 'y', 'z'] as const).map((axis) => p[axis][i] - p[axis][m] - (q[axis][j] - q[axis][n]));
+    distances[name] = Math.sqrt(dx * dx + dy * dy + dz * dz);
+  }
+  return distances;
+}
+
+/** The whole step of four days next to the end of a year: a shorter step in between would disturb a symplectic scheme. */
+const endOf = (years: number) => 4 * DAY * Math.round((years * 365.25) / 4);
+
+/** Fifty years by an integrator and by Gauss-Radau, of the same bodies, to be taken a year at a time in turns. */
+export function againstGaussRadau(integrator: Integrator): ReferenceRuns {
+  const { dt, moon } = mannerOf(integrator);
+  const exact = gaussRadau();
+  const [ours, theirs] = [integrator, exact].map((scheme) => buildSolarSystem({ integrator: scheme, moon }));
+  return {
+    name: exact.name,
+    times: Array.from({ length: 50 }, (_, year) => endOf(year + 1)),
+    labels: new Map([1, 10, 50].map((years) => [endOf(years), `y${years}`])),
+    ours: (time) => advanceTo(ours.world, time, dt),
+    theirs: (time) => advanceTo(theirs.world, time, LONGEST),
+    apartKm: () => distancesBetween(ours, theirs),
+  };
 }

@@ -11,7 +11,7 @@ import { describe, expect, test } from 'vitest';
 import { particles } from '../particles';
 import { solarSystem } from '../solar-system';
 import { buildSolarSystem, type SolarSystem } from './build';
-import { advanceTo, DAY, type ErrorTable, errorsAt, measureErrors } from './errors';
+import { advanceTo, DAY, distancesBetween, type ErrorTable, errorsAt, measureErrors } from './errors';
 import { REFERENCES } from './references';
 import { BODY_NAMES, STATES } from './states';
 
@@ -73,14 +73,7 @@ describe('conservation over ten years', () => {
 
 /** Largest distance between two runs, km as seen from the Sun. */
 function farthest(a: SolarSystem, b: SolarSystem): number {
-  const [p, q] = [a.world.components.Position, b.world.components.Position];
-  return Math.max(
-    ...BODY_NAMES.filter((name) => a.ids[name] !== undefined).map((name) => {
-      const [i, j, m, n] = [a.ids[name], b.ids[name], a.ids.sun, b.ids.sun] as number[];
-      const apart = (axis: 'x' | 'y' | 'z') => p[axis][i] - p[axis][m] - (q[axis][j] - q[axis][n]);
-      return Math.hypot(apart('x'), apart('y'), apart('z'));
-    }),
-  );
+  return Math.max(...Object.values(distancesBetween(a, b)));
 }
 
 describe('Wisdom-Holman with 4-day steps and no Moon', () => {
@@ -144,6 +137,19 @@ describe('the scene', () => {
     expect(table.earth.y1).toBeLessThan(200);
     expect(table.jupiter.y50).toBeLessThan(60);
     expect(table.moon).toBeUndefined();
+  });
+
+  test('can be compared with Gauss-Radau, of the same bodies, year by year', () => {
+    const runs = solarSystem.create({ integrator: wisdomHolman() }).reference?.();
+    const [first = 0] = runs?.times ?? [];
+    runs?.ours(first);
+    runs?.theirs(first);
+    const { mercury = 0, moon } = (runs?.apartKm() ?? {}) as Record<string, number>;
+    expect(moon).toBeUndefined();
+    expect(mercury).toBeGreaterThan(0);
+    // 700 km in 50 years.
+    expect(mercury).toBeLessThan(14);
+    expect(solarSystem.create().reference).toBeUndefined();
   });
 
   test('like every scene, it moves by another integrator when asked to', () => {
