@@ -21,7 +21,7 @@ const bundles = [
   { name: 'particles', imports: particles, limit: 24.9 },
   { name: 'with emitters', imports: `${particles} ${emitters}`, limit: 30.3 },
   { name: 'with contacts', imports: `${particles} ${emitters} ${contacts}`, limit: 39.9 },
-  { name: 'everything', imports: '*', limit: 97.3 },
+  { name: 'everything', imports: '*', limit: 98.5 },
 ];
 
 /** Limit of a game's own code, KB gzipped. */

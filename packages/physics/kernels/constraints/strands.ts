@@ -57,6 +57,8 @@ const NEAR_ROOT: real = 1e-15;
 
 // Of twice its length: an error of one in a thousand.
 const ROUGH: real = 2e-3;
+// The same, of one in 250.
+const STRETCHED: real = 8e-3;
 
 // @ts-ignore: decorator
 @inline function firstKnot(t: ConstraintTable): Knot {
@@ -93,6 +95,58 @@ export function solveStrands(t: ConstraintTable): void {
       if (v128.any_true(rough)) solve(t, first, last, rough);
     }
   }
+}
+
+// Whether any row is off its length by more than that after all were solved: threads that cross and bear what hangs from
+// each other take turns, and undo each other's work. Those of the layer solved last are as they should be.
+export function areStretched(t: ConstraintTable): bool {
+  for (let i = 0; i < t.layerCount - 1; i++) {
+    const layer = <i32>word(t.layers, LAYERS + 1 + i);
+    const end = <i32>word(t.layers, layer + 1);
+    for (let strand = <i32>word(t.layers, layer); strand < end; strand++) {
+      if (isStretched(t, word(t.strands, strand), word(t.strands, strand + 1))) return true;
+    }
+  }
+  return false;
+}
+
+function isStretched(t: ConstraintTable, first: i32, last: i32): bool {
+  const packed = t.packed;
+  const a = t.a + ((<usize>first) << 2);
+  let b = t.b + ((<usize>first) << 2);
+  let a0 = v128.load(placeOf(packed, a, 0));
+  let a1 = v128.load(placeOf(packed, a, 1));
+  let a2 = v128.load(placeOf(packed, a, 2));
+  let a3 = v128.load(placeOf(packed, a, 3));
+  let stretched = splat(0);
+  const end = at(last);
+  for (let o = at(first); o < end; o += 16) {
+    const b0 = v128.load(placeOf(packed, b, 0));
+    const b1 = v128.load(placeOf(packed, b, 1));
+    const b2 = v128.load(placeOf(packed, b, 2));
+    const b3 = v128.load(placeOf(packed, b, 3));
+    const r0 = sub(b0, a0);
+    const r1 = sub(b1, a1);
+    const r2 = sub(b2, a2);
+    const r3 = sub(b3, a3);
+    const x = turned0(r0, r1, r2, r3);
+    const y = turned1(r0, r1, r2, r3);
+    const z = turned2(r0, r1, r2, r3);
+    const length = v128.load(t.length + o);
+    const rest = add(v128.abs<real>(length), mul(v128.load(t.softness + o), v128.load(t.tension + o)));
+    const wanted = mul(rest, rest);
+    const error = sub(dot(x, y, z, x, y, z), wanted);
+    // A cord may be shorter than it is long.
+    const counts = v128.andnot(v128.lt<real>(v128.load(t.gain + o), splat(Infinity)), signs(v128.and(error, length)));
+    const isOff = v128.gt<real>(v128.abs<real>(error), mul(splat(STRETCHED), wanted));
+    stretched = v128.or(stretched, v128.and(isOff, counts));
+    a0 = b0;
+    a1 = b1;
+    a2 = b2;
+    a3 = b3;
+    b += LANES << 2;
+  }
+  return v128.any_true(stretched);
 }
 
 // Solves those threads of a strand whose lanes are set. Returns which of them turned so far that their lengths are rough.

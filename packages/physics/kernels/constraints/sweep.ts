@@ -9,9 +9,11 @@ import { get, put } from '../columns';
 import { LANES, add, at, div, dot, mul, splat, sub } from '../lanes';
 import { placeOf, signs, turned0, turned1, turned2, turned3 } from './lanes';
 import { orderLayers } from './layers';
-import { solveStrands } from './strands';
+import { areStretched, solveStrands } from './strands';
 import { ConstraintTable, isCord, packedAt, part, putPart, tableAt, word } from './table';
 
+// Turns that threads take beyond those asked for, at most, until they keep their lengths.
+const AGAIN: i32 = 20;
 const NEAR: real = 1e-30;
 const NEAR_ROOT: real = 1e-15;
 
@@ -23,9 +25,11 @@ export function sweepConstraints(table: usize, sweeps: i32): void {
   orderLayers(t);
   clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, first);
   clear(t, t.serialFirst, t.rowCount);
-  for (let s = 0; s < sweeps; s++) {
-    solveGroups(t, first, t.serialFirst, s == 0);
-    for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
+  for (let s = 0; s < sweeps || (s < sweeps + AGAIN && areStretched(t)); s++) {
+    if (s < sweeps) {
+      solveGroups(t, first, t.serialFirst, s == 0);
+      for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
+    }
     solveStrands(t);
   }
 }
