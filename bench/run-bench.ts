@@ -56,7 +56,7 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     rmsForceError: run.forceError?.(run.world) ?? null,
     stretch,
     errorKm: run.errorKm?.() ?? null,
-    reference: run.reference === undefined ? null : compareWithReference(run.reference),
+    reference: run.reference === undefined ? null : compareWithReference(run.reference()),
     garbageBytesPerStep: garbageBytesPerStep(advance),
     profile,
     peers: measured.peers.map(({ name, ratio }) => ({ name, msPerStep: ratio * ours.median, ratio })),
