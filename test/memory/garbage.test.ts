@@ -44,13 +44,10 @@ it('steps keep nothing on the heap, and allocate nothing per body', { timeout: 6
 describe('a step of each integrator', async () => {
   const program = await bundled('integrators');
 
-  /** Bytes. A number that is worked out and handed on takes 16; some schemes hand on what they decide by. */
-  const MOST: Record<string, number> = { dormandPrince: 128, gaussRadau: 128, implicitEuler: 512 };
-
-  it.each([...Object.keys(INTEGRATORS), 'xpbd'])('%s makes no garbage but a number or two', (name) => {
+  it.each([...Object.keys(INTEGRATORS), 'xpbd'])('%s makes no garbage, not even a number', (name) => {
     const { allocated, kept } = measure(program, name);
     expect(kept).toBeLessThan(8);
-    // Of twenty bodies in space; a list for each axis would be more than a hundred.
-    expect(allocated).toBeLessThan(MOST[name] ?? 40);
+    // Of twenty bodies in space. A number that is worked out and handed on takes 16; 3 to 6 are noise of the measurement.
+    expect(allocated).toBeLessThan(16);
   });
 });

@@ -22,7 +22,10 @@ export const VELOCITY_FLOOR = 6;
 /** The sub-step being tried: when in the step it starts, and its length. */
 export const PASSED = 7;
 export const STEP = 8;
-const SCALARS = 9;
+/** By what the next sub-step may be longer, and a power on the way to it. */
+export const GROWTH = 9;
+export const POWER = 10;
+const SCALARS = 11;
 
 /** An error has no part of the velocity. */
 const NO_VELOCITY = [0];
@@ -57,7 +60,8 @@ export function begin(world: PhysicsWorld, spans: Spans, { at, stride, kernels }
   const { Position, Velocity, Mass } = world.addresses;
   for (const axis of AXES[world.dimensions]) {
     for (let r = 0; r < spans.count; r++) {
-      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
       world.kernels.copyColumn(at[axis], Position[axis], first, last);
       world.kernels.copyColumn(at[axis] + stride, Velocity[axis], first, last);
       const force = world.scratch.at.force[axis];
@@ -71,7 +75,8 @@ export function restore(world: PhysicsWorld, spans: Spans, { at, stride }: Stage
   const { Position, Velocity } = world.addresses;
   for (const axis of AXES[world.dimensions]) {
     for (let r = 0; r < spans.count; r++) {
-      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
       world.kernels.copyColumn(Position[axis], at[axis], first, last);
       world.kernels.copyColumn(Velocity[axis], at[axis] + stride, first, last);
     }
@@ -117,7 +122,8 @@ function moveToStage(world: PhysicsWorld, spans: Spans, stages: Stages, i: numbe
     const v = x + stride;
     const a = v + stride;
     for (let r = 0; r < spans.count; r++) {
-      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
       kernels.combineAxis(Position[axis], x, v, stride, weightsAt, i + 1, first, last);
       kernels.combineAxis(Velocity[axis], v, a, stride, inVelocity, i, first, last);
     }
@@ -129,7 +135,8 @@ function keepAcceleration(world: PhysicsWorld, spans: Spans, stages: Stages, i: 
   for (const axis of AXES[world.dimensions]) {
     const force = world.scratch.at.force[axis];
     for (let r = 0; r < spans.count; r++) {
-      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
       kernels.accelerationAxis(at[axis] + (2 + i) * stride, force, world.addresses.Mass.value, first, last);
     }
   }
@@ -163,7 +170,8 @@ export function findWorstRatio(world: PhysicsWorld, spans: Spans, stages: Stages
       const v = Velocity[axis];
       kernels.embeddedErrorAxis(errorX, errorV, sizeX, sizeV, x, v, x0, v0, a, stride, wx, wv, STAGES, first, last);
     }
-    const [floorX, floorV] = [scalars[POSITION_FLOOR], scalars[VELOCITY_FLOOR]];
+    const floorX = scalars[POSITION_FLOOR];
+    const floorV = scalars[VELOCITY_FLOOR];
     scalars[ERROR] = kernels.worstError(errorX, errorV, sizeX, sizeV, floorX, floorV, scalars[ERROR], first, last);
   }
 }

@@ -10,7 +10,7 @@
 // an E_STEP that names the body. Sources: dormand-prince-tableau.ts.
 import { checkKeys, checkNumber, type Vector } from '../faults/validate';
 import { type EvaluateForces, momentOf } from '../forces/evaluate';
-import { pow } from '../math/elementary';
+import { raise } from '../math/elementary';
 import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
@@ -19,9 +19,11 @@ import {
   END,
   ERROR,
   findWorstRatio,
+  GROWTH,
   LENGTH,
   PASSED,
   POSITION_FLOOR,
+  POWER,
   RATIO,
   restore,
   STEP,
@@ -84,7 +86,9 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
   scalars[POSITION_FLOOR] = limits.positionFloor;
   scalars[VELOCITY_FLOOR] = limits.velocityFloor;
   let passed = 0;
-  let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : dt;
+  // Once more as a mere number: variables that are `dt` or a number worked out would be objects.
+  const whole = 1 * dt;
+  let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
   evaluateForces(world, spans, momentOf(world, 0));
   begin(world, spans, stages);
   for (let tries = 0; passed < dt; tries++) {
@@ -99,10 +103,12 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
     scalars[STEP] = h;
     takeSubStep(world, spans, stages, evaluateForces);
     findWorstRatio(world, spans, stages);
-    const error = scalars[ERROR] / tolerance;
+    scalars[ERROR] /= tolerance;
+    const error = scalars[ERROR];
     if (error <= 1) {
-      passed = h === rest ? dt : passed + h;
-      const longer = growth(error, scalars[RATIO]);
+      passed = h === rest ? whole : passed + h;
+      findGrowth(scalars);
+      const longer = scalars[GROWTH];
       // A sub-step cut short by the end of the step says nothing against a longer one.
       wanted = longer < 5 ? h * longer : Math.max(wanted, h * longer);
       scalars[RATIO] = Math.max(error, 1e-4);
@@ -110,16 +116,25 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
       scalars[END] = world.time + passed;
       if (passed < dt) begin(world, spans, stages);
     } else {
-      wanted = error < Infinity ? h / Math.min(5, pow(error, 0.17) / 0.9) : h / 5;
+      scalars[POWER] = error;
+      if (error < Infinity) raise(scalars, POWER, 0.17);
+      wanted = error < Infinity ? h / Math.min(5, scalars[POWER] / 0.9) : h / 5;
     }
   }
   scalars[WANTED] = wanted;
 }
 
-/** By what the next sub-step may be longer, after one with `error` in tolerances: the controller's answer. */
-function growth(error: number, before: number): number {
-  if (error === 0) return 5;
-  return Math.min(5, Math.max(0.2, (0.9 * pow(before > 0 ? before : 1e-4, 0.04)) / pow(error, 0.17)));
+/** By what the next sub-step may be longer, after one with ERROR in tolerances: the controller's answer. */
+function findGrowth(scalars: Float64Array): void {
+  if (scalars[ERROR] === 0) {
+    scalars[GROWTH] = 5;
+    return;
+  }
+  scalars[GROWTH] = scalars[RATIO] > 0 ? scalars[RATIO] : 1e-4;
+  raise(scalars, GROWTH, 0.04);
+  scalars[POWER] = scalars[ERROR];
+  raise(scalars, POWER, 0.17);
+  scalars[GROWTH] = Math.min(5, Math.max(0.2, (0.9 * scalars[GROWTH]) / scalars[POWER]));
 }
 
 /** The rest of a step whose error cannot be kept small. */

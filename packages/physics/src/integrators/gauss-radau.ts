@@ -13,11 +13,24 @@
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
 import { checkKeys, checkNumber } from '../faults/validate';
 import { type EvaluateForces, momentOf } from '../forces/evaluate';
-import { pow } from '../math/elementary';
+import { raise } from '../math/elementary';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import type { Integrator } from './integrator';
-import { LAST_TERM, LENGTH, NODES, RADAU_COLUMNS, type Radau, radauOf, START, WANTED } from './radau-table';
+import {
+  CHANGE,
+  LAST_TERM,
+  LENGTH,
+  NEXT,
+  NODES,
+  PASSED,
+  RADAU_COLUMNS,
+  type Radau,
+  radauOf,
+  START,
+  STEP,
+  WANTED,
+} from './radau-table';
 import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './sub-steps';
 
 /** How exact it is. */
@@ -65,26 +78,32 @@ export function gaussRadau(options: GaussRadauOptions = {}): Integrator {
 function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluate: EvaluateForces, tolerance: number): void {
   const radau = radauOf(world);
   const { scalars } = radau;
-  const most = Math.max(tolerance, world.precision === 'f32' ? 0.03 : 0);
-  let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : dt;
+  // Once more as a mere number: variables that are `dt` or a number worked out would be objects.
+  const whole = 1 * dt;
+  let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
   let passed = 0;
   let isNew = true;
   for (let tries = 0; passed < dt; tries++) {
     const rest = dt - passed;
     if (wanted < SHORTEST * dt || tries > MOST_TRIES) {
       reportUnderflow(world, worstRow(spans, radau), wanted);
-      crossBlindly(world, spans, radau, passed, dt, evaluate);
+      scalars[PASSED] = passed;
+      crossBlindly(world, spans, radau, dt, evaluate);
       return;
     }
     const h = subStep(wanted, rest);
-    if (isNew) begin(world, spans, radau, passed, evaluate);
-    predict(spans, radau, h, isNew);
-    const converged = iterate(world, spans, radau, passed, h, evaluate);
-    const next = converged ? lengthAfter(spans, radau, h, most) : 0;
+    scalars[PASSED] = passed;
+    scalars[STEP] = h;
+    if (isNew) begin(world, spans, radau, evaluate);
+    predict(spans, radau, isNew);
+    const converged = iterate(world, spans, radau, evaluate);
+    scalars[NEXT] = 0;
+    if (converged) findNextLength(world, spans, radau, tolerance);
+    const next = scalars[NEXT];
     isNew = next >= TOO_LONG * h;
     if (isNew) {
-      end(spans, radau, h);
-      passed = h === rest ? dt : passed + h;
+      end(spans, radau);
+      passed = h === rest ? whole : passed + h;
       // A sub-step cut short by the end of the step says nothing against a longer one.
       wanted = next < GROWTH * h ? next : Math.max(wanted, next);
     } else {
@@ -95,13 +114,14 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluate: Evaluate
   scalars[WANTED] = wanted;
 }
 
-function begin(world: PhysicsWorld, spans: Spans, { table, kernels }: Radau, passed: number, evaluate: EvaluateForces) {
-  evaluate(world, spans, momentOf(world, passed));
+function begin(world: PhysicsWorld, spans: Spans, { table, kernels, scalars }: Radau, evaluate: EvaluateForces) {
+  evaluate(world, spans, momentOf(world, scalars[PASSED]));
   for (let r = 0; r < spans.count; r++) kernels.radauBegin(table, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
 }
 
-/** The polynomial of the last sub-step, or of the last try of this one, carried to a length of h. */
-function predict(spans: Spans, { table, kernels, scalars }: Radau, h: number, onwards: boolean): void {
+/** The polynomial of the last sub-step, or of the last try of this one, carried to the length of this one. */
+function predict(spans: Spans, { table, kernels, scalars }: Radau, onwards: boolean): void {
+  const h = scalars[STEP];
   const ratio = h / scalars[LENGTH];
   if (scalars[LENGTH] > 0) {
     const shift = onwards ? 1 : 0;
@@ -118,18 +138,12 @@ function forget(spans: Spans, { table, kernels, scalars }: Radau): void {
 }
 
 /** Improves the polynomial until it no longer changes; whether it came to that. */
-function iterate(
-  world: PhysicsWorld,
-  spans: Spans,
-  radau: Radau,
-  passed: number,
-  h: number,
-  evaluate: EvaluateForces,
-): boolean {
+function iterate(world: PhysicsWorld, spans: Spans, radau: Radau, evaluate: EvaluateForces): boolean {
   const settled = SETTLED[world.precision];
   let before = Number.POSITIVE_INFINITY;
   for (let i = 0; i < MOST_ITERATIONS; i++) {
-    const change = sweepNodes(world, spans, radau, passed, h, evaluate);
+    sweepNodes(world, spans, radau, evaluate);
+    const change = radau.scalars[CHANGE];
     if (change <= settled) return true;
     if (!(change < before)) return before < STALLED[world.precision];
     // Each sweep shortens the change by about the same factor: what the next one would bring is known.
@@ -139,44 +153,56 @@ function iterate(
   return false;
 }
 
-/** One sweep over the seven nodes: by how much the last term changed, in parts of the largest acceleration. */
+/** One sweep over the seven nodes. A number that is returned would be garbage: CHANGE has it. */
 function sweepNodes(
   world: PhysicsWorld,
   spans: Spans,
-  { table, kernels }: Radau,
-  passed: number,
-  h: number,
+  { table, kernels, scalars }: Radau,
   evaluate: EvaluateForces,
-): number {
+): void {
   const { bounds, count } = spans;
+  const h = scalars[STEP];
   let change = 0;
   let largest = 0;
   for (let s = 1; s < NODES.length; s++) {
     for (let r = 0; r < count; r++) kernels.radauState(table, s, NODES[s], h, bounds[2 * r], bounds[2 * r + 1]);
-    evaluate(world, spans, momentOf(world, passed + NODES[s] * h));
+    evaluate(world, spans, momentOf(world, scalars[PASSED] + NODES[s] * h));
     change = 0;
     for (let r = 0; r < count; r++) {
       change = Math.max(change, kernels.radauRefine(table, s, bounds[2 * r], bounds[2 * r + 1]));
       largest = Math.max(largest, kernels.radauLargest());
     }
   }
-  return change === 0 ? 0 : change / largest;
+  scalars[CHANGE] = change === 0 ? 0 : change / largest;
 }
 
-/** The length that would have met the tolerance. */
-function lengthAfter(spans: Spans, { table, kernels }: Radau, h: number, tolerance: number): number {
+/** Leaves the length that would have met the tolerance in NEXT. */
+function findNextLength(
+  world: PhysicsWorld,
+  spans: Spans,
+  { table, kernels, scalars }: Radau,
+  tolerance: number,
+): void {
   const { bounds, count } = spans;
+  const h = scalars[STEP];
+  const wanted = Math.max(tolerance, world.precision === 'f32' ? 0.03 : 0);
   let term = 0;
   let largest = 0;
   for (let r = 0; r < count; r++) {
     term = Math.max(term, kernels.radauLargestOf(table, LAST_TERM, bounds[2 * r], bounds[2 * r + 1]));
     largest = Math.max(largest, kernels.radauLargestOf(table, START, bounds[2 * r], bounds[2 * r + 1]));
   }
-  if (term <= largest * tolerance * 4 ** -7) return GROWTH * h;
-  return Math.min(GROWTH * h, h * pow((tolerance * largest) / term, 1 / 7));
+  if (term <= largest * wanted * 4 ** -7) {
+    scalars[NEXT] = GROWTH * h;
+    return;
+  }
+  scalars[NEXT] = (wanted * largest) / term;
+  raise(scalars, NEXT, 1 / 7);
+  scalars[NEXT] = Math.min(GROWTH * h, h * scalars[NEXT]);
 }
 
-function end(spans: Spans, { table, kernels }: Radau, h: number): void {
+function end(spans: Spans, { table, kernels, scalars }: Radau): void {
+  const h = scalars[STEP];
   for (let r = 0; r < spans.count; r++) kernels.radauEnd(table, h, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
 }
 
@@ -185,25 +211,20 @@ function worstRow(spans: Spans, { table, kernels }: Radau): number {
 }
 
 /** The rest of a step whose error cannot be kept small. */
-function crossBlindly(
-  world: PhysicsWorld,
-  spans: Spans,
-  radau: Radau,
-  passed: number,
-  dt: number,
-  evaluate: EvaluateForces,
-): void {
+function crossBlindly(world: PhysicsWorld, spans: Spans, radau: Radau, dt: number, evaluate: EvaluateForces): void {
   const { kernels, table, scalars } = radau;
+  const passed = scalars[PASSED];
   const h = (dt - passed) / LAST_RESORT;
   for (let r = 0; r < spans.count; r++) {
     kernels.radauState(table, 0, 0, h, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
   }
   for (let i = 0; i < LAST_RESORT; i++) {
-    const sofar = passed + i * h;
+    scalars[PASSED] = passed + i * h;
+    scalars[STEP] = h;
     forget(spans, radau);
-    begin(world, spans, radau, sofar, evaluate);
-    iterate(world, spans, radau, sofar, h, evaluate);
-    end(spans, radau, h);
+    begin(world, spans, radau, evaluate);
+    iterate(world, spans, radau, evaluate);
+    end(spans, radau);
   }
   forget(spans, radau);
   scalars.fill(0);

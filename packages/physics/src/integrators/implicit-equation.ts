@@ -14,6 +14,27 @@ export const BASIS = 64;
 /** Vectors of an equation. */
 export const VECTORS = BASIS + 1 + 7;
 
+/** Where the numbers of a solution are, in `scalars`. */
+export enum S {
+  /** Length of the step, s. */
+  step,
+  /** Of the residual of the best velocities, and of those being tried. */
+  size,
+  trialSize,
+  /** What is left of the linear system. */
+  left,
+  /** The part of the Newton step that is tried. */
+  part,
+  /** A factor for the next operation. */
+  factor,
+  /** Lengths of two vectors that are compared. */
+  one,
+  other,
+  count,
+}
+
+export const MINUS_ONE = new Float64Array([-1]);
+
 export type Equation = ReturnType<typeof makeEquation>;
 
 export const equationOf = resource(makeEquation);
@@ -41,6 +62,7 @@ function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
     sines: new Float64Array(BASIS),
     right: new Float64Array(BASIS + 1),
     solution: new Float64Array(BASIS),
+    scalars: new Float64Array(S.count),
   };
 }
 
@@ -48,7 +70,8 @@ function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
 export function moveTo(world: PhysicsWorld, spans: Spans, equation: Equation, v: BodyVector, dt: number): void {
   const { Position, Velocity } = world.addresses;
   copyVector(world, spans, Velocity, v);
-  addScaled(world, spans, Position, equation.from, v, dt);
+  equation.scalars[S.step] = dt;
+  addScaled(world, spans, Position, equation.from, v, equation.scalars, S.step);
 }
 
 /** R(v) = v - start - F/m dt with the forces where velocities v lead. */
@@ -66,9 +89,12 @@ export function residualAt(
   const { implicitResidualAxis } = integratorKernels(world);
   const { force } = world.scratch.at;
   const mass = world.addresses.Mass.value;
-  for (const axis of AXES[world.dimensions]) {
+  const axes = AXES[world.dimensions];
+  for (let n = 0; n < axes.length; n++) {
+    const axis = axes[n];
     for (let r = 0; r < spans.count; r++) {
-      const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
       implicitResidualAxis(to[axis], v[axis], equation.start[axis], force[axis], mass, dt, first, last);
     }
   }

@@ -17,7 +17,7 @@ import type { EvaluateForces } from '../forces/evaluate';
 import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
-import { type Equation, equationOf, moveTo, residualAt, VECTORS } from './implicit-equation';
+import { type Equation, equationOf, MINUS_ONE, moveTo, residualAt, S, VECTORS } from './implicit-equation';
 import type { Integrator } from './integrator';
 import { solveLinear } from './krylov';
 import { addScaled, copyVector, norm } from './vectors';
@@ -56,12 +56,12 @@ export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
       copyVector(world, spans, equation.from, Position);
       copyVector(world, spans, equation.start, Velocity);
       copyVector(world, spans, equation.best, Velocity);
-      const enough = Math.max(tolerance, world.precision === 'f32' ? 1e-5 : 0);
-      if (!newton(world, spans, dt, evaluateForces, equation, enough)) {
+      if (!newton(world, spans, dt, evaluateForces, equation, tolerance)) {
         report(world, spans, equation);
         // A force that is not a number must meet its own body alone: the others take an explicit step.
-        const { best, residual } = equation;
-        if (!Number.isFinite(norm(world, spans, residual))) addScaled(world, spans, best, best, residual, -1);
+        const { best, residual, scalars } = equation;
+        norm(world, spans, residual, scalars, S.one);
+        if (!Number.isFinite(scalars[S.one])) addScaled(world, spans, best, best, residual, MINUS_ONE, 0);
       }
       moveTo(world, spans, equation, equation.best, dt);
     },
@@ -77,47 +77,44 @@ function newton(
   equation: Equation,
   tolerance: number,
 ): boolean {
-  const { start, best, residual } = equation;
+  const { start, best, residual, scalars } = equation;
+  const least = Math.max(tolerance, world.precision === 'f32' ? 1e-5 : 0);
   residualAt(world, spans, dt, evaluate, equation, best, residual);
-  let size = norm(world, spans, residual);
+  norm(world, spans, residual, scalars, S.size);
   for (let i = 0; i < MOST_STEPS; i++) {
-    const velocities = Math.max(norm(world, spans, start), norm(world, spans, best));
-    if (size <= tolerance * velocities) return true;
-    if (!(size < Number.POSITIVE_INFINITY)) return false;
-    const left = solveLinear(world, spans, dt, evaluate, equation, size);
+    norm(world, spans, start, scalars, S.one);
+    norm(world, spans, best, scalars, S.other);
+    const enough = least * Math.max(scalars[S.one], scalars[S.other]);
+    if (scalars[S.size] <= enough) return true;
+    if (!(scalars[S.size] < Number.POSITIVE_INFINITY)) return false;
+    solveLinear(world, spans, dt, evaluate, equation);
+    norm(world, spans, equation.change, scalars, S.one);
     // A stiff force turns the rounding of positions into a residual that nothing can bring to zero: then the step says it.
-    const settled = left < 0.1 * size && norm(world, spans, equation.change) <= tolerance * velocities;
-    const smaller = search(world, spans, dt, evaluate, equation, size);
+    const settled = scalars[S.left] < 0.1 * scalars[S.size] && scalars[S.one] <= enough;
+    const isSmaller = search(world, spans, dt, evaluate, equation);
     if (settled) return true;
-    if (!(smaller < size)) return false;
-    size = smaller;
+    if (!isSmaller) return false;
   }
   return false;
 }
 
-/** Goes along the Newton step, half as far each time, until the residual is smaller; its size then, or as it was. */
-function search(
-  world: PhysicsWorld,
-  spans: Spans,
-  dt: number,
-  evaluate: EvaluateForces,
-  equation: Equation,
-  size: number,
-): number {
-  const { best, trial, change, residual, trialResidual } = equation;
-  let part = 1;
+/** Goes along the Newton step, half as far each time, until the residual is smaller; whether it became so. */
+function search(world: PhysicsWorld, spans: Spans, dt: number, evaluate: EvaluateForces, equation: Equation): boolean {
+  const { best, trial, change, residual, trialResidual, scalars } = equation;
+  scalars[S.part] = 1;
   for (let i = 0; i < MOST_HALVINGS; i++) {
-    addScaled(world, spans, trial, best, change, part);
+    addScaled(world, spans, trial, best, change, scalars, S.part);
     residualAt(world, spans, dt, evaluate, equation, trial, trialResidual);
-    const there = norm(world, spans, trialResidual);
-    if (there < (1 - 1e-4 * part) * size) {
+    norm(world, spans, trialResidual, scalars, S.trialSize);
+    if (scalars[S.trialSize] < (1 - 1e-4 * scalars[S.part]) * scalars[S.size]) {
       copyVector(world, spans, best, trial);
       copyVector(world, spans, residual, trialResidual);
-      return there;
+      scalars[S.size] = scalars[S.trialSize];
+      return true;
     }
-    part /= 2;
+    scalars[S.part] /= 2;
   }
-  return size;
+  return false;
 }
 
 function report(world: PhysicsWorld, spans: Spans, { residualColumns }: Equation): void {

@@ -3,15 +3,15 @@
 import type { EvaluateForces } from '../forces/evaluate';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
-import { BASIS, type Equation, residualAt } from './implicit-equation';
+import { BASIS, type Equation, MINUS_ONE, residualAt, S } from './implicit-equation';
 import { addScaled, type BodyVector, dot, norm, scale } from './vectors';
 
 /** How exactly a linear system is solved, in parts of the residual: about as exactly as differences allow. */
 const ENOUGH = 1e-5;
 
 /**
- * Finds `equation.change`, to which the residual at `best` answers with its own negative; `size` is its norm. Returns
- * what is left of it.
+ * Finds `equation.change`, to which the residual at `best` answers with its own negative; its norm is in the scalar
+ * `size`. What is left of it goes into `left`.
  */
 export function solveLinear(
   world: PhysicsWorld,
@@ -19,10 +19,11 @@ export function solveLinear(
   dt: number,
   evaluate: EvaluateForces,
   equation: Equation,
-  size: number,
-): number {
-  const { basis, right, triangle } = equation;
-  scale(world, spans, basis[0], equation.residual, -1 / size);
+): void {
+  const { basis, right, triangle, scalars } = equation;
+  const size = scalars[S.size];
+  scalars[S.factor] = -1 / size;
+  scale(world, spans, basis[0], equation.residual, scalars, S.factor);
   right.fill(0);
   right[0] = size;
   let used = 0;
@@ -30,19 +31,20 @@ export function solveLinear(
     const column = used * (BASIS + 1);
     multiply(world, spans, dt, evaluate, equation, basis[used], basis[used + 1]);
     for (let i = 0; i <= used; i++) {
-      const part = dot(world, spans, basis[used + 1], basis[i]);
-      triangle[column + i] = part;
-      addScaled(world, spans, basis[used + 1], basis[used + 1], basis[i], -part);
+      dot(world, spans, basis[used + 1], basis[i], triangle, column + i);
+      scalars[S.factor] = -triangle[column + i];
+      addScaled(world, spans, basis[used + 1], basis[used + 1], basis[i], scalars, S.factor);
     }
-    const length = norm(world, spans, basis[used + 1]);
-    triangle[column + used + 1] = length;
+    norm(world, spans, basis[used + 1], triangle, column + used + 1);
+    const length = triangle[column + used + 1];
     rotate(equation, used);
     used++;
     if (!(length > 0) || Math.abs(right[used]) <= ENOUGH * size) break;
-    scale(world, spans, basis[used], basis[used], 1 / length);
+    scalars[S.factor] = 1 / length;
+    scale(world, spans, basis[used], basis[used], scalars, S.factor);
   }
   combine(world, spans, equation, used);
-  return Math.abs(right[used]);
+  scalars[S.left] = Math.abs(right[used]);
 }
 
 /** to = J direction, by a difference of residuals. */
@@ -55,26 +57,33 @@ function multiply(
   direction: BodyVector,
   to: BodyVector,
 ): void {
-  const { best, residual, trial, from } = equation;
+  const { best, residual, trial, from, scalars } = equation;
   // Far enough to show against the rounding of positions and velocities, near enough for the forces to be straight.
-  const speeds = Math.max(norm(world, spans, best), norm(world, spans, residual));
-  const reach = Math.max(speeds, (1e-3 * norm(world, spans, from)) / dt);
+  norm(world, spans, best, scalars, S.one);
+  norm(world, spans, residual, scalars, S.other);
+  const speeds = Math.max(scalars[S.one], scalars[S.other]);
+  norm(world, spans, from, scalars, S.one);
+  const reach = Math.max(speeds, (1e-3 * scalars[S.one]) / dt);
   const h = reach * (world.precision === 'f32' ? 3e-4 : 1e-8);
-  addScaled(world, spans, trial, best, direction, h);
+  scalars[S.factor] = h;
+  addScaled(world, spans, trial, best, direction, scalars, S.factor);
   residualAt(world, spans, dt, evaluate, equation, trial, to);
-  addScaled(world, spans, to, to, residual, -1);
-  scale(world, spans, to, to, 1 / h);
+  addScaled(world, spans, to, to, residual, MINUS_ONE, 0);
+  scalars[S.factor] = 1 / h;
+  scale(world, spans, to, to, scalars, S.factor);
 }
 
 /** Givens rotations: the newest column joins the triangle. */
 function rotate({ triangle, cosines, sines, right }: Equation, k: number): void {
   const column = k * (BASIS + 1);
   for (let i = 0; i < k; i++) {
-    const [a, b] = [triangle[column + i], triangle[column + i + 1]];
+    const a = triangle[column + i];
+    const b = triangle[column + i + 1];
     triangle[column + i] = cosines[i] * a + sines[i] * b;
     triangle[column + i + 1] = cosines[i] * b - sines[i] * a;
   }
-  const [a, b] = [triangle[column + k], triangle[column + k + 1]];
+  const a = triangle[column + k];
+  const b = triangle[column + k + 1];
   const length = Math.sqrt(a * a + b * b);
   cosines[k] = length > 0 ? a / length : 1;
   sines[k] = length > 0 ? b / length : 0;
@@ -92,6 +101,6 @@ function combine(world: PhysicsWorld, spans: Spans, equation: Equation, used: nu
     const pivot = triangle[k * (BASIS + 1) + k];
     solution[k] = pivot > 0 ? sum / pivot : 0;
   }
-  scale(world, spans, change, basis[0], solution[0]);
-  for (let k = 1; k < used; k++) addScaled(world, spans, change, change, basis[k], solution[k]);
+  scale(world, spans, change, basis[0], solution, 0);
+  for (let k = 1; k < used; k++) addScaled(world, spans, change, change, basis[k], solution, k);
 }

@@ -25,6 +25,13 @@ export const RADAU_COLUMNS = 3 * AXIS_COLUMNS;
 /** What a world remembers: the wanted length, that of the last sub-step (0: none). */
 export const WANTED = 0;
 export const LENGTH = 1;
+/** The sub-step being tried: when in the step it starts, its length, and the length that would have met the tolerance. */
+export const PASSED = 2;
+export const STEP = 3;
+export const NEXT = 4;
+/** By how much a sweep over the nodes changed the last term, in parts of the largest acceleration. */
+export const CHANGE = 5;
+const SCALARS = 6;
 
 /** Columns of an axis, kernels/integrators/radau.ts: b₆ and the acceleration at the start. */
 export const LAST_TERM = 6;
@@ -60,7 +67,7 @@ function makeRadau(world: PhysicsWorld) {
     ...[Mass.value, stride, world.dimensions],
     ...[weights, reciprocals, powers],
   ]);
-  const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 16, 'Gauss-Radau'), 2);
+  const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 8 * SCALARS, 'Gauss-Radau'), SCALARS);
   return { table, scalars, kernels: integratorKernels(world) };
 }
 

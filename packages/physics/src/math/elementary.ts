@@ -40,6 +40,11 @@ export function log(x: number): number {
   return logarithm(x);
 }
 
+/** cells[at] to the power y, in its place: a number that is handed on and returned becomes garbage. */
+export function raise(cells: Float64Array, at: number, y: number): void {
+  cells[at] = kernels().power(cells[at], y);
+}
+
 /** x to the power y. */
 export function pow(x: number, y: number): number {
   return kernels().power(x, y);
