@@ -1,5 +1,4 @@
 // What things cost in memory. All figures need `--expose-gc`; without it they are NaN rather than wrong.
-import { median } from './statistics';
 
 const collect = (globalThis as { gc?: () => void }).gc;
 
@@ -26,8 +25,9 @@ export function bytesInUse(): number {
 const PATIENCE = { steps: 2000, ms: 5000 };
 
 /**
- * Bytes of garbage a step leaves on the heap once the compiler is done with it: the median growth over rounds of steps
- * in which nothing else allocates. Asking for the figure costs some bytes itself; a round of no steps tells how many.
+ * Bytes of garbage a step leaves on the heap once the compiler is done with it: the least growth over rounds of steps,
+ * for the engine takes room for itself in some, a hundred kilobytes at once. Asking for the figure costs some bytes
+ * itself; a round of no steps tells how many.
  */
 export function garbageBytesPerStep(advance: () => void): number {
   const ROUNDS = 7;
@@ -39,7 +39,7 @@ export function garbageBytesPerStep(advance: () => void): number {
     const asking = growth(advance, 0);
     growths.push(Math.max(0, growth(advance, STEPS) - asking) / STEPS);
   }
-  return Math.round(median(growths));
+  return Math.round(Math.min(...growths));
 }
 
 function growth(advance: () => void, steps: number): number {

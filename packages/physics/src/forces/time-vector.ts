@@ -28,17 +28,19 @@ export function timeVector(value: VectorOverTime, caller: string, name: string, 
     return { steady, at: () => steady };
   }
   const now = { x: 0, y: 0, z: 0 };
-  let asked = Number.NaN;
+  const [nameX, nameY, nameZ] = [`${name}.x`, `${name}.y`, `${name}.z`];
+  // In a cell: a number that a function keeps is a new one on the heap whenever it changes.
+  const asked = new Float64Array([Number.NaN]);
   return {
     steady: undefined,
     at(world, time) {
-      if (time === asked) return now;
-      asked = time;
+      if (time === asked[0]) return now;
+      asked[0] = time;
       try {
         const { x = 0, y = 0, z = 0 } = value(time);
-        checkNumber(x, `${name}.x`, bounds);
-        checkNumber(y, `${name}.y`, bounds);
-        checkNumber(z, `${name}.z`, bounds);
+        checkNumber(x, nameX, bounds);
+        checkNumber(y, nameY, bounds);
+        checkNumber(z, nameZ, bounds);
         now.x = x;
         now.y = y;
         now.z = z;
