@@ -16,9 +16,10 @@ import { resolveInstalled, root } from './lib/paths.mjs';
 export const kernelFolder = `${root}/packages/physics/kernels`;
 export const generatedFolder = `${root}/packages/physics/src/kernels`;
 
-/** Where the constants of feature modules begin in a world's memory, below its first column at 4096, and their room. */
+/** Where the constants of modules go in a world's memory, below its first column at 4096, and the room of a feature's. */
+const CORE_CONSTANTS = 1024;
 const FEATURE_CONSTANTS = 2048;
-const CONSTANTS_EACH = 256;
+const CONSTANTS_EACH = 288;
 
 /**
  * The modules below a kernel folder: the entry to compile, the name of the generated file, where its constants go.
@@ -32,8 +33,12 @@ function modulesIn(folder) {
     .filter((entry) => entry.isDirectory() && existsSync(`${folder}/${entry.name}/module.ts`))
     .map(({ name }) => ({ name, entry: `${name}/module.ts`, file: `${name}.gen.ts` }))
     .sort((a, b) => (a.name < b.name ? -1 : 1))
-    .map((module, index) => ({ ...module, constants: FEATURE_CONSTANTS + index * CONSTANTS_EACH }));
-  const modules = [{ name: 'core', entry: 'index.ts', file: 'modules.gen.ts', constants: 1024 }, ...features];
+    .map((module, index) => {
+      const start = FEATURE_CONSTANTS + index * CONSTANTS_EACH;
+      return { ...module, constants: { start, end: start + CONSTANTS_EACH } };
+    });
+  const constants = { start: CORE_CONSTANTS, end: FEATURE_CONSTANTS };
+  const modules = [{ name: 'core', entry: 'index.ts', file: 'modules.gen.ts', constants }, ...features];
   return modules.map((module) => ({ ...module, constant: module.name.toUpperCase().replaceAll('-', '_') }));
 }
 
@@ -72,7 +77,7 @@ async function buildModules({ quiet = false, force = false, from = kernelFolder,
   return true;
 }
 
-/** @param {{ name: string, entry: string, constant: string, constants: number, from: string, quiet: boolean }} module */
+/** @param {{ name: string, entry: string, constant: string, constants: import('./lib/compile-kernels.mjs').Room, from: string, quiet: boolean }} module */
 async function buildModule({ name, entry, constant, constants, from, quiet }) {
   const start = performance.now();
   const { compileKernels, kernelInterface } = await import('./lib/compile-kernels.mjs');

@@ -38,12 +38,13 @@ const SHORT = ['math/module.ts'];
 
 /**
  * @typedef {{ wasm: Uint8Array, declarations: string }} CompiledKernels
+ * @typedef {{ start: number, end: number }} Room addresses in a world's memory, which modules share
  * @param {string} folder the folder of the kernels
  * @param {string} entry the module in it
- * @param {number} constants where its constants go: modules share one memory
+ * @param {Room} constants where its constants go; more than fit there do not compile
  * @returns {Promise<{ f32: CompiledKernels, f64: CompiledKernels }>}
  */
-export async function compileKernels(folder, entry = 'index.ts', constants = 1024) {
+export async function compileKernels(folder, entry, constants) {
   mkdirSync(cacheFolder, { recursive: true });
   const output = mkdtempSync(`${cacheFolder}/kernels-`);
   try {
@@ -92,11 +93,11 @@ export async function compileAlone(folder, entry, pages) {
  * @param {string} entry
  * @param {'f32' | 'f64'} real
  * @param {string} output
- * @param {number} constants
+ * @param {Room} constants
  * @returns {Promise<CompiledKernels>}
  */
-async function compileKernel(folder, entry, real, output, constants) {
-  const flags = ['--importMemory', '--memoryBase', String(constants)];
+async function compileKernel(folder, entry, real, output, { start, end }) {
+  const flags = ['--importMemory', '--memoryBase', String(start), '--lowMemoryLimit', String(end)];
   if (SHORT.includes(entry)) flags.push('--shrinkLevel', '1');
   if (!LEAN.includes(entry)) return compile(folder, entry, real, output, ['-O3', ...flags]);
   const { declarations } = await compile(folder, entry, real, output, ['-O0', ...flags]);

@@ -55,7 +55,7 @@ beforeAll(async () => {
   const line = page.match(/^ *(export \{ .* \} from '\.\/bowl';)$/m)?.[1] ?? 'the line of step 2 is missing';
   appendFileSync(`${kernels}/forces/module.ts`, `\n${line}\n`);
   // Where the page's module puts its constants does not matter: the one of the package is not in these worlds.
-  const { f32, f64 } = await compileKernels(kernels, 'forces/module.ts', 2048);
+  const { f32, f64 } = await compileKernels(kernels, 'forces/module.ts', { start: 2048, end: 4096 });
   const text = ({ wasm }: { wasm: Uint8Array }) => Buffer.from(wasm).toString('base64');
   writeFileSync(
     `${forces}/wasm.gen.ts`,

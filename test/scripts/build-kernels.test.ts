@@ -43,6 +43,14 @@ test('a kernel that does not compile is named with file, line and column', async
   await expect(build()).rejects.toThrow(/did not compile for f(32|64) at \S*index\.ts:2:44/);
 }, 60_000);
 
+test('constants of a feature that reach into those of the next do not compile', async () => {
+  write('export function core(): i32 { return 1; }\n');
+  mkdirSync(join(folder, 'springs'));
+  const use = 'export function at(): usize { return memory.data(300, 16); }\n';
+  writeFileSync(join(folder, 'springs', 'module.ts'), use);
+  await expect(build()).rejects.toThrow(/limit exceeded by static data/);
+}, 60_000);
+
 test('an exported kernel takes every argument', () => {
   const compiled = {
     wasm: new Uint8Array(),
