@@ -160,9 +160,7 @@ export class GarbageWatch {
   async #mapOf(url: string): Promise<SourceMap> {
     let map = this.#maps.get(url);
     if (map === undefined) {
-      const text = await (await fetch(url)).text();
-      const encoded = text.slice(text.lastIndexOf('base64,') + 'base64,'.length);
-      map = new SourceMap(JSON.parse(Buffer.from(encoded, 'base64').toString('utf8')));
+      map = new SourceMap(JSON.parse(await (await fetch(`${url}.map`)).text()));
       this.#maps.set(url, map);
     }
     return map;

@@ -21,7 +21,8 @@ export async function servePage(entry: string | URL, { html = '' }: PageOptions 
   await buildKernels({ quiet: true });
   const entryPath = entry instanceof URL ? fileURLToPath(entry) : entry;
   const { outputFiles } = await build({
-    ...bundleOptions({ sourcemap: 'inline' }),
+    // The map lies beside the program: within it, every page would read ten megabytes more.
+    ...bundleOptions({}),
     entryPoints: { main: entryPath },
     outdir: '/',
     write: false,
