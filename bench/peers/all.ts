@@ -5,7 +5,7 @@ import { fusedJs } from './fused-js';
 import { fusedSimd } from './fused-simd';
 import { nBodyD3 } from './n-body-d3';
 import { nBodyDirect } from './n-body-direct';
-import { nBodyJs } from './n-body-js';
+import { nBodyJs, nBodyPairsJs } from './n-body-js';
 import type { PeerMaker } from './peer';
 import { queryIdiom } from './query-idiom';
 import { springsJs } from './springs-js';
@@ -17,7 +17,7 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   attractors: [onlyWith(velocityVerlet, attractorsJs)],
   circles: [circlesJs],
   gas: [circlesJs],
-  'nbody-direct': [nBodyJs],
+  'nbody-direct': [nBodyJs, nBodyPairsJs],
   'nbody-tree': [nBodyDirect, nBodyD3],
 };
 

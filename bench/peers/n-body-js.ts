@@ -1,14 +1,25 @@
-// All pairs in plain JavaScript: a double loop over typed arrays of f64 that meets each pair once.
+// All pairs in plain JavaScript, in double loops over typed arrays of f64: the plainest, in which each body looks at all
+// others, and one that meets each pair once, with half the roots and divisions.
 import type { SceneRun } from '@principia/scenes';
 import { kick, kickDrift, type NBodyState, nBodyState } from './n-body-columns';
 import type { Peer } from './peer';
 
 export function nBodyJs(run: SceneRun): Peer {
+  return stepped(run, 'plain JavaScript, f64, every body all others', lookAtAll2d, lookAtAll3d);
+}
+
+export function nBodyPairsJs(run: SceneRun): Peer {
+  return stepped(run, 'plain JavaScript, f64, each pair once', pull2d, pull3d);
+}
+
+type Pull = (state: NBodyState) => void;
+
+function stepped(run: SceneRun, name: string, inPlane: Pull, inSpace: Pull): Peer {
   const state = nBodyState(run);
-  const pull = state.dimensions === 2 ? pull2d : pull3d;
+  const pull = state.dimensions === 2 ? inPlane : inSpace;
   pull(state);
   return {
-    name: 'plain JavaScript, f64, each pair once',
+    name,
     step() {
       kickDrift(state);
       pull(state);
@@ -16,6 +27,50 @@ export function nBodyJs(run: SceneRun): Peer {
     },
     positions: (axis) => state.x[axis],
   };
+}
+
+function lookAtAll3d({ count, G, softening, x: { x, y, z }, mass, a }: NBodyState): void {
+  const soft = softening * softening;
+  for (let i = 0; i < count; i++) {
+    const [px, py, pz] = [x[i], y[i], z[i]];
+    let sx = 0;
+    let sy = 0;
+    let sz = 0;
+    for (let j = 0; j < count; j++) {
+      if (j === i) continue;
+      const dx = x[j] - px;
+      const dy = y[j] - py;
+      const dz = z[j] - pz;
+      const u = dx * dx + dy * dy + dz * dz + soft;
+      const k = (G * mass[j]) / (u * Math.sqrt(u));
+      sx += k * dx;
+      sy += k * dy;
+      sz += k * dz;
+    }
+    a.x[i] = sx;
+    a.y[i] = sy;
+    a.z[i] = sz;
+  }
+}
+
+function lookAtAll2d({ count, G, softening, x: { x, y }, mass, a }: NBodyState): void {
+  const soft = softening * softening;
+  for (let i = 0; i < count; i++) {
+    const [px, py] = [x[i], y[i]];
+    let sx = 0;
+    let sy = 0;
+    for (let j = 0; j < count; j++) {
+      if (j === i) continue;
+      const dx = x[j] - px;
+      const dy = y[j] - py;
+      const u = dx * dx + dy * dy + soft;
+      const k = (G * mass[j]) / (u * Math.sqrt(u));
+      sx += k * dx;
+      sy += k * dy;
+    }
+    a.x[i] = sx;
+    a.y[i] = sy;
+  }
 }
 
 function pull3d({ count, G, softening, x: { x, y, z }, mass, a }: NBodyState): void {
