@@ -1,6 +1,6 @@
 // A peer is worth comparing with only if it does the same work: the proofs.
 import { stateHash, step } from '@principia/physics';
-import { attractors, particles, type SceneRun, springs } from '@principia/scenes';
+import { attractors, nbodyDirect, particles, type SceneRun, springs } from '@principia/scenes';
 import { describe, expect, test } from 'vitest';
 import { peersOf } from './all';
 import { fusedStep } from './fused-simd';
@@ -29,6 +29,7 @@ describe.each([2, 3] as const)('in %iD', (dimensions) => {
   test.each([
     ['particles', () => particles.create({ count: 500, dimensions, precision: 'f64' })],
     ['springs', () => springs.create({ count: 500, dimensions, precision: 'f64' })],
+    ['nbody-direct', () => nbodyDirect.create({ count: 200, dimensions, precision: 'f64' })],
     ['attractors', () => attractors.create({ count: 500, dimensions, precision: 'f64' })],
   ] as const)('every peer of %s goes the same way', { timeout: 60_000 }, async (scene, create) => {
     const run: SceneRun = create();
