@@ -9,7 +9,7 @@ import { kernelsPlugin, siteOptions } from './site-bundle.mjs';
 import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 import { serveFiles } from './static-server.mjs';
 
-/** Reloads the page after a good build, covers it with the messages after a bad one. */
+/** Covers the page before the first build and after a bad one, reloads it after a good one. */
 const liveScript = readFileSync(new URL('./site-live.js', import.meta.url), 'utf8');
 
 /**
@@ -126,7 +126,9 @@ function watchPages(announce, restart) {
 function liveChannel() {
   /** @type {Set<import('node:http').ServerResponse>} */
   const listeners = new Set();
-  let message = '';
+  // A page that is opened before there is anything to play says so, and begins by itself.
+  const news = 'The games are being built for the first time. They begin by themselves, in half a minute or so.';
+  let message = event({ version: 0, news });
   return {
     join(/** @type {import('node:http').ServerResponse} */ response) {
       response.writeHead(200, { 'Content-Type': 'text/event-stream', 'Cache-Control': 'no-store' });
@@ -136,8 +138,13 @@ function liveChannel() {
       return true;
     },
     announce(/** @type {string} */ problem) {
-      message = `data: ${JSON.stringify({ version: Date.now(), problem })}\n\n`;
+      message = event({ version: Date.now(), problem });
       for (const response of listeners) response.write(message);
     },
   };
+}
+
+/** @param {object} data */
+function event(data) {
+  return `data: ${JSON.stringify(data)}\n\n`;
 }
