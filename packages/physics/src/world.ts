@@ -138,8 +138,6 @@ export interface WorldInternals {
   spansVersion: number;
   /** Rows that hold anything, rounded up to whole blocks. */
   sweptRows: number;
-  /** By how much the moment that forces were asked for last is after the world's time, s: one number. */
-  readonly offset: Float64Array;
   plan: Plan | undefined;
 }
 
@@ -271,7 +269,6 @@ function bookkeeping(components: Components) {
     ending: false,
     spansVersion: -1,
     sweptRows: 0,
-    offset: new Float64Array(1),
   };
 }
 

@@ -20,7 +20,6 @@ import { checkKeys, checkNumber } from '../faults/validate';
 import { resource } from '../store/resource';
 import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
-import { leadOf } from './evaluate';
 import type { Force } from './force';
 
 /** Slower light than a millimetre a second would make horizons of whole worlds. */
@@ -48,15 +47,14 @@ export function attractors(options: AttractorsOptions = {}): Force {
     ...(lightSpeed === undefined ? {} : { parameters: { lightSpeed: { unit: 'm/s', value: lightSpeed } } }),
     reads: ['Position', 'Mass'],
     local: true,
-    timeless: true,
     prepare(world) {
       gather(world, horizonPerMu);
     },
-    accumulate(world, first, last) {
+    accumulate(world, first, last, time) {
       const { at, count } = centresOf(world);
       if (count === 0) return;
       const { x, y, z } = world.scratch.at.force;
-      const lead = leadOf(world);
+      const lead = time - world.time;
       if (world.dimensions === 2) world.kernels.attract2d(x, y, at, count, lead, first, last);
       else world.kernels.attract3d(x, y, z, at, count, lead, first, last);
     },

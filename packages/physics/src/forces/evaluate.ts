@@ -12,13 +12,7 @@ import type { Force } from './force';
  * handed on through calls, tile by tile, becomes garbage, and a zero does not.
  */
 export function momentOf(world: PhysicsWorld, offset: number): number {
-  world.internal.offset[0] = offset;
   return world.internal.plan?.forcesTimeless === true ? 0 : world.time + offset;
-}
-
-/** By how much the moment that forces are asked for is after the world's time, s: for those that are timeless so. */
-export function leadOf(world: PhysicsWorld): number {
-  return world.time + world.internal.offset[0] - world.time;
 }
 
 /** Evaluates all forces of the world on the bodies of `spans` at `time`, into `world.scratch.force`. */
