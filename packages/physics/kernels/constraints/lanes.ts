@@ -2,6 +2,10 @@
 // a vector, in f64 two. Four vectors hold LANES bodies; turned, they are x, y, z and inverse mass of all, and turned again
 // the bodies.
 
+// Ends closer than this have no direction between them: x is taken. The square of their distance, m², and its root.
+export const NEAR: real = 1e-30;
+export const NEAR_ROOT: real = 1e-15;
+
 // Where the k-th of the four vectors stands.
 // @ts-ignore: decorator
 @inline export function placeOf(packed: usize, ids: usize, k: i32): usize {

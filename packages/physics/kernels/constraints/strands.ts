@@ -18,7 +18,7 @@
 // pull must turn: Tournier et al.: Stable constrained dynamics (SIGGRAPH 2015). Cost: three divisions and a square root
 // a row, twice that for a taut one.
 import { LANES, add, at, div, dot, larger, mul, splat, sub } from '../lanes';
-import { placeOf, signs, turned0, turned1, turned2, turned3 } from './lanes';
+import { NEAR, NEAR_ROOT, placeOf, signs, turned0, turned1, turned2, turned3 } from './lanes';
 import { ConstraintTable, LAYERS, word } from './table';
 
 // What solving keeps of a body of each thread, and of the row from it to the next body.
@@ -52,8 +52,6 @@ const LEAST_PIVOT: real = sizeof<real>() == 4 ? 1e-4 : 1e-10;
 // Least length at the end that is divided by, over that at the start.
 const LEAST_END: real = 0.001;
 const ALL = i32x4.splat(-1);
-const NEAR: real = 1e-30;
-const NEAR_ROOT: real = 1e-15;
 
 // Of twice its length: an error of one in a thousand.
 const ROUGH: real = 2e-3;

@@ -7,15 +7,13 @@
 // A cord's tension is never below zero. Ends closer than 1e-15 m have no direction between them: x is taken.
 import { get, put } from '../columns';
 import { LANES, add, at, div, dot, mul, splat, sub } from '../lanes';
-import { placeOf, signs, turned0, turned1, turned2, turned3 } from './lanes';
+import { NEAR, NEAR_ROOT, placeOf, signs, turned0, turned1, turned2, turned3 } from './lanes';
 import { orderLayers } from './layers';
 import { areStretched, solveStrands } from './strands';
 import { ConstraintTable, isCord, packedAt, part, putPart, tableAt, word } from './table';
 
 // Turns that threads take beyond those asked for, at most, until they keep their lengths.
 const AGAIN: i32 = 20;
-const NEAR: real = 1e-30;
-const NEAR_ROOT: real = 1e-15;
 
 // Sweeps so many times, from tensions of zero. To start from those of the last sub-step would be unstable: what is left
 // of an error would be added up sub-step by sub-step.
@@ -25,13 +23,12 @@ export function sweepConstraints(table: usize, sweeps: i32): void {
   orderLayers(t);
   clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, first);
   clear(t, t.serialFirst, t.rowCount);
-  for (let s = 0; s < sweeps || (s < sweeps + AGAIN && areStretched(t)); s++) {
-    if (s < sweeps) {
-      solveGroups(t, first, t.serialFirst, s == 0);
-      for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
-    }
+  for (let s = 0; s < sweeps; s++) {
+    solveGroups(t, first, t.serialFirst, s == 0);
+    for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
     solveStrands(t);
   }
+  for (let turn = 0; turn < AGAIN && areStretched(t); turn++) solveStrands(t);
 }
 
 function clear(t: ConstraintTable, first: i32, last: i32): void {
