@@ -15,7 +15,7 @@ export const BASIS = 64;
 export const VECTORS = BASIS + 1 + 7;
 
 /** Where the numbers of a solution are, in `scalars`. */
-export enum S {
+export enum Scalar {
   /** Length of the step, s. */
   step,
   /** Of the residual of the best velocities, and of those being tried. */
@@ -62,7 +62,7 @@ function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
     sines: new Float64Array(BASIS),
     right: new Float64Array(BASIS + 1),
     solution: new Float64Array(BASIS),
-    scalars: new Float64Array(S.count),
+    scalars: new Float64Array(Scalar.count),
   };
 }
 
@@ -70,8 +70,8 @@ function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
 export function moveTo(world: PhysicsWorld, spans: Spans, equation: Equation, v: BodyVector, dt: number): void {
   const { Position, Velocity } = world.addresses;
   copyVector(world, spans, Velocity, v);
-  equation.scalars[S.step] = dt;
-  addScaled(world, spans, Position, equation.from, v, equation.scalars, S.step);
+  equation.scalars[Scalar.step] = dt;
+  addScaled(world, spans, Position, equation.from, v, equation.scalars, Scalar.step);
 }
 
 /** R(v) = v - start - F/m dt with the forces where velocities v lead. */

@@ -17,7 +17,7 @@ import type { EvaluateForces } from '../forces/evaluate';
 import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
-import { type Equation, equationOf, MINUS_ONE, moveTo, residualAt, S, VECTORS } from './implicit-equation';
+import { type Equation, equationOf, MINUS_ONE, moveTo, residualAt, Scalar, VECTORS } from './implicit-equation';
 import type { Integrator } from './integrator';
 import { solveLinear } from './krylov';
 import { addScaled, copyVector, norm } from './vectors';
@@ -60,8 +60,8 @@ export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
         report(world, spans, equation);
         // A force that is not a number must meet its own body alone: the others take an explicit step.
         const { best, residual, scalars } = equation;
-        norm(world, spans, residual, scalars, S.one);
-        if (!Number.isFinite(scalars[S.one])) addScaled(world, spans, best, best, residual, MINUS_ONE, 0);
+        norm(world, spans, residual, scalars, Scalar.one);
+        if (!Number.isFinite(scalars[Scalar.one])) addScaled(world, spans, best, best, residual, MINUS_ONE, 0);
       }
       moveTo(world, spans, equation, equation.best, dt);
     },
@@ -80,17 +80,17 @@ function newton(
   const { start, best, residual, scalars } = equation;
   const least = Math.max(tolerance, world.precision === 'f32' ? 1e-5 : 0);
   residualAt(world, spans, dt, evaluate, equation, best, residual);
-  norm(world, spans, residual, scalars, S.size);
+  norm(world, spans, residual, scalars, Scalar.size);
   for (let i = 0; i < MOST_STEPS; i++) {
-    norm(world, spans, start, scalars, S.one);
-    norm(world, spans, best, scalars, S.other);
-    const enough = least * Math.max(scalars[S.one], scalars[S.other]);
-    if (scalars[S.size] <= enough) return true;
-    if (!(scalars[S.size] < Number.POSITIVE_INFINITY)) return false;
+    norm(world, spans, start, scalars, Scalar.one);
+    norm(world, spans, best, scalars, Scalar.other);
+    const enough = least * Math.max(scalars[Scalar.one], scalars[Scalar.other]);
+    if (scalars[Scalar.size] <= enough) return true;
+    if (!(scalars[Scalar.size] < Number.POSITIVE_INFINITY)) return false;
     solveLinear(world, spans, dt, evaluate, equation);
-    norm(world, spans, equation.change, scalars, S.one);
+    norm(world, spans, equation.change, scalars, Scalar.one);
     // A stiff force turns the rounding of positions into a residual that nothing can bring to zero: then the step says it.
-    const settled = scalars[S.left] < 0.1 * scalars[S.size] && scalars[S.one] <= enough;
+    const settled = scalars[Scalar.left] < 0.1 * scalars[Scalar.size] && scalars[Scalar.one] <= enough;
     const isSmaller = search(world, spans, dt, evaluate, equation);
     if (settled) return true;
     if (!isSmaller) return false;
@@ -101,18 +101,18 @@ function newton(
 /** Goes along the Newton step, half as far each time, until the residual is smaller; whether it became so. */
 function search(world: PhysicsWorld, spans: Spans, dt: number, evaluate: EvaluateForces, equation: Equation): boolean {
   const { best, trial, change, residual, trialResidual, scalars } = equation;
-  scalars[S.part] = 1;
+  scalars[Scalar.part] = 1;
   for (let i = 0; i < MOST_HALVINGS; i++) {
-    addScaled(world, spans, trial, best, change, scalars, S.part);
+    addScaled(world, spans, trial, best, change, scalars, Scalar.part);
     residualAt(world, spans, dt, evaluate, equation, trial, trialResidual);
-    norm(world, spans, trialResidual, scalars, S.trialSize);
-    if (scalars[S.trialSize] < (1 - 1e-4 * scalars[S.part]) * scalars[S.size]) {
+    norm(world, spans, trialResidual, scalars, Scalar.trialSize);
+    if (scalars[Scalar.trialSize] < (1 - 1e-4 * scalars[Scalar.part]) * scalars[Scalar.size]) {
       copyVector(world, spans, best, trial);
       copyVector(world, spans, residual, trialResidual);
-      scalars[S.size] = scalars[S.trialSize];
+      scalars[Scalar.size] = scalars[Scalar.trialSize];
       return true;
     }
-    scalars[S.part] /= 2;
+    scalars[Scalar.part] /= 2;
   }
   return false;
 }

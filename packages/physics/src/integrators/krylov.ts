@@ -3,7 +3,7 @@
 import type { EvaluateForces } from '../forces/evaluate';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
-import { BASIS, type Equation, MINUS_ONE, residualAt, S } from './implicit-equation';
+import { BASIS, type Equation, MINUS_ONE, residualAt, Scalar } from './implicit-equation';
 import { addScaled, type BodyVector, dot, norm, scale } from './vectors';
 
 /** How exactly a linear system is solved, in parts of the residual: about as exactly as differences allow. */
@@ -21,9 +21,9 @@ export function solveLinear(
   equation: Equation,
 ): void {
   const { basis, right, triangle, scalars } = equation;
-  const size = scalars[S.size];
-  scalars[S.factor] = -1 / size;
-  scale(world, spans, basis[0], equation.residual, scalars, S.factor);
+  const size = scalars[Scalar.size];
+  scalars[Scalar.factor] = -1 / size;
+  scale(world, spans, basis[0], equation.residual, scalars, Scalar.factor);
   right.fill(0);
   right[0] = size;
   let used = 0;
@@ -32,19 +32,19 @@ export function solveLinear(
     multiply(world, spans, dt, evaluate, equation, basis[used], basis[used + 1]);
     for (let i = 0; i <= used; i++) {
       dot(world, spans, basis[used + 1], basis[i], triangle, column + i);
-      scalars[S.factor] = -triangle[column + i];
-      addScaled(world, spans, basis[used + 1], basis[used + 1], basis[i], scalars, S.factor);
+      scalars[Scalar.factor] = -triangle[column + i];
+      addScaled(world, spans, basis[used + 1], basis[used + 1], basis[i], scalars, Scalar.factor);
     }
     norm(world, spans, basis[used + 1], triangle, column + used + 1);
     const length = triangle[column + used + 1];
     rotate(equation, used);
     used++;
     if (!(length > 0) || Math.abs(right[used]) <= ENOUGH * size) break;
-    scalars[S.factor] = 1 / length;
-    scale(world, spans, basis[used], basis[used], scalars, S.factor);
+    scalars[Scalar.factor] = 1 / length;
+    scale(world, spans, basis[used], basis[used], scalars, Scalar.factor);
   }
   combine(world, spans, equation, used);
-  scalars[S.left] = Math.abs(right[used]);
+  scalars[Scalar.left] = Math.abs(right[used]);
 }
 
 /** to = J direction, by a difference of residuals. */
@@ -59,18 +59,18 @@ function multiply(
 ): void {
   const { best, residual, trial, from, scalars } = equation;
   // Far enough to show against the rounding of positions and velocities, near enough for the forces to be straight.
-  norm(world, spans, best, scalars, S.one);
-  norm(world, spans, residual, scalars, S.other);
-  const speeds = Math.max(scalars[S.one], scalars[S.other]);
-  norm(world, spans, from, scalars, S.one);
-  const reach = Math.max(speeds, (1e-3 * scalars[S.one]) / dt);
+  norm(world, spans, best, scalars, Scalar.one);
+  norm(world, spans, residual, scalars, Scalar.other);
+  const speeds = Math.max(scalars[Scalar.one], scalars[Scalar.other]);
+  norm(world, spans, from, scalars, Scalar.one);
+  const reach = Math.max(speeds, (1e-3 * scalars[Scalar.one]) / dt);
   const h = reach * (world.precision === 'f32' ? 3e-4 : 1e-8);
-  scalars[S.factor] = h;
-  addScaled(world, spans, trial, best, direction, scalars, S.factor);
+  scalars[Scalar.factor] = h;
+  addScaled(world, spans, trial, best, direction, scalars, Scalar.factor);
   residualAt(world, spans, dt, evaluate, equation, trial, to);
   addScaled(world, spans, to, to, residual, MINUS_ONE, 0);
-  scalars[S.factor] = 1 / h;
-  scale(world, spans, to, to, scalars, S.factor);
+  scalars[Scalar.factor] = 1 / h;
+  scale(world, spans, to, to, scalars, Scalar.factor);
 }
 
 /** Givens rotations: the newest column joins the triangle. */
