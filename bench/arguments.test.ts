@@ -67,7 +67,7 @@ describe('one sentence says what is wrong and what would be right', () => {
     [['particles', '--steps', '-3'], /--steps.*the options are/],
     [['particles', '--steps=-3'], /--steps must be a whole number from 1/],
     [['particles', '--steps', '5', '--warmup', '5'], '--warmup must be a whole number from 0 to 4, not "5".'],
-    [['particles', '--steps', '2', '--peers'], '--peers needs at least 3 timed steps here, and 2 are left.'],
+    [['particles', '--steps', '2', '--peers'], '--peers needs at least 4 timed steps here, and 2 are left.'],
     [['particles', '--dimensions', '4'], '--dimensions must be 2 or 3, not "4".'],
     [['particles', '--precision', 'f16'], '--precision must be f32 or f64, not "f16".'],
     [['particles', '--seed', '-1'], /--seed/],

@@ -42,6 +42,7 @@ test('the result has the documented shape, and its hash knows nothing of peers o
   expect(result.profile).toHaveProperty('integrate');
   expect(result.peers.map(({ name }) => name)).toEqual([
     'hand-fused SIMD kernel',
+    'hand-written loop',
     'fused by hand in plain JavaScript',
     'bitECS query idiom',
   ]);

@@ -3,6 +3,7 @@ import { attractorsJs } from './attractors-js';
 import { circlesJs } from './circles-js';
 import { fusedJs } from './fused-js';
 import { fusedSimd } from './fused-simd';
+import { handWritten } from './hand-written';
 import { nBodyD3 } from './n-body-d3';
 import { nBodyDirect } from './n-body-direct';
 import { nBodyJs, nBodyPairsJs } from './n-body-js';
@@ -12,7 +13,7 @@ import { springsJs } from './springs-js';
 
 /** Who is measured beside us, by scene. */
 const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
-  particles: [fusedSimd, fusedJs, queryIdiom].map((make) => onlyWith(semiImplicitEuler, make)),
+  particles: [fusedSimd, handWritten, fusedJs, queryIdiom].map((make) => onlyWith(semiImplicitEuler, make)),
   springs: [onlyWith(semiImplicitEuler, springsJs)],
   attractors: [onlyWith(velocityVerlet, attractorsJs)],
   circles: [circlesJs],

@@ -4,6 +4,7 @@ import { attractors, nbodyDirect, particles, type SceneRun, springs } from '@pri
 import { describe, expect, test } from 'vitest';
 import { peersOf } from './all';
 import { fusedStep } from './fused-simd';
+import { handWritten } from './hand-written';
 import type { Peer } from './peer';
 
 describe.each([2, 3] as const)('in %iD', (dimensions) => {
@@ -34,7 +35,7 @@ describe.each([2, 3] as const)('in %iD', (dimensions) => {
   ] as const)('every peer of %s goes the same way', { timeout: 60_000 }, async (scene, create) => {
     const run: SceneRun = create();
     const made = await Promise.all(peersOf(scene).map((make) => make(run)));
-    const peers = made.filter((peer) => peer !== undefined);
+    const peers = made.filter((peer) => peer !== undefined).filter(({ differs }) => differs !== true);
     expect(peers.length).toBeGreaterThan(0);
     for (let s = 0; s < 200; s++) {
       step(run.world, run.dt);
@@ -42,6 +43,27 @@ describe.each([2, 3] as const)('in %iD', (dimensions) => {
     }
     for (const peer of peers) for (const axis of ['x', 'y'] as const) expectSamePlaces(run, peer, axis);
   });
+});
+
+// Masses and coefficients of drag are spread about the loop's constants, and it bounces at the end of a step: the mean
+// height and distance from the middle come out alike, to a few per cent of the box.
+test.each(['f32', 'f64'] as const)('the hand-written loop looks the same, %s', { timeout: 60_000 }, (precision) => {
+  for (const dimensions of [2, 3] as const) {
+    const run = particles.create({ count: 3000, dimensions, precision });
+    const peer = handWritten(run);
+    for (let s = 0; s < 300; s++) {
+      step(run.world, run.dt);
+      peer.step();
+    }
+    const spread = (list: readonly number[]) => list.reduce((sum, x) => sum + Math.abs(x - run.side / 2), 0);
+    const mean = (list: readonly number[]) => list.reduce((sum, x) => sum + x, 0) / list.length;
+    for (const axis of ['x', 'y'] as const) {
+      const theirs = Array.from(peer.positions(axis));
+      const ours = Array.from(run.world.components.Position[axis].subarray(1, 3001));
+      expect(Math.abs(mean(theirs) - mean(ours))).toBeLessThan(0.02 * run.side);
+      expect(Math.abs(spread(theirs) - spread(ours)) / 3000).toBeLessThan(0.02 * run.side);
+    }
+  }
 });
 
 function expectSamePlaces({ world }: SceneRun, peer: Peer, axis: 'x' | 'y'): void {
