@@ -36,6 +36,14 @@ test('parameters of the scene are options', () => {
   expect(() => run('nbody-tree', '--falloff', '1.5')).toThrow('--falloff must be a whole number from 1 to 2');
 });
 
+test('particles may rest, and feel more laws', () => {
+  expect(run('particles').variant).toEqual({ resting: false, laws: 2 });
+  expect(run('particles', '--resting', '--laws', '5').variant).toEqual({ resting: true, laws: 5 });
+  expect(() => run('particles', '--laws', '4')).toThrow('--laws must be 2 or 3 or 5 or 8, not "4".');
+  expect(() => run('gas', '--resting')).toThrow('Only the scene particles has --resting.');
+  expect(() => run('gas', '--laws', '2')).toThrow('Only the scene particles has --laws.');
+});
+
 test('counts to measure the growth at are two numbers, and precision is the scene’s own', () => {
   expect(run('nbody-tree', '--scaling', '1e4-1e6').scaling).toEqual([10_000, 32_000, 100_000, 320_000, 1_000_000]);
   expect(run('nbody-tree').scaling).toBeUndefined();
@@ -67,7 +75,7 @@ describe('one sentence says what is wrong and what would be right', () => {
     [['particles', '--steps', '-3'], /--steps.*the options are/],
     [['particles', '--steps=-3'], /--steps must be a whole number from 1/],
     [['particles', '--steps', '5', '--warmup', '5'], '--warmup must be a whole number from 0 to 4, not "5".'],
-    [['particles', '--steps', '2', '--peers'], '--peers needs at least 4 timed steps here, and 2 are left.'],
+    [['particles', '--steps', '2', '--peers'], '--peers needs at least 5 timed steps here, and 2 are left.'],
     [['particles', '--dimensions', '4'], '--dimensions must be 2 or 3, not "4".'],
     [['particles', '--precision', 'f16'], '--precision must be f32 or f64, not "f16".'],
     [['particles', '--seed', '-1'], /--seed/],

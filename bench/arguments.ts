@@ -3,6 +3,7 @@ import { dirname, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { INTEGRATORS, type IntegratorName, type Precision } from '@principia/physics';
 import { findScene, SCENES, type Scene, type SceneParameter } from '@principia/scenes';
+import { LAW_COUNTS, type Variant } from './particles-variants';
 import { peersOf } from './peers/all';
 import { countsBetween } from './scaling';
 
@@ -21,6 +22,8 @@ export interface RunRequest {
   readonly seed: number;
   /** Undefined for the scene's own. */
   readonly integrator: IntegratorName | undefined;
+  /** Of the scene `particles`. */
+  readonly variant: Variant;
   readonly peers: boolean;
   /** Counts at which the cost of a step is measured as well; undefined for none. */
   readonly scaling: readonly number[] | undefined;
@@ -41,6 +44,8 @@ const OPTIONS = {
   precision: { type: 'string' },
   seed: { type: 'string' },
   integrator: { type: 'string' },
+  resting: { type: 'boolean' },
+  laws: { type: 'string' },
   peers: { type: 'boolean' },
   scaling: { type: 'string' },
   json: { type: 'string' },
@@ -88,6 +93,7 @@ export function readArguments(args: readonly string[]): Request {
     precision: choice('precision', values.precision ?? scene.precision, ['f32', 'f64']),
     seed: wholeNumber('seed', values.seed, 1, 0, Number.MAX_SAFE_INTEGER),
     integrator: values.integrator === undefined ? undefined : choice('integrator', values.integrator, integratorNames),
+    variant: variantOf(scene, values.resting, values.laws),
     peers,
     scaling: scalingOf(scene, values.scaling),
     json: outputFile('json', values.json),
@@ -119,6 +125,15 @@ function sceneOf(positionals: readonly string[]): Scene {
   const scene = findScene(name);
   if (scene === undefined) throw new ArgumentError(`There is no scene "${name}": the scenes are ${list}.`);
   return scene;
+}
+
+/** Only `particles` has variants. */
+function variantOf(scene: Scene, resting = false, laws: string | undefined): Variant {
+  if (scene.name !== 'particles' && (resting || laws !== undefined)) {
+    throw new ArgumentError(`Only the scene particles has --${resting ? 'resting' : 'laws'}.`);
+  }
+  const count = choice('laws', laws ?? '2', LAW_COUNTS.map(String));
+  return { resting, laws: Number(count) as Variant['laws'] };
 }
 
 /** What was given of the scene's own parameters, within their ranges. */
@@ -193,6 +208,8 @@ Options
   --precision f32|f64 type of every column (the scene's own)
   --seed S            equal seeds give equal states (1)
   --integrator NAME   the scheme, such as rungeKutta4 (the scene's own)
+  --resting           particles only: all of them on the floor, where every step presses them on it
+  --laws 2|3|5|8      particles only: how many laws of force act on each (2)
   --peers             measure other ways to do the same work, step by step in turn with ours
   --scaling FROM-TO   measure at counts from 1e4 to 1e6, say, too: how the cost grows
   --json FILE         write the result as JSON

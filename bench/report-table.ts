@@ -64,9 +64,11 @@ function percent(share: number): string {
   return `${(100 * share).toPrecision(2)} %`;
 }
 
-function title({ scene, count, dimensions, precision, steps, warmup, seed }: Result): string {
+function title({ scene, count, dimensions, precision, steps, warmup, seed, variant }: Result): string {
   const timed = warmup > 0 ? `${steps} steps, ${warmup} of them warm-up` : `${steps} steps`;
-  return `${scene}: ${count.toLocaleString('en')} in ${dimensions}D, ${precision}, ${timed}, seed ${seed}`;
+  const resting = variant.resting ? ', resting on the floor' : '';
+  const laws = variant.laws > 2 ? `, ${variant.laws} laws` : '';
+  return `${scene}: ${count.toLocaleString('en')} in ${dimensions}D, ${precision}, ${timed}, seed ${seed}${resting}${laws}`;
 }
 
 function aligned(rows: readonly (readonly [string, string])[]): string[] {

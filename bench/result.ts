@@ -3,6 +3,7 @@ import type { PhysicsWorld } from '@principia/physics';
 import type { Stretch } from '@principia/scenes';
 import type { RunRequest } from './arguments';
 import type { Creation } from './creation';
+import type { Variant } from './particles-variants';
 import type { ReferenceResult } from './reference';
 import type { ScalingPoint } from './scaling';
 import type { Summary } from './statistics';
@@ -14,6 +15,8 @@ export interface Result {
   readonly steps: number;
   readonly dimensions: 2 | 3;
   readonly precision: 'f32' | 'f64';
+  /** Of the scene `particles`: whether all rest on the floor, and how many laws act on each. */
+  readonly variant: Variant;
   readonly msPerStep: Summary;
   readonly nsPerBodyStep: number;
   readonly createMs: number;
@@ -70,6 +73,9 @@ export function thisMachine(): Machine {
 }
 
 /** What the request says, as the result repeats it, and what the scene made of it: some are always in space. */
-export function echo({ scene, count, steps, warmup, seed }: RunRequest, { dimensions, precision }: PhysicsWorld) {
-  return { scene: scene.name, count, steps, warmup, dimensions, precision, seed };
+export function echo(
+  { scene, count, steps, warmup, seed, variant }: RunRequest,
+  { dimensions, precision }: PhysicsWorld,
+) {
+  return { scene: scene.name, count, steps, warmup, dimensions, precision, seed, variant };
 }

@@ -5,6 +5,7 @@ import type { RunRequest } from './arguments';
 import { measureCreation } from './creation';
 import { measureSteps } from './measure';
 import { garbageBytesPerStep } from './memory';
+import { applyVariant, variantParameters } from './particles-variants';
 import { peersOf } from './peers/all';
 import { startProgress } from './progress';
 import { compareWithReference } from './reference';
@@ -19,12 +20,13 @@ export interface Outcome {
 }
 
 export async function runBench(request: RunRequest): Promise<Outcome> {
-  const { scene, count, dimensions, precision, seed, steps, warmup, parameters } = request;
+  const { scene, count, dimensions, precision, seed, steps, warmup, parameters, variant } = request;
   const scheme = request.integrator === undefined ? {} : { integrator: INTEGRATORS[request.integrator].create() };
   const making = startProgress('creating', count);
-  const options = { dimensions, precision, seed, ...scheme, ...parameters };
+  const options = { dimensions, precision, seed, ...scheme, ...parameters, ...variantParameters(variant) };
   const create = () => scene.create({ ...options, count, progress: making.update });
-  const { creation, run } = measureCreation(create, count, request.peers);
+  const { creation, run: made } = measureCreation(create, count, request.peers);
+  const run = applyVariant(made, variant);
   making.end();
   const advance = stepOf(run);
   const makers = request.peers ? peersOf(scene.name) : [];
@@ -60,7 +62,9 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
     garbageBytesPerStep: garbageBytesPerStep(advance),
     profile,
     peers: measured.peers.map(({ name, ratio }) => ({ name, msPerStep: ratio * ours.median, ratio })),
-    scaling: scalingAt(request.scaling ?? [], (some) => scene.create({ ...options, count: some })),
+    scaling: scalingAt(request.scaling ?? [], (some) =>
+      applyVariant(scene.create({ ...options, count: some }), variant),
+    ),
     create: creation,
     date: new Date().toISOString(),
     machine: thisMachine(),

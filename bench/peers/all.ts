@@ -4,6 +4,7 @@ import { circlesJs } from './circles-js';
 import { fusedJs } from './fused-js';
 import { fusedSimd } from './fused-simd';
 import { handWritten } from './hand-written';
+import { inFlight } from './in-flight';
 import { nBodyD3 } from './n-body-d3';
 import { nBodyDirect } from './n-body-direct';
 import { nBodyJs, nBodyPairsJs } from './n-body-js';
@@ -13,7 +14,10 @@ import { springsJs } from './springs-js';
 
 /** Who is measured beside us, by scene. */
 const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
-  particles: [fusedSimd, handWritten, fusedJs, queryIdiom].map((make) => onlyWith(semiImplicitEuler, make)),
+  particles: [
+    ...[fusedSimd, handWritten, fusedJs, queryIdiom].map((make) => onlyWith(semiImplicitEuler, ofTwoLaws(make))),
+    inFlight,
+  ],
   springs: [onlyWith(semiImplicitEuler, springsJs)],
   attractors: [onlyWith(velocityVerlet, attractorsJs)],
   circles: [circlesJs],
@@ -25,6 +29,11 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
 /** A peer that can do the work of one integrator only. */
 function onlyWith({ name }: Integrator, make: PeerMaker): PeerMaker {
   return (run) => (run.world.integrator.name === name ? make(run) : undefined);
+}
+
+/** A peer that knows the two laws of `particles` only. */
+function ofTwoLaws(make: PeerMaker): PeerMaker {
+  return (run) => (run.world.forces.length === 2 ? make(run) : undefined);
 }
 
 /** Makers of the peers of a scene. */
