@@ -3,7 +3,7 @@
  * kept in the cache folder until its source or the compiler changes.
  */
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { compileKernels, compilerFlags } from '../../scripts/lib/compile-kernels.mjs';
 import { cacheFolder, resolveInstalled } from '../../scripts/lib/paths.mjs';
@@ -17,7 +17,7 @@ const folder = fileURLToPath(new URL('.', import.meta.url)).replace(/[\\/]$/, ''
 export async function referenceKernel(precision) {
   const file = (/** @type {string} */ real) => `${cacheFolder}/bench-kernel-${sourceHash()}-${real}.wasm`;
   if (!existsSync(file(precision))) {
-    const compiled = await compileKernels(folder, 'index.ts', { start: 1024, end: 4096 });
+    const compiled = await compileKernels(folder, 'fused.ts', { start: 1024, end: 4096 });
     mkdirSync(cacheFolder, { recursive: true });
     for (const real of /** @type {const} */ (['f32', 'f64'])) {
       const draft = `${file(real)}.${process.pid}`;
@@ -30,11 +30,9 @@ export async function referenceKernel(precision) {
 
 function sourceHash() {
   const compiler = JSON.parse(readFileSync(resolveInstalled('assemblyscript/package.json'), 'utf8')).version;
-  const source = readFileSync(`${folder}/index.ts`);
-  return createHash('sha256')
-    .update(compiler)
-    .update(compilerFlags.join(' '))
-    .update(source)
-    .digest('hex')
-    .slice(0, 16);
+  const hash = createHash('sha256').update(compiler).update(compilerFlags.join(' '));
+  for (const name of readdirSync(folder).sort()) {
+    if (name.endsWith('.ts')) hash.update(name).update(readFileSync(`${folder}/${name}`));
+  }
+  return hash.digest('hex').slice(0, 16);
 }

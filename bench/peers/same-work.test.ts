@@ -1,30 +1,55 @@
 // A peer is worth comparing with only if it does the same work: the proofs.
-import { stateHash, step } from '@principia/physics';
+import { step } from '@principia/physics';
 import { attractors, nbodyDirect, particles, type SceneRun, springs } from '@principia/scenes';
 import { describe, expect, test } from 'vitest';
 import { peersOf } from './all';
-import { fusedStep } from './fused-simd';
+import { fusedSimd } from './fused-simd';
 import { handWritten } from './hand-written';
 import type { Peer } from './peer';
 
 describe.each([2, 3] as const)('in %iD', (dimensions) => {
-  test.each(['f32', 'f64'] as const)(
-    'the hand-fused kernel ends in the same state to the last bit, %s',
+  // It multiplies by dt/m once where the systems divide each axis, so that results differ by roundings; a body that
+  // touches a wall at the very end of a step may rebound in the next one, so that it is the mean that stays small.
+  test.each([
+    ['f32', 0.8, 1e-3],
+    ['f64', 0.8, 1e-11],
+    ['f32', 0, 1e-3],
+    ['f64', 0, 1e-11],
+  ] as const)(
+    'the hand-fused kernel goes the same way, %s with a restitution of %d',
     { timeout: 60_000 },
-    async (precision) => {
-      const make = () => particles.create({ count: 3000, dimensions, precision, seed: 3 });
-      const composed = make();
-      const fused = make();
-      const fusedly = await fusedStep(fused, fused.world.memory);
+    async (precision, restitution, tolerance) => {
+      const run = particles.create({ count: 3000, dimensions, precision, seed: 3, restitution });
+      const fused = await fusedSimd(run);
       for (let s = 0; s < 400; s++) {
-        step(composed.world, composed.dt);
-        fusedly();
+        step(run.world, run.dt);
+        fused.step();
       }
-      expect(stateHash(fused.world)).toBe(stateHash(composed.world));
-      const { x } = composed.world.previous.Position;
-      expect(fused.world.previous.Position.x).toEqual(x);
+      const { Position } = run.world.components;
+      for (const axis of ['x', 'y', 'z'] as const) {
+        const ours = [Position[axis], run.world.previous.Position[axis]];
+        for (const [i, theirs] of [fused.positions(axis), fused.previous(axis)].entries()) {
+          let sum = 0;
+          for (let id = 1; id <= 3000; id++) sum += Math.abs(theirs[id] - ours[i][id]);
+          expect(sum / 3000).toBeLessThan(tolerance);
+        }
+      }
     },
   );
+
+  test.each(['f32', 'f64'] as const)('the hand-fused kernel tells what is out of range, %s', async (precision) => {
+    for (const spoil of [
+      (run: SceneRun) => run.world.components.Position.y.fill(Number.NaN, 7, 8),
+      (run: SceneRun) => run.world.components.Velocity.x.fill(Number.NaN, 7, 8),
+      (run: SceneRun) => run.world.components.Velocity.x.fill(4e8, 7, 8),
+      (run: SceneRun) => run.world.components.QuadraticDrag.coefficient.fill(Number.NaN, 7, 8),
+    ]) {
+      const run = particles.create({ count: 20, dimensions, precision });
+      spoil(run);
+      const fused = await fusedSimd(run);
+      expect(() => fused.step()).toThrow('out of range');
+    }
+  });
 
   // Plain JavaScript rounds once a store, a kernel once an operation: in f64 the difference stays small for a while.
   test.each([
