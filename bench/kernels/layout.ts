@@ -25,7 +25,7 @@ export const RADIUS: usize = FIRST + 11 * STRIDE;
 const END: usize = FIRST + 12 * STRIDE;
 
 // Vectors of which the hits are listed before they rebound, few enough for their columns to be in the cache still.
-export const TILE: usize = 128;
+export const TILE: usize = 256;
 
 // An entry of a list: the offset of the vector, and its velocities along the axis at the start of the step.
 export const ENTRY_BYTES: usize = 32;
