@@ -4,16 +4,16 @@
 //
 //   v' = v (1 - k |v| dt/m) + g dt        x' = x + v' dt
 //
-// What is in range costs next to nothing: the square of the speed, which drag needs, says whether velocities were when
-// the step began; a body within the box is in range, and came there too slowly to be beyond the limit of speeds; what is
-// outside, or no number, is listed and looked at one by one. Two vectors in turns hide the latency of root and quotient.
+// To see what is in range costs next to nothing. The square of the speed, which drag needs, says whether velocities were
+// when the step began. A body within the box is in range, and beyond the limit of speeds only if it came from so far
+// outside that the next step will tell. What is outside, or no number, is listed and looked at. Two vectors in turns
+// need one branch between them.
 // Nothing is shared with the kernels of the engine on purpose: a change there must not change what it is compared with.
 import {
   DRAG,
   HITS_X,
   HITS_Y,
   HITS_Z,
-  LANES,
   MASS,
   PREVIOUS_X,
   PREVIOUS_Y,

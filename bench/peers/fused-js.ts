@@ -5,19 +5,22 @@ import { MAX_POSITION, MAX_SPEED } from '@principia/physics';
 import type { Particles, SceneRun } from '@principia/scenes';
 import { type ParticleColumns, particleColumns, rebound } from './particles-columns';
 import type { Peer } from './peer';
+import { firstBodies, warmStep } from './warm-up';
 
 type Step = (columns: ParticleColumns, previous: Previous) => boolean;
 type Previous = Pick<ParticleColumns, 'x' | 'y' | 'z'>;
 
-export function fusedJs(run: SceneRun): Peer {
-  const columns = particleColumns(run as Particles);
-  const previous = { x: columns.x.slice(), y: columns.y.slice(), z: columns.z.slice() };
+export async function fusedJs(run: SceneRun): Promise<Peer> {
+  const columns = firstBodies(particleColumns(run as Particles));
   const step: Step = run.world.dimensions === 2 ? step2d : step3d;
   return {
     name: 'fused by hand in plain JavaScript',
-    step() {
-      if (!step(columns, previous)) throw new Error('The loop found a value out of range.');
-    },
+    step: await warmStep(columns, (some) => {
+      const previous = { x: some.x.slice(), y: some.y.slice(), z: some.z.slice() };
+      return () => {
+        if (!step(some, previous)) throw new Error('The loop found a value out of range.');
+      };
+    }),
     positions: (axis) => columns[axis],
   };
 }

@@ -6,12 +6,15 @@ import type { Column } from './columns';
 import { type Constants, handWrittenStep } from './hand-written-loops';
 import { type ParticleColumns, particleColumns } from './particles-columns';
 import type { Peer } from './peer';
+import { firstBodies, warmStep } from './warm-up';
 
-export function handWritten(run: SceneRun): Peer {
-  const columns = particleColumns(run as Particles);
+export async function handWritten(run: SceneRun): Promise<Peer> {
+  const columns = firstBodies(particleColumns(run as Particles));
+  const constants = constantsOf(columns);
+  const { precision, dimensions } = run.world;
   return {
     name: 'hand-written loop',
-    step: handWrittenStep(run.world.precision, run.world.dimensions, columns, constantsOf(columns)),
+    step: await warmStep(columns, (some) => handWrittenStep(precision, dimensions, some, constants)),
     positions: (axis) => columns[axis],
     differs: true,
   };

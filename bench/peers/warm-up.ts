@@ -1,0 +1,46 @@
+import type { ParticleColumns } from './particles-columns';
+
+const ROUNDS = 20;
+const CALLS = 100;
+const COUNT = 1000;
+
+/** The first bodies of columns, or all, as an object always made in this place, so that V8 knows one kind of it. */
+export function firstBodies(columns: ParticleColumns, most = columns.count): ParticleColumns {
+  const { dt, gravity, side, wall, x, y, z, vx, vy, vz, mass, drag, radius } = columns;
+  return {
+    count: Math.min(most, columns.count),
+    dt,
+    gravity,
+    side,
+    wall,
+    x: x.slice(0, most),
+    y: y.slice(0, most),
+    z: z.slice(0, most),
+    vx: vx.slice(0, most),
+    vy: vy.slice(0, most),
+    vz: vz.slice(0, most),
+    mass: mass.slice(0, most),
+    drag: drag.slice(0, most),
+    radius: radius.slice(0, most),
+  };
+}
+
+/**
+ * Makes a step in plain JavaScript of columns that `firstBodies` made, which V8 has compiled as well as it can. A function whose first calls are
+ * long is compiled in the middle of its loop, and often stays with that code, which takes twice as long or more. So it is
+ * called for few bodies first, many times, with pauses in which the compiler's result is taken over.
+ */
+export async function warmStep(
+  columns: ParticleColumns,
+  makeStep: (columns: ParticleColumns) => () => void,
+): Promise<() => void> {
+  const few = firstBodies(columns, COUNT);
+  const practice = makeStep(few);
+  for (let round = 0; round < ROUNDS; round++) {
+    // Every wall is met from the first call on: code that has not run yet is left out when the rest is compiled.
+    for (const axis of ['x', 'y', 'z'] as const) few[axis].set([-1, columns.side + 1].slice(0, few.count));
+    for (let call = 0; call < CALLS; call++) practice();
+    await new Promise((resolve) => setTimeout(resolve, 5));
+  }
+  return makeStep(columns);
+}
