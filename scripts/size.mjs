@@ -18,10 +18,10 @@ const contacts = 'colliding contacts segmentWalls planeWalls collideBodies';
 
 /** Limits in KB keep what was reached: lower them when you make something smaller. */
 const bundles = [
-  { name: 'particles', imports: particles, limit: 24.9 },
-  { name: 'with emitters', imports: `${particles} ${emitters}`, limit: 30.3 },
-  { name: 'with contacts', imports: `${particles} ${emitters} ${contacts}`, limit: 39.9 },
-  { name: 'everything', imports: '*', limit: 98.5 },
+  { name: 'particles', imports: particles, limit: 43.7 },
+  { name: 'with emitters', imports: `${particles} ${emitters}`, limit: 49 },
+  { name: 'with contacts', imports: `${particles} ${emitters} ${contacts}`, limit: 58.8 },
+  { name: 'everything', imports: '*', limit: 115.7 },
 ];
 
 /** Limit of a game's own code, KB gzipped. */

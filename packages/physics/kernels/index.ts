@@ -4,8 +4,6 @@ export * from './absent';
 export * from './pose';
 export * from './hash';
 export * from './diagnostics';
-export * from './forces/uniform-gravity';
-export * from './forces/drag';
 export * from './forces/springs';
 export * from './forces/attractors';
 export * from './integrators/stages';

@@ -1,5 +1,5 @@
 // The two ends of a step for one axis: remember where the bodies were, and see that every value is finite and in range.
-import { BLOCK, LANES, add, at, splat } from './lanes';
+import { BLOCK, LANES, at, splat } from './lanes';
 
 // Saves position and velocity at the start of the step and returns 1 when every |x| <= maxPosition and |v| <= maxSpeed.
 // A bad position is not saved: `previous` keeps the last good one.
@@ -99,12 +99,4 @@ export function zeroColumn(column: usize, first: i32, last: i32): void {
 // Copies rows of one column to another.
 export function copyColumn(to: usize, from: usize, first: i32, last: i32): void {
   memory.copy(to + at(first), from + at(first), at(last - first));
-}
-
-// y += x for rows of two columns.
-export function addColumn(y: usize, x: usize, first: i32, last: i32): void {
-  for (let row = first; row < last; row += LANES) {
-    const o = at(row);
-    v128.store(y + o, add(v128.load(y + o), v128.load(x + o)));
-  }
 }

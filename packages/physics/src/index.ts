@@ -21,7 +21,15 @@ export { planeWalls } from './collision/plane-walls';
 export { segmentWalls } from './collision/segment-walls';
 export { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from './components/all';
 export { rgba } from './components/appearance';
-export type { ColumnsOf, ComponentSpec, FieldSpec, RealColumn } from './components/define';
+export {
+  type ColumnsOf,
+  type ComponentSpec,
+  defineComponent,
+  type FieldSpec,
+  type RealColumn,
+  real as realField,
+  u32 as wordField,
+} from './components/define';
 export { MAX_POSITION } from './components/position';
 export { MAX_ANGULAR_SPEED } from './components/rotation';
 export { MAX_SPEED } from './components/velocity';
@@ -30,6 +38,10 @@ export { largestStretch, rmsStretch } from './constraints/stretch';
 export { type XpbdOptions, xpbd } from './constraints/xpbd';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy';
 export { stateHash } from './diagnostics/hash';
+export { defineLaw, type LawFactory } from './dynamics/define-law';
+export { type EvaluateForces, evaluateForces } from './dynamics/evaluate-forces';
+export { explain } from './dynamics/explain';
+export { lawFromPotential, type PotentialOptions } from './dynamics/law-from-potential';
 export {
   aliveCount,
   type BurstOptions,
@@ -63,15 +75,14 @@ export {
   enclosedMassGravity,
   GRAVITATIONAL_CONSTANT,
 } from './forces/enclosed-mass-gravity';
-export { type EvaluateForces, evaluateForces } from './forces/evaluate';
 export { accelerationField, type Field, type FieldOptions, forceField } from './forces/field-force';
 export { COULOMB_CONSTANT, fixedCharges } from './forces/fixed-charges';
-export { type CustomForce, defineForce, type Force, type ForceParameter } from './forces/force';
 export { immersedDrag } from './forces/immersed-drag';
 export { applyImpulse, type ExplosionOptions, explode } from './forces/impulse';
 export { type LennardJonesOptions, lennardJones } from './forces/lennard-jones';
 export { type LiftOptions, lift } from './forces/lift';
-export { type Limits, limited, type Region } from './forces/limited';
+export { limited } from './forces/limited';
+export type { Limits, Region } from './forces/limits';
 export { magneticField } from './forces/magnetic-field';
 export { type MagnusOptions, magnus } from './forces/magnus';
 export { type MotorOptions, motors } from './forces/motors';
@@ -90,7 +101,6 @@ export { type FluidOptions, sphereDrag, sphereDragCoefficient } from './forces/s
 export { removedSprings, springs } from './forces/springs';
 export { type StringOptions, stringTension } from './forces/string-tension';
 export { type ThrustOptions, thrust } from './forces/thrust';
-export type { VectorOverTime } from './forces/time-vector';
 export { angularDrag, constantTorque } from './forces/torque';
 export { type TurbulenceOptions, turbulentDrag } from './forces/turbulent-drag';
 export { STANDARD_GRAVITY, uniformGravity } from './forces/uniform-gravity';
@@ -101,6 +111,7 @@ export { type GustOptions, gusts, type Wind } from './forces/wind';
 export { type YukawaOptions, yukawa } from './forces/yukawa';
 export { INTEGRATORS, type IntegratorName, type IntegratorRecord } from './integrators/all';
 export { type BorisOptions, boris } from './integrators/boris';
+export { defineIntegrator } from './integrators/define-integrator';
 export {
   type DenseState,
   type DormandPrinceOptions,
@@ -125,6 +136,23 @@ export { type WisdomHolmanOptions, wisdomHolman } from './integrators/wisdom-hol
 export { yoshida4 } from './integrators/yoshida4';
 export { yoshida6 } from './integrators/yoshida6';
 export type { Precision } from './kernels/instantiate';
+export type { BodySymbols, ReadSymbols, Reads } from './laws/body-symbols';
+export {
+  axial3,
+  type Condition as ConditionSymbol,
+  type Scalar as ScalarSymbol,
+  type ScalarInput,
+  select,
+  type Vector as VectorSymbol,
+  vec3,
+} from './laws/expression';
+export { type CustomForce, defineForce, type Force, type ForceParameter } from './laws/force';
+export { formulasOf } from './laws/formula';
+export type { Law, LawOptions } from './laws/law';
+export { axialVector, axialVectorOverTime, scalar, vector, vectorOverTime } from './laws/parameter';
+export type { Kick, SchemeFunction, SchemeResult, SchemeState } from './laws/scheme';
+export { type TablePlace, table } from './laws/table';
+export type { VectorOverTime } from './laws/time-vector';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary';
 export { createRandom, type Random } from './math/random';
 export { type Mergers, mergeOnContact, mergers } from './n-body/merge-on-contact';
@@ -163,6 +191,7 @@ export {
 export { type Profile, resetProfile, startProfile, stopProfile } from './schedule/profile';
 export { begin, checkFinite } from './schedule/quarantine';
 export { step } from './step';
+export { columnsOf } from './store/own-components';
 export { type EntityRef, entityRef, isAlive, isBody, resolve } from './store/references';
 export { constant, resource } from './store/resource';
 export { type BodyList, bodies, type Spans } from './store/spans';

@@ -1,8 +1,8 @@
+import { prepareForces } from './dynamics/evaluate-forces';
+import { prepareLoops } from './dynamics/fused-step';
 import { PhysicsError } from './faults/physics-error';
 import { collectThrown } from './faults/thrown';
 import { checkNumber } from './faults/validate';
-import { prepareForces } from './forces/evaluate';
-import { lookNowhere } from './schedule/ahead';
 import { currentPlan, type Plan } from './schedule/plan';
 import { runPlan } from './schedule/run-plan';
 import { assertIdle } from './store/guards';
@@ -33,6 +33,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   const plan = currentPlan(world);
   const { internal } = world;
   if (internal.stepFaults.length > 0) internal.stepFaults.length = 0;
+  prepareLoops(world);
   prepareForces(world, dt);
   world.integrator.prepare?.(world, dt);
   refreshSpans(world);
@@ -58,8 +59,6 @@ function run(world: PhysicsWorld, plan: Plan, dt: number): void {
   try {
     runPlan(world, plan, dt);
   } catch (error) {
-    world.internal.slideScratch(0);
-    lookNowhere(plan.ahead);
     collectThrown(world, error);
   }
 }

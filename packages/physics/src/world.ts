@@ -1,11 +1,12 @@
 import { createWorld, deleteWorld, type Query, type WorldContext } from 'bitecs';
 import { type Addresses, COMPONENT_NAMES, type ComponentName, type Components } from './components/all';
+import type { ComponentSpec } from './components/define';
 import { createFaultLog, type Fault, type FaultLog } from './faults/fault-log';
 import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from './faults/validate';
-import type { Force } from './forces/force';
 import type { Integrator } from './integrators/integrator';
 import { velocityVerlet } from './integrators/velocity-verlet';
 import { instantiateKernels, type KernelExports, type Precision } from './kernels/instantiate';
+import type { Force } from './laws/force';
 import type { Preset } from './presets/preset';
 import { standard } from './presets/standard';
 import { createPhases, type Phases, type System } from './schedule/phases';
@@ -17,6 +18,13 @@ import { contextOf } from './store/bitecs';
 import { RESERVED_BYTES, writeColumnTable } from './store/column-table';
 import { columnCounts, componentColumns, realBytes, wordColumn } from './store/columns';
 import { assertUsable } from './store/guards';
+import {
+  checkOwnComponents,
+  makeOwnColumns,
+  type OwnComponents,
+  observeOwnComponents,
+  ownColumnCount,
+} from './store/own-components';
 import { POSE, type Previous, type PreviousAddresses } from './store/previous';
 import { MAX_CAPACITY } from './store/references';
 import { createScratch, SCRATCH_COLUMNS, type Scratch } from './store/scratch';
@@ -33,6 +41,8 @@ export interface PhysicsWorldOptions {
   readonly precision?: Precision;
   /** Seed of everything random in this world. Default 1. */
   readonly seed?: number;
+  /** Components of your own, made by `defineComponent`: their columns lie in the world's memory. Default none. */
+  readonly components?: readonly ComponentSpec[];
   /** Default velocity Verlet. */
   readonly integrator?: Integrator;
   /** Default none. Change `world.forces` at any time. */
@@ -108,8 +118,6 @@ export interface WorldInternals {
   readonly counts: Record<ComponentName, number>;
   /** Entities with mass that forces cannot move, and such as move without a place or turn without an angle. */
   readonly incomplete: { unmoved: number; strays: number };
-  readonly tile: Spans;
-  readonly slideScratch: (firstRow: number) => void;
   /** Edits made during a step, waiting for its end. */
   readonly commands: (() => void)[];
   /** Entities that end with this step, and by bitECS's own set of components which life of theirs it is. */
@@ -120,6 +128,7 @@ export interface WorldInternals {
   /** Faults of this step, the first 1024. */
   readonly stepFaults: Fault[];
   readonly resources: Map<object, unknown>;
+  readonly ownComponents: OwnComponents;
   /** Every column of every component. */
   readonly columns: readonly { [row: number]: number }[];
   /** bitECS's table of components, to notice that the world was reset. */
@@ -146,6 +155,7 @@ const OPTIONS = [
   'capacity',
   'precision',
   'seed',
+  'components',
   'integrator',
   'forces',
   'walls',
@@ -175,31 +185,43 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
     min: 0,
     max: 2 ** 32,
   });
-  const own = columnBytes(integrator.columns ?? 0, rows, precision);
+  const components = checkOwnComponents(options.components);
+  const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
   const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES, options.memoryFactory);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault };
-  const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows) }) as PhysicsWorld;
+  const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows, components) }) as PhysicsWorld;
   world.internal.componentMap = contextOf(world).componentMap;
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
   observeComponents(world);
+  observeOwnComponents(world);
   preset(world);
   for (const system of options.walls ?? []) world.phases.walls.push(system);
   return world;
 }
 
-function checkParts({ forces = [], walls = [], integrator, preset, memoryFactory }: PhysicsWorldOptions): void {
-  checkForces(forces, 'forces');
+function checkParts({
+  dimensions = 2,
+  forces = [],
+  walls = [],
+  integrator,
+  preset,
+  memoryFactory,
+}: PhysicsWorldOptions): void {
+  checkForces(forces, 'forces', dimensions);
   checkSystems(walls, 'walls');
   if (integrator !== undefined) checkIntegrator(integrator, 'integrator');
   if (preset !== undefined) checkFunction(preset, 'preset');
   if (memoryFactory !== undefined) checkFunction(memoryFactory, 'memoryFactory');
 }
 
+/** For parameters of laws and the list of bodies at walls. */
+const LOOP_BYTES = 24_576;
+
 function memoryBytes(rows: number, precision: Precision): number {
   const { reals, words } = columnCounts();
   const realColumns = reals + SCRATCH_COLUMNS + columnCounts(POSE).reals;
   const wordColumns = words + 4;
-  return columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192) + 65536;
+  return columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192) + 2 * rows + LOOP_BYTES + 65536;
 }
 
 /** Room for columns of reals, each with a start of its own in the cache. */
@@ -207,10 +229,10 @@ function columnBytes(columns: number, rows: number, precision: Precision): numbe
   return columns * (rows * realBytes(precision) + 8192);
 }
 
-function worldParts(arena: Arena, precision: Precision, rows: number) {
+function worldParts(arena: Arena, precision: Precision, rows: number, own: readonly ComponentSpec[]) {
   const [components, addresses] = componentColumns(arena, precision, rows);
   const [previous, previousAddresses] = componentColumns<(typeof POSE)[number]>(arena, precision, rows, POSE);
-  const { scratch, moveTo } = createScratch(arena, precision, rows);
+  const scratch = createScratch(arena, precision, rows);
   const [members, membersAt] = wordColumn(arena, rows, 'members');
   const [generations] = wordColumn(arena, rows, 'generations');
   const [ids, idsAt] = wordColumn(arena, rows, 'ids');
@@ -239,9 +261,8 @@ function worldParts(arena: Arena, precision: Precision, rows: number) {
       generations,
       idsAt,
       spansAt,
-      tile: { bounds: new Int32Array(2), count: 1 },
-      slideScratch: moveTo,
       ...bookkeeping(components),
+      ownComponents: makeOwnColumns(arena, precision, rows, own),
       bodyList: { ids, count: 0 },
       plan: undefined,
     },

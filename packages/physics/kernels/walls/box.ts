@@ -1,4 +1,4 @@
-// Bodies inside an axis-aligned box, one axis at a time. kernels/walls/impact.ts has the formula.
+// Bodies inside an axis-aligned box. kernels/walls/impact.ts has the formula.
 import { Columns, columns, get } from '../columns';
 import { BLOCK, LANES, add, at, div, laneOf, mul, splat, sub } from '../lanes';
 import { rubWall } from '../collision/friction';
@@ -8,6 +8,10 @@ import { recordNearWall, recordWallContact } from './record';
 
 // A body so fast that it crosses the box within a step meets both walls; after this many it is put inside.
 const MOST_BOUNCES: i32 = 4;
+
+// A body that began the step at rest on a wall and ends it beyond stays where it was, unless its restitution is more than
+// this. src/dynamics/loop-checks.ts has the same rule, so that most of such bodies never come here.
+const REST_RESTITUTION: real = 0.99;
 
 // Lanes of the last `rebound` that came to rest.
 let rested: v128 = i32x4.splat(0);
@@ -75,53 +79,120 @@ function settle(c: Columns, row: i32, change: v128, axis: i32, side: real, frict
   }
 }
 
-// Bounces rows [first, last) off the planes `low` and `high` of one axis (0, 1, 2). Only bodies with a collider
-// (radius > 0) and mass > 0 are moved. `start` is the velocity column at the start of the step; the contact's
-// restitution is the larger of the body's and the wall's; the friction coefficient is the geometric mean of the two,
-// or the body's own where `friction` is negative.
+// The walls of a box; src/collision/box-walls.ts writes it. A coordinate of 1e30 is no wall. `friction` is negative where
+// the bodies' own counts; `start` and `origin` are the
+// columns of velocities and positions at the start of the step.
+@unmanaged
+class Box {
+  lowX: f64;
+  lowY: f64;
+  lowZ: f64;
+  highX: f64;
+  highY: f64;
+  highZ: f64;
+  restitution: f64;
+  friction: f64;
+  startX: usize;
+  startY: usize;
+  startZ: usize;
+  axes: i32;
+  originX: usize;
+  originY: usize;
+  originZ: usize;
+  unused: i32;
+}
+
+// One pair of walls: what `bounce` needs to know besides the row.
+@unmanaged
+class Walls {
+  axis: i32;
+  x: usize;
+  v: usize;
+  start: usize;
+  origin: usize;
+  low: real;
+  high: real;
+  restitution: real;
+  friction: real;
+  dt: real;
+  lag: real;
+}
+
+const WALLS: usize = memory.data(offsetof<Walls>(), 8);
+
+// The walls across an axis (0, 1, 2).
+function wallsAcross(box: Box, axis: i32, dt: real, lag: real): Walls {
+  const c = columns();
+  const w = changetype<Walls>(WALLS);
+  w.axis = axis;
+  w.x = load<usize>(changetype<usize>(c) + ((<usize>axis) << 2), offsetof<Columns>('positionX'));
+  w.v = load<usize>(changetype<usize>(c) + ((<usize>axis) << 2), offsetof<Columns>('velocityX'));
+  w.start = load<usize>(changetype<usize>(box) + ((<usize>axis) << 2), offsetof<Box>('startX'));
+  w.origin = load<usize>(changetype<usize>(box) + ((<usize>axis) << 2), offsetof<Box>('originX'));
+  w.low = <real>load<f64>(changetype<usize>(box) + ((<usize>axis) << 3), offsetof<Box>('lowX'));
+  w.high = <real>load<f64>(changetype<usize>(box) + ((<usize>axis) << 3), offsetof<Box>('highX'));
+  w.restitution = <real>box.restitution;
+  w.friction = <real>box.friction;
+  w.dt = dt;
+  w.lag = lag;
+  return w;
+}
+
+// Bounces rows [first, last) off the walls. Only bodies with a collider (radius > 0) and mass > 0 are moved. A contact's
+// restitution is the larger of the body's and the wall's, its friction coefficient the geometric mean.
 //
 // Few bodies are at a wall: a block of four vectors is dismissed with one test.
-export function boxAxis(
-  axis: i32,
-  x: usize,
-  v: usize,
-  start: usize,
-  low: real,
-  high: real,
-  restitution: real,
-  friction: real,
-  dt: real,
-  lag: real,
-  first: i32,
-  last: i32,
-): void {
+export function boxRows(box: usize, dt: real, lag: real, first: i32, last: i32): void {
+  const b = changetype<Box>(box);
+  for (let axis = 0; axis < b.axes; axis++) sweepRows(wallsAcross(b, axis, dt, lag), first, last);
+}
+
+function sweepRows(w: Walls, first: i32, last: i32): void {
   const c = columns();
   const radius = c.radius;
-  const lowest = splat(low);
-  const highest = splat(high);
+  const x = w.x;
+  const lowest = splat(w.low);
+  const highest = splat(w.high);
   const reach = splat(c.contacts == 0 ? <real>1 : WALL_REACH);
-  for (let chunk = first; chunk < last; chunk += 64 * BLOCK) {
-    let hits: u64 = 0;
-    for (let row = min(chunk + 64 * BLOCK, last) - BLOCK; row >= chunk; row -= BLOCK) {
-      const p = x + at(row);
-      const r = radius + at(row);
-      const outside = v128.or(
-        v128.or(isOutside(p, r, reach, lowest, highest), isOutside(p + 16, r + 16, reach, lowest, highest)),
-        v128.or(isOutside(p + 32, r + 32, reach, lowest, highest), isOutside(p + 48, r + 48, reach, lowest, highest)),
-      );
-      hits = (hits << 1) | u64(v128.any_true(outside));
-    }
-    for (; hits != 0; hits &= hits - 1) {
-      const row = chunk + <i32>ctz(hits) * BLOCK;
-      for (let i = row; i < row + BLOCK; i += LANES) {
-        if (!v128.any_true(isOutside(x + at(i), radius + at(i), reach, lowest, highest))) continue;
-        bounce(axis, x, v, start, low, high, restitution, friction, dt, lag, i);
-        if (c.contacts == 0) continue;
-        noteNear(c, i, axis, x, low, 1, friction);
-        noteNear(c, i, axis, x, high, -1, friction);
-      }
+  for (let row = first; row < last; row += BLOCK) {
+    const p = x + at(row);
+    const r = radius + at(row);
+    const outside = v128.or(
+      v128.or(isOutside(p, r, reach, lowest, highest), isOutside(p + 16, r + 16, reach, lowest, highest)),
+      v128.or(isOutside(p + 32, r + 32, reach, lowest, highest), isOutside(p + 48, r + 48, reach, lowest, highest)),
+    );
+    if (!v128.any_true(outside)) continue;
+    for (let i = row; i < row + BLOCK; i += LANES) {
+      if (!v128.any_true(isOutside(x + at(i), radius + at(i), reach, lowest, highest))) continue;
+      bounce(w, i);
+      if (c.contacts == 0) continue;
+      noteNear(c, i, w.axis, x, w.low, 1, w.friction);
+      noteNear(c, i, w.axis, x, w.high, -1, w.friction);
     }
   }
+}
+
+// Bounces the vectors of rows of a list: its end, then byte offsets in a column of reals. Returns how many have a
+// velocity that is not in range after it.
+export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed: real): i32 {
+  const b = changetype<Box>(box);
+  const c = columns();
+  const end = load<usize>(list);
+  const limit = splat(maxSpeed);
+  const one = splat(1);
+  let bad = 0;
+  for (let axis = 0; axis < b.axes; axis++) {
+    const w = wallsAcross(b, axis, dt, lag);
+    const lowest = splat(w.low);
+    const highest = splat(w.high);
+    for (let p = list + 4; p < end; p += 4) {
+      const o = load<usize>(p);
+      if (!v128.any_true(isOutside(w.x + o, c.radius + o, one, lowest, highest))) continue;
+      bounce(w, <i32>(o / sizeof<real>()));
+      if (!v128.all_true<i32>(v128.le<real>(v128.abs<real>(v128.load(w.v + o)), limit))) bad++;
+    }
+  }
+  return bad;
 }
 
 // @ts-ignore: decorator
@@ -132,19 +203,17 @@ export function boxAxis(
 }
 
 // The rare case: one vector of rows, some of them perhaps outside.
-function bounce(
-  axis: i32,
-  x: usize,
-  v: usize,
-  start: usize,
-  low: real,
-  high: real,
-  restitution: real,
-  friction: real,
-  dt: real,
-  lag: real,
-  row: i32,
-): void {
+function bounce(w: Walls, row: i32): void {
+  const axis = w.axis;
+  const x = w.x;
+  const v = w.v;
+  const start = w.start;
+  const low = w.low;
+  const high = w.high;
+  const restitution = w.restitution;
+  const friction = w.friction;
+  const dt = w.dt;
+  const lag = w.lag;
   const c = columns();
   const zero = splat(0);
   const o = at(row);
@@ -152,6 +221,8 @@ function bounce(
   const lower = add(splat(low), radius);
   const upper = sub(splat(high), radius);
   const solid = v128.and(v128.gt<real>(radius, zero), v128.gt<real>(v128.load(c.mass + o), zero));
+  const e = v128.max<real>(v128.load(c.restitution + o), splat(restitution));
+  holdResting(w, row, lower, upper, v128.and(solid, v128.le<real>(e, splat(REST_RESTITUTION))));
   // What contacts pushed beyond a wall and is on its way back within the step needs no help, which would lift it.
   const way = mul(v128.load(v + o), splat(dt));
   const x0 = v128.load(x + o);
@@ -160,7 +231,6 @@ function bounce(
     v128.and(v128.gt<real>(x0, upper), v128.le<real>(add(x0, way), upper)),
   );
   const fits = v128.andnot(v128.and(solid, v128.le<real>(lower, upper)), returns);
-  const e = v128.max<real>(v128.load(c.restitution + o), splat(restitution));
   for (let turn = 0; turn < MOST_BOUNCES; turn++) {
     const position = v128.load(x + o);
     const hitLow = v128.and(v128.lt<real>(position, lower), fits);
@@ -182,6 +252,24 @@ function bounce(
   const held = v128.bitselect(mul(splat(0.5), add(lower, upper)), position, tight);
   v128.store(x + o, v128.bitselect(inside, held, fits));
   v128.store(v + o, v128.andnot(v128.load(v + o), tight));
+}
+
+// Holds the lanes `able` that began the step at rest on a wall and end it beyond.
+function holdResting(w: Walls, row: i32, lower: v128, upper: v128, able: v128): void {
+  const o = at(row);
+  const x = v128.load(w.x + o);
+  const origin = v128.load(w.origin + o);
+  const still = v128.and(able, v128.eq<real>(v128.load(w.start + o), splat(0)));
+  const onLow = v128.and(still, v128.and(v128.lt<real>(x, lower), v128.eq<real>(origin, lower)));
+  const onHigh = v128.and(still, v128.and(v128.gt<real>(x, upper), v128.eq<real>(origin, upper)));
+  rested = v128.or(onLow, onHigh);
+  if (!v128.any_true(rested)) return;
+  const velocity = v128.load(w.v + o);
+  v128.store(w.x + o, v128.bitselect(origin, x, rested));
+  v128.store(w.v + o, v128.andnot(velocity, rested));
+  const c = columns();
+  settle(c, row, v128.and(v128.neg<real>(velocity), onLow), w.axis, 1, w.friction);
+  settle(c, row, v128.and(velocity, onHigh), w.axis, -1, w.friction);
 }
 
 // Records the bodies that are near a wall without being beyond it.

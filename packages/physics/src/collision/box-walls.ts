@@ -1,8 +1,12 @@
 // Walls of an axis-aligned box, with the instant of impact found inside the step (kernels/walls/box.ts has the maths).
+import { MAX_SPEED } from '../components/velocity';
+import { type BoxSystem, bounceFromBox } from '../dynamics/fused-step';
+import { FAR } from '../dynamics/loop-checks';
 import { checkKeys, checkNumber, checkVector, mustBe, type VectorInput } from '../faults/validate';
-import type { LocalSystem } from '../schedule/phases';
+import { allocate } from '../store/arena';
 import { AXES } from '../store/axes';
-import { eachRun } from '../store/spans';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
 
 /** A box that keeps bodies inside. An axis left out of `min` or `max` has no wall on that side. */
 export interface BoxWallsOptions {
@@ -16,14 +20,14 @@ export interface BoxWallsOptions {
   readonly friction?: number;
 }
 
-/** No coordinate a world takes reaches this: a wall there is no wall. */
-const FAR = 1e30;
+/** Bytes of the class `Box` in kernels/walls/box.ts: eight doubles and eight words. */
+const BOX_BYTES = 96;
 
 /**
  * A system for the `walls` phase. Acts on bodies with Mass and Collider.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
-export function boxWalls(options: BoxWallsOptions): LocalSystem {
+export function boxWalls(options: BoxWallsOptions): BoxSystem {
   checkKeys(options, 'boxWalls', ['min', 'max', 'restitution', 'friction']);
   checkVector(options.min ?? {}, 'boxWalls.min');
   checkVector(options.max ?? {}, 'boxWalls.max');
@@ -36,19 +40,36 @@ export function boxWalls(options: BoxWallsOptions): LocalSystem {
   const restitution = checkNumber(options.restitution ?? 0, 'boxWalls.restitution', { min: 0, max: 10 });
   const friction =
     options.friction === undefined ? -1 : checkNumber(options.friction, 'boxWalls.friction', { min: 0, max: 100 });
-  return {
+  const values = [low.x, low.y, low.z, high.x, high.y, high.z, restitution, friction];
+  const boxAt = resource((world) => writeBox(world, values));
+  const lagOf = ({ integrator }: PhysicsWorld, dt: number) => (integrator.velocityLag ?? 0) * dt;
+  const system: BoxSystem = {
     name: 'box walls',
-    usesScratch: true,
-    run: eachRun(({ kernels, addresses, dimensions, scratch, integrator }, first, last, dt) => {
-      const { Position, Velocity } = addresses;
-      const start = scratch.at.startVelocity;
-      const lag = (integrator.velocityLag ?? 0) * dt;
-      for (let a = 0; a < dimensions; a++) {
-        const axis = AXES[3][a];
-        const x = Position[axis];
-        const v = Velocity[axis];
-        kernels.boxAxis(a, x, v, start[axis], low[axis], high[axis], restitution, friction, dt, lag, first, last);
+    role: 'box',
+    box: { low, high, restitution, friction },
+    prepare: boxAt,
+    run(world, { bounds, count }, dt) {
+      if (world.internal.plan?.fusion?.walls === system) {
+        bounceFromBox(world, system, world.spans, dt);
+        return;
       }
-    }),
+      const at = boxAt(world);
+      for (let r = 0; r < count; r++) {
+        world.kernels.boxRows(at, dt, lagOf(world, dt), bounds[2 * r], bounds[2 * r + 1]);
+      }
+    },
+    bounceListed: (world, list, dt) =>
+      world.kernels.boxListed(boxAt(world), list, dt, lagOf(world, dt), MAX_SPEED) === 0,
   };
+  return system;
+}
+
+function writeBox(world: PhysicsWorld, values: readonly number[]): number {
+  const { memory, internal, scratch, dimensions, previousAddresses } = world;
+  const origin = previousAddresses.Position;
+  const at = allocate(internal.arena, BOX_BYTES, 'box walls');
+  const { x, y, z } = scratch.at.startVelocity;
+  new Float64Array(memory.buffer, at, 8).set(values);
+  new Uint32Array(memory.buffer, at + 64, 7).set([x, y, z, dimensions, origin.x, origin.y, origin.z]);
+  return at;
 }

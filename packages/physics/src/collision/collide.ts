@@ -25,8 +25,6 @@ const opened = resource((world) => {
 /** System of the `collide` phase. Acts on bodies with Mass and Collider; bodies without Mass do not give way. */
 export const collideBodies: LocalSystem = {
   name: 'collide bodies',
-  usesScratch: true,
-  isLocal: () => false,
   run(world, _spans, dt) {
     const { internal, lastId, integrator } = world;
     const kernels = collisionKernels(world);

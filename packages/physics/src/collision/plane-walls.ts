@@ -24,7 +24,6 @@ const planeList = resource<PlaneList>((world) => {
  */
 export const planeWalls: LocalSystem = {
   name: 'plane walls',
-  usesScratch: true,
   run: eachRun((world, first, last, dt) => {
     if (world.internal.counts.PlaneWall === 0) return;
     const list = planeList(world);

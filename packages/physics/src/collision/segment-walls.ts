@@ -62,7 +62,6 @@ function gather(world: PhysicsWorld): SegmentList {
  */
 export const segmentWalls: LocalSystem = {
   name: 'segment walls',
-  usesScratch: true,
   run: eachRun((world, first, last, dt) => {
     if (world.dimensions !== 2 || world.internal.counts.SegmentWall === 0) return;
     const { grid } = gather(world);

@@ -29,8 +29,9 @@
 //
 // Sources: Macklin, Müller, Chentanez: XPBD (MIG 2016); Macklin et al.: Small Steps in Physics Simulation (SCA 2019);
 // Andersen: RATTLE (J. Comput. Phys. 52, 1983). Cost: a square root and a division a spring and iteration.
+
+import type { EvaluateForces } from '../dynamics/evaluate-forces';
 import { checkKeys, checkNumber } from '../faults/validate';
-import { type EvaluateForces, momentOf } from '../forces/evaluate';
 import type { Integrator } from '../integrators/integrator';
 import { drift, kick } from '../integrators/moves';
 import { dropBadForces } from '../schedule/quarantine';
@@ -144,7 +145,7 @@ function kickNodes(world: PhysicsWorld, { at }: ConstraintTable, h: number, way:
 
 /** Bad forces are dropped at once, because constraints would carry them on. */
 function force(world: PhysicsWorld, spans: Spans, evaluateForces: EvaluateForces, offset: number): void {
-  evaluateForces(world, spans, momentOf(world, offset));
+  evaluateForces(world, spans, world.time + offset);
   if (world.internal.plan?.forcesLocal !== true) return;
   for (let r = 0; r < spans.count; r++) dropBadForces(world, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
 }

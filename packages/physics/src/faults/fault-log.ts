@@ -18,6 +18,8 @@ export interface Fault {
    * tolerance) or after ('finish': a force or contact made it).
    */
   readonly phase: 'begin' | 'integrate' | 'finish';
+  /** The law whose force was not finite, where that is known. */
+  readonly law?: string | undefined;
   /** What to do about it. */
   readonly hint?: string | undefined;
 }

@@ -13,20 +13,28 @@
 // Valid outside the attracting sphere, or anywhere for ε of its size. In the centre itself (r = 0) the pull is zero,
 // with softening or without: never NaN. A centre is not pulled, not by others and not, when it has mass, by itself.
 // A centre that moves is taken to go on at its velocity during the step, so that the force reads nothing but its own
-// body and the step runs in tiles. Cost: a square root, a division and 14 more operations a body and centre.
+// body and the step runs in tiles. Cost: a square root, a division and some 20 more operations a body and centre; with a
+// speed of light two divisions and some 25.
 import { bitOf } from '../components/all';
+import { defineLaw } from '../dynamics/define-law';
 import { reportFault } from '../faults/fault-log';
-import { checkKeys, checkNumber } from '../faults/validate';
+import { checkKeys } from '../faults/validate';
+import type { BodySymbols } from '../laws/body-symbols';
+import { constant, type Scalar, type Vector, vec3 } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar, suppliedScalar } from '../laws/parameter';
+import { table } from '../laws/table';
 import { resource } from '../store/resource';
 import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
-import type { Force } from './force';
+import { inverseWhere } from './central';
 
 /** Slower light than a millimetre a second would make horizons of whole worlds. */
 const LIGHT_SPEEDS = { min: 1e-3, max: 1e12 };
 
-/** Bytes of one centre, kernels/forces/attractors.ts. */
-const CENTRE_BYTES = 80;
+/** A centre as it was when the step began, kernels/forces/attractors.ts. */
+const CENTRE = ['x', 'y', 'z', 'vx', 'vy', 'vz', 'mu', 'softeningSquared', 'entity'] as const;
+type Centre = Readonly<Record<(typeof CENTRE)[number], Scalar>>;
 
 const centresOf = resource(emptyRoster);
 
@@ -35,43 +43,91 @@ export interface AttractorsOptions {
   readonly lightSpeed?: number;
 }
 
+const parameters = {
+  centres: table(CENTRE, placeOfCentres),
+  /** When the centres were where the table says, s. */
+  gathered: suppliedScalar((world) => world.time),
+};
+
+const newton = /* @__PURE__ */ defineLaw({
+  name: 'attractors',
+  formula: 'F = -m μ r / (r² + ε²)^(3/2)',
+  source: 'Dehnen and Read, Eur. Phys. J. Plus 126, 55 (2011), section 2.2.',
+  parameters,
+  acceleration: (body, { centres, gathered }) =>
+    centres.sum((centre) => {
+      const { r, s, isOther } = towards(centre, body, gathered);
+      const inverse = inverseWhere(isOther.and(s.greater(0)), s);
+      return r.mul(inverse).mul(centre.mu.mul(inverse).mul(inverse));
+    }),
+  potential: (body, { centres, gathered }) =>
+    centres
+      .sum((centre) => {
+        const { s, isOther } = towards(centre, body, gathered);
+        return centre.mu.mul(inverseWhere(isOther.and(s.greater(0)), s));
+      })
+      .mul(body.mass)
+      .negate(),
+  prepare: (world) => void gather(world),
+});
+
+const holes = /* @__PURE__ */ defineLaw({
+  name: 'attractors',
+  formula: 'F = -m μ r / (s (s - r_s)²)',
+  source: 'Paczyński and Wiita, Astronomy and Astrophysics 88, 23 (1980).',
+  parameters: { lightSpeed: scalar('m/s', LIGHT_SPEEDS), ...parameters },
+  acceleration: (body, { centres, gathered, lightSpeed }) =>
+    centres.sum((centre) => {
+      const { r, s, isOther } = towards(centre, body, gathered);
+      const gap = s.sub(horizonOf(centre, lightSpeed));
+      const isOutside = isOther.and(gap.greater(0));
+      const steep = inverseWhere(isOutside, gap);
+      return r.mul(inverseWhere(isOutside, s)).mul(centre.mu.mul(steep).mul(steep));
+    }),
+  potential: (body, { centres, gathered, lightSpeed }) =>
+    centres
+      .sum((centre) => {
+        const { s, isOther } = towards(centre, body, gathered);
+        const gap = s.sub(horizonOf(centre, lightSpeed));
+        return centre.mu.mul(inverseWhere(isOther.and(gap.greater(0)), gap));
+      })
+      .mul(body.mass)
+      .negate(),
+  prepare: (world) => void gather(world),
+});
+
 /** Attraction by all entities with `Attractor`. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function attractors(options: AttractorsOptions = {}): Force {
   checkKeys(options, 'attractors', ['lightSpeed']);
   const { lightSpeed } = options;
-  if (lightSpeed !== undefined) checkNumber(lightSpeed, 'attractors.lightSpeed', LIGHT_SPEEDS);
-  const horizonPerMu = lightSpeed === undefined ? 0 : 2 / (lightSpeed * lightSpeed);
-  return {
-    name: 'attractors',
-    equation: horizonPerMu === 0 ? 'F = -m μ r / (r² + ε²)^(3/2)' : 'F = -m μ r / (s (s - r_s)²)',
-    ...(lightSpeed === undefined ? {} : { parameters: { lightSpeed: { unit: 'm/s', value: lightSpeed } } }),
-    reads: ['Position', 'Mass'],
-    local: true,
-    prepare(world) {
-      gather(world, horizonPerMu);
-    },
-    accumulate(world, first, last, time) {
-      const { at, count } = centresOf(world);
-      if (count === 0) return;
-      const { x, y, z } = world.scratch.at.force;
-      const lead = time - world.time;
-      if (world.dimensions === 2) world.kernels.attract2d(x, y, at, count, lead, first, last);
-      else world.kernels.attract3d(x, y, z, at, count, lead, first, last);
-    },
-    potential(world) {
-      const { at, count } = gather(world, horizonPerMu);
-      return world.kernels.attractorPotential(at, count, 0, world.lastId + 1);
-    },
-  };
+  return lightSpeed === undefined ? newton() : holes({ lightSpeed });
+}
+
+/** The way to a centre, its softened length, and whether it is the body's own centre. */
+function towards({ x, y, z, vx, vy, vz, softeningSquared, entity }: Centre, body: BodySymbols, gathered: Scalar) {
+  const lead = body.time.sub(gathered);
+  const at = vec3(x.add(vx.mul(lead)), y.add(vy.mul(lead)), z.add(vz.mul(lead)));
+  const r: Vector = at.sub(body.position);
+  return { r, s: r.lengthSquared().add(softeningSquared).sqrt(), isOther: body.entity.equals(entity).not() };
+}
+
+/** 2 μ/c²; none of what repels. */
+function horizonOf({ mu }: Centre, lightSpeed: Scalar): Scalar {
+  return mu.mul(constant(2).div(lightSpeed.square())).max(0);
+}
+
+/** In a step the centres are those of its start; at other times they are as they are. */
+function placeOfCentres(world: PhysicsWorld): Roster {
+  return world.state === 'stepping' ? centresOf(world) : gather(world);
 }
 
 /** Lists the centres anew when entities changed, and copies where they are now. */
-function gather(world: PhysicsWorld, horizonPerMu: number): Roster {
+function gather(world: PhysicsWorld): Roster {
   const centres = centresOf(world);
-  refreshRoster(world, centres, 'Attractor', CENTRE_BYTES, bitOf('Attractor') | bitOf('Position'));
+  refreshRoster(world, centres, 'Attractor', 8 * CENTRE.length, bitOf('Attractor') | bitOf('Position'));
   const { ids, at, count } = centres;
   const { mu, softening } = world.addresses.Attractor;
-  const bad = world.kernels.gatherAttractors(ids, count, mu, softening, horizonPerMu, at);
+  const bad = world.kernels.gatherAttractors(ids, count, mu, softening, at);
   if (bad > 0) repair(world, centres);
   return centres;
 }

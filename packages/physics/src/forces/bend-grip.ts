@@ -7,10 +7,12 @@
 // Up to v = √(μ g r) the car keeps its radius; faster, it slides outwards. It steers whatever comes near: for the cars
 // alone, wrap it in `limited`. Sideways friction only: add `motors` and `quadraticDrag` for the rest.
 // Feynman, Lectures on Physics I, section 12-2. Cost: one square root, two divisions a body.
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+import { defineLaw } from '../dynamics/define-law';
+import type { VectorInput } from '../faults/validate';
+import { select } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar, vector } from '../laws/parameter';
 import { NOT_NEGATIVE, PLACES } from './bounds';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
 import { STANDARD_GRAVITY } from './uniform-gravity';
 
 export interface BendOptions {
@@ -22,24 +24,24 @@ export interface BendOptions {
   readonly gravity?: number;
 }
 
+const law = /* @__PURE__ */ defineLaw({
+  name: 'grip on a bend',
+  formula: 'F = min(m v²/r, μ m g) towards the centre',
+  source: 'Feynman, Lectures on Physics I, section 12-2.',
+  parameters: {
+    centre: vector('m', { default: {}, ...PLACES }),
+    friction: scalar('', { min: 0, max: 100 }),
+    gravity: scalar('m/s²', { default: STANDARD_GRAVITY, ...NOT_NEGATIVE }),
+  },
+  acceleration({ position, velocity }, { centre, friction, gravity }) {
+    const from = position.sub(centre);
+    const r = from.length();
+    const size = velocity.lengthSquared().div(r).min(friction.mul(gravity));
+    return from.mul(select(r.greater(0), size.div(r).negate(), 0));
+  },
+});
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function bendGrip(options: BendOptions): Force {
-  checkKeys(options, 'bendGrip', ['centre', 'friction', 'gravity']);
-  const centre = checkVector(options.centre ?? {}, 'bendGrip.centre', PLACES);
-  const friction = checkNumber(options.friction, 'bendGrip.friction', { min: 0, max: 100 });
-  const gravity = checkNumber(options.gravity ?? STANDARD_GRAVITY, 'bendGrip.gravity', NOT_NEGATIVE);
-  const grip = friction * gravity;
-  return {
-    name: 'grip on a bend',
-    equation: 'F = min(m v²/r, μ m g) towards the centre',
-    parameters: { friction: { unit: '', value: friction }, gravity: { unit: 'm/s²', value: gravity } },
-    reads: ['Position', 'Velocity', 'Mass'],
-    local: true,
-    timeless: true,
-    accumulate(world, first, last) {
-      const { x, y, z } = world.scratch.at.force;
-      const cz = world.dimensions === 3 ? centre.z : 0;
-      lawKernels(world).bendForce(x, y, z, centre.x, centre.y, cz, grip, first, last);
-    },
-  };
+  return law(options);
 }

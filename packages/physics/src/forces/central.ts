@@ -1,20 +1,14 @@
-// What the laws of a fixed centre have in common: the centre, the coupling to mass or charge, and how they are called.
-import { checkVector, type Vector, type VectorInput } from '../faults/validate';
+// What the laws of a fixed centre have in common: the centre, the coupling to mass or charge, and how they are made.
+import { Charge } from '../components/charge';
+import { defineLaw } from '../dynamics/define-law';
+import type { VectorInput } from '../faults/validate';
+import type { BodySymbols } from '../laws/body-symbols';
+import { type Condition, constant, type Scalar, select, type Vector } from '../laws/expression';
+import type { Force } from '../laws/force';
+import type { LawSymbols } from '../laws/law';
+import { type ParameterInput, type Parameters, vector } from '../laws/parameter';
 import type { PhysicsWorld } from '../world';
 import { PLACES, SPEEDS } from './bounds';
-import type { Force, ForceParameter } from './force';
-import { lawKernels } from './law-kernels';
-
-/** Numbers of the laws, kernels/forces/central.ts. */
-export const LAW = {
-  uniformSphere: 0,
-  powerLaw: 1,
-  paczynskiWiita: 2,
-  yukawa: 3,
-  lennardJones: 4,
-  vortex: 5,
-  enclosedMass: 6,
-} as const;
 
 /** Where a centre is. */
 export interface CentreOptions {
@@ -26,54 +20,63 @@ export interface CentreOptions {
 
 export const CENTRE_KEYS = ['centre', 'centreVelocity'] as const;
 
-/** Three numbers that say all about a law. */
-export type LawParameters = readonly [p: number, q: number, s: number];
+const CENTRE = {
+  centre: vector('m', { default: {}, ...PLACES }),
+  centreVelocity: vector('m/s', { default: {}, ...SPEEDS }),
+};
 
-interface CentralLaw {
+/** A field about a centre. */
+export interface CentralLaw<P> {
   readonly name: string;
-  readonly equation: string;
-  readonly law: number;
-  readonly couplesTo: 'Mass' | 'Charge';
-  readonly parameters: Readonly<Record<string, ForceParameter>>;
-  values(world: PhysicsWorld): LawParameters;
+  readonly formula: string;
+  readonly source?: string;
+  readonly parameters: P;
+  /** N/kg or N/C at `r` from the centre, m; zero at r = 0. */
+  field(r: Vector, parameters: LawSymbols<P>): Vector;
+  /** J/kg or J/C there. */
+  energy(r: Vector, parameters: LawSymbols<P>): Scalar;
+  readonly prepare?: (world: PhysicsWorld) => void;
 }
 
-/** The force of a law about a centre. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN for the centre */
-export function centralForce(spec: CentralLaw, options: CentreOptions, caller: string): Force {
-  const centre = checkVector(options.centre ?? {}, `${caller}.centre`, PLACES);
-  const velocity = checkVector(options.centreVelocity ?? {}, `${caller}.centreVelocity`, SPEEDS);
-  const { name, equation, law, couplesTo, values } = spec;
-  const moves = velocity.x !== 0 || velocity.y !== 0 || velocity.z !== 0;
-  const force: Force = {
-    name,
-    equation,
-    parameters: spec.parameters,
-    reads: ['Position', couplesTo],
-    local: true,
-    timeless: !moves,
-    accumulate(world, first, last, time) {
-      const [p, q, s] = values(world);
-      const { x, y, z } = world.scratch.at.force;
-      const coupling = world.addresses[couplesTo].value;
-      const cx = centre.x + velocity.x * time;
-      const cy = centre.y + velocity.y * time;
-      const cz = depth(world, centre, velocity, time);
-      lawKernels(world).centralForce(law, coupling, x, y, z, cx, cy, cz, p, q, s, first, last);
-    },
+/**
+ * The force of a law about a centre.
+ * @param options where the centre is, and the parameters of the law
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function centralForce<P extends Parameters>(
+  law: CentralLaw<P>,
+  couplesTo: 'Mass' | 'Charge',
+  options: CentreOptions & ParameterInput<P>,
+): Force {
+  const { name, formula, source = '', prepare } = law;
+  const symbols = (given: object) => given as LawSymbols<P> & LawSymbols<typeof CENTRE>;
+  const from = ({ position, time }: BodySymbols, given: object) => {
+    const { centre, centreVelocity } = symbols(given);
+    return position.sub(centre.add(centreVelocity.mul(time)));
   };
-  if (moves) return force;
-  return {
-    ...force,
-    potential(world) {
-      const [p, q, s] = values(world);
-      const cz = depth(world, centre, velocity, 0);
-      const coupling = world.addresses[couplesTo].value;
-      return lawKernels(world).centralPotential(law, coupling, centre.x, centre.y, cz, p, q, s, world.lastId + 1);
-    },
-  };
+  type Body = BodySymbols & { readonly charge: Scalar };
+  const field = (body: Body, given: object) => law.field(from(body, given), symbols(given));
+  const energy = (body: Body, given: object) => law.energy(from(body, given), symbols(given));
+  const isOfMass = couplesTo === 'Mass';
+  const make = defineLaw({
+    ...{ name, formula, source, parameters: { ...law.parameters, ...CENTRE } as Parameters },
+    reads: { charge: Charge },
+    ...(isOfMass ? { acceleration: field } : { force: (body: Body, given) => field(body, given).mul(body.charge) }),
+    ...(!moves(options) && {
+      potential: (body: Body, given) => energy(body, given).mul(isOfMass ? body.mass : body.charge),
+    }),
+    ...(prepare && { prepare }),
+  });
+  return make(options as never);
 }
 
-/** In the plane a centre has no depth. */
-function depth(world: PhysicsWorld, centre: Vector, velocity: Vector, time: number): number {
-  return world.dimensions === 3 ? centre.z + velocity.z * time : 0;
+/** Whether the centre has a velocity; the law itself says what is wrong with one. */
+function moves(options: CentreOptions): boolean {
+  const { x = 0, y = 0, z = 0 } = options?.centreVelocity ?? {};
+  return x !== 0 || y !== 0 || z !== 0;
+}
+
+/** 1/r where the condition holds, and 0 elsewhere: it must not hold at r = 0. */
+export function inverseWhere(condition: Condition, r: Scalar): Scalar {
+  return select(condition, constant(1).div(r), 0);
 }

@@ -9,8 +9,8 @@
 // Cost: one call of the function a body and evaluation, in TypeScript.
 import { PhysicsError } from '../faults/physics-error';
 import { checkFunction, checkKeys } from '../faults/validate';
+import type { Force } from '../laws/force';
 import type { PhysicsWorld } from '../world';
-import type { Force } from './force';
 
 /** Writes the field at (x, y, z) and time t to `out`, which holds zeros. */
 export type Field = (x: number, y: number, z: number, t: number, out: { x: number; y: number; z: number }) => void;
@@ -46,7 +46,6 @@ function fieldForce(field: Field, options: FieldOptions, perMass: boolean, name:
     equation,
     reads: ['Position', 'Mass'],
     local: true,
-    usesForceColumns: true,
     accumulate({ components: { Position, Mass }, scratch, dimensions }, first, last, time) {
       const total = scratch.force;
       for (let eid = first; eid < last; eid++) {

@@ -6,75 +6,99 @@
 //
 // Coulomb (1785). Like charges repel. A source acts outside its collider's radius only; inside, the potential is that at
 // the surface, as in a hollow conductor. Valid for sources at rest: their fields do not lag behind and are not magnetic.
-// The pull of mobile charges on each other is in `mutualCoulomb`, which takes fixed ones along. Cost: a square root, a division and some 15 operations a
-// body and source.
+// The pull of mobile charges on each other is in `mutualCoulomb`, which takes fixed ones along.
+// Cost: a square root, a division and some 20 operations a body and source.
 import { bitOf } from '../components/all';
+import { Charge } from '../components/charge';
+import { defineLaw } from '../dynamics/define-law';
 import { reportFault } from '../faults/fault-log';
-import { checkNumber } from '../faults/validate';
+import { type Scalar, select, type Vector, vec3 } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar } from '../laws/parameter';
+import { type TablePlace, table } from '../laws/table';
 import { resource } from '../store/resource';
 import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
 import { POSITIVE } from './bounds';
-import type { Force } from './force';
+import { inverseWhere } from './central';
 import { lawKernels } from './law-kernels';
 
 /** 1/(4π ε₀), N m²/C²: CODATA 2022. */
 export const COULOMB_CONSTANT = 8.9875517862e9;
 
-/** Bytes of one source, kernels/forces/electromagnetic.ts. */
-const SOURCE_BYTES = 40;
+/** A source as it was when the step began, kernels/forces/charges.ts: position, charge and radius. */
+const SOURCE = ['x', 'y', 'z', 'charge', 'radius'] as const;
+type Source = Readonly<Record<(typeof SOURCE)[number], Scalar>>;
 
 interface Sources extends Roster {
-  /** How many of those listed have no mass. */
-  fixed: number;
+  /** Those listed that have no mass. */
+  readonly fixed: { at: number; count: number };
 }
+
+const sourcesOf = resource((): Sources => ({ fixed: { at: 0, count: 0 }, ...emptyRoster() }));
+
+const law = /* @__PURE__ */ defineLaw({
+  name: 'fixed charges',
+  formula: 'F = k q Q r / |r|³',
+  source: 'Coulomb, Histoire de l’Académie Royale des Sciences, 569 (1785).',
+  reads: { charge: Charge },
+  parameters: { constant: scalar('N m²/C²', POSITIVE), sources: table(SOURCE, placeOfSources) },
+  force: ({ position, charge }, { constant, sources }) =>
+    sources.sum((source) => fieldOf(source, position, constant)).mul(charge),
+  potential: ({ position, charge }, { constant, sources }) =>
+    sources.sum((source) => voltageOf(source, position, constant)).mul(charge),
+  prepare: (world) => void gather(world),
+});
 
 /**
  * @param constant k, N m²/C²
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
 export function fixedCharges(constant: number = COULOMB_CONSTANT): Force {
-  const k = checkNumber(constant, 'fixedCharges', POSITIVE);
-  const sourcesOf = resource((): Sources => ({ fixed: 0, ...emptyRoster() }));
-  return {
-    name: 'fixed charges',
-    equation: 'F = k q Q r / |r|³',
-    parameters: { constant: { unit: 'N m²/C²', value: k } },
-    reads: ['Position', 'Charge', 'Mass'],
-    local: true,
-    timeless: true,
-    prepare(world) {
-      gather(world, sourcesOf(world), k);
-    },
-    accumulate(world, first, last) {
-      const { at, fixed } = sourcesOf(world);
-      const { x, y, z } = world.scratch.at.force;
-      lawKernels(world).coulombForce(x, y, z, world.addresses.Charge.value, at, fixed, first, last);
-    },
-    potential(world) {
-      const { at, fixed } = gather(world, sourcesOf(world), k);
-      return lawKernels(world).coulombPotential(world.addresses.Charge.value, at, fixed, world.lastId + 1);
-    },
-  };
+  return law({ constant });
+}
+
+/** Strength and direction apart: their product is in the range of f32 where r³ is not. */
+function fieldOf({ x, y, z, charge, radius }: Source, position: Vector, constant: Scalar): Vector {
+  const r = position.sub(vec3(x, y, z));
+  const distance = r.length();
+  const inverse = inverseWhere(distance.greater(radius).and(distance.greater(0)), distance);
+  return r.mul(inverse).mul(charge.mul(constant).mul(inverse).mul(inverse));
+}
+
+/** Inside a source its value at the surface. */
+function voltageOf({ x, y, z, charge, radius }: Source, position: Vector, constant: Scalar): Scalar {
+  const distance = position
+    .sub(vec3(x, y, z))
+    .length()
+    .max(radius);
+  return select(distance.greater(0), charge.mul(constant).div(distance), 0);
+}
+
+/** In a step the sources are where they were when it began; at other times they are where they are. */
+function placeOfSources(world: PhysicsWorld): TablePlace {
+  return world.state === 'stepping' ? sourcesOf(world).fixed : gather(world);
 }
 
 /** Lists the charges anew when entities changed, and copies those without mass as they are now. */
-function gather(world: PhysicsWorld, sources: Sources, k: number): Sources {
-  refreshRoster(world, sources, 'Charge', SOURCE_BYTES, bitOf('Charge') | bitOf('Position'));
-  const charge = world.addresses.Charge.value;
-  const count = lawKernels(world).gatherCharges(sources.ids, sources.count, charge, k, sources.at);
-  sources.fixed = count < 0 ? -1 - count : count;
+function gather(world: PhysicsWorld): TablePlace {
+  const sources = sourcesOf(world);
+  refreshRoster(world, sources, 'Charge', 8 * SOURCE.length, bitOf('Charge') | bitOf('Position'));
+  const { fixed, ids, at } = sources;
+  const count = lawKernels(world).gatherCharges(ids, sources.count, world.addresses.Charge.value, at);
+  fixed.at = at;
+  fixed.count = count < 0 ? -1 - count : count;
   if (count < 0) repair(world, sources);
-  return sources;
+  return fixed;
 }
 
 /** The charge of a source that somebody made NaN or infinite becomes 0, with a fault. */
 function repair(world: PhysicsWorld, { ids, count }: Sources): void {
-  const { Charge, Mass } = world.components;
+  const { Charge: charges, Mass } = world.components;
   for (const entity of new Uint32Array(world.memory.buffer, ids, count)) {
-    const value = Charge.value[entity];
+    const value = charges.value[entity];
     if (Mass.value[entity] !== 0 || Number.isFinite(value)) continue;
-    Charge.value[entity] = 0;
+    charges.value[entity] = 0;
     reportFault(world, { code: 'E_NONFINITE', entity, field: 'Charge.value', value, phase: 'begin' });
   }
 }

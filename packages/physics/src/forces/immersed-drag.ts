@@ -8,23 +8,44 @@
 // The coefficients are those of the wholly immersed body in this fluid; list no other drag with them, or it acts in the
 // air as well. A share of the volume stands for the share of the frontal area, which differ by a third at most.
 // Batchelor, An Introduction to Fluid Dynamics, section 5.11. Cost: a square root and a division a body.
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
-import { hullTable, type Pool, poolState } from './pool';
+import { Collider } from '../components/collider';
+import { LinearDrag, QuadraticDrag } from '../components/drag';
+import { Hull } from '../components/hull';
+import { defineLaw } from '../dynamics/define-law';
+import type { Scalar, Vector } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar, vector } from '../laws/parameter';
+import { immersion, type Pool, poolValues } from './pool';
+
+const about = {
+  name: 'immersed drag',
+  formula: 'F = -f (k |w| + c) w',
+  source: 'Batchelor, An Introduction to Fluid Dynamics, section 5.11.',
+};
+
+function drag(w: Vector, k: Scalar, c: Scalar): Vector {
+  return w.mul(k.mul(w.length()).add(c)).negate();
+}
+
+const everywhere = /* @__PURE__ */ defineLaw({
+  ...about,
+  reads: { k: QuadraticDrag, c: LinearDrag },
+  parameters: { flow: vector('m/s') },
+  force: ({ velocity, k, c }, { flow }) => drag(velocity.sub(flow), k, c),
+});
+
+const withSurface = /* @__PURE__ */ defineLaw({
+  ...about,
+  reads: { k: QuadraticDrag, c: LinearDrag, hull: Hull, collider: Collider },
+  parameters: { up: vector(''), level: scalar('m'), flow: vector('m/s') },
+  force(body, pool) {
+    const { share } = immersion(body, pool);
+    return drag(body.velocity.sub(pool.flow), body.k.mul(share), body.c.mul(share));
+  },
+});
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function immersedDrag(pool: Pool): Force {
-  const { at, parameters } = poolState(pool, 'immersedDrag');
-  return {
-    name: 'immersed drag',
-    equation: 'F = -f (k |w| + c) w',
-    parameters,
-    reads: ['Position', 'Velocity', 'Hull', 'Collider', 'QuadraticDrag', 'LinearDrag'],
-    local: true,
-    timeless: true,
-    accumulate(world, first, last) {
-      const { x, y, z } = world.scratch.at.force;
-      lawKernels(world).immersedDrag(at(world), hullTable(world), x, y, z, first, last);
-    },
-  };
+  const { fluid, level, flow } = poolValues(pool, 'immersedDrag');
+  return level === undefined ? everywhere({ flow }) : withSurface({ up: fluid.up, level, flow });
 }

@@ -7,13 +7,14 @@
 //
 // Kutta (1902), Joukowski (1906); the coefficient is constant, so the angle of attack must be small and steady, or the
 // game changes `Lift.coefficient`. It does no work. Anderson, Fundamentals of Aerodynamics, section 1.5.
-// Cost: one square root and a cross product a body.
+// Cost: one square root and a cross product a body; in the body's axes in 3D two cross products more.
+import { Lift } from '../components/lift';
+import { defineLaw } from '../dynamics/define-law';
 import { PhysicsError } from '../faults/physics-error';
 import { checkChoice, checkKeys, checkVector, type Vector, type VectorInput } from '../faults/validate';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
-import { shownVector } from './time-vector';
-import { type Wind, windState } from './wind';
+import type { Force } from '../laws/force';
+import { suppliedVector } from '../laws/parameter';
+import { type Wind, windParameter } from './wind';
 
 export interface LiftOptions {
   /** Span axis s; default +z. In 2D it is +z. */
@@ -28,31 +29,29 @@ export interface LiftOptions {
 export function lift(options: LiftOptions = {}): Force {
   checkKeys(options, 'lift', ['span', 'frame', 'wind']);
   const span = unit(checkVector(options.span ?? { z: 1 }, 'lift.span', { min: -1e12, max: 1e12 }), 'lift.span');
-  const turned = checkFrame(options.frame ?? 'world', 'lift.frame') === 'body';
-  const medium = windState(options.wind ?? {}, 'lift.wind');
-  return {
-    name: 'lift',
-    equation: 'F = k |w| (s × w)',
-    parameters: shownVector('span', '', span),
-    reads: ['Velocity', 'Lift', ...(turned ? ['Orientation'] : [])],
-    local: true,
-    timeless: medium.steady !== undefined,
-    accumulate(world, first, last, time) {
-      const { Lift, Orientation: q } = world.addresses;
-      const { x, y, z } = world.scratch.at.force;
-      const w = medium.at(world, time);
-      const solid = world.dimensions === 3;
-      const s = solid ? span : OUT_OF_PLANE;
-      const ofBody = solid && turned ? 1 : 0;
-      const wz = solid ? w.z : 0;
-      const k = Lift.coefficient;
-      const kernels = lawKernels(world);
-      kernels.liftForce(x, y, z, k, q.x, q.y, q.z, q.w, ofBody, s.x, s.y, s.z, w.x, w.y, wz, first, last);
-    },
-  };
+  const frame = checkFrame(options.frame ?? 'world', 'lift.frame');
+  return liftAlong(span, frame)({ wind: options.wind ?? {} });
 }
 
 const OUT_OF_PLANE: Vector = { x: 0, y: 0, z: 1 };
+
+function liftAlong(given: Vector, frame: 'world' | 'body') {
+  return defineLaw({
+    name: 'lift',
+    formula: 'F = k |w| (s × w)',
+    source: 'Anderson, Fundamentals of Aerodynamics, section 1.5.',
+    reads: { k: Lift },
+    parameters: {
+      wind: windParameter,
+      span: suppliedVector(({ dimensions }) => (dimensions === 3 ? given : OUT_OF_PLANE), 'axial'),
+    },
+    force({ velocity, k, rotate }, { span, wind }) {
+      const w = velocity.sub(wind);
+      const s = frame === 'body' ? rotate(span) : span;
+      return s.cross(w).mul(k.mul(w.length()));
+    },
+  });
+}
 
 /** A vector of length 1 in the same direction. @throws PhysicsError E_RANGE when there is none */
 export function unit(vector: Vector, field: string): Vector {

@@ -1,38 +1,25 @@
 // A force for some bodies, some places or some time only: fuel in a region, wind in a corridor, a magnet that switches.
 //
-// Inside its limits the force is what it was; outside, the force and torque it added are taken back, to the bit. Works
-// with every force: local ones run in tiles as before, and one that reads the forces before it still does. What a force
-// spends at the start of a step, such as fuel, it spends inside its limits only.
+// Inside its limits the force is what it was; outside, there is none. Works with every force, and one that reads the
+// forces before it still does. A law stays a law, under a condition, and is fused into the step. Of other forces, what
+// they added outside is taken back, to the bit. What a force spends at the start of a step, such as fuel, it spends inside
+// its limits only.
 //
 // Potential: a force limited in time has its own inside that time and none outside. A local force limited to a group has
 // the potential of that group, because bodies without its coefficients have none. A force limited to a region has no
-// potential: energy changes at the border. Cost: two copies of the force columns and a test a body.
-import { bitOf, COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all';
-import { PhysicsError } from '../faults/physics-error';
-import { checkHas, checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+// potential: energy changes at the border. Cost: of a law, one to seven comparisons a body; of another force, two copies of
+// the force columns and a test a body.
+import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all';
+import type { LawForce } from '../dynamics/sum-of-laws';
+import type { Force } from '../laws/force';
+import { checkForce } from '../schedule/plan';
 import { allocate } from '../store/arena';
 import { realAddresses, realBytes } from '../store/columns';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
-import { LENGTHS, PLACES } from './bounds';
-import type { Force } from './force';
 import { lawKernels } from './law-kernels';
-
-/** A box, or a ball (a disc in 2D). Axes left out of a box are not limited. */
-export type Region =
-  | { readonly min: VectorInput; readonly max: VectorInput }
-  | { readonly centre: VectorInput; readonly radius: number };
-
-export interface Limits {
-  /** Only bodies that have this component, or all of these. */
-  readonly group?: ComponentName | readonly ComponentName[];
-  /** Only bodies whose centre is here. */
-  readonly region?: Region;
-  /** Only from this time on, s. */
-  readonly from?: number;
-  /** Only before this time, s. */
-  readonly until?: number;
-}
+import { limitedLaw } from './limited-law';
+import { type CheckedLimits, checkLimits, type Limits } from './limits';
 
 /** Bytes of a record of limits, kernels/forces/limited.ts. */
 const LIMITS_BYTES = 56;
@@ -43,44 +30,42 @@ let depth = 0;
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step when the world has no room */
 export function limited(force: Force, limits: Limits): Force {
-  checkHas(force, 'accumulate', 'limited: force', 'Such as uniformGravity() or defineForce({ … }).');
-  checkKeys(limits, 'limited', ['group', 'region', 'from', 'until']);
-  const from = limits.from === undefined ? -Infinity : checkNumber(limits.from, 'limited.from');
-  const until = limits.until === undefined ? Infinity : checkNumber(limits.until, 'limited.until');
-  const group = groupBits(limits.group);
-  const region = limits.region === undefined ? undefined : regionNumbers(limits.region);
-  const limitsAt = resource((world) => writeLimits(world, region, group));
-  const everywhere = group === 0 && region === undefined;
+  checkForce(force, 'limited: force');
+  const checked = checkLimits(limits);
+  const limitsAt = resource((world) => writeLimits(world, checked));
+  const prepare = prepareWithin(force, checked, limitsAt);
+  if (force.law !== undefined) return { ...limitedLaw(force as LawForce, checked), ...prepare };
   return {
     ...force,
     name: `${force.name} (limited)`,
-    timeless: force.timeless === true && from === -Infinity && until === Infinity,
-    ...prepareWithin(force, from, until, everywhere, limitsAt),
+    ...prepare,
     accumulate(world, first, last, time) {
       // What was spent at the start of a step drives the whole of it.
       const moment = force.spends === undefined ? time : world.time;
-      if (moment < from || moment >= until) return;
-      if (everywhere) force.accumulate(world, first, last, time);
+      if (moment < checked.from || moment >= checked.until) return;
+      if (isEverywhere(checked)) force.accumulate?.(world, first, last, time);
       else accumulateWithin(world, force, limitsAt(world), first, last, time);
     },
-    ...potentialWithin(force, limits, from, until, limitsAt),
+    ...potentialWithin(force, checked, limitsAt),
   };
+}
+
+function isEverywhere({ group, box, ball }: CheckedLimits): boolean {
+  return group === 0 && box === undefined && ball === undefined;
 }
 
 /** The whole preparation, but of what is spent outside the limits nothing is. */
 function prepareWithin(
   force: Force,
-  from: number,
-  until: number,
-  everywhere: boolean,
+  limits: CheckedLimits,
   limitsAt: (world: PhysicsWorld) => number,
 ): Pick<Force, 'prepare'> {
   const { spends } = force;
   if (force.prepare === undefined || spends === undefined) return {};
   return {
     prepare(world, dt) {
-      if (world.time < from || world.time >= until) return;
-      if (everywhere) {
+      if (world.time < limits.from || world.time >= limits.until) return;
+      if (isEverywhere(limits)) {
         force.prepare?.(world, dt);
         return;
       }
@@ -91,9 +76,8 @@ function prepareWithin(
       try {
         force.prepare?.(world, dt);
       } finally {
-        const limits = limitsAt(world);
-        for (let i = 0; i < columns.length; i++)
-          lawKernels(world).restoreOutside(limits, columns[i], saves[i], 0, rows);
+        const at = limitsAt(world);
+        for (let i = 0; i < columns.length; i++) lawKernels(world).restoreOutside(at, columns[i], saves[i], 0, rows);
       }
     },
   };
@@ -130,7 +114,7 @@ function accumulateWithin(
   }
   depth++;
   try {
-    force.accumulate(world, first, last, time);
+    force.accumulate?.(world, first, last, time);
   } finally {
     depth--;
     const laws = lawKernels(world);
@@ -156,19 +140,18 @@ function savesAt(world: PhysicsWorld, count: number): readonly number[] {
 
 function potentialWithin(
   force: Force,
-  limits: Limits,
-  from: number,
-  until: number,
+  limits: CheckedLimits,
   limitsAt: (world: PhysicsWorld) => number,
 ): Pick<Force, 'potential'> {
   const { potential } = force;
-  const groupOnly = limits.group !== undefined && limits.region === undefined;
-  if (potential === undefined || limits.region !== undefined || (groupOnly && !force.local)) {
+  const isRegion = limits.box !== undefined || limits.ball !== undefined;
+  const groupOnly = limits.group !== 0 && !isRegion;
+  if (potential === undefined || isRegion || (groupOnly && !force.local)) {
     return { potential: undefined } as unknown as Pick<Force, 'potential'>;
   }
   return {
     potential(world) {
-      if (world.time < from || world.time >= until) return 0;
+      if (world.time < limits.from || world.time >= limits.until) return 0;
       return groupOnly ? potentialOfGroup(world, force, limitsAt(world)) : potential(world);
     },
   };
@@ -195,51 +178,19 @@ function potentialOfGroup(world: PhysicsWorld, force: Force, limits: number): nu
   }
 }
 
-function groupBits(group: Limits['group']): number {
-  if (group === undefined) return 0;
-  let bits = 0;
-  for (const name of typeof group === 'string' ? [group] : group) {
-    if (!COMPONENT_NAMES.includes(name)) {
-      throw new PhysicsError('E_UNKNOWN', `limited.group names no component "${String(name)}".`, {
-        field: 'group',
-        value: name,
-        hint: `Valid: ${COMPONENT_NAMES.join(', ')}.`,
-      });
-    }
-    bits |= bitOf(name);
-  }
-  return bits >>> 0;
-}
-
-/** Kind, and the six numbers of it. */
-function regionNumbers(region: Region): readonly number[] {
-  if ('radius' in region) {
-    checkKeys(region, 'limited.region', ['centre', 'radius']);
-    const { x, y, z } = checkVector(region.centre, 'limited.region.centre', PLACES);
-    const radius = checkNumber(region.radius, 'limited.region.radius', LENGTHS);
-    return [2, x, y, z, radius * radius, 0, 0];
-  }
-  checkKeys(region, 'limited.region', ['min', 'max']);
-  checkVector(region.min, 'limited.region.min', PLACES);
-  checkVector(region.max, 'limited.region.max', PLACES);
-  const { x: x0 = -Infinity, y: y0 = -Infinity, z: z0 = -Infinity } = region.min;
-  const { x: x1 = Infinity, y: y1 = Infinity, z: z1 = Infinity } = region.max;
-  if (x0 > x1 || y0 > y1 || z0 > z1) {
-    throw new PhysicsError('E_RANGE', 'limited.region is empty: a corner `min` lies beyond `max`.', {
-      field: 'region',
-      value: region,
-    });
-  }
-  return [1, x0, y0, z0, x1, y1, z1];
-}
-
-function writeLimits(world: PhysicsWorld, region: readonly number[] | undefined, group: number): number {
+function writeLimits(world: PhysicsWorld, { group, box, ball }: CheckedLimits): number {
   const at = allocate(world.internal.arena, LIMITS_BYTES, 'limits');
-  const [kind = 0, ...numbers] = region ?? [];
+  const numbers = new Float64Array(world.memory.buffer, at, 6);
+  const isFlat = world.dimensions === 2;
   // In the plane a region has no depth: a centre lies in it, a box is open.
-  if (world.dimensions === 2 && kind === 2) numbers[2] = 0;
-  if (world.dimensions === 2 && kind === 1) [numbers[2], numbers[5]] = [-Infinity, Infinity];
-  new Float64Array(world.memory.buffer, at, 6).set(numbers);
+  if (ball !== undefined) {
+    const { x, y, z } = ball.centre;
+    numbers.set([x, y, isFlat ? 0 : z, ball.radius * ball.radius]);
+  } else if (box !== undefined) {
+    const { min, max } = box;
+    numbers.set([min.x, min.y, isFlat ? -Infinity : min.z, max.x, max.y, isFlat ? Infinity : max.z]);
+  }
+  const kind = ball !== undefined ? 2 : box !== undefined ? 1 : 0;
   new Uint32Array(world.memory.buffer, at + 48, 2).set([kind, group]);
   return at;
 }

@@ -11,31 +11,29 @@
 // and then leave this force out. A field that changes with time induces an electric one, which is not included.
 // Lorentz (1895); Jackson, Classical Electrodynamics, section 12.2; Birdsall and Langdon, Plasma Physics via Computer
 // Simulation, section 4.3. Cost: four to twelve operations a body.
+import { Charge } from '../components/charge';
+import { defineLaw } from '../dynamics/define-law';
+import type { Force } from '../laws/force';
+import { axialVectorOverTime } from '../laws/parameter';
+import type { VectorOverTime } from '../laws/time-vector';
 import { ANY } from './bounds';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
-import { shownVector, timeVector, type VectorOverTime } from './time-vector';
+
+const law = /* @__PURE__ */ defineLaw({
+  name: 'magnetic field',
+  formula: 'F = q v × B(t)',
+  source: 'Jackson, Classical Electrodynamics, section 12.2.',
+  reads: { charge: Charge },
+  parameters: {
+    /** Flux density B, T, or a function of the time, s, that gives it; in 2D its z. */
+    field: axialVectorOverTime('T', ANY),
+  },
+  force: ({ velocity, charge }, { field }) => velocity.mul(charge).cross(field),
+});
 
 /**
  * @param field B, T, or a function of the time, s, that returns it; in 2D only its z acts
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function magneticField(field: VectorOverTime): Force {
-  const state = timeVector(field, 'magneticField', 'magneticField', ANY);
-  return {
-    name: 'magnetic field',
-    equation: 'F = q v × B(t)',
-    parameters: shownVector('field', 'T', state.steady),
-    reads: ['Velocity', 'Charge'],
-    local: true,
-    timeless: state.steady !== undefined,
-    accumulate(world, first, last, time) {
-      const b = state.at(world, time);
-      const kernels = lawKernels(world);
-      const charge = world.addresses.Charge.value;
-      const { x, y, z } = world.scratch.at.force;
-      if (world.dimensions === 2) kernels.magneticForce2d(x, y, charge, b.z, first, last);
-      else kernels.magneticForce3d(x, y, z, charge, b.x, b.y, b.z, first, last);
-    },
-  };
+  return law({ field });
 }

@@ -8,11 +8,12 @@
 // Rubinow and Keller, J. Fluid Mech. 11, 447 (1961), for Re ≪ 1, where C = 1 exactly. Sports balls at Re of 10⁵ have
 // C from 0.1 to 1 by spin and roughness: Mehta, Annual Review of Fluid Mechanics 17, 151 (1985). It does no work and,
 // here, does not slow the spin: add `angularDrag`. Cost: a cross product a body.
-import { checkKeys, checkNumber } from '../faults/validate';
+import { Collider } from '../components/collider';
+import { defineLaw } from '../dynamics/define-law';
+import type { Force } from '../laws/force';
+import { scalar } from '../laws/parameter';
 import { NOT_NEGATIVE, POSITIVE } from './bounds';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
-import { type Wind, windState } from './wind';
+import { type Wind, windParameter } from './wind';
 
 export interface MagnusOptions {
   /** Density ρ of the fluid, kg/m³. */
@@ -23,25 +24,23 @@ export interface MagnusOptions {
   readonly wind?: Wind;
 }
 
+const law = /* @__PURE__ */ defineLaw({
+  name: 'Magnus force',
+  formula: 'F = C π ρ r³ (ω × w)',
+  source: 'Rubinow and Keller, J. Fluid Mech. 11, 447 (1961).',
+  reads: { collider: Collider },
+  parameters: {
+    density: scalar('kg/m³', POSITIVE),
+    coefficient: scalar('', { default: 1, ...NOT_NEGATIVE }),
+    wind: windParameter,
+  },
+  force({ velocity, angularVelocity, collider: { radius } }, { density, coefficient, wind }) {
+    const k = coefficient.mul(Math.PI).mul(density);
+    return angularVelocity.cross(velocity.sub(wind)).mul(k.mul(radius).mul(radius).mul(radius));
+  },
+});
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function magnus(options: MagnusOptions): Force {
-  checkKeys(options, 'magnus', ['density', 'coefficient', 'wind']);
-  const density = checkNumber(options.density, 'magnus.density', POSITIVE);
-  const coefficient = checkNumber(options.coefficient ?? 1, 'magnus.coefficient', NOT_NEGATIVE);
-  const medium = windState(options.wind ?? {}, 'magnus.wind');
-  const k = coefficient * Math.PI * density;
-  return {
-    name: 'Magnus force',
-    equation: 'F = C π ρ r³ (ω × w)',
-    parameters: { density: { unit: 'kg/m³', value: density }, coefficient: { unit: '', value: coefficient } },
-    reads: ['Velocity', 'AngularVelocity', 'Collider'],
-    local: true,
-    timeless: medium.steady !== undefined,
-    accumulate(world, first, last, time) {
-      const w = medium.at(world, time);
-      const { x, y, z } = world.scratch.at.force;
-      const wz = world.dimensions === 3 ? w.z : 0;
-      lawKernels(world).magnusForce(x, y, z, k, w.x, w.y, wz, first, last);
-    },
-  };
+  return law(options);
 }

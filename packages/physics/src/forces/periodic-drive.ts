@@ -5,13 +5,13 @@
 //   A, B  amplitudes, N    Ω  angular frequency, rad/s; 0 is a constant force A    t  time, s
 //
 // A driven oscillator of mass m, stiffness k and damping c settles to the amplitude |A|/√((k - mΩ²)² + c²Ω²): Landau
-// and Lifshitz, Mechanics, section 26. For some bodies only, wrap it in `limited`. Cost: one addition an axis.
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
-import { cos, sin } from '../math/elementary';
+// and Lifshitz, Mechanics, section 26. For some bodies only, wrap it in `limited`. Cost: two operations an axis.
+import { defineLaw } from '../dynamics/define-law';
+import type { VectorInput } from '../faults/validate';
+import { select, vec3 } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar, vector } from '../laws/parameter';
 import { ANY } from './bounds';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
-import { shownVector } from './time-vector';
 
 export interface PeriodicDriveOptions {
   /** A, N; default none. */
@@ -22,31 +22,23 @@ export interface PeriodicDriveOptions {
   readonly angularFrequency: number;
 }
 
+const law = /* @__PURE__ */ defineLaw({
+  name: 'periodic drive',
+  formula: 'F = A cos Ωt + B sin Ωt',
+  source: 'Landau and Lifshitz, Mechanics, section 26.',
+  parameters: {
+    cosine: vector('N', { default: {}, ...ANY }),
+    sine: vector('N', { default: {}, ...ANY }),
+    angularFrequency: scalar('rad/s', { min: 0, max: 1e12 }),
+  },
+  force({ mass, time }, { cosine, sine, angularFrequency }) {
+    const angle = angularFrequency.mul(time);
+    const force = cosine.mul(angle.cos()).add(sine.mul(angle.sin()));
+    return select(mass.greater(0), force, vec3(0, 0, 0));
+  },
+});
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function periodicDrive(options: PeriodicDriveOptions): Force {
-  checkKeys(options, 'periodicDrive', ['cosine', 'sine', 'angularFrequency']);
-  const a = checkVector(options.cosine ?? {}, 'periodicDrive.cosine', ANY);
-  const b = checkVector(options.sine ?? {}, 'periodicDrive.sine', ANY);
-  const frequency = checkNumber(options.angularFrequency, 'periodicDrive.angularFrequency', { min: 0, max: 1e12 });
-  return {
-    name: 'periodic drive',
-    equation: 'F = A cos Ωt + B sin Ωt',
-    parameters: {
-      angularFrequency: { unit: 'rad/s', value: frequency },
-      ...shownVector('cosine', 'N', a),
-      ...shownVector('sine', 'N', b),
-    },
-    reads: ['Mass'],
-    local: true,
-    accumulate(world, first, last, time) {
-      const kernels = lawKernels(world);
-      const { x, y, z } = world.scratch.at.force;
-      const mass = world.addresses.Mass.value;
-      const c = cos(frequency * time);
-      const s = sin(frequency * time);
-      kernels.pushAxis(x, mass, a.x * c + b.x * s, first, last);
-      kernels.pushAxis(y, mass, a.y * c + b.y * s, first, last);
-      if (world.dimensions === 3) kernels.pushAxis(z, mass, a.z * c + b.z * s, first, last);
-    },
-  };
+  return law(options);
 }

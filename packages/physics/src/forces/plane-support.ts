@@ -11,15 +11,19 @@
 // runway. A body with Inertia and AngularVelocity rolls, a (solid) ball down a slope with g sinθ/(1 + 2/5); one without
 // is a block, 1/I = 0. Friction turns at rest into what holds: with μ_s = tanθ to the last digit it does not move.
 // A body is on the plane when its surface is within `gap`, and leaves when the forces lift it. What arrives with a speed
-// into the plane is not stopped: that is an impact, and the work of a wall.
+// into the plane is not stopped: that is an impact, and the work of a wall. Less than `stickSpeed` is taken for rounding.
 // Coulomb (1785); Goldstein, Classical Mechanics, section 2.4 for rolling. Cost: one to three square roots a body.
-import { bitOf } from '../components/all';
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
+
+import { Collider } from '../components/collider';
+import { Inertia } from '../components/inertia';
+import { AngularVelocity } from '../components/rotation';
+import { defineLaw } from '../dynamics/define-law';
+import { checkKeys, checkVector, type VectorInput } from '../faults/validate';
+import type { BodySymbols } from '../laws/body-symbols';
+import { type Condition, constant, type Scalar, select, type Vector, vec3 } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar, suppliedScalar, vector } from '../laws/parameter';
 import { PLACES } from './bounds';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
 import { unit } from './lift';
 
 export interface PlaneSupportOptions {
@@ -33,49 +37,122 @@ export interface PlaneSupportOptions {
   readonly kineticFriction?: number;
   /** How far from the plane a body is still on it, m; default 10⁻³. */
   readonly gap?: number;
-  /** Slip below which a body sticks, m/s; default 10⁻⁶. */
+  /** Slip below which a body sticks, and speed along the normal that is stopped, m/s; default 10⁻⁶. */
   readonly stickSpeed?: number;
 }
 
-const TURNS = bitOf('AngularVelocity');
-const KEYS = ['point', 'normal', 'staticFriction', 'kineticFriction', 'gap', 'stickSpeed'] as const;
+/** The plane as the law sees it. */
+interface PlaneSymbols {
+  readonly point: Vector;
+  readonly normal: Vector;
+  readonly staticFriction: Scalar;
+  readonly kineticFriction: Scalar;
+  readonly gap: Scalar;
+  readonly stickSpeed: Scalar;
+  readonly rounding: Scalar;
+}
+
+interface RollingSymbols extends BodySymbols {
+  readonly collider: { readonly radius: Scalar };
+  readonly inertia: Scalar;
+}
+
+/** What the plane does to a body, per mass: all of the law is in proportion to it. */
+interface Support {
+  readonly presses: Condition;
+  /** Along the normal, and along the plane, m/s². */
+  readonly normal: Scalar;
+  readonly friction: Vector;
+  /** Radius of a body that rolls, and zero of a block, m. */
+  readonly arm: Scalar;
+}
+
+const known = /* @__PURE__ */ new WeakMap<BodySymbols, Support>();
+
+/** Force and torque are parts of one answer, which is made once. */
+function supportOf(body: RollingSymbols, plane: PlaneSymbols): Support {
+  const support = known.get(body) ?? answer(body, plane);
+  known.set(body, support);
+  return support;
+}
+
+function answer(body: RollingSymbols, plane: PlaneSymbols): Support {
+  const { position, acceleration, startVelocity, angularVelocity, mass, inertia, dt } = body;
+  const { radius } = body.collider;
+  const n = plane.normal;
+  const height = position.sub(plane.point).dot(n).sub(radius);
+  const normal = acceleration.dot(n).negate();
+  const turns = body.has(AngularVelocity).and(inertia.greater(0));
+  const arm = select(turns, radius, 0);
+  const lever = select(turns, mass.mul(radius.square()).div(inertia), 0);
+  // Slip and spin are those at the start of the step, in every evaluation: the angular velocity moves only when the step
+  // is over, and the two must belong together.
+  const going = startVelocity.sub(angularVelocity.cross(n).mul(arm));
+  const leaving = going.dot(n);
+  const slip = going.sub(n.mul(leaving));
+  const driving = acceleration.add(n.mul(normal));
+  // Outside of a step there is none within which a slip could end.
+  const hurry = select(dt.greater(0), constant(1).div(dt), 0);
+  const holding = driving.add(slip.mul(hurry)).div(lever.add(1)).negate();
+  const friction = limitedFriction(plane, slip, holding, normal);
+  // What little speed rounding gives a body along the normal would add up, and it would sink into the plane or leave it.
+  const isRounding = leaving.square().lessOrEqual(smallSquare(plane, startVelocity));
+  const stop = select(isRounding, leaving.mul(hurry), 0);
+  const presses = height.lessOrEqual(plane.gap).and(normal.greater(0));
+  return { presses, normal: normal.sub(stop), friction, arm };
+}
+
+/** Square of the speed that counts as none. */
+function smallSquare({ stickSpeed, rounding }: PlaneSymbols, velocity: Vector): Scalar {
+  return velocity.lengthSquared().mul(rounding.square()).add(stickSpeed.square());
+}
+
+/** Sticking, a body has the friction that holds it, as long as there is so much; slipping, no more than would stop it. */
+function limitedFriction(plane: PlaneSymbols, slip: Vector, holding: Vector, normal: Scalar): Vector {
+  const { staticFriction, kineticFriction, stickSpeed, rounding } = plane;
+  const speed = slip.length();
+  const needed = holding.length();
+  const most = kineticFriction.mul(normal);
+  // What holds to the last digit shall hold: both sides are made of forces as large as `normal` and `needed`.
+  const holds = needed.lessOrEqual(staticFriction.mul(normal).add(normal.add(needed).mul(rounding)));
+  const sliding = select(needed.greater(most), slip.mul(most.div(speed)).negate(), holding);
+  const sticking = select(holds, holding, holding.mul(most.div(needed)));
+  return select(speed.greater(stickSpeed), sliding, sticking);
+}
+
+const NONE = vec3(0, 0, 0);
+
+const law = /* @__PURE__ */ defineLaw({
+  name: 'plane support',
+  formula: 'N = -F·n, |f| ≤ μ N',
+  source: 'Coulomb (1785); Goldstein, Classical Mechanics, section 2.4.',
+  reads: { collider: Collider, inertia: Inertia },
+  parameters: {
+    point: vector('m', { default: {}, ...PLACES }),
+    normal: vector(''),
+    staticFriction: scalar('', { min: 0, max: 100 }),
+    kineticFriction: scalar('', { min: 0, max: 100 }),
+    gap: scalar('m', { default: 1e-3, min: 0, max: 1e12 }),
+    stickSpeed: scalar('m/s', { default: 1e-6, min: 0, max: 1e6 }),
+    // Some ten roundings lie between the forces and each side of the comparison.
+    rounding: suppliedScalar(({ precision }) => 16 * (precision === 'f32' ? 2 ** -24 : 2 ** -53)),
+  },
+  acceleration(body, plane) {
+    const { presses, normal, friction } = supportOf(body, plane);
+    return select(presses, plane.normal.mul(normal).add(friction), NONE);
+  },
+  torque(body, plane) {
+    const { presses, friction, arm } = supportOf(body, plane);
+    return select(presses, plane.normal.cross(friction).mul(arm.mul(body.mass)).negate(), NONE);
+  },
+});
+
+const KEYS = ['point', 'normal', 'staticFriction', 'kineticFriction', 'gap', 'stickSpeed'];
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function planeSupport(options: PlaneSupportOptions = {}): Force {
   checkKeys(options, 'planeSupport', KEYS);
-  const p = checkVector(options.point ?? {}, 'planeSupport.point', PLACES);
-  const n = unit(checkVector(options.normal ?? { y: 1 }, 'planeSupport.normal', PLACES), 'planeSupport.normal');
-  const coefficient = (key: 'staticFriction' | 'kineticFriction', byDefault: number) =>
-    checkNumber(options[key] ?? byDefault, `planeSupport.${key}`, { min: 0, max: 100 });
-  const kinetic = coefficient('kineticFriction', 0);
-  const still = coefficient('staticFriction', kinetic);
-  const gap = checkNumber(options.gap ?? 1e-3, 'planeSupport.gap', { min: 0, max: 1e12 });
-  const stick = checkNumber(options.stickSpeed ?? 1e-6, 'planeSupport.stickSpeed', { min: 0, max: 1e6 });
-  const values = [p.x, p.y, p.z, n.x, n.y, n.z, still, kinetic, gap, stick];
-  const planeAt = resource((world) => {
-    const at = allocate(world.internal.arena, 8 * values.length, 'a plane');
-    new Float64Array(world.memory.buffer, at, values.length).set(values);
-    return at;
-  });
-  let length = 1;
-  return {
-    name: 'plane support',
-    equation: 'N = -F·n, |f| ≤ μ N',
-    parameters: { staticFriction: { unit: '', value: still }, kineticFriction: { unit: '', value: kinetic } },
-    reads: ['Position', 'Velocity', 'Mass', 'Collider', 'Inertia', 'AngularVelocity'],
-    local: true,
-    timeless: true,
-    turns: true,
-    prepare(_world, dt) {
-      length = dt;
-    },
-    accumulate(world, first, last) {
-      const { force: f, torque: t } = world.scratch.at;
-      const inertia = world.addresses.Inertia.value;
-      const { x, y, z } = world.scratch.at.startVelocity;
-      const kernels = lawKernels(world);
-      const plane = planeAt(world);
-      kernels.supportForce(plane, inertia, TURNS, f.x, f.y, f.z, t.x, t.y, t.z, x, y, z, length, first, last);
-    },
-  };
+  const normal = checkVector(options.normal ?? { y: 1 }, 'planeSupport.normal', PLACES);
+  const { kineticFriction = 0, staticFriction = kineticFriction } = options;
+  return law({ ...options, normal: unit(normal, 'planeSupport.normal'), staticFriction, kineticFriction });
 }

@@ -8,13 +8,19 @@
 // Scaled by the mass, so that heavy and light bodies follow alike. Keep f below a tenth of the step rate. The body may be
 // held and let go while the world runs; what is held is input, as a key is, and no part of the world's state. The energy
 // closes while the point rests and ζ = 0: damping takes some, a hand that moves adds to it.
-// Catto, Soft Constraints (Game Developers Conference, 2011). Cost: nothing unless something is held.
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
+// Catto, Soft Constraints (Game Developers Conference, 2011). Cost: nothing unless something is
+// held, and then two square roots or divisions and some 25 more operations for every body: all lanes do the same.
+import { defineLaw } from '../dynamics/define-law';
+import { checkVector, type VectorInput } from '../faults/validate';
+import { constant, select, vec3 } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar } from '../laws/parameter';
+import { type TablePlace, table } from '../laws/table';
+import { allocate } from '../store/arena';
 import { assertBody, type EntityRef, entityRef, isAlive } from '../store/references';
+import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
 import { PLACES } from './bounds';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
 
 export interface PointerPullOptions {
   /** f, Hz; default 2. */
@@ -35,26 +41,28 @@ export interface PointerPull extends Force {
   release(): void;
 }
 
+/** What is held, and where to: one row, or none. */
+const GRIP = ['entity', 'x', 'y', 'z'] as const;
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function pointerPull(options: PointerPullOptions = {}): PointerPull {
-  checkKeys(options, 'pointerPull', ['frequency', 'dampingRatio', 'maxForce']);
-  const frequency = checkNumber(options.frequency ?? 2, 'pointerPull.frequency', { above: 0, max: 1e6 });
-  const ratio = checkNumber(options.dampingRatio ?? 1, 'pointerPull.dampingRatio', { min: 0, max: 100 });
-  const most = checkNumber(options.maxForce ?? 1e30, 'pointerPull.maxForce', { above: 0, max: 1e38 });
-  const omega = 2 * Math.PI * frequency;
   const held = { world: undefined as PhysicsWorld | undefined, eid: 0, ref: 0 as EntityRef };
   let target = checkVector({}, 'pointerPull');
+  const rowOf = resource(({ internal, memory }) => {
+    const at = allocate(internal.arena, 8 * GRIP.length, 'a pointer pull');
+    return { row: new Float64Array(memory.buffer, at, GRIP.length), place: { at, count: 0 } };
+  });
+  const force = pullBy((world) => {
+    const { row, place } = rowOf(world);
+    place.count = held.world === world && isAlive(world, held.ref) ? 1 : 0;
+    row[0] = held.eid;
+    row[1] = target.x;
+    row[2] = target.y;
+    row[3] = target.z;
+    return place;
+  })(options);
   return {
-    name: 'pointer pull',
-    equation: 'F = m ω² (p - r) - 2 ζ m ω v',
-    parameters: {
-      frequency: { unit: 'Hz', value: frequency },
-      dampingRatio: { unit: '', value: ratio },
-      maxForce: { unit: 'N', value: most },
-    },
-    reads: ['Position', 'Velocity', 'Mass'],
-    local: true,
-    timeless: true,
+    ...force,
     grab(world, eid, point) {
       assertBody(world, eid);
       target = checkVector(point, 'pointerPull.point', PLACES);
@@ -68,34 +76,37 @@ export function pointerPull(options: PointerPullOptions = {}): PointerPull {
     release() {
       held.world = undefined;
     },
-    accumulate(world, first, last) {
-      const { eid } = held;
-      if (held.world !== world || eid < first || eid >= last || !isAlive(world, held.ref)) return;
-      const { Position: p, Velocity: v, Mass } = world.components;
-      const stiffness = omega * omega * Mass.value[eid];
-      const damping = 2 * ratio * omega * Mass.value[eid];
-      const x = stiffness * (target.x - p.x[eid]) - damping * v.x[eid];
-      const y = stiffness * (target.y - p.y[eid]) - damping * v.y[eid];
-      const z = world.dimensions === 3 ? stiffness * (target.z - p.z[eid]) - damping * v.z[eid] : 0;
-      const size = Math.sqrt(x * x + y * y + z * z);
-      const scale = size > most ? most / size : 1;
-      const at = world.scratch.at.force;
-      const kernels = lawKernels(world);
-      kernels.addToRow(at.x, eid, scale * x);
-      kernels.addToRow(at.y, eid, scale * y);
-      kernels.addToRow(at.z, eid, scale * z);
-    },
-    potential(world) {
-      const { eid } = held;
-      if (held.world !== world || !isAlive(world, held.ref)) return 0;
-      const { Position: p, Mass } = world.components;
-      const stiffness = omega * omega * Mass.value[eid];
-      const x = target.x - p.x[eid];
-      const y = target.y - p.y[eid];
-      const z = world.dimensions === 3 ? target.z - p.z[eid] : 0;
-      const squared = x * x + y * y + z * z;
-      if (stiffness * stiffness * squared <= most * most) return (stiffness * squared) / 2;
-      return most * Math.sqrt(squared) - (most * most) / (2 * stiffness);
-    },
   };
+}
+
+function pullBy(placeOf: (world: PhysicsWorld) => TablePlace) {
+  return defineLaw({
+    name: 'pointer pull',
+    formula: 'F = m ω² (p - r) - 2 ζ m ω v',
+    source: 'Catto, Soft Constraints, Game Developers Conference (2011).',
+    parameters: {
+      frequency: scalar('Hz', { default: 2, above: 0, max: 1e6 }),
+      dampingRatio: scalar('', { default: 1, min: 0, max: 100 }),
+      maxForce: scalar('N', { default: 1e30, above: 0, max: 1e38 }),
+      grip: table(GRIP, placeOf),
+    },
+    acceleration: ({ position, velocity, mass, entity }, { frequency, dampingRatio, maxForce, grip }) =>
+      grip.sum(({ entity: held, x, y, z }) => {
+        const omega = frequency.mul(2 * Math.PI);
+        const pull = vec3(x, y, z).sub(position).mul(omega.square());
+        const wanted = pull.sub(velocity.mul(dampingRatio.mul(2).mul(omega)));
+        const share = constant(1).min(maxForce.div(wanted.length().mul(mass)));
+        return select(entity.equals(held), wanted.mul(share), vec3(0, 0, 0));
+      }),
+    potential: ({ position, mass, entity }, { frequency, maxForce, grip }) =>
+      grip.sum(({ entity: held, x, y, z }) => {
+        const stiffness = mass.mul(frequency.mul(2 * Math.PI).square());
+        const distance = vec3(x, y, z).sub(position).length();
+        const stretched = stiffness.mul(distance.square()).div(2);
+        const most = maxForce.mul(distance.sub(maxForce.div(stiffness).div(2)));
+        const energy = select(stiffness.mul(distance).lessOrEqual(maxForce), stretched, most);
+        return select(entity.equals(held), energy, 0);
+      }),
+    prepare: (world) => void placeOf(world),
+  });
 }

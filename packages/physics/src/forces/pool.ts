@@ -1,10 +1,8 @@
-// A fluid with a level surface, as the kernels of kernels/forces/immersion.ts see it.
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
+// A fluid with a level surface, as laws see it: how much of a body is under it.
+import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import { type Scalar, select, type Vector as VectorSymbol } from '../laws/expression';
+import { scalar, vector } from '../laws/parameter';
 import { ANY, PLACES, POSITIVE, SPEEDS } from './bounds';
-import type { ForceParameter } from './force';
 import { unit } from './lift';
 import { STANDARD_GRAVITY } from './uniform-gravity';
 
@@ -20,45 +18,65 @@ export interface Pool {
   readonly flow?: VectorInput;
 }
 
-/** What a force of a pool needs. */
-export interface PoolState {
-  /** Address of the pool in a world's memory. */
-  readonly at: (world: PhysicsWorld) => number;
-  readonly parameters: Readonly<Record<string, ForceParameter>>;
-}
+/** Parameters of laws of a fluid: size of gravity, and the unit vector against it. Their values are checked before. */
+export const FLUID = /* @__PURE__ */ { density: scalar('kg/m³'), gravity: scalar('m/s²'), up: vector('') };
 
-/** Higher than any body can be. */
-const EVERYWHERE = 1e16;
+/** Those of a fluid with a surface. */
+export const POOL = /* @__PURE__ */ { ...FLUID, level: scalar('m') };
+
+/** What the laws of a pool are given. */
+export interface PoolValues {
+  readonly fluid: { readonly density: number; readonly gravity: number; readonly up: Vector };
+  readonly level: number | undefined;
+  readonly flow: Vector;
+}
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function poolState(pool: Pool, caller: string): PoolState {
+export function poolValues(pool: Pool, caller: string): PoolValues {
   checkKeys(pool, caller, ['density', 'gravity', 'level', 'flow']);
   const density = checkNumber(pool.density, `${caller}.density`, POSITIVE);
-  const gravity = checkVector(pool.gravity ?? { y: -STANDARD_GRAVITY }, `${caller}.gravity`, ANY);
-  const down = unit(gravity, `${caller}.gravity`);
-  const size = gravity.x * down.x + gravity.y * down.y + gravity.z * down.z;
-  const level = pool.level === undefined ? EVERYWHERE : checkNumber(pool.level, `${caller}.level`, PLACES);
+  const given = checkVector(pool.gravity ?? { y: -STANDARD_GRAVITY }, `${caller}.gravity`, ANY);
+  const down = unit(given, `${caller}.gravity`);
+  const gravity = given.x * down.x + given.y * down.y + given.z * down.z;
+  // Not the negative, which may be -0.
+  const up = { x: 0 - down.x, y: 0 - down.y, z: 0 - down.z };
+  const level = pool.level === undefined ? undefined : checkNumber(pool.level, `${caller}.level`, PLACES);
   const flow = checkVector(pool.flow ?? {}, `${caller}.flow`, SPEEDS);
-  const values = [density, size, -down.x, -down.y, -down.z, level, flow.x, flow.y, flow.z];
-  return {
-    at: resource((world) => {
-      const at = allocate(world.internal.arena, 8 * values.length, 'a pool');
-      new Float64Array(world.memory.buffer, at, values.length).set(values);
-      return at;
-    }),
-    parameters: {
-      density: { unit: 'kg/m³', value: density },
-      gravity: { unit: 'm/s²', value: size },
-      ...(pool.level === undefined ? {} : { level: { unit: 'm', value: level } }),
-    },
-  };
+  return { fluid: { density, gravity, up }, level, flow };
 }
 
-/** Addresses of the columns that say what a body displaces and how it drags: the same for every pool of a world. */
-export const hullTable = resource((world) => {
-  const { Hull, QuadraticDrag, LinearDrag } = world.addresses;
-  const columns = [Hull.volume, Hull.halfHeight, Hull.shape, QuadraticDrag.coefficient, LinearDrag.coefficient];
-  const at = allocate(world.internal.arena, 4 * columns.length, 'hulls');
-  new Uint32Array(world.memory.buffer, at, columns.length).set(columns);
-  return at;
-});
+/** What a body that can be in a fluid shows of itself: reads `{ hull: Hull, collider: Collider }`. */
+export interface HullSymbols {
+  readonly position: VectorSymbol;
+  readonly hull: { readonly volume: Scalar; readonly halfHeight: Scalar; readonly shape: Scalar };
+  readonly collider: { readonly radius: Scalar };
+}
+
+/** The surface of a fluid. */
+export interface SurfaceSymbols {
+  readonly up: VectorSymbol;
+  readonly level: Scalar;
+}
+
+/** How far a body is in the fluid. */
+export interface Immersion {
+  /** Depth of the centre, m. */
+  readonly depth: Scalar;
+  /** Half the body's height, m. */
+  readonly half: Scalar;
+  /** Depth over half height, within -1 and 1. */
+  readonly relative: Scalar;
+  /** Share of the volume under the surface. */
+  readonly share: Scalar;
+}
+
+/** A sphere has shape 0; whatever else there is counts as an upright box. */
+export function immersion({ position, hull, collider }: HullSymbols, { up, level }: SurfaceSymbols): Immersion {
+  const depth = level.sub(up.dot(position));
+  const half = select(hull.halfHeight.greater(0), hull.halfHeight, collider.radius);
+  // A point is in or out.
+  const ofPoint = select(depth.greater(0), 1, -1);
+  const d = select(half.greater(0), depth.div(half).min(1).max(-1), ofPoint);
+  const ofSphere = d.mul(d.square().negate().add(3)).mul(0.25).add(0.5);
+  return { depth, half, relative: d, share: select(hull.shape.equals(0), ofSphere, d.mul(0.5).add(0.5)) };
+}

@@ -9,8 +9,8 @@
 // In the harmonic gauge of general relativity: Einstein, Infeld, Hoffmann (1938); Will, Theory and Experiment in
 // Gravitational Physics, section 6.2. No potential: the force depends on velocity. Cost: a square root a body.
 import { checkKeys, checkNumber } from '../faults/validate';
+import type { Force } from '../laws/force';
 import { GRAVITATIONAL_CONSTANT } from './enclosed-mass-gravity';
-import type { Force } from './force';
 import { lawKernels } from './law-kernels';
 
 /** The dominant body and the constants, in the units of the world. */
@@ -35,7 +35,6 @@ export function postNewtonian(options: PostNewtonianOptions): Force {
     parameters: { G: { unit: 'm³/(kg s²)', value: G }, speedOfLight: { unit: 'm/s', value: c } },
     reads: ['Position', 'Velocity', 'Mass'],
     local: false,
-    timeless: true,
     accumulate(world, first, last) {
       const mass = world.components.Mass.value[central];
       if (!(mass > 0 && mass < Infinity)) return;

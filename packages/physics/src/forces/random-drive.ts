@@ -9,12 +9,14 @@
 // ⟨x²⟩ = S/(2 k c), and with S = 2 c k_B T and linear drag bodies come to the temperature T (Langevin 1908; the
 // fluctuation-dissipation theorem). The number depends on the seed, the step and the body's id alone, so it is the same
 // in every evaluation of a step. With white noise every integrator is of first order at best.
-// Gillespie, Am. J. Phys. 64, 225 (1996). Cost: some 60 ns a body in the plane, 130 ns in space.
-import { checkKeys, checkVector, checkWhole, type VectorInput } from '../faults/validate';
+// Gillespie, Am. J. Phys. 64, 225 (1996). Cost: a logarithm, a sine or cosine and a square root a body
+// and axis.
+import { defineLaw } from '../dynamics/define-law';
+import { checkKeys, checkWhole, type VectorInput } from '../faults/validate';
+import { select, vec3 } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { suppliedScalar, vector } from '../laws/parameter';
 import { NOT_NEGATIVE } from './bounds';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
-import { shownVector } from './time-vector';
 
 export interface RandomDriveOptions {
   /** S of each axis, N² s; a number is all axes. */
@@ -26,32 +28,30 @@ export interface RandomDriveOptions {
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function randomDrive(options: RandomDriveOptions): Force {
   checkKeys(options, 'randomDrive', ['spectralDensity', 'seed']);
-  const given = options.spectralDensity;
-  const all = typeof given === 'number' ? { x: given, y: given, z: given } : given;
-  const density = checkVector(all, 'randomDrive.spectralDensity', NOT_NEGATIVE);
-  const own = options.seed;
-  if (own !== undefined) checkWhole(own, 'randomDrive.seed', 0, 2 ** 53 - 1);
-  let length = 0;
-  return {
+  const { spectralDensity: given, seed } = options;
+  if (seed !== undefined) checkWhole(seed, 'randomDrive.seed', 0, 2 ** 53 - 1);
+  const spectralDensity = typeof given === 'number' ? { x: given, y: given, z: given } : given;
+  return driveOf(seed)({ spectralDensity });
+}
+
+function driveOf(own: number | undefined) {
+  return defineLaw({
     name: 'random drive',
-    equation: 'F = √(S/dt) N(0, 1)',
-    parameters: shownVector('spectralDensity', 'N² s', density),
-    reads: ['Mass'],
-    local: true,
-    timeless: true,
-    prepare(_world, dt) {
-      length = dt;
+    formula: 'F = √(S/dt) N(0, 1)',
+    source: 'Gillespie, Am. J. Phys. 64, 225 (1996).',
+    parameters: {
+      spectralDensity: vector('N² s', NOT_NEGATIVE),
+      seed: suppliedScalar((world) => folded(own ?? world.seed)),
     },
-    accumulate(world, first, last) {
-      if (length === 0) return;
-      const seed = own ?? world.seed;
-      // Both halves of the seed, folded into the 32 bits the kernel takes.
-      const key = (seed >>> 0) ^ Math.imul(Math.floor(seed / 2 ** 32), 0x9e3779b1);
-      const { x, y, z } = world.scratch.at.force;
-      const dx = Math.sqrt(density.x / length);
-      const dy = Math.sqrt(density.y / length);
-      const dz = world.dimensions === 3 ? Math.sqrt(density.z / length) : 0;
-      lawKernels(world).noiseForce(x, y, z, dx, dy, dz, key, world.tick, first, last);
+    force({ mass, dt, noise }, { spectralDensity: { x, y, z }, seed }) {
+      const [fx, fy, fz] = [x, y, z].map((density, i) => density.div(dt).sqrt().mul(noise(seed, i)));
+      // Where no step was ever made there is no impulse that the force would have to give.
+      return select(mass.greater(0).and(dt.greater(0)), vec3(fx, fy, fz), vec3(0, 0, 0));
     },
-  };
+  });
+}
+
+/** Both halves of a seed in the 32 bits that the noise takes. */
+function folded(seed: number): number {
+  return ((seed >>> 0) ^ Math.imul(Math.floor(seed / 2 ** 32), 0x9e3779b1)) >>> 0;
 }

@@ -1,8 +1,8 @@
-import { checkHas, unknownName } from '../faults/validate';
-import { FORCE_HINT } from '../schedule/plan';
+import { unknownName } from '../faults/validate';
+import type { Force } from '../laws/force';
+import { checkForce } from '../schedule/plan';
 import { assertUsable, whenIdle } from '../store/guards';
 import type { PhysicsWorld } from '../world';
-import type { Force } from './force';
 
 /**
  * Puts a force in the place of another: how a slider changes gravity while the world runs,
@@ -15,7 +15,7 @@ import type { Force } from './force';
  */
 export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): void {
   assertUsable(world);
-  checkHas(force, 'accumulate', 'replaceForce: force', FORCE_HINT);
+  checkForce(force, 'replaceForce: force', world.dimensions);
   placeOf(world, force, old);
   whenIdle(world, () => {
     world.forces[placeOf(world, force, old)] = force;

@@ -9,40 +9,53 @@
 // the remaining mass v_e ln(m₀/m₁) in that step, so Δv is exact with every integrator and every dt. Gravity does not care
 // when in the step the mass went; a force that does not grow with mass, such as drag, sees the mass at the end of the
 // step. Exhaust far slower than light. A body that gets rid of all its mass keeps a millionth of it.
-// Cost: one logarithm a firing engine and step.
+// Cost: one logarithm a firing engine and step, and the turn of
+// a vector a body.
+import { Engine } from '../components/propulsion';
+import { defineLaw } from '../dynamics/define-law';
 import { checkKeys } from '../faults/validate';
-import type { Force } from './force';
+import { vec3 } from '../laws/expression';
+import type { Force } from '../laws/force';
+import type { PhysicsWorld } from '../world';
 import { lawKernels } from './law-kernels';
 import { checkFrame } from './lift';
-import { addColumns } from './thrust';
 
 export interface RocketOptions {
   /** Whether engines push along axes of the world or, by default, of the body. */
   readonly frame?: 'world' | 'body';
 }
 
+const about = {
+  name: 'rocket engines',
+  formula: 'F = v_e μ n, dm/dt = -μ',
+  source: 'Tsiolkovsky (1903).',
+  reads: { engine: Engine },
+  consumes: ['Mass', 'Engine'] as const,
+  prepare: burn,
+};
+
+const ofWorld = /* @__PURE__ */ defineLaw({
+  ...about,
+  force: ({ engine: { thrustX, thrustY, thrustZ } }) => vec3(thrustX, thrustY, thrustZ),
+});
+
+const ofBody = /* @__PURE__ */ defineLaw({
+  ...about,
+  force: ({ engine: { thrustX, thrustY, thrustZ }, rotate }) => rotate(vec3(thrustX, thrustY, thrustZ)),
+});
+
 /** @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN */
 export function rocketEngines(options: RocketOptions = {}): Force {
   checkKeys(options, 'rocketEngines', ['frame']);
   const frame = checkFrame(options.frame ?? 'body', 'rocketEngines.frame');
-  return {
-    name: 'rocket engines',
-    equation: 'F = v_e μ n, dm/dt = -μ',
-    reads: ['Engine', 'Mass', ...(frame === 'body' ? ['Rotation', 'Orientation'] : [])],
-    local: true,
-    timeless: true,
-    spends: ['Mass', 'Engine'],
-    prepare(world, dt) {
-      if (world.internal.counts.Engine === 0) return;
-      const e = world.addresses.Engine;
-      const [tx, ty, tz, last] = [e.thrustX, e.thrustY, e.thrustZ, world.lastId + 1];
-      const kernels = lawKernels(world);
-      kernels.burnFuel(e.fuel, e.burnRate, e.throttle, e.exhaustSpeed, e.x, e.y, e.z, tx, ty, tz, dt, 0, last);
-    },
-    accumulate(world, first, last) {
-      if (world.internal.counts.Engine === 0) return;
-      const { thrustX, thrustY, thrustZ } = world.addresses.Engine;
-      addColumns(world, thrustX, thrustY, thrustZ, frame, first, last);
-    },
-  };
+  return frame === 'body' ? ofBody() : ofWorld();
+}
+
+/** Burns the fuel of one step, and leaves the thrust of it in the columns that the law reads. */
+function burn(world: PhysicsWorld, dt: number): void {
+  if (world.internal.counts.Engine === 0) return;
+  const e = world.addresses.Engine;
+  const [tx, ty, tz, last] = [e.thrustX, e.thrustY, e.thrustZ, world.lastId + 1];
+  const kernels = lawKernels(world);
+  kernels.burnFuel(e.fuel, e.burnRate, e.throttle, e.exhaustSpeed, e.x, e.y, e.z, tx, ty, tz, dt, 0, last);
 }

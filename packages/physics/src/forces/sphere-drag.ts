@@ -8,14 +8,17 @@
 // Clift and Gauvin, Proc. Chemeca 70, 14 (1970), within 6 % of the standard drag curve for Re < 3·10⁵; its first term
 // is Schiller and Naumann (1933), and Re → 0 is Stokes' law 6π η r w. Beyond Re = 3·10⁵ a smooth sphere's drag drops
 // to a third, which is not modelled. Steady drag: no added mass, no history force. For 2D too the body is a sphere.
-// Cost: one square root and two powers, some 190 ns a body; for many bodies in one range of Re use linear or quadratic
-// drag.
-import { checkKeys, checkNumber } from '../faults/validate';
+// Cost: one square root, one division and two powers a body, and powers cost many times the rest: for many bodies in one
+// range of Re use linear or quadratic drag.
+import { Collider } from '../components/collider';
+import { defineLaw } from '../dynamics/define-law';
+import { checkNumber } from '../faults/validate';
+import { constant } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar } from '../laws/parameter';
 import { pow } from '../math/elementary';
 import { POSITIVE } from './bounds';
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
-import { type Wind, windState } from './wind';
+import { type Wind, windParameter } from './wind';
 
 export interface FluidOptions {
   /** Density ρ, kg/m³: air 1.2, water 1000. */
@@ -26,26 +29,31 @@ export interface FluidOptions {
   readonly wind?: Wind;
 }
 
+const law = /* @__PURE__ */ defineLaw({
+  name: 'sphere drag',
+  formula: 'F = -½ ρ C_d(Re) π r² |w| w',
+  source: 'Clift and Gauvin, Proc. Chemeca 70, 14 (1970).',
+  reads: { collider: Collider },
+  parameters: { density: scalar('kg/m³', POSITIVE), viscosity: scalar('Pa s', POSITIVE), wind: windParameter },
+  // Written so that Re = 0 is Stokes' law and not 0/0.
+  force({ velocity, collider: { radius } }, { density, viscosity, wind }) {
+    const w = velocity.sub(wind);
+    const speed = w.length();
+    const reynolds = radius.mul(speed).mul(density.mul(2).div(viscosity));
+    const stokes = radius.mul(viscosity.mul(6 * Math.PI));
+    const slow = stokes.mul(constant(1).add(constant(0.15).mul(reynolds.pow(0.687))));
+    const fast = radius
+      .mul(radius)
+      .mul(speed)
+      .mul(density.mul(0.21 * Math.PI));
+    const k = slow.add(fast.div(constant(1).add(constant(42500).mul(reynolds.pow(-1.16)))));
+    return w.mul(k).negate();
+  },
+});
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function sphereDrag(options: FluidOptions): Force {
-  checkKeys(options, 'sphereDrag', ['density', 'viscosity', 'wind']);
-  const density = checkNumber(options.density, 'sphereDrag.density', POSITIVE);
-  const viscosity = checkNumber(options.viscosity, 'sphereDrag.viscosity', POSITIVE);
-  const medium = windState(options.wind ?? {}, 'sphereDrag.wind');
-  return {
-    name: 'sphere drag',
-    equation: 'F = -½ ρ C_d(Re) π r² |w| w',
-    parameters: { density: { unit: 'kg/m³', value: density }, viscosity: { unit: 'Pa s', value: viscosity } },
-    reads: ['Velocity', 'Collider'],
-    local: true,
-    timeless: medium.steady !== undefined,
-    accumulate(world, first, last, time) {
-      const w = medium.at(world, time);
-      const { x, y, z } = world.scratch.at.force;
-      const wz = world.dimensions === 3 ? w.z : 0;
-      lawKernels(world).sphereDrag(x, y, z, density, viscosity, w.x, w.y, wz, first, last);
-    },
-  };
+  return law(options);
 }
 
 /** Drag coefficient of a sphere at a Reynolds number: the curve `sphereDrag` follows. @throws PhysicsError */

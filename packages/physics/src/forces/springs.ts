@@ -14,9 +14,9 @@
 // beyond it the net it belongs to is unstable as well; but a net can need steps up to some three times shorter.
 // Cost: one square root and one division a spring and force evaluation; springs share bodies, so no lanes.
 import { PhysicsError } from '../faults/physics-error';
+import type { Force } from '../laws/force';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';
-import type { Force } from './force';
 import { activeSprings, removeLost, type SpringTable, scanSprings, springTable } from './spring-table';
 
 /** Springs between bodies: see `Spring`. */
@@ -26,7 +26,6 @@ export function springs(): Force {
     equation: 'F = -(k (d - L) + c ḋ) n',
     reads: ['Position', 'Velocity'],
     local: false,
-    timeless: true,
     prepare(world, dt) {
       if (world.integrator.solvesSprings === true) return;
       const table = scanSprings(world);

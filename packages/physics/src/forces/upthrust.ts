@@ -10,29 +10,48 @@
 // Archimedes, On Floating Bodies, proposition 5. Valid for a level surface and slow motion: no waves, no pressure drag
 // (`immersedDrag`), no accelerated fluid (`addedMass`). Without a level the fluid is everywhere and f = 1: a balloon.
 // Polygons, which turn: `polygonUpthrust`. Cost: some 20 operations and one division a body.
-import type { Force } from './force';
-import { lawKernels } from './law-kernels';
-import { hullTable, type Pool, poolState } from './pool';
+import { Collider } from '../components/collider';
+import { Hull } from '../components/hull';
+import { defineLaw } from '../dynamics/define-law';
+import { type Scalar, select } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { FLUID, type HullSymbols, immersion, POOL, type Pool, poolValues } from './pool';
+
+const about = {
+  name: 'upthrust',
+  formula: 'F = -ρ V f g',
+  source: 'Archimedes, On Floating Bodies, proposition 5.',
+};
+
+/** Weight of the fluid in the whole volume of a sphere or box, N. */
+function weight({ hull }: HullSymbols, { density, gravity }: { density: Scalar; gravity: Scalar }): Scalar {
+  return density.mul(gravity).mul(select(hull.shape.lessOrEqual(1), hull.volume, 0));
+}
+
+const everywhere = /* @__PURE__ */ defineLaw({
+  ...about,
+  reads: { hull: Hull, collider: Collider },
+  parameters: FLUID,
+  force: (body, fluid) => fluid.up.mul(weight(body, fluid)),
+  potential: (body, fluid) => weight(body, fluid).mul(fluid.up.dot(body.position)).negate(),
+});
+
+const withSurface = /* @__PURE__ */ defineLaw({
+  ...about,
+  reads: { hull: Hull, collider: Collider },
+  parameters: POOL,
+  force: (body, pool) => pool.up.mul(weight(body, pool).mul(immersion(body, pool).share)),
+  potential(body, pool) {
+    const { depth, half, relative: d } = immersion(body, pool);
+    const ofSphere = d.square().mul(-0.0625).add(0.375).mul(d).add(0.5).mul(d).add(0.1875);
+    const ofBox = d.add(1).square().mul(0.25);
+    const partly = half.mul(select(body.hull.shape.equals(0), ofSphere, ofBox));
+    return weight(body, pool).mul(select(d.less(1), partly, depth));
+  },
+});
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function upthrust(pool: Pool): Force {
-  const { at, parameters } = poolState(pool, 'upthrust');
-  return {
-    name: 'upthrust',
-    equation: 'F = -ρ V f g',
-    parameters,
-    reads: ['Position', 'Hull', 'Collider'],
-    local: true,
-    timeless: true,
-    accumulate(world, first, last) {
-      if (world.internal.counts.Hull === 0) return;
-      const { x, y, z } = world.scratch.at.force;
-      lawKernels(world).upthrust(at(world), hullTable(world), x, y, z, first, last);
-    },
-    potential(world) {
-      const { upthrustPotential, balloonPotential } = lawKernels(world);
-      const potential = pool.level === undefined ? balloonPotential : upthrustPotential;
-      return potential(at(world), hullTable(world), world.lastId + 1);
-    },
-  };
+  const { fluid, level } = poolValues(pool, 'upthrust');
+  return level === undefined ? everywhere(fluid) : withSurface({ ...fluid, level });
 }

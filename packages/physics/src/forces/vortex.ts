@@ -8,11 +8,12 @@
 // The core turns as a solid body, and its centrifugal force wins; outside, the pressure of a free vortex (speed 1/r)
 // draws inwards. So at r₀ the force is m k r₀ on either side but jumps from outward to inward: bodies gather on the rim,
 // and a step that crosses it errs by the first order. The potential is continuous. For the flow itself, and drag in it,
-// give `turbulentDrag` or `quadraticDrag` a wind. Cost: one square root, one division a body.
-import { checkKeys, checkNumber } from '../faults/validate';
+// give `turbulentDrag` or `quadraticDrag` a wind. Cost: one square root, one division and 17 more operations a body.
+import { select } from '../laws/expression';
+import type { Force } from '../laws/force';
+import { scalar } from '../laws/parameter';
 import { ANY, LENGTHS } from './bounds';
-import { CENTRE_KEYS, type CentreOptions, centralForce, LAW, type LawParameters } from './central';
-import type { Force } from './force';
+import { type CentralLaw, type CentreOptions, centralForce } from './central';
 
 export interface VortexOptions extends CentreOptions {
   /** k, 1/s². */
@@ -21,22 +22,26 @@ export interface VortexOptions extends CentreOptions {
   readonly radius: number;
 }
 
+const parameters = { strength: scalar('1/s²', ANY), radius: scalar('m', LENGTHS) };
+
+const LAW: CentralLaw<typeof parameters> = {
+  name: 'vortex',
+  formula: 'F = m k r within r₀, -m k (r₀/r)⁴ r beyond',
+  parameters,
+  field(r, { strength, radius }) {
+    const distance = r.length();
+    const square = radius.div(distance.max(radius)).square();
+    const outside = strength.mul(square).mul(square).negate();
+    return r.mul(select(distance.lessOrEqual(radius), strength, outside));
+  },
+  energy(r, { strength, radius }) {
+    const distance = r.length();
+    const outside = radius.mul(radius.div(distance.max(radius)));
+    return strength.mul(distance.min(outside).square()).div(2).negate();
+  },
+};
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function vortex(options: VortexOptions): Force {
-  checkKeys(options, 'vortex', ['strength', 'radius', ...CENTRE_KEYS]);
-  const strength = checkNumber(options.strength, 'vortex.strength', ANY);
-  const radius = checkNumber(options.radius, 'vortex.radius', LENGTHS);
-  const values: LawParameters = [strength, radius, 0];
-  return centralForce(
-    {
-      name: 'vortex',
-      equation: 'F = m k r within r₀, -m k (r₀/r)⁴ r beyond',
-      law: LAW.vortex,
-      couplesTo: 'Mass',
-      parameters: { strength: { unit: '1/s²', value: strength }, radius: { unit: 'm', value: radius } },
-      values: () => values,
-    },
-    options,
-    'vortex',
-  );
+  return centralForce(LAW, 'Mass', options);
 }

@@ -1,16 +1,15 @@
 // How a medium moves: steadily, or as a function of time.
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../faults/validate';
+import { vectorOverTime } from '../laws/parameter';
+import type { VectorOverTime } from '../laws/time-vector';
 import { createRandom } from '../math/random';
 import { SPEEDS } from './bounds';
-import { type TimeVector, timeVector, type VectorOverTime } from './time-vector';
 
 /** Velocity of a medium, m/s, steady or over time. */
 export type Wind = VectorOverTime;
 
-/** The wind at a moment: see `timeVector`. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function windState(wind: Wind, caller: string): TimeVector {
-  return timeVector(wind, caller, 'wind', SPEEDS);
-}
+/** The velocity of a medium as a parameter of a law. */
+export const windParameter = vectorOverTime('m/s', { default: {}, ...SPEEDS });
 
 /** Turbulence: how it is drawn. */
 export interface GustOptions {

@@ -11,30 +11,20 @@
 // Boris, Proc. 4th Conf. Numerical Simulation of Plasmas (1970), p. 3; Qin et al., Phys. Plasmas 20, 084503 (2013).
 
 import { PhysicsError } from '../faults/physics-error';
-import { checkFunction, checkKeys, type Vector } from '../faults/validate';
-import { momentOf } from '../forces/evaluate';
-import type { Field } from '../forces/field-force';
-import { timeVector, type VectorOverTime } from '../forces/time-vector';
-import { axisColumns } from '../store/columns';
-import { resource } from '../store/resource';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
+import { checkFunction, checkKeys } from '../faults/validate';
+import { constant, Scalar, select, type Vector, vectorOf } from '../laws/expression';
+import { axialVectorOverTime, sourcesOf } from '../laws/parameter';
+import type { VectorOverTime } from '../laws/time-vector';
+import { defineIntegrator } from './define-integrator';
 import type { Integrator } from './integrator';
-import { integratorKernels } from './kernels';
-import { drift, kick } from './moves';
-import { multiplesOf } from './multiples';
 
 /** The magnetic field, T: give one of the two. In two dimensions only z acts. */
 export interface BorisOptions {
   /** The same everywhere: a vector, or a function of the time, s, that returns it. */
   readonly field?: VectorOverTime;
-  /** One that differs from place to place; called for each charge in each step. */
-  readonly fieldAt?: Field;
+  /** One that differs from place to place, as an expression: called once, with symbols of position (m) and time (s). */
+  readonly fieldAt?: (position: Vector, time: Scalar) => Vector;
 }
-
-const halfOf = multiplesOf([1 / 2]);
-
-const ANY = { min: -1e30, max: 1e30 };
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function boris(options: BorisOptions): Integrator {
@@ -44,73 +34,32 @@ export function boris(options: BorisOptions): Integrator {
     throw new PhysicsError('E_RANGE', 'boris needs either field or fieldAt.', { field: 'field', value: field });
   }
   if (fieldAt !== undefined) checkFunction(fieldAt, 'fieldAt');
-  const uniform = timeVector(field ?? {}, 'boris', 'field', ANY);
-  return {
-    name: 'Boris',
-    order: 2,
-    symplectic: false,
-    evaluations: 1,
-    columns: fieldAt === undefined ? 0 : 3,
-    isStable: (stiffness, damping) => stiffness + 2 * damping <= 4,
-    prepare(world) {
-      if (fieldAt !== undefined) fieldOf(world);
+  const parameters = { field: axialVectorOverTime('T', { min: -1e30, max: 1e30 }) };
+  const sources = sourcesOf('boris', parameters, { field: field ?? {} });
+  return defineIntegrator(
+    {
+      name: 'Boris',
+      order: 2,
+      symplectic: false,
+      evaluations: 1,
+      isStable: (stiffness, damping) => stiffness + 2 * damping <= 4,
     },
-    advance(world, spans, dt, evaluateForces) {
-      const half = halfOf(dt)[0];
-      drift(world, spans, half);
-      evaluateForces(world, spans, momentOf(world, half));
-      kick(world, spans, half);
-      if (uniform.steady !== undefined && fieldAt === undefined) turnAll(world, spans, uniform.steady, dt);
-      else if (fieldAt === undefined) turnAll(world, spans, uniform.at(world, world.time + half), dt);
-      else sampleAndTurn(world, spans, fieldAt, world.time + half, dt);
-      kick(world, spans, half);
-      drift(world, spans, half);
+    ({ position, velocity, dt, charge, mass }, kick, [uniform]) => {
+      const half = dt.mul(0.5);
+      const middle = position.add(velocity.mul(half));
+      const kicked = kick(middle, velocity, 1 / 2, half);
+      const time = new Scalar('time', []).add(half);
+      const b = fieldAt === undefined ? (uniform as Vector) : vectorOf(fieldAt(middle, time), 'boris: fieldAt');
+      const gyration = select(mass.greater(0), charge.div(mass).mul(half), 0);
+      const after = turn(velocity.add(kicked), b.mul(gyration)).add(kicked);
+      return { position: middle.add(after.mul(half)), velocity: after };
     },
-  };
+    { parameters: [parameters.field], sources },
+  );
 }
 
-const NOWHERE = { x: 0, y: 0, z: 0 };
-
-function turnAll(world: PhysicsWorld, spans: Spans, uniform: Vector, dt: number): void {
-  for (let r = 0; r < spans.count; r++) {
-    turnRun(world, NOWHERE, uniform, dt, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
-  }
-}
-
-/** With the field in the columns whose addresses are given, or the uniform one where an address is 0. */
-function turnRun(world: PhysicsWorld, at: Vector, uniform: Vector, dt: number, first: number, last: number): void {
-  const { borisTurn2d, borisTurn3d } = integratorKernels(world);
-  const { Velocity: v, Charge, Mass } = world.addresses;
-  const q = Charge.value;
-  const m = Mass.value;
-  if (world.dimensions === 2) {
-    borisTurn2d(v.x, v.y, q, m, at.z, uniform.z, dt, first, last);
-  } else {
-    const { x, y, z } = uniform;
-    borisTurn3d(v.x, v.y, v.z, q, m, at.x, at.y, at.z, x, y, z, dt, first, last);
-  }
-}
-
-const fieldOf = resource(({ internal: { arena }, precision, rows }) => {
-  const [columns, at] = axisColumns(arena, precision, rows, 'Boris: magnetic field');
-  return { columns, at, field: { x: 0, y: 0, z: 0 } };
-});
-
-function sampleAndTurn(world: PhysicsWorld, spans: Spans, fieldAt: Field, time: number, dt: number): void {
-  const { columns, at, field } = fieldOf(world);
-  const { Position, Charge } = world.components;
-  for (let r = 0; r < spans.count; r++) {
-    const first = spans.bounds[2 * r];
-    const last = spans.bounds[2 * r + 1];
-    for (let row = first; row < last; row++) {
-      field.x = 0;
-      field.y = 0;
-      field.z = 0;
-      if (Charge.value[row] !== 0) fieldAt(Position.x[row], Position.y[row], Position.z[row], time, field);
-      columns.x[row] = field.x;
-      columns.y[row] = field.y;
-      columns.z[row] = field.z;
-    }
-    turnRun(world, at, NOWHERE, dt, first, last);
-  }
+/** Turns v about t = q B dt/2m by 2 atan |t|, without changing its length. */
+function turn(v: Vector, t: Vector): Vector {
+  const across = v.add(v.cross(t));
+  return v.add(across.cross(t).mul(constant(2).div(t.lengthSquared().add(1))));
 }

@@ -1,26 +1,19 @@
 // Schemes made of drifts and kicks alone.
-import { momentOf } from '../forces/evaluate';
-import type { Integrator } from './integrator';
-import { drift, kick } from './moves';
-import { multiplesOf } from './multiples';
+import type { SchemeFunction } from '../laws/scheme';
 
 /** Lengths of the moves in steps, in the order drift, kick, drift, kick, …; a last drift ends it. */
 export type Lengths = readonly number[];
 
-/** The scheme drift d₁, kick k₁, drift d₂, … as a function. */
-export function compose(drifts: Lengths, kicks: Lengths): Integrator['advance'] {
-  const moves = multiplesOf([...drifts, ...kicks]);
-  const moments = multiplesOf(kicks.map((_, stage) => sum(drifts.slice(0, stage + 1))));
-  const stages = kicks.length;
-  return (world, spans, dt, evaluateForces) => {
-    const lengths = moves(dt);
-    const times = moments(dt);
-    for (let stage = 0; stage < stages; stage++) {
-      drift(world, spans, lengths[stage]);
-      evaluateForces(world, spans, momentOf(world, times[stage]));
-      kick(world, spans, lengths[drifts.length + stage]);
-    }
-    if (drifts.length > stages) drift(world, spans, lengths[stages]);
+/** The scheme drift d₁, kick k₁, drift d₂, … */
+export function compose(drifts: Lengths, kicks: Lengths): SchemeFunction {
+  return ({ position, velocity, dt }, kick) => {
+    let [x, v] = [position, velocity];
+    kicks.forEach((length, stage) => {
+      x = x.add(v.mul(dt.mul(drifts[stage])));
+      v = v.add(kick(x, v, sum(drifts.slice(0, stage + 1)), dt.mul(length)));
+    });
+    if (drifts.length > kicks.length) x = x.add(v.mul(dt.mul(drifts[kicks.length])));
+    return { position: x, velocity: v };
   };
 }
 

@@ -1,6 +1,6 @@
 // One sub-step of Dormand and Prince's pair over the columns: its stages and its error.
 import type { RealColumn } from '../components/define';
-import { type EvaluateForces, momentOf } from '../forces/evaluate';
+import type { EvaluateForces } from '../dynamics/evaluate-forces';
 import { allocate } from '../store/arena';
 import { AXES } from '../store/axes';
 import { realBytes, realColumn } from '../store/columns';
@@ -92,7 +92,7 @@ export function takeSubStep(world: PhysicsWorld, spans: Spans, stages: Stages, e
   for (let i = 1; i < STAGES; i++) {
     setWeights(stages, C, i, AA[i], A[i]);
     moveToStage(world, spans, stages, i);
-    evaluateForces(world, spans, momentOf(world, scalars[PASSED] + C[i] * scalars[STEP]));
+    evaluateForces(world, spans, world.time + scalars[PASSED] + C[i] * scalars[STEP]);
     keepAcceleration(world, spans, stages, i);
   }
 }

@@ -8,8 +8,9 @@
 // (Gustafsson, ACM Trans. Math. Softw. 17, 533, 1991) chooses it. Not symplectic: the energy drifts by about the
 // tolerance a sub-step. Where the force is singular or jumps, the step is crossed without error control and the log gets
 // an E_STEP that names the body. Sources: dormand-prince-tableau.ts.
+
+import type { EvaluateForces } from '../dynamics/evaluate-forces';
 import { checkKeys, checkNumber, type Vector } from '../faults/validate';
-import { type EvaluateForces, momentOf } from '../forces/evaluate';
 import { raise } from '../math/elementary';
 import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
@@ -89,7 +90,7 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
   // Once more as a mere number: variables that are `dt` or a number worked out would be objects.
   const whole = 1 * dt;
   let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
-  evaluateForces(world, spans, momentOf(world, 0));
+  evaluateForces(world, spans, world.time);
   begin(world, spans, stages);
   for (let tries = 0; passed < dt; tries++) {
     if (wanted < SHORTEST * dt || tries > MOST_TRIES) {

@@ -6,16 +6,18 @@
 // of its order. A force that depends on velocity makes it first order. Hairer, Lubich, Wanner: Geometric Numerical
 // Integration, I.1.4.
 import { compose, isStableComposition } from './composition';
-import type { Integrator } from './integrator';
+import { defineIntegrator } from './define-integrator';
 
 const DRIFTS = [1 / 2, 1 / 2];
 const KICKS = [1];
 
-export const driftKickDrift: Integrator = {
-  name: 'drift-kick-drift',
-  order: 2,
-  symplectic: true,
-  evaluations: 1,
-  isStable: (stiffness, damping) => isStableComposition(DRIFTS, KICKS, stiffness, damping),
-  advance: compose(DRIFTS, KICKS),
-};
+export const driftKickDrift = /* @__PURE__ */ defineIntegrator(
+  {
+    name: 'drift-kick-drift',
+    order: 2,
+    symplectic: true,
+    evaluations: 1,
+    isStable: (stiffness, damping) => isStableComposition(DRIFTS, KICKS, stiffness, damping),
+  },
+  compose(DRIFTS, KICKS),
+);

@@ -5,20 +5,19 @@
 // First order. Not symplectic: every step multiplies the amplitude of an oscillator by √(1 + ω² dt²), so its energy
 // grows without bound. For comparison, and for what only decays. Euler, Institutionum calculi integralis I (1768),
 // §650; Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, I.7.
-import { momentOf } from '../forces/evaluate';
-import type { Integrator } from './integrator';
-import { drift, kick } from './moves';
+import { defineIntegrator } from './define-integrator';
 
-export const explicitEuler: Integrator = {
-  name: 'explicit Euler',
-  order: 1,
-  symplectic: false,
-  evaluations: 1,
-  // x(n+1) - x(n) = v(n) dt: the velocity is ahead, that of the middle of the step to come.
-  velocityLag: -0.5,
-  advance(world, spans, dt, evaluateForces) {
-    evaluateForces(world, spans, momentOf(world, 0));
-    drift(world, spans, dt);
-    kick(world, spans, dt);
+export const explicitEuler = /* @__PURE__ */ defineIntegrator(
+  {
+    name: 'explicit Euler',
+    order: 1,
+    symplectic: false,
+    evaluations: 1,
+    // x(n+1) - x(n) = v(n) dt: the velocity is ahead, that of the middle of the step to come.
+    velocityLag: -0.5,
   },
-};
+  ({ position, velocity, dt }, kick) => ({
+    position: position.add(velocity.mul(dt)),
+    velocity: velocity.add(kick(position, velocity, 0, dt)),
+  }),
+);

@@ -11,8 +11,9 @@
 // For f64; in f32 it works, to seven digits.
 //
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
+
+import type { EvaluateForces } from '../dynamics/evaluate-forces';
 import { checkKeys, checkNumber } from '../faults/validate';
-import { type EvaluateForces, momentOf } from '../forces/evaluate';
 import { raise } from '../math/elementary';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
@@ -115,7 +116,7 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluate: Evaluate
 }
 
 function begin(world: PhysicsWorld, spans: Spans, { table, kernels, scalars }: Radau, evaluate: EvaluateForces) {
-  evaluate(world, spans, momentOf(world, scalars[PASSED]));
+  evaluate(world, spans, world.time + scalars[PASSED]);
   for (let r = 0; r < spans.count; r++) kernels.radauBegin(table, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
 }
 
@@ -166,7 +167,7 @@ function sweepNodes(
   let largest = 0;
   for (let s = 1; s < NODES.length; s++) {
     for (let r = 0; r < count; r++) kernels.radauState(table, s, NODES[s], h, bounds[2 * r], bounds[2 * r + 1]);
-    evaluate(world, spans, momentOf(world, scalars[PASSED] + NODES[s] * h));
+    evaluate(world, spans, world.time + scalars[PASSED] + NODES[s] * h);
     change = 0;
     for (let r = 0; r < count; r++) {
       change = Math.max(change, kernels.radauRefine(table, s, bounds[2 * r], bounds[2 * r + 1]));

@@ -5,21 +5,22 @@
 // Second order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
 // oscillator grows by (ω dt)⁴/4 a step. Heun, Z. Math. Phys. 45, 23 (1900); Hairer, Nørsett, Wanner: Solving Ordinary
 // Differential Equations I, II.1.
-import { momentOf } from '../forces/evaluate';
-import type { Integrator } from './integrator';
-import { clearSums, finishSums, rungeKuttaStage } from './runge-kutta-stages';
+import { defineIntegrator } from './define-integrator';
 
-export const heun: Integrator = {
-  name: 'Heun',
-  order: 2,
-  symplectic: false,
-  evaluations: 2,
-  advance(world, spans, dt, evaluateForces) {
-    clearSums(world, spans, dt);
-    evaluateForces(world, spans, momentOf(world, 0));
-    rungeKuttaStage(world, spans, 1 / 2, dt);
-    evaluateForces(world, spans, momentOf(world, dt));
-    rungeKuttaStage(world, spans, 1 / 2, 0);
-    finishSums(world, spans, dt);
+export const heun = /* @__PURE__ */ defineIntegrator(
+  {
+    name: 'Heun',
+    order: 2,
+    symplectic: false,
+    evaluations: 2,
   },
-};
+  ({ position, velocity, dt }, kick) => {
+    const first = kick(position, velocity, 0, dt);
+    const predicted = velocity.add(first);
+    const second = kick(position.add(velocity.mul(dt)), predicted, 1, dt);
+    return {
+      position: position.add(velocity.add(predicted).mul(dt.mul(0.5))),
+      velocity: velocity.add(first.add(second).mul(0.5)),
+    };
+  },
+);

@@ -1,5 +1,5 @@
 // The equation that a step of implicit Euler solves, and the columns its solution needs.
-import { type EvaluateForces, momentOf } from '../forces/evaluate';
+import type { EvaluateForces } from '../dynamics/evaluate-forces';
 import { AXES } from '../store/axes';
 import { axisColumns } from '../store/columns';
 import { resource } from '../store/resource';
@@ -85,7 +85,7 @@ export function residualAt(
   to: BodyVector,
 ): void {
   moveTo(world, spans, equation, v, dt);
-  evaluate(world, spans, momentOf(world, dt));
+  evaluate(world, spans, world.time + dt);
   const { implicitResidualAxis } = integratorKernels(world);
   const { force } = world.scratch.at;
   const mass = world.addresses.Mass.value;

@@ -11,9 +11,10 @@
 // largest residual. 5 to some hundred force evaluations, by stiffness. A chain of a hundred springs or more, falling and
 // swinging, is solved at k dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd.
 // Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
+
+import type { EvaluateForces } from '../dynamics/evaluate-forces';
 import { reportFault } from '../faults/fault-log';
 import { checkKeys, checkNumber } from '../faults/validate';
-import type { EvaluateForces } from '../forces/evaluate';
 import { AXES } from '../store/axes';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';

@@ -1,4 +1,5 @@
-import type { EvaluateForces } from '../forces/evaluate';
+import type { EvaluateForces } from '../dynamics/evaluate-forces';
+import type { Scheme } from '../laws/scheme';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 
@@ -33,5 +34,8 @@ export interface Integrator {
   readonly wholeWorld?: boolean;
   /** Called once a step, before anything moves: takes memory. What it throws comes out of `step`. */
   prepare?(world: PhysicsWorld, dt: number): void;
-  advance(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: EvaluateForces): void;
+  /** A scheme of fixed stages as expressions: it becomes one loop with the laws. */
+  readonly scheme?: Scheme;
+  /** Moves the bodies by one step. Where there is one, the scheme is not used. */
+  advance?(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: EvaluateForces): void;
 }

@@ -1,6 +1,6 @@
 // GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7, 856, 1986) for the linear systems of Newton's method: the matrix
 // is never formed, its products with vectors are differences of residuals.
-import type { EvaluateForces } from '../forces/evaluate';
+import type { EvaluateForces } from '../dynamics/evaluate-forces';
 import type { Spans } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 import { BASIS, type Equation, MINUS_ONE, residualAt, Scalar } from './implicit-equation';

@@ -5,25 +5,21 @@
 // Second order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
 // oscillator grows by (ω dt)⁴/4 a step. Runge, Math. Ann. 46, 167 (1895); Hairer, Nørsett, Wanner: Solving Ordinary
 // Differential Equations I, II.1.
-import { momentOf } from '../forces/evaluate';
-import type { Integrator } from './integrator';
-import { multiplesOf } from './multiples';
-import { clearSums, finishSums, rungeKuttaStage } from './runge-kutta-stages';
+import { defineIntegrator } from './define-integrator';
 
-const halfOf = multiplesOf([1 / 2]);
-
-export const midpoint: Integrator = {
-  name: 'midpoint',
-  order: 2,
-  symplectic: false,
-  evaluations: 2,
-  advance(world, spans, dt, evaluateForces) {
-    const half = halfOf(dt)[0];
-    clearSums(world, spans, dt);
-    evaluateForces(world, spans, momentOf(world, 0));
-    rungeKuttaStage(world, spans, 0, half);
-    evaluateForces(world, spans, momentOf(world, half));
-    rungeKuttaStage(world, spans, 1, 0);
-    finishSums(world, spans, dt);
+export const midpoint = /* @__PURE__ */ defineIntegrator(
+  {
+    name: 'midpoint',
+    order: 2,
+    symplectic: false,
+    evaluations: 2,
   },
-};
+  ({ position, velocity, dt }, kick) => {
+    const half = dt.mul(0.5);
+    const middle = velocity.add(kick(position, velocity, 0, half));
+    return {
+      position: position.add(middle.mul(dt)),
+      velocity: velocity.add(kick(position.add(velocity.mul(half)), middle, 1 / 2, dt)),
+    };
+  },
+);

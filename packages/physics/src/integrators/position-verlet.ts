@@ -10,62 +10,41 @@
 // keep the order. Symplectic for forces of position alone and equal steps: the energy error is bounded.
 // Størmer, Arch. Sci. Phys. Nat. 24 (1907); Verlet, Phys. Rev. 159, 98 (1967); Hairer, Lubich, Wanner: Geometric
 // Numerical Integration, I.1.4.
-import { momentOf } from '../forces/evaluate';
-import { AXES } from '../store/axes';
-import { axisColumns } from '../store/columns';
-import { resource } from '../store/resource';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
-import type { Integrator } from './integrator';
-import { integratorKernels } from './kernels';
+import { type Scalar, select, type Vector, vec3 } from '../laws/expression';
+import { defineIntegrator } from './define-integrator';
 
-/** What a body remembers: the last displacement, and where and how fast its last step left it. */
-const memoryOf = resource(({ internal: { arena }, precision, rows }) => ({
-  displacement: axisColumns(arena, precision, rows, 'position Verlet: displacement')[1],
-  leftX: axisColumns(arena, precision, rows, 'position Verlet: position')[1],
-  leftV: axisColumns(arena, precision, rows, 'position Verlet: velocity')[1],
-  tick: -1,
-  /** The step under way, and the one before it where that was the world's last. */
-  dt: 0,
-  before: 0,
-}));
+const AXES = ['x', 'y', 'z'] as const;
 
-export const positionVerlet: Integrator = {
-  name: 'position Verlet',
-  order: 2,
-  symplectic: true,
-  evaluations: 1,
-  columns: 9,
-  prepare(world) {
-    memoryOf(world);
+export const positionVerlet = /* @__PURE__ */ defineIntegrator(
+  {
+    name: 'position Verlet',
+    order: 2,
+    symplectic: true,
+    evaluations: 1,
+    columns: 9,
   },
-  advance(world, spans, dt, evaluateForces) {
-    const memory = memoryOf(world);
-    if (memory.tick !== world.tick) {
-      memory.before = memory.tick === world.tick - 1 ? memory.dt : 0;
-      memory.tick = world.tick;
-      memory.dt = dt;
-    }
-    evaluateForces(world, spans, momentOf(world, 0));
-    move(world, spans, dt, memory.before === 0 ? 0 : dt / memory.before);
+  ({ position, velocity, dt, lastDt, memory }, kick) => {
+    const [displacement, leftPosition, leftVelocity] = memory;
+    const kicked = kick(position, velocity, 0, dt);
+    const hasLast = lastDt.greater(0);
+    const ratio = select(hasLast, dt.div(lastDt), 0);
+    const bend = select(hasLast, dt.add(lastDt).mul(0.5), dt);
+    const goesOn = displacement.mul(ratio).add(kicked.mul(bend));
+    const starts = velocity.mul(dt).add(kicked.mul(dt.mul(0.5)));
+    const step = eachAxis((axis) => {
+      const isLeft = position[axis].equals(leftPosition[axis]).and(velocity[axis].equals(leftVelocity[axis]));
+      return select(isLeft.and(hasLast), goesOn[axis], starts[axis]);
+    });
+    const after = position.add(step);
+    // The mean velocity of the step, and half a step's acceleration more.
+    const estimate = step.div(dt).add(kicked.mul(0.5));
+    return { position: after, velocity: estimate, memory: [step, after, estimate] };
   },
-};
+  // What a body remembers: the last displacement, and where and how fast its last step left it.
+  { memory: 3 },
+);
 
-function move(world: PhysicsWorld, spans: Spans, dt: number, ratio: number): void {
-  const { addresses, scratch } = world;
-  const { Position, Velocity, Mass } = addresses;
-  const { displacement, leftX, leftV } = memoryOf(world);
-  const { stormerAxis } = integratorKernels(world);
-  for (const axis of AXES[world.dimensions]) {
-    const x = Position[axis];
-    const v = Velocity[axis];
-    const f = scratch.at.force[axis];
-    const d = displacement[axis];
-    const px = leftX[axis];
-    const pv = leftV[axis];
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r];
-      stormerAxis(x, v, d, px, pv, f, Mass.value, dt, ratio, first, spans.bounds[2 * r + 1]);
-    }
-  }
+function eachAxis(make: (axis: 'x' | 'y' | 'z') => Scalar): Vector {
+  const [x, y, z] = AXES.map(make);
+  return vec3(x, y, z);
 }

@@ -3,14 +3,14 @@
 //
 //   ω' = ω + τ/I dt        θ' = θ + ω' dt
 import { bitOf } from '../components/all';
-import { anyForceTurns } from '../forces/evaluate';
+import { anyForceTurns } from '../dynamics/evaluate-forces';
 import type { LocalSystem } from '../schedule/phases';
 import { eachRun } from '../store/spans';
 import type { PhysicsWorld } from '../world';
 
 export const turn: LocalSystem = {
   name: 'turn',
-  usesScratch: true,
+  role: 'rotate',
   run: eachRun((world, first, last, dt) => {
     if (world.internal.counts.AngularVelocity === 0) return;
     if (anyForceTurns(world)) kickRun(world, first, last, dt);

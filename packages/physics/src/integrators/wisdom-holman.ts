@@ -19,7 +19,6 @@
 import { bitOf } from '../components/all';
 import { checkKeys, checkNumber } from '../faults/validate';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity';
-import { momentOf } from '../forces/evaluate';
 import { resource } from '../store/resource';
 import { emptyRoster, refreshRoster } from '../store/roster';
 import type { PhysicsWorld } from '../world';
@@ -63,7 +62,7 @@ export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
       kernels.toJacobi(at, n);
       const lost = kernels.driftKepler(at, n, dt / 2);
       kernels.fromJacobi(at, n);
-      evaluateForces(world, spans, momentOf(world, dt / 2));
+      evaluateForces(world, spans, world.time + dt / 2);
       kernels.kickJacobi(at, n, force.x, force.y, world.dimensions === 3 ? force.z : 0, dt);
       const lostLater = kernels.driftKepler(at, n, dt / 2);
       kernels.fromJacobi(at, n);

@@ -6,17 +6,19 @@
 // 1.70 dt, so the error constant is large: halve dt against leapfrog before judging. A force that depends on velocity
 // makes it first order. Forest and Ruth, Physica D 43, 105 (1990); Yoshida, Phys. Lett. A 150, 262 (1990).
 import { compose, drifted, isStableComposition } from './composition';
-import type { Integrator } from './integrator';
+import { defineIntegrator } from './define-integrator';
 
 const CUBE_ROOT_OF_2 = 1.2599210498948732;
 const W = 1 / (2 - CUBE_ROOT_OF_2);
 const { drifts, kicks } = drifted([W, 1 - 2 * W, W]);
 
-export const yoshida4: Integrator = {
-  name: 'Yoshida 4',
-  order: 4,
-  symplectic: true,
-  evaluations: 3,
-  isStable: (stiffness, damping) => isStableComposition(drifts, kicks, stiffness, damping),
-  advance: compose(drifts, kicks),
-};
+export const yoshida4 = /* @__PURE__ */ defineIntegrator(
+  {
+    name: 'Yoshida 4',
+    order: 4,
+    symplectic: true,
+    evaluations: 3,
+    isStable: (stiffness, damping) => isStableComposition(drifts, kicks, stiffness, damping),
+  },
+  compose(drifts, kicks),
+);

@@ -6,7 +6,7 @@
 // periods with a small, bounded error. A force that depends on velocity makes it first order.
 // Yoshida, Phys. Lett. A 150, 262 (1990), table 1; digits: Hairer, Lubich, Wanner: Geometric Numerical Integration, V.3.
 import { compose, drifted, isStableComposition } from './composition';
-import type { Integrator } from './integrator';
+import { defineIntegrator } from './define-integrator';
 
 const W1 = -1.177679984178871;
 const W2 = 0.23557321335935813;
@@ -14,11 +14,13 @@ const W3 = 0.7845136104775573;
 const W0 = 1 - 2 * (W1 + W2 + W3);
 const { drifts, kicks } = drifted([W3, W2, W1, W0, W1, W2, W3]);
 
-export const yoshida6: Integrator = {
-  name: 'Yoshida 6',
-  order: 6,
-  symplectic: true,
-  evaluations: 7,
-  isStable: (stiffness, damping) => isStableComposition(drifts, kicks, stiffness, damping),
-  advance: compose(drifts, kicks),
-};
+export const yoshida6 = /* @__PURE__ */ defineIntegrator(
+  {
+    name: 'Yoshida 6',
+    order: 6,
+    symplectic: true,
+    evaluations: 7,
+    isStable: (stiffness, damping) => isStableComposition(drifts, kicks, stiffness, damping),
+  },
+  compose(drifts, kicks),
+);

@@ -1,3 +1,4 @@
+import { compileBytes } from './compile-bytes';
 import { SIGNS, UNPACKER } from './texts.gen';
 
 /** Two builds of one module, packed together and written in 64 signs. */
@@ -25,7 +26,7 @@ let unpacker: WebAssembly.Module | undefined;
 
 /** The bytes of one build of an embedded WebAssembly module. */
 export function decodeModule({ text, f64, f32 }: EmbeddedModule, precision: 'f32' | 'f64'): Uint8Array<ArrayBuffer> {
-  unpacker ??= new WebAssembly.Module(readSigns(UNPACKER, 4, new Uint8Array(UNPACKER.length / 2), 0));
+  unpacker ??= compileBytes(readSigns(UNPACKER, 4, new Uint8Array(UNPACKER.length / 2), 0));
   const { memory, packedAt, bytesAt, unpack } = new WebAssembly.Instance(unpacker).exports as unknown as Unpacker;
   const bytes = new Uint8Array(memory.buffer);
   readSigns(text, 6, bytes, packedAt());

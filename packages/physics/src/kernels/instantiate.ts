@@ -1,4 +1,5 @@
 import type { PhysicsWorld } from '../world';
+import { compileBytes } from './compile-bytes';
 import { decodeModule, type EmbeddedModule } from './decode';
 import { KERNELS, type KernelExports } from './modules.gen';
 
@@ -18,7 +19,7 @@ export function instantiate<Exports>(
   precision: Precision,
   memory: WebAssembly.Memory,
 ): Exports {
-  kernels.compiled[precision] ??= new WebAssembly.Module(decodeModule(kernels, precision));
+  kernels.compiled[precision] ??= compileBytes(decodeModule(kernels, precision));
   const functions = Object.values(new WebAssembly.Instance(kernels.compiled[precision], { env: { memory } }).exports);
   return Object.fromEntries(kernels.names.split('.').map((name, i) => [name, functions[i]])) as Exports;
 }

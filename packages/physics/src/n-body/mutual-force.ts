@@ -3,7 +3,7 @@
 import { bitOf } from '../components/all';
 import { PhysicsError } from '../faults/physics-error';
 import { checkChoice, checkKeys, checkNumber, checkWhole } from '../faults/validate';
-import type { Force, ForceParameter } from '../forces/force';
+import type { Force, ForceParameter } from '../laws/force';
 import { allocate } from '../store/arena';
 import { resource } from '../store/resource';
 import type { PhysicsWorld } from '../world';
@@ -96,7 +96,6 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
     parameters: spec.parameters,
     reads: ['Position', spec.strength],
     local: false,
-    timeless: true,
     prepare(world) {
       sum.workOf(world);
     },

@@ -13,8 +13,8 @@ import { constraintKernels } from '../constraints/kernels';
 import { PhysicsError } from '../faults/physics-error';
 import { checkKeys, checkNumber } from '../faults/validate';
 import { SPEEDS } from '../forces/bounds';
-import type { Force } from '../forces/force';
-import { shownVector, timeVector, type VectorOverTime } from '../forces/time-vector';
+import type { Force } from '../laws/force';
+import { shownVector, timeVector, type VectorOverTime } from '../laws/time-vector';
 import { facesOf } from './faces';
 
 export interface ClothWindOptions {
@@ -49,7 +49,6 @@ export function clothWind(options: ClothWindOptions): Force {
     },
     reads: ['Position', 'Velocity'],
     local: false,
-    timeless: wind.steady !== undefined,
     prepare(world) {
       if (world.dimensions === 2) {
         throw new PhysicsError('E_RANGE', 'clothWind needs a world of three dimensions.', { field: 'dimensions' });

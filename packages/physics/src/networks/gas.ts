@@ -13,7 +13,7 @@
 
 import { constraintKernels } from '../constraints/kernels';
 import { checkKeys, checkNumber, checkWhole } from '../faults/validate';
-import type { Force } from '../forces/force';
+import type { Force } from '../laws/force';
 import { log } from '../math/elementary';
 import type { PhysicsWorld } from '../world';
 import { facesOf } from './faces';
@@ -52,7 +52,6 @@ export function enclosedGas(options: GasOptions): Force {
     },
     reads: ['Position'],
     local: false,
-    timeless: true,
     prepare: (world) => void faces(world),
     accumulate(world) {
       const { at, count } = faces(world);

@@ -1,6 +1,6 @@
 // A soft body: a skin of springs around a gas. In 2D a ring, in 3D a ball made of a divided icosahedron.
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../faults/validate';
-import type { Force } from '../forces/force';
+import type { Force } from '../laws/force';
 import { cos, sin } from '../math/elementary';
 import { assertUsable } from '../store/guards';
 import type { PhysicsWorld } from '../world';

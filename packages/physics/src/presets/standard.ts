@@ -1,5 +1,5 @@
+import { integrate } from '../dynamics/integrate';
 import { tellFaults } from '../events/handlers';
-import { integrate } from '../integrators/integrate';
 import { turn } from '../integrators/turn';
 import { begin, checkFinite } from '../schedule/quarantine';
 import type { Preset } from './preset';

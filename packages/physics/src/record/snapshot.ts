@@ -137,6 +137,8 @@ class Content implements Snapshot {
     world.lastId = this.#lastId;
     world.time = this.time;
     world.tick = this.tick;
+    // Compiled loops know addresses of what was made since.
+    internal.plan = undefined;
     internal.spansVersion = this.#spansVersion;
     internal.sweptRows = this.#sweptRows;
     return thrown;

@@ -29,18 +29,13 @@ export type Phase = (typeof PHASES)[number];
 /** A system that may look at the whole world. */
 export type GlobalSystem = (world: PhysicsWorld, dt: number) => void;
 
-/**
- * A system that, for each body, reads and writes the body's own row only. Consecutive local systems run tile by tile,
- * a few thousand bodies that stay in the cache, so that composing them costs no trips to memory.
- */
+/** A system that, for each body, reads and writes the body's own row only. */
 export interface LocalSystem {
   readonly name: string;
   /** Sweeps the runs of `spans`. */
   run(world: PhysicsWorld, spans: Spans, dt: number): void;
-  /** Whether it is local in this world as it is now; absent means always. */
-  isLocal?(world: PhysicsWorld): boolean;
-  /** It uses `world.scratch`, by address only: its rows may be slid onto a tile. */
-  readonly usesScratch?: boolean;
+  /** What it is to the integrator, when that may take over its work: see docs/step.md. */
+  readonly role?: 'begin' | 'integrate' | 'rotate' | 'box' | 'check';
 }
 
 export type System = GlobalSystem | LocalSystem;

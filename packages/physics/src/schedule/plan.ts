@@ -1,45 +1,61 @@
-import { checkHas, checkList } from '../faults/validate';
+import { PhysicsError } from '../faults/physics-error';
+import { checkHas, checkList, isRecord } from '../faults/validate';
 import type { PhysicsWorld } from '../world';
-import { type Ahead, aheadOf } from './ahead';
 import { type LocalSystem, PHASES, type Phase, type System } from './phases';
 
-/** Systems that run together: one global system, or consecutive local ones that share tiles. */
-export interface Group {
-  readonly phases: readonly Phase[];
-  readonly systems: readonly System[];
-  readonly tiled: boolean;
-  /** Scratch rows may slide onto the tile: nobody outside this group uses the scratch. */
-  readonly slides: boolean;
+/** A system and the phase that it runs in. */
+export interface PlannedSystem {
+  readonly phase: Phase;
+  readonly system: System;
+}
+
+/** What of a step runs as one loop with the laws and the integrator, because the systems follow each other. */
+export interface Fusion {
+  /** The pose is saved, and what was written between the steps is checked. */
+  readonly begin: boolean;
+  /** Walls of a box, at which bodies are found in the loop. */
+  readonly walls: LocalSystem | undefined;
+  /** The result is checked. */
+  readonly check: boolean;
 }
 
 /** What a step does, worked out from the phases and forces; made anew only when those change. */
 export interface Plan {
-  readonly groups: readonly Group[];
+  readonly systems: readonly PlannedSystem[];
   readonly signature: readonly unknown[];
   /** No force looks at more than its own body. */
   readonly forcesLocal: boolean;
-  /** Every force ignores the time. */
-  readonly forcesTimeless: boolean;
-  /** The table of what the next tile reads. */
-  readonly ahead: Ahead;
-}
-
-function isTiled(world: PhysicsWorld, system: System): system is LocalSystem {
-  return typeof system !== 'function' && (system.isLocal?.(world) ?? true);
-}
-
-function usesScratch(system: System): boolean {
-  return typeof system !== 'function' && system.usesScratch === true;
+  /** Undefined where a force is no law, or the integrator has no fixed stages. */
+  readonly fusion: Fusion | undefined;
+  /** What other parts of the engine keep as long as the plan holds. */
+  readonly kept: Map<object, unknown>;
 }
 
 /** Said of what is no force. */
 export const FORCE_HINT = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';
 
-/** @throws PhysicsError E_TYPE, naming the first that is no force */
-export function checkForces(forces: readonly unknown[], what: string): void {
+/** @throws PhysicsError E_TYPE, naming the first that is no force; E_RANGE */
+export function checkForces(forces: readonly unknown[], what: string, dimensions: 2 | 3): void {
   checkList(forces, what);
   // By index: `forEach` would pass over the holes of a sparse array.
-  for (let f = 0; f < forces.length; f++) checkHas(forces[f], 'accumulate', `${what}[${f}]`, FORCE_HINT);
+  for (let f = 0; f < forces.length; f++) checkForce(forces[f], `${what}[${f}]`, dimensions);
+}
+
+/** @throws PhysicsError E_TYPE for what is neither a law nor a force with `accumulate`; E_RANGE for a law of other dimensions */
+export function checkForce(force: unknown, what: string, dimensions?: 2 | 3): void {
+  if (!isRecord(force) || !isRecord(force.law)) {
+    checkHas(force, 'accumulate', what, FORCE_HINT);
+    return;
+  }
+  const { dimensions: wanted, name } = force.law;
+  if (dimensions === undefined || wanted === undefined || wanted === dimensions) return;
+  throw new PhysicsError(
+    'E_RANGE',
+    `${what}: law "${name}" is for worlds of ${wanted} dimensions, and this one has ${dimensions}.`,
+    {
+      field: what,
+    },
+  );
 }
 
 /** @throws PhysicsError E_TYPE, naming the first that is no system */
@@ -53,6 +69,7 @@ export function checkSystems(systems: readonly unknown[], what: string): void {
 
 /** @throws PhysicsError E_TYPE */
 export function checkIntegrator(integrator: unknown, what: string): void {
+  if (isRecord(integrator) && isRecord(integrator.scheme)) return;
   checkHas(integrator, 'advance', what, 'Such as velocityVerlet, semiImplicitEuler or rungeKutta4.');
 }
 
@@ -68,10 +85,22 @@ export function currentPlan(world: PhysicsWorld): Plan {
   return made;
 }
 
+/** Something made when first asked for, and kept as long as the plan of a world holds. */
+export function keptWithPlan<T>(make: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
+  const key = {};
+  return (world) => {
+    const running = world.state === 'stepping' ? world.internal.plan : undefined;
+    const { kept } = running ?? currentPlan(world);
+    if (!kept.has(key)) kept.set(key, make(world));
+    return kept.get(key) as T;
+  };
+}
+
 function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
   const { signature } = plan;
   let i = 0;
   if (signature[i++] !== world.integrator) return false;
+  if (signature[i++] !== world.internal.incomplete.unmoved > 0) return false;
   for (let p = 0; p < PHASES.length; p++) {
     const phase = PHASES[p];
     const systems = world.phases[phase];
@@ -83,36 +112,42 @@ function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
 }
 
 function makePlan(world: PhysicsWorld): Plan {
-  checkForces(world.forces, 'world.forces');
+  checkForces(world.forces, 'world.forces', world.dimensions);
   checkIntegrator(world.integrator, 'world.integrator');
   for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
-  const groups: { phases: Phase[]; systems: System[]; tiled: boolean }[] = [];
-  const signature: unknown[] = [world.integrator];
+  const signature: unknown[] = [world.integrator, world.internal.incomplete.unmoved > 0];
+  const systems: PlannedSystem[] = [];
   for (const phase of PHASES) {
     for (const system of world.phases[phase]) {
       signature.push(system);
-      const tiled = isTiled(world, system);
-      const open = groups[groups.length - 1];
-      if (tiled && open?.tiled) {
-        open.phases.push(phase);
-        open.systems.push(system);
-      } else {
-        groups.push({ phases: [phase], systems: [system], tiled });
-      }
+      systems.push({ phase, system });
     }
     signature.push(phase);
   }
   signature.push(...world.forces);
-  const scratchGroups = groups.filter((group) => group.systems.some(usesScratch));
-  const plainForces = world.forces.some((force) => force.usesForceColumns === true);
+  const { scheme, advance } = world.integrator;
+  const isFused = scheme !== undefined && advance === undefined && world.forces.every(({ law }) => law !== undefined);
   return {
     signature,
-    ahead: aheadOf(world),
+    systems,
     forcesLocal: world.forces.every(({ local }) => local),
-    forcesTimeless: world.forces.every(({ timeless }) => timeless === true),
-    groups: groups.map((group) => ({
-      ...group,
-      slides: group.tiled && !plainForces && scratchGroups.length === 1 && scratchGroups[0] === group,
-    })),
+    fusion: isFused ? fusionOf(systems.map(({ system }) => system)) : undefined,
+    kept: new Map(),
+  };
+}
+
+/** Which neighbours of the integrator its loop takes over. Turning bodies is no business of theirs. */
+function fusionOf(systems: readonly System[]): Fusion {
+  const roles = systems.map((system) => (typeof system === 'function' ? undefined : system.role));
+  const at = roles.indexOf('integrate');
+  const isOnly = roles.lastIndexOf('integrate') === at;
+  if (at < 0 || !isOnly) return { begin: false, walls: undefined, check: false };
+  let next = at + 1;
+  if (roles[next] === 'rotate') next++;
+  const hasWalls = roles[next] === 'box' && roles[next + 1] === 'check';
+  return {
+    begin: roles[at - 1] === 'begin',
+    walls: hasWalls ? (systems[next] as LocalSystem) : undefined,
+    check: roles[hasWalls ? next + 1 : next] === 'check',
   };
 }

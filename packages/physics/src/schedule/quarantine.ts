@@ -22,17 +22,34 @@ type When = 'begin' | 'finish';
 const MAX_FORCE = 3e38;
 
 /** Saves poses, and puts right what was written between steps. First system of every preset. */
-export const begin: LocalSystem = { name: 'begin', usesScratch: true, run: eachRun(beginRun) };
+export const begin: LocalSystem = { name: 'begin', role: 'begin', run: eachRun(beginRun) };
 
 /** Finds what the step itself made bad. Last system of every preset. */
-export const checkFinite: LocalSystem = { name: 'check finite', run: eachRun(checkRun) };
+export const checkFinite: LocalSystem = { name: 'check finite', role: 'check', run: eachRun(checkRun) };
 
 function beginRun(world: PhysicsWorld, first: number, last: number): void {
-  if (saveAxes(world, first, last) === 0 || !anglesGood(world, first, last)) {
-    for (let row = first; row < last; row++) repairRow(world, row, 'begin');
-    saveAxes(world, first, last);
+  // Positions and velocities are the business of the loop that reads them anyway.
+  const isFused = world.internal.plan?.fusion?.begin === true;
+  const isGood = isFused || saveAxes(world, first, last) === 1;
+  if (!isGood || !anglesGood(world, first, last)) {
+    repairRows(world, first, last, 'begin');
+    if (!isFused) saveAxes(world, first, last);
   }
   if (canTurn(world)) saveAngles(world, first, last);
+}
+
+/**
+ * Looks at rows one by one, caps speeds and quarantines bodies that cannot go on.
+ * @param laws by row, the law that is to blame
+ */
+export function repairRows(
+  world: PhysicsWorld,
+  first: number,
+  last: number,
+  phase: When,
+  laws?: ReadonlyMap<number, string>,
+): void {
+  for (let row = first; row < last; row++) repairRow(world, row, phase, laws?.get(row));
 }
 
 /** Saves positions and velocities; 1 when all were good. A bad position is not saved: the last good one stays. */
@@ -59,17 +76,23 @@ function saveAngles(world: PhysicsWorld, first: number, last: number): void {
 }
 
 function checkRun(world: PhysicsWorld, first: number, last: number): void {
+  clearAbsent(world, first, last);
+  const isChecked = world.internal.plan?.fusion?.check === true;
+  if ((isChecked || isInRange(world, first, last)) && anglesGood(world, first, last)) return;
+  repairRows(world, first, last, 'finish');
+}
+
+/** Whether all positions and velocities are numbers within their limits. */
+export function isInRange(world: PhysicsWorld, first: number, last: number): boolean {
   const { kernels, addresses } = world;
   const { Position, Velocity } = addresses;
-  clearAbsent(world, first, last);
   let good = 1;
   const axes = AXES[world.dimensions];
   for (let a = 0; a < axes.length; a++) {
     const axis = axes[a];
     good &= kernels.checkAxis(Position[axis], Velocity[axis], MAX_POSITION, MAX_SPEED, first, last);
   }
-  if (good === 1 && anglesGood(world, first, last)) return;
-  for (let row = first; row < last; row++) repairRow(world, row, 'finish');
+  return good === 1;
 }
 
 /** Whether any body has an angle or turns: most worlds of particles pay nothing for those that do. */
@@ -102,7 +125,7 @@ const LIMITS = [
 ] as const;
 
 /** Caps speeds beyond their limit; with anything else that is wrong a body cannot go on. */
-function repairRow(world: PhysicsWorld, row: number, phase: When): void {
+function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string): void {
   for (const [name, limit] of LIMITS) {
     const columns: Columns = world.components[name];
     let isTold = false;
@@ -111,7 +134,7 @@ function repairRow(world: PhysicsWorld, row: number, phase: When): void {
       if (Math.abs(value) <= limit) continue;
       const field = `${name}.${axis}`;
       if (name in world.previous || !Number.isFinite(value)) {
-        quarantine(world, row, field, value, phase);
+        quarantine(world, row, field, value, phase, law);
         return;
       }
       if (!isTold) reportFault(world, { code: 'E_SPEED', entity: row, field, value, phase });
@@ -122,7 +145,14 @@ function repairRow(world: PhysicsWorld, row: number, phase: When): void {
 }
 
 /** Puts a body to rest where it was when the step began. */
-function quarantine(world: PhysicsWorld, row: number, field: string, value: number, phase: When): void {
+function quarantine(
+  world: PhysicsWorld,
+  row: number,
+  field: string,
+  value: number,
+  phase: When,
+  law: string | undefined,
+): void {
   copyPose(world.previous, world.components, row);
   // What was good when it was last drawn may be another pose than that.
   world.versions.pose++;
@@ -130,17 +160,19 @@ function quarantine(world: PhysicsWorld, row: number, field: string, value: numb
     world.components.Velocity[axis][row] = 0;
     world.components.AngularVelocity[axis][row] = 0;
   }
-  tag(world, row, field, value, phase);
+  tag(world, row, field, value, phase, law);
 }
 
 /** Reports a body that went wrong, once for as long as nobody puts it in order. */
-function tag(world: PhysicsWorld, row: number, field: string, value: number, phase: When): void {
+function tag(world: PhysicsWorld, row: number, field: string, value: number, phase: When, law?: string): void {
   const { Quarantined } = world.components;
   // bitECS is asked, not the rows: those learn of a quarantine, or of an entity's end, when the step is over.
   const isBody = isOpen(world, row, 'Position') && entityExists(world, row);
   if (!isBody || hasComponent(world, row, Quarantined)) return;
   const code = Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
-  reportFault(world, { code, entity: row, field, value, phase });
+  const blame =
+    law === undefined ? {} : { law, hint: `Look at the law "${law}": its force on the body is not a finite number.` };
+  reportFault(world, { code, entity: row, field, value, phase, ...blame });
   addComponent(world, row, set(Quarantined, { step: world.tick }));
 }
 

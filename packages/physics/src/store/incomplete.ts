@@ -9,7 +9,7 @@ import type { PhysicsWorld } from '../world';
 import { ANGLES, AXES } from './axes';
 
 /** What forces move. */
-const MOVABLE = bitOf('Position') | bitOf('Velocity');
+export const MOVABLE = bitOf('Position') | bitOf('Velocity');
 
 function isUnmoved(bits: number): boolean {
   return (bits & bitOf('Mass')) !== 0 && (bits & MOVABLE) !== MOVABLE;

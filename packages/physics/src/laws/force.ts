@@ -1,5 +1,7 @@
 import type { ComponentName } from '../components/all';
 import type { PhysicsWorld } from '../world';
+import type { Law } from './law';
+import type { ParameterSource } from './parameter';
 
 /** A parameter of a force as its documentation shows it. */
 export interface ForceParameter {
@@ -8,10 +10,8 @@ export interface ForceParameter {
 }
 
 /**
- * A law that adds to the force on bodies and does nothing else.
- *
- * `accumulate` gets rows [first, last). A local force is called for every run of bodies and reads only each body's own
- * row; any other force is called once with all rows and may read what it likes.
+ * What pushes bodies and does nothing else: a law, which is fused into the step, or a function that adds to the force
+ * columns before the laws do.
  */
 export interface Force {
   readonly name: string;
@@ -22,21 +22,23 @@ export interface Force {
   readonly reads: readonly string[];
   /** It reads nothing but its own body. */
   readonly local: boolean;
-  /** It writes `world.scratch.force.x[eid]` from TypeScript, rather than through addresses in a kernel. */
-  readonly usesForceColumns?: boolean;
+  /** The expressions of a law, and the values of its parameters. */
+  readonly law?: Law;
+  readonly sources?: readonly ParameterSource[];
   /**
    * Called once a step, before anything moves, when edits are still allowed: gathers what the force needs. What it
    * throws comes out of `step`, which then has not happened.
    */
   prepare?(world: PhysicsWorld, dt: number): void;
-  /** It adds to `world.scratch.torque` as well: the turn of the bodies is kicked by the torque of the last evaluation. */
+  /** It adds to `world.scratch.torque` as well: the torque of the last evaluation turns the bodies. */
   readonly turns?: boolean;
   /** Components whose columns its `prepare` changes, as an engine burns fuel: `limited` keeps those outside its limits. */
   readonly spends?: readonly ComponentName[];
-  /** Its `accumulate` does not look at `time`: where that goes for all forces, no step makes garbage. */
-  readonly timeless?: boolean;
-  /** Adds this force, N, to the force on each body. `time` is the moment it is asked for, s. */
-  accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
+  /**
+   * Of what is no law: adds this force, N, to the force on each body of rows [first, last). `time` is that at which it
+   * is evaluated, s.
+   */
+  accumulate?(world: PhysicsWorld, first: number, last: number, time: number): void;
   /** Potential energy of the world under this force, J; only where the force is conservative. */
   potential?(world: PhysicsWorld): number;
 }
@@ -62,7 +64,7 @@ export interface CustomForce {
 export function defineForce(force: CustomForce): Force {
   const { name, equation = '', reads = [], local = true, turns = false, accumulate, prepare, potential } = force;
   return {
-    ...{ name, equation, reads, local, turns, usesForceColumns: true, accumulate },
+    ...{ name, equation, reads, local, turns, accumulate },
     ...(prepare && { prepare }),
     ...(potential && { potential }),
   };

@@ -1,0 +1,30 @@
+// Finds the law that gave a body a force which is not a number: called when a step failed for it, never otherwise.
+import { keptWithPlan } from '../schedule/plan';
+import { AXES } from '../store/axes';
+import type { PhysicsWorld } from '../world';
+import { type LawLoop, makeLawLoop } from './evaluate-forces';
+import { type LawForce, lawsOf } from './sum-of-laws';
+
+/** Each law of a world in a loop of its own. */
+const singleLaws = keptWithPlan((world) =>
+  lawsOf(world.forces).map((law): [LawForce, LawLoop] => [law, makeLawLoop(world, [law], false)]),
+);
+
+/** The laws whose force or torque on a body of rows [first, last) is not finite as the bodies are now, by row. */
+export function blamedLaws(world: PhysicsWorld, first: number, last: number, dt: number): Map<number, string> {
+  const blamed = new Map<number, string>();
+  const { kernels, scratch, addresses } = world;
+  for (const axis of AXES[3]) kernels.copyColumn(scratch.at.startVelocity[axis], addresses.Velocity[axis], first, last);
+  for (const [{ name }, { block, run }] of singleLaws(world)) {
+    block.write(dt, world.time, 0);
+    run(first, last, 0);
+    for (let row = first; row < last; row++) {
+      if (!hasFiniteForce(world, row) && !blamed.has(row)) blamed.set(row, name);
+    }
+  }
+  return blamed;
+}
+
+function hasFiniteForce({ scratch: { force, torque }, dimensions }: PhysicsWorld, row: number): boolean {
+  return AXES[dimensions].every((axis) => Number.isFinite(force[axis][row])) && Number.isFinite(torque.z[row]);
+}

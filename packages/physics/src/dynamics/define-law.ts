@@ -1,0 +1,83 @@
+// Laws: forces, accelerations and torques written once as expressions, and fused into the step of every world.
+import { checkChoice, checkFunction, checkKeys, mustBe } from '../faults/validate';
+import type { Reads } from '../laws/body-symbols';
+import type { Force, ForceParameter } from '../laws/force';
+import { type Law, type LawOptions, recordLaw } from '../laws/law';
+import {
+  type Parameter,
+  type ParameterInput,
+  type ParameterSource,
+  type Parameters,
+  sourcesOf,
+} from '../laws/parameter';
+import { columnsRead } from '../laws/structure';
+import type { PhysicsWorld } from '../world';
+import { potentialEnergy } from './potential-energy';
+import type { LawForce } from './sum-of-laws';
+
+/** Makes the force of a law from the values of its parameters. */
+export type LawFactory<P> =
+  Record<never, never> extends ParameterInput<P>
+    ? (parameters?: ParameterInput<P>) => LawForce
+    : (parameters: ParameterInput<P>) => LawForce;
+
+const KEYS = [
+  ...['name', 'formula', 'source', 'reads', 'parameters', 'dimensions', 'force', 'acceleration', 'torque'],
+  ...['potential', 'prepare', 'consumes'],
+];
+
+/**
+ * Defines a law. Its functions are called once, now, with symbols; what is wrong with them is said here.
+ * @returns a function that makes the force: `createPhysicsWorld({ forces: [myLaw({ strength: 3 })] })`
+ * @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN, naming the law
+ */
+export function defineLaw<
+  const R extends Reads = Record<never, never>,
+  const P extends Parameters = Record<never, never>,
+>(options: LawOptions<R, P>): LawFactory<P> {
+  checkKeys(options, 'defineLaw', KEYS);
+  if (typeof options.name !== 'string' || options.name === '') throw mustBe('a text', options.name, 'defineLaw: name');
+  if (options.dimensions !== undefined) checkChoice(options.dimensions, `${options.name}.dimensions`, [2, 3]);
+  if (options.prepare !== undefined) checkFunction(options.prepare, `${options.name}.prepare`);
+  const parameters = (options.parameters ?? {}) as Readonly<Record<string, Parameter>>;
+  const law = recordLaw(options as unknown as LawOptions<Reads, Parameters>, parameters);
+  const reads = columnsRead(law);
+  return ((input: unknown = {}) => {
+    const sources = sourcesOf(options.name, parameters, input);
+    return lawForce(law, sources, {
+      equation: options.formula ?? '',
+      parameters: shownParameters(parameters, sources),
+      // What it consumes it reads, to know how much there is.
+      reads: [...new Set([...reads, ...(options.consumes ?? [])])],
+      ...(options.prepare && { prepare: options.prepare }),
+      ...(options.consumes && { spends: options.consumes }),
+    });
+  }) as LawFactory<P>;
+}
+
+/** The force of a recorded law with the values of its parameters. */
+export function lawForce(
+  law: Law,
+  sources: readonly ParameterSource[],
+  rest: Omit<Force, 'name' | 'local' | 'law' | 'sources' | 'turns' | 'accumulate' | 'potential'>,
+): LawForce {
+  const force = { name: law.name, local: true, turns: law.torque !== undefined, ...rest, law, sources };
+  if (law.potential === undefined) return force;
+  return { ...force, potential: (world) => potentialEnergy(world, force) };
+}
+
+/** Numbers for the documentation: a vector as three. */
+function shownParameters(
+  parameters: Readonly<Record<string, Parameter>>,
+  sources: readonly ParameterSource[],
+): Readonly<Record<string, ForceParameter>> {
+  const shown: Record<string, ForceParameter> = {};
+  const values = new Float64Array(3);
+  Object.entries(parameters).forEach(([name, { unit, size }], i) => {
+    if (sources[i].when !== 'once') return;
+    sources[i].write(undefined as unknown as PhysicsWorld, values, 0, 0);
+    if (size === 1) shown[name] = { unit, value: values[0] };
+    else for (const [a, axis] of ['X', 'Y', 'Z'].entries()) shown[`${name}${axis}`] = { unit, value: values[a] };
+  });
+  return shown;
+}

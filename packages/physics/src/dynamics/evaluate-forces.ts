@@ -1,0 +1,146 @@
+// Evaluates all forces of a world into the force columns: first what is no law, kernel by kernel, then all laws in one
+// loop. For integrators that choose their own stages, and for worlds in which some force is no law.
+import { collectThrown } from '../faults/thrown';
+import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile';
+import type { LoopSource, Store } from '../laws/emit-loop';
+import type { Axes } from '../laws/lower';
+import { keptWithPlan } from '../schedule/plan';
+import { dropBadForces } from '../schedule/quarantine';
+import { AXES, clearAxes } from '../store/axes';
+import { holdUnmoved } from '../store/incomplete';
+import { resource } from '../store/resource';
+import type { Spans } from '../store/spans';
+import type { PhysicsWorld } from '../world';
+import { layoutOf } from './layout';
+import { mathImports } from './math-imports';
+import { notesOf } from './notes';
+import { ParameterBlock, type ParameterOwner, variantOf } from './parameter-block';
+import { type LawForce, lawsOf, sumLaws, totalForce } from './sum-of-laws';
+import { WorldColumns } from './world-columns';
+
+/** Evaluates all forces of the world on the bodies of `spans` at `time`, into `world.scratch.force`. */
+export type EvaluateForces = (world: PhysicsWorld, spans: Spans, time: number) => void;
+
+/** Length of the step for which forces were prepared last, s. */
+const preparedFor = resource(() => ({ dt: 0 }));
+
+export const evaluateForces: EvaluateForces = (world, spans, time) => {
+  const lawLoop = lawLoopOf(world);
+  if (lawLoop === undefined || lawLoop.addsToColumns) accumulateKernels(world, spans, time);
+  if (lawLoop !== undefined) {
+    lawLoop.block.write(preparedFor(world).dt, time, 0);
+    for (let r = 0; r < spans.count; r++) lawLoop.run(spans.bounds[2 * r], spans.bounds[2 * r + 1], 0);
+  }
+  for (let r = 0; r < spans.count; r++) finish(world, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+};
+
+/** Puts the columns at zero, and lets every force that is no law add to them. */
+function accumulateKernels(world: PhysicsWorld, spans: Spans, time: number): void {
+  const { force, torque } = world.scratch.at;
+  const turns = anyForceTurns(world);
+  for (let r = 0; r < spans.count; r++) {
+    const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+    clearAxes(world, force, AXES[world.dimensions], first, last);
+    if (turns) clearAxes(world, torque, AXES[3], first, last);
+  }
+  for (const each of world.forces) {
+    if (each.accumulate === undefined) continue;
+    try {
+      if (!each.local) each.accumulate(world, 0, world.internal.sweptRows, time);
+      else
+        for (let r = 0; r < spans.count; r++)
+          each.accumulate(world, spans.bounds[2 * r], spans.bounds[2 * r + 1], time);
+    } catch (error) {
+      collectThrown(world, error);
+    }
+  }
+}
+
+function finish(world: PhysicsWorld, first: number, last: number): void {
+  holdUnmoved(world, first, last);
+  // Forces that read one body leave a bad one alone with it, unless the scheme mixes bodies, as Jacobi coordinates do.
+  const isAlone = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
+  if (!isAlone) dropBadForces(world, first, last);
+}
+
+/** Whether some force of the world adds torque. */
+export function anyForceTurns({ forces }: PhysicsWorld): boolean {
+  for (let f = 0; f < forces.length; f++) if (forces[f].turns === true) return true;
+  return false;
+}
+
+/** Lets every force look at the world before the step. */
+export function prepareForces(world: PhysicsWorld, dt: number): void {
+  const { forces } = world;
+  preparedFor(world).dt = dt;
+  for (let f = 0; f < forces.length; f++) forces[f].prepare?.(world, dt);
+}
+
+/** The loop of all laws of a world; undefined where it has none. */
+export const lawLoopOf = keptWithPlan((world): LawLoop | undefined => {
+  const laws = lawsOf(world.forces);
+  return laws.length === 0 ? undefined : makeLawLoop(world, laws, laws.length < world.forces.length);
+});
+
+export interface LawLoop {
+  readonly compiled: CompiledLoop;
+  readonly run: Loop;
+  readonly block: ParameterBlock;
+  readonly addsToColumns: boolean;
+}
+
+/** A loop that writes, or adds, the force of laws to the force columns. */
+export function makeLawLoop(world: PhysicsWorld, laws: readonly LawForce[], addsToColumns: boolean): LawLoop {
+  const owners = new Map(
+    laws.map((force): [object, ParameterOwner] => [
+      force,
+      { parameters: force.law.parameters, sources: force.sources },
+    ]),
+  );
+  const block = new ParameterBlock(world, [...owners.values()], [0]);
+  const hasTorque = anyForceTurns(world);
+  const sources = [...owners.values()].map(variantOf);
+  const layout = [layoutOf(world, block), addsToColumns, hasTorque];
+  const key = JSON.stringify(['forces', layout, laws.map(({ law }) => law.structure), sources]);
+  const compiled = compileLoop(key, () => {
+    const columns = new WorldColumns(world, block, (owner) => owners.get(owner) as ParameterOwner);
+    return forceLoopSource(columns, laws, addsToColumns, hasTorque);
+  });
+  return { block, addsToColumns, compiled, run: instantiateLoop(compiled, world.memory, () => mathImports(world)) };
+}
+
+function forceLoopSource(
+  columns: WorldColumns,
+  laws: readonly LawForce[],
+  addsToColumns: boolean,
+  hasTorque: boolean,
+): LoopSource {
+  const { graph, world } = columns;
+  const { addresses, scratch, dimensions, precision } = world;
+  const { x, y, z } = scratch.at.torque;
+  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  const column = (address: number) => graph.make('real', [], address);
+  const torqueNow: Axes = dimensions === 2 ? [graph.zero, graph.zero, column(z)] : [column(x), column(y), column(z)];
+  const sum = sumLaws(columns, laws, {
+    position: columns.axes(addresses.Position),
+    velocity: columns.axes(addresses.Velocity),
+    startVelocity: columns.axes(scratch.at.startVelocity),
+    force: addsToColumns ? columns.axes(scratch.at.force) : none,
+    torque: addsToColumns && hasTorque ? torqueNow : none,
+    stage: 0,
+    time: columns.timeAt(0),
+  });
+  const stores: Store[] = columns.axisNames.map((axis, i) => ({
+    address: scratch.at.force[axis],
+    node: totalForce(columns, sum)[i],
+  }));
+  if (hasTorque) stores.push({ address: z, node: sum.torque[2] });
+  if (hasTorque && dimensions === 3)
+    stores.push({ address: x, node: sum.torque[0] }, { address: y, node: sum.torque[1] });
+  return {
+    name: 'forces',
+    types: { stored: precision, computed: precision },
+    stores,
+    noteOf: notesOf(world, columns.block),
+  };
+}

@@ -1,0 +1,16 @@
+// Moves the bodies by the world's integrator: with all laws in one loop where that is possible.
+import type { LocalSystem } from '../schedule/phases';
+import { advanceScheme } from './advance-scheme';
+import { evaluateForces } from './evaluate-forces';
+import { runStepLoop } from './fused-step';
+
+export const integrate: LocalSystem = {
+  name: 'integrate',
+  role: 'integrate',
+  run(world, spans, dt) {
+    const { integrator, internal } = world;
+    if (internal.plan?.fusion !== undefined) runStepLoop(world, spans, dt);
+    else if (integrator.advance !== undefined) integrator.advance(world, spans, dt, evaluateForces);
+    else advanceScheme(world, spans, dt);
+  },
+};

@@ -1,0 +1,60 @@
+// Laws of a potential: the force F = -∇U is worked out from the expression of the energy.
+import { PhysicsError } from '../faults/physics-error';
+import { checkKeys, mustBe } from '../faults/validate';
+import type { BodySymbols, ReadSymbols, Reads } from '../laws/body-symbols';
+import { gradientOf } from '../laws/differentiate';
+import { constant, type Expression, Scalar } from '../laws/expression';
+import type { LawOptions, LawSymbols } from '../laws/law';
+import type { Parameters } from '../laws/parameter';
+import { defineLaw, type LawFactory } from './define-law';
+
+/** What a law says of itself that has a potential and nothing else. */
+export interface PotentialOptions<R extends Reads, P extends Parameters>
+  extends Pick<LawOptions<R, P>, 'name' | 'formula' | 'source' | 'reads' | 'parameters' | 'dimensions' | 'prepare'> {
+  /** Potential energy of the body, J. */
+  readonly potential: (body: BodySymbols & ReadSymbols<R>, parameters: LawSymbols<P>) => Scalar;
+}
+
+const KEYS = ['name', 'formula', 'source', 'reads', 'parameters', 'dimensions', 'prepare', 'potential'];
+
+/** State on which an energy that is potential does not depend. */
+const MOTION = new Set(['velocity', 'startVelocity', 'angularVelocity', 'force', 'acceleration', 'dt', 'noise']);
+
+/**
+ * Defines the law of a potential: its force is F = -∇U by the position, with all else that U reads held constant. No
+ * torque is worked out, so U must not depend on how a body is turned.
+ * @returns a function that makes the force, as `defineLaw` does
+ * @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN, naming the law
+ */
+export function lawFromPotential<
+  const R extends Reads = Record<never, never>,
+  const P extends Parameters = Record<never, never>,
+>(options: PotentialOptions<R, P>): LawFactory<P> {
+  checkKeys(options, 'lawFromPotential', KEYS);
+  const { potential } = options;
+  return defineLaw<R, P>({
+    ...options,
+    force: (body, parameters) => {
+      const energy: unknown = potential(body, parameters);
+      if (!(energy instanceof Scalar)) throw mustBe('a function that returns a scalar', energy, 'potential');
+      checkEnergy(energy);
+      return gradientOf(energy, constant(-1));
+    },
+  });
+}
+
+/** @throws PhysicsError E_TYPE for an energy that depends on motion, or on no position */
+function checkEnergy(energy: Scalar): void {
+  const seen = new Set<Expression>();
+  const visit = (expression: Expression) => {
+    if (seen.has(expression)) return;
+    seen.add(expression);
+    const { op, args } = expression;
+    if (MOTION.has(op)) throw new PhysicsError('E_TYPE', `a potential cannot depend on ${op}.`, { field: op });
+    args.forEach(visit);
+  };
+  visit(energy);
+  if (![...seen].some(({ op }) => op === 'position')) {
+    throw new PhysicsError('E_TYPE', 'a potential that is the same everywhere has no force.', { field: 'potential' });
+  }
+}

@@ -1,0 +1,16 @@
+// Where the columns of a world are: worlds of the same layout run the same code.
+import { componentNumber } from '../laws/structure';
+import type { PhysicsWorld } from '../world';
+import type { ParameterBlock } from './parameter-block';
+
+/** What of a world the addresses in a loop depend on. */
+export function layoutOf(
+  { dimensions, precision, rows, addresses, internal }: PhysicsWorld,
+  block: ParameterBlock,
+): unknown[] {
+  const own = [...internal.ownComponents].map(([component, columns]) => [
+    componentNumber(component),
+    columns.addresses,
+  ]);
+  return [dimensions, precision, rows, addresses.Position.x, block.at, internal.incomplete.unmoved > 0, own];
+}

@@ -1,0 +1,151 @@
+// What a loop tests of its results, as few operations as there can be: each is paid by every body.
+import { MAX_POSITION } from '../components/position';
+import { MAX_SPEED } from '../components/velocity';
+import type { LoopSource, Store, WallTest } from '../laws/emit-loop';
+import type { Node } from '../laws/graph';
+import type { Axes } from '../laws/lower';
+import type { AxisAddresses } from '../store/columns';
+import type { Result, StepFeatures } from './step-loop';
+import type { WorldColumns } from './world-columns';
+
+/** An axis-aligned box; a coordinate beyond `FAR` is no wall. */
+export interface Box {
+  readonly low: Readonly<AxisAddresses>;
+  readonly high: Readonly<AxisAddresses>;
+  readonly restitution: number;
+  /** Negative where the bodies' own friction counts. */
+  readonly friction: number;
+}
+
+/** No coordinate that a world takes reaches this. */
+export const FAR = 1e30;
+
+/** Bodies nearer to a wall than this part of the box are looked at more closely. */
+const MARGIN = 1e-6;
+
+/** A body that rests on a wall is not thrown back by less than this restitution: kernels/walls/box.ts has it as well. */
+const REST_RESTITUTION = 0.99;
+
+/** A state of the bodies. */
+type Moved = Pick<Result, 'position' | 'velocity'>;
+
+/** The tests of a step loop. */
+export function checksOf(
+  columns: WorldColumns,
+  start: Moved,
+  result: Result,
+  { box, list }: StepFeatures,
+): Pick<LoopSource, 'inRange' | 'walls' | 'usual'> {
+  const inRange = rangeTest(columns, result);
+  const inside = box === undefined ? undefined : insideBox(columns, result, box);
+  if (box === undefined || inside === undefined) return { inRange };
+  const at = columns.world.scratch.at.startVelocity;
+  const stores = columns.axisNames.map((axis, i) => ({ address: at[axis], node: start.velocity[i] }));
+  const walls: WallTest = { inside, list, stores, resting: restingBodies(columns, start, result, box) };
+  const usual = isClosed(columns, box)
+    ? wellInside(columns, result, box)
+    : columns.graph.make('and', [inside, inRange]);
+  return { inRange, walls, usual };
+}
+
+/**
+ * A cheap condition that holds for all values within a part of their limits: where it fails, rows are looked at one by
+ * one. It is a sum, so that one NaN or infinity among the values makes it fail.
+ */
+function rangeTest(columns: WorldColumns, { position, velocity }: Moved): Node {
+  const { graph, axisNames } = columns;
+  const distances = axisNames.map((_, i) => graph.make('abs', [position[i]]));
+  const sum = (nodes: readonly Node[]) => nodes.reduce((a, b) => graph.make('add', [a, b]));
+  const factor = graph.constant(MAX_POSITION / (MAX_SPEED * MAX_SPEED));
+  const speed = graph.make('mul', [squareOf(columns, velocity), factor]);
+  return graph.make('lessOrEqual', [graph.make('add', [sum(distances), speed]), graph.constant(MAX_POSITION)]);
+}
+
+function squareOf({ graph, axisNames }: WorldColumns, v: Axes): Node {
+  return axisNames.map((_, i) => graph.make('mul', [v[i], v[i]])).reduce((a, b) => graph.make('add', [a, b]));
+}
+
+/** Whether a body is inside the box, with its radius; undefined where no side of it is a wall. */
+function insideBox({ graph, axisNames, world }: WorldColumns, { position }: Moved, box: Box): Node | undefined {
+  const radius = graph.make('real', [], world.addresses.Collider.radius);
+  const conditions = axisNames.flatMap((axis, i) => {
+    const low = graph.make('add', [graph.constant(box.low[axis]), radius]);
+    const high = graph.make('sub', [graph.constant(box.high[axis]), radius]);
+    return [
+      ...(box.low[axis] > -FAR ? [graph.make('lessOrEqual', [low, position[i]])] : []),
+      ...(box.high[axis] < FAR ? [graph.make('lessOrEqual', [position[i], high])] : []),
+    ];
+  });
+  return conditions.length === 0 ? undefined : conditions.reduce((a, b) => graph.make('and', [a, b]));
+}
+
+/**
+ * Whether a body is well inside of a closed box, and not too fast: then it is inside, and its values are in range. One
+ * comparison an axis, with a margin against rounding. Where the last move of a step is a drift with the new velocity,
+ * a body that ends in the box has a finite velocity, and one that is too fast leaves the box in the next step.
+ */
+function wellInside(columns: WorldColumns, { position, velocity }: Moved, box: Box): Node {
+  const { graph, axisNames, world } = columns;
+  const radius = graph.make('real', [], world.addresses.Collider.radius);
+  const conditions = axisNames.map((axis, i) => {
+    const half = (box.high[axis] - box.low[axis]) / 2;
+    const centre = box.low[axis] + half;
+    const room = graph.make('sub', [graph.constant(half - MARGIN * Math.max(half, Math.abs(centre))), radius]);
+    const distance = graph.make('abs', [graph.make('sub', [position[i], graph.constant(centre)])]);
+    return graph.make('lessOrEqual', [distance, room]);
+  });
+  if (!endsWithDrift(columns, { position, velocity })) {
+    conditions.push(graph.make('lessOrEqual', [squareOf(columns, velocity), graph.constant(MAX_SPEED * MAX_SPEED)]));
+  }
+  return conditions.reduce((a, b) => graph.make('and', [a, b]));
+}
+
+function isClosed({ axisNames }: WorldColumns, box: Box): boolean {
+  return axisNames.every((axis) => box.low[axis] > -FAR && box.high[axis] < FAR);
+}
+
+function endsWithDrift({ axisNames }: WorldColumns, { position, velocity }: Moved): boolean {
+  return axisNames.every((_, i) => isDriftOf(position[i], velocity[i]));
+}
+
+/** Whether a position is the sum of another and the velocity times a duration. */
+function isDriftOf(position: Node, velocity: Node): boolean {
+  return position.op === 'add' && position.args.some(({ op, args }) => op === 'mul' && args.includes(velocity));
+}
+
+/**
+ * Bodies that began the step at rest on a wall and end it beyond: they stay. The most frequent case at walls, and the
+ * same as what kernels/walls/box.ts does for such bodies; all others it has to bring back.
+ */
+function restingBodies(columns: WorldColumns, start: Moved, result: Result, box: Box): WallTest['resting'] {
+  const { graph, axisNames, world, isMovable } = columns;
+  if (box.restitution > REST_RESTITUTION) return undefined;
+  const { Collider, Position, Velocity } = world.addresses;
+  const [radius, restitution, friction] = [Collider.radius, Collider.restitution, Collider.friction].map((at) =>
+    graph.make('real', [], at),
+  );
+  const and = (nodes: readonly Node[]) => nodes.reduce((a, b) => graph.make('and', [a, b]));
+  const isDead = graph.make('lessOrEqual', [restitution, graph.constant(REST_RESTITUTION)]);
+  const isSmooth = box.friction === 0 ? [] : [graph.make('lessOrEqual', [friction, graph.zero])];
+  const canRest = and([isMovable, graph.make('less', [graph.zero, radius]), isDead, ...isSmooth]);
+  const stores: Store[] = [];
+  const conditions = axisNames.map((axis, i) => {
+    const [x, x0] = [result.position[i], start.position[i]];
+    const low = graph.make('add', [graph.constant(box.low[axis]), radius]);
+    const high = graph.make('sub', [graph.constant(box.high[axis]), radius]);
+    const [isBelow, isAbove] = [graph.make('less', [x, low]), graph.make('less', [high, x])];
+    const onLow = and([isBelow, graph.make('equal', [x0, low])]);
+    const onHigh = and([isAbove, graph.make('equal', [x0, high])]);
+    const isStill = and([graph.make('equal', [start.velocity[i], graph.zero]), canRest]);
+    const rests = and([graph.make('or', [onLow, onHigh]), isStill]);
+    stores.push({ address: Position[axis], node: graph.make('select', [rests, x0, x]) });
+    stores.push({
+      address: Velocity[axis],
+      node: graph.make('keep', [graph.make('not', [rests]), result.velocity[i]]),
+    });
+    const isInside = and([graph.make('lessOrEqual', [low, x]), graph.make('lessOrEqual', [x, high])]);
+    return graph.make('or', [isInside, rests]);
+  });
+  if (!isClosed(columns, box) || !endsWithDrift(columns, result)) conditions.push(rangeTest(columns, result));
+  return { condition: and(conditions), stores };
+}

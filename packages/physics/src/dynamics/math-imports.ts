@@ -1,0 +1,21 @@
+// The elementary functions that fused loops call: those of kernels/math, so that a law and TypeScript get the same bits.
+import { instantiate } from '../kernels/instantiate';
+import { KERNELS, type KernelExports } from '../kernels/math.gen';
+import type { PhysicsWorld } from '../world';
+
+const functions = new WeakMap<WebAssembly.Memory, Readonly<Record<string, unknown>>>();
+
+/** The functions by the names of operations. */
+export function mathImports({ memory, precision, kernels }: PhysicsWorld): Readonly<Record<string, unknown>> {
+  let made = functions.get(memory);
+  if (made === undefined) {
+    const { sine, cosine, exponential, power, arcTangent2, noise } = instantiate<KernelExports>(
+      KERNELS,
+      precision,
+      memory,
+    );
+    made = { sin: sine, cos: cosine, exp: exponential, log: kernels.logarithm, pow: power, atan2: arcTangent2, noise };
+    functions.set(memory, made);
+  }
+  return made;
+}

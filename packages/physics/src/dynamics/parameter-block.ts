@@ -1,0 +1,148 @@
+// The doubles that a fused loop reads: length and time of the step, and the parameters of its laws, for every stage at
+// whose time they are evaluated.
+import type { Parameter, ParameterSource } from '../laws/parameter';
+import { keptWithPlan } from '../schedule/plan';
+import { allocate } from '../store/arena';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
+
+/** What can own parameters: a law in its place in the list of forces, or an integrator. */
+export interface ParameterOwner {
+  readonly parameters: readonly Parameter[];
+  readonly sources: readonly ParameterSource[];
+  readonly names?: readonly string[];
+}
+
+/** What of an owner's parameters the code depends on: all but their values. */
+export function variantOf({ sources }: ParameterOwner): unknown {
+  return sources.map(({ when, zeros }) => [when, zeros]);
+}
+
+/** Doubles before the parameters. */
+const [DT, TIME, TICK, LAST_DT, HEADER] = [0, 1, 2, 3, 4];
+
+/** Room for a world's parameters: more is taken when it is needed. */
+const REGION_DOUBLES = 512;
+
+/** The memory that the blocks of the present plan share. */
+const regionOf = resource((world) => ({ at: allocateDoubles(world, REGION_DOUBLES), doubles: REGION_DOUBLES }));
+
+/** Doubles of it that are taken: a new plan begins at its start. */
+const takenOf = keptWithPlan(() => ({ doubles: 0 }));
+
+function allocateDoubles(world: PhysicsWorld, doubles: number): number {
+  return allocate(world.internal.arena, 8 * doubles, 'parameters of laws');
+}
+
+/** Bytes of a world's memory for parameters, unless it has very many. */
+export const PARAMETER_BYTES = 8 * REGION_DOUBLES + 64;
+
+function takeDoubles(world: PhysicsWorld, doubles: number): number {
+  const region = regionOf(world);
+  const taken = takenOf(world);
+  if (taken.doubles + doubles > region.doubles) {
+    region.doubles = Math.max(doubles, 2 * region.doubles);
+    region.at = allocateDoubles(world, region.doubles);
+    taken.doubles = 0;
+  }
+  const at = region.at + 8 * taken.doubles;
+  taken.doubles += doubles;
+  return at;
+}
+
+interface Writer {
+  readonly source: ParameterSource;
+  readonly index: number;
+  readonly fraction: number;
+}
+
+/** Where the parameters of one loop are. */
+export class ParameterBlock {
+  readonly at: number;
+  readonly #values: Float64Array;
+  readonly #starts = new Map<ParameterOwner, readonly number[]>();
+  readonly #writers: Writer[] = [];
+  readonly #stages: readonly number[];
+
+  /** @param stages fractions of the step at which the laws are evaluated */
+  constructor(
+    readonly world: PhysicsWorld,
+    owners: readonly ParameterOwner[],
+    stages: readonly number[],
+  ) {
+    this.#stages = stages;
+    let size = HEADER;
+    for (const owner of owners) {
+      const starts = owner.parameters.map((parameter, p) => {
+        const start = size;
+        size += parameter.size * (owner.sources[p].when === 'stage' ? stages.length : 1);
+        return start;
+      });
+      this.#starts.set(owner, starts);
+    }
+    this.at = takeDoubles(world, size);
+    this.#values = new Float64Array(world.memory.buffer, this.at, size);
+    for (const owner of owners) this.#addWriters(owner);
+  }
+
+  get dt(): number {
+    return this.at + 8 * DT;
+  }
+  get time(): number {
+    return this.at + 8 * TIME;
+  }
+  get tick(): number {
+    return this.at + 8 * TICK;
+  }
+  get lastDt(): number {
+    return this.at + 8 * LAST_DT;
+  }
+
+  /** What stands at an address of the block, for people. */
+  noteOf(address: number): string | undefined {
+    const index = (address - this.at) / 8;
+    if (index < HEADER) return ['length of the step', 'time', 'number of the step', 'length of the last step'][index];
+    for (const [{ parameters, sources, names }, starts] of this.#starts) {
+      const p = starts.findLastIndex((start) => start <= index);
+      if (p < 0) continue;
+      const copies = sources[p].when === 'stage' ? this.#stages.length : 1;
+      if (index < starts[p] + parameters[p].size * copies) return names?.[p];
+    }
+    return undefined;
+  }
+
+  /** Address of a number of a parameter, at a stage. */
+  addressOf(owner: ParameterOwner, parameter: Parameter, index: number, stage: number): number {
+    const p = owner.parameters.indexOf(parameter);
+    const start = (this.#starts.get(owner) as readonly number[])[p];
+    const copy = owner.sources[p].when === 'stage' ? stage : 0;
+    return this.at + 8 * (start + copy * parameter.size + index);
+  }
+
+  /** Writes what changes from step to step; the step begins at `time`. */
+  write(dt: number, time: number, lastDt: number): void {
+    const values = this.#values;
+    values[DT] = dt;
+    values[TIME] = time;
+    values[TICK] = this.world.tick;
+    values[LAST_DT] = lastDt;
+    const writers = this.#writers;
+    for (let w = 0; w < writers.length; w++) {
+      const { source, index, fraction } = writers[w];
+      source.write(this.world, values, index, time + fraction * dt);
+    }
+  }
+
+  #addWriters(owner: ParameterOwner): void {
+    const starts = this.#starts.get(owner) as readonly number[];
+    owner.sources.forEach((source, p) => {
+      if (source.when === 'once') source.write(this.world, this.#values, starts[p], 0);
+      else if (source.when === 'step') this.#writers.push({ source, index: starts[p], fraction: 0 });
+      else {
+        this.#stages.forEach((fraction, stage) => {
+          this.#writers.push({ source, index: starts[p] + stage * owner.parameters[p].size, fraction });
+        });
+      }
+    });
+  }
+}

@@ -1,0 +1,56 @@
+// The potential energy of a law, summed over all bodies that forces move: in doubles, whatever the columns are.
+import { compileLoop, instantiateLoop, type Loop } from '../laws/compile';
+import type { LoopSource } from '../laws/emit-loop';
+import { type Axes, Lowering } from '../laws/lower';
+import { keptWithPlan } from '../schedule/plan';
+import type { PhysicsWorld } from '../world';
+import { layoutOf } from './layout';
+import { mathImports } from './math-imports';
+import { notesOf } from './notes';
+import { ParameterBlock, variantOf } from './parameter-block';
+import type { LawForce } from './sum-of-laws';
+import { WorldColumns } from './world-columns';
+
+interface EnergyLoop {
+  readonly run: Loop;
+  readonly block: ParameterBlock;
+}
+
+const energyLoops = keptWithPlan(() => new Map<LawForce, EnergyLoop>());
+
+/** Potential energy of all bodies under a law that states one, J. */
+export function potentialEnergy(world: PhysicsWorld, force: LawForce): number {
+  const loops = energyLoops(world);
+  let loop = loops.get(force);
+  if (loop === undefined) {
+    loop = makeLoop(world, force);
+    loops.set(force, loop);
+  }
+  loop.block.write(0, world.time, 0);
+  return loop.run(0, 16 * Math.ceil((world.lastId + 1) / 16), 0);
+}
+
+function makeLoop(world: PhysicsWorld, force: LawForce): EnergyLoop {
+  const owner = { parameters: force.law.parameters, sources: force.sources };
+  const block = new ParameterBlock(world, [owner], [0]);
+  const key = JSON.stringify(['energy', layoutOf(world, block), force.law.structure, variantOf(owner)]);
+  const compiled = compileLoop(key, () => energySource(new WorldColumns(world, block, () => owner), force));
+  return { block, run: instantiateLoop(compiled, world.memory, () => mathImports(world)) };
+}
+
+function energySource(columns: WorldColumns, force: LawForce): LoopSource {
+  const { graph, world } = columns;
+  const position = columns.axes(world.addresses.Position);
+  const velocity = columns.axes(world.addresses.Velocity);
+  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  const vectors = { position, velocity, startVelocity: velocity, force: none, acceleration: none };
+  const lowering = new Lowering(graph, columns.environment(force, vectors, columns.timeAt(0), 0));
+  const energy = lowering.scalar(force.law.potential as NonNullable<typeof force.law.potential>);
+  return {
+    name: 'energy',
+    types: { stored: world.precision, computed: 'f64' },
+    stores: [],
+    total: graph.make('keep', [columns.isMovable, energy]),
+    noteOf: notesOf(world, columns.block),
+  };
+}

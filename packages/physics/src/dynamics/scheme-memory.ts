@@ -1,0 +1,37 @@
+// What a scheme keeps from one step to the next: vectors of each body, and the length of the step.
+import type { Scheme } from '../laws/scheme';
+import { type AxisAddresses, axisColumns } from '../store/columns';
+import { resource } from '../store/resource';
+import type { PhysicsWorld } from '../world';
+
+/** Columns that a scheme keeps from step to step, and the length of the last step. */
+export interface SchemeMemory {
+  readonly columns: Readonly<AxisAddresses>[];
+  tick: number;
+  dt: number;
+  last: number;
+}
+
+const memories = resource((): Map<string, SchemeMemory> => new Map());
+
+export function schemeMemory(world: PhysicsWorld, scheme: Scheme): SchemeMemory {
+  const known = memories(world).get(scheme.structure);
+  if (known !== undefined) return known;
+  const { internal, precision, rows } = world;
+  const columns = scheme.memory.map((_, i) => axisColumns(internal.arena, precision, rows, `memory ${i}`)[1]);
+  const made = { columns, tick: -1, dt: 0, last: 0 };
+  memories(world).set(scheme.structure, made);
+  return made;
+}
+
+/** The length of the step before, if it was the world's last and of this scheme, else 0. */
+export function lastStepOf(world: PhysicsWorld, scheme: Scheme, dt: number): number {
+  if (scheme.memory.length === 0) return 0;
+  const memory = schemeMemory(world, scheme);
+  if (memory.tick !== world.tick) {
+    memory.last = memory.tick === world.tick - 1 ? memory.dt : 0;
+    memory.tick = world.tick;
+    memory.dt = dt;
+  }
+  return memory.last;
+}

@@ -1,0 +1,125 @@
+// A whole step as one loop: the integrator with all laws in its stages, the pose that renderers interpolate from, the
+// checks of the result and the test at box walls.
+import type { LoopSource, Store } from '../laws/emit-loop';
+import { type Axes, Lowering } from '../laws/lower';
+import type { Scheme } from '../laws/scheme';
+import type { AxisAddresses } from '../store/columns';
+import { type Box, checksOf } from './loop-checks';
+import { notesOf } from './notes';
+import type { ParameterBlock, ParameterOwner } from './parameter-block';
+import { type LawForce, ownerOf, type Sum, sumLaws, velocityChange } from './sum-of-laws';
+import { WorldColumns } from './world-columns';
+
+/** What a step loop does besides moving bodies. */
+export interface StepFeatures {
+  /** Positions before the step go to `world.previous`. */
+  readonly savesPose: boolean;
+  /** Velocities before the step go to the scratch columns, for walls that are not part of the loop. */
+  readonly savesVelocity: boolean;
+  readonly hasTorque: boolean;
+  readonly box: Box | undefined;
+  /** Address of the list of bodies at walls. */
+  readonly list: number;
+  /** Columns that the scheme keeps from step to step. */
+  readonly memory: readonly Readonly<AxisAddresses>[];
+}
+
+/** Owners of parameters: the scheme first, then the laws. */
+export function ownersOf(scheme: Scheme, laws: readonly LawForce[]): Map<object, ParameterOwner> {
+  const owners = new Map<object, ParameterOwner>([[scheme, scheme]]);
+  for (const force of laws) owners.set(force, ownerOf(force));
+  return owners;
+}
+
+/** Describes the loop of a step. */
+export function stepLoopSource(
+  block: ParameterBlock,
+  scheme: Scheme,
+  laws: readonly LawForce[],
+  owners: ReadonlyMap<object, ParameterOwner>,
+  features: StepFeatures,
+): LoopSource {
+  const { world } = block;
+  const columns = new WorldColumns(world, block, (owner) => owners.get(owner) as ParameterOwner);
+  const { addresses, previousAddresses, scratch } = world;
+  const position = columns.axes(addresses.Position);
+  const velocity = columns.axes(addresses.Velocity);
+  const { result, torque } = lowerScheme(columns, scheme, laws, features, position, velocity);
+  const stores: Store[] = [];
+  const put = (to: Readonly<AxisAddresses>, values: Axes) => {
+    stores.push(...columns.axisNames.map((axis, i) => ({ address: to[axis], node: values[i] })));
+  };
+  if (features.savesPose) put(previousAddresses.Position, position);
+  if (features.savesVelocity) put(scratch.at.startVelocity, velocity);
+  put(addresses.Position, result.position);
+  put(addresses.Velocity, result.velocity);
+  for (const [i, vector] of result.memory.entries()) put(features.memory[i], vector);
+  if (features.hasTorque) storeTorque(columns, torque, stores);
+  const { precision } = world;
+  return {
+    name: 'step',
+    types: { stored: precision, computed: precision },
+    stores,
+    ...checksOf(columns, { position, velocity }, result, features),
+    noteOf: notesOf(world, block),
+  };
+}
+
+/** Where a step leads. */
+export interface Result {
+  readonly position: Axes;
+  readonly velocity: Axes;
+  readonly memory: readonly Axes[];
+}
+
+function lowerScheme(
+  columns: WorldColumns,
+  scheme: Scheme,
+  laws: readonly LawForce[],
+  features: StepFeatures,
+  position: Axes,
+  velocity: Axes,
+): { readonly result: Result; readonly torque: Axes } {
+  const { graph, world, block } = columns;
+  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  const sums: Sum[] = [];
+  const vectors: Record<string, Axes> = { position, velocity };
+  features.memory.forEach((at, i) => {
+    vectors[`memory${i}`] = columns.axes(at);
+  });
+  const lowering = new Lowering(graph, {
+    ...columns.environment(scheme, vectors, columns.timeAt(0), 0),
+    scalars: {
+      mass: columns.mass,
+      charge: graph.make('real', [], world.addresses.Charge.value),
+      lastDt: columns.load(block.lastDt),
+    },
+    kick(at, moving, duration, { stage, fraction }) {
+      const time = columns.timeAt(fraction);
+      const evaluation = {
+        position: at,
+        velocity: moving,
+        startVelocity: velocity,
+        force: none,
+        torque: none,
+        stage,
+        time,
+      };
+      sums[stage] = sumLaws(columns, laws, evaluation);
+      return velocityChange(columns, sums[stage], duration);
+    },
+  });
+  const result = {
+    position: lowering.vector(scheme.position),
+    velocity: lowering.vector(scheme.velocity),
+    memory: scheme.memory.map((vector) => lowering.vector(vector)),
+  };
+  return { result, torque: sums.at(-1)?.torque ?? none };
+}
+
+/** In two dimensions a torque is about z alone. */
+function storeTorque({ world }: WorldColumns, torque: Axes, stores: Store[]): void {
+  const { x, y, z } = world.scratch.at.torque;
+  stores.push({ address: z, node: torque[2] });
+  if (world.dimensions === 3) stores.push({ address: x, node: torque[0] }, { address: y, node: torque[1] });
+}

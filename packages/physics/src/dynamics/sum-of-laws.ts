@@ -1,0 +1,104 @@
+// All laws of a world together, as arithmetic: the force and torque on a body, and its acceleration.
+
+import type { Force } from '../laws/force';
+import type { Graph, Node } from '../laws/graph';
+import type { Law } from '../laws/law';
+import { type Environment, Lowering } from '../laws/lower';
+import { type Axes, eachAxis } from '../laws/vector-algebra';
+import type { ParameterOwner } from './parameter-block';
+import type { WorldColumns } from './world-columns';
+
+/** A force that is a law. */
+export type LawForce = Force & { readonly law: Law; readonly sources: NonNullable<Force['sources']> };
+
+/** The laws among the forces of a world. */
+export function lawsOf(forces: readonly Force[]): LawForce[] {
+  return forces.filter((force): force is LawForce => force.law !== undefined);
+}
+
+/** The parameters of a law and where their values come from. */
+export function ownerOf({ law, sources, name }: LawForce): ParameterOwner {
+  const { parameters, names } = law;
+  return { parameters, sources, names: names.map((parameter) => `${parameter} of ${name}`) };
+}
+
+/** Force and acceleration are kept apart: what falls in proportion to its mass need not be multiplied and divided by it. */
+export interface Sum {
+  readonly force: Axes;
+  readonly acceleration: Axes;
+  readonly torque: Axes;
+}
+
+/** Where and when laws are evaluated. */
+export interface Evaluation {
+  readonly position: Axes;
+  readonly velocity: Axes;
+  readonly startVelocity: Axes;
+  /** Force and torque that are there already. */
+  readonly force: Axes;
+  readonly torque: Axes;
+  readonly stage: number;
+  readonly time: Node;
+}
+
+/** Adds all laws up, in the order of the list: one that reads the force finds that of those before it. */
+export function sumLaws(columns: WorldColumns, laws: readonly LawForce[], at: Evaluation): Sum {
+  const { graph } = columns;
+  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  let sum: Sum = { force: at.force, acceleration: none, torque: at.torque };
+  for (const force of laws) {
+    const { law } = force;
+    const lowering = new Lowering(graph, environmentOf(columns, force, at, sum));
+    const add = (part: 'force' | 'acceleration' | 'torque') => {
+      const expression = law[part];
+      return expression === undefined ? sum[part] : addAxes(graph, sum[part], lowering.vector(expression));
+    };
+    sum = { force: add('force'), acceleration: add('acceleration'), torque: add('torque') };
+  }
+  return sum;
+}
+
+function environmentOf(columns: WorldColumns, owner: LawForce, at: Evaluation, sum: Sum): Environment {
+  const { position, velocity, startVelocity, stage, time } = at;
+  const vectors = {
+    ...{ position, velocity, startVelocity },
+    get force() {
+      return totalForce(columns, sum);
+    },
+    get acceleration() {
+      return totalAcceleration(columns, sum);
+    },
+  };
+  return columns.environment(owner, vectors, time, stage);
+}
+
+/** F = sum of forces + m sum of accelerations. */
+export function totalForce({ graph, mass }: WorldColumns, { force, acceleration }: Sum): Axes {
+  return eachAxis((i) => graph.make('add', [force[i], graph.make('mul', [mass, acceleration[i]])]));
+}
+
+/** F/m + a of a body that forces move, and zero for others. */
+function totalAcceleration(columns: WorldColumns, { force, acceleration }: Sum): Axes {
+  const { graph, mass, isMovable } = columns;
+  return eachAxis((i) => {
+    const a = graph.make('add', [graph.make('div', [force[i], mass]), acceleration[i]]);
+    return graph.make('keep', [isMovable, a]);
+  });
+}
+
+/**
+ * The change of velocity within a duration h: F h/m + a h for a body that forces move, and zero for others, whose F may
+ * be anything: a law that divides by the mass is infinite for what has none, and for rows without a body.
+ */
+export function velocityChange(columns: WorldColumns, { force, acceleration }: Sum, duration: Node): Axes {
+  const { graph, mass, isMovable } = columns;
+  const perForce = graph.make('div', [duration, mass]);
+  return eachAxis((i) => {
+    const byField = graph.make('mul', [acceleration[i], duration]);
+    return graph.make('keep', [isMovable, graph.make('add', [graph.make('mul', [force[i], perForce]), byField])]);
+  });
+}
+
+export function addAxes(graph: Graph, a: Axes, b: Axes): Axes {
+  return eachAxis((i) => graph.make('add', [a[i], b[i]]));
+}

@@ -1,0 +1,89 @@
+// The columns and parameters of a world as leaves of a graph: what the names of laws stand for in this world.
+import type { ColumnData } from '../laws/body-symbols';
+import { Graph, type Node } from '../laws/graph';
+import type { Axes, Environment } from '../laws/lower';
+import type { Parameter } from '../laws/parameter';
+import { AXES } from '../store/axes';
+import type { AxisAddresses } from '../store/columns';
+import { MOVABLE } from '../store/incomplete';
+import { ownColumns } from '../store/own-components';
+import type { PhysicsWorld } from '../world';
+import type { ParameterBlock, ParameterOwner } from './parameter-block';
+
+/** A graph over the columns of one world. */
+export class WorldColumns {
+  readonly graph = new Graph();
+  readonly mass: Node;
+  /** The body has mass; and, in a world where that is not so of all, a position and a velocity. */
+  readonly isMovable: Node;
+
+  constructor(
+    readonly world: PhysicsWorld,
+    readonly block: ParameterBlock,
+    readonly ownerOf: (force: object) => ParameterOwner,
+  ) {
+    const { graph } = this;
+    this.mass = graph.make('real', [], world.addresses.Mass.value);
+    const hasMass = graph.make('less', [graph.constant(0), this.mass]);
+    const isPartial = world.internal.incomplete.unmoved > 0;
+    this.isMovable = isPartial ? graph.make('and', [hasMass, this.#has(MOVABLE)]) : hasMass;
+  }
+
+  get dt(): Node {
+    return this.load(this.block.dt);
+  }
+
+  load(address: number): Node {
+    return this.graph.make('load', [], address);
+  }
+
+  /** Three columns; in two dimensions z is none. */
+  axes(at: Readonly<AxisAddresses>): Axes {
+    const { graph } = this;
+    const column = (address: number) => graph.make('real', [], address);
+    return [column(at.x), column(at.y), this.world.dimensions === 2 ? graph.zero : column(at.z)];
+  }
+
+  /** `fraction` of a step after its start. */
+  timeAt(fraction: number): Node {
+    const { graph, block } = this;
+    const start = this.load(block.time);
+    if (fraction === 0) return start;
+    return graph.make('add', [start, graph.make('mul', [graph.constant(fraction), this.dt])]);
+  }
+
+  environment(owner: object, vectors: Readonly<Record<string, Axes>>, time: Node, stage: number): Environment {
+    const { block, graph } = this;
+    const parameters = this.ownerOf(owner);
+    return {
+      ...{ dimensions: this.world.dimensions, vectors, time, dt: this.dt },
+      parameter: (parameter: Parameter, index) => {
+        const source = parameters.sources[parameters.parameters.indexOf(parameter)];
+        if (source.zeros?.[index] === true) return graph.zero;
+        return this.load(block.addressOf(parameters, parameter, index, stage));
+      },
+      column: (component, field, kind) => this.#column(component, field, kind),
+      noise: (seed, channel) => graph.make('noise', [seed, this.load(block.tick)], channel),
+    };
+  }
+
+  /** The columns of positions, velocities and the like, by their addresses. */
+  get axisNames(): readonly ('x' | 'y' | 'z')[] {
+    return AXES[this.world.dimensions];
+  }
+
+  #has(bits: number): Node {
+    return this.graph.make('has', [this.#column('', 'members', 'u32')], bits);
+  }
+
+  #column(component: ColumnData['component'] | '', field: string, kind: 'real' | 'u32'): Node {
+    return this.graph.make(kind === 'real' ? 'real' : 'word', [], addressOf(this.world, component, field));
+  }
+}
+
+/** Of no component: the bits that say which components an entity has. */
+function addressOf(world: PhysicsWorld, component: ColumnData['component'] | '', field: string): number {
+  if (component === '') return world.internal.membersAt;
+  if (typeof component !== 'string') return ownColumns(world, component).addresses[field];
+  return (world.addresses[component] as Readonly<Record<string, number>>)[field];
+}

@@ -1,0 +1,45 @@
+// A new law is lowered once for nobody, so that what is wrong with it is said when it is defined.
+import { PhysicsError } from '../faults/physics-error';
+import { Graph } from './graph';
+import type { Law } from './law';
+import { Lowering } from './lower';
+import type { Parameter } from './parameter';
+import type { Axes } from './vector-algebra';
+
+/** Lowers a new law to arithmetic that nobody runs, in each dimension it is for: what is wrong with it shows now. */
+export function checkLaw(law: Law): void {
+  for (const dimensions of [2, 3] as const) {
+    if (law.dimensions !== undefined && law.dimensions !== dimensions) continue;
+    const graph = new Graph();
+    const leaf = (value: number) => graph.make('real', [], value);
+    const axes = (value: number): Axes => [
+      leaf(value),
+      leaf(value + 1),
+      dimensions === 2 ? graph.zero : leaf(value + 2),
+    ];
+    const lowering = new Lowering(graph, {
+      dimensions,
+      vectors: { position: axes(0), velocity: axes(3), startVelocity: axes(6), force: axes(9), acceleration: axes(12) },
+      time: graph.make('load', [], 0),
+      dt: graph.make('load', [], 8),
+      parameter: (parameter, index) => graph.make('load', [], 16 + 8 * placeOf(law, parameter) + index),
+      column: () => leaf(100),
+      noise: (seed, channel) => graph.make('noise', [seed], channel),
+    });
+    const parts = [law.force, law.acceleration, law.torque].flatMap((part) =>
+      part === undefined ? [] : lowering.vector(part),
+    );
+    const nodes = law.potential === undefined ? parts : [...parts, lowering.scalar(law.potential)];
+    if (nodes.some(({ scope }) => scope !== undefined)) throw stray(law, 'the row of a table outside of its sum');
+  }
+}
+
+function placeOf(law: Law, parameter: Parameter): number {
+  const place = law.parameters.indexOf(parameter);
+  if (place < 0) throw stray(law, 'a parameter of another law');
+  return place;
+}
+
+function stray({ name }: Law, what: string): PhysicsError {
+  return new PhysicsError('E_UNKNOWN', `law "${name}" reads ${what}.`, { field: name });
+}

@@ -1,0 +1,244 @@
+// The gradient of an expression with respect to the body's position, as another expression.
+//
+// By sweeping the expression once from its result to its leaves (reverse mode): each operation hands on to its arguments
+// what the result changes by with them. What else a law reads, columns, parameters and time, is constant. Where a root or
+// a length has no slope, as |r| at r = 0, the gradient is zero and not a number.
+// Griewank, Walther: Evaluating Derivatives, 2nd ed., section 3.2.
+import { PhysicsError } from '../faults/physics-error';
+import { axial3, constant, Expression, type Scalar, select, Vector, vec3 } from './expression';
+import type { SumScope } from './table';
+
+/** The gradient of `potential`, times a factor. @throws PhysicsError E_TYPE for what has none */
+export function gradientOf(potential: Scalar, factor: Scalar): Vector {
+  const { x, y, z } = new Gradient().of(potential, factor);
+  // In two dimensions what z would change is left out.
+  return vec3(x, y, z);
+}
+
+/** What the result changes by with an expression, by the axes that were asked for one by one and together. */
+interface Change {
+  whole: Expression | undefined;
+  readonly axes: (Scalar | undefined)[];
+}
+
+const NONE = axial3(0, 0, 0);
+const AXES = [axial3(1, 0, 0), axial3(0, 1, 0), axial3(0, 0, 1)];
+
+class Gradient {
+  readonly #moves = new Map<Expression, boolean>();
+
+  /** The gradient of a scalar times a factor, or of the scalar product of a vector and a steady one. */
+  of(result: Expression, factor: Expression): Vector {
+    if (!this.#depends(result)) return NONE;
+    const changes = new Map<Expression, Change>([[result, { whole: factor, axes: [] }]]);
+    let total: Vector | undefined;
+    const add = (part: Vector) => {
+      total = total?.add(part) ?? part;
+    };
+    for (const expression of this.#inOrder(result)) {
+      const change = wholeOf(changes.get(expression) as Change);
+      if (expression.op === 'position') add(change as Vector);
+      else if (isJoint(expression)) add(this.#ofJoint(expression, change));
+      else {
+        const parts = partsOf(expression, change);
+        for (const [i, arg] of expression.args.entries()) this.#hand(changes, arg, parts[i]);
+      }
+    }
+    return total as unknown as Vector;
+  }
+
+  #hand(changes: Map<Expression, Change>, to: Expression, part: Part): void {
+    if (!this.#depends(to)) return;
+    const known = changes.get(to) ?? { whole: undefined, axes: [] };
+    changes.set(to, known);
+    if (part instanceof Expression) known.whole = plus(known.whole, part);
+    else known.axes[part[0]] = plus(known.axes[part[0]], part[1]) as Scalar;
+  }
+
+  /**
+   * Where the expression is one of several, its gradient is one of theirs: chosen last, because those not chosen may be
+   * no numbers. That of a sum is the sum of gradients.
+   */
+  #ofJoint({ op, args, data }: Expression, change: Expression): Vector {
+    const [a, b, c] = args;
+    switch (op) {
+      case 'select':
+        return select(a as never, this.of(b, change), this.of(c, change));
+      case 'min':
+        return select((b as Scalar).less(a as Scalar), this.of(b, change), this.of(a, change));
+      case 'max':
+        return select((a as Scalar).less(b as Scalar), this.of(b, change), this.of(a, change));
+      default:
+        if (a.shape === 'vector') return new Vector('sum', [this.of(a, change)], data as SumScope);
+        return scaled(new Vector('sum', [this.of(a, constant(1))], data as SumScope), change as Scalar);
+    }
+  }
+
+  /** Whether an expression changes with the position. */
+  #depends(expression: Expression): boolean {
+    let depends = this.#moves.get(expression);
+    if (depends === undefined) {
+      const { op, args } = expression;
+      depends = op === 'position' || (!STEPS.has(op) && args.some((arg) => this.#depends(arg)));
+      this.#moves.set(expression, depends);
+    }
+    return depends;
+  }
+
+  /** What changes with the position, each before its arguments; those of joints are left to them. */
+  #inOrder(result: Expression): Expression[] {
+    const seen = new Set<Expression>();
+    const order: Expression[] = [];
+    const visit = (expression: Expression) => {
+      if (seen.has(expression) || !this.#depends(expression)) return;
+      seen.add(expression);
+      if (!isJoint(expression)) expression.args.forEach(visit);
+      order.push(expression);
+    };
+    visit(result);
+    return order.reverse();
+  }
+}
+
+/** Operations whose result does not change but in steps. */
+const STEPS = new Set(['floor', 'round', 'less', 'lessOrEqual', 'equal', 'noise']);
+
+function isJoint({ op }: Expression): boolean {
+  return op === 'select' || op === 'min' || op === 'max' || op === 'sum';
+}
+
+/** What one argument gets: a part of the whole of it, or of one axis of a vector. */
+type Part = Expression | readonly [axis: number, Scalar];
+
+/** What the result changes by with each argument of an expression, from what it changes by with the expression. */
+function partsOf(expression: Expression, change: Expression): readonly Part[] {
+  switch (expression.op) {
+    case 'add':
+      return [change, change];
+    case 'sub':
+      return [change, negative(change)];
+    case 'negate':
+      return [negative(change)];
+    default:
+      return change instanceof Vector
+        ? partsOfVector(expression as Vector, change)
+        : partsOfScalar(expression as Scalar, change as Scalar);
+  }
+}
+
+function partsOfScalar(f: Scalar, change: Scalar): readonly Part[] {
+  const [a, b] = f.args as [Scalar, Scalar];
+  switch (f.op) {
+    case 'mul':
+      return [product(b, change), product(a, change)];
+    case 'div':
+      return [change.div(b), product(f.div(b), change).negate()];
+    case 'abs':
+      return [product(select(a.less(0), -1, select(a.greater(0), 1, 0)), change)];
+    case 'sqrt':
+      return [select(f.greater(0), change.div(f.mul(2)), 0)];
+    case 'sin':
+      return [product(a.cos(), change)];
+    case 'cos':
+      return [product(a.sin(), change).negate()];
+    case 'exp':
+      return [product(f, change)];
+    case 'log':
+      return [change.div(a)];
+    case 'pow':
+      return [product(b.mul(powerBelow(a, b)), change), product(f.mul(a.log()), change)];
+    case 'atan2': {
+      const square = a.square().add(b.square());
+      const slope = select(square.greater(0), change.div(square), 0);
+      return [b.mul(slope), a.mul(slope).negate()];
+    }
+    default:
+      return partsOfProduct(f, change);
+  }
+}
+
+/** Of scalars that are made of vectors. */
+function partsOfProduct({ op, args, data }: Scalar, change: Scalar): readonly Part[] {
+  const [a, b] = args as [Vector, Vector];
+  switch (op) {
+    case 'component':
+      return [[data as number, change]];
+    case 'dot':
+      return [scaled(b, change), scaled(a, change)];
+    case 'length':
+      return [scaled(a.normalize(), change)];
+    default:
+      throw without(op);
+  }
+}
+
+function partsOfVector(f: Vector, change: Vector): readonly Part[] {
+  const [a, b] = f.args as [Vector, Vector];
+  const factor = f.args[1] as Scalar;
+  switch (f.op) {
+    case 'mul':
+      return [change.mul(factor), change.dot(a)];
+    case 'div':
+      return [change.div(factor), change.dot(f).div(factor).negate()];
+    case 'cross':
+      return [b.cross(change), change.cross(a)];
+    case 'normalize': {
+      const length = a.length();
+      const across = change.sub(f.mul(f.dot(change)));
+      return [select(length.greater(0), across.div(length), NONE)];
+    }
+    case 'rotate':
+      // The inverse of a rotation is its transpose.
+      return [axialOf(AXES.map((axis) => new Vector('rotate', [axis]).dot(change)))];
+    case 'vec3': {
+      const { x, y, z } = vec3(change.x, change.y, change.z);
+      return [x, y, z];
+    }
+    case 'axial3':
+      return [change.x, change.y, change.z];
+    default:
+      throw without(f.op);
+  }
+}
+
+function without(op: string): PhysicsError {
+  return new PhysicsError('E_TYPE', `${op} has no derivative by the position.`, { field: op });
+}
+
+function wholeOf({ whole, axes }: Change): Expression {
+  if (axes.length === 0) return whole as Expression;
+  const apart = axialOf(axes);
+  return whole === undefined ? apart : (whole as Vector).add(apart);
+}
+
+function axialOf([x, y, z]: readonly (Scalar | undefined)[]): Vector {
+  return axial3(x ?? 0, y ?? 0, z ?? 0);
+}
+
+function plus(a: Expression | undefined, b: Expression): Expression {
+  if (a === undefined) return b;
+  return a instanceof Vector ? a.add(b as Vector) : (a as Scalar).add(b as Scalar);
+}
+
+function negative(a: Expression): Expression {
+  return a instanceof Vector ? a.negate() : (a as Scalar).negate();
+}
+
+/** a to the power of one less than b. */
+function powerBelow(a: Scalar, b: Scalar): Scalar {
+  if (b.op !== 'constant') return a.pow(b.sub(1));
+  const below = (b.data as number) - 1;
+  if (below === 0) return constant(1);
+  return below === 1 ? a : a.pow(below);
+}
+
+/** A factor of 1, with which a sweep begins, is left out. */
+function product(a: Scalar, change: Scalar): Scalar {
+  if (change.op !== 'constant') return a.mul(change);
+  return change.data === 1 ? a : change.data === -1 ? a.negate() : a.mul(change);
+}
+
+function scaled(a: Vector, change: Scalar): Vector {
+  if (change.op !== 'constant') return a.mul(change);
+  return change.data === 1 ? a : change.data === -1 ? a.negate() : a.mul(change);
+}

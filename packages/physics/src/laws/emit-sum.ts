@@ -1,0 +1,48 @@
+// Sums over the rows of a table: a loop inside the loop over bodies.
+import type { NodeEmitter } from './emit-nodes';
+import type { Node } from './graph';
+import type { SumScope } from './table';
+
+/** Emits all sums that run over the same rows as one loop, and leaves one of them on the stack. */
+export function emitSum(emitter: NodeEmitter, node: Node, sums: readonly Node[]): void {
+  const { code } = emitter;
+  const scope = node.over as SumScope;
+  const rowBytes = 8 * scope.table.fields.length;
+  const terms = sums.map(({ args }) => args[2]);
+  keepOutside(emitter, terms, scope);
+  const totals = sums.map(() => emitter.local('v128'));
+  for (const total of totals) code.add('v128.const', ...emitter.vectorOf(0)).add('local.set', total);
+  const [row, end] = [emitter.local('i32'), emitter.local('i32')];
+  const [address, count] = node.args;
+  emitter.pushDouble(address);
+  code.add('i32.trunc_f64_u').add('local.tee', row);
+  emitter.pushDouble(count);
+  code.add('i32.trunc_f64_u').add('i32.const', rowBytes).add('i32.mul').add('i32.add').add('local.set', end);
+  code.add('local.get', row).add('local.get', end).add('i32.lt_u').add('if').add('loop');
+  emitter.withRow(row, () => {
+    terms.forEach((term, i) => {
+      code.add('local.get', totals[i]);
+      emitter.push(term);
+      emitter.lane('add');
+      code.add('local.set', totals[i]);
+    });
+  });
+  code.add('local.get', row).add('i32.const', rowBytes).add('i32.add').add('local.tee', row);
+  code.add('local.get', end).add('i32.lt_u').add('br_if', 0).add('end').add('end');
+  sums.forEach((sum, i) => {
+    emitter.know(sum, totals[i]);
+  });
+  emitter.push(node);
+}
+
+/** Computes, before a loop over rows, what its terms need and does not depend on the row. */
+function keepOutside(emitter: NodeEmitter, terms: readonly Node[], scope: SumScope): void {
+  const seen = new Set<Node>();
+  const visit = (node: Node) => {
+    if (seen.has(node)) return;
+    seen.add(node);
+    if (node.scope === scope) node.args.forEach(visit);
+    else if (!node.isUniform) emitter.keep(node);
+  };
+  terms.forEach(visit);
+}

@@ -1,0 +1,235 @@
+// The symbols that laws and integrators are written with: scalars, vectors and conditions.
+//
+// A law's function is called once, with symbols in place of numbers. Each method returns a new symbol that remembers
+// what it was made of, so that the result is an expression: `lower.ts` turns it into arithmetic for a world.
+import { describe, PhysicsError } from '../faults/physics-error';
+
+export type Shape = 'scalar' | 'vector' | 'condition';
+
+/** A number, or a symbol that stands for one. */
+export type ScalarInput = number | Scalar;
+
+/** What all symbols have in common. `data` says what a leaf stands for. */
+export abstract class Expression {
+  abstract readonly shape: Shape;
+  /** Operations on the longest path from here to a leaf. */
+  readonly depth: number;
+
+  constructor(
+    readonly op: string,
+    readonly args: readonly Expression[],
+    readonly data?: unknown,
+  ) {
+    this.depth = 1 + args.reduce((most, arg) => Math.max(most, arg.depth), 0);
+  }
+
+  /** `if (speed > 3)`, `speed + 1` and the like would need a number, which there is not when the law is recorded. */
+  [Symbol.toPrimitive](): never {
+    throw new PhysicsError('E_TYPE', 'a symbol of a law is not a number, so it has no value to compare or add.', {
+      hint: 'Use its methods, such as a.add(b) and a.less(b), and select(condition, a, b) in place of if and ? :.',
+    });
+  }
+}
+
+/** A condition, such as `speed.less(3)`: something for `select`. */
+export class Condition extends Expression {
+  readonly shape = 'condition';
+
+  and(other: Condition): Condition {
+    return new Condition('and', [this, conditionOf(other, 'and')]);
+  }
+  or(other: Condition): Condition {
+    return new Condition('or', [this, conditionOf(other, 'or')]);
+  }
+  not(): Condition {
+    return new Condition('not', [this]);
+  }
+}
+
+/** A real number for each body. */
+export class Scalar extends Expression {
+  readonly shape = 'scalar';
+
+  add(b: ScalarInput): Scalar {
+    return this.#with('add', b);
+  }
+  sub(b: ScalarInput): Scalar {
+    return this.#with('sub', b);
+  }
+  mul(b: ScalarInput): Scalar {
+    return this.#with('mul', b);
+  }
+  div(b: ScalarInput): Scalar {
+    return this.#with('div', b);
+  }
+  /** The smaller of the two; this one where `b` is not a number. */
+  min(b: ScalarInput): Scalar {
+    return this.#with('min', b);
+  }
+  /** The larger of the two; this one where `b` is not a number. */
+  max(b: ScalarInput): Scalar {
+    return this.#with('max', b);
+  }
+  negate(): Scalar {
+    return new Scalar('negate', [this]);
+  }
+  abs(): Scalar {
+    return new Scalar('abs', [this]);
+  }
+  sqrt(): Scalar {
+    return new Scalar('sqrt', [this]);
+  }
+  floor(): Scalar {
+    return new Scalar('floor', [this]);
+  }
+  /** The nearest whole number; the even one of two that are equally near. */
+  round(): Scalar {
+    return new Scalar('round', [this]);
+  }
+  square(): Scalar {
+    return this.mul(this);
+  }
+  sin(): Scalar {
+    return new Scalar('sin', [this]);
+  }
+  cos(): Scalar {
+    return new Scalar('cos', [this]);
+  }
+  exp(): Scalar {
+    return new Scalar('exp', [this]);
+  }
+  /** Natural logarithm. */
+  log(): Scalar {
+    return new Scalar('log', [this]);
+  }
+  pow(exponent: ScalarInput): Scalar {
+    return this.#with('pow', exponent);
+  }
+  /** The angle of the direction (x, this), radians. */
+  atan2(x: ScalarInput): Scalar {
+    return this.#with('atan2', x);
+  }
+  less(b: ScalarInput): Condition {
+    return new Condition('less', [this, scalarOf(b, 'less')]);
+  }
+  lessOrEqual(b: ScalarInput): Condition {
+    return new Condition('lessOrEqual', [this, scalarOf(b, 'lessOrEqual')]);
+  }
+  greater(b: ScalarInput): Condition {
+    return new Condition('less', [scalarOf(b, 'greater'), this]);
+  }
+  greaterOrEqual(b: ScalarInput): Condition {
+    return new Condition('lessOrEqual', [scalarOf(b, 'greaterOrEqual'), this]);
+  }
+  equals(b: ScalarInput): Condition {
+    return new Condition('equal', [this, scalarOf(b, 'equals')]);
+  }
+
+  #with(op: string, b: ScalarInput): Scalar {
+    return new Scalar(op, [this, scalarOf(b, op)]);
+  }
+}
+
+/** Three real numbers for each body. In two dimensions z is zero, unless the vector is axial, such as a spin. */
+export class Vector extends Expression {
+  readonly shape = 'vector';
+
+  get x(): Scalar {
+    return new Scalar('component', [this], 0);
+  }
+  get y(): Scalar {
+    return new Scalar('component', [this], 1);
+  }
+  get z(): Scalar {
+    return new Scalar('component', [this], 2);
+  }
+  add(b: Vector): Vector {
+    return new Vector('add', [this, vectorOf(b, 'add')]);
+  }
+  sub(b: Vector): Vector {
+    return new Vector('sub', [this, vectorOf(b, 'sub')]);
+  }
+  mul(factor: ScalarInput): Vector {
+    return new Vector('mul', [this, scalarOf(factor, 'mul')]);
+  }
+  div(divisor: ScalarInput): Vector {
+    return new Vector('div', [this, scalarOf(divisor, 'div')]);
+  }
+  negate(): Vector {
+    return new Vector('negate', [this]);
+  }
+  dot(b: Vector): Scalar {
+    return new Scalar('dot', [this, vectorOf(b, 'dot')]);
+  }
+  cross(b: Vector): Vector {
+    return new Vector('cross', [this, vectorOf(b, 'cross')]);
+  }
+  length(): Scalar {
+    return new Scalar('length', [this]);
+  }
+  lengthSquared(): Scalar {
+    return this.dot(this);
+  }
+  /** The vector of length 1 in this direction; zero where there is no direction. */
+  normalize(): Vector {
+    return new Vector('normalize', [this]);
+  }
+}
+
+/** A symbol for a number known when the law is written. */
+export function constant(value: number): Scalar {
+  return new Scalar('constant', [], value);
+}
+
+/** `whenTrue` where the condition holds, `whenFalse` elsewhere. Both are computed. */
+export function select(condition: Condition, whenTrue: Vector, whenFalse: Vector): Vector;
+export function select(condition: Condition, whenTrue: ScalarInput, whenFalse: ScalarInput): Scalar;
+export function select(
+  condition: Condition,
+  whenTrue: ScalarInput | Vector,
+  whenFalse: ScalarInput | Vector,
+): Scalar | Vector {
+  conditionOf(condition, 'select');
+  if (whenTrue instanceof Vector || whenFalse instanceof Vector) {
+    return new Vector('select', [condition, vectorOf(whenTrue, 'select'), vectorOf(whenFalse, 'select')]);
+  }
+  return new Scalar('select', [condition, scalarOf(whenTrue, 'select'), scalarOf(whenFalse, 'select')]);
+}
+
+/** A vector of three components; in two dimensions z is dropped. */
+export function vec3(x: ScalarInput, y: ScalarInput, z: ScalarInput = 0): Vector {
+  return new Vector('vec3', [scalarOf(x, 'vec3'), scalarOf(y, 'vec3'), scalarOf(z, 'vec3')]);
+}
+
+/** A vector that keeps z in two dimensions: the axis of a rotation, a magnetic field. */
+export function axial3(x: ScalarInput, y: ScalarInput, z: ScalarInput): Vector {
+  return new Vector('axial3', [scalarOf(x, 'axial3'), scalarOf(y, 'axial3'), scalarOf(z, 'axial3')]);
+}
+
+/** @throws PhysicsError E_TYPE for what is neither a number nor a scalar symbol */
+export function scalarOf(value: unknown, method: string): Scalar {
+  if (typeof value === 'number') return constant(value);
+  if (value instanceof Scalar) return value;
+  throw mismatch('a scalar or a number', value, method);
+}
+
+/** @throws PhysicsError E_TYPE for what is no vector symbol */
+export function vectorOf(value: unknown, method: string): Vector {
+  if (value instanceof Vector) return value;
+  throw mismatch('a vector', value, method);
+}
+
+/** @throws PhysicsError E_TYPE for what is no condition */
+export function conditionOf(value: unknown, method: string): Condition {
+  if (value instanceof Condition) return value;
+  throw mismatch('a condition', value, method);
+}
+
+function mismatch(wanted: string, value: unknown, method: string): PhysicsError {
+  return new PhysicsError('E_TYPE', `${method} takes ${wanted}, got ${kindOf(value)}.`, { field: method, value });
+}
+
+/** What a value is, for a message. */
+export function kindOf(value: unknown): string {
+  return value instanceof Expression ? `a ${value.shape}` : describe(value);
+}

@@ -1,0 +1,227 @@
+// Expressions as formulas: as plain text, for terminals, or as LaTeX, for pages.
+import type { ColumnData } from './body-symbols';
+import type { Expression } from './expression';
+import type { Law } from './law';
+import type { Parameter } from './parameter';
+import type { RowData } from './table';
+
+/** How the parts of a formula are written. */
+interface Style {
+  readonly names: Readonly<Record<string, string>>;
+  vector(name: string): string;
+  divide(a: string, b: string): string;
+  root(a: string): string;
+  times: string;
+  call(name: string, args: readonly string[]): string;
+}
+
+const text: Style = {
+  names: {
+    position: 'r',
+    velocity: 'v',
+    startVelocity: 'v₀',
+    angularVelocity: 'ω',
+    force: 'F',
+    acceleration: 'a',
+    dt: 'Δt',
+    time: 't',
+    entity: 'id',
+  },
+  vector: (name) => name,
+  divide: (a, b) => `${a}/${b}`,
+  root: (a) => `√(${a})`,
+  times: ' ',
+  call: (name, args) => `${name}(${args.join(', ')})`,
+};
+
+const latex: Style = {
+  names: { ...text.names, startVelocity: 'v_0', angularVelocity: '\\omega', dt: '\\Delta t', entity: '\\mathrm{id}' },
+  vector: (name) => `\\mathbf{${name}}`,
+  divide: (a, b) => `\\frac{${a}}{${b}}`,
+  root: (a) => `\\sqrt{${a}}`,
+  times: '\\,',
+  call: (name, args) => `\\operatorname{${name}}\\left(${args.join(', ')}\\right)`,
+};
+
+/** How tightly operations bind: sums, products, and what needs no brackets. */
+const [SUM, PRODUCT, ATOM] = [1, 2, 3];
+
+interface Printed {
+  readonly text: string;
+  readonly binding: number;
+}
+
+/** The formulas of a law: what it adds to force, acceleration and torque, and its potential. */
+export function formulasOf(law: Law, kind: 'text' | 'latex' = 'text'): string[] {
+  const style = kind === 'text' ? text : latex;
+  const parts: [string, Expression | undefined][] = [
+    [style.vector('F'), law.force],
+    [style.vector('a'), law.acceleration],
+    [kind === 'text' ? 'τ' : style.vector('\\tau'), law.torque],
+    ['U', law.potential],
+  ];
+  return parts.flatMap(([name, part]) =>
+    part === undefined ? [] : [`${name} = ${new Printer(law, style).whole(part)}`],
+  );
+}
+
+/** In a formula of more operations than this, what occurs more than once gets a name: written out it might be endless. */
+const LONG = 200;
+
+class Printer {
+  readonly #names = new Map<Expression, string>();
+
+  constructor(
+    readonly law: Law,
+    readonly style: Style,
+  ) {}
+
+  /** The formula, and after it what the names in it stand for. */
+  whole(expression: Expression): string {
+    const { sizes, shared } = measure(expression);
+    if ((sizes.get(expression) as number) <= LONG) return this.print(expression).text;
+    const parts = shared.map((part, i) => {
+      const { text: printed } = this.print(part);
+      const name = `q_${i + 1}`;
+      this.#names.set(part, name);
+      return `${name} = ${printed}`;
+    });
+    return [this.print(expression).text, ...parts.reverse()].join(', ');
+  }
+
+  print(expression: Expression): Printed {
+    const name = this.#names.get(expression);
+    return name === undefined ? this.#write(expression) : atom(name);
+  }
+
+  #write(expression: Expression): Printed {
+    const { op, args, data } = expression;
+    const { style } = this;
+    switch (op) {
+      case 'constant':
+        return atom(String(data));
+      case 'parameter':
+        return this.#parameter(expression);
+      case 'column':
+        return atom(this.#column(data as ColumnData));
+      case 'row':
+        return atom(this.#rowField(data as RowData));
+      case 'add':
+        return { text: `${this.#in(args[0], SUM)} + ${this.#in(args[1], SUM)}`, binding: SUM };
+      case 'sub':
+        return { text: `${this.#in(args[0], SUM)} − ${this.#in(args[1], PRODUCT)}`, binding: SUM };
+      case 'mul':
+        return { text: `${this.#in(args[1], PRODUCT)}${style.times}${this.#in(args[0], PRODUCT)}`, binding: PRODUCT };
+      case 'div':
+        return this.#fraction(args[0], args[1]);
+      case 'negate':
+        return { text: `−${this.#in(args[0], PRODUCT)}`, binding: SUM };
+      case 'dot':
+        return { text: `${this.#in(args[0], ATOM)}·${this.#in(args[1], ATOM)}`, binding: PRODUCT };
+      case 'cross':
+        return { text: `${this.#in(args[0], ATOM)} × ${this.#in(args[1], ATOM)}`, binding: PRODUCT };
+      case 'length':
+      case 'abs':
+        return atom(`|${this.print(args[0]).text}|`);
+      case 'sqrt':
+        return atom(style.root(this.print(args[0]).text));
+      case 'component':
+        return atom(`${this.#in(args[0], ATOM)}.${'xyz'[data as number]}`);
+      case 'select':
+        return {
+          text: `${this.#in(args[1], SUM)} if ${this.print(args[0]).text}, else ${this.#in(args[2], SUM)}`,
+          binding: 0,
+        };
+      case 'less':
+        return { text: `${this.#in(args[0], SUM)} < ${this.#in(args[1], SUM)}`, binding: 0 };
+      case 'lessOrEqual':
+        return { text: `${this.#in(args[0], SUM)} ≤ ${this.#in(args[1], SUM)}`, binding: 0 };
+      case 'equal':
+        return { text: `${this.#in(args[0], SUM)} = ${this.#in(args[1], SUM)}`, binding: 0 };
+      case 'sum':
+        return { text: `${this.style === text ? 'Σ' : '\\sum_i'} ${this.#in(args[0], PRODUCT)}`, binding: PRODUCT };
+      case 'vec3':
+      case 'axial3':
+        return atom(this.#vector(args));
+      default:
+        if (args.length === 0) return this.#named(expression, style.names[op] ?? op);
+        return atom(
+          style.call(
+            op,
+            args.map((arg) => this.print(arg).text),
+          ),
+        );
+    }
+  }
+
+  /** A name of more than a letter stands upright where formulas are typeset. */
+  #word(name: string): string {
+    return this.style === text || name.length === 1 ? name : `\\mathrm{${name}}`;
+  }
+
+  #in(expression: Expression, binding: number): string {
+    const printed = this.print(expression);
+    return printed.binding < binding ? `(${printed.text})` : printed.text;
+  }
+
+  #fraction(a: Expression, b: Expression): Printed {
+    const isText = this.style === text;
+    const [above, below] = isText
+      ? [this.#in(a, PRODUCT), this.#in(b, ATOM)]
+      : [this.print(a).text, this.print(b).text];
+    return { text: this.style.divide(above, below), binding: isText ? PRODUCT : ATOM };
+  }
+
+  #parameter(expression: Expression): Printed {
+    const { law } = this;
+    const name = law.names[law.parameters.indexOf(expression.data as Parameter)] ?? 'p';
+    return this.#named(expression, expression.shape === 'vector' ? name : this.#word(name));
+  }
+
+  #named({ shape }: Expression, name: string): Printed {
+    return atom(shape === 'vector' ? this.style.vector(name) : name);
+  }
+
+  #rowField({ scope, index }: RowData): string {
+    const name = scope.table.fields[index];
+    return this.style === text ? `${name}ᵢ` : `${this.#word(name)}_i`;
+  }
+
+  #column({ component, field }: ColumnData): string {
+    if (component === 'Mass') return 'm';
+    if (typeof component !== 'string') return this.#word(field);
+    return this.#word(this.law.columns[`${component}.${field}`] ?? `${component}.${field}`);
+  }
+
+  /** Three columns of one component are a vector of that name. */
+  #vector(args: readonly Expression[]): string {
+    const [x] = args;
+    const { component, field } = (x.data ?? {}) as Partial<ColumnData>;
+    const isWhole = x.op === 'column' && field === 'x' && this.law.columns[`${component}.x`] !== undefined;
+    if (isWhole) return this.style.vector(this.law.columns[`${component}.x`].replace(/\.x$/, ''));
+    return `(${args.map((arg) => this.print(arg).text).join(', ')})`;
+  }
+}
+
+/** How many operations there are below each expression when it is written out, and which occur more than once. */
+function measure(root: Expression) {
+  const sizes = new Map<Expression, number>();
+  const shared = new Set<Expression>();
+  const visit = (expression: Expression): number => {
+    const known = sizes.get(expression);
+    if (known !== undefined) {
+      if (expression.args.length > 0) shared.add(expression);
+      return known;
+    }
+    const size = expression.args.reduce((sum, arg) => sum + visit(arg), 1);
+    sizes.set(expression, size);
+    return size;
+  };
+  visit(root);
+  // In the order in which they were reached: what an expression is made of comes before it.
+  return { sizes, shared: [...sizes.keys()].filter((expression) => shared.has(expression)) };
+}
+
+function atom(printed: string): Printed {
+  return { text: printed, binding: ATOM };
+}

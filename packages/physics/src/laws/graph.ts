@@ -1,0 +1,125 @@
+// The arithmetic of a law as a directed graph of scalar operations, in which equal operations are one node: so what two
+// laws have in common is computed once.
+import { PhysicsError } from '../faults/physics-error';
+import { simplify } from './simplify';
+import type { SumScope } from './table';
+
+/** Operations on reals that give a real. */
+export type Operation =
+  | 'add'
+  | 'sub'
+  | 'mul'
+  | 'div'
+  | 'min'
+  | 'max'
+  | 'negate'
+  | 'abs'
+  | 'sqrt'
+  | 'floor'
+  | 'round'
+  | 'sin'
+  | 'cos'
+  | 'exp'
+  | 'log'
+  | 'pow'
+  | 'atan2'
+  | 'noise'
+  | 'select'
+  | 'keep'
+  | 'less'
+  | 'lessOrEqual'
+  | 'equal'
+  | 'and'
+  | 'or'
+  | 'not'
+  | 'has'
+  | 'constant'
+  | 'zero'
+  | 'load'
+  | 'real'
+  | 'word'
+  | 'entity'
+  | 'row'
+  | 'sum';
+
+/** One operation. Its arguments were made before it, so that ids ascend along every path. */
+export interface Node {
+  readonly id: number;
+  readonly op: Operation;
+  readonly args: readonly Node[];
+  /** The number of a constant, the address of a load or column, the field of a row. */
+  readonly value: number;
+  /** A condition, and not a real. */
+  readonly isMask: boolean;
+  /** The same for all bodies: computed once, as a double. */
+  readonly isUniform: boolean;
+  /** The sum on whose rows it depends. */
+  readonly scope: SumScope | undefined;
+  /** Of a sum: what it runs over. */
+  readonly over: SumScope | undefined;
+}
+
+const MASKS = new Set<Operation>(['less', 'lessOrEqual', 'equal', 'and', 'or', 'not', 'has']);
+const OF_BODIES = new Set<Operation>(['real', 'word', 'entity', 'has', 'noise', 'sum']);
+
+/** Makes nodes. */
+export class Graph {
+  readonly #known = new Map<string, Node>();
+  readonly #scopes = new Map<SumScope, number>();
+  #count = 0;
+
+  /** A node, or one that gives the same bits. */
+  make(op: Operation, args: readonly Node[] = [], value = 0, scope?: SumScope): Node {
+    return simplify(this, op, args) ?? this.#find(op, args, value, scope);
+  }
+
+  constant(value: number): Node {
+    return this.#find('constant', [], value, undefined);
+  }
+
+  /** Zero that is known when the code is made, such as z in the plane: what is multiplied by it is left out. */
+  get zero(): Node {
+    return this.#find('zero', [], 0, undefined);
+  }
+
+  /** The sum of a term over the rows of a table, whose address and length stand in memory. */
+  sum(scope: SumScope, address: Node, count: Node, term: Node): Node {
+    return term.op === 'zero' ? term : this.#find('sum', [address, count, term], 0, scope);
+  }
+
+  #find(op: Operation, args: readonly Node[], value: number, scope: SumScope | undefined): Node {
+    let key = `${op} ${Object.is(value, -0) ? '-0' : value} ${scope === undefined ? '' : this.#scopeId(scope)}`;
+    for (const { id } of args) key += ` ${id}`;
+    const known = this.#known.get(key);
+    if (known !== undefined) return known;
+    const node: Node = {
+      ...{ id: this.#count++, op, args, value },
+      isMask: MASKS.has(op),
+      isUniform: !OF_BODIES.has(op) && args.every((arg) => arg.isUniform),
+      scope: scopeOf(
+        args.filter((arg) => op !== 'sum' || arg.scope !== scope),
+        op === 'sum' ? undefined : scope,
+      ),
+      over: op === 'sum' ? scope : undefined,
+    };
+    this.#known.set(key, node);
+    return node;
+  }
+
+  #scopeId(scope: SumScope): number {
+    if (!this.#scopes.has(scope)) this.#scopes.set(scope, this.#scopes.size);
+    return this.#scopes.get(scope) as number;
+  }
+}
+
+/** The one sum whose rows the arguments read. Outside its sum, a sum is a number like any other. */
+function scopeOf(args: readonly Node[], own: SumScope | undefined): SumScope | undefined {
+  let found = own;
+  for (const { scope } of args) {
+    if (found !== undefined && scope !== undefined && scope !== found) {
+      throw new PhysicsError('E_TYPE', 'a sum inside a sum cannot read the rows of both.', { field: 'sum' });
+    }
+    found ??= scope;
+  }
+  return found;
+}

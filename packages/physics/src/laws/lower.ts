@@ -1,0 +1,194 @@
+// From expressions to arithmetic: vectors become components, names become columns, and laws become parts of a step.
+
+import type { ComponentName } from '../components/all';
+import { PhysicsError } from '../faults/physics-error';
+import type { ColumnData } from './body-symbols';
+import type { Expression, Vector } from './expression';
+import type { Graph, Node, Operation } from './graph';
+import type { Parameter } from './parameter';
+import type { StageData } from './scheme';
+import { type RowData, SumScope } from './table';
+import { type Axes, cross, dot, eachAxis, lengthOf, normalize, rotateInPlane, rotateInSpace } from './vector-algebra';
+
+export type { Axes };
+
+/** What the names in an expression stand for. */
+export interface Environment {
+  readonly dimensions: 2 | 3;
+  /** Vectors: position, velocity, startVelocity, force, acceleration. */
+  readonly vectors: Readonly<Record<string, Axes>>;
+  /** Simulated time at which the laws are evaluated. */
+  readonly time: Node;
+  readonly dt: Node;
+  /** The doubles of a parameter, in memory. */
+  parameter(parameter: Parameter, index: number): Node;
+  /** A column of a component. */
+  column(component: ColumnData['component'] | '', field: string, kind: 'real' | 'u32'): Node;
+  /** Scalars that only schemes have: charge, mass, lastDt. */
+  readonly scalars?: Readonly<Record<string, Node>>;
+  /** The change of velocity within a duration, in a stage of a scheme. */
+  kick?(position: Axes, velocity: Axes, duration: Node, stage: StageData): Axes;
+  /** Seed and step of noise, from the seed of the law. */
+  noise(seed: Node, channel: number): Node;
+}
+
+type Lowered = Node | Axes;
+
+/** Turns expressions into nodes, each expression once. */
+export class Lowering {
+  readonly #done = new Map<Expression, Lowered>();
+  readonly #scopes = new Map<SumScope, SumScope>();
+
+  constructor(
+    readonly graph: Graph,
+    readonly environment: Environment,
+  ) {}
+
+  scalar(expression: Expression): Node {
+    return this.#lower(expression) as Node;
+  }
+
+  vector(expression: Vector): Axes {
+    return this.#lower(expression) as Axes;
+  }
+
+  #lower(expression: Expression): Lowered {
+    const known = this.#done.get(expression);
+    if (known !== undefined) return known;
+    const made = expression.shape === 'vector' ? this.#makeVector(expression) : this.#makeScalar(expression);
+    this.#done.set(expression, made);
+    return made;
+  }
+
+  #makeScalar(expression: Expression): Node {
+    const { op, args, data } = expression;
+    const { graph, environment } = this;
+    switch (op) {
+      case 'constant':
+        return graph.constant(data as number);
+      case 'time':
+        return environment.time;
+      case 'dt':
+        return environment.dt;
+      case 'entity':
+        return graph.make('entity');
+      case 'parameter':
+        return environment.parameter(data as Parameter, 0);
+      case 'column': {
+        const { component, field, spec } = data as ColumnData;
+        if (environment.dimensions === 2 && spec.spatial === true) return graph.zero;
+        return environment.column(component, field, spec.kind);
+      }
+      case 'row':
+        return graph.make('row', [], (data as RowData).index, this.#scopeOf((data as RowData).scope));
+      case 'sum':
+        return this.#sum(data as SumScope, this.scalar(args[0]));
+      case 'has':
+        return graph.make('has', [environment.column('', 'members', 'u32')], data as number);
+      case 'noise':
+        return environment.noise(this.scalar(args[0]), data as number);
+      case 'component':
+        return this.vector(args[0] as Vector)[data as number];
+      case 'dot':
+        return dot(graph, this.vector(args[0] as Vector), this.vector(args[1] as Vector));
+      case 'length':
+        return lengthOf(graph, this.vector(args[0] as Vector));
+      default:
+        return (
+          environment.scalars?.[op] ??
+          graph.make(
+            op as Operation,
+            args.map((arg) => this.scalar(arg)),
+          )
+        );
+    }
+  }
+
+  #makeVector({ op, args, data }: Expression): Axes {
+    const { graph, environment } = this;
+    const [a, b] = args as [Vector, Vector];
+    switch (op) {
+      case 'parameter':
+        return this.#parameter(data as Parameter);
+      case 'vec3': {
+        const [x, y, z] = args.map((arg) => this.scalar(arg));
+        return [x, y, environment.dimensions === 2 ? graph.zero : z];
+      }
+      case 'axial3':
+        return args.map((arg) => this.scalar(arg)) as unknown as Axes;
+      case 'angularVelocity':
+        return this.#columns('AngularVelocity', true);
+      case 'add':
+      case 'sub':
+        return eachAxis((i) => graph.make(op, [this.vector(a)[i], this.vector(b)[i]]));
+      case 'mul':
+      case 'div': {
+        const factor = this.scalar(b);
+        return eachAxis((i) => graph.make(op, [this.vector(a)[i], factor]));
+      }
+      case 'negate':
+        return eachAxis((i) => graph.make('negate', [this.vector(a)[i]]));
+      case 'cross':
+        return cross(graph, this.vector(a), this.vector(b));
+      case 'normalize':
+        return normalize(graph, this.vector(a));
+      case 'select':
+        return eachAxis((i) => {
+          const [whenTrue, whenFalse] = [this.vector(b)[i], this.vector(args[2] as Vector)[i]];
+          return graph.make('select', [this.scalar(a), whenTrue, whenFalse]);
+        });
+      case 'rotate':
+        return this.#rotate(this.vector(a));
+      case 'kick': {
+        const duration = this.scalar(args[2]);
+        return environment.kick?.(this.vector(a), this.vector(b), duration, data as StageData) ?? this.#unknown(op);
+      }
+      case 'sum':
+        return eachAxis((i) => this.#sum(data as SumScope, this.vector(a)[i]));
+      default:
+        return environment.vectors[op] ?? this.#unknown(op);
+    }
+  }
+
+  #unknown(op: string): never {
+    throw new PhysicsError('E_UNKNOWN', `a law cannot read ${op} here.`, { field: op });
+  }
+
+  #parameter(parameter: Parameter): Axes {
+    const { graph, environment } = this;
+    const isFlat = environment.dimensions === 2;
+    const isAxial = parameter.kind === 'axial';
+    return eachAxis((i) => {
+      const isAbsent = isFlat && (isAxial ? i < 2 : i === 2);
+      return isAbsent ? graph.zero : environment.parameter(parameter, i);
+    });
+  }
+
+  #columns(component: ComponentName, isAxial: boolean): Axes {
+    const { graph, environment } = this;
+    return eachAxis((i) => {
+      const isAbsent = environment.dimensions === 2 && (isAxial ? i < 2 : i === 2);
+      return isAbsent ? graph.zero : environment.column(component, 'xyz'[i], 'real');
+    });
+  }
+
+  #rotate(v: Axes): Axes {
+    const { graph, environment } = this;
+    const column = (component: ComponentName, field: string) => environment.column(component, field, 'real');
+    if (environment.dimensions === 2) return rotateInPlane(graph, column('Rotation', 'angle'), v);
+    const [x, y, z, w] = ['x', 'y', 'z', 'w'].map((field) => column('Orientation', field));
+    return rotateInSpace(graph, [x, y, z], w, v);
+  }
+
+  #sum(scope: SumScope, term: Node): Node {
+    const [address, count] = [0, 1].map((i) => this.environment.parameter(scope.table, i));
+    return this.graph.sum(this.#scopeOf(scope), address, count, term);
+  }
+
+  /** A loop over the rows for each evaluation of a law: a later stage asks where the earlier one has led. */
+  #scopeOf(scope: SumScope): SumScope {
+    const own = this.#scopes.get(scope) ?? new SumScope(scope.table);
+    this.#scopes.set(scope, own);
+    return own;
+  }
+}

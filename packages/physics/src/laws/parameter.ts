@@ -1,0 +1,191 @@
+// What a law can be given when it is put into a world: numbers and vectors with units, steady or over time. Their
+// values lie in the world's memory, so that changing them compiles nothing.
+import { type Bounds, checkKeys, checkNumber, type VectorInput } from '../faults/validate';
+import type { PhysicsWorld } from '../world';
+import { Scalar, Vector } from './expression';
+import { timeVector, type VectorOverTime } from './time-vector';
+
+/** How the numbers of a parameter get into a world's memory. */
+export interface ParameterSource {
+  /** 'once' when the law enters a world, before every 'step', or for every 'stage' of one, at its time. */
+  readonly when: 'once' | 'step' | 'stage';
+  write(world: PhysicsWorld, into: Float64Array, at: number, time: number): void;
+  /** Axes of a steady vector that are zero: what they are multiplied by is left out of the code. */
+  readonly zeros?: readonly boolean[] | undefined;
+}
+
+/** A parameter of a law. `Input` is the type of what it takes. */
+export interface Parameter<Input = unknown> {
+  readonly kind: 'scalar' | 'vector' | 'axial';
+  readonly unit: string;
+  readonly bounds: Bounds;
+  /** Number of doubles it takes in memory. */
+  readonly size: 1 | 3;
+  readonly overTime: boolean;
+  /** What it is when it is left out; without one it must be given. */
+  readonly byDefault: Input | undefined;
+  /** It comes from the law itself and not from its options: which body is held, where a table lies. */
+  readonly supply?: ((world: PhysicsWorld, into: Float64Array, at: number) => void) | undefined;
+}
+
+interface ParameterOptions<Input> extends Bounds {
+  readonly default?: Input;
+}
+
+/** A number with a unit. */
+export function scalar(
+  unit: string,
+  options: ParameterOptions<number> & { readonly default: number },
+): Optional<number>;
+export function scalar(unit: string, options?: ParameterOptions<number>): Parameter<number>;
+export function scalar(unit: string, options: ParameterOptions<number> = {}): Parameter<number> {
+  const { default: byDefault, ...bounds } = options;
+  return { kind: 'scalar', unit, bounds, size: 1, overTime: false, byDefault };
+}
+
+/** A parameter that may be left out. */
+export type Optional<Input> = Parameter<Input> & { readonly byDefault: Input };
+
+/** A vector with a unit; absent axes are zero, and in two dimensions z is. */
+export function vector(
+  unit: string,
+  options: ParameterOptions<VectorInput> & { default: VectorInput },
+): Optional<VectorInput>;
+export function vector(unit: string, options?: ParameterOptions<VectorInput>): Parameter<VectorInput>;
+export function vector(unit: string, options: ParameterOptions<VectorInput> = {}): Parameter<VectorInput> {
+  return vectorParameter('vector', unit, options, false);
+}
+
+/** A vector about which something turns, such as a magnetic field: in two dimensions z alone matters. */
+export function axialVector(
+  unit: string,
+  options: ParameterOptions<VectorInput> & { default: VectorInput },
+): Optional<VectorInput>;
+export function axialVector(unit: string, options?: ParameterOptions<VectorInput>): Parameter<VectorInput>;
+export function axialVector(unit: string, options: ParameterOptions<VectorInput> = {}): Parameter<VectorInput> {
+  return vectorParameter('axial', unit, options, false);
+}
+
+/** A vector, or a function of the time in seconds that returns one. */
+export function vectorOverTime(
+  unit: string,
+  options: ParameterOptions<VectorOverTime> & { default: VectorOverTime },
+): Optional<VectorOverTime>;
+export function vectorOverTime(unit: string, options?: ParameterOptions<VectorOverTime>): Parameter<VectorOverTime>;
+export function vectorOverTime(
+  unit: string,
+  options: ParameterOptions<VectorOverTime> = {},
+): Parameter<VectorOverTime> {
+  return vectorParameter('vector', unit, options, true);
+}
+
+/** An axial vector, or a function of the time in seconds that returns one. */
+export function axialVectorOverTime(
+  unit: string,
+  options: ParameterOptions<VectorOverTime> = {},
+): Parameter<VectorOverTime> {
+  return vectorParameter('axial', unit, options, true);
+}
+
+function vectorParameter<Input>(
+  kind: 'vector' | 'axial',
+  unit: string,
+  options: ParameterOptions<Input>,
+  overTime: boolean,
+): Parameter<Input> {
+  const { default: byDefault, ...bounds } = options;
+  return { kind, unit, bounds, size: 3, overTime, byDefault };
+}
+
+/** A number that the law itself hands over before every step. */
+export function suppliedScalar(write: (world: PhysicsWorld) => number): Supplied {
+  const supply: Parameter['supply'] = (world, into, at) => {
+    into[at] = write(world);
+  };
+  return { kind: 'scalar', unit: '', bounds: {}, size: 1, overTime: false, byDefault: undefined, supply };
+}
+
+/** A vector, axial or not, that the law itself hands over before every step. */
+export function suppliedVector(
+  write: (world: PhysicsWorld) => { readonly x: number; readonly y: number; readonly z: number },
+  kind: 'vector' | 'axial' = 'vector',
+): SuppliedVector {
+  const supply: Parameter['supply'] = (world, into, at) => {
+    const { x, y, z } = write(world);
+    into[at] = x;
+    into[at + 1] = y;
+    into[at + 2] = z;
+  };
+  return { kind, unit: '', bounds: {}, size: 3, overTime: false, byDefault: undefined, supply };
+}
+
+/** Parameters that no option sets. */
+export type Supplied = Parameter<number> & { readonly kind: 'scalar'; readonly supply: object };
+export type SuppliedVector = Parameter<VectorInput> & { readonly supply: object };
+
+export type Parameters = Readonly<Record<string, Parameter>>;
+
+/** The symbols of parameters, as a law's function gets them. */
+export type ParameterSymbols<P> = {
+  readonly [Key in keyof P]: P[Key] extends Parameter<number> ? Scalar : Vector;
+};
+
+type Given<P> = { [Key in keyof P]: P[Key] extends { supply: object } ? never : Key }[keyof P];
+type Omissible<P> = {
+  [Key in keyof P]: P[Key] extends { byDefault: infer D } ? (undefined extends D ? never : Key) : never;
+}[keyof P];
+type InputOf<P> = P extends Parameter<infer Input> ? Input : never;
+
+/** What a law is given: those parameters that have no default, and any of those that have. */
+export type ParameterInput<P> = { readonly [Key in Exclude<Given<P>, Omissible<P>>]: InputOf<P[Key]> } & {
+  readonly [Key in Omissible<P>]?: InputOf<P[Key]>;
+};
+
+/** The symbol of a parameter. */
+export function symbolOf(parameter: Parameter): Scalar | Vector {
+  return parameter.kind === 'scalar' ? new Scalar('parameter', [], parameter) : new Vector('parameter', [], parameter);
+}
+
+/**
+ * Checks what a law was given, and says how each parameter gets into memory.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function sourcesOf(
+  law: string,
+  parameters: Readonly<Record<string, Parameter>>,
+  input: unknown,
+): ParameterSource[] {
+  const names = Object.keys(parameters);
+  checkKeys(
+    input,
+    law,
+    names.filter((name) => parameters[name].supply === undefined),
+  );
+  return names.map((name) => sourceOf(parameters[name], (input as Record<string, unknown>)[name], law, name));
+}
+
+function sourceOf(parameter: Parameter, given: unknown, law: string, name: string): ParameterSource {
+  const { supply, kind, bounds, byDefault } = parameter;
+  if (supply !== undefined) return { when: 'step', write: supply };
+  const value = given ?? byDefault;
+  if (kind === 'scalar') {
+    const number = checkNumber(value, `${law}.${name}`, bounds);
+    const write: ParameterSource['write'] = (_world, into, at) => {
+      into[at] = number;
+    };
+    return { when: 'once', write };
+  }
+  if (typeof value === 'function' && !parameter.overTime) checkNumber(value, `${law}.${name}`);
+  const state = timeVector(value as VectorOverTime, `${law}.${name}`, name, bounds);
+  const { steady } = state;
+  return {
+    when: steady === undefined ? 'stage' : 'once',
+    zeros: steady && [steady.x === 0, steady.y === 0, steady.z === 0],
+    write(world, into, at, time) {
+      const { x, y, z } = state.at(world, time);
+      into[at] = x;
+      into[at + 1] = y;
+      into[at + 2] = z;
+    },
+  };
+}

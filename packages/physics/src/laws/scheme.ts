@@ -1,0 +1,94 @@
+// Integrators of a fixed number of stages, written as expressions: where a step leads, and at which states and times it
+// asks for the forces.
+import { Scalar, scalarOf, Vector, vectorOf } from './expression';
+import type { Parameter, ParameterSource } from './parameter';
+import { structureOf } from './structure';
+
+/** Where a body is, what else the scheme may use, and the state that it returns. */
+export interface SchemeState {
+  readonly position: Vector;
+  readonly velocity: Vector;
+  /** Length of the step, s. */
+  readonly dt: Scalar;
+  /** Length of the world's last step by this scheme, s, or 0 where there was none. */
+  readonly lastDt: Scalar;
+  /** Electric charge of the body, C, and its mass, kg. */
+  readonly charge: Scalar;
+  readonly mass: Scalar;
+  /** Vectors that the scheme keeps for each body from one step to the next. */
+  readonly memory: readonly Vector[];
+}
+
+export interface SchemeResult {
+  readonly position: Vector;
+  readonly velocity: Vector;
+  readonly memory?: readonly Vector[];
+}
+
+/**
+ * The change of velocity that all forces give a body within `duration` (s) when they stay as they are at a position and
+ * velocity, `fraction` of a step after its start: F/m h. It counts as an evaluation each time it is called.
+ */
+export type Kick = (position: Vector, velocity: Vector, fraction: number, duration: Scalar) => Vector;
+
+/** A step as expressions. */
+export type SchemeFunction = (state: SchemeState, kick: Kick, parameters: readonly (Scalar | Vector)[]) => SchemeResult;
+
+/** A recorded scheme. */
+export interface Scheme {
+  readonly structure: string;
+  readonly position: Vector;
+  readonly velocity: Vector;
+  readonly memory: readonly Vector[];
+  /** Fractions of the step at which the forces are evaluated, in order. */
+  readonly stages: readonly number[];
+  readonly parameters: readonly Parameter[];
+  readonly sources: readonly ParameterSource[];
+}
+
+/** What an evaluation of the forces remembers. */
+export interface StageData {
+  readonly stage: number;
+  readonly fraction: number;
+}
+
+/** Parameters of a scheme, and vectors it keeps for each body. */
+export interface SchemeOptions {
+  readonly memory?: number;
+  readonly parameters?: readonly Parameter[];
+  readonly sources?: readonly ParameterSource[];
+}
+
+/** Records a step. @throws PhysicsError E_TYPE for what a method does not take */
+export function recordScheme(step: SchemeFunction, options: SchemeOptions = {}): Scheme {
+  const { memory = 0, parameters = [], sources = [] } = options;
+  const stages: number[] = [];
+  const kick: Kick = (position, velocity, fraction, duration) => {
+    const data: StageData = { stage: stages.length, fraction };
+    stages.push(fraction);
+    return new Vector(
+      'kick',
+      [vectorOf(position, 'kick'), vectorOf(velocity, 'kick'), scalarOf(duration, 'kick')],
+      data,
+    );
+  };
+  const result = step(
+    {
+      position: new Vector('position', []),
+      velocity: new Vector('velocity', []),
+      dt: new Scalar('dt', []),
+      lastDt: new Scalar('lastDt', []),
+      charge: new Scalar('charge', []),
+      mass: new Scalar('mass', []),
+      memory: Array.from({ length: memory }, (_, i) => new Vector(`memory${i}`, [])),
+    },
+    kick,
+    parameters.map((parameter) =>
+      parameter.kind === 'scalar' ? new Scalar('parameter', [], parameter) : new Vector('parameter', [], parameter),
+    ),
+  );
+  const { position, velocity, memory: kept = [] } = result;
+  const parts = { position, velocity, ...Object.fromEntries(kept.map((vector, i) => [`memory${i}`, vector])) };
+  const structure = `${structureOf(parameters, parts)};${stages}`;
+  return { structure, position, velocity, memory: kept, stages, parameters, sources };
+}

@@ -1,0 +1,90 @@
+// What a law is made of, as a text: laws with the same text compile to the same code, whoever defined them.
+import type { ComponentName } from '../components/all';
+import type { ComponentSpec } from '../components/define';
+import type { ColumnData } from './body-symbols';
+import type { Expression } from './expression';
+import type { Law } from './law';
+import type { Parameter } from './parameter';
+import { type RowData, SumScope } from './table';
+
+type Parts = Readonly<Record<string, Expression | undefined>>;
+
+/** Numbers of users' own components: equal structures read the same columns. */
+const ownNumbers = new WeakMap<ComponentSpec, number>();
+let ownCount = 0;
+
+/** The number of a component of a user's own. */
+export function componentNumber(component: ComponentSpec): number {
+  const number = ownNumbers.get(component) ?? ownCount++;
+  ownNumbers.set(component, number);
+  return number;
+}
+
+function nameOf(component: ComponentName | ComponentSpec): string {
+  return typeof component === 'string' ? component : `own${componentNumber(component)}`;
+}
+
+/** The expressions of a law as a text, each shared one once. */
+export function structureOf(parameters: readonly Parameter[], parts: Parts): string {
+  const lines: string[] = parameters.map(
+    (parameter) => `${parameter.kind}${'fields' in parameter ? parameter.fields : ''}`,
+  );
+  const seen = new Map<Expression, number>();
+  const scopes = new Map<object, number>();
+  const numberOf = <T>(map: Map<T, number>, key: T): number => {
+    if (!map.has(key)) map.set(key, map.size);
+    return map.get(key) as number;
+  };
+  const dataOf = ({ op, data }: Expression): string => {
+    if (data === undefined) return '';
+    if (op === 'parameter') return String(parameters.indexOf(data as Parameter));
+    if (op === 'column') return `${nameOf((data as ColumnData).component)}.${(data as ColumnData).field}`;
+    if (op === 'row') return `${numberOf(scopes, (data as RowData).scope)}.${(data as RowData).index}`;
+    if (op === 'kick') return JSON.stringify(data);
+    if (data instanceof SumScope) return `${numberOf(scopes, data)} of ${parameters.indexOf(data.table)}`;
+    return Object.is(data, -0) ? '-0' : String(data);
+  };
+  const visit = (expression: Expression): number => {
+    const known = seen.get(expression);
+    if (known !== undefined) return known;
+    const args = expression.args.map(visit);
+    lines.push(`${expression.op}:${expression.shape[0]} ${args} ${dataOf(expression)}`);
+    seen.set(expression, seen.size);
+    return seen.size - 1;
+  };
+  for (const [part, expression] of Object.entries(parts)) {
+    if (expression !== undefined) lines.push(`${part}=${visit(expression)}`);
+  }
+  return lines.join(';');
+}
+
+const STATE: Readonly<Record<string, readonly ComponentName[]>> = {
+  position: ['Position'],
+  velocity: ['Velocity'],
+  startVelocity: ['Velocity'],
+  angularVelocity: ['AngularVelocity'],
+  rotate: ['Rotation', 'Orientation'],
+};
+
+/** The components whose columns the expressions of a law read. */
+export function columnsRead(law: Pick<Law, 'force' | 'acceleration' | 'torque'>): ComponentName[] {
+  const names = new Set<ComponentName>();
+  const seen = new Set<Expression>();
+  const visit = (expression: Expression) => {
+    if (seen.has(expression)) return;
+    seen.add(expression);
+    for (const name of STATE[expression.op] ?? []) names.add(name);
+    if (expression.op === 'column') {
+      const { component } = expression.data as ColumnData;
+      if (typeof component === 'string') names.add(component);
+    }
+    expression.args.forEach(visit);
+  };
+  for (const part of ['force', 'acceleration', 'torque'] as const) {
+    const expression: Expression | undefined = law[part];
+    if (expression === undefined) continue;
+    visit(expression);
+    if (part === 'acceleration') names.add('Mass');
+  }
+  return [...names];
+}

@@ -1,0 +1,63 @@
+// Sums over a table of numbers: fixed charges, centres of attraction, waves of a turbulent wind. The table may grow and
+// change without anything being compiled again.
+import { PhysicsError } from '../faults/physics-error';
+import type { PhysicsWorld } from '../world';
+import { refuseUnknown } from './body-symbols';
+import { constant, Scalar, type ScalarInput, Vector } from './expression';
+import type { Parameter } from './parameter';
+
+/** Where a table lies in a world's memory: rows of doubles, one a field. */
+export interface TablePlace {
+  readonly at: number;
+  readonly count: number;
+}
+
+/** A table as a parameter of a law. */
+export interface TableParameter<Field extends string = string> extends Parameter<never> {
+  readonly fields: readonly Field[];
+  readonly supply: (world: PhysicsWorld, into: Float64Array, at: number) => void;
+}
+
+/** Identifies the rows of one sum. */
+export class SumScope {
+  constructor(readonly table: TableParameter) {}
+}
+
+/** The field of a row in a sum. */
+export interface RowData {
+  readonly scope: SumScope;
+  readonly index: number;
+}
+
+/** A table of doubles, whose place is asked for before every step. */
+export function table<Field extends string>(
+  fields: readonly Field[],
+  placeOf: (world: PhysicsWorld) => TablePlace,
+): TableParameter<Field> {
+  return {
+    ...({ kind: 'table', unit: '', bounds: {}, size: 3, overTime: false, byDefault: undefined, fields } as const),
+    supply(world: PhysicsWorld, into: Float64Array, at: number) {
+      const place = placeOf(world);
+      into[at] = place.at;
+      into[at + 1] = place.count;
+    },
+  } as unknown as TableParameter<Field>;
+}
+
+/** The symbol of a table. */
+export class Table<Field extends string = string> {
+  constructor(readonly parameter: TableParameter<Field>) {}
+
+  /** The sum of what `term` makes of each row. */
+  sum(term: (row: { readonly [F in Field]: Scalar }) => Vector): Vector;
+  sum(term: (row: { readonly [F in Field]: Scalar }) => ScalarInput): Scalar;
+  sum(term: (row: { readonly [F in Field]: Scalar }) => Vector | ScalarInput): Vector | Scalar {
+    const scope = new SumScope(this.parameter as unknown as TableParameter);
+    const fields = this.parameter.fields.map((name, index) => [name, new Scalar('row', [], { scope, index })]);
+    const result = term(refuseUnknown(Object.fromEntries(fields), 'the row') as { readonly [F in Field]: Scalar });
+    if (result instanceof Vector) return new Vector('sum', [result], scope);
+    if (result instanceof Scalar) return new Scalar('sum', [result], scope);
+    if (typeof result === 'number') return new Scalar('sum', [constant(result)], scope);
+    throw new PhysicsError('E_TYPE', 'sum takes a function that returns a scalar or a vector.', { value: result });
+  }
+}
