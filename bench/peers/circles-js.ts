@@ -31,12 +31,13 @@ export function circlesJs(run: SceneRun): Peer | undefined {
 function move({ count, flat, dt, x, y, z, vx, vy, vz, startX, startY, startZ, fall }: Balls): void {
   const half = 0.5 * dt;
   for (let i = 0; i < count; i++) {
-    const g = fall[i];
+    const kick = fall[i] * half;
     startX[i] = vx[i];
     startY[i] = vy[i];
     x[i] += vx[i] * dt;
-    y[i] += (vy[i] + g * half) * dt;
-    vy[i] += (g + g) * half;
+    const kicked = vy[i] + kick;
+    y[i] += kicked * dt;
+    vy[i] = kicked + kick;
     if (flat) continue;
     startZ[i] = vz[i];
     z[i] += vz[i] * dt;

@@ -1,6 +1,11 @@
 // Each conservative force carries its potential: asked of every law of the package.
-import { constantTorque, step } from '@principia/physics';
+import { constantTorque, type Force, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
+import { lawForce } from '../../packages/physics/src/dynamics/define-law';
+import type { LawForce } from '../../packages/physics/src/dynamics/sum-of-laws';
+import { gradientOf } from '../../packages/physics/src/laws/differentiate';
+import { constant } from '../../packages/physics/src/laws/expression';
+import { structureOf } from '../../packages/physics/src/laws/structure';
 import { LAW_CASES, type LawWorld, lawWorld } from '../support/law-records';
 import { forceOn, slope } from '../support/laws';
 
@@ -63,6 +68,21 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
         moveBy(stage, by, -1);
       }
     });
+    test('and the derivative of its expression', () => {
+      const { law } = built().force;
+      if (law?.potential === undefined) return;
+      const derived = () => lawWorld(record, dimensions, { still: true, wrap: derivedLaw });
+      for (const by of MOVES) {
+        const [stated, found] = [built(), derived()];
+        for (const stage of [stated, found]) moveBy(stage, by);
+        for (const eid of stated.moving) {
+          const [a, b] = [forceOn(stated.world, eid), forceOn(found.world, eid)];
+          // Tens of roundings of terms that may cancel.
+          const within = 1e-12 * (1 + Math.hypot(a.x, a.y, a.z));
+          expect(Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z)).toBeLessThan(within);
+        }
+      }
+    });
     return;
   }
 
@@ -70,6 +90,14 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
     expect(DRIVEN.includes(record.maker) || needsNone(built(), () => built())).toBe(true);
   });
 });
+
+/** The law whose force is derived from the potential that the given one states. */
+function derivedLaw(force: Force): Force {
+  const { law, sources, ...rest } = force as LawForce;
+  const parts = { force: gradientOf(law.potential as NonNullable<typeof law.potential>, constant(-1)) };
+  const { acceleration: _a, torque: _t, potential: _p, ...others } = law;
+  return lawForce({ ...others, ...parts, structure: structureOf(law.parameters, parts) }, sources, rest);
+}
 
 /** Whether a law does nothing to what is at rest, or depends on velocity or time, or does work round a closed loop. */
 function needsNone(stage: LawWorld, again: () => LawWorld): boolean {

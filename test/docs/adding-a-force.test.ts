@@ -1,41 +1,19 @@
-// The kernel, the law and the test of docs/adding-a-force.md, as they stand there: compiled for both precisions, checked
-// by the strict compiler and run. What the page adds to lists is looked for in the lists.
+// The law and the test of docs/adding-a-force.md, as they stand there: checked by the strict compiler and run. What the
+// page adds to lists is looked for in the lists.
 import { execFileSync } from 'node:child_process';
-import { appendFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { build, type Plugin } from 'esbuild';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { compileKernels, kernelInterface } from '../../scripts/lib/compile-kernels.mjs';
 
 const page = readFileSync('docs/adding-a-force.md', 'utf8');
 const copy = resolve('node_modules/.cache/principia/adding-a-force');
-const kernels = `${copy}/packages/physics/kernels`;
 const forces = `${copy}/packages/physics/src/forces`;
 
 /** The blocks of the page that begin with the path of a file. */
 const files = [...page.matchAll(/^ *```\w+\n( *)\/\/ (packages\/\S+)\n([\s\S]*?)^ *```$/gm)].map(
   ([, indent, path, code]) => ({ path, code: code.replaceAll(new RegExp(`^${indent}`, 'gm'), '') }),
 );
-
-/** In place of the kernels of the package: those that were just compiled. */
-const LAW_KERNELS = `
-import type { PhysicsWorld } from '../world';
-import type { KernelExports } from './kernels.gen';
-import { WASM } from './wasm.gen';
-
-const made = new WeakMap<PhysicsWorld, KernelExports>();
-
-export function lawKernels(world: PhysicsWorld): KernelExports {
-  let kernels = made.get(world);
-  if (kernels === undefined) {
-    const bytes = Uint8Array.from(atob(WASM[world.precision]), (letter) => letter.charCodeAt(0));
-    const instance = new WebAssembly.Instance(new WebAssembly.Module(bytes), { env: { memory: world.memory } });
-    kernels = instance.exports as unknown as KernelExports;
-    made.set(world, kernels);
-  }
-  return kernels;
-}
-`;
 
 /** In place of vitest: the tests of the page run where they are read. */
 const VITEST = `
@@ -47,23 +25,11 @@ export function test(name, run) {
 }
 `;
 
-beforeAll(async () => {
+beforeAll(() => {
   rmSync(copy, { recursive: true, force: true });
-  cpSync('packages/physics/kernels', kernels, { recursive: true });
   mkdirSync(forces, { recursive: true });
   for (const { path, code } of files) writeFileSync(`${copy}/${path}`, code);
-  const line = page.match(/^ *(export \{ .* \} from '\.\/bowl';)$/m)?.[1] ?? 'the line of step 2 is missing';
-  appendFileSync(`${kernels}/forces/module.ts`, `\n${line}\n`);
-  // Where the page's module puts its constants does not matter: the one of the package is not in these worlds.
-  const { f32, f64 } = await compileKernels(kernels, 'forces/module.ts', { start: 2048, end: 4096 });
-  const text = ({ wasm }: { wasm: Uint8Array }) => Buffer.from(wasm).toString('base64');
-  writeFileSync(
-    `${forces}/wasm.gen.ts`,
-    `export const WASM = ${JSON.stringify({ f32: text(f32), f64: text(f64) })};\n`,
-  );
-  writeFileSync(`${forces}/kernels.gen.ts`, kernelInterface({ f32, f64 }));
-  writeFileSync(`${forces}/law-kernels.ts`, LAW_KERNELS);
-}, 120_000);
+});
 
 /** Files of the page stand in the package as far as their imports go. */
 const inPackage: Plugin = {
@@ -79,9 +45,8 @@ const inPackage: Plugin = {
 };
 
 describe('docs/adding-a-force.md', () => {
-  it('has a kernel, a law and a test', () => {
+  it('has a law and a test', () => {
     expect(files.map(({ path }) => path)).toEqual([
-      'packages/physics/kernels/forces/bowl.ts',
       'packages/physics/src/forces/bowl.ts',
       'packages/physics/src/forces/bowl.test.ts',
     ]);

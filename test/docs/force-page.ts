@@ -1,13 +1,21 @@
 /** The page docs/forces.md, made from the records the laws return and the headers of their files. */
 import { readdirSync, readFileSync } from 'node:fs';
-import type { Force } from '@principia/physics';
+import { type Force, formulasOf } from '@principia/physics';
 import { LAW_RECORDS, makeLaw } from '../support/law-records';
 
 const source = 'packages/physics/src';
 const folders = ['forces', 'n-body', 'networks'];
 
 /** What makes forces of forces, or forces of your own. */
-const NOT_LAWS = ['defineForce', 'limited', 'centralForce', 'fieldForce', 'createMutualForce', 'replaceForce'];
+const NOT_LAWS = [
+  'defineForce',
+  'limited',
+  'limitedLaw',
+  'centralForce',
+  'fieldForce',
+  'createMutualForce',
+  'replaceForce',
+];
 
 interface Law {
   readonly makers: readonly string[];
@@ -53,8 +61,8 @@ export function forcePage(): string {
     '',
     'Every law of the package: a function makes its record, and `world.forces` lists the records of a world. *Energy* marks',
     'those with a potential, with which `energy(world)` closes. Those marked *last* answer the forces listed before them.',
-    'Any of them can be kept to some bodies, places or times by `limited(force, { group, region, from, until })`; one of',
-    'your own is [an object](adding-a-force.md). Winds that change are made by `gusts` and `correlatedGusts`; blows by',
+    'Formulas are typeset from the expressions that are compiled. Any force can be kept to some bodies, places or times by',
+    '`limited(force, { group, region, from, until })`; one of your own is [an expression](adding-a-force.md). Winds that change are made by `gusts` and `correlatedGusts`; blows by',
     '`applyImpulse` and `explode`.',
     '',
     '| function | law | components it reads | |',
@@ -82,7 +90,7 @@ function row(maker: string, file: string): string {
 }
 
 function section({ makers, file, header }: Law): string[] {
-  const parts = makers.flatMap((maker) => ['', `## ${maker}`, '', ...parametersOf(maker)]);
+  const parts = makers.flatMap((maker) => ['', `## ${maker}`, '', ...parametersOf(maker), ...formulas(maker)]);
   return [...parts.slice(1), '```text', header, '```', '', `[${file.replace(/^.*\//, '')}](../${source}/${file})`, ''];
 }
 
@@ -92,6 +100,17 @@ function parametersOf(maker: string): string[] {
     unit === '' ? `\`${key}\`` : `\`${key}\` (${unit})`,
   );
   return [`*${name}*${shown.length === 0 ? '' : `. Parameters: ${shown.join(', ')}`}`, ''];
+}
+
+/** Longer formulas are better read in the header. */
+const LONGEST_FORMULA = 260;
+
+/** What the law computes, typeset from its expressions. */
+function formulas(maker: string): string[] {
+  const { law } = example(maker);
+  const lines = law === undefined ? [] : formulasOf(law, 'latex');
+  if (lines.length === 0 || lines.some((line) => line.length > LONGEST_FORMULA)) return [];
+  return lines.flatMap((line) => ['```math', line, '```', '']);
 }
 
 function anchor(maker: string): string {

@@ -9,6 +9,7 @@ import {
   spawn,
   step,
 } from '@principia/physics';
+import { prepareForces } from '../../packages/physics/src/dynamics/evaluate-forces';
 
 export type Body = Parameters<typeof spawn>[1];
 
@@ -42,7 +43,7 @@ export function run(world: PhysicsWorld, seconds: number, dt = 1 / 60, each?: ()
 export function forceOn(world: PhysicsWorld, eid: number, time = world.time) {
   bodies(world);
   world.internal.sweptRows = 16 * Math.ceil((world.lastId + 1) / 16);
-  for (const force of world.forces) force.prepare?.(world, 1e-3);
+  prepareForces(world, 1e-3);
   const { kernels, addresses, scratch } = world;
   for (const axis of ['x', 'y', 'z'] as const) {
     kernels.copyColumn(
@@ -54,7 +55,8 @@ export function forceOn(world: PhysicsWorld, eid: number, time = world.time) {
   }
   evaluateForces(world, world.spans, time);
   const { force, torque } = scratch;
-  return { x: force.x[eid], y: force.y[eid], z: force.z[eid], torque: torque.z[eid] };
+  // No force has no direction: of minus zero this makes zero.
+  return { x: force.x[eid] + 0, y: force.y[eid] + 0, z: force.z[eid] + 0, torque: torque.z[eid] + 0 };
 }
 
 /** The force that a law puts on one body, 2D unless the body says otherwise. */

@@ -125,14 +125,22 @@ export interface Stage {
 /**
  * Lets `act` happen to a body, runs on, and expects the neighbour and the far witness to be bit for bit as in a run
  * without that body, and the world to be alive.
+ * @param otherwise what happens to the world without it: a force that is no law makes steps of other pieces, which
+ *   round differently, so both worlds need one
  */
-export function withWitness(act: (stage: Stage) => void, options: PhysicsWorldOptions = {}, after = 20): Stage {
+export function withWitness(
+  act: (stage: Stage) => void,
+  options: PhysicsWorldOptions = {},
+  after = 20,
+  otherwise: (world: PhysicsWorld) => void = () => {},
+): Stage {
   const run = (withVictim: boolean) => {
     const world = groundWorld(options);
     const neighbour = ball(world, 1, 2, { x: 0.5 });
     const witness = ball(world, 500, 3, { x: -1, y: 2 });
     const victim = withVictim ? ball(world, 0, 2) : 0;
     if (withVictim) act({ world, victim });
+    else otherwise(world);
     steps(world, after - world.tick);
     return { world, victim, neighbour: bodyState(world, neighbour), witness: bodyState(world, witness) };
   };

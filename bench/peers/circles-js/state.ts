@@ -52,7 +52,8 @@ export function ballsOf({ world, dt, far, gravity, restitution }: BoxedRun, ids:
     most: new Float32Array(count),
     mass,
     inverseMass: mass.map((m) => 1 / m),
-    fall: mass.map((m) => (m * g) / m),
+    /** Acceleration of each by gravity, m/s². */
+    fall: mass.map(() => g),
     radius: column(Collider.radius),
     restitution: column(Collider.restitution),
     /** Walls met or near: body, axis, side, impulse, part that holds, gap, then the speed it may be closed at. */

@@ -108,7 +108,7 @@ it('gives the running world what it can take, and asks for a new one else', () =
   expect(session.set('count', 9)).toBe(true);
   session.reset();
   expect(world().components.Position.x[9]).toBe(8);
-  expect(world().forces[0].parameters?.gy.value).toBe(-2);
+  expect(world().forces[0].parameters?.accelerationY.value).toBe(-2);
 });
 
 it('refuses what is no setting or does not fit, and stays as it was', () => {

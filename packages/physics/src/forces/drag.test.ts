@@ -2,10 +2,10 @@ import { describe, expect, test } from 'vitest';
 import { type BodyInput, spawn } from '../bodies/spawn';
 import { rungeKutta4 } from '../integrators/runge-kutta-4';
 import { velocityVerlet } from '../integrators/velocity-verlet';
+import { defineForce, type Force } from '../laws/force';
 import { step } from '../step';
 import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world';
 import { linearDrag, quadraticDrag } from './drag';
-import { defineForce, type Force } from './force';
 import { replaceForce } from './replace-force';
 import { uniformGravity } from './uniform-gravity';
 import { gusts } from './wind';
@@ -132,7 +132,7 @@ describe('forces that change while the world runs', () => {
     step(world, 1);
     expect(world.components.Velocity.y[eid]).toBe(5);
     expect(world.forces).toHaveLength(2);
-    expect(world.forces[1].parameters?.gy.value).toBe(5);
+    expect(world.forces[1].parameters?.accelerationY.value).toBe(5);
   });
 
   test('a force that is not there, or none at all, is refused', () => {
@@ -175,7 +175,7 @@ describe('forces of one’s own', () => {
       for (let i = 0; i < 3; i++) step(world, 0.01);
       return Array.from(world.components.Velocity.y);
     };
-    expect(run(swirl)).toEqual(run(defineForce({ ...swirl, local: false })));
+    expect(run(swirl)).toEqual(run({ ...swirl, local: false }));
   });
 
   test('one that throws is reported, the others act, and the world goes on', () => {

@@ -3,6 +3,7 @@ import { forceOn, lawOn, run, single, slope } from '../../../../test/support/law
 import {
   addedMass,
   angularDrag,
+  createPhysicsWorld,
   energy,
   immersedDrag,
   lift,
@@ -236,6 +237,27 @@ describe('upthrust on a polygon', () => {
       hull: { volume: 6, shape: 2 },
     });
     expect(force.y).toBeCloseTo(1000 * 10 * 2 * 0.5, 8);
+  });
+
+  test('without a surface the whole hull displaces, and one off its centre turns the body', () => {
+    const { level: _, ...everywhere } = pool;
+    // The centroid of this outline is (1, 0).
+    const aside = box.map(({ x, y }) => ({ x: x + 1, y }));
+    const body = { position: { y: 3 }, rotation: 0.7, hull: { volume: 2, shape: 2 } };
+    const force = lawOn(polygonUpthrust(everywhere, { shape: 2, vertices: aside }), body);
+    expect(force.y).toBeCloseTo(2e4, 9);
+    expect(force.torque).toBeCloseTo(2e4 * Math.cos(0.7), 8);
+    // So is one far below a surface, to the last digits.
+    const deep = lawOn(polygonUpthrust(pool, { shape: 2, vertices: aside }), { ...body, position: { y: -1e6 } });
+    expect(deep.y).toBeCloseTo(force.y, 9);
+    expect(deep.torque).toBeCloseTo(force.torque, 8);
+    const { world, eid } = single([polygonUpthrust(everywhere, { shape: 2, vertices: aside })], body);
+    expect(forceOn(world, eid).y).toBeCloseTo(slope(world, eid).y, 3);
+  });
+
+  test('in space it is refused', () => {
+    const make = () => createPhysicsWorld({ dimensions: 3, forces: [polygonUpthrust(pool, hull)] });
+    expect(make).toThrow(/law "polygon upthrust" is for worlds of 2 dimensions/);
   });
 
   test('refuse outlines without area', () => {

@@ -101,8 +101,8 @@ describe('turbulent drag', () => {
     const after = (dt: number) => {
       const { world, eid } = single([turbulentDrag(options)], { linearDrag: 1e-12 });
       run(world, 4, dt);
-      const { x, y } = world.scratch.force;
-      return [x[eid], y[eid]];
+      const { x, y } = forceOn(world, eid);
+      return [x, y];
     };
     const [coarse, fine] = [after(0.5), after(0.01)];
     expect(coarse[0]).toBeCloseTo(fine[0], 22);

@@ -1,10 +1,11 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn, read, run, single } from '../../../../test/support/laws';
+import { forceOn, lawOn, read, run, single } from '../../../../test/support/laws';
 import {
   constantTorque,
   createPhysicsWorld,
   defineForce,
   energy,
+  type Force,
   limited,
   linearDrag,
   PhysicsError,
@@ -108,6 +109,25 @@ describe('limited', () => {
     expect(limited(gravity, { from: 1 }).potential?.(world)).toBe(gravity.potential?.(world));
     expect(limited(gravity, { from: 2 }).potential?.(world)).toBe(0);
     expect(limited(gravity, { region: { centre: {}, radius: 1 } }).potential).toBeUndefined();
+  });
+
+  test('a limited law is a law, and other numbers of its limits compile nothing', () => {
+    const structure = (force: Force) => force.law?.structure;
+    const limits = { group: 'Charge', from: 1, region: { centre: { x: 1 }, radius: 2 } } as const;
+    const other = { group: 'Charge', from: 7, region: { centre: { y: 3 }, radius: 5 } } as const;
+    expect(structure(limited(gravity, limits))).toBe(structure(limited(gravity, other)));
+    expect(structure(limited(gravity, limits))).not.toBe(structure(gravity));
+    const { world } = single([limited(limited(gravity, limits), other)]);
+    step(world, 0.1);
+    expect(world.internal.plan?.fusion).toBeDefined();
+  });
+
+  test('limits within limits: both hold', () => {
+    const nested = limited(limited(gravity, { region: { min: { x: 0 }, max: {} } }), {
+      region: { min: {}, max: { x: 2 } },
+    });
+    const at = (x: number) => lawOn(nested, { position: { x } }).y;
+    expect([at(-1), at(1), at(3)]).toEqual([0, -10, 0]);
   });
 
   test('refuse what limits nothing', () => {

@@ -10,6 +10,7 @@ import { velocityVerlet } from '../integrators/velocity-verlet';
 import { step } from '../step';
 import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world';
 import { removedSprings, springs } from './springs';
+import { uniformGravity } from './uniform-gravity';
 
 function springWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
   return createPhysicsWorld({ capacity: 100, forces: [springs()], ...options });
@@ -119,14 +120,7 @@ describe('springs', () => {
     const top = spawn(world, { position: {} });
     const jumper = spawn(world, { position: {}, velocity: {}, mass: 90 });
     spawn(world, { spring: { a: top, b: jumper, stiffness: 25, length: 100, cord: 1 } });
-    world.forces.push({
-      name: 'weight',
-      equation: '',
-      reads: [],
-      local: true,
-      accumulate: (w, first, last) =>
-        w.kernels.uniformGravityAxis(w.scratch.at.force.y, w.addresses.Mass.value, -20, first, last),
-    });
+    world.forces.push(uniformGravity({ y: -20 }));
     let lowest = 0;
     for (let i = 0; i < 3000; i++) {
       step(world, 1 / 240);

@@ -1,12 +1,15 @@
 import {
+  axial3,
   boris,
   createPhysicsWorld,
   energy,
   INTEGRATORS,
   type IntegratorName,
   mutualGravity,
+  type ScalarSymbol,
   spawn,
   step,
+  type VectorSymbol,
   wisdomHolman,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
@@ -96,10 +99,7 @@ describe('in a magnetic field', () => {
       { field: { x: 1, y: -2, z: 0.5 } },
       { field: (time: number) => ({ x: time, z: 3 }) },
       {
-        fieldAt: (x: number, y: number, _z: number, t: number, out: { x: number; y: number; z: number }) => {
-          out.x = y;
-          out.z = 1 + x * x + t;
-        },
+        fieldAt: ({ x, y }: VectorSymbol, time: ScalarSymbol) => axial3(y, 0, x.square().add(1).add(time)),
       },
     ]) {
       const world = createPhysicsWorld({ dimensions: 3, capacity: 10, integrator: boris(options) });

@@ -4,7 +4,7 @@ import { spawn } from '../bodies/spawn';
 import { spawnMany } from '../bodies/spawn-many';
 import { angularMomentum, centreOfMass, energy, momentum } from '../diagnostics/energy';
 import { stateHash } from '../diagnostics/hash';
-import { evaluateForces } from '../forces/evaluate';
+import { evaluateForces } from '../dynamics/evaluate-forces';
 import { rungeKutta4 } from '../integrators/runge-kutta-4';
 import { step } from '../step';
 import { refreshSpans } from '../store/spans';

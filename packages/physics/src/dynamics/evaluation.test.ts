@@ -1,0 +1,68 @@
+// What a law may use in whatever way it is evaluated: sums in the stages of a scheme, and the length of the step.
+import { describe, expect, test } from 'vitest';
+import { read, run } from '../../../../test/support/laws';
+import { spawn } from '../bodies/spawn';
+import type { Integrator } from '../integrators/integrator';
+import { rungeKutta4 } from '../integrators/runge-kutta-4';
+import { semiImplicitEuler } from '../integrators/semi-implicit-euler';
+import { vec3 } from '../laws/expression';
+import { defineForce } from '../laws/force';
+import { table } from '../laws/table';
+import { step } from '../step';
+import { allocate } from '../store/arena';
+import { resource } from '../store/resource';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world';
+import { defineLaw } from './define-law';
+
+/** A body at x = 3 under some forces. */
+function moving(options: PhysicsWorldOptions) {
+  const world = createPhysicsWorld({ capacity: 4, ...options });
+  return { world, ...read(world, spawn(world, { position: { x: 3 }, velocity: { y: 1 }, mass: 2 })) };
+}
+
+describe('a sum over a table', () => {
+  const rowsAt = resource((world) => {
+    const at = allocate(world.internal.arena, 32, 'rows');
+    new Float64Array(world.memory.buffer, at, 4).set([0, -1, 2, -3]);
+    return { at, count: 2 };
+  });
+  const summed = defineLaw({
+    name: 'springs to a table',
+    parameters: { rows: table(['x', 'k'], rowsAt) },
+    acceleration: ({ position }, { rows }) => rows.sum(({ x, k }) => position.sub(vec3(x, 0)).mul(k)),
+  });
+  const written = defineLaw({
+    name: 'two springs',
+    acceleration: ({ position }) => position.mul(-1).add(position.sub(vec3(2, 0)).mul(-3)),
+  });
+
+  test('is another in each stage of a scheme', () => {
+    const [a, b] = [summed(), written()].map((law) => moving({ forces: [law], integrator: rungeKutta4 }));
+    run(a.world, 1, 0.01);
+    run(b.world, 1, 0.01);
+    expect(a.at()).toEqual(b.at());
+    expect(a.at().x).not.toBe(3);
+  });
+});
+
+describe('the length of the step', () => {
+  const law = defineLaw({ name: 'by dt', acceleration: ({ dt }) => vec3(dt, 0) });
+
+  test('is known to a law beside a force that is none, and to an integrator of one’s own', () => {
+    const nothing = defineForce({ name: 'nothing', accumulate: () => {} });
+    const byHand: Integrator = {
+      ...{ name: 'by hand', order: 1, symplectic: false, evaluations: 1 },
+      advance: (world, spans, dt, evaluateForces) => {
+        evaluateForces(world, spans, world.time);
+        world.components.Velocity.x[1] += (world.scratch.force.x[1] / 2) * dt;
+      },
+    };
+    for (const forces of [[law()], [law(), nothing]]) {
+      for (const integrator of [semiImplicitEuler, byHand]) {
+        const { world, going } = moving({ forces, integrator });
+        step(world, 0.5);
+        expect(going().x).toBe(0.25);
+      }
+    }
+  });
+});
