@@ -3,7 +3,7 @@
 import { collectThrown } from '../faults/thrown';
 import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile';
 import type { LoopSource, Store } from '../laws/emit-loop';
-import type { Axes } from '../laws/lower';
+import type { Axes } from '../laws/vector-algebra';
 import { keptWithPlan } from '../schedule/plan';
 import { dropBadForces } from '../schedule/quarantine';
 import { AXES, clearAxes } from '../store/axes';
@@ -15,7 +15,7 @@ import { layoutOf } from './layout';
 import { mathImports } from './math-imports';
 import { notesOf } from './notes';
 import { ParameterBlock, type ParameterOwner, variantOf } from './parameter-block';
-import { type LawForce, lawsOf, sumLaws, totalForce } from './sum-of-laws';
+import { type LawForce, lawsOf, ownerOf, sumLaws, totalForce } from './sum-of-laws';
 import { WorldColumns } from './world-columns';
 
 /** Evaluates all forces of the world on the bodies of `spans` at `time`, into `world.scratch.force`. */
@@ -91,12 +91,7 @@ export interface LawLoop {
 
 /** A loop that writes, or adds, the force of laws to the force columns. */
 export function makeLawLoop(world: PhysicsWorld, laws: readonly LawForce[], addsToColumns: boolean): LawLoop {
-  const owners = new Map(
-    laws.map((force): [object, ParameterOwner] => [
-      force,
-      { parameters: force.law.parameters, sources: force.sources },
-    ]),
-  );
+  const owners = new Map(laws.map((force): [object, ParameterOwner] => [force, ownerOf(force)]));
   const block = new ParameterBlock(world, [...owners.values()], [0]);
   const hasTorque = anyForceTurns(world);
   const sources = [...owners.values()].map(variantOf);
@@ -134,9 +129,7 @@ function forceLoopSource(
     address: scratch.at.force[axis],
     node: totalForce(columns, sum)[i],
   }));
-  if (hasTorque) stores.push({ address: z, node: sum.torque[2] });
-  if (hasTorque && dimensions === 3)
-    stores.push({ address: x, node: sum.torque[0] }, { address: y, node: sum.torque[1] });
+  if (hasTorque) stores.push(...columns.torqueStores(sum.torque));
   return {
     name: 'forces',
     types: { stored: precision, computed: precision },

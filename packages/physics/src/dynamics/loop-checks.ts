@@ -3,7 +3,7 @@ import { MAX_POSITION } from '../components/position';
 import { MAX_SPEED } from '../components/velocity';
 import type { LoopSource, Store, WallTest } from '../laws/emit-loop';
 import type { Node } from '../laws/graph';
-import type { Axes } from '../laws/lower';
+import type { Axes } from '../laws/vector-algebra';
 import type { AxisAddresses } from '../store/columns';
 import type { Result, StepFeatures } from './step-loop';
 import type { WorldColumns } from './world-columns';

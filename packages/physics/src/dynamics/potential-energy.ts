@@ -1,14 +1,15 @@
 // The potential energy of a law, summed over all bodies that forces move: in doubles, whatever the columns are.
 import { compileLoop, instantiateLoop, type Loop } from '../laws/compile';
 import type { LoopSource } from '../laws/emit-loop';
-import { type Axes, Lowering } from '../laws/lower';
+import { Lowering } from '../laws/lower';
+import type { Axes } from '../laws/vector-algebra';
 import { keptWithPlan } from '../schedule/plan';
 import type { PhysicsWorld } from '../world';
 import { layoutOf } from './layout';
 import { mathImports } from './math-imports';
 import { notesOf } from './notes';
 import { ParameterBlock, variantOf } from './parameter-block';
-import type { LawForce } from './sum-of-laws';
+import { type LawForce, ownerOf } from './sum-of-laws';
 import { WorldColumns } from './world-columns';
 
 interface EnergyLoop {
@@ -31,7 +32,7 @@ export function potentialEnergy(world: PhysicsWorld, force: LawForce): number {
 }
 
 function makeLoop(world: PhysicsWorld, force: LawForce): EnergyLoop {
-  const owner = { parameters: force.law.parameters, sources: force.sources };
+  const owner = ownerOf(force);
   const block = new ParameterBlock(world, [owner], [0]);
   const key = JSON.stringify(['energy', layoutOf(world, block), force.law.structure, variantOf(owner)]);
   const compiled = compileLoop(key, () => energySource(new WorldColumns(world, block, () => owner), force));

@@ -1,8 +1,9 @@
 // A whole step as one loop: the integrator with all laws in its stages, the pose that renderers interpolate from, the
 // checks of the result and the test at box walls.
 import type { LoopSource, Store } from '../laws/emit-loop';
-import { type Axes, Lowering } from '../laws/lower';
+import { Lowering } from '../laws/lower';
 import type { Scheme } from '../laws/scheme';
+import type { Axes } from '../laws/vector-algebra';
 import type { AxisAddresses } from '../store/columns';
 import { type Box, checksOf } from './loop-checks';
 import { notesOf } from './notes';
@@ -54,7 +55,7 @@ export function stepLoopSource(
   put(addresses.Position, result.position);
   put(addresses.Velocity, result.velocity);
   for (const [i, vector] of result.memory.entries()) put(features.memory[i], vector);
-  if (features.hasTorque) storeTorque(columns, torque, stores);
+  if (features.hasTorque) stores.push(...columns.torqueStores(torque));
   const { precision } = world;
   return {
     name: 'step',
@@ -115,11 +116,4 @@ function lowerScheme(
     memory: scheme.memory.map((vector) => lowering.vector(vector)),
   };
   return { result, torque: sums.at(-1)?.torque ?? none };
-}
-
-/** In two dimensions a torque is about z alone. */
-function storeTorque({ world }: WorldColumns, torque: Axes, stores: Store[]): void {
-  const { x, y, z } = world.scratch.at.torque;
-  stores.push({ address: z, node: torque[2] });
-  if (world.dimensions === 3) stores.push({ address: x, node: torque[0] }, { address: y, node: torque[1] });
 }

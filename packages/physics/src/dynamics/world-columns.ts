@@ -1,8 +1,10 @@
 // The columns and parameters of a world as leaves of a graph: what the names of laws stand for in this world.
 import type { ColumnData } from '../laws/body-symbols';
+import type { Store } from '../laws/emit-loop';
 import { Graph, type Node } from '../laws/graph';
-import type { Axes, Environment } from '../laws/lower';
+import type { Environment } from '../laws/lower';
 import type { Parameter } from '../laws/parameter';
+import type { Axes } from '../laws/vector-algebra';
 import { AXES } from '../store/axes';
 import type { AxisAddresses } from '../store/columns';
 import { MOVABLE } from '../store/incomplete';
@@ -70,6 +72,14 @@ export class WorldColumns {
   /** The columns of positions, velocities and the like, by their addresses. */
   get axisNames(): readonly ('x' | 'y' | 'z')[] {
     return AXES[this.world.dimensions];
+  }
+
+  /** In two dimensions a torque is about z alone. */
+  torqueStores(torque: Axes): Store[] {
+    const { x, y, z } = this.world.scratch.at.torque;
+    const aboutZ = { address: z, node: torque[2] };
+    if (this.world.dimensions === 2) return [aboutZ];
+    return [aboutZ, { address: x, node: torque[0] }, { address: y, node: torque[1] }];
   }
 
   #has(bits: number): Node {

@@ -13,7 +13,7 @@
 // Valid outside the attracting sphere, or anywhere for ε of its size. In the centre itself (r = 0) the pull is zero,
 // with softening or without: never NaN. A centre is not pulled, not by others and not, when it has mass, by itself.
 // A centre that moves is taken to go on at its velocity during the step, so that the force reads nothing but its own
-// body and the step runs in tiles. Cost: a square root, a division and some 20 more operations a body and centre; with a
+// body and the table of centres. Cost: a square root, a division and some 20 more operations a body and centre; with a
 // speed of light two divisions and some 25.
 import { bitOf } from '../components/all';
 import { defineLaw } from '../dynamics/define-law';

@@ -10,8 +10,6 @@ import type { StageData } from './scheme';
 import { type RowData, SumScope } from './table';
 import { type Axes, cross, dot, eachAxis, lengthOf, normalize, rotateInPlane, rotateInSpace } from './vector-algebra';
 
-export type { Axes };
-
 /** What the names in an expression stand for. */
 export interface Environment {
   readonly dimensions: 2 | 3;
