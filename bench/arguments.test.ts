@@ -2,7 +2,7 @@ import { tmpdir } from 'node:os';
 import { resolve } from 'node:path';
 import { SCENES } from '@principia/scenes';
 import { describe, expect, test } from 'vitest';
-import { ArgumentError, helpText, type RunRequest, readArguments, sceneList } from './arguments';
+import { ArgumentError, helpText, type RunRequest, readArguments, sceneList } from './arguments.ts';
 
 const run = (...args: string[]) => readArguments(args) as RunRequest;
 

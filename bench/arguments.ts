@@ -3,9 +3,9 @@ import { dirname, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { INTEGRATORS, type IntegratorName, type Precision } from '@principia/physics';
 import { findScene, SCENES, type Scene, type SceneParameter } from '@principia/scenes';
-import { LAW_COUNTS, type Variant } from './particles-variants';
-import { peersOf } from './peers/all';
-import { countsBetween } from './scaling';
+import { LAW_COUNTS, type Variant } from './particles-variants.ts';
+import { peersOf } from './peers/all.ts';
+import { countsBetween } from './scaling.ts';
 
 /** What the command line asks for. */
 export type Request = { readonly kind: 'help' } | { readonly kind: 'list' } | RunRequest;

@@ -1,7 +1,7 @@
 import type { SceneRun } from '@principia/scenes';
 import { addComponent, addEntity, createWorld } from 'bitecs';
-import { bytesInUse } from './memory';
-import { median } from './statistics';
+import { bytesInUse } from './memory.ts';
+import { median } from './statistics.ts';
 
 /** What making a world cost. */
 export interface Creation {

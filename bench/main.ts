@@ -1,9 +1,9 @@
 import { writeFileSync } from 'node:fs';
 import { PhysicsError } from '@principia/physics';
-import { ArgumentError, helpText, type RunRequest, readArguments, sceneList } from './arguments';
-import { reportHtml } from './report-html';
-import { resultTable } from './report-table';
-import { runBench } from './run-bench';
+import { ArgumentError, helpText, type RunRequest, readArguments, sceneList } from './arguments.ts';
+import { reportHtml } from './report-html.ts';
+import { resultTable } from './report-table.ts';
+import { runBench } from './run-bench.ts';
 
 try {
   const request = readArguments(process.argv.slice(2));

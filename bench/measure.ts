@@ -2,8 +2,8 @@
 // ratios hold where milliseconds do not. Each peer has turns of its own, from the state the scene is in then; all at
 // once they would push each other, and us, out of the cache.
 import type { SceneRun } from '@principia/scenes';
-import type { PeerMaker } from './peers/peer';
-import { median } from './statistics';
+import type { PeerMaker } from './peers/peer.ts';
+import { median } from './statistics.ts';
 
 export interface Measured {
   /** Milliseconds of our steps after the warm-up. */

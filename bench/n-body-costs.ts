@@ -1,8 +1,8 @@
 // What the picture of docs/n-body.md shows: the cost of an evaluation by the direct sum and by the tree.
 import { step } from '@principia/physics';
 import { nbodyDirect, nbodyTree, type SceneRun } from '@principia/scenes';
-import { countsBetween, measureScaling } from './scaling';
-import { type ScalingLine, scalingChart } from './scaling-chart';
+import { countsBetween, measureScaling } from './scaling.ts';
+import { type ScalingLine, scalingChart } from './scaling-chart.ts';
 
 const advanceOf =
   ({ world, dt }: SceneRun) =>

@@ -1,8 +1,8 @@
 import { energy, step } from '@principia/physics';
 import { particles } from '@principia/scenes';
 import { describe, expect, test } from 'vitest';
-import { applyVariant, LAW_COUNTS, variantParameters } from './particles-variants';
-import { inFlight } from './peers/in-flight';
+import { applyVariant, LAW_COUNTS, variantParameters } from './particles-variants.ts';
+import { inFlight } from './peers/in-flight.ts';
 
 describe.each([2, 3] as const)('in %iD', (dimensions) => {
   const create = (options = {}) => particles.create({ count: 100, dimensions, ...options });

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { compareWithReference } from './reference';
+import { compareWithReference } from './reference.ts';
 
 test('both go to every time in turns, and the distances at some of them are told', () => {
   const went: string[] = [];

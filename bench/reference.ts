@@ -1,7 +1,7 @@
 // A scheme against one that is next to exact: how far it strays, and what part of the time it takes. Both go to one time
 // after another in turns, in one process, so that the ratio holds on a busy machine.
 import type { ReferenceRuns } from '@principia/scenes';
-import { median } from './statistics';
+import { median } from './statistics.ts';
 
 export interface ReferenceResult {
   /** The reference. */

@@ -1,6 +1,6 @@
 // The report's charts as SVG text. They need no script: hovering shows a <title>, and they print and zoom as text does.
-import { ms } from './report-table';
-import { histogram, summarise } from './statistics';
+import { ms } from './report-table.ts';
+import { histogram, summarise } from './statistics.ts';
 
 const WIDTH = 720;
 const LEFT = 64;

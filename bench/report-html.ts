@@ -1,12 +1,12 @@
 // One page with everything about a run, in one file: no script, no font and no picture from elsewhere.
 import type { Scene } from '@principia/scenes';
-import { barsChart, escapeHtml, histogramChart, stackChart, traceChart } from './report-charts';
-import { REPORT_STYLE } from './report-style';
-import { mega, ms } from './report-table';
-import type { Result } from './result';
-import type { Outcome } from './run-bench';
-import { growthOf } from './scaling';
-import { scalingChart } from './scaling-chart';
+import { barsChart, escapeHtml, histogramChart, stackChart, traceChart } from './report-charts.ts';
+import { REPORT_STYLE } from './report-style.ts';
+import { mega, ms } from './report-table.ts';
+import type { Result } from './result.ts';
+import type { Outcome } from './run-bench.ts';
+import { growthOf } from './scaling.ts';
+import { scalingChart } from './scaling-chart.ts';
 
 export function reportHtml({ result, series }: Outcome, scene: Scene): string {
   const { scene: name, count, dimensions, precision } = result;

@@ -1,5 +1,5 @@
-import type { Result } from './result';
-import { growthOf } from './scaling';
+import type { Result } from './result.ts';
+import { growthOf } from './scaling.ts';
 
 /** The result as lines for a terminal. */
 export function resultTable(result: Result): string {

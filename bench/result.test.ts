@@ -3,7 +3,7 @@ import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, expect, test } from 'vitest';
-import type { Result } from './result';
+import type { Result } from './result.ts';
 
 const folder = mkdtempSync(join(tmpdir(), 'principia-bench-'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));

@@ -1,12 +1,12 @@
 import { cpus } from 'node:os';
 import type { PhysicsWorld } from '@principia/physics';
 import type { Stretch } from '@principia/scenes';
-import type { RunRequest } from './arguments';
-import type { Creation } from './creation';
-import type { Variant } from './particles-variants';
-import type { ReferenceResult } from './reference';
-import type { ScalingPoint } from './scaling';
-import type { Summary } from './statistics';
+import type { RunRequest } from './arguments.ts';
+import type { Creation } from './creation.ts';
+import type { Variant } from './particles-variants.ts';
+import type { ReferenceResult } from './reference.ts';
+import type { ScalingPoint } from './scaling.ts';
+import type { Summary } from './statistics.ts';
 
 /** What a run of the bench found; `--json` writes it as it stands. Times in milliseconds unless named otherwise. */
 export interface Result {

@@ -1,17 +1,17 @@
 // One run of the bench: make the scene, step it in turns with its peers, and see what it cost.
 import { energy, INTEGRATORS, startProfile, stateHash, step, stopProfile } from '@principia/physics';
 import type { SceneRun } from '@principia/scenes';
-import type { RunRequest } from './arguments';
-import { measureCreation } from './creation';
-import { measureSteps } from './measure';
-import { garbageBytesPerStep } from './memory';
-import { applyVariant, variantParameters } from './particles-variants';
-import { peersOf } from './peers/all';
-import { startProgress } from './progress';
-import { compareWithReference } from './reference';
-import { echo, type Result, thisMachine } from './result';
-import { measureScaling, type ScalingPoint } from './scaling';
-import { summarise } from './statistics';
+import type { RunRequest } from './arguments.ts';
+import { measureCreation } from './creation.ts';
+import { measureSteps } from './measure.ts';
+import { garbageBytesPerStep } from './memory.ts';
+import { applyVariant, variantParameters } from './particles-variants.ts';
+import { peersOf } from './peers/all.ts';
+import { startProgress } from './progress.ts';
+import { compareWithReference } from './reference.ts';
+import { echo, type Result, thisMachine } from './result.ts';
+import { measureScaling, type ScalingPoint } from './scaling.ts';
+import { summarise } from './statistics.ts';
 
 /** The result, and every timed step of ours for the report. */
 export interface Outcome {

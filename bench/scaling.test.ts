@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { countsBetween, growthOf } from './scaling';
-import { scalingChart } from './scaling-chart';
+import { countsBetween, growthOf } from './scaling.ts';
+import { scalingChart } from './scaling-chart.ts';
 
 test('counts go from the first to the last, two a decade', () => {
   expect(countsBetween(1e4, 1e6)).toEqual([10_000, 32_000, 100_000, 320_000, 1_000_000]);

@@ -1,6 +1,6 @@
 // How the cost of a step grows with how many there are: the scene made at several counts, a few steps timed of each.
 import type { SceneRun } from '@principia/scenes';
-import { median } from './statistics';
+import { median } from './statistics.ts';
 
 /** A count and what a step of it takes. */
 export interface ScalingPoint {

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { histogram, median, summarise } from './statistics';
+import { histogram, median, summarise } from './statistics.ts';
 
 test('least, median and 99th percentile', () => {
   const series = Array.from({ length: 101 }, (_, i) => 100 - i);

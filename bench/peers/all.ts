@@ -1,16 +1,16 @@
 import { type Integrator, semiImplicitEuler, velocityVerlet } from '@principia/physics';
-import { attractorsJs } from './attractors-js';
-import { circlesJs } from './circles-js';
-import { fusedJs } from './fused-js';
-import { fusedSimd } from './fused-simd';
-import { handWritten } from './hand-written';
-import { inFlight } from './in-flight';
-import { nBodyD3 } from './n-body-d3';
-import { nBodyDirect } from './n-body-direct';
-import { nBodyJs, nBodyPairsJs } from './n-body-js';
-import type { PeerMaker } from './peer';
-import { queryIdiom } from './query-idiom';
-import { springsJs } from './springs-js';
+import { attractorsJs } from './attractors-js.ts';
+import { circlesJs } from './circles-js.ts';
+import { fusedJs } from './fused-js.ts';
+import { fusedSimd } from './fused-simd.ts';
+import { handWritten } from './hand-written.ts';
+import { inFlight } from './in-flight.ts';
+import { nBodyD3 } from './n-body-d3.ts';
+import { nBodyDirect } from './n-body-direct.ts';
+import { nBodyJs, nBodyPairsJs } from './n-body-js.ts';
+import type { PeerMaker } from './peer.ts';
+import { queryIdiom } from './query-idiom.ts';
+import { springsJs } from './springs-js.ts';
 
 /** Who is measured beside us, by scene. */
 const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {

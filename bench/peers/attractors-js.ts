@@ -3,8 +3,8 @@
 // would who writes one loop for one force.
 import { bodies } from '@principia/physics';
 import type { SceneRun } from '@principia/scenes';
-import { type Column, denseColumn } from './columns';
-import type { Peer } from './peer';
+import { type Column, denseColumn } from './columns.ts';
+import type { Peer } from './peer.ts';
 
 export function attractorsJs(run: SceneRun): Peer {
   const state = stateOf(run);

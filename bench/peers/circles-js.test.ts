@@ -1,8 +1,8 @@
 import { contacts, step } from '@principia/physics';
 import { type BoxedRun, circles, gas, type SceneRun } from '@principia/scenes';
 import { describe, expect, test } from 'vitest';
-import { circlesJs } from './circles-js';
-import type { Peer } from './peer';
+import { circlesJs } from './circles-js.ts';
+import type { Peer } from './peer.ts';
 
 /** Steps both, and returns how many contacts there were. */
 function runBoth(run: SceneRun, peer: Peer, steps: number): number {

@@ -3,11 +3,11 @@
 // reckons in f64, as JavaScript does. Only what these scenes need is here: bodies that do not spin, and the box.
 import { bodies, velocityVerlet } from '@principia/physics';
 import type { BoxedRun, SceneRun } from '@principia/scenes';
-import { findPairs } from './circles-js/broad-phase';
-import { respond } from './circles-js/response';
-import { type Balls, ballsOf } from './circles-js/state';
-import { meetWalls } from './circles-js/walls';
-import type { Peer } from './peer';
+import { findPairs } from './circles-js/broad-phase.ts';
+import { respond } from './circles-js/response.ts';
+import { type Balls, ballsOf } from './circles-js/state.ts';
+import { meetWalls } from './circles-js/walls.ts';
+import type { Peer } from './peer.ts';
 
 /** None for bodies with friction or another integrator. */
 export function circlesJs(run: SceneRun): Peer | undefined {

@@ -3,9 +3,9 @@
 // It computes in doubles and stores in the columns' precision (rounding each operation makes it three times slower).
 import { MAX_POSITION, MAX_SPEED } from '@principia/physics';
 import type { Particles, SceneRun } from '@principia/scenes';
-import { type ParticleColumns, particleColumns, rebound } from './particles-columns';
-import type { Peer } from './peer';
-import { firstBodies, warmStep } from './warm-up';
+import { type ParticleColumns, particleColumns, rebound } from './particles-columns.ts';
+import type { Peer } from './peer.ts';
+import { firstBodies, warmStep } from './warm-up.ts';
 
 type Step = (columns: ParticleColumns, previous: Previous) => boolean;
 type Previous = Pick<ParticleColumns, 'x' | 'y' | 'z'>;

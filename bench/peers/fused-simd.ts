@@ -4,7 +4,7 @@ import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { MAX_POSITION, MAX_SPEED, type PhysicsWorld, type Precision } from '@principia/physics';
 import type { Particles, SceneRun } from '@principia/scenes';
-import type { Peer } from './peer';
+import type { Peer } from './peer.ts';
 
 /** What the kernel exports. */
 interface Kernel {

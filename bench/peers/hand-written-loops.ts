@@ -2,7 +2,7 @@
 // is compiled for both and takes 1.4 times as long. Each is a function of its own in the source, because closures made
 // of one source share what the compiler has learned of their arguments.
 import type { Precision } from '@principia/physics';
-import type { ParticleColumns } from './particles-columns';
+import type { ParticleColumns } from './particles-columns.ts';
 
 /** What is a column in our world, and what else does not change. */
 export interface Constants {

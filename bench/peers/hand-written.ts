@@ -2,11 +2,11 @@
 // differs from body to body in our world is a constant here, the wall clamps the position, the pose before the step is
 // not kept, and nothing is checked. It is less work than ours; the motion looks the same and is not the same.
 import type { Particles, SceneRun } from '@principia/scenes';
-import type { Column } from './columns';
-import { type Constants, handWrittenStep } from './hand-written-loops';
-import { type ParticleColumns, particleColumns } from './particles-columns';
-import type { Peer } from './peer';
-import { firstBodies, warmStep } from './warm-up';
+import type { Column } from './columns.ts';
+import { type Constants, handWrittenStep } from './hand-written-loops.ts';
+import { type ParticleColumns, particleColumns } from './particles-columns.ts';
+import type { Peer } from './peer.ts';
+import { firstBodies, warmStep } from './warm-up.ts';
 
 export async function handWritten(run: SceneRun): Promise<Peer> {
   const columns = firstBodies(particleColumns(run as Particles));

@@ -1,8 +1,8 @@
 // What it costs that bodies rest: the same world of ours, with its bodies in the air.
 import { bodies, step } from '@principia/physics';
 import { particles, type SceneRun } from '@principia/scenes';
-import { applyVariant, type ParticlesRun } from '../particles-variants';
-import type { Peer } from './peer';
+import { applyVariant, type ParticlesRun } from '../particles-variants.ts';
+import type { Peer } from './peer.ts';
 
 /** None where bodies do not rest. */
 export function inFlight(run: SceneRun): Peer | undefined {

@@ -1,7 +1,7 @@
 // A star cluster as dense f64 arrays, and the velocity Verlet steps that its peers share: one force evaluation a step.
 import { bodies } from '@principia/physics';
 import type { ClusterRun, SceneRun } from '@principia/scenes';
-import { denseColumn } from './columns';
+import { denseColumn } from './columns.ts';
 
 export type NBodyState = ReturnType<typeof nBodyState>;
 

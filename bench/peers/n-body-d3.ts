@@ -3,9 +3,9 @@
 // own default, 0.9; its error against the direct sum is measured when it is made and told with its name.
 import type { ClusterRun, SceneRun } from '@principia/scenes';
 import { forceManyBody, type SimulationNodeDatum } from 'd3-force';
-import { median } from '../statistics';
-import { kick, kickDrift, type NBodyState, nBodyState } from './n-body-columns';
-import type { Peer } from './peer';
+import { median } from '../statistics.ts';
+import { kick, kickDrift, type NBodyState, nBodyState } from './n-body-columns.ts';
+import type { Peer } from './peer.ts';
 
 const THETA = 0.9;
 const SAMPLES = 1000;

@@ -1,8 +1,8 @@
 // Our own direct sum on the stars of `nbody-tree`: what the tree saves.
 import { bodies, createPhysicsWorld, mutualGravity, spawnMany, step } from '@principia/physics';
 import type { ClusterRun, SceneRun } from '@principia/scenes';
-import { denseColumn } from './columns';
-import type { Peer } from './peer';
+import { denseColumn } from './columns.ts';
+import type { Peer } from './peer.ts';
 
 export function nBodyDirect(run: SceneRun): Peer {
   const { world, dt } = run;

@@ -1,8 +1,8 @@
 // All pairs in plain JavaScript, in double loops over typed arrays of f64: the plainest, in which each body looks at all
 // others, and one that meets each pair once, with half the roots and divisions.
 import type { SceneRun } from '@principia/scenes';
-import { kick, kickDrift, type NBodyState, nBodyState } from './n-body-columns';
-import type { Peer } from './peer';
+import { kick, kickDrift, type NBodyState, nBodyState } from './n-body-columns.ts';
+import type { Peer } from './peer.ts';
 
 export function nBodyJs(run: SceneRun): Peer {
   return stepped(run, 'plain JavaScript, f64, every body all others', lookAtAll2d, lookAtAll3d);

@@ -1,7 +1,7 @@
 // The four systems of the query idiom, in the plane.
 import { query } from 'bitecs';
-import { rebound } from './particles-columns';
-import type { QueryState } from './query-idiom';
+import { rebound } from './particles-columns.ts';
+import type { QueryState } from './query-idiom.ts';
 
 export function systems2d(state: QueryState): (() => void)[] {
   return [() => fall(state), () => brake(state), () => move(state), () => bounce(state)];

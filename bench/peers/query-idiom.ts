@@ -2,10 +2,10 @@
 // arrays indexed by id. Forces are gathered in a column because drag must see the velocity before gravity changed it.
 import type { Particles, SceneRun } from '@principia/scenes';
 import { addComponents, addEntity, createWorld } from 'bitecs';
-import { type Column, particleColumns } from './particles-columns';
-import type { Peer } from './peer';
-import { systems2d } from './query-idiom-2d';
-import { systems3d } from './query-idiom-3d';
+import { type Column, particleColumns } from './particles-columns.ts';
+import type { Peer } from './peer.ts';
+import { systems2d } from './query-idiom-2d.ts';
+import { systems3d } from './query-idiom-3d.ts';
 
 export function queryIdiom(run: SceneRun): Peer {
   const state = makeState(run);

@@ -2,10 +2,10 @@
 import { step } from '@principia/physics';
 import { attractors, nbodyDirect, particles, type SceneRun, springs } from '@principia/scenes';
 import { describe, expect, test } from 'vitest';
-import { peersOf } from './all';
-import { fusedSimd } from './fused-simd';
-import { handWritten } from './hand-written';
-import type { Peer } from './peer';
+import { peersOf } from './all.ts';
+import { fusedSimd } from './fused-simd.ts';
+import { handWritten } from './hand-written.ts';
+import type { Peer } from './peer.ts';
 
 describe.each([2, 3] as const)('in %iD', (dimensions) => {
   // It multiplies by dt/m once where the systems divide each axis, so that results differ by roundings; a body that

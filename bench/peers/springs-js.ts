@@ -1,8 +1,8 @@
 // The same physics as the scene `springs` as plain loops over typed arrays: springs add to forces, then kick and drift.
 import { bodies } from '@principia/physics';
 import type { SceneRun } from '@principia/scenes';
-import { type Column, denseColumn } from './columns';
-import type { Peer } from './peer';
+import { type Column, denseColumn } from './columns.ts';
+import type { Peer } from './peer.ts';
 
 export function springsJs(run: SceneRun): Peer {
   const state = stateOf(run);

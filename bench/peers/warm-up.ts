@@ -1,4 +1,4 @@
-import type { ParticleColumns } from './particles-columns';
+import type { ParticleColumns } from './particles-columns.ts';
 
 const ROUNDS = 20;
 const CALLS = 100;

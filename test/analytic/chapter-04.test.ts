@@ -15,7 +15,7 @@ import {
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
 import { expect, test } from 'vitest';
-import { forceOn, read, run, single } from '../support/laws';
+import { forceOn, read, run, single } from '../support/laws.ts';
 
 test('ch04-particle: one step of x += v dt', () => {
   const { world, at } = single([], { position: { x: 2, y: 3 }, velocity: { x: 2.5, y: 4.7 } });

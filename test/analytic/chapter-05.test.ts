@@ -19,8 +19,8 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { forceOn, run, single } from '../support/laws';
-import { crossings } from '../support/orbits';
+import { forceOn, run, single } from '../support/laws.ts';
+import { crossings } from '../support/orbits.ts';
 
 test('ch05-newton-laws: no force, no change; internal forces keep the momentum', () => {
   const { world, going } = single([], { velocity: { x: 0.1, y: -0.7 } });

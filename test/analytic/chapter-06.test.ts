@@ -18,8 +18,8 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { forceOn, lawOn, read, run, single } from '../support/laws';
-import { measureOrbit } from '../support/orbits';
+import { forceOn, lawOn, read, run, single } from '../support/laws.ts';
+import { measureOrbit } from '../support/orbits.ts';
 
 const SUN = { x: 275, y: 200 };
 

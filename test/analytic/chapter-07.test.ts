@@ -18,7 +18,7 @@ import {
   vortex,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { forceOn, lawOn, read, run, single } from '../support/laws';
+import { forceOn, lawOn, read, run, single } from '../support/laws.ts';
 
 const accurate = { integrator: rungeKutta4 };
 

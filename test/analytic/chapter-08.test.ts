@@ -21,8 +21,8 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { forceOn, read, run, single } from '../support/laws';
-import { crossings } from '../support/orbits';
+import { forceOn, read, run, single } from '../support/laws.ts';
+import { crossings } from '../support/orbits.ts';
 
 interface Hung {
   readonly from: { x: number; y: number };

@@ -18,8 +18,8 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { forceOn, read, run, single } from '../support/laws';
-import { crossings, measureOrbit } from '../support/orbits';
+import { forceOn, read, run, single } from '../support/laws.ts';
+import { crossings, measureOrbit } from '../support/orbits.ts';
 
 test('ch09-angular-kinematics: v = ωr = 100, T = 2π/ω, a = ω²r = 200', () => {
   const body = { position: { x: 50 }, velocity: { y: 100 } };

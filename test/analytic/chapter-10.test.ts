@@ -22,8 +22,8 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { forceOn, read, run, single } from '../support/laws';
-import { crossings, measureOrbit } from '../support/orbits';
+import { forceOn, read, run, single } from '../support/laws.ts';
+import { crossings, measureOrbit } from '../support/orbits.ts';
 
 test('ch10-field-of-a-particle: no work round a closed loop; the same flux wherever the mass is inside', () => {
   const world = createPhysicsWorld({ capacity: 5, dimensions: 3, forces: [attractors()] });

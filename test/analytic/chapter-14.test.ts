@@ -21,8 +21,8 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { orders, springAndDamper } from '../support/integrator-problems';
-import { measureOrbit } from '../support/orbits';
+import { orders, springAndDamper } from '../support/integrator-problems.ts';
+import { measureOrbit } from '../support/orbits.ts';
 
 const DT = 1 / 60;
 

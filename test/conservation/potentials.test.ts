@@ -1,13 +1,13 @@
 // Each conservative force carries its potential: asked of every law of the package.
 import { constantTorque, type Force, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { lawForce } from '../../packages/physics/src/dynamics/define-law';
-import type { LawForce } from '../../packages/physics/src/dynamics/sum-of-laws';
-import { gradientOf } from '../../packages/physics/src/laws/differentiate';
-import { constant } from '../../packages/physics/src/laws/expression';
-import { structureOf } from '../../packages/physics/src/laws/structure';
-import { LAW_CASES, type LawWorld, lawWorld } from '../support/law-records';
-import { forceOn, slope } from '../support/laws';
+import { lawForce } from '../../packages/physics/src/dynamics/define-law.ts';
+import type { LawForce } from '../../packages/physics/src/dynamics/sum-of-laws.ts';
+import { gradientOf } from '../../packages/physics/src/laws/differentiate.ts';
+import { constant } from '../../packages/physics/src/laws/expression.ts';
+import { structureOf } from '../../packages/physics/src/laws/structure.ts';
+import { LAW_CASES, type LawWorld, lawWorld } from '../support/law-records.ts';
+import { forceOn, slope } from '../support/laws.ts';
 
 /** Where the first body is moved to, m: inside and outside what has a rim at 1, in and out of the pool. */
 const MOVES = [

@@ -36,9 +36,9 @@ const inPackage: Plugin = {
   name: 'in-package',
   setup({ onResolve }) {
     onResolve({ filter: /^\./ }, ({ path, importer }) => {
-      if (!importer.startsWith(copy) || existsSync(`${resolve(dirname(importer), path)}.ts`)) return undefined;
+      if (!importer.startsWith(copy) || existsSync(resolve(dirname(importer), path))) return undefined;
       const place = dirname(importer).slice(copy.length + 1);
-      return { path: `${resolve(place, path)}.ts` };
+      return { path: resolve(place, path) };
     });
     onResolve({ filter: /^vitest$/ }, () => ({ path: `${copy}/vitest.ts` }));
   },
@@ -57,7 +57,7 @@ describe('docs/adding-a-force.md', () => {
       expect(existsSync(path), path).toBe(true);
     }
     expect(readFileSync('test/support/law-records.ts', 'utf8')).toMatch(/^ {2}law\('uniformGravity'/m);
-    expect(readFileSync('packages/physics/src/index.ts', 'utf8')).toContain("from './forces/vortex';");
+    expect(readFileSync('packages/physics/src/index.ts', 'utf8')).toContain("from './forces/vortex.ts';");
   });
 
   it('type-checks', () => {

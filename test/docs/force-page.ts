@@ -1,7 +1,7 @@
 /** The page docs/forces.md, made from the records the laws return and the headers of their files. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { type Force, formulasOf } from '@principia/physics';
-import { LAW_RECORDS, makeLaw } from '../support/law-records';
+import { LAW_RECORDS, makeLaw } from '../support/law-records.ts';
 
 const source = 'packages/physics/src';
 const folders = ['forces', 'n-body', 'networks'];

@@ -1,7 +1,7 @@
 import { COMPONENT_NAMES, createPhysicsWorld, spawn, step } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { dimensionsOf, LAW_RECORDS, makeLaw } from '../support/law-records';
-import { forcePage, lawFiles } from './force-page';
+import { dimensionsOf, LAW_RECORDS, makeLaw } from '../support/law-records.ts';
+import { forcePage, lawFiles } from './force-page.ts';
 
 test('docs/forces.md says what the source says; `npx vitest run test/docs/forces.test.ts -u` writes it', async () => {
   await expect(forcePage()).toMatchFileSnapshot('../../docs/forces.md');

@@ -11,8 +11,8 @@ import {
   step,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { LAW_CASES, LAW_RECORDS, type LawRecord, type LawWorld, lawWorld, makeLaw } from '../support/law-records';
-import { bodyState, refusal } from '../support/worlds';
+import { LAW_CASES, LAW_RECORDS, type LawRecord, type LawWorld, lawWorld, makeLaw } from '../support/law-records.ts';
+import { bodyState, refusal } from '../support/worlds.ts';
 
 /** Single precision in space, double in the plane: what a world may be, once each. */
 const precisionOf = (dimensions: 2 | 3) => (dimensions === 2 ? 'f64' : 'f32');

@@ -3,8 +3,8 @@ import { readdirSync, readFileSync } from 'node:fs';
 import * as physics from '@principia/physics';
 import { createPhysicsWorld, PhysicsError } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { LAW_RECORDS } from '../support/law-records';
-import { refusal, worldState } from '../support/worlds';
+import { LAW_RECORDS } from '../support/law-records.ts';
+import { refusal, worldState } from '../support/worlds.ts';
 
 type Maker = (...args: unknown[]) => unknown;
 

@@ -21,7 +21,7 @@ import {
   yukawa,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { forceOn } from '../support/laws';
+import { forceOn } from '../support/laws.ts';
 
 const LAWS: [string, () => Force][] = [
   ['attractors', () => attractors()],

@@ -1,12 +1,12 @@
-import { createEmitter, type Emitter } from '../../packages/physics/src/emitters/emitter';
-import type { EmitterOptions } from '../../packages/physics/src/emitters/options';
+import { createEmitter, type Emitter } from '../../packages/physics/src/emitters/emitter.ts';
+import type { EmitterOptions } from '../../packages/physics/src/emitters/options.ts';
 import {
   createPhysicsWorld,
   PhysicsError,
   type PhysicsWorld,
   type PhysicsWorldOptions,
   step,
-} from '../../packages/physics/src/index';
+} from '../../packages/physics/src/index.ts';
 
 /** Worlds with an emitter in a line, and what tests ask of them. */
 export function emitting(options: Partial<EmitterOptions> = {}, more: PhysicsWorldOptions = {}) {

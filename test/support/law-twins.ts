@@ -10,7 +10,7 @@ import {
   type Truth,
   type Unary,
   ZERO,
-} from './law-interpreter';
+} from './law-interpreter.ts';
 
 /** A random operation on what there is already: three places in the list of earlier results. */
 export interface Choice {

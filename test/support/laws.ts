@@ -9,7 +9,7 @@ import {
   spawn,
   step,
 } from '@principia/physics';
-import { prepareForces } from '../../packages/physics/src/dynamics/evaluate-forces';
+import { prepareForces } from '../../packages/physics/src/dynamics/evaluate-forces.ts';
 
 export type Body = Parameters<typeof spawn>[1];
 

@@ -1,4 +1,4 @@
-import { type Balls, REACH } from './state';
+import { type Balls, REACH } from './state.ts';
 
 /** The pairs closer than REACH times the sum of their radii, by ascending (a, b). */
 export function findPairs(balls: Balls): void {

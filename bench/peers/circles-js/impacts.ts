@@ -1,4 +1,4 @@
-import { type Balls, SLICES } from './state';
+import { type Balls, SLICES } from './state.ts';
 
 const MOST_SWEEPS = 4;
 

@@ -1,8 +1,8 @@
-import { resolveImpacts } from './impacts';
-import { holdResting } from './rest';
-import { separate } from './separate';
-import type { Balls } from './state';
-import { linkWalls } from './walls';
+import { resolveImpacts } from './impacts.ts';
+import { holdResting } from './rest.ts';
+import { separate } from './separate.ts';
+import type { Balls } from './state.ts';
+import { linkWalls } from './walls.ts';
 
 /** Answers the contacts of a step, and keeps those that touched for the next. */
 export function respond(balls: Balls): void {

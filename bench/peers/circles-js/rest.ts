@@ -1,6 +1,6 @@
-import { kick } from './impacts';
-import type { Balls } from './state';
-import { leave, left } from './walls';
+import { kick } from './impacts.ts';
+import type { Balls } from './state.ts';
+import { leave, left } from './walls.ts';
 
 const MOST_SWEEPS = 10;
 const ENOUGH = 1e-4;

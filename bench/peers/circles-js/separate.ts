@@ -1,5 +1,5 @@
-import type { Balls } from './state';
-import { leave, left } from './walls';
+import type { Balls } from './state.ts';
+import { leave, left } from './walls.ts';
 
 const PART = 0.8;
 const SLOP = 0.001;

@@ -1,5 +1,5 @@
 import type { BoxedRun } from '@principia/scenes';
-import { type Column, denseColumn } from '../columns';
+import { type Column, denseColumn } from '../columns.ts';
 
 /** Contacts are looked for out to this multiple of the sum of the radii. */
 export const REACH = 1.01;

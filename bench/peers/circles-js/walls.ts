@@ -1,5 +1,5 @@
-import type { Column } from '../columns';
-import { type Balls, WALL_REACH } from './state';
+import type { Column } from '../columns.ts';
+import { type Balls, WALL_REACH } from './state.ts';
 
 /** The walls of the box, one axis after the other. */
 export function meetWalls(balls: Balls): void {

@@ -1,14 +1,14 @@
 // Every loop over bodies that runs each step, compiled once for f32 and once for f64.
-export * from './membership';
-export * from './absent';
-export * from './pose';
-export * from './hash';
-export * from './diagnostics';
+export * from './ecs/membership';
+export * from './ecs/zero-missing';
+export * from './dynamics/save-and-validate';
+export * from './diagnostics/hash';
+export * from './diagnostics/energy';
 export * from './forces/springs';
 export * from './forces/attractors';
-export * from './integrators/stages';
-export * from './integrators/spin';
-export * from './walls/box';
-export * from './pages';
+export * from './dynamics/drift-kick';
+export * from './dynamics/integrate-rotation';
+export * from './particle-contacts/walls/box';
+export * from './snapshot/pages';
 export { logarithm } from './math/elementary';
-export { staticEnd } from './columns';
+export { staticEnd } from './memory/columns';

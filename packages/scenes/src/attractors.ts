@@ -8,8 +8,8 @@ import {
   spawnMany,
   velocityVerlet,
 } from '@principia/physics';
-import { countOf, defineScene } from './scene';
-import { seededUniforms } from './seeded';
+import { countOf, defineScene } from './scene.ts';
+import { seededUniforms } from './seeded.ts';
 
 /** Half the edge of the square or cube that particles start in, m. */
 const REACH = 100;

@@ -9,7 +9,7 @@
 //
 // A cell where that would be negative is beyond the ship's strength. The shortest way has the least thrust to spend, so
 // the judgement errs on the safe side.
-import type { Hole } from './black-hole-layout';
+import type { Hole } from './black-hole-layout.ts';
 
 /** What the search has to know of the stage. */
 export interface CorridorStage {

@@ -5,7 +5,7 @@
 // A layout is only used if it has a corridor: a way from the start to the goal that keeps clear of every hole and that
 // a ship can travel on its own thrust. Layouts without one are drawn again.
 import { cos, type Random, sin } from '@principia/physics';
-import { findCorridor } from './black-hole-corridor';
+import { findCorridor } from './black-hole-corridor.ts';
 
 /** The stage and its laws. */
 export const BLACK_HOLE = {

@@ -1,8 +1,8 @@
 import { createRandom } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { blackHole } from './black-hole';
-import { findCorridor, isClear } from './black-hole-corridor';
-import { BLACK_HOLE, drawHoles, type Hole, holeMu } from './black-hole-layout';
+import { blackHole } from './black-hole.ts';
+import { findCorridor, isClear } from './black-hole-corridor.ts';
+import { BLACK_HOLE, drawHoles, type Hole, holeMu } from './black-hole-layout.ts';
 
 const resting = { orbit: 0, rate: 0, phase: 0 };
 

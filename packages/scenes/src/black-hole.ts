@@ -13,8 +13,8 @@ import {
   thrust,
   velocityVerlet,
 } from '@principia/physics';
-import { BLACK_HOLE, drawHoles, type Hole, holeMu, holePlace } from './black-hole-layout';
-import { countOf, defineScene, type SceneRun } from './scene';
+import { BLACK_HOLE, drawHoles, type Hole, holeMu, holePlace } from './black-hole-layout.ts';
+import { countOf, defineScene, type SceneRun } from './scene.ts';
 
 /** A ship among black holes. */
 export interface BlackHole extends SceneRun {

@@ -10,8 +10,8 @@ import {
   spawnMany,
   uniformGravity,
 } from '@principia/physics';
-import { countOf, defineScene, type SceneRun } from './scene';
-import { seededUniforms } from './seeded';
+import { countOf, defineScene, type SceneRun } from './scene.ts';
+import { seededUniforms } from './seeded.ts';
 
 /** Balls in a room. */
 export interface BouncingBalls extends SceneRun {

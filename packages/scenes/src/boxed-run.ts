@@ -1,4 +1,4 @@
-import type { SceneRun } from './scene';
+import type { SceneRun } from './scene.ts';
 
 /** Round bodies in a box, made; peers need to know the box. */
 export interface BoxedRun extends SceneRun {

@@ -1,6 +1,6 @@
 import { bodies, contacts, energy, step } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { circles } from './circles';
+import { circles } from './circles.ts';
 
 test.each([2, 3] as const)('bodies fill the box as said, stay in it and hardly overlap, in %iD', (dimensions) => {
   const { world, dt } = circles.create({ count: 300, dimensions, precision: 'f64' });

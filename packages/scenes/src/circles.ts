@@ -1,9 +1,9 @@
 // Discs or balls of several sizes in a box they fill to two fifths, falling onto each other: collisions by the hundred
 // thousand, from a gas to a heap.
 import { boxWalls, colliding, createPhysicsWorld, pow, spawnMany, uniformGravity } from '@principia/physics';
-import type { BoxedRun } from './boxed-run';
-import { countOf, defineScene } from './scene';
-import { seededUniforms } from './seeded';
+import type { BoxedRun } from './boxed-run.ts';
+import { countOf, defineScene } from './scene.ts';
+import { seededUniforms } from './seeded.ts';
 
 /** Smallest radius by the largest. */
 const SMALLEST = 0.7;

@@ -1,6 +1,6 @@
 import { step } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { cloth } from './cloth';
+import { cloth } from './cloth.ts';
 
 test('the threads of a cloth of 100 by 100 keep their length within a hundredth, everywhere, in a gusty breeze', () => {
   const { world, dt, stretch } = cloth.create({ dimensions: 3 });

@@ -9,9 +9,9 @@ import {
   uniformGravity,
   xpbd,
 } from '@principia/physics';
-import { countOf, defineScene } from './scene';
-import { shake } from './shake';
-import { threadStretch } from './stretch';
+import { countOf, defineScene } from './scene.ts';
+import { shake } from './shake.ts';
+import { threadStretch } from './stretch.ts';
 
 /** Edge of the cloth, m. */
 const SIZE = 2;

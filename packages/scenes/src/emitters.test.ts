@@ -1,6 +1,6 @@
 import { aliveCount, emitterCounts, step } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { emitters } from './emitters';
+import { emitters } from './emitters.ts';
 
 test.each([2, 3] as const)('a tenth of the sparks is born and ends every second, in %iD', (dimensions) => {
   const { world, dt, emitters: fountains } = emitters.create({ count: 3000, dimensions });

@@ -11,7 +11,7 @@ import {
   step,
   uniformGravity,
 } from '@principia/physics';
-import { countOf, defineScene, type SceneRun } from './scene';
+import { countOf, defineScene, type SceneRun } from './scene.ts';
 
 /** Sparks and what bears them. */
 export interface Sparks extends SceneRun {

@@ -18,16 +18,16 @@ import {
   uniformGravity,
   upthrust,
 } from '@principia/physics';
-import type { Air } from './fireworks/aim';
-import { STAR_COLORS, STAR_RGB } from './fireworks/colors';
-import { FAMILY_BODIES } from './fireworks/families';
-import { formVelocities } from './fireworks/forms';
-import { NewsRing, type SkyNews } from './fireworks/news';
-import { type Place, STILL } from './fireworks/place';
-import { Rockets, SHELL_DRAG, type ShellOrder } from './fireworks/rockets';
-import { heldStars, SHELLS } from './fireworks/shells';
-import { AIR_DENSITY, GLOW, rampsOf, STAR_MASS, StarPools } from './fireworks/stars';
-import { countOf, defineScene, type SceneRun } from './scene';
+import type { Air } from './fireworks/aim.ts';
+import { STAR_COLORS, STAR_RGB } from './fireworks/colors.ts';
+import { FAMILY_BODIES } from './fireworks/families.ts';
+import { formVelocities } from './fireworks/forms.ts';
+import { NewsRing, type SkyNews } from './fireworks/news.ts';
+import { type Place, STILL } from './fireworks/place.ts';
+import { Rockets, SHELL_DRAG, type ShellOrder } from './fireworks/rockets.ts';
+import { heldStars, SHELLS } from './fireworks/shells.ts';
+import { AIR_DENSITY, GLOW, rampsOf, STAR_MASS, StarPools } from './fireworks/stars.ts';
+import { countOf, defineScene, type SceneRun } from './scene.ts';
 
 /** The part of the sky that shells burst in, m: half its width and depth, and its lowest and highest place. */
 export const FIREWORKS_SKY = { halfWidth: 48, halfDepth: 16, lowest: 12, highest: 50 } as const;

@@ -1,9 +1,9 @@
 // An elastic gas of discs or balls in a box: bodies that meet and nothing else. Energy is what it was at the start, and
 // no momentum is lost but to the walls.
 import { boxWalls, colliding, createPhysicsWorld, pow, spawnMany } from '@principia/physics';
-import type { BoxedRun } from './boxed-run';
-import { countOf, defineScene } from './scene';
-import { seededUniforms } from './seeded';
+import type { BoxedRun } from './boxed-run.ts';
+import { countOf, defineScene } from './scene.ts';
+import { seededUniforms } from './seeded.ts';
 
 export const gas = defineScene({
   name: 'gas',

@@ -1,6 +1,6 @@
 import { createPhysicsWorld, keepState, restore, snapshot } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { InputLog } from './input-log';
+import { InputLog } from './input-log.ts';
 
 test('inputs wait for the next step, and play again from the log', () => {
   const first = new InputLog<string>();

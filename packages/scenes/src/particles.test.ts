@@ -1,6 +1,6 @@
 import { energy, step } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { particles } from './particles';
+import { particles } from './particles.ts';
 
 test('particles stay in the box and only lose energy', () => {
   const { world, dt } = particles.create({ count: 2000, dimensions: 3, speed: 100 });

@@ -9,8 +9,8 @@ import {
   spawnMany,
   uniformGravity,
 } from '@principia/physics';
-import { countOf, defineScene, type SceneRun } from './scene';
-import { seededUniforms } from './seeded';
+import { countOf, defineScene, type SceneRun } from './scene.ts';
+import { seededUniforms } from './seeded.ts';
 
 /** Particles and the constants of their box. */
 export interface Particles extends SceneRun {

@@ -1,19 +1,19 @@
-import { attractors } from './attractors';
-import { blackHole } from './black-hole';
-import { bouncingBalls } from './bouncing-balls';
-import { circles } from './circles';
-import { cloth } from './cloth';
-import { emitters } from './emitters';
-import { fireworks } from './fireworks';
-import { gas } from './gas';
-import { nbodyDirect, nbodyTree } from './n-body/cluster';
-import { galaxy } from './n-body/galaxy';
-import { plasma } from './n-body/plasma';
-import { particles } from './particles';
-import { rope } from './rope';
-import type { Scene } from './scene';
-import { solarSystem } from './solar-system';
-import { springs } from './springs';
+import { attractors } from './attractors.ts';
+import { blackHole } from './black-hole.ts';
+import { bouncingBalls } from './bouncing-balls.ts';
+import { circles } from './circles.ts';
+import { cloth } from './cloth.ts';
+import { emitters } from './emitters.ts';
+import { fireworks } from './fireworks.ts';
+import { gas } from './gas.ts';
+import { nbodyDirect, nbodyTree } from './n-body/cluster.ts';
+import { galaxy } from './n-body/galaxy.ts';
+import { plasma } from './n-body/plasma.ts';
+import { particles } from './particles.ts';
+import { rope } from './rope.ts';
+import type { Scene } from './scene.ts';
+import { solarSystem } from './solar-system.ts';
+import { springs } from './springs.ts';
 
 /** Every scene, in the order they are listed. */
 export const SCENES: readonly Scene[] = [

@@ -1,6 +1,6 @@
 import { step } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { rope } from './rope';
+import { rope } from './rope.ts';
 
 test.each([
   [2, 'f32'],

@@ -1,9 +1,9 @@
 // A rope hung between two points, longer than the gap, and drawn down in the middle: let go, it swings and settles as a
 // catenary.
 import { createPhysicsWorld, createRope, linearDrag, springs, uniformGravity, xpbd } from '@principia/physics';
-import { countOf, defineScene } from './scene';
-import { shake } from './shake';
-import { threadStretch } from './stretch';
+import { countOf, defineScene } from './scene.ts';
+import { shake } from './shake.ts';
+import { threadStretch } from './stretch.ts';
 
 /** Length of the rope, m, and distance of its ends. */
 const LENGTH = 10;

@@ -1,7 +1,7 @@
 import { energy, stateHash, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { SCENES } from './registry';
-import type { Scene, SceneRun } from './scene';
+import { SCENES } from './registry.ts';
+import type { Scene, SceneRun } from './scene.ts';
 
 function advance({ world, dt, advance: move }: SceneRun, steps: number): void {
   for (let s = 0; s < steps; s++) {

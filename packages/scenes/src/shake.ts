@@ -1,5 +1,5 @@
 import type { PhysicsWorld } from '@principia/physics';
-import { seededUniforms } from './seeded';
+import { seededUniforms } from './seeded.ts';
 
 /** Gives the bodies that can move random velocities, uniform along each axis. */
 export function shake(world: PhysicsWorld, ids: ArrayLike<number>, speed: number, seed: number): void {

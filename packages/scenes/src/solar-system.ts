@@ -2,10 +2,10 @@
 // other, and asteroids that weigh next to nothing circle between Mars and Jupiter. Kilometres, seconds, and GM (km³/s²)
 // for masses, so that G = 1. After 50 years the planets are within 20 km of the ephemeris, the Moon within 800 km.
 import { cos, createRandom, gaussRadau, leapfrog, sin, spawnMany } from '@principia/physics';
-import { countOf, defineScene, type SceneRun } from './scene';
-import { buildSolarSystem, type SolarSystem } from './solar-system/build';
-import { againstGaussRadau, DAY, errorsOf } from './solar-system/errors';
-import { ASTRONOMICAL_UNIT, STATES } from './solar-system/states';
+import { countOf, defineScene, type SceneRun } from './scene.ts';
+import { buildSolarSystem, type SolarSystem } from './solar-system/build.ts';
+import { againstGaussRadau, DAY, errorsOf } from './solar-system/errors.ts';
+import { ASTRONOMICAL_UNIT, STATES } from './solar-system/states.ts';
 
 /** A scene that knows its planets. */
 export type SolarSystemRun = SceneRun & SolarSystem;

@@ -1,6 +1,6 @@
 import { energy, momentum, step } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { springs } from './springs';
+import { springs } from './springs.ts';
 
 test('makes exactly as many springs as asked for, between bodies', () => {
   for (const count of [1, 2, 3, 10, 999]) {

@@ -1,8 +1,8 @@
 // A net stretched between two posts and struck: springs along the meshes, free nodes with random velocities. Without
 // damping its energy stays what it is.
 import { createPhysicsWorld, semiImplicitEuler, spawnMany, springs as springForces } from '@principia/physics';
-import { countOf, defineScene, type Setup } from './scene';
-import { seededUniforms } from './seeded';
+import { countOf, defineScene, type Setup } from './scene.ts';
+import { seededUniforms } from './seeded.ts';
 
 /** Edge of a mesh, m. */
 const MESH = 0.1;

@@ -1,5 +1,5 @@
 import { largestStretch, type PhysicsWorld, rmsStretch } from '@principia/physics';
-import type { Stretch } from './scene';
+import type { Stretch } from './scene.ts';
 
 /** A stiffness, N/m, that only inextensible threads reach: of what gives by design, the stretch says nothing. */
 const INEXTENSIBLE = 1e29;

@@ -1,8 +1,8 @@
 // Birth of one particle: where, how fast and in which direction.
-import { columns, put } from '../columns';
+import { columns, put } from '../memory/columns';
 import { turn, turnCosine, turnSine } from '../math/elementary';
 import { randomUnit } from '../math/random';
-import { dress } from './looks';
+import { dress } from './appearance';
 import { NONE, link, nextGeneration, takeSlot } from './pool';
 import { Emitter, putWord, word } from './record';
 

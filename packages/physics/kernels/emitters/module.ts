@@ -1,4 +1,4 @@
 // Particle pools and what bears and ends their particles.
-export { prepareEmitter } from './looks';
+export { prepareEmitter } from './appearance';
 export { openPool } from './pool';
 export { stepEmitter } from './step';

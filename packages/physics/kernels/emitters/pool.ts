@@ -1,5 +1,5 @@
 // The slots of a pool: a queue of free ones, the longest free first, and a list of the living ones by age.
-import { columns, get, put } from '../columns';
+import { columns, get, put } from '../memory/columns';
 import { Emitter, putWord, word } from './record';
 
 export const NONE: u32 = 0xffffffff;

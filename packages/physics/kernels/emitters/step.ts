@@ -3,7 +3,7 @@
 // The births of the time since the last step are made now, each at its own moment: the i-th when rate x time reaches a
 // whole number. So a stream of particles is the same for steps of any length, and has no gaps between frames.
 import { bear } from './birth';
-import { paintColor, paintSize } from './looks';
+import { paintColor, paintSize } from './appearance';
 import { end } from './pool';
 import { Burst, Emitter, word } from './record';
 

@@ -1,5 +1,5 @@
 // Centres of attraction as rows of numbers that the law reads: src/forces/attractors.ts.
-import { columns, get } from '../columns';
+import { columns, get } from '../memory/columns';
 
 // A centre as it was when the step began. All f64, whatever the columns are.
 @unmanaged

@@ -1,5 +1,5 @@
 // Fixed charges as rows of numbers that the law reads: src/forces/fixed-charges.ts.
-import { columns, get } from '../columns';
+import { columns, get } from '../memory/columns';
 
 // A source as it was when the step began: position, charge, and the radius inside which it does not act. f64.
 const SOURCE_BYTES: usize = 40;

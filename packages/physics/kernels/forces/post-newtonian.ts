@@ -1,5 +1,5 @@
 // First post-Newtonian correction of the pull of one body on all others.
-import { columns, get, put } from '../columns';
+import { columns, get, put } from '../memory/columns';
 
 // F += m mu/(c^2 r^3) [(4 mu/r - v^2) r + 4 (r.v) v], with r and v from row `central`. In two dimensions fz is 0.
 export function postNewtonian(

@@ -1,7 +1,7 @@
 // Damped springs between two bodies, one after the other in ascending id: bodies share springs, so order is meaning.
-import { columns, get, put } from '../columns';
+import { columns, get, put } from '../memory/columns';
 
-// What the springs of a world need; src/forces/spring-table.ts writes the addresses and reads the counts.
+// What the springs of a world need; src/forces/support/spring-table.ts writes the addresses and reads the counts.
 @unmanaged
 export class SpringTable {
   a: usize;

@@ -1,6 +1,6 @@
 // Sums of columns, for schemes of many stages: columns that belong together lie `stride` bytes apart in one block, and
 // their coefficients, reals, one after the other in memory.
-import { accelerationOf, add, at, LANES, mul, splat, sub } from '../lanes';
+import { accelerationOf, add, at, LANES, mul, splat, sub } from '../memory/lanes';
 
 // to = base + sum of coefficient[k] column[k], for k < count.
 export function combineAxis(

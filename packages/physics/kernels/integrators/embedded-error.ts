@@ -1,5 +1,5 @@
 // How far the two solutions of an embedded pair differ, body by body, against how far each body has come.
-import { add, at, LANES, mul, splat } from '../lanes';
+import { add, at, LANES, mul, splat } from '../memory/lanes';
 
 // Adds one axis: to `errorX` and `errorV` the squares of the differences (sums of columns, as in combineAxis), to
 // `sizeX` and `sizeV` the squares of the larger of the values before and after the step.

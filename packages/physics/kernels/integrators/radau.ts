@@ -2,7 +2,7 @@
 //
 // Within a step of length dt the acceleration is a(h) = a0 + b0 h + b1 h^2 + ... + b6 h^7, h from 0 to 1. The same
 // polynomial in Newton's form has divided differences g0 ... g6, of which g[s-1] depends on the first s nodes alone.
-import { accelerationOf, add, at, LANES, mul, splat, sub } from '../lanes';
+import { accelerationOf, add, at, LANES, mul, splat, sub } from '../memory/lanes';
 
 // Where the columns of one axis begin in its block, in columns.
 const B: usize = 0;
@@ -13,7 +13,7 @@ const START_V: usize = 16;
 const CARRY_X: usize = 17;
 const CARRY_V: usize = 18;
 
-// What a world's integrator knows; src/integrators/radau-table.ts writes it in this order.
+// What a world's integrator knows; src/integrators/support/gauss-radau-table.ts writes it in this order.
 @unmanaged
 class RadauTable {
   positionX: usize;

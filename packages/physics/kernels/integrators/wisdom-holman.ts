@@ -1,6 +1,6 @@
 // Kepler drifts and interaction kicks in Jacobi coordinates; src/integrators/wisdom-holman.ts says what they are for.
 // Arithmetic is f64 whatever the columns are.
-import { columns, get, put } from '../columns';
+import { columns, get, put } from '../memory/columns';
 import { advanceKepler, Orbit } from './kepler';
 
 // One body: its Jacobi position and velocity, its mass, the mass of it and all before it, and G times the mass that

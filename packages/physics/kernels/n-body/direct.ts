@@ -3,8 +3,8 @@
 // Two bodies i, broadcast, meet the bodies j of a tile, a vector at a time. The vector of j that holds i itself is
 // met one way only, by every i in it, so that no lane needs a mask: a body is at distance 0 of itself and pulls in no
 // direction. A tile stays in the first-level cache, and sums over tiles round less than one long sum.
-import { get, put } from '../columns';
-import { LANES, add, at, div, mul, splat, sub } from '../lanes';
+import { get, put } from '../memory/columns';
+import { LANES, add, at, div, mul, splat, sub } from '../memory/lanes';
 import { NBody } from './workspace';
 
 const TILE: i32 = 512;

@@ -4,7 +4,7 @@
 //   body  a = s d w
 //   cell  a = d (M w - T' w² + 2 (d·S'd) w³) - S'd w²      + dipole D w - 2 d (D·d) w²
 // Cost a target: 27 operations a cell, 11 a body, and no square root.
-import { LANES, add, at, div, mul, splat, sub } from '../lanes';
+import { LANES, add, at, div, mul, splat, sub } from '../memory/lanes';
 import { pull } from './direct';
 import { NBody, REAL } from './workspace';
 

@@ -5,7 +5,7 @@
 //   cell  a = d (M u^(-3/2) - T' u^(-5/2) + 5/2 (d·S'd) u^(-7/2)) - S'd u^(-5/2)      + dipole D u^(-3/2) - 3 d (D·d) u^(-5/2)
 // which is the gradient of the softened potential's expansion to second order (Hernquist, ApJS 64, 715, 1987, with the
 // trace kept). Cost a target: 50 operations a cell, 18 a body.
-import { LANES, add, at, div, mul, splat, sub } from '../lanes';
+import { LANES, add, at, div, mul, splat, sub } from '../memory/lanes';
 import { NBody, REAL } from './workspace';
 
 // @ts-ignore: decorator

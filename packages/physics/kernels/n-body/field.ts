@@ -1,8 +1,8 @@
 // The field of all bodies that pull at one point, summed directly: for test particles, and to know the tree's error.
-import { get, put } from '../columns';
-import { LANES, add, at, mul, sub, splat } from '../lanes';
+import { get, put } from '../memory/columns';
+import { LANES, add, at, mul, sub, splat } from '../memory/lanes';
 import { laneSum, pull } from './direct';
-import { middleOf } from './middle';
+import { middleOf } from './approximate-median';
 import { NBody, SAMPLES } from './workspace';
 
 export let fieldX: f64 = 0;

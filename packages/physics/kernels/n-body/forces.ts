@@ -1,12 +1,12 @@
 // The mutual force on all bodies: directly, or by the tree with the error that was asked for.
-import { get, put } from '../columns';
+import { get, put } from '../memory/columns';
 import { direct2d, direct3d } from './direct';
 import { evaluate2d } from './evaluate-2d';
 import { evaluate3d } from './evaluate-3d';
 import { directOntoTests, sampleError } from './field';
-import { middleOf } from './middle';
+import { middleOf } from './approximate-median';
 import { buildTree } from './tree';
-import { boundGroup, fieldScale, walkGroup } from './walk';
+import { boundGroup, fieldScale, walkGroup } from './interaction-lists';
 import { NBody } from './workspace';
 
 // A group whose field nearly cancels is given this share of the median field: the error there is small against the

@@ -1,7 +1,7 @@
 // Packs the bodies of a mutual force and hands its results back. Bodies come in ascending id: first those that pull,
 // then test particles. Values that are not finite stay out: they neither pull nor feel until they are put right.
-import { columns, get, put } from '../columns';
-import { LANES } from '../lanes';
+import { columns, get, put } from '../memory/columns';
+import { LANES } from '../memory/lanes';
 import { NBody, coincident2 } from './workspace';
 
 let changed: bool = false;

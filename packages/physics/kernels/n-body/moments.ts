@@ -3,7 +3,7 @@
 // The centre is that of the absolute strengths, so that it lies among the bodies also where charges cancel; with one
 // sign the dipole about it vanishes. Second moments S = sum s x x keep their trace, because softened laws and 1/r² in
 // the plane are not harmonic.
-import { get } from '../columns';
+import { get } from '../memory/columns';
 import { LINK_BYTES, NBody, NEAR2, NODE_BYTES, REAL, SIZE, SUM_BYTES } from './workspace';
 
 // Nodes up to this many bodies know their farthest body exactly; larger ones, a bound from their children's.

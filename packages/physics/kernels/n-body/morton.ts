@@ -1,6 +1,6 @@
 // Morton keys of the packed bodies, and a radix sort by them: bodies near in space come near in memory, and every cell
 // of a quadtree or octree is one run of the order. 21 bits an axis in space, 32 in the plane (Morton 1966).
-import { get, put } from '../columns';
+import { get, put } from '../memory/columns';
 import { NBody } from './workspace';
 
 // Spreads 21 bits to every third bit.

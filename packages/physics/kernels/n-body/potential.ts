@@ -3,7 +3,7 @@
 // W = sum over pairs s s' psi, plus the strength of each test particle times psi of all that pull, with psi = u^(-1/2)
 // for the law 1/r² and -ln(u)/2 for 1/r, u = d² + ε² in units of the system's length. A diagnostic: scalar, 5 ns a
 // pair, 30 ns with a logarithm. Without softening, bodies at one place have no energy between them, as no force.
-import { get } from '../columns';
+import { get } from '../memory/columns';
 import { logarithm } from '../math/elementary';
 import { listGroup, prepareTree } from './forces';
 import { LINK_BYTES, NBody, NODE_BYTES, REAL, coincident2 } from './workspace';

@@ -1,7 +1,7 @@
 // The working memory of one mutual force: bodies packed by slot, the same bodies in tree order, the tree, the lists of
 // one group, results. Lengths are in units of `length` and strengths in units of `strength`, powers of two near the
 // extent of the system and the strongest body: exact to scale by, and no unit system overflows the range of f32.
-import { BINS } from './middle';
+import { BINS } from './approximate-median';
 
 @unmanaged
 export class NBody {

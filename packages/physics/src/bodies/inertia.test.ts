@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { ballInertia, ballMass, discInertia, discMass } from './inertia';
+import { ballInertia, ballMass, discInertia, discMass } from './inertia.ts';
 
 test('a shape cut into rings or shells has the mass and the moment of inertia of the formulas', () => {
   const [density, radius, rings] = [7, 1.5, 20_000];

@@ -1,6 +1,6 @@
 // Mass and moment of inertia of the two shapes colliders have: solid, of one density. Feynman, Lectures on Physics I,
 // table 19-1.
-import { checkNumber } from '../faults/validate';
+import { checkNumber } from '../errors/validate.ts';
 
 const POSITIVE = { above: 0, max: 1e38 };
 const RADIUS = { above: 0, max: 1e12 };

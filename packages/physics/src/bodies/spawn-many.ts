@@ -3,17 +3,17 @@
 // its membership mask and one small set. That reaches into bitECS's own tables (public by its `$internal` symbol, and its version is
 // pinned); a test holds the result against the component-by-component path.
 import { addEntity, type ComponentRef, type Query, type WorldContext } from 'bitecs';
-import { bitOf, type ComponentName } from '../components/all';
-import { PhysicsError } from '../faults/physics-error';
-import { checkFunction, checkWhole } from '../faults/validate';
-import { contextOf, queriesOf, removeWholly } from '../store/bitecs';
-import { ComponentSet } from '../store/component-set';
-import { capacityError, makeRoom } from '../store/entities';
-import { assertUsable } from '../store/guards';
-import { countIncomplete } from '../store/incomplete';
-import { cleanRow } from '../store/rows';
-import type { PhysicsWorld } from '../world';
-import { type Column, checkMany, type Filling, type ManyInput } from './many';
+import { bitOf, type ComponentName } from '../components/all.ts';
+import { contextOf, queriesOf, removeWholly } from '../ecs/bitecs-adapter.ts';
+import { ComponentSet } from '../ecs/component-set.ts';
+import { capacityError, makeRoom } from '../ecs/entity-capacity.ts';
+import { assertUsable } from '../ecs/guards.ts';
+import { countIncomplete } from '../ecs/partial-entities.ts';
+import { cleanRow } from '../ecs/rows.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkFunction, checkWhole } from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { type Column, checkMany, type Filling, type ManyInput } from './many.ts';
 
 /** Called as bodies are made, with how many are. */
 export type Progress = (made: number, count: number) => void;

@@ -1,10 +1,10 @@
 import { addComponent, addEntity, hasComponent, set } from 'bitecs';
 import { expect, it } from 'vitest';
-import { uniformGravity } from '../forces/uniform-gravity';
-import { step } from '../step';
-import { createPhysicsWorld } from '../world';
-import { spawn } from './spawn';
-import { spawnMany } from './spawn-many';
+import { uniformGravity } from '../forces/uniform-gravity.ts';
+import { createPhysicsWorld } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { spawn } from './spawn.ts';
+import { spawnMany } from './spawn-many.ts';
 
 it('a body spawned with mass and no velocity falls from rest', () => {
   const world = createPhysicsWorld({ forces: [uniformGravity({ y: -10 })] });

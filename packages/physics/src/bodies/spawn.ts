@@ -1,12 +1,12 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
-import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all';
-import { isRecord, mustBe, unknownName } from '../faults/validate';
-import { contextOf, removeWholly } from '../store/bitecs';
-import { makeRoom } from '../store/entities';
-import { assertUsable } from '../store/guards';
-import { isInhabited, staleError } from '../store/references';
-import { checkValues, completeValues, type FieldValues, initialValues } from '../store/values';
-import type { PhysicsWorld } from '../world';
+import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
+import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
+import { makeRoom } from '../ecs/entity-capacity.ts';
+import { isInhabited, staleError } from '../ecs/entity-ref.ts';
+import { assertUsable } from '../ecs/guards.ts';
+import { checkValues, completeValues, type FieldValues, initialValues } from '../ecs/values.ts';
+import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 
 type FieldsOf<Name extends ComponentName> = {
   readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: number;

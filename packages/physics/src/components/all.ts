@@ -1,21 +1,21 @@
-import { Appearance } from './appearance';
-import { Attractor } from './attractor';
-import { Charge } from './charge';
-import { Collider } from './collider';
-import type { ColumnsOf } from './define';
-import { AngularDrag, LinearDrag, QuadraticDrag } from './drag';
-import { Hull } from './hull';
-import { Inertia } from './inertia';
-import { Lift } from './lift';
-import { Mass } from './mass';
-import { Position } from './position';
-import { Engine, Motor, Thrust } from './propulsion';
-import { Quarantined } from './quarantined';
-import { AngularVelocity, Orientation, Rotation } from './rotation';
-import { Spring } from './spring';
-import { TestParticle } from './test-particle';
-import { Velocity } from './velocity';
-import { PlaneWall, SegmentWall } from './wall';
+import { Appearance } from './appearance.ts';
+import { Attractor } from './attractor.ts';
+import { Charge } from './charge.ts';
+import { Collider } from './collider.ts';
+import type { ColumnsOf } from './define.ts';
+import { AngularDrag, LinearDrag, QuadraticDrag } from './drag.ts';
+import { Hull } from './hull.ts';
+import { Inertia } from './inertia.ts';
+import { Lift } from './lift.ts';
+import { Mass } from './mass.ts';
+import { Position } from './position.ts';
+import { Engine, Motor, Thrust } from './propulsion.ts';
+import { Quarantined } from './quarantined.ts';
+import { AngularVelocity, Orientation, Rotation } from './rotation.ts';
+import { Spring } from './spring.ts';
+import { TestParticle } from './test-particle.ts';
+import { Velocity } from './velocity.ts';
+import { PlaneWall, SegmentWall } from './wall.ts';
 
 /** Every component of a world, in the order of their membership bits. At most 31, as in one mask of bitECS. */
 export const COMPONENTS = {

@@ -1,5 +1,5 @@
-import { checkNumber } from '../faults/validate';
-import { defineComponent, real, u32 } from './define';
+import { checkNumber } from '../errors/validate.ts';
+import { defineComponent, real, u32 } from './define.ts';
 
 /** How a body is drawn. Physics never reads it; renderers do. */
 export const Appearance = defineComponent({

@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /** A fixed centre of Newtonian attraction: it pulls bodies that have Mass and is not pulled itself. */
 export const Attractor = defineComponent({

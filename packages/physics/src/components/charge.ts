@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /** Electric charge, C. */
 export const Charge = defineComponent({

@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /** A round collider (disc in 2D, ball in 3D) about the body's position, and how its surface behaves. */
 export const Collider = defineComponent({

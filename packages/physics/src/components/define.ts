@@ -1,5 +1,5 @@
-import { PhysicsError } from '../faults/physics-error';
-import type { Bounds } from '../faults/validate';
+import { PhysicsError } from '../errors/physics-error.ts';
+import type { Bounds } from '../errors/validate.ts';
 
 /** A column of real numbers: f32 or f64 by the world's precision. */
 export type RealColumn = Float32Array | Float64Array;

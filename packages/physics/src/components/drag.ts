@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /** Coefficient c of drag F = -c (v - w), kg/s; Stokes: 6 π η r. */
 export const LinearDrag = defineComponent({

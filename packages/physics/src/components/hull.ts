@@ -1,4 +1,4 @@
-import { defineComponent, real, u32 } from './define';
+import { defineComponent, real, u32 } from './define.ts';
 
 /** What a body displaces when a fluid covers it: read by `upthrust`, `immersedDrag` and `addedMass`. */
 export const Hull = defineComponent({

@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /**
  * Moment of inertia about the centre, kg m²: a disc has m r²/2, a solid sphere 2 m r²/5. Zero, or no component, locks

@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /** Coefficient k of lift F = k |v| (s × v), kg/m; k = ρ C_L A / 2. Negative pushes down. */
 export const Lift = defineComponent({

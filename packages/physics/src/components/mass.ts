@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /**
  * Mass, kg. Forces and contacts move what has Position, Velocity and Mass. A body without Mass (the column holds 0) is

@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /** Largest |coordinate| a world takes, metres: 100 light-years would not fit, the solar system does a hundred times. */
 export const MAX_POSITION = 1e15;

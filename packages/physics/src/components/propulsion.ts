@@ -1,4 +1,4 @@
-import { defineComponent, normaliseFields, real } from './define';
+import { defineComponent, normaliseFields, real } from './define.ts';
 
 const NEWTONS = { bounds: { min: -1e38, max: 1e38 } };
 const DIRECTION = { bounds: { min: -1e12, max: 1e12 } };

@@ -1,4 +1,4 @@
-import { defineComponent, normaliseFields, real } from './define';
+import { defineComponent, normaliseFields, real } from './define.ts';
 
 /** Largest |angular velocity| about an axis, rad/s; a value beyond is capped. */
 export const MAX_ANGULAR_SPEED = 1e9;

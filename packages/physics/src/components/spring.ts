@@ -1,5 +1,5 @@
-import { PhysicsError } from '../faults/physics-error';
-import { bodyId, defineComponent, real, u32 } from './define';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { bodyId, defineComponent, real, u32 } from './define.ts';
 
 /**
  * A damped Hooke spring between two bodies. The entity that has it is the spring, and goes when one of its bodies goes.

@@ -1,4 +1,4 @@
-import { defineComponent } from './define';
+import { defineComponent } from './define.ts';
 
 /** Marks a body that feels mutual forces but exerts none: it follows the field of the others. */
 export const TestParticle = defineComponent({

@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define';
+import { defineComponent, real } from './define.ts';
 
 /** The speed of light in vacuum, m/s, exact (SI): nothing moves faster along an axis, and a value beyond is capped. */
 export const MAX_SPEED = 299_792_458;

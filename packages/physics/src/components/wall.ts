@@ -1,5 +1,5 @@
-import { defineComponent, normaliseFields, real } from './define';
-import { MAX_POSITION } from './position';
+import { defineComponent, normaliseFields, real } from './define.ts';
+import { MAX_POSITION } from './position.ts';
 
 const PLACE = { bounds: { min: -MAX_POSITION, max: MAX_POSITION } };
 /** A normal of any length is taken; its square must stay finite in f32. */

@@ -1,12 +1,12 @@
 import { describe, expect, test } from 'vitest';
-import { spawn } from '../bodies/spawn';
-import { attractors } from '../forces/attractors';
-import { springs } from '../forces/springs';
-import { uniformGravity } from '../forces/uniform-gravity';
-import { createRandom } from '../math/random';
-import { step } from '../step';
-import { createPhysicsWorld } from '../world';
-import { angularMomentum, centreOfMass, energy, momentum, totalMass } from './energy';
+import { spawn } from '../bodies/spawn.ts';
+import { attractors } from '../forces/attractors.ts';
+import { springs } from '../forces/springs.ts';
+import { uniformGravity } from '../forces/uniform-gravity.ts';
+import { createRandom } from '../math/random.ts';
+import { createPhysicsWorld } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { angularMomentum, centreOfMass, energy, momentum, totalMass } from './energy.ts';
 
 describe('energy', () => {
   test('kinetic of translation and rotation; potential of each law', () => {

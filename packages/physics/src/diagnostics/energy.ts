@@ -1,8 +1,8 @@
-import { checkVector, type Vector, type VectorInput } from '../faults/validate';
-import { AXES } from '../store/axes';
-import type { AxisAddresses } from '../store/columns';
-import { assertUsable } from '../store/guards';
-import type { PhysicsWorld } from '../world';
+import { assertUsable } from '../ecs/guards.ts';
+import { checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
+import { AXES } from '../memory/axes.ts';
+import type { AxisAddresses } from '../memory/columns.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 
 /** Energies, J. */
 export interface Energy {

@@ -1,25 +1,26 @@
 // Steps of a scheme where some force is no law: the scheme is cut at each evaluation of the forces into pieces. A piece
 // is a loop that moves the bodies to the state at which the forces are asked for next, and keeps in scratch columns what
 // later pieces need.
-import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile';
-import type { LoopSource, Store } from '../laws/emit-loop';
-import type { Node } from '../laws/graph';
-import { Lowering } from '../laws/lower';
-import type { Scheme, StageData } from '../laws/scheme';
-import { type Axes, eachAxis } from '../laws/vector-algebra';
-import { keptWithPlan } from '../schedule/plan';
-import { realColumn } from '../store/columns';
-import { resource } from '../store/resource';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
-import { evaluateForces } from './evaluate-forces';
-import { layoutOf } from './layout';
-import { mathImports } from './math-imports';
-import { notesOf } from './notes';
-import { ParameterBlock, variantOf } from './parameter-block';
-import { lastStepOf, type SchemeMemory, schemeMemory } from './scheme-memory';
-import { velocityChange } from './sum-of-laws';
-import { WorldColumns } from './world-columns';
+
+import type { Spans } from '../ecs/ranges.ts';
+import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
+import type { LoopSource, Store } from '../laws/emit-loop.ts';
+import type { Node } from '../laws/graph.ts';
+import { Lowering } from '../laws/lower.ts';
+import type { Scheme, StageData } from '../laws/scheme.ts';
+import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
+import { realColumn } from '../memory/columns.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { keptWithPlan } from '../world/execution-plan.ts';
+import { evaluateForces } from './evaluate-forces.ts';
+import { layoutOf } from './layout.ts';
+import { mathImports } from './math-imports.ts';
+import { notesOf } from './notes.ts';
+import { ParameterBlock, variantOf } from './parameter-block.ts';
+import { lastStepOf, type SchemeMemory, schemeMemory } from './scheme-memory.ts';
+import { velocityChange } from './sum-of-laws.ts';
+import { WorldColumns } from './world-columns.ts';
 
 interface SchemeLoops {
   readonly compiled: readonly CompiledLoop[];

@@ -1,8 +1,8 @@
 // A law that goes wrong for one body, and bad numbers that anybody wrote: the body alone stops, its neighbours in the
 // same vector of lanes go on as if nothing had happened.
 import { describe, expect, test } from 'vitest';
-import { crowd, WORLD_KINDS, type WorldKind } from '../../../../test/support/law-lab';
-import { bodyState, steps } from '../../../../test/support/worlds';
+import { crowd, WORLD_KINDS, type WorldKind } from '../../../../test/support/law-lab.ts';
+import { bodyState, steps } from '../../../../test/support/worlds.ts';
 import {
   COMPONENTS,
   createPhysicsWorld,
@@ -17,7 +17,7 @@ import {
   step,
   uniformGravity,
   vec3,
-} from '../index';
+} from '../index.ts';
 
 /** Gives a body with negative charge a force that is not a number, and others one that depends on them. */
 const root = defineLaw({

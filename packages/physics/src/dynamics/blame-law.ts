@@ -1,9 +1,10 @@
 // Finds the law that gave a body a force which is not a number: called when a step failed for it, never otherwise.
-import { keptWithPlan } from '../schedule/plan';
-import { AXES } from '../store/axes';
-import type { PhysicsWorld } from '../world';
-import { type LawLoop, makeLawLoop } from './evaluate-forces';
-import { type LawForce, lawsOf } from './sum-of-laws';
+
+import { AXES } from '../memory/axes.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { keptWithPlan } from '../world/execution-plan.ts';
+import { type LawLoop, makeLawLoop } from './evaluate-forces.ts';
+import { type LawForce, lawsOf } from './sum-of-laws.ts';
 
 /** Each law of a world in a loop of its own. */
 const singleLaws = keptWithPlan((world) =>

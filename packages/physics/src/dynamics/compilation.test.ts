@@ -1,7 +1,7 @@
 // What is compiled, and when: structure and layout decide, values do not.
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { forcesNow, lawOf } from '../../../../test/support/law-lab';
-import { steps, worldState } from '../../../../test/support/worlds';
+import { forcesNow, lawOf } from '../../../../test/support/law-lab.ts';
+import { steps, worldState } from '../../../../test/support/worlds.ts';
 import {
   COMPONENTS,
   columnsOf,
@@ -23,7 +23,7 @@ import {
   uniformGravity,
   vec3,
   vectorOverTime,
-} from '../index';
+} from '../index.ts';
 
 let compilations = 0;
 const Module = WebAssembly.Module;

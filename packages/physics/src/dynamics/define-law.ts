@@ -1,19 +1,19 @@
 // Laws: forces, accelerations and torques written once as expressions, and fused into the step of every world.
-import { checkChoice, checkFunction, checkKeys, mustBe } from '../faults/validate';
-import type { Reads } from '../laws/body-symbols';
-import type { Force, ForceParameter } from '../laws/force';
-import { type Law, type LawOptions, recordLaw } from '../laws/law';
+import { checkChoice, checkFunction, checkKeys, mustBe } from '../errors/validate.ts';
+import type { Reads } from '../laws/body-symbols.ts';
+import type { Force, ForceParameter } from '../laws/force.ts';
+import { type Law, type LawOptions, recordLaw } from '../laws/law.ts';
 import {
   type Parameter,
   type ParameterInput,
   type ParameterSource,
   type Parameters,
   sourcesOf,
-} from '../laws/parameter';
-import { columnsRead } from '../laws/structure';
-import type { PhysicsWorld } from '../world';
-import { potentialEnergy } from './potential-energy';
-import type { LawForce } from './sum-of-laws';
+} from '../laws/parameter.ts';
+import { columnsRead } from '../laws/structure.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { potentialEnergy } from './potential-energy.ts';
+import type { LawForce } from './sum-of-laws.ts';
 
 /** Makes the force of a law from the values of its parameters. */
 export type LawFactory<P> =

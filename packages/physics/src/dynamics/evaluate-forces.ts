@@ -1,22 +1,23 @@
 // Evaluates all forces of a world into the force columns: first what is no law, kernel by kernel, then all laws in one
 // loop. For integrators that choose their own stages, and for worlds in which some force is no law.
-import { collectThrown } from '../faults/thrown';
-import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile';
-import type { LoopSource, Store } from '../laws/emit-loop';
-import type { Axes } from '../laws/vector-algebra';
-import { keptWithPlan } from '../schedule/plan';
-import { dropBadForces } from '../schedule/quarantine';
-import { AXES, clearAxes } from '../store/axes';
-import { holdUnmoved } from '../store/incomplete';
-import { resource } from '../store/resource';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
-import { layoutOf } from './layout';
-import { mathImports } from './math-imports';
-import { notesOf } from './notes';
-import { ParameterBlock, type ParameterOwner, variantOf } from './parameter-block';
-import { type LawForce, lawsOf, ownerOf, sumLaws, totalForce } from './sum-of-laws';
-import { WorldColumns } from './world-columns';
+
+import { holdUnmoved } from '../ecs/partial-entities.ts';
+import type { Spans } from '../ecs/ranges.ts';
+import { collectThrown } from '../errors/collect-thrown.ts';
+import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
+import type { LoopSource, Store } from '../laws/emit-loop.ts';
+import type { Axes } from '../laws/vector-algebra.ts';
+import { AXES, clearAxes } from '../memory/axes.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { keptWithPlan } from '../world/execution-plan.ts';
+import { layoutOf } from './layout.ts';
+import { mathImports } from './math-imports.ts';
+import { notesOf } from './notes.ts';
+import { ParameterBlock, type ParameterOwner, variantOf } from './parameter-block.ts';
+import { type LawForce, lawsOf, ownerOf, sumLaws, totalForce } from './sum-of-laws.ts';
+import { dropBadForces } from './validate-state.ts';
+import { WorldColumns } from './world-columns.ts';
 
 /** Evaluates all forces of the world on the bodies of `spans` at `time`, into `world.scratch.force`. */
 export type EvaluateForces = (world: PhysicsWorld, spans: Spans, time: number) => void;

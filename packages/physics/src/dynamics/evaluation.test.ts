@@ -1,18 +1,18 @@
 // What a law may use in whatever way it is evaluated: sums in the stages of a scheme, and the length of the step.
 import { describe, expect, test } from 'vitest';
-import { read, run } from '../../../../test/support/laws';
-import { spawn } from '../bodies/spawn';
-import type { Integrator } from '../integrators/integrator';
-import { rungeKutta4 } from '../integrators/runge-kutta-4';
-import { semiImplicitEuler } from '../integrators/semi-implicit-euler';
-import { vec3 } from '../laws/expression';
-import { defineForce } from '../laws/force';
-import { table } from '../laws/table';
-import { step } from '../step';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
-import { createPhysicsWorld, type PhysicsWorldOptions } from '../world';
-import { defineLaw } from './define-law';
+import { read, run } from '../../../../test/support/laws.ts';
+import { spawn } from '../bodies/spawn.ts';
+import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
+import { semiImplicitEuler } from '../integrators/semi-implicit-euler.ts';
+import type { Integrator } from '../integrators/support/integrator.ts';
+import { vec3 } from '../laws/expression.ts';
+import { defineForce } from '../laws/force.ts';
+import { table } from '../laws/table.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { defineLaw } from './define-law.ts';
 
 /** A body at x = 3 under some forces. */
 function moving(options: PhysicsWorldOptions) {

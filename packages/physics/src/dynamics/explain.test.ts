@@ -1,6 +1,6 @@
 // What a world says of its own step: for people, so the text must be whole and name what people know.
 import { describe, expect, test } from 'vitest';
-import { lawOf } from '../../../../test/support/law-lab';
+import { lawOf } from '../../../../test/support/law-lab.ts';
 import {
   boxWalls,
   COMPONENTS,
@@ -22,8 +22,8 @@ import {
   uniformGravity,
   vec3,
   vector,
-} from '../index';
-import { formulasOf } from '../laws/formula';
+} from '../index.ts';
+import { formulasOf } from '../laws/formula.ts';
 
 function textOf(forces: readonly Force[], options: PhysicsWorldOptions = {}): string {
   const world = createPhysicsWorld({ capacity: 10, forces, ...options });

@@ -1,14 +1,14 @@
 // Says what a step of a world is made of.
 
-import type { CompiledLoop } from '../laws/compile';
-import { formulasOf } from '../laws/formula';
-import { printModule } from '../laws/text';
-import { currentPlan } from '../schedule/plan';
-import { assertIdle } from '../store/guards';
-import type { PhysicsWorld } from '../world';
-import { schemeLoops } from './advance-scheme';
-import { lawLoopOf } from './evaluate-forces';
-import { stepLoop } from './fused-step';
+import { assertIdle } from '../ecs/guards.ts';
+import type { CompiledLoop } from '../laws/compile.ts';
+import { formulasOf } from '../laws/formula.ts';
+import { printModule } from '../laws/text.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { currentPlan } from '../world/execution-plan.ts';
+import { schemeLoops } from './advance-scheme.ts';
+import { lawLoopOf } from './evaluate-forces.ts';
+import { stepLoop } from './fused-step.ts';
 
 /**
  * What a step of the world computes: the formulas of its laws, and the loops they were compiled to, in the text format

@@ -18,7 +18,7 @@ import {
   uniformGravity,
   vec3,
   vectorOverTime,
-} from '../index';
+} from '../index.ts';
 
 const nothing = () => defineForce({ name: 'nothing', accumulate() {} });
 

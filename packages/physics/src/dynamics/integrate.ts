@@ -1,8 +1,8 @@
 // Moves the bodies by the world's integrator: with all laws in one loop where that is possible.
-import type { LocalSystem } from '../schedule/phases';
-import { advanceScheme } from './advance-scheme';
-import { evaluateForces } from './evaluate-forces';
-import { runStepLoop } from './fused-step';
+import type { LocalSystem } from '../world/phases.ts';
+import { advanceScheme } from './advance-scheme.ts';
+import { evaluateForces } from './evaluate-forces.ts';
+import { runStepLoop } from './fused-step.ts';
 
 export const integrate: LocalSystem = {
   name: 'integrate',

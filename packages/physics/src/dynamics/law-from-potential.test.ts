@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { type Body, forceOn, lawOn, single, slope } from '../../../../test/support/laws';
-import { Charge } from '../components/charge';
+import { type Body, forceOn, lawOn, single, slope } from '../../../../test/support/laws.ts';
+import { Charge } from '../components/charge.ts';
 import {
   axial3,
   type Force,
@@ -18,9 +18,9 @@ import {
   vec3,
   vector,
   yukawa,
-} from '../index';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
+} from '../index.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
 
 const PLACES = [
   { x: 0.7, y: -0.4, z: 0.3 },

@@ -1,12 +1,12 @@
 // Laws of a potential: the force F = -∇U is worked out from the expression of the energy.
-import { PhysicsError } from '../faults/physics-error';
-import { checkKeys, mustBe } from '../faults/validate';
-import type { BodySymbols, ReadSymbols, Reads } from '../laws/body-symbols';
-import { gradientOf } from '../laws/differentiate';
-import { constant, type Expression, Scalar } from '../laws/expression';
-import type { LawOptions, LawSymbols } from '../laws/law';
-import type { Parameters } from '../laws/parameter';
-import { defineLaw, type LawFactory } from './define-law';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkKeys, mustBe } from '../errors/validate.ts';
+import type { BodySymbols, ReadSymbols, Reads } from '../laws/body-symbols.ts';
+import { gradientOf } from '../laws/differentiate.ts';
+import { constant, type Expression, Scalar } from '../laws/expression.ts';
+import type { LawOptions, LawSymbols } from '../laws/law.ts';
+import type { Parameters } from '../laws/parameter.ts';
+import { defineLaw, type LawFactory } from './define-law.ts';
 
 /** What a law says of itself that has a potential and nothing else. */
 export interface PotentialOptions<R extends Reads, P extends Parameters>

@@ -1,12 +1,12 @@
 // What a loop tests of its results, as few operations as there can be: each is paid by every body.
-import { MAX_POSITION } from '../components/position';
-import { MAX_SPEED } from '../components/velocity';
-import type { LoopSource, Store, WallTest } from '../laws/emit-loop';
-import type { Node } from '../laws/graph';
-import type { Axes } from '../laws/vector-algebra';
-import type { AxisAddresses } from '../store/columns';
-import type { Result, StepFeatures } from './step-loop';
-import type { WorldColumns } from './world-columns';
+import { MAX_POSITION } from '../components/position.ts';
+import { MAX_SPEED } from '../components/velocity.ts';
+import type { LoopSource, Store, WallTest } from '../laws/emit-loop.ts';
+import type { Node } from '../laws/graph.ts';
+import type { Axes } from '../laws/vector-algebra.ts';
+import type { AxisAddresses } from '../memory/columns.ts';
+import type { Result, StepFeatures } from './step-loop.ts';
+import type { WorldColumns } from './world-columns.ts';
 
 /** An axis-aligned box; a coordinate beyond `FAR` is no wall. */
 export interface Box {
@@ -23,7 +23,7 @@ export const FAR = 1e30;
 /** Bodies nearer to a wall than this part of the box are looked at more closely. */
 const MARGIN = 1e-6;
 
-/** A body that rests on a wall is not thrown back by less than this restitution: kernels/walls/box.ts has it as well. */
+/** A body that rests on a wall is not thrown back by less than this restitution: kernels/particle-contacts/walls/box.ts has it as well. */
 const REST_RESTITUTION = 0.99;
 
 /** A state of the bodies. */
@@ -115,7 +115,7 @@ function isDriftOf(position: Node, velocity: Node): boolean {
 
 /**
  * Bodies that began the step at rest on a wall and end it beyond: they stay. The most frequent case at walls, and the
- * same as what kernels/walls/box.ts does for such bodies; all others it has to bring back.
+ * same as what kernels/particle-contacts/walls/box.ts does for such bodies; all others it has to bring back.
  */
 function restingBodies(columns: WorldColumns, start: Moved, result: Result, box: Box): WallTest['resting'] {
   const { graph, axisNames, world, isMovable } = columns;

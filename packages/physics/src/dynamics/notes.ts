@@ -1,6 +1,6 @@
 // Names for addresses, so that a printed loop says `Position.x` and not 65600.
-import type { PhysicsWorld } from '../world';
-import type { ParameterBlock } from './parameter-block';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import type { ParameterBlock } from './parameter-block.ts';
 
 /** A function that names a column by its address. */
 export function notesOf(world: PhysicsWorld, block: ParameterBlock): (address: number) => string | undefined {

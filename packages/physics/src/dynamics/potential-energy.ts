@@ -1,16 +1,16 @@
 // The potential energy of a law, summed over all bodies that forces move: in doubles, whatever the columns are.
-import { compileLoop, instantiateLoop, type Loop } from '../laws/compile';
-import type { LoopSource } from '../laws/emit-loop';
-import { Lowering } from '../laws/lower';
-import type { Axes } from '../laws/vector-algebra';
-import { keptWithPlan } from '../schedule/plan';
-import type { PhysicsWorld } from '../world';
-import { layoutOf } from './layout';
-import { mathImports } from './math-imports';
-import { notesOf } from './notes';
-import { ParameterBlock, variantOf } from './parameter-block';
-import { type LawForce, ownerOf } from './sum-of-laws';
-import { WorldColumns } from './world-columns';
+import { compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
+import type { LoopSource } from '../laws/emit-loop.ts';
+import { Lowering } from '../laws/lower.ts';
+import type { Axes } from '../laws/vector-algebra.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { keptWithPlan } from '../world/execution-plan.ts';
+import { layoutOf } from './layout.ts';
+import { mathImports } from './math-imports.ts';
+import { notesOf } from './notes.ts';
+import { ParameterBlock, variantOf } from './parameter-block.ts';
+import { type LawForce, ownerOf } from './sum-of-laws.ts';
+import { WorldColumns } from './world-columns.ts';
 
 interface EnergyLoop {
   readonly run: Loop;

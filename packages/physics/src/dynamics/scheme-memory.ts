@@ -1,8 +1,8 @@
 // What a scheme keeps from one step to the next: vectors of each body, and the length of the step.
-import type { Scheme } from '../laws/scheme';
-import { type AxisAddresses, axisColumns } from '../store/columns';
-import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
+import type { Scheme } from '../laws/scheme.ts';
+import { type AxisAddresses, axisColumns } from '../memory/columns.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 
 /** Columns that a scheme keeps from step to step, and the length of the last step. */
 export interface SchemeMemory {

@@ -1,15 +1,15 @@
 // A whole step as one loop: the integrator with all laws in its stages, the pose that renderers interpolate from, the
 // checks of the result and the test at box walls.
-import type { LoopSource, Store } from '../laws/emit-loop';
-import { Lowering } from '../laws/lower';
-import type { Scheme } from '../laws/scheme';
-import type { Axes } from '../laws/vector-algebra';
-import type { AxisAddresses } from '../store/columns';
-import { type Box, checksOf } from './loop-checks';
-import { notesOf } from './notes';
-import type { ParameterBlock, ParameterOwner } from './parameter-block';
-import { type LawForce, ownerOf, type Sum, sumLaws, velocityChange } from './sum-of-laws';
-import { WorldColumns } from './world-columns';
+import type { LoopSource, Store } from '../laws/emit-loop.ts';
+import { Lowering } from '../laws/lower.ts';
+import type { Scheme } from '../laws/scheme.ts';
+import type { Axes } from '../laws/vector-algebra.ts';
+import type { AxisAddresses } from '../memory/columns.ts';
+import { type Box, checksOf } from './loop-checks.ts';
+import { notesOf } from './notes.ts';
+import type { ParameterBlock, ParameterOwner } from './parameter-block.ts';
+import { type LawForce, ownerOf, type Sum, sumLaws, velocityChange } from './sum-of-laws.ts';
+import { WorldColumns } from './world-columns.ts';
 
 /** What a step loop does besides moving bodies. */
 export interface StepFeatures {

@@ -1,12 +1,12 @@
 // All laws of a world together, as arithmetic: the force and torque on a body, and its acceleration.
 
-import type { Force } from '../laws/force';
-import type { Graph, Node } from '../laws/graph';
-import type { Law } from '../laws/law';
-import { type Environment, Lowering } from '../laws/lower';
-import { type Axes, eachAxis } from '../laws/vector-algebra';
-import type { ParameterOwner } from './parameter-block';
-import type { WorldColumns } from './world-columns';
+import type { Force } from '../laws/force.ts';
+import type { Graph, Node } from '../laws/graph.ts';
+import type { Law } from '../laws/law.ts';
+import { type Environment, Lowering } from '../laws/lower.ts';
+import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
+import type { ParameterOwner } from './parameter-block.ts';
+import type { WorldColumns } from './world-columns.ts';
 
 /** A force that is a law. */
 export type LawForce = Force & { readonly law: Law; readonly sources: NonNullable<Force['sources']> };

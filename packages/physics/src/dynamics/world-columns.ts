@@ -1,16 +1,17 @@
 // The columns and parameters of a world as leaves of a graph: what the names of laws stand for in this world.
-import type { ColumnData } from '../laws/body-symbols';
-import type { Store } from '../laws/emit-loop';
-import { Graph, type Node } from '../laws/graph';
-import type { Environment } from '../laws/lower';
-import type { Parameter } from '../laws/parameter';
-import type { Axes } from '../laws/vector-algebra';
-import { AXES } from '../store/axes';
-import type { AxisAddresses } from '../store/columns';
-import { MOVABLE } from '../store/incomplete';
-import { ownColumns } from '../store/own-components';
-import type { PhysicsWorld } from '../world';
-import type { ParameterBlock, ParameterOwner } from './parameter-block';
+
+import { ownColumns } from '../ecs/own-components.ts';
+import { MOVABLE } from '../ecs/partial-entities.ts';
+import type { ColumnData } from '../laws/body-symbols.ts';
+import type { Store } from '../laws/emit-loop.ts';
+import { Graph, type Node } from '../laws/graph.ts';
+import type { Environment } from '../laws/lower.ts';
+import type { Parameter } from '../laws/parameter.ts';
+import type { Axes } from '../laws/vector-algebra.ts';
+import { AXES } from '../memory/axes.ts';
+import type { AxisAddresses } from '../memory/columns.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import type { ParameterBlock, ParameterOwner } from './parameter-block.ts';
 
 /** A graph over the columns of one world. */
 export class WorldColumns {

@@ -1,13 +1,13 @@
 // The system of the `emit` phase.
 import { removeComponent } from 'bitecs';
-import { bitOf } from '../components/all';
-import { MAX_POSITION } from '../components/position';
-import { isAlive } from '../store/references';
-import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
-import type { Emitter } from './emitter';
-import { emitterKernels } from './kernels';
-import { type EmitterRecord, N, W } from './record';
+import { bitOf } from '../components/all.ts';
+import { MAX_POSITION } from '../components/position.ts';
+import { isAlive } from '../ecs/entity-ref.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Emitter } from './emitter.ts';
+import { emitterKernels } from './kernels.ts';
+import { type EmitterRecord, N, W } from './record.ts';
 
 /** The emitters of a world, in the order they were made, and how many there ever were: the stream of the next. */
 export const emittersOf = resource(() => ({ list: [] as Emitter[], made: 0 }));

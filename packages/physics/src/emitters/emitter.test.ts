@@ -1,16 +1,16 @@
 import { describe, expect, test } from 'vitest';
-import { codeOf, emitting, living, run } from '../../../../test/support/emitting';
-import { despawn, spawn } from '../bodies/spawn';
-import { rgba } from '../components/appearance';
-import { momentum } from '../diagnostics/energy';
-import { stateHash } from '../diagnostics/hash';
-import { quadraticDrag } from '../forces/drag';
-import { uniformGravity } from '../forces/uniform-gravity';
-import { cos, sin } from '../math/elementary';
-import { createRandom } from '../math/random';
-import { step } from '../step';
-import { entityRef, isAlive } from '../store/references';
-import { createPhysicsWorld } from '../world';
+import { codeOf, emitting, living, run } from '../../../../test/support/emitting.ts';
+import { despawn, spawn } from '../bodies/spawn.ts';
+import { rgba } from '../components/appearance.ts';
+import { momentum } from '../diagnostics/energy.ts';
+import { stateHash } from '../diagnostics/hash.ts';
+import { entityRef, isAlive } from '../ecs/entity-ref.ts';
+import { quadraticDrag } from '../forces/drag.ts';
+import { uniformGravity } from '../forces/uniform-gravity.ts';
+import { cos, sin } from '../math/elementary.ts';
+import { createRandom } from '../math/random.ts';
+import { createPhysicsWorld } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
 import {
   aliveCount,
   burst,
@@ -20,9 +20,9 @@ import {
   endings,
   setEmitter,
   setRate,
-} from './emitter';
-import type { EmitterOptions } from './options';
-import { W } from './record';
+} from './emitter.ts';
+import type { EmitterOptions } from './options.ts';
+import { W } from './record.ts';
 
 describe('a particle', () => {
   test('is born at the emitter and flies as a body does, under gravity and drag', () => {

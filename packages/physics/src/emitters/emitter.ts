@@ -1,12 +1,12 @@
-import { PhysicsError } from '../faults/physics-error';
-import { checkChoice, checkFlag, checkNumber, checkWhole, readVector, type VectorInput } from '../faults/validate';
-import { seedWords } from '../math/random';
-import { assertUsable, whenIdle } from '../store/guards';
-import { type EntityRef, entityRef } from '../store/references';
-import { constant } from '../store/resource';
-import type { PhysicsWorld } from '../world';
-import { emitParticles, emittersOf } from './emit';
-import { emitterKernels } from './kernels';
+import { type EntityRef, entityRef } from '../ecs/entity-ref.ts';
+import { assertUsable, whenIdle } from '../ecs/guards.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkChoice, checkFlag, checkNumber, checkWhole, readVector, type VectorInput } from '../errors/validate.ts';
+import { seedWords } from '../math/random.ts';
+import { constant } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { emitParticles, emittersOf } from './emit.ts';
+import { emitterKernels } from './kernels.ts';
 import {
   type CheckedParameters,
   checkOptionNames,
@@ -14,8 +14,8 @@ import {
   type EmitterOptions,
   type EmitterParameters,
   parametersOf,
-} from './options';
-import type { BurstPattern } from './pattern';
+} from './options.ts';
+import type { BurstPattern } from './pattern.ts';
 import {
   type Block,
   BURST_NUMBERS,
@@ -25,8 +25,8 @@ import {
   removeBodies,
   returnBlock,
   takeBlock,
-} from './pool';
-import { type EmitterRecord, MOST_STOPS, N, W } from './record';
+} from './pool.ts';
+import { type EmitterRecord, MOST_STOPS, N, W } from './record.ts';
 
 /** A source of particles and the pool of entities they live in. */
 export interface Emitter {

@@ -1,5 +1,5 @@
-import { KERNELS, type KernelExports } from '../kernels/emitters.gen';
-import { kernelModule } from '../kernels/instantiate';
+import { KERNELS, type KernelExports } from '../kernels/emitters.gen.ts';
+import { kernelModule } from '../kernels/instantiate.ts';
 
 /** The kernels of emitters, for a world. */
 export const emitterKernels = kernelModule<KernelExports>(KERNELS);

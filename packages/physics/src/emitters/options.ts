@@ -1,8 +1,8 @@
-import { MAX_POSITION } from '../components/position';
-import { MAX_SPEED } from '../components/velocity';
-import { checkKeys, checkNumber, checkVector, checkWhole, mustBe, type VectorInput } from '../faults/validate';
-import type { PhysicsWorld } from '../world';
-import { MOST_RAMPS, MOST_STOPS } from './record';
+import { MAX_POSITION } from '../components/position.ts';
+import { MAX_SPEED } from '../components/velocity.ts';
+import { checkKeys, checkNumber, checkVector, checkWhole, mustBe, type VectorInput } from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { MOST_RAMPS, MOST_STOPS } from './record.ts';
 
 /** A number, or a range within which each particle draws its own. */
 export type Range = number | readonly [min: number, max: number];

@@ -1,10 +1,10 @@
 import { expect, test } from 'vitest';
-import { codeOf, emitting, living } from '../../../../test/support/emitting';
-import { momentum } from '../diagnostics/energy';
-import { step } from '../step';
-import { createPhysicsWorld } from '../world';
-import { burst } from './emitter';
-import { createPattern } from './pattern';
+import { codeOf, emitting, living } from '../../../../test/support/emitting.ts';
+import { momentum } from '../diagnostics/energy.ts';
+import { createPhysicsWorld } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { burst } from './emitter.ts';
+import { createPattern } from './pattern.ts';
 
 // Opposite pairs of numbers that binary fractions hold exactly, so that their sums are exactly zero.
 const PAIRS = [

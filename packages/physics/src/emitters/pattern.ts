@@ -1,11 +1,11 @@
 // The shape of a burst: velocities its particles are given one after another.
 
-import { MAX_SPEED } from '../components/velocity';
-import { PhysicsError } from '../faults/physics-error';
-import { checkVector, type VectorInput } from '../faults/validate';
-import { allocate } from '../store/arena';
-import { assertUsable } from '../store/guards';
-import type { PhysicsWorld } from '../world';
+import { MAX_SPEED } from '../components/velocity.ts';
+import { assertUsable } from '../ecs/guards.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkVector, type VectorInput } from '../errors/validate.ts';
+import { allocate } from '../memory/arena.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 
 /** Velocities in a world's memory: what a ring or a ball of sparks is made from. */
 export interface BurstPattern {

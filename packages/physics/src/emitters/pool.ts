@@ -1,12 +1,12 @@
 // The memory and the entities of an emitter's pool.
 
-import { spawnMany } from '../bodies/spawn-many';
-import { allocate } from '../store/arena';
-import { removeWholly } from '../store/bitecs';
-import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
-import type { EmitterOptions } from './options';
-import { type EmitterRecord, MOST_RAMPS, RECORD_BYTES, recordAt, W } from './record';
+import { spawnMany } from '../bodies/spawn-many.ts';
+import { removeWholly } from '../ecs/bitecs-adapter.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import type { EmitterOptions } from './options.ts';
+import { type EmitterRecord, MOST_RAMPS, RECORD_BYTES, recordAt, W } from './record.ts';
 
 /** Bursts that wait for the next step, and the bytes of one (kernels/emitters/record.ts). */
 export const MOST_BURSTS = 256;

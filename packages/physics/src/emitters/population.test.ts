@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { emitting, living, run } from '../../../../test/support/emitting';
-import { step } from '../step';
-import { aliveCount, emitterCounts, moveEmitter } from './emitter';
-import type { EmitterOptions } from './options';
+import { emitting, living, run } from '../../../../test/support/emitting.ts';
+import { step } from '../world/step.ts';
+import { aliveCount, emitterCounts, moveEmitter } from './emitter.ts';
+import type { EmitterOptions } from './options.ts';
 
 describe('how many are alive', () => {
   test('rate × lifetime, exactly, when all live equally long', () => {

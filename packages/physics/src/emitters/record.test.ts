@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { MOST_RAMPS, MOST_STOPS, N, W } from './record';
+import { MOST_RAMPS, MOST_STOPS, N, W } from './record.ts';
 
 /** The members of an enumeration without `count`, in order; those numbered from 0 that stand for several, each. */
 function namesOf(fields: object): string[] {

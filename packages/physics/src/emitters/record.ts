@@ -1,5 +1,5 @@
 // An emitter's record in the world's memory: the class of kernels/emitters/record.ts, field by field.
-import type { Arena } from '../store/arena';
+import type { Arena } from '../memory/arena.ts';
 
 /** Colour ramps an emitter can choose from, and stops of a ramp. */
 export const MOST_RAMPS = 8;

@@ -10,14 +10,14 @@
 // Lamb, Hydrodynamics, section 92; valid for inviscid flow far from walls. In single precision, what is left of an
 // acceleration that is nearly all taken back has the rounding of the whole: 3·10⁻⁵ of it for a bubble of air in water.
 // Cost: some 20 operations and two divisions a body.
-import { Collider } from '../components/collider';
-import { Hull } from '../components/hull';
-import { defineLaw } from '../dynamics/define-law';
-import { checkNumber } from '../faults/validate';
-import { type Scalar, select, type Vector } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { immersion, POOL, type Pool, poolValues } from './pool';
+import { Collider } from '../components/collider.ts';
+import { Hull } from '../components/hull.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { checkNumber } from '../errors/validate.ts';
+import { type Scalar, select, type Vector } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { immersion, POOL, type Pool, poolValues } from './support/fluid-volume.ts';
 
 const about = {
   name: 'added mass',

@@ -1,16 +1,16 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn } from '../../../../test/support/laws';
-import { spawn } from '../bodies/spawn';
-import { angularMomentum, energy } from '../diagnostics/energy';
-import type { Integrator } from '../integrators/integrator';
-import { rungeKutta4 } from '../integrators/runge-kutta-4';
-import { semiImplicitEuler } from '../integrators/semi-implicit-euler';
-import { velocityVerlet } from '../integrators/velocity-verlet';
-import { defineForce } from '../laws/force';
-import { step } from '../step';
-import { createPhysicsWorld, type PhysicsWorldOptions } from '../world';
-import { attractors } from './attractors';
-import { paczynskiWiita } from './paczynski-wiita';
+import { forceOn } from '../../../../test/support/laws.ts';
+import { spawn } from '../bodies/spawn.ts';
+import { angularMomentum, energy } from '../diagnostics/energy.ts';
+import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
+import { semiImplicitEuler } from '../integrators/semi-implicit-euler.ts';
+import type { Integrator } from '../integrators/support/integrator.ts';
+import { velocityVerlet } from '../integrators/velocity-verlet.ts';
+import { defineForce } from '../laws/force.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { attractors } from './attractors.ts';
+import { paczynskiWiita } from './paczynski-wiita.ts';
 
 /** ch06-orbits: a sun of μ = 1e6 at (275, 200), a planet at (200, 50). */
 function orbit(velocity: { x: number; y: number }, options: PhysicsWorldOptions = {}) {

@@ -15,19 +15,19 @@
 // A centre that moves is taken to go on at its velocity during the step, so that the force reads nothing but its own
 // body and the table of centres. Cost: a square root, a division and some 20 more operations a body and centre; with a
 // speed of light two divisions and some 25.
-import { bitOf } from '../components/all';
-import { defineLaw } from '../dynamics/define-law';
-import { reportFault } from '../faults/fault-log';
-import { checkKeys } from '../faults/validate';
-import type { BodySymbols } from '../laws/body-symbols';
-import { constant, type Scalar, type Vector, vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar, suppliedScalar } from '../laws/parameter';
-import { table } from '../laws/table';
-import { resource } from '../store/resource';
-import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
-import type { PhysicsWorld } from '../world';
-import { inverseWhere } from './central';
+import { bitOf } from '../components/all.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
+import { reportFault } from '../errors/fault-log.ts';
+import { checkKeys } from '../errors/validate.ts';
+import type { BodySymbols } from '../laws/body-symbols.ts';
+import { constant, type Scalar, type Vector, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar, suppliedScalar } from '../laws/parameter.ts';
+import { table } from '../laws/table.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { inverseWhere } from './support/central-force.ts';
 
 /** Slower light than a millimetre a second would make horizons of whole worlds. */
 const LIGHT_SPEEDS = { min: 1e-3, max: 1e12 };

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn, lawOn, read, run, single, slope } from '../../../../test/support/laws';
+import { forceOn, lawOn, read, run, single, slope } from '../../../../test/support/laws.ts';
 import {
   accelerationField,
   COULOMB_CONSTANT,
@@ -14,7 +14,7 @@ import {
   spawn,
   step,
   velocityVerlet,
-} from '../index';
+} from '../index.ts';
 
 describe('electric field', () => {
   test('a steady field: energy closes and the path is a parabola', () => {

@@ -1,14 +1,14 @@
 import { describe, expect, test } from 'vitest';
-import { type BodyInput, spawn } from '../bodies/spawn';
-import { rungeKutta4 } from '../integrators/runge-kutta-4';
-import { velocityVerlet } from '../integrators/velocity-verlet';
-import { defineForce, type Force } from '../laws/force';
-import { step } from '../step';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world';
-import { linearDrag, quadraticDrag } from './drag';
-import { replaceForce } from './replace-force';
-import { uniformGravity } from './uniform-gravity';
-import { gusts } from './wind';
+import { type BodyInput, spawn } from '../bodies/spawn.ts';
+import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
+import { velocityVerlet } from '../integrators/velocity-verlet.ts';
+import { defineForce, type Force } from '../laws/force.ts';
+import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { linearDrag, quadraticDrag } from './drag.ts';
+import { replaceForce } from './support/replace-force.ts';
+import { gusts } from './support/wind.ts';
+import { uniformGravity } from './uniform-gravity.ts';
 
 function run(forces: readonly Force[], body: BodyInput, seconds: number, options: PhysicsWorldOptions = {}) {
   const world = createPhysicsWorld({ capacity: 10, forces, integrator: velocityVerlet, ...options });

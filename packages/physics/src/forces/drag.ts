@@ -5,10 +5,10 @@
 //
 // The coefficients are the columns LinearDrag and QuadraticDrag; zero, or no component, feels nothing.
 // Cost: linear one multiply-add an axis; quadratic one square root more.
-import { LinearDrag, QuadraticDrag } from '../components/drag';
-import { defineLaw } from '../dynamics/define-law';
-import type { Force } from '../laws/force';
-import { type Wind, windParameter } from './wind';
+import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { Force } from '../laws/force.ts';
+import { type Wind, windParameter } from './support/wind.ts';
 
 const source = 'Batchelor, An Introduction to Fluid Dynamics, sections 4.9 and 5.11.';
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn, lawOn, read, run, single } from '../../../../test/support/laws';
+import { forceOn, lawOn, read, run, single } from '../../../../test/support/laws.ts';
 import {
   createPhysicsWorld,
   despawn,
@@ -13,7 +13,7 @@ import {
   step,
   uniformGravity,
   velocityVerlet,
-} from '../index';
+} from '../index.ts';
 
 describe('periodic drive', () => {
   test('a constant force for Ω = 0, and both amplitudes at their times', () => {

@@ -7,13 +7,13 @@
 // Valid between plates wide against their distance, and for fields that change slowly against the time light takes
 // across the scene: no radiation, no induced magnetic field. Griffiths, Introduction to Electrodynamics, chapter 2.
 // Cost: one multiply-add an axis.
-import { Charge } from '../components/charge';
-import { defineLaw } from '../dynamics/define-law';
-import type { Force } from '../laws/force';
-import type { LawOptions } from '../laws/law';
-import { vectorOverTime } from '../laws/parameter';
-import type { VectorOverTime } from '../laws/time-vector';
-import { ANY } from './bounds';
+import { Charge } from '../components/charge.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { Force } from '../laws/force.ts';
+import type { LawOptions } from '../laws/law.ts';
+import { vectorOverTime } from '../laws/parameter.ts';
+import type { VectorOverTime } from '../laws/time-vector.ts';
+import { ANY } from './support/bounds.ts';
 
 const reads = { charge: Charge };
 const parameters = { field: vectorOverTime('V/m', ANY) };

@@ -9,16 +9,16 @@
 // Valid for spherical symmetry. Cost: a square root, a division and 17 more operations a body, and six a radius: M is
 // the sum of what each shell between two radii has within r, in which no body has to look for its own. The table takes
 // 32 bytes a radius of the memory of each world it is used in, and stays there.
-import { PhysicsError } from '../faults/physics-error';
-import { checkKeys, checkList, checkNumber } from '../faults/validate';
-import { constant, type Scalar, select } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar, suppliedScalar } from '../laws/parameter';
-import { table } from '../laws/table';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
-import { LENGTHS, NOT_NEGATIVE, POSITIVE } from './bounds';
-import { CENTRE_KEYS, type CentralLaw, type CentreOptions, centralForce } from './central';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkKeys, checkList, checkNumber } from '../errors/validate.ts';
+import { constant, type Scalar, select } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar, suppliedScalar } from '../laws/parameter.ts';
+import { table } from '../laws/table.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
+import { LENGTHS, NOT_NEGATIVE, POSITIVE } from './support/bounds.ts';
+import { CENTRE_KEYS, type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
 /** Newton's constant of gravitation, m³/(kg s²): CODATA 2022. */
 export const GRAVITATIONAL_CONSTANT = 6.6743e-11;

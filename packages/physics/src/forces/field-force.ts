@@ -7,10 +7,10 @@
 // The function writes to `out` and must depend on its arguments alone, or two runs differ; use the portable sine and its
 // kin of this package. With a `potential` (J/kg, or J) given, the energy of the world closes.
 // Cost: one call of the function a body and evaluation, in TypeScript.
-import { PhysicsError } from '../faults/physics-error';
-import { checkFunction, checkKeys } from '../faults/validate';
-import type { Force } from '../laws/force';
-import type { PhysicsWorld } from '../world';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkFunction, checkKeys } from '../errors/validate.ts';
+import type { Force } from '../laws/force.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 
 /** Writes the field at (x, y, z) and time t to `out`, which holds zeros. */
 export type Field = (x: number, y: number, z: number, t: number, out: { x: number; y: number; z: number }) => void;

@@ -8,20 +8,20 @@
 // the surface, as in a hollow conductor. Valid for sources at rest: their fields do not lag behind and are not magnetic.
 // The pull of mobile charges on each other is in `mutualCoulomb`, which takes fixed ones along.
 // Cost: a square root, a division and some 20 operations a body and source.
-import { bitOf } from '../components/all';
-import { Charge } from '../components/charge';
-import { defineLaw } from '../dynamics/define-law';
-import { reportFault } from '../faults/fault-log';
-import { type Scalar, select, type Vector, vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { type TablePlace, table } from '../laws/table';
-import { resource } from '../store/resource';
-import { emptyRoster, type Roster, refreshRoster } from '../store/roster';
-import type { PhysicsWorld } from '../world';
-import { POSITIVE } from './bounds';
-import { inverseWhere } from './central';
-import { lawKernels } from './law-kernels';
+import { bitOf } from '../components/all.ts';
+import { Charge } from '../components/charge.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
+import { reportFault } from '../errors/fault-log.ts';
+import { type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { type TablePlace, table } from '../laws/table.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { POSITIVE } from './support/bounds.ts';
+import { inverseWhere } from './support/central-force.ts';
+import { lawKernels } from './support/force-kernels.ts';
 
 /** 1/(4π ε₀), N m²/C²: CODATA 2022. */
 export const COULOMB_CONSTANT = 8.9875517862e9;

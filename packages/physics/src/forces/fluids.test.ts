@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn, lawOn, run, single, slope } from '../../../../test/support/laws';
+import { forceOn, lawOn, run, single, slope } from '../../../../test/support/laws.ts';
 import {
   addedMass,
   angularDrag,
@@ -15,7 +15,7 @@ import {
   sphereDragCoefficient,
   uniformGravity,
   upthrust,
-} from '../index';
+} from '../index.ts';
 
 describe('sphere drag', () => {
   test('the drag curve: Stokes at Re → 0, measured values at 1, 10, 100, 1000 and 10⁵ within 6 %', () => {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn, lawOn, run, single } from '../../../../test/support/laws';
-import { correlatedGusts, createPhysicsWorld, linearDrag, PhysicsError, spawn, turbulentDrag } from '../index';
+import { forceOn, lawOn, run, single } from '../../../../test/support/laws.ts';
+import { correlatedGusts, createPhysicsWorld, linearDrag, PhysicsError, spawn, turbulentDrag } from '../index.ts';
 
 describe('correlated gusts', () => {
   const options = { mean: { x: 5 }, deviation: { x: 2, y: 3 }, time: 0.5, seed: 7 };

@@ -8,14 +8,14 @@
 // The coefficients are those of the wholly immersed body in this fluid; list no other drag with them, or it acts in the
 // air as well. A share of the volume stands for the share of the frontal area, which differ by a third at most.
 // Batchelor, An Introduction to Fluid Dynamics, section 5.11. Cost: a square root and a division a body.
-import { Collider } from '../components/collider';
-import { LinearDrag, QuadraticDrag } from '../components/drag';
-import { Hull } from '../components/hull';
-import { defineLaw } from '../dynamics/define-law';
-import type { Scalar, Vector } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar, vector } from '../laws/parameter';
-import { immersion, type Pool, poolValues } from './pool';
+import { Collider } from '../components/collider.ts';
+import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
+import { Hull } from '../components/hull.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { Scalar, Vector } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar, vector } from '../laws/parameter.ts';
+import { immersion, type Pool, poolValues } from './support/fluid-volume.ts';
 
 const about = {
   name: 'immersed drag',

@@ -6,13 +6,13 @@
 //
 // Lennard-Jones, Proc. Phys. Soc. 43, 461 (1931). The force grows as r⁻¹³: a body thrown at the centre needs short
 // steps, and in f32 distances under σ/500 overflow. Cost: one square root, one division and 22 more operations a body.
-import { checkKeys } from '../faults/validate';
-import type { Scalar, Vector } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { LENGTHS, NOT_NEGATIVE } from './bounds';
-import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './central';
-import { checkCoupling } from './coupling';
+import { checkKeys } from '../errors/validate.ts';
+import type { Scalar, Vector } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { LENGTHS, NOT_NEGATIVE } from './support/bounds.ts';
+import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
+import { checkCoupling } from './support/coupling.ts';
 
 export interface LennardJonesOptions extends CentreOptions {
   /** ε: depth of the well per unit of coupling. */

@@ -8,13 +8,13 @@
 // Kutta (1902), Joukowski (1906); the coefficient is constant, so the angle of attack must be small and steady, or the
 // game changes `Lift.coefficient`. It does no work. Anderson, Fundamentals of Aerodynamics, section 1.5.
 // Cost: one square root and a cross product a body; in the body's axes in 3D two cross products more.
-import { Lift } from '../components/lift';
-import { defineLaw } from '../dynamics/define-law';
-import { PhysicsError } from '../faults/physics-error';
-import { checkChoice, checkKeys, checkVector, type Vector, type VectorInput } from '../faults/validate';
-import type { Force } from '../laws/force';
-import { suppliedVector } from '../laws/parameter';
-import { type Wind, windParameter } from './wind';
+import { Lift } from '../components/lift.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkChoice, checkKeys, checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
+import type { Force } from '../laws/force.ts';
+import { suppliedVector } from '../laws/parameter.ts';
+import { type Wind, windParameter } from './support/wind.ts';
 
 export interface LiftOptions {
   /** Span axis s; default +z. In 2D it is +z. */

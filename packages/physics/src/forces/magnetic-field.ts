@@ -11,12 +11,12 @@
 // and then leave this force out. A field that changes with time induces an electric one, which is not included.
 // Lorentz (1895); Jackson, Classical Electrodynamics, section 12.2; Birdsall and Langdon, Plasma Physics via Computer
 // Simulation, section 4.3. Cost: four to twelve operations a body.
-import { Charge } from '../components/charge';
-import { defineLaw } from '../dynamics/define-law';
-import type { Force } from '../laws/force';
-import { axialVectorOverTime } from '../laws/parameter';
-import type { VectorOverTime } from '../laws/time-vector';
-import { ANY } from './bounds';
+import { Charge } from '../components/charge.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { Force } from '../laws/force.ts';
+import { axialVectorOverTime } from '../laws/parameter.ts';
+import type { VectorOverTime } from '../laws/time-vector.ts';
+import { ANY } from './support/bounds.ts';
 
 const law = /* @__PURE__ */ defineLaw({
   name: 'magnetic field',

@@ -8,12 +8,12 @@
 // Rubinow and Keller, J. Fluid Mech. 11, 447 (1961), for Re ≪ 1, where C = 1 exactly. Sports balls at Re of 10⁵ have
 // C from 0.1 to 1 by spin and roughness: Mehta, Annual Review of Fluid Mechanics 17, 151 (1985). It does no work and,
 // here, does not slow the spin: add `angularDrag`. Cost: a cross product a body.
-import { Collider } from '../components/collider';
-import { defineLaw } from '../dynamics/define-law';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { NOT_NEGATIVE, POSITIVE } from './bounds';
-import { type Wind, windParameter } from './wind';
+import { Collider } from '../components/collider.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { NOT_NEGATIVE, POSITIVE } from './support/bounds.ts';
+import { type Wind, windParameter } from './support/wind.ts';
 
 export interface MagnusOptions {
   /** Density ρ of the fluid, kg/m³. */

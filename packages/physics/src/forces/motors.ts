@@ -7,14 +7,14 @@
 // So that dE/dt = P above the speed P/maxForce; below it wheels would spin. Negative power brakes, and at rest does
 // nothing. With linear drag c: v² → P/c. Steady power is an idealisation of an engine with a perfect gearbox.
 // Cost: one square root, four divisions a body.
-import { Motor } from '../components/propulsion';
-import { defineLaw } from '../dynamics/define-law';
-import { checkKeys, checkVector, type VectorInput } from '../faults/validate';
-import { select } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { vector } from '../laws/parameter';
-import { PLACES } from './bounds';
-import { unit } from './lift';
+import { Motor } from '../components/propulsion.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { checkKeys, checkVector, type VectorInput } from '../errors/validate.ts';
+import { select } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { vector } from '../laws/parameter.ts';
+import { unit } from './lift.ts';
+import { PLACES } from './support/bounds.ts';
 
 export interface MotorOptions {
   /** Where bodies at rest set off to; default +x. */

@@ -8,12 +8,18 @@
 // Newton's. At r_s and inside there is no force and no potential: the body is swallowed, and should be removed.
 // Paczyński and Wiita, Astronomy and Astrophysics 88, 23 (1980). Cost: one square root, two divisions and 19 more
 // operations a body.
-import { MAX_SPEED } from '../components/velocity';
-import { checkKeys, checkNumber } from '../faults/validate';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { LENGTHS, POSITIVE } from './bounds';
-import { CENTRE_KEYS, type CentralLaw, type CentreOptions, centralForce, inverseWhere } from './central';
+import { MAX_SPEED } from '../components/velocity.ts';
+import { checkKeys, checkNumber } from '../errors/validate.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { LENGTHS, POSITIVE } from './support/bounds.ts';
+import {
+  CENTRE_KEYS,
+  type CentralLaw,
+  type CentreOptions,
+  centralForce,
+  inverseWhere,
+} from './support/central-force.ts';
 
 export interface PaczynskiWiitaOptions extends CentreOptions {
   /** Gravitational parameter μ = G M, m³/s². */

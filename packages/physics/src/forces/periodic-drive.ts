@@ -6,12 +6,12 @@
 //
 // A driven oscillator of mass m, stiffness k and damping c settles to the amplitude |A|/√((k - mΩ²)² + c²Ω²): Landau
 // and Lifshitz, Mechanics, section 26. For some bodies only, wrap it in `limited`. Cost: two operations an axis.
-import { defineLaw } from '../dynamics/define-law';
-import type { VectorInput } from '../faults/validate';
-import { select, vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar, vector } from '../laws/parameter';
-import { ANY } from './bounds';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { VectorInput } from '../errors/validate.ts';
+import { select, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar, vector } from '../laws/parameter.ts';
+import { ANY } from './support/bounds.ts';
 
 export interface PeriodicDriveOptions {
   /** A, N; default none. */

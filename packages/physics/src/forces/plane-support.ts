@@ -14,17 +14,17 @@
 // into the plane is not stopped: that is an impact, and the work of a wall. Less than `stickSpeed` is taken for rounding.
 // Coulomb (1785); Goldstein, Classical Mechanics, section 2.4 for rolling. Cost: one to three square roots a body.
 
-import { Collider } from '../components/collider';
-import { Inertia } from '../components/inertia';
-import { AngularVelocity } from '../components/rotation';
-import { defineLaw } from '../dynamics/define-law';
-import { checkKeys, checkVector, type VectorInput } from '../faults/validate';
-import type { BodySymbols } from '../laws/body-symbols';
-import { type Condition, constant, type Scalar, select, type Vector, vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar, suppliedScalar, vector } from '../laws/parameter';
-import { PLACES } from './bounds';
-import { unit } from './lift';
+import { Collider } from '../components/collider.ts';
+import { Inertia } from '../components/inertia.ts';
+import { AngularVelocity } from '../components/rotation.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { checkKeys, checkVector, type VectorInput } from '../errors/validate.ts';
+import type { BodySymbols } from '../laws/body-symbols.ts';
+import { type Condition, constant, type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar, suppliedScalar, vector } from '../laws/parameter.ts';
+import { unit } from './lift.ts';
+import { PLACES } from './support/bounds.ts';
 
 export interface PlaneSupportOptions {
   /** A point of the plane, m; default the origin. */

@@ -10,17 +10,17 @@
 // closes while the point rests and ζ = 0: damping takes some, a hand that moves adds to it.
 // Catto, Soft Constraints (Game Developers Conference, 2011). Cost: nothing unless something is
 // held, and then two square roots or divisions and some 25 more operations for every body: all lanes do the same.
-import { defineLaw } from '../dynamics/define-law';
-import { checkVector, type VectorInput } from '../faults/validate';
-import { constant, select, vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { type TablePlace, table } from '../laws/table';
-import { allocate } from '../store/arena';
-import { assertBody, type EntityRef, entityRef, isAlive } from '../store/references';
-import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
-import { PLACES } from './bounds';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { assertBody, type EntityRef, entityRef, isAlive } from '../ecs/entity-ref.ts';
+import { checkVector, type VectorInput } from '../errors/validate.ts';
+import { constant, select, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { type TablePlace, table } from '../laws/table.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { PLACES } from './support/bounds.ts';
 
 export interface PointerPullOptions {
   /** f, Hz; default 2. */

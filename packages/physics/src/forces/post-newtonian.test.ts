@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { attractors, createPhysicsWorld, postNewtonian, rungeKutta4, spawn, step } from '../index';
+import { attractors, createPhysicsWorld, postNewtonian, rungeKutta4, spawn, step } from '../index.ts';
 
 const G = 2;
 const MASS = 3;

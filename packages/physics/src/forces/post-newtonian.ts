@@ -8,10 +8,10 @@
 // ratio of the masses, is left out. Valid for v²/c² and μ/(c² r) far below one, and one body far heavier than all others.
 // In the harmonic gauge of general relativity: Einstein, Infeld, Hoffmann (1938); Will, Theory and Experiment in
 // Gravitational Physics, section 6.2. No potential: the force depends on velocity. Cost: a square root a body.
-import { checkKeys, checkNumber } from '../faults/validate';
-import type { Force } from '../laws/force';
-import { GRAVITATIONAL_CONSTANT } from './enclosed-mass-gravity';
-import { lawKernels } from './law-kernels';
+import { checkKeys, checkNumber } from '../errors/validate.ts';
+import type { Force } from '../laws/force.ts';
+import { GRAVITATIONAL_CONSTANT } from './enclosed-mass-gravity.ts';
+import { lawKernels } from './support/force-kernels.ts';
 
 /** The dominant body and the constants, in the units of the world. */
 export interface PostNewtonianOptions {

@@ -10,13 +10,13 @@
 // range, 10⁻³⁸ to 10³⁸, and for n of 1 and -2 the product with k alone.
 // Goldstein, Classical Mechanics, 3rd ed., sections 3.5 and 3.6. Cost: one square root, one division and 15 more
 // operations a body, and one power more unless n is 1 or -2; n = 1 without an inner radius is two operations an axis.
-import { checkKeys, checkNumber } from '../faults/validate';
-import { type Scalar, select, type Vector } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { ANY } from './bounds';
-import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './central';
-import { checkCoupling } from './coupling';
+import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { type Scalar, select, type Vector } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { ANY } from './support/bounds.ts';
+import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
+import { checkCoupling } from './support/coupling.ts';
 
 export interface PowerLawOptions extends CentreOptions {
   /** k: force per unit of coupling at a distance of one metre; negative attracts. */

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn, read, run, single } from '../../../../test/support/laws';
+import { forceOn, read, run, single } from '../../../../test/support/laws.ts';
 import {
   createPhysicsWorld,
   linearDrag,
@@ -11,7 +11,7 @@ import {
   step,
   thrust,
   velocityVerlet,
-} from '../index';
+} from '../index.ts';
 
 describe('rocket engines', () => {
   const engine = { exhaustSpeed: 200, burnRate: 0.5, fuel: 3.5 };

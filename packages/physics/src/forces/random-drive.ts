@@ -11,12 +11,12 @@
 // in every evaluation of a step. With white noise every integrator is of first order at best.
 // Gillespie, Am. J. Phys. 64, 225 (1996). Cost: a logarithm, a sine or cosine and a square root a body
 // and axis.
-import { defineLaw } from '../dynamics/define-law';
-import { checkKeys, checkWhole, type VectorInput } from '../faults/validate';
-import { select, vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { suppliedScalar, vector } from '../laws/parameter';
-import { NOT_NEGATIVE } from './bounds';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { checkKeys, checkWhole, type VectorInput } from '../errors/validate.ts';
+import { select, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { suppliedScalar, vector } from '../laws/parameter.ts';
+import { NOT_NEGATIVE } from './support/bounds.ts';
 
 export interface RandomDriveOptions {
   /** S of each axis, N² s; a number is all axes. */

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn, run, single } from '../../../../test/support/laws';
+import { forceOn, run, single } from '../../../../test/support/laws.ts';
 import {
   bendGrip,
   energy,
@@ -10,7 +10,7 @@ import {
   stringTension,
   thrust,
   uniformGravity,
-} from '../index';
+} from '../index.ts';
 
 const gravity = uniformGravity({ y: -10 });
 

@@ -11,14 +11,14 @@
 // step. Exhaust far slower than light. A body that gets rid of all its mass keeps a millionth of it.
 // Cost: one logarithm a firing engine and step, and the turn of
 // a vector a body.
-import { Engine } from '../components/propulsion';
-import { defineLaw } from '../dynamics/define-law';
-import { checkKeys } from '../faults/validate';
-import { vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import type { PhysicsWorld } from '../world';
-import { lawKernels } from './law-kernels';
-import { checkFrame } from './lift';
+import { Engine } from '../components/propulsion.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { checkKeys } from '../errors/validate.ts';
+import { vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { checkFrame } from './lift.ts';
+import { lawKernels } from './support/force-kernels.ts';
 
 export interface RocketOptions {
   /** Whether engines push along axes of the world or, by default, of the body. */

@@ -10,15 +10,15 @@
 // to a third, which is not modelled. Steady drag: no added mass, no history force. For 2D too the body is a sphere.
 // Cost: one square root, one division and two powers a body, and powers cost many times the rest: for many bodies in one
 // range of Re use linear or quadratic drag.
-import { Collider } from '../components/collider';
-import { defineLaw } from '../dynamics/define-law';
-import { checkNumber } from '../faults/validate';
-import { constant } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { pow } from '../math/elementary';
-import { POSITIVE } from './bounds';
-import { type Wind, windParameter } from './wind';
+import { Collider } from '../components/collider.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { checkNumber } from '../errors/validate.ts';
+import { constant } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { pow } from '../math/elementary.ts';
+import { POSITIVE } from './support/bounds.ts';
+import { type Wind, windParameter } from './support/wind.ts';
 
 export interface FluidOptions {
   /** Density ρ, kg/m³: air 1.2, water 1000. */

@@ -1,16 +1,16 @@
 import { describe, expect, test } from 'vitest';
-import { despawn, spawn } from '../bodies/spawn';
-import { spawnMany } from '../bodies/spawn-many';
-import { energy, momentum } from '../diagnostics/energy';
-import { stateHash } from '../diagnostics/hash';
-import { PhysicsError } from '../faults/physics-error';
-import { rungeKutta4 } from '../integrators/runge-kutta-4';
-import { semiImplicitEuler } from '../integrators/semi-implicit-euler';
-import { velocityVerlet } from '../integrators/velocity-verlet';
-import { step } from '../step';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world';
-import { removedSprings, springs } from './springs';
-import { uniformGravity } from './uniform-gravity';
+import { despawn, spawn } from '../bodies/spawn.ts';
+import { spawnMany } from '../bodies/spawn-many.ts';
+import { energy, momentum } from '../diagnostics/energy.ts';
+import { stateHash } from '../diagnostics/hash.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
+import { semiImplicitEuler } from '../integrators/semi-implicit-euler.ts';
+import { velocityVerlet } from '../integrators/velocity-verlet.ts';
+import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { removedSprings, springs } from './springs.ts';
+import { uniformGravity } from './uniform-gravity.ts';
 
 function springWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
   return createPhysicsWorld({ capacity: 100, forces: [springs()], ...options });

@@ -13,11 +13,12 @@
 // E_STIFF before anything moves. The limit is that of the single spring, k/μ dt² with the reduced mass μ of its ends:
 // beyond it the net it belongs to is unstable as well; but a net can need steps up to some three times shorter.
 // Cost: one square root and one division a spring and force evaluation; springs share bodies, so no lanes.
-import { PhysicsError } from '../faults/physics-error';
-import type { Force } from '../laws/force';
-import { assertUsable } from '../store/guards';
-import type { PhysicsWorld } from '../world';
-import { activeSprings, removeLost, type SpringTable, scanSprings, springTable } from './spring-table';
+
+import { assertUsable } from '../ecs/guards.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import type { Force } from '../laws/force.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { activeSprings, removeLost, type SpringTable, scanSprings, springTable } from './support/spring-table.ts';
 
 /** Springs between bodies: see `Spring`. */
 export function springs(): Force {

@@ -11,12 +11,12 @@
 // stretches: that is an impulse, and a joint's work.
 // Goldstein, Classical Mechanics, section 1.3. For some bodies only, wrap it in `limited`.
 // Cost: some 30 operations and two divisions a body.
-import { defineLaw } from '../dynamics/define-law';
-import type { VectorInput } from '../faults/validate';
-import { select, vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar, vector } from '../laws/parameter';
-import { LENGTHS, PLACES } from './bounds';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { VectorInput } from '../errors/validate.ts';
+import { select, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar, vector } from '../laws/parameter.ts';
+import { LENGTHS, PLACES } from './support/bounds.ts';
 
 export interface StringOptions {
   /** Where it hangs, m; default the origin. */

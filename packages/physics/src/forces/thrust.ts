@@ -6,11 +6,11 @@
 //
 // No mass is spent: `rocketEngines` for that. Cost: one addition an axis; in the body's axes a sine and a cosine in 2D,
 // two cross products in 3D.
-import { Thrust } from '../components/propulsion';
-import { defineLaw } from '../dynamics/define-law';
-import { checkKeys } from '../faults/validate';
-import type { Force } from '../laws/force';
-import { checkFrame } from './lift';
+import { Thrust } from '../components/propulsion.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { checkKeys } from '../errors/validate.ts';
+import type { Force } from '../laws/force.ts';
+import { checkFrame } from './lift.ts';
 
 export interface ThrustOptions {
   /** Whether the vector is in axes of the world (default) or of the body. */

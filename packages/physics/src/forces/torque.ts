@@ -7,14 +7,14 @@
 // A body turns when it has Inertia and AngularVelocity: dω/dt = τ/I, by semi-implicit Euler, with one moment of inertia
 // for all axes. In 2D only z. Keep k dt/I below 1. Goldstein, Classical Mechanics, section 5.
 // Cost: one multiply-add an axis.
-import { AngularDrag } from '../components/drag';
-import { Inertia } from '../components/inertia';
-import { defineLaw } from '../dynamics/define-law';
-import type { VectorInput } from '../faults/validate';
-import { axial3, select } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { axialVector } from '../laws/parameter';
-import { ANY } from './bounds';
+import { AngularDrag } from '../components/drag.ts';
+import { Inertia } from '../components/inertia.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { VectorInput } from '../errors/validate.ts';
+import { axial3, select } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { axialVector } from '../laws/parameter.ts';
+import { ANY } from './support/bounds.ts';
 
 const source = 'Goldstein, Classical Mechanics, section 5.';
 

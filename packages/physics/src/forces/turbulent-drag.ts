@@ -11,20 +11,20 @@
 // J. Fluid Mech. 236, 281 (1992). u is a function of place and time, not of the step: its statistics cannot depend on
 // the frame rate. List no other drag beside it. Each mode takes 64 bytes of a world's memory, once.
 // Cost: some 30 operations a body and mode, and one square root a body.
-import { LinearDrag, QuadraticDrag } from '../components/drag';
-import { defineLaw } from '../dynamics/define-law';
-import { checkKeys, checkNumber, checkWhole } from '../faults/validate';
-import { constant, type Scalar, vec3 } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { type TablePlace, table } from '../laws/table';
-import { cos, pow, sin } from '../math/elementary';
-import { createRandom, type Random } from '../math/random';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
-import { LENGTHS } from './bounds';
-import { type Wind, windParameter } from './wind';
+import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
+import { constant, type Scalar, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { type TablePlace, table } from '../laws/table.ts';
+import { cos, pow, sin } from '../math/elementary.ts';
+import { createRandom, type Random } from '../math/random.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { LENGTHS } from './support/bounds.ts';
+import { type Wind, windParameter } from './support/wind.ts';
 
 export interface TurbulenceOptions {
   /** Mean wind, m/s; default none. */

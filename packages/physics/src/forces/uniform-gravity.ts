@@ -6,10 +6,10 @@
 //
 // Valid near the surface of a planet, over heights small against its radius (over 1 km g falls by 0.03 %).
 // Cost: one multiply-add an axis.
-import { defineLaw } from '../dynamics/define-law';
-import type { VectorInput } from '../faults/validate';
-import type { Force } from '../laws/force';
-import { vector } from '../laws/parameter';
+import { defineLaw } from '../dynamics/define-law.ts';
+import type { VectorInput } from '../errors/validate.ts';
+import type { Force } from '../laws/force.ts';
+import { vector } from '../laws/parameter.ts';
 
 /** Standard acceleration of free fall, m/s². */
 export const STANDARD_GRAVITY = 9.80665;

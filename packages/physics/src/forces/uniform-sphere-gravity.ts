@@ -7,11 +7,11 @@
 //
 // Newton, Principia I, propositions 73 and 74. Valid for constant density; the field is continuous at the surface.
 // Cost: one square root, one division and 17 more operations a body.
-import { constant, select } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { ANY, LENGTHS } from './bounds';
-import { type CentralLaw, type CentreOptions, centralForce } from './central';
+import { constant, select } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { ANY, LENGTHS } from './support/bounds.ts';
+import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
 export interface UniformSphereOptions extends CentreOptions {
   /** Gravitational parameter μ = G M, m³/s². */

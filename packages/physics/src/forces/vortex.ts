@@ -9,11 +9,11 @@
 // draws inwards. So at r₀ the force is m k r₀ on either side but jumps from outward to inward: bodies gather on the rim,
 // and a step that crosses it errs by the first order. The potential is continuous. For the flow itself, and drag in it,
 // give `turbulentDrag` or `quadraticDrag` a wind. Cost: one square root, one division and 17 more operations a body.
-import { select } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { ANY, LENGTHS } from './bounds';
-import { type CentralLaw, type CentreOptions, centralForce } from './central';
+import { select } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { ANY, LENGTHS } from './support/bounds.ts';
+import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
 export interface VortexOptions extends CentreOptions {
   /** k, 1/s². */

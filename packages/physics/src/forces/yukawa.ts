@@ -7,13 +7,13 @@
 // Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935); Debye and Hückel (1923) for charges in an electrolyte. At r = 0
 // there is no direction and no force. Cost: one square root, one exponential, two divisions and 17 more operations a
 // body.
-import { checkKeys } from '../faults/validate';
-import { constant, type Scalar, type Vector } from '../laws/expression';
-import type { Force } from '../laws/force';
-import { scalar } from '../laws/parameter';
-import { ANY, LENGTHS } from './bounds';
-import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './central';
-import { checkCoupling } from './coupling';
+import { checkKeys } from '../errors/validate.ts';
+import { constant, type Scalar, type Vector } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar } from '../laws/parameter.ts';
+import { ANY, LENGTHS } from './support/bounds.ts';
+import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
+import { checkCoupling } from './support/coupling.ts';
 
 export interface YukawaOptions extends CentreOptions {
   /** k; negative attracts. */

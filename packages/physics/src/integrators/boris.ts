@@ -10,13 +10,13 @@
 //
 // Boris, Proc. 4th Conf. Numerical Simulation of Plasmas (1970), p. 3; Qin et al., Phys. Plasmas 20, 084503 (2013).
 
-import { PhysicsError } from '../faults/physics-error';
-import { checkFunction, checkKeys } from '../faults/validate';
-import { constant, Scalar, select, type Vector, vectorOf } from '../laws/expression';
-import { axialVectorOverTime, sourcesOf } from '../laws/parameter';
-import type { VectorOverTime } from '../laws/time-vector';
-import { defineIntegrator } from './define-integrator';
-import type { Integrator } from './integrator';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkFunction, checkKeys } from '../errors/validate.ts';
+import { constant, Scalar, select, type Vector, vectorOf } from '../laws/expression.ts';
+import { axialVectorOverTime, sourcesOf } from '../laws/parameter.ts';
+import type { VectorOverTime } from '../laws/time-vector.ts';
+import { defineIntegrator } from './support/define-integrator.ts';
+import type { Integrator } from './support/integrator.ts';
 
 /** The magnetic field, T: give one of the two. In two dimensions only z acts. */
 export interface BorisOptions {

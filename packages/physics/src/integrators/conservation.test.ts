@@ -13,7 +13,7 @@ import {
   wisdomHolman,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { advance, distance, kepler, stateOf } from '../../../../test/support/integrator-problems';
+import { advance, distance, kepler, stateOf } from '../../../../test/support/integrator-problems.ts';
 
 const NAMES = Object.keys(INTEGRATORS) as IntegratorName[];
 const withoutPlanets = NAMES.filter((name) => name !== 'wisdomHolman');

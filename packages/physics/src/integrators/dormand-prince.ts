@@ -9,12 +9,12 @@
 // tolerance a sub-step. Where the force is singular or jumps, the step is crossed without error control and the log gets
 // an E_STEP that names the body. Sources: dormand-prince-tableau.ts.
 
-import type { EvaluateForces } from '../dynamics/evaluate-forces';
-import { checkKeys, checkNumber, type Vector } from '../faults/validate';
-import { raise } from '../math/elementary';
-import { AXES } from '../store/axes';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
+import type { EvaluateForces } from '../dynamics/evaluate-forces.ts';
+import type { Spans } from '../ecs/ranges.ts';
+import { checkKeys, checkNumber, type Vector } from '../errors/validate.ts';
+import { raise } from '../math/elementary.ts';
+import { AXES } from '../memory/axes.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 import {
   begin,
   END,
@@ -33,10 +33,10 @@ import {
   takeSubStep,
   VELOCITY_FLOOR,
   WANTED,
-} from './dormand-prince-stages';
-import { denseWeights, twice } from './dormand-prince-tableau';
-import type { Integrator } from './integrator';
-import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './sub-steps';
+} from './support/dormand-prince-stages.ts';
+import { denseWeights, twice } from './support/dormand-prince-tableau.ts';
+import type { Integrator } from './support/integrator.ts';
+import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
 
 /** How exact it is. */
 export interface DormandPrinceOptions {

@@ -5,8 +5,8 @@
 // Second order, symplectic and reversible for forces of position alone, with a single evaluation: the cheapest scheme
 // of its order. A force that depends on velocity makes it first order. Hairer, Lubich, Wanner: Geometric Numerical
 // Integration, I.1.4.
-import { compose, isStableComposition } from './composition';
-import { defineIntegrator } from './define-integrator';
+import { compose, isStableComposition } from './support/composition.ts';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 const DRIFTS = [1 / 2, 1 / 2];
 const KICKS = [1];

@@ -5,7 +5,7 @@
 // First order. Not symplectic: every step multiplies the amplitude of an oscillator by √(1 + ω² dt²), so its energy
 // grows without bound. For comparison, and for what only decays. Euler, Institutionum calculi integralis I (1768),
 // §650; Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, I.7.
-import { defineIntegrator } from './define-integrator';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 export const explicitEuler = /* @__PURE__ */ defineIntegrator(
   {

@@ -20,7 +20,7 @@ import {
   wisdomHolman,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { distance, kepler, keplerExact, oscillator, stateOf } from '../../../../test/support/integrator-problems';
+import { distance, kepler, keplerExact, oscillator, stateOf } from '../../../../test/support/integrator-problems.ts';
 
 const NAMES = Object.keys(INTEGRATORS) as IntegratorName[];
 

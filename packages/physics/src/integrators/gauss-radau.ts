@@ -12,12 +12,11 @@
 //
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
 
-import type { EvaluateForces } from '../dynamics/evaluate-forces';
-import { checkKeys, checkNumber } from '../faults/validate';
-import { raise } from '../math/elementary';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
-import type { Integrator } from './integrator';
+import type { EvaluateForces } from '../dynamics/evaluate-forces.ts';
+import type { Spans } from '../ecs/ranges.ts';
+import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { raise } from '../math/elementary.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 import {
   CHANGE,
   LAST_TERM,
@@ -31,8 +30,9 @@ import {
   START,
   STEP,
   WANTED,
-} from './radau-table';
-import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './sub-steps';
+} from './support/gauss-radau-table.ts';
+import type { Integrator } from './support/integrator.ts';
+import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
 
 /** How exact it is. */
 export interface GaussRadauOptions {

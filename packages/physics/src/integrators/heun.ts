@@ -5,7 +5,7 @@
 // Second order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
 // oscillator grows by (ω dt)⁴/4 a step. Heun, Z. Math. Phys. 45, 23 (1900); Hairer, Nørsett, Wanner: Solving Ordinary
 // Differential Equations I, II.1.
-import { defineIntegrator } from './define-integrator';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 export const heun = /* @__PURE__ */ defineIntegrator(
   {

@@ -12,16 +12,24 @@
 // swinging, is solved at k dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd.
 // Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
 
-import type { EvaluateForces } from '../dynamics/evaluate-forces';
-import { reportFault } from '../faults/fault-log';
-import { checkKeys, checkNumber } from '../faults/validate';
-import { AXES } from '../store/axes';
-import type { Spans } from '../store/spans';
-import type { PhysicsWorld } from '../world';
-import { type Equation, equationOf, MINUS_ONE, moveTo, residualAt, Scalar, VECTORS } from './implicit-equation';
-import type { Integrator } from './integrator';
-import { solveLinear } from './krylov';
-import { addScaled, copyVector, norm } from './vectors';
+import type { EvaluateForces } from '../dynamics/evaluate-forces.ts';
+import type { Spans } from '../ecs/ranges.ts';
+import { reportFault } from '../errors/fault-log.ts';
+import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { AXES } from '../memory/axes.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { addScaled, copyVector, norm } from './support/body-vectors.ts';
+import { solveLinear } from './support/gmres.ts';
+import {
+  type Equation,
+  equationOf,
+  MINUS_ONE,
+  moveTo,
+  residualAt,
+  Scalar,
+  VECTORS,
+} from './support/implicit-equation.ts';
+import type { Integrator } from './support/integrator.ts';
 
 /** When the equation counts as solved. */
 export interface ImplicitEulerOptions {

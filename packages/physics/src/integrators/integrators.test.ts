@@ -1,16 +1,16 @@
 import { describe, expect, test } from 'vitest';
-import { spawn } from '../bodies/spawn';
-import { energy } from '../diagnostics/energy';
-import { linearDrag, quadraticDrag } from '../forces/drag';
-import { springs } from '../forces/springs';
-import { uniformGravity } from '../forces/uniform-gravity';
-import { defineForce, type Force } from '../laws/force';
-import { step } from '../step';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world';
-import type { Integrator } from './integrator';
-import { rungeKutta4 } from './runge-kutta-4';
-import { semiImplicitEuler } from './semi-implicit-euler';
-import { velocityVerlet } from './velocity-verlet';
+import { spawn } from '../bodies/spawn.ts';
+import { energy } from '../diagnostics/energy.ts';
+import { linearDrag, quadraticDrag } from '../forces/drag.ts';
+import { springs } from '../forces/springs.ts';
+import { uniformGravity } from '../forces/uniform-gravity.ts';
+import { defineForce, type Force } from '../laws/force.ts';
+import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { rungeKutta4 } from './runge-kutta-4.ts';
+import { semiImplicitEuler } from './semi-implicit-euler.ts';
+import type { Integrator } from './support/integrator.ts';
+import { velocityVerlet } from './velocity-verlet.ts';
 
 const ALL = [semiImplicitEuler, velocityVerlet, rungeKutta4];
 

@@ -6,8 +6,8 @@
 // A force that depends on velocity makes it first order: take velocity Verlet then. Two evaluations, because contacts
 // and users may move bodies between steps. Verlet, Phys. Rev. 159, 98 (1967); Hairer, Lubich, Wanner: Geometric
 // Numerical Integration, I.1.4.
-import { isStableComposition } from './composition';
-import { defineIntegrator } from './define-integrator';
+import { isStableComposition } from './support/composition.ts';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 export const leapfrog = /* @__PURE__ */ defineIntegrator(
   {

@@ -18,7 +18,7 @@ import {
   oscillator,
   oscillatorExact,
   stateOf,
-} from '../../../../test/support/integrator-problems';
+} from '../../../../test/support/integrator-problems.ts';
 
 /** Those that choose their own steps take the world's whole with a tolerance this wide. */
 const create = (name: IntegratorName) =>

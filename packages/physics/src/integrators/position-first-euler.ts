@@ -5,7 +5,7 @@
 // First order, symplectic, one evaluation: the adjoint of the velocity-first ordering, which run backwards in time it
 // is. The energy error of an oscillator stays within ω dt/2 of the energy for ever.
 // Hairer, Lubich, Wanner: Geometric Numerical Integration, I.1.2 and VI.3.1.
-import { defineIntegrator } from './define-integrator';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 export const positionFirstEuler = /* @__PURE__ */ defineIntegrator(
   {

@@ -10,8 +10,8 @@
 // keep the order. Symplectic for forces of position alone and equal steps: the energy error is bounded.
 // Størmer, Arch. Sci. Phys. Nat. 24 (1907); Verlet, Phys. Rev. 159, 98 (1967); Hairer, Lubich, Wanner: Geometric
 // Numerical Integration, I.1.4.
-import { type Scalar, select, type Vector, vec3 } from '../laws/expression';
-import { defineIntegrator } from './define-integrator';
+import { type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 const AXES = ['x', 'y', 'z'] as const;
 

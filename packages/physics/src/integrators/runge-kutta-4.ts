@@ -3,7 +3,7 @@
 // Fourth order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
 // oscillator decays by (ω dt)⁶/72 a step. Choose it for accuracy over few periods. Hairer, Nørsett, Wanner: Solving
 // Ordinary Differential Equations I, II.1.
-import { defineIntegrator } from './define-integrator';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 export const rungeKutta4 = /* @__PURE__ */ defineIntegrator(
   {

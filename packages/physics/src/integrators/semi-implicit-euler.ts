@@ -4,7 +4,7 @@
 //
 // First order; symplectic for forces that depend on position alone: the energy error of an oscillator stays within
 // ω dt/2 of the energy for ever. One force evaluation. Hairer, Lubich, Wanner: Geometric Numerical Integration, I.1.2.
-import { defineIntegrator } from './define-integrator';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 export const semiImplicitEuler = /* @__PURE__ */ defineIntegrator(
   {

@@ -5,7 +5,7 @@
 // with a' the acceleration at x'. A force that depends on velocity sees the predictor v + a dt there, which keeps the
 // scheme second order. For forces of position alone it is symplectic and exactly reversible; constant force is exact.
 // Two force evaluations: nothing is carried over from the last step, because contacts and users may have moved bodies.
-import { defineIntegrator } from './define-integrator';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 export const velocityVerlet = /* @__PURE__ */ defineIntegrator(
   {

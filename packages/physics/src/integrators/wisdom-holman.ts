@@ -16,15 +16,15 @@
 //
 // Wisdom and Holman, Astron. J. 102, 1528 (1991); Rein and Tamayo, MNRAS 452, 376 (2015).
 
-import { bitOf } from '../components/all';
-import { checkKeys, checkNumber } from '../faults/validate';
-import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity';
-import { resource } from '../store/resource';
-import { emptyRoster, refreshRoster } from '../store/roster';
-import type { PhysicsWorld } from '../world';
-import type { Integrator } from './integrator';
-import { integratorKernels } from './kernels';
-import { reportUnderflow } from './sub-steps';
+import { bitOf } from '../components/all.ts';
+import { emptyRoster, refreshRoster } from '../ecs/entity-list.ts';
+import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Integrator } from './support/integrator.ts';
+import { integratorKernels } from './support/integrator-kernels.ts';
+import { reportUnderflow } from './support/sub-steps.ts';
 
 /** Which attraction the orbits obey. */
 export interface WisdomHolmanOptions {

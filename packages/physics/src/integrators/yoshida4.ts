@@ -5,8 +5,8 @@
 // Fourth order, symplectic and reversible for forces of position alone; three evaluations. The middle step goes back by
 // 1.70 dt, so the error constant is large: halve dt against leapfrog before judging. A force that depends on velocity
 // makes it first order. Forest and Ruth, Physica D 43, 105 (1990); Yoshida, Phys. Lett. A 150, 262 (1990).
-import { compose, drifted, isStableComposition } from './composition';
-import { defineIntegrator } from './define-integrator';
+import { compose, drifted, isStableComposition } from './support/composition.ts';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 const CUBE_ROOT_OF_2 = 1.2599210498948732;
 const W = 1 / (2 - CUBE_ROOT_OF_2);

@@ -5,8 +5,8 @@
 // Sixth order, symplectic and reversible for forces of position alone; seven evaluations. For orbits over very many
 // periods with a small, bounded error. A force that depends on velocity makes it first order.
 // Yoshida, Phys. Lett. A 150, 262 (1990), table 1; digits: Hairer, Lubich, Wanner: Geometric Numerical Integration, V.3.
-import { compose, drifted, isStableComposition } from './composition';
-import { defineIntegrator } from './define-integrator';
+import { compose, drifted, isStableComposition } from './support/composition.ts';
+import { defineIntegrator } from './support/define-integrator.ts';
 
 const W1 = -1.177679984178871;
 const W2 = 0.23557321335935813;

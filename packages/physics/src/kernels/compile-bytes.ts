@@ -1,4 +1,4 @@
-import { PhysicsError } from '../faults/physics-error';
+import { PhysicsError } from '../errors/physics-error.ts';
 
 /**
  * Compiles a module at once.

@@ -1,5 +1,5 @@
-import { compileBytes } from './compile-bytes';
-import { SIGNS, UNPACKER } from './texts.gen';
+import { compileBytes } from './compile-bytes.ts';
+import { SIGNS, UNPACKER } from './texts.gen.ts';
 
 /** Two builds of one module, packed together and written in 64 signs. */
 export interface EmbeddedModule {

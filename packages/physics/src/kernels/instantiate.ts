@@ -1,7 +1,7 @@
-import type { PhysicsWorld } from '../world';
-import { compileBytes } from './compile-bytes';
-import { decodeModule, type EmbeddedModule } from './decode';
-import { KERNELS, type KernelExports } from './modules.gen';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { compileBytes } from './compile-bytes.ts';
+import { decodeModule, type EmbeddedModule } from './decode.ts';
+import { KERNELS, type KernelExports } from './modules.gen.ts';
 
 export type Precision = 'f32' | 'f64';
 export type { KernelExports };

@@ -1,9 +1,9 @@
 // What a law may read of the body it acts on.
-import { bitOf, COMPONENTS, type ComponentName } from '../components/all';
-import type { ComponentSpec, FieldSpec } from '../components/define';
-import { PhysicsError } from '../faults/physics-error';
-import { checkWhole, isRecord, mustBe, unknownName } from '../faults/validate';
-import { Condition, Scalar, type ScalarInput, scalarOf, Vector, vec3, vectorOf } from './expression';
+import { bitOf, COMPONENTS, type ComponentName } from '../components/all.ts';
+import type { ComponentSpec, FieldSpec } from '../components/define.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkWhole, isRecord, mustBe, unknownName } from '../errors/validate.ts';
+import { Condition, Scalar, type ScalarInput, scalarOf, Vector, vec3, vectorOf } from './expression.ts';
 
 /** Where a column of a component is read. */
 export interface ColumnData {

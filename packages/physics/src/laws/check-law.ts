@@ -1,10 +1,10 @@
 // A new law is lowered once for nobody, so that what is wrong with it is said when it is defined.
-import { PhysicsError } from '../faults/physics-error';
-import { Graph } from './graph';
-import type { Law } from './law';
-import { Lowering } from './lower';
-import type { Parameter } from './parameter';
-import type { Axes } from './vector-algebra';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { Graph } from './graph.ts';
+import type { Law } from './law.ts';
+import { Lowering } from './lower.ts';
+import type { Parameter } from './parameter.ts';
+import type { Axes } from './vector-algebra.ts';
 
 /** Lowers a new law to arithmetic that nobody runs, in each dimension it is for: what is wrong with it shows now. */
 export function checkLaw(law: Law): void {

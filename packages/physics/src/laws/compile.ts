@@ -1,8 +1,8 @@
 // From a loop as arithmetic to a function that runs over the memory of a world. Modules are compiled synchronously and
 // kept: a world of the same structure and layout uses the one there is.
-import { compileBytes } from '../kernels/compile-bytes';
-import { emitLoop, type LoopSource } from './emit-loop';
-import { encodeModule, type ModuleSource } from './encode';
+import { compileBytes } from '../kernels/compile-bytes.ts';
+import { emitLoop, type LoopSource } from './emit-loop.ts';
+import { encodeModule, type ModuleSource } from './encode.ts';
 
 /** Runs over rows [first, last), whose bounds are multiples of 16. */
 export type Loop = (first: number, last: number, checked: number) => number;

@@ -1,7 +1,7 @@
 // What is wrong with a law is said when it is defined, with its name and the place.
 import { describe, expect, test } from 'vitest';
-import { forcesNow } from '../../../../test/support/law-lab';
-import { worldState } from '../../../../test/support/worlds';
+import { forcesNow } from '../../../../test/support/law-lab.ts';
+import { worldState } from '../../../../test/support/worlds.ts';
 import {
   type BodySymbols,
   COMPONENTS,
@@ -16,7 +16,7 @@ import {
   table,
   type VectorSymbol,
   vec3,
-} from '../index';
+} from '../index.ts';
 
 /** The error of a definition that TypeScript would refuse as well. */
 function errorOf(act: () => unknown): PhysicsError {

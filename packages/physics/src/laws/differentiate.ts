@@ -4,9 +4,9 @@
 // what the result changes by with them. What else a law reads, columns, parameters and time, is constant. Where a root or
 // a length has no slope, as |r| at r = 0, the gradient is zero and not a number.
 // Griewank, Walther: Evaluating Derivatives, 2nd ed., section 3.2.
-import { PhysicsError } from '../faults/physics-error';
-import { axial3, constant, Expression, type Scalar, select, Vector, vec3 } from './expression';
-import type { SumScope } from './table';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { axial3, constant, Expression, type Scalar, select, Vector, vec3 } from './expression.ts';
+import type { SumScope } from './table.ts';
 
 /** The gradient of `potential`, times a factor. @throws PhysicsError E_TYPE for what has none */
 export function gradientOf(potential: Scalar, factor: Scalar): Vector {

@@ -1,5 +1,5 @@
 // The columns of the bodies at hand, as lanes.
-import { UniformEmitter } from './emit-uniform';
+import { UniformEmitter } from './emit-uniform.ts';
 
 /** Emits what is read of bodies. */
 export class ColumnEmitter extends UniformEmitter {

@@ -1,8 +1,8 @@
 // The loop over bodies: what it stores, what it checks before it stores, and what it does for bodies at a wall.
-import { NodeEmitter } from './emit-nodes';
-import type { ModuleSource } from './encode';
-import type { LaneTypes } from './function-builder';
-import type { Node, Operation } from './graph';
+import { NodeEmitter } from './emit-nodes.ts';
+import type { ModuleSource } from './encode.ts';
+import type { LaneTypes } from './function-builder.ts';
+import type { Node, Operation } from './graph.ts';
 
 /** A column, and what is stored there for every body. */
 export interface Store {

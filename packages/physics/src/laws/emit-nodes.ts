@@ -1,9 +1,9 @@
 // From nodes to instructions. A uniform node is computed once, before the loop. Any other is computed in lanes of 128
 // bits, and kept in a local when more than one node needs it.
-import { ColumnEmitter } from './emit-columns';
-import { emitSum } from './emit-sum';
-import type { Node, Operation } from './graph';
-import type { SumScope } from './table';
+import { ColumnEmitter } from './emit-columns.ts';
+import { emitSum } from './emit-sum.ts';
+import type { Node, Operation } from './graph.ts';
+import type { SumScope } from './table.ts';
 
 const LANES: Readonly<Partial<Record<Operation, string>>> = {
   ...{ add: 'add', sub: 'sub', mul: 'mul', div: 'div', negate: 'neg', abs: 'abs', sqrt: 'sqrt', floor: 'floor' },

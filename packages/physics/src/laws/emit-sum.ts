@@ -1,7 +1,7 @@
 // Sums over the rows of a table: a loop inside the loop over bodies.
-import type { NodeEmitter } from './emit-nodes';
-import type { Node } from './graph';
-import type { SumScope } from './table';
+import type { NodeEmitter } from './emit-nodes.ts';
+import type { Node } from './graph.ts';
+import type { SumScope } from './table.ts';
 
 /** Emits all sums that run over the same rows as one loop, and leaves one of them on the stack. */
 export function emitSum(emitter: NodeEmitter, node: Node, sums: readonly Node[]): void {

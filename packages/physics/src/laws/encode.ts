@@ -1,5 +1,5 @@
 // Functions as bytes: the binary format of WebAssembly modules (Core Specification 2.0, section 5).
-import { type Code, type Instruction, opcodeOf } from './instructions';
+import { type Code, type Instruction, opcodeOf } from './instructions.ts';
 
 export type ValueType = 'i32' | 'f64' | 'v128';
 

@@ -2,7 +2,7 @@
 //
 // A law's function is called once, with symbols in place of numbers. Each method returns a new symbol that remembers
 // what it was made of, so that the result is an expression: `lower.ts` turns it into arithmetic for a world.
-import { describe, PhysicsError } from '../faults/physics-error';
+import { describe, PhysicsError } from '../errors/physics-error.ts';
 
 export type Shape = 'scalar' | 'vector' | 'condition';
 

@@ -1,7 +1,7 @@
-import type { ComponentName } from '../components/all';
-import type { PhysicsWorld } from '../world';
-import type { Law } from './law';
-import type { ParameterSource } from './parameter';
+import type { ComponentName } from '../components/all.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Law } from './law.ts';
+import type { ParameterSource } from './parameter.ts';
 
 /** A parameter of a force as its documentation shows it. */
 export interface ForceParameter {

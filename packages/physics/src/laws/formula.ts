@@ -1,9 +1,9 @@
 // Expressions as formulas: as plain text, for terminals, or as LaTeX, for pages.
-import type { ColumnData } from './body-symbols';
-import type { Expression } from './expression';
-import type { Law } from './law';
-import type { Parameter } from './parameter';
-import type { RowData } from './table';
+import type { ColumnData } from './body-symbols.ts';
+import type { Expression } from './expression.ts';
+import type { Law } from './law.ts';
+import type { Parameter } from './parameter.ts';
+import type { RowData } from './table.ts';
 
 /** How the parts of a formula are written. */
 interface Style {

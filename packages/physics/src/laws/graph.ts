@@ -1,8 +1,8 @@
 // The arithmetic of a law as a directed graph of scalar operations, in which equal operations are one node: so what two
 // laws have in common is computed once.
-import { PhysicsError } from '../faults/physics-error';
-import { simplify } from './simplify';
-import type { SumScope } from './table';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { simplify } from './simplify.ts';
+import type { SumScope } from './table.ts';
 
 /** Operations on reals that give a real. */
 export type Operation =

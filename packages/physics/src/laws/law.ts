@@ -1,8 +1,8 @@
 // A law's functions are called once, with symbols, and what they return is kept.
-import type { ComponentName } from '../components/all';
-import { PhysicsError } from '../faults/physics-error';
-import { checkFunction, isRecord, mustBe } from '../faults/validate';
-import type { PhysicsWorld } from '../world';
+import type { ComponentName } from '../components/all.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkFunction, isRecord, mustBe } from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 import {
   type BodySymbols,
   bodySymbols,
@@ -10,12 +10,12 @@ import {
   type ReadSymbols,
   type Reads,
   refuseUnknown,
-} from './body-symbols';
-import { checkLaw } from './check-law';
-import { Expression, kindOf, type Scalar, type Vector } from './expression';
-import { type Parameter, type ParameterSymbols, type Parameters, symbolOf } from './parameter';
-import { structureOf } from './structure';
-import { Table, type TableParameter } from './table';
+} from './body-symbols.ts';
+import { checkLaw } from './check-law.ts';
+import { Expression, kindOf, type Scalar, type Vector } from './expression.ts';
+import { type Parameter, type ParameterSymbols, type Parameters, symbolOf } from './parameter.ts';
+import { structureOf } from './structure.ts';
+import { Table, type TableParameter } from './table.ts';
 
 /** A recorded law. */
 export interface Law {

@@ -1,14 +1,23 @@
 // From expressions to arithmetic: vectors become components, names become columns, and laws become parts of a step.
 
-import type { ComponentName } from '../components/all';
-import { PhysicsError } from '../faults/physics-error';
-import type { ColumnData } from './body-symbols';
-import type { Expression, Vector } from './expression';
-import type { Graph, Node, Operation } from './graph';
-import type { Parameter } from './parameter';
-import type { StageData } from './scheme';
-import { type RowData, SumScope } from './table';
-import { type Axes, cross, dot, eachAxis, lengthOf, normalize, rotateInPlane, rotateInSpace } from './vector-algebra';
+import type { ComponentName } from '../components/all.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import type { ColumnData } from './body-symbols.ts';
+import type { Expression, Vector } from './expression.ts';
+import type { Graph, Node, Operation } from './graph.ts';
+import type { Parameter } from './parameter.ts';
+import type { StageData } from './scheme.ts';
+import { type RowData, SumScope } from './table.ts';
+import {
+  type Axes,
+  cross,
+  dot,
+  eachAxis,
+  lengthOf,
+  normalize,
+  rotateInPlane,
+  rotateInSpace,
+} from './vector-algebra.ts';
 
 /** What the names in an expression stand for. */
 export interface Environment {

@@ -9,9 +9,9 @@ import {
   rounderOf,
   THREE_READS,
   WORLD_KINDS,
-} from '../../../../test/support/law-lab';
-import { atan2, cos, defineLaw, exp, log, pow, type ScalarSymbol, scalar, select, sin, vec3 } from '../index';
-import { Scalar } from './expression';
+} from '../../../../test/support/law-lab.ts';
+import { atan2, cos, defineLaw, exp, log, pow, type ScalarSymbol, scalar, select, sin, vec3 } from '../index.ts';
+import { Scalar } from './expression.ts';
 
 type Symbols = Readonly<Record<'a' | 'b' | 'c', ScalarSymbol>>;
 

@@ -12,7 +12,7 @@ import {
   snapshot,
   spawn,
   step,
-} from '../index';
+} from '../index.ts';
 
 const Glow = defineComponent({ fields: { strength: realField('N', { bounds: { min: 0 } }), tilt: realField('') } });
 

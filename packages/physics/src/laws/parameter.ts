@@ -1,9 +1,9 @@
 // What a law can be given when it is put into a world: numbers and vectors with units, steady or over time. Their
 // values lie in the world's memory, so that changing them compiles nothing.
-import { type Bounds, checkKeys, checkNumber, type VectorInput } from '../faults/validate';
-import type { PhysicsWorld } from '../world';
-import { Scalar, Vector } from './expression';
-import { timeVector, type VectorOverTime } from './time-vector';
+import { type Bounds, checkKeys, checkNumber, type VectorInput } from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { Scalar, Vector } from './expression.ts';
+import { timeVector, type VectorOverTime } from './time-vector.ts';
 
 /** How the numbers of a parameter get into a world's memory. */
 export interface ParameterSource {

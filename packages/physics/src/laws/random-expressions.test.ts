@@ -9,7 +9,7 @@ import {
   type Triple,
   uniform,
   ZERO,
-} from '../../../../test/support/law-interpreter';
+} from '../../../../test/support/law-interpreter.ts';
 import {
   columnsOfThree,
   crowd,
@@ -20,10 +20,18 @@ import {
   THREE_READS,
   WORLD_KINDS,
   type WorldKind,
-} from '../../../../test/support/law-lab';
-import { type Choice, type MadeScalar, type MadeVector, Twins, zip } from '../../../../test/support/law-twins';
-import { axial3, axialVector, type PhysicsWorld, type ScalarSymbol, scalar, type VectorSymbol, vector } from '../index';
-import { Scalar } from './expression';
+} from '../../../../test/support/law-lab.ts';
+import { type Choice, type MadeScalar, type MadeVector, Twins, zip } from '../../../../test/support/law-twins.ts';
+import {
+  axial3,
+  axialVector,
+  type PhysicsWorld,
+  type ScalarSymbol,
+  scalar,
+  type VectorSymbol,
+  vector,
+} from '../index.ts';
+import { Scalar } from './expression.ts';
 
 const PARAMETERS = { p: 0.1, q: -2.7, u: { x: 0.3, y: -1.7, z: 0.9 }, w: { x: 1.3, y: 0, z: -0.7 } } as const;
 const CONSTANTS = [0.1, -1.25, 3, 1, 0.5, -0] as const;

@@ -1,8 +1,8 @@
 // Integrators of a fixed number of stages, written as expressions: where a step leads, and at which states and times it
 // asks for the forces.
-import { Scalar, scalarOf, Vector, vectorOf } from './expression';
-import type { Parameter, ParameterSource } from './parameter';
-import { structureOf } from './structure';
+import { Scalar, scalarOf, Vector, vectorOf } from './expression.ts';
+import type { Parameter, ParameterSource } from './parameter.ts';
+import { structureOf } from './structure.ts';
 
 /** Where a body is, what else the scheme may use, and the state that it returns. */
 export interface SchemeState {

@@ -1,6 +1,6 @@
 // What can be said of an operation before it is compiled. Every rule gives the same bits for every number, or drops a
 // product with a zero that is there for the dimensions' sake only. Nothing is reassociated.
-import type { Graph, Node, Operation } from './graph';
+import type { Graph, Node, Operation } from './graph.ts';
 
 /** A node that stands for the operation, if there is a simpler one. */
 export function simplify(graph: Graph, op: Operation, args: readonly Node[]): Node | undefined {

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { forceOn, single } from '../../../../test/support/laws';
-import { defineLaw, type PhysicsWorld, rungeKutta4, scalar, step, table, vec3, velocityVerlet } from '../index';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
+import { forceOn, single } from '../../../../test/support/laws.ts';
+import { defineLaw, type PhysicsWorld, rungeKutta4, scalar, step, table, vec3, velocityVerlet } from '../index.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
 
 /** Springs from points on the x axis. */
 const springsFrom = (points: readonly number[]) => {

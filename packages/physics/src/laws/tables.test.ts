@@ -1,6 +1,6 @@
 // Sums over tables: the rows lie in the world's memory, and may change while it runs.
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { crowd, expectSameBits, forcesNow, rounderOf, WORLD_KINDS } from '../../../../test/support/law-lab';
+import { crowd, expectSameBits, forcesNow, rounderOf, WORLD_KINDS } from '../../../../test/support/law-lab.ts';
 import {
   createPhysicsWorld,
   defineForce,
@@ -15,9 +15,9 @@ import {
   table,
   vec3,
   velocityVerlet,
-} from '../index';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
+} from '../index.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
 
 /** Where each world has the rows of a table of the tests. */
 function places(): (world: PhysicsWorld) => TablePlace & { at: number; count: number } {

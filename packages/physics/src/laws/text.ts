@@ -1,7 +1,7 @@
 // Functions as people read them: the text format of WebAssembly (Core Specification 2.0, section 6), with the names of
 // columns beside the addresses.
-import type { ModuleSource } from './encode';
-import { type Instruction, opcodeOf } from './instructions';
+import type { ModuleSource } from './encode.ts';
+import { type Instruction, opcodeOf } from './instructions.ts';
 
 const PARAMETERS = ['first', 'last', 'checked'];
 const LOCALS = ['offset', 'end', 'listEnd', 'total'];

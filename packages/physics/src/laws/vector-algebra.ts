@@ -1,5 +1,5 @@
 // Vectors as three nodes: in two dimensions z of most is a zero that the graph leaves out of every product.
-import type { Graph, Node } from './graph';
+import type { Graph, Node } from './graph.ts';
 
 /** The three components of a vector. */
 export type Axes = readonly [x: Node, y: Node, z: Node];

@@ -1,6 +1,6 @@
 // Vectors of laws: what they mean in the plane and in space.
 import { describe, expect, test } from 'vitest';
-import { crowd, expectSameBits, forcesNow, lawOf, rounderOf, WORLD_KINDS } from '../../../../test/support/law-lab';
+import { crowd, expectSameBits, forcesNow, lawOf, rounderOf, WORLD_KINDS } from '../../../../test/support/law-lab.ts';
 import {
   axial3,
   axialVector,
@@ -15,7 +15,7 @@ import {
   type VectorSymbol,
   vec3,
   vector,
-} from '../index';
+} from '../index.ts';
 
 type Kind = (typeof WORLD_KINDS)[number];
 type Made = (body: BodySymbols) => VectorSymbol;

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { atan2, cos, exp, log, pow, sin } from './elementary';
-import { createRandom } from './random';
+import { atan2, cos, exp, log, pow, sin } from './elementary.ts';
+import { createRandom } from './random.ts';
 
 /** Distance of two doubles in units in the last place of the second; 0 for equal ones, NaN and infinities included. */
 function ulps(value: number, expected: number): number {

@@ -2,8 +2,8 @@
 // the kernels' own (kernels/math), so TypeScript and kernels agree to the last bit. Each is within 1 ulp
 // (sine and cosine of angles beyond a million radians within 2).
 // Cost: some 20 ns, of which half is the call.
-import { instantiate, instantiateKernels } from '../kernels/instantiate';
-import { KERNELS, type KernelExports } from '../kernels/math.gen';
+import { instantiate, instantiateKernels } from '../kernels/instantiate.ts';
+import { KERNELS, type KernelExports } from '../kernels/math.gen.ts';
 
 let made: KernelExports | undefined;
 let logarithm: ((x: number) => number) | undefined;

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { instantiate } from '../kernels/instantiate';
-import { KERNELS, type KernelExports } from '../kernels/math.gen';
-import { createRandom } from './random';
+import { instantiate } from '../kernels/instantiate.ts';
+import { KERNELS, type KernelExports } from '../kernels/math.gen.ts';
+import { createRandom } from './random.ts';
 
 const N = 200_000;
 

@@ -1,7 +1,7 @@
 // Seeded random numbers: xoshiro128** 1.1 (Blackman and Vigna, Scrambled Linear Pseudorandom Number Generators, ACM
 // TOMS 47, 2021). kernels/math/random.ts is its twin and works on the same four words.
-import { checkWhole, type Vector } from '../faults/validate';
-import { log } from './elementary';
+import { checkWhole, type Vector } from '../errors/validate.ts';
+import { log } from './elementary.ts';
 
 /** A stream of random numbers. The same seed gives the same stream on every machine. */
 export interface Random {

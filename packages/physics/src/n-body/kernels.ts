@@ -1,5 +1,5 @@
 // The kernels of mutual forces, on every world that has one.
-import { kernelModule } from '../kernels/instantiate';
-import { KERNELS, type KernelExports } from '../kernels/n-body.gen';
+import { kernelModule } from '../kernels/instantiate.ts';
+import { KERNELS, type KernelExports } from '../kernels/n-body.gen.ts';
 
 export const nBodyKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);

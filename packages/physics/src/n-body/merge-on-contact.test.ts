@@ -1,13 +1,13 @@
 import { describe, expect, test } from 'vitest';
-import { cloud } from '../../../../test/support/point-clouds';
-import { spawn } from '../bodies/spawn';
-import { spawnMany } from '../bodies/spawn-many';
-import { angularMomentum, centreOfMass, energy, momentum, totalMass } from '../diagnostics/energy';
-import { step } from '../step';
-import { bodies } from '../store/spans';
-import { createPhysicsWorld, type PhysicsWorldOptions } from '../world';
-import { mergeOnContact, mergers } from './merge-on-contact';
-import { mutualGravity } from './mutual-gravity';
+import { cloud } from '../../../../test/support/point-clouds.ts';
+import { spawn } from '../bodies/spawn.ts';
+import { spawnMany } from '../bodies/spawn-many.ts';
+import { angularMomentum, centreOfMass, energy, momentum, totalMass } from '../diagnostics/energy.ts';
+import { bodies } from '../ecs/ranges.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { mergeOnContact, mergers } from './merge-on-contact.ts';
+import { mutualGravity } from './mutual-gravity.ts';
 
 function mergingWorld(options: PhysicsWorldOptions = {}) {
   const world = createPhysicsWorld({ capacity: 2000, arenaBytes: 2 ** 23, ...options });

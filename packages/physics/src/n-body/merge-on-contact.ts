@@ -11,14 +11,14 @@
 // Valid where bodies hit at less than about their escape speed (Leinhardt & Stewart, ApJ 745, 79, 2012). Bodies are
 // looked at where they are when the step ends. Cost: the broad phase, and 1 µs a merger.
 
-import { despawn } from '../bodies/spawn';
-import { contactTable, useContacts, Word } from '../collision/contact-table';
-import { collisionKernels } from '../collision/kernels';
-import { bitOf } from '../components/all';
-import { pow } from '../math/elementary';
-import { AXES } from '../store/axes';
-import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
+import { despawn } from '../bodies/spawn.ts';
+import { bitOf } from '../components/all.ts';
+import { pow } from '../math/elementary.ts';
+import { AXES } from '../memory/axes.ts';
+import { resource } from '../memory/resource.ts';
+import { contactTable, useContacts, Word } from '../particle-contacts/contact-table.ts';
+import { collisionKernels } from '../particle-contacts/kernels.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 
 /** What has merged in a world. */
 export interface Mergers {

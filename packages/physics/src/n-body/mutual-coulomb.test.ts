@@ -1,9 +1,9 @@
 import { expect, test } from 'vitest';
-import { spawn } from '../bodies/spawn';
-import { energy, momentum } from '../diagnostics/energy';
-import { step } from '../step';
-import { createPhysicsWorld } from '../world';
-import { mutualCoulomb } from './mutual-coulomb';
+import { spawn } from '../bodies/spawn.ts';
+import { energy, momentum } from '../diagnostics/energy.ts';
+import { createPhysicsWorld } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { mutualCoulomb } from './mutual-coulomb.ts';
 
 function pair(charges: [number, number], k: number, distance: number) {
   const world = createPhysicsWorld({ forces: [mutualCoulomb({ k })] });

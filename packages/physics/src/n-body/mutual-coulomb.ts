@@ -9,9 +9,9 @@
 // The tree's cells carry dipoles, which do not vanish where signs mix (centre: that of the absolute charges). In
 // matter that is neutral on average far fields cancel and an error is relative to what is left: the tree then opens
 // more and gains less than for gravity. Coulomb 1785; the tree is that of mutual-gravity.ts. Cost: as there.
-import { checkNumber } from '../faults/validate';
-import { COULOMB_CONSTANT } from '../forces/fixed-charges';
-import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force';
+import { checkNumber } from '../errors/validate.ts';
+import { COULOMB_CONSTANT } from '../forces/fixed-charges.ts';
+import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force.ts';
 
 export interface MutualCoulombOptions extends MutualOptions {
   /** Default 8.9875517862e9 N m²/C². */

@@ -1,13 +1,13 @@
 // What gravity and the Coulomb force between all bodies have in common: who takes part, how the sum is done, and what
 // is known about the last one. kernels/n-body does the work, in memory of its own in the world's arena.
-import { bitOf } from '../components/all';
-import { PhysicsError } from '../faults/physics-error';
-import { checkChoice, checkKeys, checkNumber, checkWhole } from '../faults/validate';
-import type { Force, ForceParameter } from '../laws/force';
-import { allocate } from '../store/arena';
-import { resource } from '../store/resource';
-import type { PhysicsWorld } from '../world';
-import { nBodyKernels } from './kernels';
+import { bitOf } from '../components/all.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkChoice, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
+import type { Force, ForceParameter } from '../laws/force.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { nBodyKernels } from './kernels.ts';
 
 /**
  * How the force falls with distance: 'inverse-square' 1/r², or 'inverse-distance' 1/r, which in the plane is the field

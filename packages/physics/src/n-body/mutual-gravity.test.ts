@@ -1,16 +1,16 @@
 import { describe, expect, test } from 'vitest';
-import { cloud, fieldAt } from '../../../../test/support/point-clouds';
-import { spawn } from '../bodies/spawn';
-import { spawnMany } from '../bodies/spawn-many';
-import { angularMomentum, centreOfMass, energy, momentum } from '../diagnostics/energy';
-import { stateHash } from '../diagnostics/hash';
-import { evaluateForces } from '../dynamics/evaluate-forces';
-import { rungeKutta4 } from '../integrators/runge-kutta-4';
-import { step } from '../step';
-import { refreshSpans } from '../store/spans';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world';
-import type { MutualForce } from './mutual-force';
-import { mutualGravity } from './mutual-gravity';
+import { cloud, fieldAt } from '../../../../test/support/point-clouds.ts';
+import { spawn } from '../bodies/spawn.ts';
+import { spawnMany } from '../bodies/spawn-many.ts';
+import { angularMomentum, centreOfMass, energy, momentum } from '../diagnostics/energy.ts';
+import { stateHash } from '../diagnostics/hash.ts';
+import { evaluateForces } from '../dynamics/evaluate-forces.ts';
+import { refreshSpans } from '../ecs/ranges.ts';
+import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
+import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import type { MutualForce } from './mutual-force.ts';
+import { mutualGravity } from './mutual-gravity.ts';
 
 /** Forces on all bodies as the world stands. */
 function forcesIn(world: PhysicsWorld) {

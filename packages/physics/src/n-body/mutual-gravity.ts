@@ -15,9 +15,9 @@
 // (Hernquist, ApJS 64, 715, 1987), one walk a group of bodies (Barnes, J. Comput. Phys. 87, 161, 1990) and cells
 // accepted by the error they make (Salmon & Warren, J. Comput. Phys. 111, 136, 1994). It does not conserve momentum
 // exactly: action and reaction are approximated separately. Cost: N²/2 pairs, or about N log N.
-import { checkNumber } from '../faults/validate';
-import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity';
-import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force';
+import { checkNumber } from '../errors/validate.ts';
+import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';
+import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force.ts';
 
 export interface MutualGravityOptions extends MutualOptions {
   /** Default 6.6743e-11 N m²/kg². */

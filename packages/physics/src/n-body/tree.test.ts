@@ -1,13 +1,13 @@
 import { describe, expect, test } from 'vitest';
-import { type Cloud, cloud, fieldAt, SHAPES, type Shape } from '../../../../test/support/point-clouds';
-import { spawnMany } from '../bodies/spawn-many';
-import { energy } from '../diagnostics/energy';
-import { stateHash } from '../diagnostics/hash';
-import { step } from '../step';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world';
-import { mutualCoulomb } from './mutual-coulomb';
-import type { MutualForce, MutualOptions } from './mutual-force';
-import { mutualGravity } from './mutual-gravity';
+import { type Cloud, cloud, fieldAt, SHAPES, type Shape } from '../../../../test/support/point-clouds.ts';
+import { spawnMany } from '../bodies/spawn-many.ts';
+import { energy } from '../diagnostics/energy.ts';
+import { stateHash } from '../diagnostics/hash.ts';
+import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { mutualCoulomb } from './mutual-coulomb.ts';
+import type { MutualForce, MutualOptions } from './mutual-force.ts';
+import { mutualGravity } from './mutual-gravity.ts';
 
 type Options = Pick<PhysicsWorldOptions, 'precision' | 'dimensions'>;
 

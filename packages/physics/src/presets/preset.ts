@@ -1,5 +1,5 @@
-import type { Precision } from '../kernels/instantiate';
-import type { PhysicsWorld } from '../world';
+import type { Precision } from '../kernels/instantiate.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 
 /** Fills a new world's phases: which systems run, in which order. */
 export interface Preset {

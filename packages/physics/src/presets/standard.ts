@@ -1,8 +1,8 @@
-import { integrate } from '../dynamics/integrate';
-import { tellFaults } from '../events/handlers';
-import { turn } from '../integrators/turn';
-import { begin, checkFinite } from '../schedule/quarantine';
-import type { Preset } from './preset';
+import { integrate } from '../dynamics/integrate.ts';
+import { turn } from '../dynamics/integrate-rotation.ts';
+import { begin, checkFinite } from '../dynamics/validate-state.ts';
+import { tellFaults } from '../world/event-handlers.ts';
+import type { Preset } from './preset.ts';
 
 /** Bodies under forces, without contacts between them: particles, orbits, springs. */
 export const standard: Preset = ({ phases }) => {

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { despawn, spawn, step } from '../index';
-import { createPhysicsWorld, destroyWorld } from '../world';
-import { bodyAt } from './pick';
+import { despawn, spawn, step } from '../index.ts';
+import { createPhysicsWorld, destroyWorld } from '../world/create-world.ts';
+import { bodyAt } from './pick.ts';
 
 test('picks the nearest of the bodies that hold the point, before any step and after', () => {
   const world = createPhysicsWorld();

@@ -1,7 +1,7 @@
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../faults/validate';
-import { assertUsable } from '../store/guards';
-import { bodies } from '../store/spans';
-import type { PhysicsWorld } from '../world';
+import { assertUsable } from '../ecs/guards.ts';
+import { bodies } from '../ecs/ranges.ts';
+import { checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
 
 /** How a point picks a body. */
 export interface PickOptions {

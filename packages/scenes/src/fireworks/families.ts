@@ -1,9 +1,9 @@
 // Stars that burst into stars for a while: every burst founds a family with a pool, a clock and a number of its own, so
 // that another one beside it changes neither.
 import { aliveCount, type Emitter, endings, keepState, type PhysicsWorld, type Random } from '@principia/physics';
-import { STAR_COLORS } from './colors';
-import { type Place, readPlace } from './place';
-import { SHELLS } from './shells';
+import { STAR_COLORS } from './colors.ts';
+import { type Place, readPlace } from './place.ts';
+import { SHELLS } from './shells.ts';
 
 /** Stars of a family at once: of 300 with ten stars a burst the largest had 784. */
 const MOST_STARS = 800;

@@ -1,10 +1,10 @@
 import { createRandom, momentum, stateHash, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { type Fireworks, fireworks } from '../fireworks';
-import { aim, throwUp } from './aim';
-import { formVelocities } from './forms';
-import { SHELL_DRAG } from './rockets';
-import { SHELL_NAMES, SHELLS } from './shells';
+import { type Fireworks, fireworks } from '../fireworks.ts';
+import { aim, throwUp } from './aim.ts';
+import { formVelocities } from './forms.ts';
+import { SHELL_DRAG } from './rockets.ts';
+import { SHELL_NAMES, SHELLS } from './shells.ts';
 
 const GRAVITY = 9.80665;
 const air = { drag: SHELL_DRAG, gravity: GRAVITY, wind: 0 };

@@ -1,7 +1,7 @@
 // The velocities of a shell's stars, relative to the shell, for a fastest star of 1 m/s: opposite pairs, so that the
 // burst neither gains nor loses momentum.
 import { cos, type Random, sin, type Vector } from '@principia/physics';
-import type { ShellKind } from './shells';
+import type { ShellKind } from './shells.ts';
 
 const TWO_PI = 6.283185307179586;
 /** Fronds of a palm. */

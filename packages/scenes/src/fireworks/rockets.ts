@@ -1,8 +1,8 @@
 // Shells on their way up: a fixed number of bodies, thrown from mortars on the ground with a fuse that ends at the top.
 import { constant, createEmitter, keepState, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
-import { type Air, aim } from './aim';
-import type { Place } from './place';
-import { GLOW } from './stars';
+import { type Air, aim } from './aim.ts';
+import type { Place } from './place.ts';
+import { GLOW } from './stars.ts';
 
 /** A shell of 8 cm that weighs 0.3 kg: ρ C_d A / 2m, 1/m. */
 export const SHELL_DRAG = 0.0047;

@@ -13,11 +13,11 @@ import {
   setEmitter,
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
-import { colorRamp, STAR_COLORS, STAR_RGB } from './colors';
-import { type BearStars, Families, MOST_FOLLOWED } from './families';
-import { formVelocities } from './forms';
-import { type Place, readPlace, STILL } from './place';
-import { heldStars, SHELLS, type ShellKind } from './shells';
+import { colorRamp, STAR_COLORS, STAR_RGB } from './colors.ts';
+import { type BearStars, Families, MOST_FOLLOWED } from './families.ts';
+import { formVelocities } from './forms.ts';
+import { type Place, readPlace, STILL } from './place.ts';
+import { heldStars, SHELLS, type ShellKind } from './shells.ts';
 
 /** Mass of a star, kg. */
 export const STAR_MASS = 0.001;

@@ -1,8 +1,8 @@
 import { restore, snapshot, stateHash, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { type Fireworks, fireworks } from '../fireworks';
-import { colorRamp, STAR_RGB } from './colors';
-import { heldStars, mostSeconds, SHELL_NAMES, SHELLS } from './shells';
+import { type Fireworks, fireworks } from '../fireworks.ts';
+import { colorRamp, STAR_RGB } from './colors.ts';
+import { heldStars, mostSeconds, SHELL_NAMES, SHELLS } from './shells.ts';
 
 const SWARM = SHELL_NAMES.indexOf('swarm');
 const YELLOW = 2;

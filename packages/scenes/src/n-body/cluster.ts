@@ -12,8 +12,8 @@ import {
   spawnMany,
   velocityVerlet,
 } from '@principia/physics';
-import { countOf, defineScene, type SceneRun, type Setup } from '../scene';
-import { discOf, inDimensions, plummerSphere } from './stars';
+import { countOf, defineScene, type SceneRun, type Setup } from '../scene.ts';
+import { discOf, inDimensions, plummerSphere } from './stars.ts';
 
 /** A scene whose forces are a mutual force. */
 export interface ClusterRun extends SceneRun {

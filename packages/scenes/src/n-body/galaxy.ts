@@ -17,9 +17,9 @@ import {
   spawnMany,
   velocityVerlet,
 } from '@principia/physics';
-import { countOf, defineScene } from '../scene';
-import { type ClusterRun, relativeErrorParameter } from './cluster';
-import { centreStars, emptyStars, inDimensions, kuzminRadius, plummerRadius, putStar, type Stars } from './stars';
+import { countOf, defineScene } from '../scene.ts';
+import { type ClusterRun, relativeErrorParameter } from './cluster.ts';
+import { centreStars, emptyStars, inDimensions, kuzminRadius, plummerRadius, putStar, type Stars } from './stars.ts';
 
 interface Part {
   readonly mass: number;

@@ -1,7 +1,7 @@
 import { centreOfMass, energy, momentum, stateHash, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { nbodyDirect, nbodyTree } from './cluster';
-import { galaxy } from './galaxy';
+import { nbodyDirect, nbodyTree } from './cluster.ts';
+import { galaxy } from './galaxy.ts';
 
 describe('the cluster', () => {
   test('is in virial equilibrium with energy -1/4 in space', () => {

@@ -1,6 +1,6 @@
 import { energy, INTEGRATORS, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { type PlasmaRun, plasma } from './plasma';
+import { type PlasmaRun, plasma } from './plasma.ts';
 
 const COUNT = 2000;
 const QUIET = { count: COUNT, thermal: 0, shift: 0.05, massRatio: 1e6 };

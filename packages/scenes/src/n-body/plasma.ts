@@ -28,9 +28,9 @@ import {
   spawnMany,
   type Vector,
 } from '@principia/physics';
-import { countOf, defineScene, type SceneRun } from '../scene';
-import { relativeErrorParameter } from './cluster';
-import { centreStars, emptyStars, inDimensions, putStar, type Stars } from './stars';
+import { countOf, defineScene, type SceneRun } from '../scene.ts';
+import { relativeErrorParameter } from './cluster.ts';
+import { centreStars, emptyStars, inDimensions, putStar, type Stars } from './stars.ts';
 
 /** A plasma made: ids of its electrons and of its ions follow each other. */
 export interface PlasmaRun extends SceneRun {

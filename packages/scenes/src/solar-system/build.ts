@@ -12,7 +12,7 @@ import {
   spawn,
   wisdomHolman,
 } from '@principia/physics';
-import { BODY_NAMES, type BodyName, type EpochState, OBLIQUITY, SPEED_OF_LIGHT, STATES } from './states';
+import { BODY_NAMES, type BodyName, type EpochState, OBLIQUITY, SPEED_OF_LIGHT, STATES } from './states.ts';
 
 export interface SolarSystemOptions {
   readonly dimensions?: 2 | 3;

@@ -1,9 +1,9 @@
 // How far the simulated solar system is from JPL's after a day, a month, 1, 10 and 50 years.
 import { gaussRadau, type Integrator, type PhysicsWorld, step } from '@principia/physics';
-import type { ReferenceRuns } from '../scene';
-import { buildSolarSystem, type SolarSystem } from './build';
-import { REFERENCES, type Reference } from './references';
-import { BODY_NAMES, type BodyName, OBLIQUITY, STATES } from './states';
+import type { ReferenceRuns } from '../scene.ts';
+import { buildSolarSystem, type SolarSystem } from './build.ts';
+import { REFERENCES, type Reference } from './references.ts';
+import { BODY_NAMES, type BodyName, OBLIQUITY, STATES } from './states.ts';
 
 export const DAY = 86400;
 

@@ -2,7 +2,7 @@
 //
 // Barycentric, axes of the ICRF (Earth's mean equator and equinox of J2000), km and km/s, time TDB. Mars to Pluto are
 // the barycentres of planets with their moons, and GM is that of the whole.
-import type { BodyName } from './states';
+import type { BodyName } from './states.ts';
 
 /** Where the bodies are some time after the epoch. */
 export interface Reference {

@@ -8,12 +8,12 @@ import {
   wisdomHolman,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { particles } from '../particles';
-import { solarSystem } from '../solar-system';
-import { buildSolarSystem, type SolarSystem } from './build';
-import { advanceTo, DAY, distancesBetween, type ErrorTable, errorsAt, measureErrors } from './errors';
-import { REFERENCES } from './references';
-import { BODY_NAMES, STATES } from './states';
+import { particles } from '../particles.ts';
+import { solarSystem } from '../solar-system.ts';
+import { buildSolarSystem, type SolarSystem } from './build.ts';
+import { advanceTo, DAY, distancesBetween, type ErrorTable, errorsAt, measureErrors } from './errors.ts';
+import { REFERENCES } from './references.ts';
+import { BODY_NAMES, STATES } from './states.ts';
 
 const YEAR = 365.25 * DAY;
 

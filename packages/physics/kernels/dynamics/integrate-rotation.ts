@@ -1,0 +1,59 @@
+// Turning of bodies at their angular velocity. Symplectic Euler for the spin: omega += torque/I dt, then the angle.
+import { at } from '../memory/lanes';
+
+// omega += torque/I dt about one axis, for the rows with inertia whose bits say that they have an angular velocity.
+export function kickSpinAxis(
+  omega: usize,
+  torque: usize,
+  inertia: usize,
+  members: usize,
+  bit: u32,
+  dt: real,
+  first: i32,
+  last: i32,
+): void {
+  for (let row = first; row < last; row++) {
+    const o = at(row);
+    const i = load<real>(inertia + o);
+    if (!(i > 0) || (load<u32>(members + ((<usize>row) << 2)) & bit) == 0) continue;
+    store<real>(omega + o, load<real>(omega + o) + (load<real>(torque + o) / i) * dt);
+  }
+}
+
+// 3D: q += dt/2 (omega) q, renormalised; a row whose quaternion is zero and that does not turn stays untouched.
+// Kuipers, Quaternions and Rotation Sequences, section 11.4 (first order in dt; the norm is restored each step).
+export function turnQuaternion(
+  qx: usize,
+  qy: usize,
+  qz: usize,
+  qw: usize,
+  wx: usize,
+  wy: usize,
+  wz: usize,
+  dt: real,
+  first: i32,
+  last: i32,
+): void {
+  const half = <real>0.5 * dt;
+  for (let row = first; row < last; row++) {
+    const o = at(row);
+    const ax = load<real>(wx + o) * half;
+    const ay = load<real>(wy + o) * half;
+    const az = load<real>(wz + o) * half;
+    if (ax == 0 && ay == 0 && az == 0) continue;
+    const x = load<real>(qx + o);
+    const y = load<real>(qy + o);
+    const z = load<real>(qz + o);
+    let w = load<real>(qw + o);
+    if (x == 0 && y == 0 && z == 0 && w == 0) w = 1;
+    const nx = x + ax * w + ay * z - az * y;
+    const ny = y + ay * w + az * x - ax * z;
+    const nz = z + az * w + ax * y - ay * x;
+    const nw = w - ax * x - ay * y - az * z;
+    const scale = <real>1 / sqrt<real>(nx * nx + ny * ny + nz * nz + nw * nw);
+    store<real>(qx + o, nx * scale);
+    store<real>(qy + o, ny * scale);
+    store<real>(qz + o, nz * scale);
+    store<real>(qw + o, nw * scale);
+  }
+}

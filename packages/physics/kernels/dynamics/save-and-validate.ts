@@ -1,0 +1,102 @@
+// The two ends of a step for one axis: remember where the bodies were, and see that every value is finite and in range.
+import { BLOCK, LANES, at, splat } from '../memory/lanes';
+
+// Saves position and velocity at the start of the step and returns 1 when every |x| <= maxPosition and |v| <= maxSpeed.
+// A bad position is not saved: `previous` keeps the last good one.
+export function beginAxis(
+  previous: usize,
+  start: usize,
+  x: usize,
+  v: usize,
+  maxPosition: real,
+  maxSpeed: real,
+  first: i32,
+  last: i32,
+): i32 {
+  const limitX = splat(maxPosition);
+  const limitV = splat(maxSpeed);
+  let good = i32x4.splat(-1);
+  let speeds = nothingSeen();
+  for (let row = first; row < last; row += BLOCK) {
+    const o = at(row);
+    const inRange = isWithin(lookAtBlock(nothingSeen(), x + o, limitX), limitX);
+    speeds = lookAtBlock(speeds, v + o, limitV);
+    copyBlock(start + o, v + o);
+    if (i32x4.all_true(inRange)) {
+      copyBlock(previous + o, x + o);
+    } else {
+      good = v128.and(good, inRange);
+      copyGood(previous + o, x + o, limitX);
+    }
+  }
+  return i32(i32x4.all_true(v128.and(good, isWithin(speeds, limitV))));
+}
+
+// Returns 1 when every |x| <= maxPosition and |v| <= maxSpeed.
+export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real, first: i32, last: i32): i32 {
+  const limitX = splat(maxPosition);
+  const limitV = splat(maxSpeed);
+  let positions = nothingSeen();
+  let speeds = nothingSeen();
+  for (let row = first; row < last; row += BLOCK) {
+    const o = at(row);
+    positions = lookAtBlock(positions, x + o, limitX);
+    speeds = lookAtBlock(speeds, v + o, limitV);
+  }
+  return i32(i32x4.all_true(v128.and(isWithin(positions, limitX), isWithin(speeds, limitV))));
+}
+
+// What was seen of many values so far: in f32 the largest magnitude of each lane, in f64 the lanes in which none was
+// beyond the limit. Magnitudes are compared as integers, which orders infinity above all numbers and NaN above that; of
+// 64-bit integers there is no such instruction, and the comparison of reals is false for NaN.
+// @ts-ignore: decorator
+@inline function nothingSeen(): v128 {
+  return i32x4.splat(sizeof<real>() == 4 ? 0 : -1);
+}
+
+// @ts-ignore: decorator
+@inline function lookAt(seen: v128, values: usize, limit: v128): v128 {
+  if (sizeof<real>() == 4) return v128.max<u32>(seen, v128.and(v128.load(values), i32x4.splat(0x7fffffff)));
+  return v128.and(seen, v128.le<real>(v128.abs<real>(v128.load(values)), limit));
+}
+
+// @ts-ignore: decorator
+@inline function lookAtBlock(seen: v128, p: usize, limit: v128): v128 {
+  return lookAt(lookAt(lookAt(lookAt(seen, p, limit), p + 16, limit), p + 32, limit), p + 48, limit);
+}
+
+// Lanes set where all that was seen is within the limit.
+// @ts-ignore: decorator
+@inline function isWithin(seen: v128, limit: v128): v128 {
+  return sizeof<real>() == 4 ? v128.le<u32>(seen, limit) : seen;
+}
+
+// @ts-ignore: decorator
+@inline function copyBlock(to: usize, from: usize): void {
+  const a = v128.load(from);
+  const b = v128.load(from, 16);
+  const c = v128.load(from, 32);
+  const d = v128.load(from, 48);
+  v128.store(to, a);
+  v128.store(to, b, 16);
+  v128.store(to, c, 32);
+  v128.store(to, d, 48);
+}
+
+// Copies those values of a block that are within the limit.
+function copyGood(to: usize, from: usize, limit: v128): void {
+  for (let o: usize = 0; o < 64; o += 16) {
+    const value = v128.load(from + o);
+    v128.store(to + o, v128.bitselect(value, v128.load(to + o), v128.le<real>(v128.abs<real>(value), limit)));
+  }
+}
+
+// Fills rows of one column with zeros.
+export function zeroColumn(column: usize, first: i32, last: i32): void {
+  memory.fill(column + at(first), 0, at(last - first));
+}
+
+// Copies rows of one column to another.
+export function copyColumn(to: usize, from: usize, first: i32, last: i32): void {
+  memory.copy(to + at(first), from + at(first), at(last - first));
+}

@@ -1,0 +1,9 @@
+// Rows of entities that lack a component a kernel would write to: a body with Mass and no Velocity, say.
+import { at } from '../memory/lanes';
+
+// Zeroes the rows of `column` that do not have all the `required` bits.
+export function zeroAbsent(column: usize, members: usize, required: u32, first: i32, last: i32): void {
+  for (let row = first; row < last; row++) {
+    if ((load<u32>(members + ((<usize>row) << 2)) & required) != required) store<real>(column + at(row), 0);
+  }
+}

@@ -1,0 +1,46 @@
+// The table of column addresses at the start of the world's memory, for kernels that touch too many columns to take
+// each as a parameter. src/memory/column-table.ts writes it, in this order; a test holds the two against each other.
+
+@unmanaged
+export class Columns {
+  positionX: usize;
+  positionY: usize;
+  positionZ: usize;
+  velocityX: usize;
+  velocityY: usize;
+  velocityZ: usize;
+  mass: usize;
+  inertia: usize;
+  angularVelocityX: usize;
+  angularVelocityY: usize;
+  angularVelocityZ: usize;
+  radius: usize;
+  restitution: usize;
+  friction: usize;
+  members: usize;
+  // The bit of AngularVelocity in `members`, and the table of contacts (kernels/particle-contacts/table.ts), 0 without one.
+  angularVelocityBit: u32;
+  contacts: usize;
+}
+
+const TABLE: usize = 64;
+
+// @ts-ignore: decorator
+@inline export function columns(): Columns {
+  return changetype<Columns>(TABLE);
+}
+
+// @ts-ignore: decorator
+@inline export function get(column: usize, row: i32): real {
+  return load<real>(column + <usize>row * sizeof<real>());
+}
+
+// @ts-ignore: decorator
+@inline export function put(column: usize, row: i32, value: real): void {
+  store<real>(column + <usize>row * sizeof<real>(), value);
+}
+
+// Where the constants end that the compiler put into the memory's first bytes: they stay below the first column.
+export function staticEnd(): usize {
+  return __heap_base;
+}

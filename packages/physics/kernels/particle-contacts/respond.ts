@@ -1,0 +1,79 @@
+// The response to the contacts of a step, after the broad phase found and ordered them.
+import { columns, get, put } from '../memory/columns';
+import { distance, readPlace } from './approach';
+import { body, gatherBodies, scatterBodies } from './body';
+import { resolveImpacts } from './impacts';
+import { joinPrevious } from './order';
+import { holdResting } from './resting-contacts';
+import { separate } from './position-correction';
+import { linkWalls } from './wall-reactions';
+import { ContactTable, contactTable, putWord, word } from './table';
+
+// Impacts, resting contacts, overlaps; then only those contacts stay in the list that touched. `lag` is the time by
+// which the integrator's velocities lag its positions, `lastId` the highest id. With `remember`, where
+// the bodies were is kept for `confineToSegments`.
+export function respond(dt: real, lag: real, lastId: i32, remember: bool): void {
+  const c = columns();
+  const t = contactTable();
+  const scale: real = t.previousDt > 0 ? <real>(<f64>dt / t.previousDt) : 0;
+  t.previousDt = <f64>dt;
+  if (t.count > 0) {
+    joinPrevious(scale);
+    gatherBodies(c, dt, lastId);
+    linkWalls(t, dt);
+    resolveImpacts(c, t, dt, lag);
+    holdResting(c, t, dt, lag);
+    separate(t, dt);
+    keepTouching(t);
+    scatterBodies(c, t, remember);
+  } else {
+    t.bodyCount = 0;
+  }
+  keepTouchingWalls(t);
+}
+
+// Drops the contacts that were only near, and works out the points of the others.
+function keepTouching(t: ContactTable): void {
+  let kept = 0;
+  for (let i = 0; i < t.count; i++) {
+    const a = body(t, word(t.slotA, i));
+    const b = body(t, word(t.slotB, i));
+    readPlace(a, b);
+    const overlap = a.radius + b.radius - distance;
+    const impulse = get(t.impulse, i);
+    if (!(impulse > 0 || overlap > 0)) continue;
+    const nx = get(t.nx, i);
+    const ny = get(t.ny, i);
+    const nz = get(t.nz, i);
+    putWord(t.a, kept, word(t.a, i));
+    putWord(t.b, kept, word(t.b, i));
+    put(t.nx, kept, nx);
+    put(t.ny, kept, ny);
+    put(t.nz, kept, nz);
+    put(t.impulse, kept, impulse);
+    put(t.holding, kept, get(t.holding, i));
+    const arm = a.radius - <real>0.5 * overlap;
+    put(t.x, kept, a.x + nx * arm);
+    put(t.y, kept, a.y + ny * arm);
+    // In 2D z shares the zeros of nz.
+    if (t.z != t.nz) put(t.z, kept, a.z + nz * arm);
+    kept++;
+  }
+  t.count = kept;
+}
+
+function keepTouchingWalls(t: ContactTable): void {
+  let kept = 0;
+  for (let k = 0; k < t.wallCount; k++) {
+    const impulse = get(t.wallImpulse, k);
+    if (!(impulse > 0)) continue;
+    putWord(t.wallBody, kept, word(t.wallBody, k));
+    putWord(t.wallId, kept, word(t.wallId, k));
+    put(t.wallNx, kept, get(t.wallNx, k));
+    put(t.wallNy, kept, get(t.wallNy, k));
+    put(t.wallNz, kept, get(t.wallNz, k));
+    put(t.wallImpulse, kept, impulse);
+    kept++;
+  }
+  t.wallCount = kept;
+}

@@ -1,0 +1,150 @@
+// Segment walls gathered from their columns once a step, and a coarse grid over them: which walls a moving body may
+// meet. The cells number at most 64 x 64, about as many as there are walls; a cell lists the walls whose bounding boxes
+// overlap it, in ascending id. With a few walls there is one cell, and the list is all of them.
+import { get } from '../../memory/columns';
+import { putWord, word } from '../table';
+
+@unmanaged
+export class Segment {
+  minX: real;
+  minY: real;
+  maxX: real;
+  maxY: real;
+  ax: real;
+  ay: real;
+  // Unit vector from a to b, zero where the ends coincide, and the length.
+  tx: real;
+  ty: real;
+  length: real;
+  restitution: real;
+  friction: real;
+  id: i32;
+}
+
+export const SEGMENT_SIZE: usize = (offsetof<Segment>() + sizeof<real>() - 1) & ~(sizeof<real>() - 1);
+
+// The gathered walls; src/particle-contacts/segment-walls.ts sets the addresses and makes room.
+@unmanaged
+export class WallGrid {
+  count: i32;
+  segments: usize;
+  starts: usize;
+  items: usize;
+  mostItems: i32;
+  side: i32;
+}
+
+const FEW: i32 = 8;
+const MOST_SIDE: i32 = 64;
+
+export let wallsMinX: real = 0;
+export let wallsMinY: real = 0;
+export let wallsMaxX: real = 0;
+export let wallsMaxY: real = 0;
+let rateX: real = 0;
+let rateY: real = 0;
+
+// @ts-ignore: decorator
+@inline export function segment(g: WallGrid, i: i32): Segment {
+  return changetype<Segment>(g.segments + <usize>i * SEGMENT_SIZE);
+}
+
+// Column of the grid a coordinate falls in.
+function columnOf(x: real, low: real, rate: real, side: i32): i32 {
+  const cell = (x - low) * rate;
+  return cell > 0 ? min<i32>(side - 1, <i32>min<real>(cell, <real>MOST_SIDE)) : 0;
+}
+
+// @ts-ignore: decorator
+@inline export function columnX(g: WallGrid, x: real): i32 {
+  return columnOf(x, wallsMinX, rateX, g.side);
+}
+
+// @ts-ignore: decorator
+@inline export function columnY(g: WallGrid, y: real): i32 {
+  return columnOf(y, wallsMinY, rateY, g.side);
+}
+
+// Gathers the walls `ids`, ascending, and lists them by cells.
+export function gatherSegments(
+  grid: usize,
+  ids: usize,
+  count: i32,
+  ax: usize,
+  ay: usize,
+  bx: usize,
+  by: usize,
+  restitution: usize,
+  friction: usize,
+): void {
+  const g = changetype<WallGrid>(grid);
+  g.count = count;
+  wallsMinX = wallsMinY = <real>Infinity;
+  wallsMaxX = wallsMaxY = -(<real>Infinity);
+  for (let i = 0; i < count; i++) {
+    const id = word(ids, i);
+    const s = segment(g, i);
+    const x = get(ax, id);
+    const y = get(ay, id);
+    const dx = get(bx, id) - x;
+    const dy = get(by, id) - y;
+    const length = sqrt<real>(dx * dx + dy * dy);
+    s.minX = min<real>(x, x + dx);
+    s.minY = min<real>(y, y + dy);
+    s.maxX = max<real>(x, x + dx);
+    s.maxY = max<real>(y, y + dy);
+    s.ax = x;
+    s.ay = y;
+    s.tx = length > 0 ? dx / length : <real>0;
+    s.ty = length > 0 ? dy / length : <real>0;
+    s.length = length;
+    s.restitution = get(restitution, id);
+    s.friction = get(friction, id);
+    s.id = id;
+    wallsMinX = min<real>(wallsMinX, s.minX);
+    wallsMinY = min<real>(wallsMinY, s.minY);
+    wallsMaxX = max<real>(wallsMaxX, s.maxX);
+    wallsMaxY = max<real>(wallsMaxY, s.maxY);
+  }
+  listWalls(g);
+}
+
+// Fills the cells, coarser where long walls would fill too many.
+function listWalls(g: WallGrid): void {
+  let side = 1;
+  if (g.count > FEW) while (side < MOST_SIDE && side * side < g.count) side <<= 1;
+  for (; ; side >>= 1) {
+    g.side = side;
+    rateX = wallsMaxX > wallsMinX ? <real>side / (wallsMaxX - wallsMinX) : <real>0;
+    rateY = wallsMaxY > wallsMinY ? <real>side / (wallsMaxY - wallsMinY) : <real>0;
+    memory.fill(g.starts, 0, (<usize>(side * side + 1)) << 2);
+    if (visitCells(g, false) <= g.mostItems || side == 1) break;
+  }
+  let sum = 0;
+  for (let cell = 0; cell < side * side; cell++) {
+    const size = word(g.starts, cell + 1);
+    putWord(g.starts, cell + 1, sum);
+    sum += size;
+  }
+  visitCells(g, true);
+}
+
+// Counts the walls of each cell, or lists them where the count has become a place. Returns how many there are in all.
+function visitCells(g: WallGrid, list: bool): i32 {
+  let total = 0;
+  for (let i = 0; i < g.count; i++) {
+    const s = segment(g, i);
+    const right = columnX(g, s.maxX);
+    const top = columnY(g, s.maxY);
+    for (let y = columnY(g, s.minY); y <= top; y++) {
+      for (let x = columnX(g, s.minX); x <= right; x++) {
+        const cell = y * g.side + x;
+        const place = word(g.starts, cell + 1);
+        putWord(g.starts, cell + 1, place + 1);
+        if (list) putWord(g.items, place, i);
+        total++;
+      }
+    }
+  }
+  return total;
+}

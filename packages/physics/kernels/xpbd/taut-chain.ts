@@ -1,0 +1,302 @@
+// Chains so taut that waves across them outrun the sub-step, solved implicitly: the minimum of
+//
+//   E(x) = sum m |x - x~|^2 / 2 + sum U_j(d_j)      x~ where bodies go without springs, U_j the energy of row j times h^2
+//
+// which is backward Euler's step, stable however taut. Newton's method on all places and tensions T of a chain, from one
+// end to the other: what hangs above row j moves like one body of mobility P_j (3 x 3, inverse mass), so that, with
+// n the row's direction, e = 1/(k h^2) its flexibility and g = T/d, by which tension resists being turned,
+//
+//   S_j = (P_j + e n n' + (1 - n n')/g)^-1            what row and all above it put against moving the next body b
+//   P_j+1 = (m_b + S_j)^-1                            F_j = S_j (dx_b - P_j r_j + C_j n)        C = d - L
+//   r_j+1 = m_b (x~_b - x_b) + S_j (P_j r_j - C_j n)  and back: dx_a = P_j (r_j + F_j)          T_j = n.F_j
+//
+// Sums of positive definite matrices only: nothing cancels, however many links and however rigid. A chain of N links with
+// the directions that it starts with, as chain.ts has them, is unstable once N g h^2 exceeds a link. First order: what
+// swings at w loses about w^2 h/2 of its amplitude a second. Cost: 250 operations a link and iteration, of two to four.
+import { get, put } from '../memory/columns';
+import { ConstraintTable, isCord, packedAt, part, putPart, word } from './table';
+
+// Bytes a body of a chain takes of `work`.
+const NODE: usize = 232;
+// Tensions along directions that are not yet those at the end take a second iteration, whatever the lengths.
+const LEAST_ITERATIONS: i32 = 2;
+const MOST_ITERATIONS: i32 = 12;
+// How far from its length a row may be left.
+const TOLERANCE: f64 = 1e-3;
+// Least flexibility times the mass: a body on a rod from an anchor moves by no more than rounding.
+const RIGID_ENOUGH: f64 = 1e-12;
+// Resistance to turning, over the mass, that counts as none.
+const LEAST_ACROSS: f64 = 1e-4;
+
+@unmanaged
+class Node {
+  // Where it is, and where it would be.
+  x: f64;
+  y: f64;
+  z: f64;
+  toX: f64;
+  toY: f64;
+  toZ: f64;
+  // P and r.
+  xx: f64;
+  xy: f64;
+  xz: f64;
+  yy: f64;
+  yz: f64;
+  zz: f64;
+  rx: f64;
+  ry: f64;
+  rz: f64;
+  // S, n, C, e and g of the row to the next body.
+  sxx: f64;
+  sxy: f64;
+  sxz: f64;
+  syy: f64;
+  syz: f64;
+  szz: f64;
+  nx: f64;
+  ny: f64;
+  nz: f64;
+  error: f64;
+  flexibility: f64;
+  across: f64;
+  active: f64;
+  mass: f64;
+}
+
+// @ts-ignore: decorator
+@inline function nodeOf(t: ConstraintTable, row: i32): Node {
+  return changetype<Node>(t.work + <usize>row * NODE);
+}
+
+// Whether rows [first, last) were pulled so hard in the last sub-step that explicit directions would be unstable: a wave
+// crosses a link in sqrt(L m/T), and at 2 that is the sub-step.
+const TAUT: f64 = 0.5;
+
+export function isTaut(t: ConstraintTable, first: i32, last: i32): bool {
+  for (let row = first; row < last; row++) {
+    const w = <f64>part(packedAt(t, word(t.a, row)), 3) + <f64>part(packedAt(t, word(t.b, row)), 3);
+    if (<f64>get(t.tension, row) * w > TAUT * abs<f64>(<f64>get(t.length, row))) return true;
+  }
+  return false;
+}
+
+// Solves the chain of rows [first, last) to what reals can say; tensions start from those of the last sub-step. False,
+// and no body moved, where that fails.
+export function solveTautChain(t: ConstraintTable, first: i32, last: i32): bool {
+  const enough: f64 = sizeof<real>() == 4 ? 1e-5 : 1e-11;
+  loadBodies(t, first, last);
+  let error = Infinity;
+  for (let i = 0; i <= MOST_ITERATIONS; i++) {
+    error = setUp(t, first, last, i > 0);
+
+    if ((i >= LEAST_ITERATIONS && error <= enough) || i == MOST_ITERATIONS) break;
+    eliminate(t, first, last);
+    substitute(t, first, last);
+  }
+  if (!(error <= TOLERANCE)) return false;
+  for (let row = first; row <= last; row++) {
+    const node = nodeOf(t, row);
+    if (row < last && isCord(get(t.length, row))) put(t.tension, row, max<real>(0, get(t.tension, row)));
+    if (node.mass == 0) continue;
+    const p = packedAt(t, bodyOf(t, row, last));
+    putPart(p, 0, <real>node.x);
+    putPart(p, 1, <real>node.y);
+    putPart(p, 2, <real>node.z);
+  }
+  return true;
+}
+
+// @ts-ignore: decorator
+@inline function bodyOf(t: ConstraintTable, row: i32, last: i32): u32 {
+  return row < last ? word(t.a, row) : word(t.b, row - 1);
+}
+
+function loadBodies(t: ConstraintTable, first: i32, last: i32): void {
+  for (let row = first; row <= last; row++) {
+    const node = nodeOf(t, row);
+    const p = packedAt(t, bodyOf(t, row, last));
+    const w = <f64>part(p, 3);
+    node.mass = w > 0 ? 1 / w : 0;
+    node.x = node.toX = <f64>part(p, 0);
+    node.y = node.toY = <f64>part(p, 1);
+    node.z = node.toZ = <f64>part(p, 2);
+  }
+}
+
+// Directions and errors of the rows; returns the largest error by the length. A string that was taut in an iteration stays
+// so to the end of the sub-step, or it would be taut and slack by turns.
+function setUp(t: ConstraintTable, first: i32, last: i32, again: bool): f64 {
+  let worst: f64 = 0;
+  for (let row = first; row < last; row++) {
+    const a = nodeOf(t, row);
+    const b = nodeOf(t, row + 1);
+    const x = b.x - a.x;
+    const y = b.y - a.y;
+    const z = b.z - a.z;
+    const d = sqrt<f64>(x * x + y * y + z * z);
+    const apart = d >= 1e-15;
+    const per = apart ? 1 / d : 0;
+    a.nx = apart ? x * per : 1;
+    a.ny = y * per;
+    a.nz = z * per;
+    const gain = <f64>get(t.gain, row);
+    const length = get(t.length, row);
+    const rest = abs<f64>(<f64>length);
+    const tension = <f64>get(t.tension, row);
+    const e = gain > 0 ? <f64>get(t.softness, row) / gain : 0;
+    const slack = isCord(length) && d <= rest && tension <= 0 && !(again && a.active > 0);
+    const active = gain > 0 && !slack;
+    const mass = a.mass + b.mass;
+    const across = abs<f64>(tension) * per;
+    a.error = d - rest;
+    a.flexibility = max<f64>(e, RIGID_ENOUGH / mass);
+    a.across = across > LEAST_ACROSS * mass ? across : 0;
+    a.active = active ? 1 : 0;
+    if (active) worst = max<f64>(worst, abs<f64>(d - rest - e * tension) / (d + rest));
+  }
+  return worst;
+}
+
+// Downwards.
+function eliminate(t: ConstraintTable, first: i32, last: i32): void {
+  for (let row = first; row <= last; row++) {
+    const node = nodeOf(t, row);
+    const m = node.mass;
+    node.xx = node.yy = node.zz = m;
+    node.xy = node.xz = node.yz = 0;
+    node.rx = m * (node.toX - node.x);
+    node.ry = m * (node.toY - node.y);
+    node.rz = m * (node.toZ - node.z);
+    if (row > first) addAbove(nodeOf(t, row - 1), node);
+    if (m > 0) {
+      invert(mobilityOf(node), node.xx, node.xy, node.xz, node.yy, node.yz, node.zz);
+    } else node.xx = node.xy = node.xz = node.yy = node.yz = node.zz = 0;
+    if (row < last) weighRow(node);
+  }
+}
+
+// S of the row below a body, from its P.
+// @ts-ignore: decorator
+@inline function weighRow(node: Node): void {
+  const x = node.nx;
+  const y = node.ny;
+  const z = node.nz;
+  const e = node.flexibility;
+  if (node.active == 0) {
+    node.sxx = node.sxy = node.sxz = node.syy = node.syz = node.szz = 0;
+    return;
+  }
+  if (node.across == 0) {
+    const qx = node.xx * x + node.xy * y + node.xz * z;
+    const qy = node.xy * x + node.yy * y + node.yz * z;
+    const qz = node.xz * x + node.yz * y + node.zz * z;
+    const per = 1 / (e + x * qx + y * qy + z * qz);
+    node.sxx = per * x * x;
+    node.sxy = per * x * y;
+    node.sxz = per * x * z;
+    node.syy = per * y * y;
+    node.syz = per * y * z;
+    node.szz = per * z * z;
+    return;
+  }
+  const turn = 1 / node.across;
+  const k = e - turn;
+  const xx = node.xx + turn + k * x * x;
+  const yy = node.yy + turn + k * y * y;
+  const zz = node.zz + turn + k * z * z;
+  const xy = node.xy + k * x * y;
+  const xz = node.xz + k * x * z;
+  const yz = node.yz + k * y * z;
+  invert(stiffnessOf(node), xx, xy, xz, yy, yz, zz);
+}
+
+// The six numbers of a symmetric matrix, as they stand in a node.
+@unmanaged
+class Symmetric {
+  xx: f64;
+  xy: f64;
+  xz: f64;
+  yy: f64;
+  yz: f64;
+  zz: f64;
+}
+
+// @ts-ignore: decorator
+@inline function mobilityOf(node: Node): Symmetric {
+  return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('xx'));
+}
+
+// @ts-ignore: decorator
+@inline function stiffnessOf(node: Node): Symmetric {
+  return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('sxx'));
+}
+
+// Of a positive definite matrix, by its factors L D L'. By cofactors a matrix that is a thousand million times as stiff one way
+// as the others would have a determinant of rounding only.
+// @ts-ignore: decorator
+@inline function invert(to: Symmetric, xx: f64, xy: f64, xz: f64, yy: f64, yz: f64, zz: f64): void {
+  const a = 1 / xx;
+  const yx = xy * a;
+  const zx = xz * a;
+  const b = 1 / (yy - yx * xy);
+  const across = yz - zx * xy;
+  const zy = across * b;
+  const c = 1 / (zz - zx * xz - zy * across);
+  const back = yx * zy - zx;
+  to.zz = c;
+  to.yz = -zy * c;
+  to.yy = b + zy * zy * c;
+  to.xz = back * c;
+  to.xy = -yx * b - back * zy * c;
+  to.xx = a + yx * yx * b + back * back * c;
+}
+
+// Adds S of the row above, and what it wants, to a body.
+// @ts-ignore: decorator
+@inline function addAbove(a: Node, node: Node): void {
+  const x = a.xx * a.rx + a.xy * a.ry + a.xz * a.rz - a.error * a.nx;
+  const y = a.xy * a.rx + a.yy * a.ry + a.yz * a.rz - a.error * a.ny;
+  const z = a.xz * a.rx + a.yz * a.ry + a.zz * a.rz - a.error * a.nz;
+  node.rx += a.sxx * x + a.sxy * y + a.sxz * z;
+  node.ry += a.sxy * x + a.syy * y + a.syz * z;
+  node.rz += a.sxz * x + a.syz * y + a.szz * z;
+  node.xx += a.sxx;
+  node.xy += a.sxy;
+  node.xz += a.sxz;
+  node.yy += a.syy;
+  node.yz += a.syz;
+  node.zz += a.szz;
+}
+
+// Upwards: moves the bodies by the forces of the rows below them, whose part along the row is the tension.
+function substitute(t: ConstraintTable, first: i32, last: i32): void {
+  let dx: f64 = 0;
+  let dy: f64 = 0;
+  let dz: f64 = 0;
+  for (let row = last; row >= first; row--) {
+    const a = nodeOf(t, row);
+    let rx = a.rx;
+    let ry = a.ry;
+    let rz = a.rz;
+    if (row < last) {
+      const x = dx - (a.xx * rx + a.xy * ry + a.xz * rz) + a.error * a.nx;
+      const y = dy - (a.xy * rx + a.yy * ry + a.yz * rz) + a.error * a.ny;
+      const z = dz - (a.xz * rx + a.yz * ry + a.zz * rz) + a.error * a.nz;
+      const fx = a.sxx * x + a.sxy * y + a.sxz * z;
+      const fy = a.sxy * x + a.syy * y + a.syz * z;
+      const fz = a.sxz * x + a.syz * y + a.szz * z;
+      const tension = fx * a.nx + fy * a.ny + fz * a.nz;
+      put(t.tension, row, <real>tension);
+      rx += fx;
+      ry += fy;
+      rz += fz;
+    }
+    dx = a.xx * rx + a.xy * ry + a.xz * rz;
+    dy = a.xy * rx + a.yy * ry + a.yz * rz;
+    dz = a.xz * rx + a.yz * ry + a.zz * rz;
+    a.x += dx;
+    a.y += dy;
+    a.z += dz;
+  }
+}

@@ -1,0 +1,123 @@
+import { describe, expect, test } from 'vitest';
+import { read, run, single } from '../../../../test/support/laws.ts';
+import {
+  angularDrag,
+  angularMomentum,
+  applyImpulse,
+  constantTorque,
+  createPhysicsWorld,
+  defineForce,
+  explode,
+  momentum,
+  PhysicsError,
+  spawn,
+} from '../index.ts';
+
+describe('impulses', () => {
+  test('change the momentum by J, and the angular momentum by r × J', () => {
+    const body = { mass: 4, inertia: 2, angularVelocity: {}, orientation: {} };
+    const { world, eid } = single([], { position: { x: 1, y: 2, z: 3 }, ...body }, { dimensions: 3 });
+    applyImpulse(world, eid, { x: 1, y: -2, z: 5 }, { x: 2, y: 2, z: 1 });
+    expect(momentum(world)).toEqual({ x: 1, y: -2, z: 5 });
+    const spin = world.components.AngularVelocity;
+    const r = { x: 1, y: 0, z: -2 };
+    expect(2 * spin.x[eid]).toBe(r.y * 5 - r.z * -2);
+    expect(2 * spin.y[eid]).toBe(r.z * 1 - r.x * 5);
+    expect(2 * spin.z[eid]).toBe(r.x * -2 - r.y * 1);
+    const about = angularMomentum(world, { x: 2, y: 2, z: 1 });
+    for (const axis of ['x', 'y', 'z'] as const) expect(about[axis]).toBeCloseTo(0, 12);
+  });
+
+  test('do nothing to a body without mass, and turn nothing that cannot turn', () => {
+    const world = createPhysicsWorld({ capacity: 5 });
+    const fixed = spawn(world, { position: {}, velocity: {} });
+    const straight = spawn(world, { position: {}, velocity: {}, mass: 1, inertia: 1 });
+    applyImpulse(world, fixed, { x: 5 });
+    applyImpulse(world, straight, { x: 5 }, { y: 1 });
+    expect(read(world, fixed).speed()).toBe(0);
+    expect(read(world, straight).speed()).toBe(5);
+    expect(world.components.AngularVelocity.z[straight]).toBe(0);
+    expect(() => applyImpulse(world, 4, {})).toThrow(/E_STALE/);
+    expect(() => applyImpulse(world, straight, { x: Number.NaN })).toThrow(PhysicsError);
+  });
+
+  test('an explosion throws outwards, less with distance, and nothing beyond its reach', () => {
+    const world = createPhysicsWorld({ capacity: 9, dimensions: 3 });
+    const at = [0, 1, 2, 3.9, 4, 5].map((x) => spawn(world, { position: { x }, velocity: {}, mass: 2 }));
+    explode(world, { impulse: 8, radius: 4 });
+    const speeds = at.map((eid) => world.components.Velocity.x[eid]);
+    [0, 3, 2, 0.1, 0, 0].forEach((v, i) => {
+      expect(speeds[i]).toBeCloseTo(v, 12);
+    });
+    explode(world, { centre: { y: 3 }, impulse: -2, radius: 100, falloff: 0 });
+    expect(world.components.Velocity.y[at[0]]).toBeCloseTo(1, 12);
+    expect(() => explode(world, { impulse: 1, radius: -1 })).toThrow(PhysicsError);
+  });
+
+  test('equal bodies around an explosion keep the momentum', () => {
+    const world = createPhysicsWorld({ capacity: 50 });
+    for (let i = 0; i < 12; i++) {
+      const angle = (i * Math.PI) / 6;
+      spawn(world, { position: { x: 3 * Math.cos(angle), y: 3 * Math.sin(angle) }, velocity: {}, mass: 1 });
+    }
+    explode(world, { impulse: 8, radius: 4 });
+    expect(momentum(world).x).toBeCloseTo(0, 13);
+    expect(momentum(world).y).toBeCloseTo(0, 13);
+  });
+});
+
+describe('torque', () => {
+  const spinner = { inertia: 5, rotation: {}, angularVelocity: {} };
+
+  test('τ = I α, and L stays without torque', () => {
+    const { world, eid } = single([constantTorque({ z: 1 })], spinner);
+    run(world, 10);
+    expect(world.components.AngularVelocity.z[eid]).toBeCloseTo(2, 12);
+    world.forces.length = 0;
+    const spin = angularMomentum(world).z;
+    run(world, 10);
+    expect(angularMomentum(world).z).toBe(spin);
+  });
+
+  test('drag on the turning ends at ω = τ/k, after e^(-kt/I)', () => {
+    const { world, eid } = single([constantTorque({ z: 6 }), angularDrag()], { ...spinner, angularDrag: 2 });
+    const omega = () => world.components.AngularVelocity.z[eid];
+    run(world, 2.5, 1e-3);
+    expect(omega()).toBeCloseTo(3 * (1 - Math.exp(-1)), 3);
+    run(world, 100);
+    expect(omega()).toBeCloseTo(3, 10);
+  });
+
+  test('about three axes in space', () => {
+    const body = { inertia: 2, orientation: {}, angularVelocity: {} };
+    const { world, eid } = single([constantTorque({ x: 2, y: 4, z: 6 })], body, { dimensions: 3 });
+    run(world, 1);
+    const { x, y, z } = world.components.AngularVelocity;
+    expect([x[eid], y[eid], z[eid]].map((w) => Math.round(w * 1e9) / 1e9)).toEqual([1, 2, 3]);
+  });
+
+  test('a body without inertia, or without angular velocity, does not turn', () => {
+    for (const body of [
+      { angularVelocity: {}, rotation: {} },
+      { inertia: 1, rotation: {} },
+    ]) {
+      const { world, eid } = single([constantTorque({ z: 1 })], body);
+      run(world, 1);
+      expect(world.components.Rotation.angle[eid]).toBe(0);
+      expect(world.components.AngularVelocity.z[eid]).toBe(0);
+    }
+  });
+
+  test('a force of your own may turn bodies: a torsion spring swings with 2π √(I/κ)', () => {
+    const torsion = defineForce({
+      name: 'torsion',
+      turns: true,
+      accumulate({ components, scratch }, first, last) {
+        for (let eid = first; eid < last; eid++) scratch.torque.z[eid] -= 20 * components.Rotation.angle[eid];
+      },
+    });
+    const { world, eid } = single([torsion], { ...spinner, rotation: 0.3 });
+    run(world, Math.PI, 1e-3);
+    expect(world.components.Rotation.angle[eid]).toBeCloseTo(0.3, 3);
+  });
+});

@@ -1,0 +1,71 @@
+// Blows: velocities change at once.
+//
+//   Δv = J/m        Δω = (p - r) × J/I        explosion: J(d) = J₀ (1 - d/R)ⁿ outwards, d < R
+//
+//   J  impulse, N s    p  where it acts, m    r  centre of mass, m    d  distance from the explosion, m
+//
+// An impulse is the limit of a large force for a short time: Goldstein, Classical Mechanics, section 1.1. The law of an
+// explosion is for games: a real blast goes by Sedov (1946).
+
+import { assertBody } from '../ecs/entity-ref.ts';
+import { assertUsable } from '../ecs/guards.ts';
+import { isOpen } from '../ecs/rows.ts';
+import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
+import { ANY, LENGTHS, PLACES } from '../forces/support/bounds.ts';
+import { lawKernels } from '../forces/support/force-kernels.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+
+/**
+ * Gives a body an impulse, through its centre of mass or at a point, where it turns the body too if that has Inertia and
+ * AngularVelocity. A body without mass is not moved.
+ * @param impulse N s
+ * @param point where it acts, m, in world coordinates
+ * @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
+ */
+export function applyImpulse(world: PhysicsWorld, eid: number, impulse: VectorInput, point?: VectorInput): void {
+  assertBody(world, eid);
+  const j = checkVector(impulse, 'impulse', ANY);
+  const p = point === undefined ? undefined : checkVector(point, 'point', PLACES);
+  const { Mass, Velocity: v, Position, Inertia, AngularVelocity: w } = world.components;
+  const mass = Mass.value[eid];
+  if (!(mass > 0)) return;
+  const solid = world.dimensions === 3;
+  v.x[eid] += j.x / mass;
+  v.y[eid] += j.y / mass;
+  if (solid) v.z[eid] += j.z / mass;
+  const inertia = Inertia.value[eid];
+  if (p === undefined || !(inertia > 0) || !isOpen(world, eid, 'AngularVelocity')) return;
+  const x = p.x - Position.x[eid];
+  const y = p.y - Position.y[eid];
+  w.z[eid] += (x * j.y - y * j.x) / inertia;
+  if (!solid) return;
+  const z = p.z - Position.z[eid];
+  w.x[eid] += (y * j.z - z * j.y) / inertia;
+  w.y[eid] += (z * j.x - x * j.z) / inertia;
+}
+
+export interface ExplosionOptions {
+  /** Where, m; default the origin. */
+  readonly centre?: VectorInput;
+  /** Impulse J₀ next to the centre, N s; negative implodes. */
+  readonly impulse: number;
+  /** Reach R, m. */
+  readonly radius: number;
+  /** n: 0 the same everywhere within R, 1 (default) falling to zero there, 2 and up steeper. */
+  readonly falloff?: number;
+}
+
+/**
+ * Throws every body with mass within reach outwards. One at the very centre has no direction to go and stays.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
+ */
+export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
+  assertUsable(world);
+  checkKeys(options, 'explode', ['centre', 'impulse', 'radius', 'falloff']);
+  const { x, y, z } = checkVector(options.centre ?? {}, 'explode.centre', PLACES);
+  const impulse = checkNumber(options.impulse, 'explode.impulse', ANY);
+  const radius = checkNumber(options.radius, 'explode.radius', LENGTHS);
+  const falloff = checkWhole(options.falloff ?? 1, 'explode.falloff', 0, 16);
+  const depth = world.dimensions === 3 ? z : 0;
+  lawKernels(world).blast(x, y, depth, impulse, radius, falloff, 0, world.lastId + 1);
+}

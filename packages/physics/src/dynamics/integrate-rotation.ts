@@ -1,0 +1,42 @@
+// Turns bodies: the torque of the last evaluation of the forces kicks the angular velocity, then the angle in 2D or the
+// quaternion in 3D moves with the new one. Semi-implicit Euler, first order; nothing to do while no body spins.
+//
+//   ω' = ω + τ/I dt        θ' = θ + ω' dt
+import { bitOf } from '../components/all.ts';
+import { eachRun } from '../ecs/ranges.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import type { LocalSystem } from '../world/phases.ts';
+import { anyForceTurns } from './evaluate-forces.ts';
+
+export const turn: LocalSystem = {
+  name: 'turn',
+  role: 'rotate',
+  run: eachRun((world, first, last, dt) => {
+    if (world.internal.counts.AngularVelocity === 0) return;
+    if (anyForceTurns(world)) kickRun(world, first, last, dt);
+    turnRun(world, first, last, dt);
+  }),
+};
+
+/** A body without inertia, or without AngularVelocity, does not turn. */
+function kickRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
+  const { kernels, addresses, scratch, internal } = world;
+  const { AngularVelocity: w, Inertia } = addresses;
+  const bit = bitOf('AngularVelocity');
+  const axes = world.dimensions === 2 ? SPIN_2D : SPIN_3D;
+  for (let a = 0; a < axes.length; a++) {
+    const axis = axes[a];
+    const torque = scratch.at.torque[axis];
+    kernels.kickSpinAxis(w[axis], torque, Inertia.value, internal.membersAt, bit, dt, first, last);
+  }
+}
+
+const SPIN_2D = ['z'] as const;
+const SPIN_3D = ['x', 'y', 'z'] as const;
+
+function turnRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
+  const { kernels, addresses } = world;
+  const { AngularVelocity: w, Orientation: q, Rotation } = addresses;
+  if (world.dimensions === 2) kernels.driftAxis(Rotation.angle, w.z, dt, first, last);
+  else kernels.turnQuaternion(q.x, q.y, q.z, q.w, w.x, w.y, w.z, dt, first, last);
+}

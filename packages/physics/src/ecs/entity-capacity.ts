@@ -1,0 +1,37 @@
+import { PhysicsError } from '../errors/physics-error.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { contextOf } from './bitecs-adapter.ts';
+
+/**
+ * Sees to it that the next `count` calls of `addEntity` give ids within capacity.
+ *
+ * bitECS hands out the id freed last. A world whose user went past its capacity with `addEntity` has freed ids that no
+ * row exists for; they go to the bottom of that pile, where they do not block the others.
+ * @throws PhysicsError E_CAPACITY
+ */
+export function makeRoom(world: PhysicsWorld, count: number): void {
+  const { entityIndex } = contextOf(world);
+  const { dense, aliveCount, maxId } = entityIndex;
+  if (maxId <= world.capacity) {
+    if (aliveCount + count > world.capacity) throw capacityError(world, count);
+    return;
+  }
+  let room = 0;
+  for (let i = aliveCount; i < dense.length && room < count; i++) {
+    if (dense[i] > world.capacity) continue;
+    const target = aliveCount + room++;
+    [dense[target], dense[i]] = [dense[i], dense[target]];
+    entityIndex.sparse[dense[target]] = target;
+    entityIndex.sparse[dense[i]] = i;
+  }
+  if (room < count) throw capacityError(world, count);
+}
+
+export function capacityError(world: PhysicsWorld, more: number, entity?: number): PhysicsError {
+  return new PhysicsError('E_CAPACITY', `no room for ${more} more: the world holds ${world.capacity} entities.`, {
+    entity,
+    field: 'capacity',
+    value: world.capacity,
+    hint: 'Make the world with a larger `capacity`.',
+  });
+}

@@ -1,0 +1,82 @@
+// The bridge from bitECS to the columns: what happens to a row when a component is added, set or removed.
+//
+// bitECS tells us through observers, so its own idiom works unchanged: addComponent(world, eid, set(Position, { x })).
+// While a step runs nothing changes under its feet: the edits are queued and made when it ends.
+import { hasComponent, observe, onAdd, onGet, onRemove, onSet, removeComponent } from 'bitecs';
+import { COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { contextOf, guardTables, isPrefab } from './bitecs-adapter.ts';
+import { capacityError } from './entity-capacity.ts';
+import { whenIdle } from './guards.ts';
+import { closeRow, isOpen, openRow, readRow, writeRow } from './rows.ts';
+import { asGiven, checkValues, completeValues, type FieldValues, initialValues } from './values.ts';
+
+/** Registers the observers; called once when the world is made. */
+export function observeComponents(world: PhysicsWorld): void {
+  for (const name of COMPONENT_NAMES) {
+    const component = world.components[name];
+    observe(world, onAdd(component), (eid: number) => added(world, eid, name));
+    observe(world, onSet(component), (eid: number, data: unknown) => assigned(world, eid, name, data));
+    observe(world, onRemove(component), (eid: number) => removed(world, eid, name));
+    observe(world, onGet(component), (eid: number) => asGiven(name, present(world, eid, name)));
+  }
+  guardTables(world);
+}
+
+function added(world: PhysicsWorld, eid: number, name: ComponentName): void {
+  if (eid > world.capacity) {
+    removeComponent(world, eid, world.components[name]);
+    throw capacityError(world, 1, eid);
+  }
+  world.internal.fresh[name] = eid;
+  if (isLeaving(world, eid)) return;
+  whenIdle(world, () => {
+    if (hasComponent(world, eid, world.components[name])) openRow(world, eid, name);
+  });
+}
+
+/** Whether this life of the entity ends with the present step. */
+function isLeaving(world: PhysicsWorld, eid: number): boolean {
+  const leaving = world.internal.leaving.get(eid);
+  return leaving !== undefined && leaving === contextOf(world).entityComponents.get(eid);
+}
+
+function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): void {
+  const { internal } = world;
+  // Refused values take the component with them if this very call added it, and only then.
+  const fresh = internal.fresh[name] === eid;
+  internal.fresh[name] = 0;
+  let values: FieldValues;
+  try {
+    values = data === internal.checked ? (data as FieldValues) : checkWhole(world, eid, name, data);
+  } catch (error) {
+    if (fresh) removeComponent(world, eid, world.components[name]);
+    throw error;
+  }
+  if (isPrefab(world, eid)) setTemplate(world, eid, name, values);
+  else if (!isLeaving(world, eid)) whenIdle(world, () => writeRow(world, eid, name, values));
+}
+
+function checkWhole(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): FieldValues {
+  const values = checkValues(world, name, data, eid);
+  return completeValues(world, name, values, () => present(world, eid, name), eid);
+}
+
+/** A component's values as they stand: of a row, of a prefab, or the initial ones of a row not open yet. */
+function present(world: PhysicsWorld, eid: number, name: ComponentName): FieldValues {
+  if (isOpen(world, eid, name)) return readRow(world, eid, name);
+  const template = isPrefab(world, eid) ? world.internal.templates.get(eid)?.[name] : undefined;
+  return { ...initialValues(name), ...template };
+}
+
+/** A prefab is no body and has no row, because kernels would move it; what its instances inherit is kept aside. */
+function setTemplate(world: PhysicsWorld, eid: number, name: ComponentName, values: FieldValues): void {
+  const { templates } = world.internal;
+  const template = templates.get(eid) ?? {};
+  template[name] = { ...template[name], ...values };
+  templates.set(eid, template);
+}
+
+function removed(world: PhysicsWorld, eid: number, name: ComponentName): void {
+  if (eid <= world.capacity) whenIdle(world, () => closeRow(world, eid, name));
+}

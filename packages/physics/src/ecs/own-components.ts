@@ -1,0 +1,117 @@
+// Components of a user's own whose columns lie in the world's memory: laws read them, snapshots keep them, and bitECS
+// adds and removes them as any other.
+import { observe, onAdd, onRemove, onSet } from 'bitecs';
+import type { ColumnsOf, ComponentSpec, FieldSpec } from '../components/define.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkKeys, checkList, checkNumber, isRecord, mustBe } from '../errors/validate.ts';
+import type { Precision } from '../kernels/instantiate.ts';
+import type { Arena } from '../memory/arena.ts';
+import { realColumn, wordColumn } from '../memory/columns.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { assertUsable, whenIdle } from './guards.ts';
+
+/** The columns of one component in one world. */
+export interface OwnColumns {
+  readonly columns: Readonly<Record<string, { [row: number]: number; readonly length: number }>>;
+  readonly addresses: Readonly<Record<string, number>>;
+}
+
+export type OwnComponents = ReadonlyMap<ComponentSpec, OwnColumns>;
+
+/** @throws PhysicsError E_TYPE for what is no list of components */
+export function checkOwnComponents(components: unknown): readonly ComponentSpec[] {
+  checkList(components, 'components');
+  const list = (components ?? []) as readonly unknown[];
+  list.forEach((component, i) => {
+    if (isRecord(component) && isRecord(component.fields)) return;
+    throw mustBe('a component made by defineComponent', component, `components[${i}]`);
+  });
+  return list as readonly ComponentSpec[];
+}
+
+/** How many columns they take. */
+export function ownColumnCount(components: readonly ComponentSpec[]): number {
+  return components.reduce((sum, { fields }) => sum + Object.keys(fields).length, 0);
+}
+
+/** Columns for the components that a world is made with. */
+export function makeOwnColumns(
+  arena: Arena,
+  precision: Precision,
+  rows: number,
+  components: readonly ComponentSpec[],
+): OwnComponents {
+  return new Map(
+    components.map((component): [ComponentSpec, OwnColumns] => {
+      const made = Object.entries<FieldSpec>(component.fields).map(([field, { kind }]) => {
+        const [column, address] =
+          kind === 'real' ? realColumn(arena, precision, rows, field) : wordColumn(arena, rows, field);
+        return [field, column, address] as const;
+      });
+      const columns = Object.freeze(Object.fromEntries(made.map(([field, column]) => [field, column])));
+      return [
+        component,
+        { columns, addresses: Object.fromEntries(made.map(([field, , address]) => [field, address])) },
+      ];
+    }),
+  );
+}
+
+/** Lets bitECS fill and clear the rows: called once, when the world is made. */
+export function observeOwnComponents(world: PhysicsWorld): void {
+  for (const [{ fields }, { columns }] of world.internal.ownComponents) {
+    const write = (eid: number, values: Readonly<Record<string, number>>) =>
+      whenIdle(world, () => {
+        for (const field of Object.keys(values)) columns[field][eid] = values[field];
+      });
+    const all = (numberOf: (spec: FieldSpec) => number) =>
+      Object.fromEntries(Object.entries<FieldSpec>(fields).map(([field, spec]) => [field, numberOf(spec)]));
+    observe(world, onAdd(columns), (eid: number) =>
+      write(
+        eid,
+        all(({ initial }) => initial),
+      ),
+    );
+    observe(world, onSet(columns), (eid: number, data: unknown) => write(eid, checkedValues(fields, data, eid)));
+    observe(world, onRemove(columns), (eid: number) =>
+      write(
+        eid,
+        all(() => 0),
+      ),
+    );
+  }
+}
+
+function checkedValues(
+  fields: Readonly<Record<string, FieldSpec>>,
+  data: unknown,
+  entity: number,
+): Record<string, number> {
+  checkKeys(data, 'a component', Object.keys(fields), 'field');
+  return Object.fromEntries(
+    Object.entries(data as object).map(([field, value]) => [
+      field,
+      checkNumber(value, field, fields[field].bounds, entity),
+    ]),
+  );
+}
+
+/**
+ * The columns of a component of your own, one typed array a field: a bitECS component, to be added, set and removed.
+ * @throws PhysicsError E_UNKNOWN when the world was made without it, E_TYPE, E_DESTROYED
+ */
+export function columnsOf<const Spec extends ComponentSpec>(world: PhysicsWorld, component: Spec): ColumnsOf<Spec> {
+  assertUsable(world);
+  return ownColumns(world, component).columns as ColumnsOf<Spec>;
+}
+
+/** @throws PhysicsError E_UNKNOWN when the world was made without it */
+export function ownColumns({ internal }: PhysicsWorld, component: ComponentSpec): OwnColumns {
+  const found = internal.ownComponents.get(component);
+  if (found !== undefined) return found;
+  const fields = Object.keys(component?.fields ?? {}).join(', ');
+  throw new PhysicsError('E_UNKNOWN', `this world was made without the component { ${fields} }.`, {
+    field: 'components',
+    hint: 'List it: createPhysicsWorld({ components: [MyComponent] }).',
+  });
+}

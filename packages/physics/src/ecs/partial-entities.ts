@@ -1,0 +1,55 @@
+// Entities that lack a component which the step would write to for those they have.
+//
+// Forces move what has Position, Velocity and Mass. Kernels sweep columns without asking who has what, which is right
+// as long as the coefficients of the absent are zero; Mass without Velocity, or Velocity without Position, would fill
+// columns the entity does not have. Such entities are counted as components come and go, and while there are any, the
+// step zeroes what they do not have: they cost nothing when there are none.
+import { bitOf } from '../components/all.ts';
+import { ANGLES, AXES } from '../memory/axes.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+
+/** What forces move. */
+export const MOVABLE = bitOf('Position') | bitOf('Velocity');
+
+function isUnmoved(bits: number): boolean {
+  return (bits & bitOf('Mass')) !== 0 && (bits & MOVABLE) !== MOVABLE;
+}
+
+function isStray(world: PhysicsWorld, bits: number): boolean {
+  const drifts = (bits & bitOf('Velocity')) !== 0 && (bits & bitOf('Position')) === 0;
+  return drifts || ((bits & bitOf('AngularVelocity')) !== 0 && (bits & turnBit(world)) === 0);
+}
+
+function turnBit({ dimensions }: PhysicsWorld): number {
+  return bitOf(ANGLES[dimensions]);
+}
+
+/** Keeps the counts when `rows` rows go from one set of components to another. */
+export function countIncomplete(world: PhysicsWorld, from: number, to: number, rows = 1): void {
+  const { incomplete } = world.internal;
+  incomplete.unmoved += rows * (Number(isUnmoved(to)) - Number(isUnmoved(from)));
+  incomplete.strays += rows * (Number(isStray(world, to)) - Number(isStray(world, from)));
+}
+
+/** Takes the force from what forces do not move; called whenever forces were evaluated. */
+export function holdUnmoved(world: PhysicsWorld, first: number, last: number): void {
+  const { kernels, internal, scratch } = world;
+  if (internal.incomplete.unmoved === 0) return;
+  for (const axis of AXES[world.dimensions]) {
+    kernels.zeroAbsent(scratch.at.force[axis], internal.membersAt, MOVABLE, first, last);
+  }
+}
+
+/** Zeroes what the step wrote for entities that do not have the component. */
+export function clearAbsent(world: PhysicsWorld, first: number, last: number): void {
+  const { kernels, internal, addresses, dimensions } = world;
+  const { unmoved, strays } = internal.incomplete;
+  if (unmoved === 0 && strays === 0) return;
+  const at = internal.membersAt;
+  for (const axis of AXES[dimensions]) {
+    kernels.zeroAbsent(addresses.Position[axis], at, bitOf('Position'), first, last);
+    kernels.zeroAbsent(addresses.Velocity[axis], at, bitOf('Velocity'), first, last);
+  }
+  const angles: Record<string, number> = addresses[ANGLES[dimensions]];
+  for (const part in angles) kernels.zeroAbsent(angles[part], at, turnBit(world), first, last);
+}

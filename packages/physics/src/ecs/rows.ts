@@ -1,0 +1,92 @@
+// The rows of the columns: opened when an entity gains a component, written, and zeroed when it loses it.
+import { removeComponent } from 'bitecs';
+import { bitOf, COMPONENTS, type ComponentName } from '../components/all.ts';
+import type { ComponentSpec } from '../components/define.ts';
+import { type Columns, copyPose } from '../memory/previous-pose.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { countIncomplete } from './partial-entities.ts';
+import { type FieldValues, initialValues } from './values.ts';
+
+/** Whether the row of a component is in use. */
+export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): boolean {
+  return (world.internal.members[eid] & bitOf(name)) !== 0;
+}
+
+function changeBits(world: PhysicsWorld, eid: number, bits: number): void {
+  const { members } = world.internal;
+  countIncomplete(world, members[eid], bits);
+  members[eid] = bits;
+}
+
+/** Begins a row with the component's initial values. */
+export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
+  if (isOpen(world, eid, name)) return;
+  const { internal, versions } = world;
+  if (internal.members[eid] === 0) cleanRow(world, eid);
+  changeBits(world, eid, internal.members[eid] | bitOf(name));
+  internal.counts[name]++;
+  if (eid > world.lastId) world.lastId = eid;
+  versions.membership++;
+  writeRow(world, eid, name, initialValues(name));
+}
+
+/**
+ * Zeroes all columns of a row no entity has. They are zero already, unless somebody wrote through an id kept too long;
+ * a new entity must not inherit that. Reads first, so that pages never used stay untouched.
+ */
+export function cleanRow(world: PhysicsWorld, eid: number): void {
+  const { columns } = world.internal;
+  for (let c = 0; c < columns.length; c++) if (columns[c][eid] !== 0) columns[c][eid] = 0;
+}
+
+/** The present values of a row. */
+export function readRow(world: PhysicsWorld, eid: number, name: ComponentName): FieldValues {
+  const columns: Columns = world.components[name];
+  const values: FieldValues = {};
+  for (const field of Object.keys(columns)) values[field] = columns[field][eid];
+  return values;
+}
+
+/** Writes checked values to a row in use; others are left alone. */
+export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, values: Readonly<FieldValues>): void {
+  if (!isOpen(world, eid, name)) return;
+  const columns: Columns = world.components[name];
+  for (const field of Object.keys(values)) columns[field][eid] = values[field];
+  if (name in world.previous) teleport(world, eid);
+  if (name === 'Collider' || (COMPONENTS[name] as ComponentSpec).visual) world.versions.style++;
+  if (name === 'Position' || name === 'Velocity') release(world, eid);
+}
+
+/** A body someone put in order is in quarantine no longer. */
+function release(world: PhysicsWorld, eid: number): void {
+  if (isOpen(world, eid, 'Quarantined')) removeComponent(world, eid, world.components.Quarantined);
+}
+
+/** Makes the previous pose of a body its present one, so that renderers do not draw it crossing the gap. */
+export function teleport(world: PhysicsWorld, eid: number): void {
+  copyPose(world.components, world.previous, eid);
+  world.versions.pose++;
+}
+
+/** Zeroes a row: an absent component has zero coefficients, so kernels may sweep it without asking. */
+export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
+  if (!isOpen(world, eid, name)) return;
+  const { internal, versions } = world;
+  changeBits(world, eid, (internal.members[eid] & ~bitOf(name)) >>> 0);
+  internal.counts[name]--;
+  const columns: Columns = world.components[name];
+  for (const field of Object.keys(columns)) columns[field][eid] = 0;
+  if (name in world.previous) teleport(world, eid);
+  if (name === 'Position') internal.generations[eid]++;
+  if (internal.members[eid] === 0) {
+    cleanRow(world, eid);
+    if (eid === world.lastId) lowerLastId(world);
+  }
+  versions.membership++;
+  versions.style++;
+}
+
+function lowerLastId(world: PhysicsWorld): void {
+  const { members } = world.internal;
+  while (world.lastId > 0 && members[world.lastId] === 0) world.lastId--;
+}

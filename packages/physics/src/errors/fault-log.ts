@@ -1,0 +1,54 @@
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { ADVICE } from './fault-hints.ts';
+import type { FaultCode } from './physics-error.ts';
+import { checkList } from './validate.ts';
+
+/** A fault the step found and dealt with. */
+export interface Fault {
+  readonly code: FaultCode;
+  readonly entity: number;
+  /** Component and field, as in "Velocity.x". */
+  readonly field: string;
+  /** The value that was found. */
+  readonly value: number;
+  /** `world.tick` of the step it was found in. */
+  readonly step: number;
+  /**
+   * Where in the step: before it ('begin': someone wrote the value), in the integrator ('integrate': it could not keep its
+   * tolerance) or after ('finish': a force or contact made it).
+   */
+  readonly phase: 'begin' | 'integrate' | 'finish';
+  /** The law whose force was not finite, where that is known. */
+  readonly law?: string | undefined;
+  /** What to do about it. */
+  readonly hint?: string | undefined;
+}
+
+const MOST = 1024;
+
+/** The faults since the log was last cleared: the first 1024, and how many more there were. */
+export interface FaultLog {
+  readonly faults: Fault[];
+  /** Faults not kept because the log was full. */
+  lost: number;
+}
+
+export function createFaultLog(): FaultLog {
+  return { faults: [], lost: 0 };
+}
+
+/** Enters a fault of the present step in the log, and in the list of the step's that handlers are told of. */
+export function reportFault(world: PhysicsWorld, fault: Omit<Fault, 'step'>): void {
+  const { faults: log, internal } = world;
+  const dated = { hint: ADVICE[fault.code], ...fault, step: world.tick };
+  if (internal.stepFaults.length < MOST) internal.stepFaults.push(dated);
+  if (log.faults.length < MOST) log.faults.push(dated);
+  else log.lost++;
+}
+
+/** Empties the log. @throws PhysicsError E_TYPE for what is no log */
+export function clearFaults(log: FaultLog): void {
+  checkList(log?.faults ?? null, 'clearFaults: log.faults');
+  log.faults.length = 0;
+  log.lost = 0;
+}

@@ -1,0 +1,161 @@
+import { describe, type FaultCode, PhysicsError } from './physics-error.ts';
+
+/** Bounds of a number; `above` and `below` exclude the bound itself. */
+export interface Bounds {
+  readonly min?: number | undefined;
+  readonly max?: number | undefined;
+  readonly above?: number | undefined;
+  readonly integer?: boolean | undefined;
+}
+
+/**
+ * Returns `value` when it is a finite number within bounds.
+ * @throws PhysicsError E_TYPE (not a number), E_NONFINITE (NaN, infinite), E_RANGE (out of bounds)
+ */
+export function checkNumber(
+  value: unknown,
+  field: string,
+  bounds: Bounds = {},
+  entity?: number,
+  hint?: string,
+): number {
+  const isNumber = typeof value === 'number';
+  const wanted = !isNumber ? 'a number' : !Number.isFinite(value) ? 'finite' : outOfBounds(value, bounds);
+  if (wanted === undefined) return value as number;
+  const code = !isNumber ? 'E_TYPE' : Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
+  throw mustBe(wanted, value, field, code, entity, hint);
+}
+
+/** `checkNumber` of a whole number; makes no object, for what is called in every step. */
+export function checkWhole(value: unknown, field: string, min: number, max: number): number {
+  const isWhole = Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
+  return isWhole ? (value as number) : checkNumber(value, field, { min, max, integer: true });
+}
+
+/** The error for a value that is not what it must be: "mass must be a number, got an object." */
+export function mustBe(
+  wanted: string,
+  value: unknown,
+  field: string,
+  code: FaultCode = 'E_TYPE',
+  entity?: number,
+  hint?: string,
+): PhysicsError {
+  return new PhysicsError(code, `${field} must be ${wanted}, got ${describe(value)}.`, { entity, field, value, hint });
+}
+
+/** The error for a name that is none of those there are: "position has no field "w". Valid: x, y, z." */
+export function unknownName(
+  what: string,
+  kind: string,
+  name: string,
+  known: readonly string[],
+  entity?: number,
+): PhysicsError {
+  const hint = `Valid: ${known.join(', ') || 'none'}.`;
+  return new PhysicsError('E_UNKNOWN', `${what} has no ${kind} "${name}".`, { entity, field: name, value: name, hint });
+}
+
+/** Whether `checkNumber` accepts the value. */
+export function isWithin(value: unknown, bounds: Bounds): value is number {
+  return Number.isFinite(value) && outOfBounds(value as number, bounds) === undefined;
+}
+
+function outOfBounds(value: number, bounds: Bounds): string | undefined {
+  if (bounds.integer === true && !Number.isInteger(value)) return 'a whole number';
+  if (bounds.above !== undefined && !(value > bounds.above)) return `greater than ${bounds.above}`;
+  if (bounds.min !== undefined && value < bounds.min) return `at least ${bounds.min}`;
+  if (bounds.max !== undefined && value > bounds.max) return `at most ${bounds.max}`;
+  return undefined;
+}
+
+/** A vector a caller gives: absent axes are zero. */
+export interface VectorInput {
+  readonly x?: number;
+  readonly y?: number;
+  readonly z?: number;
+}
+
+/** A vector with all three axes. */
+export interface Vector {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+/**
+ * A validated copy of a vector.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE; E_UNKNOWN for a key that is not an axis
+ */
+export function checkVector(value: unknown, field: string, bounds: Bounds = {}): Vector {
+  checkKeys(value, field, ['x', 'y', 'z'], 'axis');
+  const vector = { x: 0, y: 0, z: 0 };
+  for (const [axis, component] of Object.entries(value as VectorInput)) {
+    vector[axis as keyof Vector] = checkNumber(component, `${field}.${axis}`, bounds);
+  }
+  return vector;
+}
+
+/**
+ * Writes the three axes of a vector to `out[at…]`, when it is one; makes no object, for what is called in every step.
+ * @throws PhysicsError as `checkVector`; `out` may then hold a part of it
+ */
+export function readVector(out: Float64Array, at: number, value: VectorInput, field: string, bounds: Bounds): void {
+  if (!isRecord(value)) checkVector(value, field, bounds);
+  out[at] = out[at + 1] = out[at + 2] = 0;
+  for (const axis in value) {
+    const place = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
+    const component = value[axis as 'x'];
+    if (place >= 0 && isWithin(component, bounds)) out[at + place] = component;
+    // Says what is wrong.
+    else checkVector(value, field, bounds);
+  }
+}
+
+/**
+ * Refuses what is no object, and keys that are not in `known`, naming the valid ones.
+ * @param kind what a key is: an option, an axis
+ * @throws PhysicsError E_TYPE, E_UNKNOWN
+ */
+export function checkKeys(value: unknown, what: string, known: readonly string[], kind = 'option'): void {
+  if (!isRecord(value)) throw mustBe(`{ ${known.join(', ')} }`, value, what);
+  for (const key of Object.keys(value)) if (!known.includes(key)) throw unknownName(what, kind, key, known);
+}
+
+/** @throws PhysicsError E_TYPE */
+export function checkFunction(value: unknown, field: string): void {
+  if (typeof value !== 'function') throw mustBe('a function', value, field);
+}
+
+/** The flag; false when it is left out. @throws PhysicsError E_TYPE */
+export function checkFlag(value: unknown, field: string): boolean {
+  if (value !== undefined && typeof value !== 'boolean') throw mustBe('true or false', value, field);
+  return value === true;
+}
+
+/** The word or number. @throws PhysicsError E_RANGE unless it is one of `choices` */
+export function checkChoice<T extends string | number>(value: unknown, field: string, choices: readonly T[]): T {
+  if (choices.includes(value as T)) return value as T;
+  throw mustBe(choices.map(describe).join(' or '), value, field, 'E_RANGE');
+}
+
+/** @throws PhysicsError E_TYPE unless `value` is an object or an array */
+export function checkObject(value: unknown, field: string): void {
+  if (!isRecord(value) && !Array.isArray(value)) throw mustBe('an object', value, field);
+}
+
+/** @throws PhysicsError E_TYPE unless `value` is an array, or undefined */
+export function checkList(value: unknown, field: string): void {
+  if (value !== undefined && !Array.isArray(value)) throw mustBe('an array', value, field);
+}
+
+/** @throws PhysicsError E_TYPE unless `value` is an object whose `method` is a function */
+export function checkHas(value: unknown, method: string, field: string, hint: string): void {
+  if (isRecord(value) && typeof value[method] === 'function') return;
+  throw mustBe(`an object with a function ${method}`, value, field, 'E_TYPE', undefined, hint);
+}
+
+/** Whether a value is an object with names for what it holds. */
+export function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}

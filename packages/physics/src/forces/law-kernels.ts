@@ -1,6 +1,0 @@
-// The kernels of the laws beyond drag, springs, attraction and uniform gravity: a module of its own, made when a world
-// first uses one of them.
-import { KERNELS, type KernelExports } from '../kernels/forces.gen';
-import { kernelModule } from '../kernels/instantiate';
-
-export const lawKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);

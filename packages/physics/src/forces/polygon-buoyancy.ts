@@ -1,0 +1,219 @@
+// Upthrust on a hull of any outline in the plane, at its centre of buoyancy, so that it rights or capsizes the body.
+//
+//   F = -ρ V (A'/A) g        τ = r_B × F        potential  U = ρ V g/A ∫ depth dA'
+//
+//   A'/A  share of the outline's area under the surface    r_B  centroid of that part, from the centre of mass, m
+//   V  volume of the whole hull, m³: Hull.volume
+//
+// Euler, Scientia navalis (1749); the outline is cut at the surface and summed by the shoelace formula, so it may be
+// concave. Acts on bodies whose Hull.shape is the number given here, turned by their Rotation. In 2D only. With an
+// Inertia and an AngularVelocity the body turns; damp it with `angularDrag`. Cost: a sine and a cosine a body,
+// and some 30 operations and a division an edge.
+import { Hull } from '../components/hull.ts';
+import { Rotation } from '../components/rotation.ts';
+import { defineLaw } from '../dynamics/define-law.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkKeys, checkList, checkNumber, checkWhole } from '../errors/validate.ts';
+import { axial3, type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
+import type { Force } from '../laws/force.ts';
+import { scalar, vector } from '../laws/parameter.ts';
+import { type Table, type TablePlace, table } from '../laws/table.ts';
+import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { PLACES } from './support/bounds.ts';
+import { FLUID, POOL, type Pool, poolValues } from './support/fluid-volume.ts';
+
+export interface PolygonHull {
+  /** Number by which bodies name this outline: `hull: { volume, shape }`. 2 and up. */
+  readonly shape: number;
+  /** Corners in order, m, from the centre of mass of a body that is not turned. */
+  readonly vertices: readonly { readonly x: number; readonly y: number }[];
+}
+
+/** Parameters of both laws below. */
+const HULL = /* @__PURE__ */ { shape: scalar(''), area: scalar('m²') };
+
+const about = {
+  name: 'polygon upthrust',
+  formula: 'F = -ρ V (A′/A) g, τ = r_B × F',
+  source: 'Euler, Scientia navalis (1749).',
+  reads: { hull: Hull, angle: Rotation },
+  dimensions: 2 as const,
+};
+
+interface HullSymbols {
+  readonly hull: { readonly volume: Scalar; readonly shape: Scalar };
+  readonly angle: Scalar;
+}
+
+interface FluidSymbols {
+  readonly density: Scalar;
+  readonly gravity: Scalar;
+  readonly up: Vector;
+  readonly shape: Scalar;
+}
+
+/** Weight of the fluid in a whole hull of this shape, N. */
+function weight({ hull }: HullSymbols, { density, gravity, shape }: FluidSymbols): Scalar {
+  return density.mul(gravity).mul(select(hull.shape.equals(shape), hull.volume, 0));
+}
+
+/** Up as the body sees it. */
+function upOf({ angle }: HullSymbols, { up }: FluidSymbols): Vector {
+  const [c, s] = [angle.cos(), angle.sin()];
+  return vec3(up.x.mul(c).add(up.y.mul(s)), up.y.mul(c).sub(up.x.mul(s)));
+}
+
+const everywhere = /* @__PURE__ */ defineLaw({
+  ...about,
+  parameters: { ...FLUID, ...HULL, centroid: vector('m') },
+  force: (body, pool) => pool.up.mul(weight(body, pool)),
+  torque: (body, pool) => pool.centroid.cross(upOf(body, pool)).mul(weight(body, pool)),
+  potential(body, pool) {
+    const height = pool.up.dot(body.position).add(upOf(body, pool).dot(pool.centroid));
+    return weight(body, pool).mul(height).negate();
+  },
+});
+
+/** The part of an outline under the surface, in the body's axes. */
+interface Submerged {
+  /** Depth of the body's centre of mass, m. */
+  readonly depth: Scalar;
+  readonly up: Vector;
+  /** Area, m², and the moments of it about the centre of mass, m³. */
+  readonly area: Scalar;
+  readonly moments: Vector;
+}
+
+/** A corner of an outline, and from it to the next. */
+const EDGE = ['x', 'y', 'dx', 'dy'] as const;
+
+interface OutlineSymbols extends FluidSymbols {
+  readonly level: Scalar;
+  /** No corner is farther from the centre of mass, m. */
+  readonly extent: Scalar;
+  readonly edges: Table<(typeof EDGE)[number]>;
+}
+
+type FloatingSymbols = HullSymbols & { readonly position: Vector };
+
+const known = /* @__PURE__ */ new WeakMap<HullSymbols, Submerged>();
+
+/** Force and torque are made of the same sums, which are written down once. */
+function submerged(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
+  const part = known.get(body) ?? cutOutline(body, pool);
+  known.set(body, part);
+  return part;
+}
+
+/**
+ * The sum over the edges, each cut at the surface, by the shoelace formula. It is taken about a point of the surface:
+ * there the edges along the surface, which close the part, contribute nothing. A hull that is nowhere near the surface
+ * has no such edges, and a point so far away would cost digits.
+ */
+function cutOutline(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
+  const up = upOf(body, pool);
+  const depth = pool.level.sub(pool.up.dot(body.position));
+  const isNear = depth.abs().lessOrEqual(pool.extent);
+  const about = up.mul(select(isNear, depth, 0));
+  const sums = pool.edges.sum(({ x, y, dx, dy }) => {
+    const [corner, edge] = [vec3(x, y), vec3(dx, dy)];
+    const rise = up.dot(edge);
+    const under = depth.sub(up.dot(corner));
+    const crossing = select(rise.equals(0), 0, under.div(rise));
+    const from = select(under.greater(0), 0, crossing);
+    const to = select(under.greater(rise), 1, crossing);
+    const start = corner.sub(about);
+    const twice = start.x.mul(dy).sub(start.y.mul(dx)).mul(to.sub(from));
+    const ends = start.mul(2).add(edge.mul(from.add(to)));
+    return axial3(ends.x.mul(twice), ends.y.mul(twice), twice);
+  });
+  const area = sums.z.mul(0.5);
+  return { depth, up, area, moments: vec3(sums.x, sums.y).div(6).add(about.mul(area)) };
+}
+
+/** Makes the law of one outline, whose table lies where `placeOf` says. */
+function withSurface(placeOf: (world: PhysicsWorld) => TablePlace) {
+  return defineLaw({
+    ...about,
+    parameters: { ...POOL, ...HULL, extent: scalar('m'), edges: table(EDGE, placeOf) },
+    force: (body, pool) => pool.up.mul(weight(body, pool).div(pool.area).mul(submerged(body, pool).area)),
+    torque(body, pool) {
+      const { moments, up } = submerged(body, pool);
+      return moments.cross(up).mul(weight(body, pool).div(pool.area));
+    },
+    // Each part of the outline counts with its depth, whose slope along the height is the area and about the centre the
+    // torque.
+    potential(body, pool) {
+      const { depth, up, area, moments } = submerged(body, pool);
+      return weight(body, pool)
+        .div(pool.area)
+        .mul(area.mul(depth).sub(moments.dot(up)));
+    },
+    // Takes the memory while edits are allowed.
+    prepare: (world) => void placeOf(world),
+  });
+}
+
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+export function polygonUpthrust(pool: Pool, hull: PolygonHull): Force {
+  const { fluid, level } = poolValues(pool, 'polygonUpthrust');
+  checkKeys(hull, 'polygonUpthrust', ['shape', 'vertices']);
+  const shape = checkWhole(hull.shape, 'polygonUpthrust.shape', 2, 1000);
+  const corners = anticlockwise(hull.vertices);
+  const edges = corners.map(({ x, y }, i) => {
+    const next = corners[(i + 1) % corners.length];
+    return { x, y, dx: next.x - x, dy: next.y - y };
+  });
+  const area = areaOf(corners);
+  if (level === undefined) return everywhere({ ...fluid, shape, area, centroid: centroidOf(edges, area) });
+  const placeOf = resource((world): TablePlace => {
+    const at = allocate(world.internal.arena, 8 * EDGE.length * edges.length, 'a hull');
+    const values = edges.flatMap((edge) => EDGE.map((field) => edge[field]));
+    new Float64Array(world.memory.buffer, at, values.length).set(values);
+    return { at, count: edges.length };
+  });
+  const extent = Math.max(...corners.map(({ x, y }) => Math.sqrt(x * x + y * y)));
+  return withSurface(placeOf)({ ...fluid, level, shape, area, extent });
+}
+
+interface Corner {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** The corners, checked, in a way that makes their area positive. */
+function anticlockwise(vertices: PolygonHull['vertices']): Corner[] {
+  checkList(vertices, 'polygonUpthrust.vertices');
+  const corners = (vertices ?? []).map((vertex, i) => ({
+    x: checkNumber(vertex?.x, `polygonUpthrust.vertices[${i}].x`, PLACES),
+    y: checkNumber(vertex?.y, `polygonUpthrust.vertices[${i}].y`, PLACES),
+  }));
+  const area = areaOf(corners);
+  if (corners.length < 3 || area === 0) {
+    throw new PhysicsError('E_RANGE', 'polygonUpthrust needs at least three vertices that enclose an area.', {
+      field: 'vertices',
+      value: vertices,
+    });
+  }
+  return area > 0 ? corners : corners.reverse();
+}
+
+function areaOf(corners: readonly Corner[]): number {
+  const twice = corners.reduce((sum, { x, y }, i) => {
+    const next = corners[(i + 1) % corners.length];
+    return sum + x * next.y - next.x * y;
+  }, 0);
+  return twice / 2;
+}
+
+function centroidOf(edges: readonly Record<(typeof EDGE)[number], number>[], area: number): Corner {
+  const sum = { x: 0, y: 0 };
+  for (const { x, y, dx, dy } of edges) {
+    const part = (x * dy - y * dx) / (6 * area);
+    sum.x += part * (2 * x + dx);
+    sum.y += part * (2 * y + dy);
+  }
+  return sum;
+}

@@ -1,0 +1,139 @@
+import { describe, expect, test } from 'vitest';
+import { forceOn, lawOn, read, run, single } from '../../../../test/support/laws.ts';
+import {
+  constantTorque,
+  createPhysicsWorld,
+  defineForce,
+  energy,
+  type Force,
+  limited,
+  linearDrag,
+  PhysicsError,
+  type Region,
+  spawn,
+  springs,
+  step,
+  uniformGravity,
+} from '../index.ts';
+
+const gravity = uniformGravity({ y: -10 });
+
+describe('limited', () => {
+  test('to a group: only bodies with all of its components feel it', () => {
+    const law = limited(gravity, { group: ['Mass', 'Charge'] });
+    const world = createPhysicsWorld({ capacity: 20, forces: [linearDrag({ x: 1 }), law] });
+    const with_ = spawn(world, { position: {}, velocity: {}, mass: 2, charge: 1, linearDrag: 3 });
+    const without = spawn(world, { position: {}, velocity: {}, mass: 2, linearDrag: 3 });
+    expect(forceOn(world, with_)).toMatchObject({ x: 3, y: -20 });
+    expect(forceOn(world, without)).toMatchObject({ x: 3, y: 0 });
+  });
+
+  test('to a box or a ball: the rest keeps what it had, to the bit', () => {
+    const inside = (region: Region, x: number, y: number) => {
+      const { world, eid } = single([linearDrag({ x: 0.1 }), limited(gravity, { region })], {
+        position: { x, y },
+        linearDrag: 3,
+      });
+      const force = forceOn(world, eid);
+      expect(force.x).toBe(0.1 * 3);
+      return force.y === -10;
+    };
+    const box = { min: { x: -1 }, max: { x: 1, y: 5 } };
+    expect([inside(box, 0, -1e9), inside(box, 1, 5), inside(box, 1.1, 0), inside(box, 0, 5.1)]).toEqual([
+      true,
+      true,
+      false,
+      false,
+    ]);
+    const ball = { centre: { x: 3 }, radius: 2 };
+    expect([inside(ball, 5, 0), inside(ball, 3, 2), inside(ball, 4.5, 1.5)]).toEqual([true, true, false]);
+  });
+
+  test('to a time: a push from 1 s to 2 s', () => {
+    const { world, going } = single([limited(gravity, { from: 1, until: 2 })]);
+    run(world, 3, 1 / 64);
+    // Verlet sees the force at both ends of a step: the two steps at the borders count half each.
+    expect(going().y).toBeCloseTo(-10, 9);
+  });
+
+  test('works with forces in plain TypeScript, inside each other, and with torque', () => {
+    const plain = defineForce({
+      name: 'plain',
+      accumulate({ scratch, components }, first, last) {
+        for (let eid = first; eid < last; eid++) scratch.force.x[eid] += components.Mass.value[eid];
+      },
+    });
+    const nested = limited(limited(plain, { region: { centre: {}, radius: 2 } }), { group: 'Charge' });
+    const turned = limited(constantTorque({ z: 3 }), { group: 'Charge' });
+    const at = (x: number, charge?: number) => {
+      const body = { position: { x }, inertia: 1, rotation: {}, angularVelocity: {} };
+      const { world, eid } = single([gravity, nested, turned], charge === undefined ? body : { ...body, charge });
+      const { x: fx, y: fy, torque } = forceOn(world, eid);
+      return [fx, fy, torque];
+    };
+    expect(at(1, 1)).toEqual([1, -10, 3]);
+    expect(at(3, 1)).toEqual([0, -10, 3]);
+    expect(at(1)).toEqual([0, -10, 0]);
+  });
+
+  test('tiles and whole spans give the same, to the bit', () => {
+    const moved = (local: boolean) => {
+      const law = limited(gravity, { region: { min: { x: 10 }, max: { x: 30 } } });
+      const world = createPhysicsWorld({ capacity: 6000, forces: [law] });
+      if (!local) world.forces.push(defineForce({ name: 'nothing', local: false, accumulate: () => {} }));
+      for (let i = 0; i < 5000; i++) spawn(world, { position: { x: i / 100 }, velocity: { x: 1 }, mass: 1 });
+      for (let i = 0; i < 5; i++) step(world, 0.1);
+      return Array.from(world.components.Position.y.subarray(0, 5002));
+    };
+    expect(moved(true)).toEqual(moved(false));
+  });
+
+  test('springs, which are not local, can be limited to bodies', () => {
+    const world = createPhysicsWorld({ capacity: 20, forces: [limited(springs(), { group: 'Charge' })] });
+    const a = spawn(world, { position: {}, velocity: {}, mass: 1, charge: 1 });
+    const b = spawn(world, { position: { x: 2 }, velocity: {}, mass: 1 });
+    spawn(world, { spring: { a, b, stiffness: 1, length: 1 } });
+    step(world, 0.1);
+    expect(read(world, a).speed()).toBeGreaterThan(0);
+    expect(read(world, b).speed()).toBe(0);
+  });
+
+  test('the potential: of the group, of the time, and none of a region', () => {
+    const world = createPhysicsWorld({ capacity: 20, forces: [limited(gravity, { group: 'Charge' })] });
+    spawn(world, { position: { y: 7 }, velocity: {}, mass: 2, charge: 1 });
+    spawn(world, { position: { y: 5 }, velocity: {}, mass: 3 });
+    expect(energy(world).potential).toBe(140);
+    expect(world.components.Mass.value[2]).toBe(3);
+    run(world, 1);
+    expect(energy(world).total).toBeCloseTo(140, 9);
+    expect(limited(gravity, { from: 1 }).potential?.(world)).toBe(gravity.potential?.(world));
+    expect(limited(gravity, { from: 2 }).potential?.(world)).toBe(0);
+    expect(limited(gravity, { region: { centre: {}, radius: 1 } }).potential).toBeUndefined();
+  });
+
+  test('a limited law is a law, and other numbers of its limits compile nothing', () => {
+    const structure = (force: Force) => force.law?.structure;
+    const limits = { group: 'Charge', from: 1, region: { centre: { x: 1 }, radius: 2 } } as const;
+    const other = { group: 'Charge', from: 7, region: { centre: { y: 3 }, radius: 5 } } as const;
+    expect(structure(limited(gravity, limits))).toBe(structure(limited(gravity, other)));
+    expect(structure(limited(gravity, limits))).not.toBe(structure(gravity));
+    const { world } = single([limited(limited(gravity, limits), other)]);
+    step(world, 0.1);
+    expect(world.internal.plan?.fusion).toBeDefined();
+  });
+
+  test('limits within limits: both hold', () => {
+    const nested = limited(limited(gravity, { region: { min: { x: 0 }, max: {} } }), {
+      region: { min: {}, max: { x: 2 } },
+    });
+    const at = (x: number) => lawOn(nested, { position: { x } }).y;
+    expect([at(-1), at(1), at(3)]).toEqual([0, -10, 0]);
+  });
+
+  test('refuse what limits nothing', () => {
+    expect(() => limited(gravity, { group: 'Colour' as never })).toThrow(/names no component/);
+    expect(() => limited(gravity, { region: { min: { x: 1 }, max: { x: 0 } } })).toThrow(PhysicsError);
+    expect(() => limited({} as never, {})).toThrow(PhysicsError);
+    expect(() => limited(gravity, { until: Number.NaN })).toThrow(PhysicsError);
+  });
+});

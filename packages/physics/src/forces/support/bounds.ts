@@ -1,0 +1,10 @@
+// Bounds that the parameters of many laws share. 10³⁸ is where f32 ends.
+import { MAX_POSITION } from '../../components/position.ts';
+import { MAX_SPEED } from '../../components/velocity.ts';
+
+export const ANY = { min: -1e38, max: 1e38 };
+export const NOT_NEGATIVE = { min: 0, max: 1e38 };
+export const POSITIVE = { above: 0, max: 1e38 };
+export const PLACES = { min: -MAX_POSITION, max: MAX_POSITION };
+export const LENGTHS = { above: 0, max: MAX_POSITION };
+export const SPEEDS = { min: -MAX_SPEED, max: MAX_SPEED };

@@ -1,0 +1,105 @@
+// A law for some bodies, some places or some time: the same expressions under a condition, so that it is fused into the
+// step as the law itself is.
+import { lawForce } from '../../dynamics/define-law.ts';
+import type { LawForce } from '../../dynamics/sum-of-laws.ts';
+import { Condition, Scalar, select, Vector, vec3 } from '../../laws/expression.ts';
+import type { Law } from '../../laws/law.ts';
+import {
+  type Parameter,
+  type ParameterSource,
+  scalar,
+  suppliedScalar,
+  symbolOf,
+  vector,
+} from '../../laws/parameter.ts';
+import { structureOf } from '../../laws/structure.ts';
+import type { CheckedLimits } from './restrictions.ts';
+
+/** Limits are parameters, so that laws with others of the same kind compile to the same code. */
+class LimitParameters {
+  readonly parameters: Parameter[] = [];
+  readonly names: string[] = [];
+  readonly sources: ParameterSource[] = [];
+
+  scalar(name: string, value: number): Scalar {
+    return this.#add(name, scalar(''), { when: 'once', write: (_world, into, at) => into.set([value], at) }) as Scalar;
+  }
+
+  vector(name: string, { x, y, z }: { x: number; y: number; z: number }): Vector {
+    const write: ParameterSource['write'] = (_world, into, at) => into.set([x, y, z], at);
+    return this.#add(name, vector(''), { when: 'once', write }) as Vector;
+  }
+
+  /** The time at which the step began, s. */
+  startOfStep(): Scalar {
+    const start = suppliedScalar(({ time }) => time);
+    return this.#add('start of the step', start, {
+      when: 'step',
+      write: start.supply as ParameterSource['write'],
+    }) as Scalar;
+  }
+
+  #add(name: string, parameter: Parameter, source: ParameterSource): Scalar | Vector {
+    this.names.push(name);
+    this.parameters.push(parameter);
+    this.sources.push(source);
+    return symbolOf(parameter);
+  }
+}
+
+/** The law inside its limits, and nothing outside. */
+export function limitedLaw(force: LawForce, limits: CheckedLimits): LawForce {
+  const { law } = force;
+  const name = `${force.name} (limited)`;
+  const added = new LimitParameters();
+  const conditions = [...ofGroup(limits), ...ofRegion(limits, added), ...ofTime(force, limits, added)];
+  if (conditions.length === 0) return { ...force, name };
+  const where = conditions.reduce((a, b) => a.and(b));
+  const within = (part: Vector | undefined) => part && select(where, part, vec3(0, 0, 0));
+  // Energy changes at the border of a region; and a force may have none for other reasons than its law.
+  const isRegion = limits.box !== undefined || limits.ball !== undefined;
+  const hasPotential = !isRegion && law.potential !== undefined && force.potential !== undefined;
+  const parts = {
+    force: within(law.force),
+    acceleration: within(law.acceleration),
+    torque: within(law.torque),
+    potential: hasPotential ? select(where, law.potential as Scalar, 0) : undefined,
+  };
+  const parameters = [...law.parameters, ...added.parameters];
+  const derived: Law = {
+    ...law,
+    ...{ name, parameters, ...parts, structure: structureOf(parameters, parts) },
+    names: [...law.names, ...added.names],
+  };
+  const { potential: _, ...rest } = force;
+  return { ...rest, ...lawForce(derived, [...force.sources, ...added.sources], rest) };
+}
+
+function ofGroup({ group }: CheckedLimits): Condition[] {
+  return group === 0 ? [] : [new Condition('has', [], group)];
+}
+
+function ofRegion({ box, ball }: CheckedLimits, added: LimitParameters): Condition[] {
+  const position = new Vector('position', []);
+  if (ball !== undefined) {
+    const square = added.scalar('radius²', ball.radius * ball.radius);
+    return [position.sub(added.vector('centre', ball.centre)).lengthSquared().lessOrEqual(square)];
+  }
+  if (box === undefined) return [];
+  const [min, max] = [added.vector('min', box.min), added.vector('max', box.max)];
+  // In the plane all three of z are zero, which lies between them.
+  return (['x', 'y', 'z'] as const).flatMap((axis) => [
+    ...(box.min[axis] === -Infinity ? [] : [min[axis].lessOrEqual(position[axis])]),
+    ...(box.max[axis] === Infinity ? [] : [position[axis].lessOrEqual(max[axis])]),
+  ]);
+}
+
+/** What was spent at the start of a step drives the whole of it; everything else goes by the time of evaluation. */
+function ofTime({ spends }: LawForce, { from, until }: CheckedLimits, added: LimitParameters): Condition[] {
+  if (from === -Infinity && until === Infinity) return [];
+  const time = spends === undefined ? new Scalar('time', []) : added.startOfStep();
+  return [
+    ...(from === -Infinity ? [] : [added.scalar('from', from).lessOrEqual(time)]),
+    ...(until === Infinity ? [] : [time.less(added.scalar('until', until))]),
+  ];
+}

@@ -1,0 +1,71 @@
+// What the spring kernels need of a world: where the columns are, and the list of springs, kept while nothing changes.
+import { bitOf } from '../../components/all.ts';
+import { removeWholly } from '../../ecs/bitecs-adapter.ts';
+import { emptyRoster, type Roster, refreshRoster } from '../../ecs/entity-list.ts';
+import { collectThrown } from '../../errors/collect-thrown.ts';
+import { allocate } from '../../memory/arena.ts';
+import { resource } from '../../memory/resource.ts';
+import type { PhysicsWorld } from '../../world/create-world.ts';
+
+/** Words of the table before the two f64, in the order of the class in kernels/forces/springs.ts. */
+const WORDS = 16;
+const TABLE_BYTES = WORDS * 4 + 16;
+const [IDS, LINKS, LOST, COUNT, ACTIVE, LOST_COUNT] = [9, 10, 11, 12, 13, 14];
+
+export interface SpringTable {
+  readonly at: number;
+  readonly roster: Roster;
+  readonly words: Uint32Array;
+  /** Largest stiffness over reduced mass, 1/s², and damping over reduced mass, 1/s. */
+  readonly stiffest: Float64Array;
+  /** The two and the step, s, that the integrator `passedBy` was last found to be stable with. */
+  readonly passed: Float64Array;
+  passedBy: object | undefined;
+  /** Springs removed before the last step because they lost an end. */
+  removed: number[];
+}
+
+export const springTable = resource((world): SpringTable => {
+  const { arena } = world.internal;
+  const at = allocate(arena, TABLE_BYTES, 'springs');
+  const words = new Uint32Array(arena.memory.buffer, at, WORDS);
+  const { a, b, aLife, bLife, stiffness, damping, length, cord } = world.addresses.Spring;
+  const generations = world.internal.generations.byteOffset;
+  words.set([a, b, aLife, bLife, stiffness, damping, length, cord, generations, 0, 0, 0, 0, 0, 0, world.rows]);
+  const stiffest = new Float64Array(arena.memory.buffer, at + WORDS * 4, 2);
+  const passed = new Float64Array(3).fill(Number.NaN);
+  return { at, words, stiffest, passed, passedBy: undefined, removed: [], roster: emptyRoster() };
+});
+
+/** Lists the springs whose ends both live, and looks at each: ends and stiffness may have been changed in place. */
+export function scanSprings(world: PhysicsWorld): SpringTable {
+  const table = springTable(world);
+  const { roster, words } = table;
+  // Behind the ids: 12 bytes each for the springs that act, 4 for those that lost an end.
+  if (refreshRoster(world, roster, 'Spring', 16)) {
+    words.set([roster.ids, roster.at, roster.at + roster.room * 12], IDS);
+    words[COUNT] = roster.count;
+  }
+  world.kernels.scanSprings(table.at, bitOf('Position'));
+  return table;
+}
+
+/** Removes springs that lost an end: their entities go with the body. */
+export function removeLost(world: PhysicsWorld, table: SpringTable): void {
+  const lost = table.words[LOST_COUNT];
+  if (lost === 0 && table.removed.length === 0) return;
+  const ids = new Uint32Array(world.memory.buffer, table.words[LOST], lost);
+  table.removed = Array.from(ids);
+  for (const spring of table.removed) {
+    try {
+      removeWholly(world, spring);
+    } catch (error) {
+      collectThrown(world, error);
+    }
+  }
+}
+
+/** The springs that act, as triples: id of the spring, body a, body b. */
+export function activeSprings(world: PhysicsWorld, { words }: SpringTable): Uint32Array {
+  return new Uint32Array(world.memory.buffer, words[LINKS], 3 * words[ACTIVE]);
+}

@@ -1,0 +1,49 @@
+// How a medium moves: steadily, or as a function of time.
+import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
+import { vectorOverTime } from '../../laws/parameter.ts';
+import type { VectorOverTime } from '../../laws/time-vector.ts';
+import { createRandom } from '../../math/random.ts';
+import { SPEEDS } from './bounds.ts';
+
+/** Velocity of a medium, m/s, steady or over time. */
+export type Wind = VectorOverTime;
+
+/** The velocity of a medium as a parameter of a law. */
+export const windParameter = vectorOverTime('m/s', { default: {}, ...SPEEDS });
+
+/** Turbulence: how it is drawn. */
+export interface GustOptions {
+  /** Mean wind, m/s. */
+  readonly mean?: VectorInput;
+  /** Each axis is drawn uniformly within this much of the mean, m/s. */
+  readonly spread: VectorInput;
+  /** How long a gust lasts, s; default 0.1. */
+  readonly hold?: number;
+  /** Default 1. */
+  readonly seed?: number;
+}
+
+/**
+ * Wind in gusts: a new velocity is drawn every `hold` seconds. It depends on the time alone, not on the step.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function gusts(options: GustOptions): (time: number) => Vector {
+  checkKeys(options, 'gusts', ['mean', 'spread', 'hold', 'seed']);
+  const mean = checkVector(options.mean ?? {}, 'gusts.mean', SPEEDS);
+  const spread = checkVector(options.spread, 'gusts.spread', SPEEDS);
+  const hold = checkNumber(options.hold ?? 0.1, 'gusts.hold', { above: 0 });
+  const { seed = 1 } = options;
+  createRandom(seed);
+  const now = { x: 0, y: 0, z: 0 };
+  let drawn = -1;
+  return (time) => {
+    const gust = Math.floor(time / hold);
+    if (gust === drawn) return now;
+    drawn = gust;
+    const random = createRandom(seed, ((gust % 2 ** 32) + 2 ** 32) % 2 ** 32);
+    now.x = mean.x + spread.x * random.uniform(-1, 1);
+    now.y = mean.y + spread.y * random.uniform(-1, 1);
+    now.z = mean.z + spread.z * random.uniform(-1, 1);
+    return now;
+  };
+}

@@ -1,0 +1,88 @@
+// Vectors with an entry for every body and axis, as columns: what iterative solvers calculate with. Numbers come from
+// cells of arrays and go to them: one that is handed to a function, or returned, becomes garbage.
+
+import type { Spans } from '../../ecs/ranges.ts';
+import { AXES } from '../../memory/axes.ts';
+import type { AxisAddresses } from '../../memory/columns.ts';
+import type { PhysicsWorld } from '../../world/create-world.ts';
+import { integratorKernels } from './integrator-kernels.ts';
+
+export type BodyVector = Readonly<AxisAddresses>;
+
+/** to = from. */
+export function copyVector(world: PhysicsWorld, spans: Spans, to: BodyVector, from: BodyVector): void {
+  const axes = AXES[world.dimensions];
+  for (let n = 0; n < axes.length; n++) {
+    const axis = axes[n];
+    for (let r = 0; r < spans.count; r++) {
+      world.kernels.copyColumn(to[axis], from[axis], spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    }
+  }
+}
+
+/** to = a + factor b, with the factor in `cells[at]`. */
+export function addScaled(
+  world: PhysicsWorld,
+  spans: Spans,
+  to: BodyVector,
+  a: BodyVector,
+  b: BodyVector,
+  cells: Float64Array,
+  at: number,
+): void {
+  const { addScaledColumn } = integratorKernels(world);
+  const factor = cells[at];
+  const axes = AXES[world.dimensions];
+  for (let n = 0; n < axes.length; n++) {
+    const axis = axes[n];
+    for (let r = 0; r < spans.count; r++) {
+      addScaledColumn(to[axis], a[axis], b[axis], factor, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    }
+  }
+}
+
+/** to = factor a, with the factor in `cells[at]`. */
+export function scale(
+  world: PhysicsWorld,
+  spans: Spans,
+  to: BodyVector,
+  a: BodyVector,
+  cells: Float64Array,
+  at: number,
+): void {
+  const { scaleColumn } = integratorKernels(world);
+  const factor = cells[at];
+  const axes = AXES[world.dimensions];
+  for (let n = 0; n < axes.length; n++) {
+    const axis = axes[n];
+    for (let r = 0; r < spans.count; r++) {
+      scaleColumn(to[axis], a[axis], factor, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    }
+  }
+}
+
+/** cells[at] = sum of a b over bodies and axes. */
+export function dot(
+  world: PhysicsWorld,
+  spans: Spans,
+  a: BodyVector,
+  b: BodyVector,
+  cells: Float64Array,
+  at: number,
+): void {
+  let sum = 0;
+  const axes = AXES[world.dimensions];
+  for (let n = 0; n < axes.length; n++) {
+    const axis = axes[n];
+    for (let r = 0; r < spans.count; r++) {
+      sum += world.kernels.dotColumns(a[axis], b[axis], spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    }
+  }
+  cells[at] = sum;
+}
+
+/** cells[at] = length of a. */
+export function norm(world: PhysicsWorld, spans: Spans, a: BodyVector, cells: Float64Array, at: number): void {
+  dot(world, spans, a, a, cells, at);
+  cells[at] = Math.sqrt(cells[at]);
+}

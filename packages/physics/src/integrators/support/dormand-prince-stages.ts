@@ -1,0 +1,183 @@
+// One sub-step of Dormand and Prince's pair over the columns: its stages and its error.
+import type { RealColumn } from '../../components/define.ts';
+import type { EvaluateForces } from '../../dynamics/evaluate-forces.ts';
+import type { Spans } from '../../ecs/ranges.ts';
+import { allocate } from '../../memory/arena.ts';
+import { AXES } from '../../memory/axes.ts';
+import { realBytes, realColumn } from '../../memory/columns.ts';
+import { resource } from '../../memory/resource.ts';
+import type { PhysicsWorld } from '../../world/create-world.ts';
+import { A, AA, C, E, EA } from './dormand-prince-tableau.ts';
+import { integratorKernels } from './integrator-kernels.ts';
+
+/** What a world remembers from sub-step to sub-step: the wanted length, the last error, length and end. */
+export const WANTED = 0;
+export const RATIO = 1;
+export const LENGTH = 2;
+export const END = 3;
+/** The error of the sub-step being tried, and what it is measured by. */
+export const ERROR = 4;
+export const POSITION_FLOOR = 5;
+export const VELOCITY_FLOOR = 6;
+/** The sub-step being tried: when in the step it starts, and its length. */
+export const PASSED = 7;
+export const STEP = 8;
+/** By what the next sub-step may be longer, and a power on the way to it. */
+export const GROWTH = 9;
+export const POWER = 10;
+const SCALARS = 11;
+
+/** An error has no part of the velocity. */
+const NO_VELOCITY = [0];
+
+const STAGES = 7;
+
+/** Per axis nine columns: the position at the start, then the velocity and the seven accelerations in a row. */
+const COLUMNS = 2 + STAGES;
+
+export type Stages = ReturnType<typeof makeStages>;
+type Axis = 'x' | 'y' | 'z';
+
+export const stagesOf = resource(makeStages);
+
+function makeStages(world: PhysicsWorld) {
+  const { precision, rows } = world;
+  const { arena } = world.internal;
+  const bytes = realBytes(precision);
+  const stride = rows * bytes + 320;
+  const at = { x: 0, y: 0, z: 0 };
+  for (const axis of AXES[world.dimensions]) at[axis] = allocate(arena, COLUMNS * stride, 'Dormand-Prince');
+  const [weights, weightsAt] = realColumn(arena, precision, 2 * (STAGES + 1), 'Dormand-Prince weights');
+  const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 8 * SCALARS, 'Dormand-Prince'), SCALARS);
+  const Column = precision === 'f32' ? Float32Array : Float64Array;
+  const column = (axis: Axis, index: number): RealColumn =>
+    new Column(arena.memory.buffer, at[axis] + index * stride, rows);
+  return { at, stride, column, weights, weightsAt, bytes, scalars, kernels: integratorKernels(world) };
+}
+
+/** Keeps the present state as the start of a sub-step; its acceleration comes from the forces last evaluated. */
+export function begin(world: PhysicsWorld, spans: Spans, { at, stride, kernels }: Stages): void {
+  const { Position, Velocity, Mass } = world.addresses;
+  for (const axis of AXES[world.dimensions]) {
+    for (let r = 0; r < spans.count; r++) {
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
+      world.kernels.copyColumn(at[axis], Position[axis], first, last);
+      world.kernels.copyColumn(at[axis] + stride, Velocity[axis], first, last);
+      const force = world.scratch.at.force[axis];
+      kernels.accelerationAxis(at[axis] + 2 * stride, force, Mass.value, first, last);
+    }
+  }
+}
+
+/** Goes back to the start of the sub-step. */
+export function restore(world: PhysicsWorld, spans: Spans, { at, stride }: Stages): void {
+  const { Position, Velocity } = world.addresses;
+  for (const axis of AXES[world.dimensions]) {
+    for (let r = 0; r < spans.count; r++) {
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
+      world.kernels.copyColumn(Position[axis], at[axis], first, last);
+      world.kernels.copyColumn(Velocity[axis], at[axis] + stride, first, last);
+    }
+  }
+}
+
+/**
+ * Tries a sub-step of length STEP, which starts PASSED seconds into the step: bodies are where it leads, and the forces
+ * are those there.
+ */
+export function takeSubStep(world: PhysicsWorld, spans: Spans, stages: Stages, evaluateForces: EvaluateForces): void {
+  const { scalars } = stages;
+  for (let i = 1; i < STAGES; i++) {
+    setWeights(stages, C, i, AA[i], A[i]);
+    moveToStage(world, spans, stages, i);
+    evaluateForces(world, spans, world.time + scalars[PASSED] + C[i] * scalars[STEP]);
+    keepAcceleration(world, spans, stages, i);
+  }
+}
+
+/** The first half of the table: start velocity and accelerations in a position; the second: accelerations in a velocity. */
+function setWeights(
+  { weights, scalars }: Stages,
+  ofVelocity: readonly number[],
+  i: number,
+  inPosition: readonly number[],
+  inVelocity: readonly number[],
+): void {
+  const h = scalars[STEP];
+  weights[0] = h * ofVelocity[i];
+  for (let j = 0; j < STAGES; j++) {
+    weights[1 + j] = h * h * inPosition[j];
+    weights[1 + STAGES + j] = h * inVelocity[j];
+  }
+}
+
+function moveToStage(world: PhysicsWorld, spans: Spans, stages: Stages, i: number): void {
+  const { at, stride, kernels, weightsAt, bytes } = stages;
+  const { Position, Velocity } = world.addresses;
+  const inVelocity = weightsAt + (1 + STAGES) * bytes;
+  for (const axis of AXES[world.dimensions]) {
+    const x = at[axis];
+    const v = x + stride;
+    const a = v + stride;
+    for (let r = 0; r < spans.count; r++) {
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
+      kernels.combineAxis(Position[axis], x, v, stride, weightsAt, i + 1, first, last);
+      kernels.combineAxis(Velocity[axis], v, a, stride, inVelocity, i, first, last);
+    }
+  }
+}
+
+function keepAcceleration(world: PhysicsWorld, spans: Spans, stages: Stages, i: number): void {
+  const { at, stride, kernels } = stages;
+  for (const axis of AXES[world.dimensions]) {
+    const force = world.scratch.at.force[axis];
+    for (let r = 0; r < spans.count; r++) {
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
+      kernels.accelerationAxis(at[axis] + (2 + i) * stride, force, world.addresses.Mass.value, first, last);
+    }
+  }
+}
+
+/**
+ * Leaves the worst error of the sub-step just tried, in parts of the size of position and velocity, in the
+ * scalar ERROR: a returned number would be garbage.
+ */
+export function findWorstRatio(world: PhysicsWorld, spans: Spans, stages: Stages): void {
+  const { at, stride, kernels, weightsAt, bytes, scalars } = stages;
+  const { Position, Velocity } = world.addresses;
+  const { x: errorX, y: errorV, z: sizeX } = world.scratch.at.stage1;
+  const sizeV = world.scratch.at.stage2.x;
+  const wx = weightsAt + bytes;
+  const wv = weightsAt + (1 + STAGES) * bytes;
+  setWeights(stages, NO_VELOCITY, 0, EA, E);
+  scalars[ERROR] = 0;
+  for (let r = 0; r < spans.count; r++) {
+    const first = spans.bounds[2 * r];
+    const last = spans.bounds[2 * r + 1];
+    world.kernels.zeroColumn(errorX, first, last);
+    world.kernels.zeroColumn(errorV, first, last);
+    world.kernels.zeroColumn(sizeX, first, last);
+    world.kernels.zeroColumn(sizeV, first, last);
+    for (const axis of AXES[world.dimensions]) {
+      const x0 = at[axis];
+      const v0 = x0 + stride;
+      const a = v0 + stride;
+      const x = Position[axis];
+      const v = Velocity[axis];
+      kernels.embeddedErrorAxis(errorX, errorV, sizeX, sizeV, x, v, x0, v0, a, stride, wx, wv, STAGES, first, last);
+    }
+    const floorX = scalars[POSITION_FLOOR];
+    const floorV = scalars[VELOCITY_FLOOR];
+    scalars[ERROR] = kernels.worstError(errorX, errorV, sizeX, sizeV, floorX, floorV, scalars[ERROR], first, last);
+  }
+}
+
+/** The start of the last sub-step for one body and axis. */
+export function startOf(stages: Stages, axis: Axis, entity: number): { x: number; v: number; a: number[] } {
+  const value = (index: number) => stages.column(axis, index)[entity];
+  return { x: value(0), v: value(1), a: C.map((_, j) => value(2 + j)) };
+}

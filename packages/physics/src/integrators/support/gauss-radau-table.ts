@@ -1,0 +1,99 @@
+// The constants of the fifteenth-order Gauss-Radau scheme, and the memory it needs.
+import type { RealColumn } from '../../components/define.ts';
+import { allocate } from '../../memory/arena.ts';
+import { AXES } from '../../memory/axes.ts';
+import { realBytes, realColumn } from '../../memory/columns.ts';
+import { resource } from '../../memory/resource.ts';
+import type { PhysicsWorld } from '../../world/create-world.ts';
+import { integratorKernels } from './integrator-kernels.ts';
+
+/**
+ * The nodes, in steps: the roots of (P7(x) + P8(x))/(1 + x) with x = 2h - 1, P Legendre's polynomials, after the start
+ * itself. The end of the step is no node but has weights too.
+ */
+export const NODES = [
+  0, 0.05626256053692214, 0.1802406917368924, 0.3526247171131696, 0.5471536263305554, 0.7342101772154105,
+  0.8853209468390958, 0.9775206135612875,
+];
+
+const TERMS = 7;
+const AXIS_COLUMNS = 19;
+
+/** Columns of reals in three dimensions. */
+export const RADAU_COLUMNS = 3 * AXIS_COLUMNS;
+
+/** What a world remembers: the wanted length, that of the last sub-step (0: none). */
+export const WANTED = 0;
+export const LENGTH = 1;
+/** The sub-step being tried: when in the step it starts, its length, and the length that would have met the tolerance. */
+export const PASSED = 2;
+export const STEP = 3;
+export const NEXT = 4;
+/** By how much a sweep over the nodes changed the last term, in parts of the largest acceleration. */
+export const CHANGE = 5;
+const SCALARS = 6;
+
+/** Columns of an axis, kernels/integrators/radau.ts: b₆ and the acceleration at the start. */
+export const LAST_TERM = 6;
+export const START = 14;
+
+export type Radau = ReturnType<typeof makeRadau>;
+
+export const radauOf = resource(makeRadau);
+
+function makeRadau(world: PhysicsWorld) {
+  const { precision, rows } = world;
+  const { arena } = world.internal;
+  const stride = rows * realBytes(precision) + 320;
+  const blocks = AXES[world.dimensions].map(() => allocate(arena, AXIS_COLUMNS * stride, 'Gauss-Radau'));
+  const constants = (values: readonly number[], what: string) => {
+    const [column, address] = realColumn(arena, precision, values.length, what);
+    (column as RealColumn).set(values);
+    return address;
+  };
+  const weights = constants([...NODES, 1].flatMap(weightsAt), 'Gauss-Radau weights');
+  const reciprocals = constants(NODES.flatMap(reciprocalsAt), 'Gauss-Radau nodes');
+  const powers = constants(newtonPolynomials().flat(), 'Gauss-Radau powers');
+  const table = allocate(arena, 18 * 4, 'Gauss-Radau table');
+  const { Position, Velocity, Mass } = world.addresses;
+  const { force } = world.scratch.at;
+  const three = ({ x, y, z }: { x: number; y: number; z: number }) => [x, y, z];
+  const [x, y, z = 0] = blocks;
+  new Uint32Array(arena.memory.buffer, table, 18).set([
+    ...three(Position),
+    ...three(Velocity),
+    ...three(force),
+    ...[x, y, z],
+    ...[Mass.value, stride, world.dimensions],
+    ...[weights, reciprocals, powers],
+  ]);
+  const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 8 * SCALARS, 'Gauss-Radau'), SCALARS);
+  return { table, scalars, kernels: integratorKernels(world) };
+}
+
+/** Integrals of 1, h, … h⁷ from the start to h: twice for positions (8 weights), once for velocities (8 more). */
+function weightsAt(h: number): number[] {
+  const powers = [h];
+  for (let k = 1; k <= TERMS + 1; k++) powers.push(powers[k - 1] * h);
+  return [
+    ...Array.from({ length: 8 }, (_, k) => powers[k + 1] / ((k + 1) * (k + 2))),
+    ...Array.from({ length: 8 }, (_, k) => powers[k] / (k + 1)),
+  ];
+}
+
+/** 1/(h - h_k) for the nodes before, padded to 8. */
+function reciprocalsAt(h: number, s: number): number[] {
+  return NODES.map((node, k) => (k < s ? 1 / (h - node) : 0));
+}
+
+/** Row k: the coefficients of h, h², … h⁷ in h (h - h₁) … (h - h_k). */
+export function newtonPolynomials(): number[][] {
+  const rows: number[][] = [];
+  let polynomial = [1];
+  for (let k = 0; k < TERMS; k++) {
+    rows.push(Array.from({ length: TERMS }, (_, m) => polynomial[m] ?? 0));
+    const node = NODES[k + 1];
+    polynomial = Array.from({ length: k + 2 }, (_, m) => (polynomial[m - 1] ?? 0) - node * (polynomial[m] ?? 0));
+  }
+  return rows;
+}

@@ -1,0 +1,106 @@
+// GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7, 856, 1986) for the linear systems of Newton's method: the matrix
+// is never formed, its products with vectors are differences of residuals.
+import type { EvaluateForces } from '../../dynamics/evaluate-forces.ts';
+import type { Spans } from '../../ecs/ranges.ts';
+import type { PhysicsWorld } from '../../world/create-world.ts';
+import { addScaled, type BodyVector, dot, norm, scale } from './body-vectors.ts';
+import { BASIS, type Equation, MINUS_ONE, residualAt, Scalar } from './implicit-equation.ts';
+
+/** How exactly a linear system is solved, in parts of the residual: about as exactly as differences allow. */
+const ENOUGH = 1e-5;
+
+/**
+ * Finds `equation.change`, to which the residual at `best` answers with its own negative; its norm is in the scalar
+ * `size`. What is left of it goes into `left`.
+ */
+export function solveLinear(
+  world: PhysicsWorld,
+  spans: Spans,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+): void {
+  const { basis, right, triangle, scalars } = equation;
+  const size = scalars[Scalar.size];
+  scalars[Scalar.factor] = -1 / size;
+  scale(world, spans, basis[0], equation.residual, scalars, Scalar.factor);
+  right.fill(0);
+  right[0] = size;
+  let used = 0;
+  while (used < BASIS) {
+    const column = used * (BASIS + 1);
+    multiply(world, spans, dt, evaluate, equation, basis[used], basis[used + 1]);
+    for (let i = 0; i <= used; i++) {
+      dot(world, spans, basis[used + 1], basis[i], triangle, column + i);
+      scalars[Scalar.factor] = -triangle[column + i];
+      addScaled(world, spans, basis[used + 1], basis[used + 1], basis[i], scalars, Scalar.factor);
+    }
+    norm(world, spans, basis[used + 1], triangle, column + used + 1);
+    const length = triangle[column + used + 1];
+    rotate(equation, used);
+    used++;
+    if (!(length > 0) || Math.abs(right[used]) <= ENOUGH * size) break;
+    scalars[Scalar.factor] = 1 / length;
+    scale(world, spans, basis[used], basis[used], scalars, Scalar.factor);
+  }
+  combine(world, spans, equation, used);
+  scalars[Scalar.left] = Math.abs(right[used]);
+}
+
+/** to = J direction, by a difference of residuals. */
+function multiply(
+  world: PhysicsWorld,
+  spans: Spans,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+  direction: BodyVector,
+  to: BodyVector,
+): void {
+  const { best, residual, trial, from, scalars } = equation;
+  // Far enough to show against the rounding of positions and velocities, near enough for the forces to be straight.
+  norm(world, spans, best, scalars, Scalar.one);
+  norm(world, spans, residual, scalars, Scalar.other);
+  const speeds = Math.max(scalars[Scalar.one], scalars[Scalar.other]);
+  norm(world, spans, from, scalars, Scalar.one);
+  const reach = Math.max(speeds, (1e-3 * scalars[Scalar.one]) / dt);
+  const h = reach * (world.precision === 'f32' ? 3e-4 : 1e-8);
+  scalars[Scalar.factor] = h;
+  addScaled(world, spans, trial, best, direction, scalars, Scalar.factor);
+  residualAt(world, spans, dt, evaluate, equation, trial, to);
+  addScaled(world, spans, to, to, residual, MINUS_ONE, 0);
+  scalars[Scalar.factor] = 1 / h;
+  scale(world, spans, to, to, scalars, Scalar.factor);
+}
+
+/** Givens rotations: the newest column joins the triangle. */
+function rotate({ triangle, cosines, sines, right }: Equation, k: number): void {
+  const column = k * (BASIS + 1);
+  for (let i = 0; i < k; i++) {
+    const a = triangle[column + i];
+    const b = triangle[column + i + 1];
+    triangle[column + i] = cosines[i] * a + sines[i] * b;
+    triangle[column + i + 1] = cosines[i] * b - sines[i] * a;
+  }
+  const a = triangle[column + k];
+  const b = triangle[column + k + 1];
+  const length = Math.sqrt(a * a + b * b);
+  cosines[k] = length > 0 ? a / length : 1;
+  sines[k] = length > 0 ? b / length : 0;
+  triangle[column + k] = length;
+  right[k + 1] = -sines[k] * right[k];
+  right[k] *= cosines[k];
+}
+
+/** change = sum of basis vectors with the weights that solve the triangle. */
+function combine(world: PhysicsWorld, spans: Spans, equation: Equation, used: number): void {
+  const { triangle, right, solution, basis, change } = equation;
+  for (let k = used - 1; k >= 0; k--) {
+    let sum = right[k];
+    for (let j = k + 1; j < used; j++) sum -= triangle[j * (BASIS + 1) + k] * solution[j];
+    const pivot = triangle[k * (BASIS + 1) + k];
+    solution[k] = pivot > 0 ? sum / pivot : 0;
+  }
+  scale(world, spans, change, basis[0], solution, 0);
+  for (let k = 1; k < used; k++) addScaled(world, spans, change, change, basis[k], solution, k);
+}

@@ -1,0 +1,101 @@
+// The equation that a step of implicit Euler solves, and the columns its solution needs.
+import type { EvaluateForces } from '../../dynamics/evaluate-forces.ts';
+import type { Spans } from '../../ecs/ranges.ts';
+import { AXES } from '../../memory/axes.ts';
+import { axisColumns } from '../../memory/columns.ts';
+import { resource } from '../../memory/resource.ts';
+import type { PhysicsWorld } from '../../world/create-world.ts';
+import { addScaled, type BodyVector, copyVector } from './body-vectors.ts';
+import { integratorKernels } from './integrator-kernels.ts';
+
+/** Dimensions of the space in which a linear system is solved: as many force evaluations at most. */
+export const BASIS = 64;
+
+/** Vectors of an equation. */
+export const VECTORS = BASIS + 1 + 7;
+
+/** Where the numbers of a solution are, in `scalars`. */
+export enum Scalar {
+  /** Length of the step, s. */
+  step,
+  /** Of the residual of the best velocities, and of those being tried. */
+  size,
+  trialSize,
+  /** What is left of the linear system. */
+  left,
+  /** The part of the Newton step that is tried. */
+  part,
+  /** A factor for the next operation. */
+  factor,
+  /** Lengths of two vectors that are compared. */
+  one,
+  other,
+  count,
+}
+
+export const MINUS_ONE = new Float64Array([-1]);
+
+export type Equation = ReturnType<typeof makeEquation>;
+
+export const equationOf = resource(makeEquation);
+
+function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
+  const make = (what: string) => axisColumns(arena, precision, rows, `implicit Euler: ${what}`);
+  const [residualColumns, residual] = make('residual');
+  return {
+    /** Position and velocity at the start of the step. */
+    from: make('start position')[1],
+    start: make('start velocity')[1],
+    /** The best velocities so far, and their residual. */
+    best: make('velocity')[1],
+    residual,
+    residualColumns,
+    /** Velocities being tried, and their residual. */
+    trial: make('trial')[1],
+    trialResidual: make('residual of the trial')[1],
+    /** The Newton step. */
+    change: make('change')[1],
+    basis: Array.from({ length: BASIS + 1 }, () => make('basis')[1]) as readonly BodyVector[],
+    /** Column k of the small triangular system, from k (BASIS + 1) on; rotations; right-hand side; solution. */
+    triangle: new Float64Array(BASIS * (BASIS + 1)),
+    cosines: new Float64Array(BASIS),
+    sines: new Float64Array(BASIS),
+    right: new Float64Array(BASIS + 1),
+    solution: new Float64Array(BASIS),
+    scalars: new Float64Array(Scalar.count),
+  };
+}
+
+/** Gives the bodies velocities v and the positions they lead to in a step: x = start + v dt. */
+export function moveTo(world: PhysicsWorld, spans: Spans, equation: Equation, v: BodyVector, dt: number): void {
+  const { Position, Velocity } = world.addresses;
+  copyVector(world, spans, Velocity, v);
+  equation.scalars[Scalar.step] = dt;
+  addScaled(world, spans, Position, equation.from, v, equation.scalars, Scalar.step);
+}
+
+/** R(v) = v - start - F/m dt with the forces where velocities v lead. */
+export function residualAt(
+  world: PhysicsWorld,
+  spans: Spans,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+  v: BodyVector,
+  to: BodyVector,
+): void {
+  moveTo(world, spans, equation, v, dt);
+  evaluate(world, spans, world.time + dt);
+  const { implicitResidualAxis } = integratorKernels(world);
+  const { force } = world.scratch.at;
+  const mass = world.addresses.Mass.value;
+  const axes = AXES[world.dimensions];
+  for (let n = 0; n < axes.length; n++) {
+    const axis = axes[n];
+    for (let r = 0; r < spans.count; r++) {
+      const first = spans.bounds[2 * r];
+      const last = spans.bounds[2 * r + 1];
+      implicitResidualAxis(to[axis], v[axis], equation.start[axis], force[axis], mass, dt, first, last);
+    }
+  }
+}

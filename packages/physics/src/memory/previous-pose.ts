@@ -1,0 +1,21 @@
+import type { Addresses, Components } from '../components/all.ts';
+
+/** The components that say where a body is and how it is turned. */
+export const POSE = ['Position', 'Rotation', 'Orientation'] as const;
+
+/** The pose of every body at the start of the last step: what renderers interpolate from. */
+export type Previous = Pick<Components, (typeof POSE)[number]>;
+
+export type PreviousAddresses = Pick<Addresses, (typeof POSE)[number]>;
+
+/** Copies the pose of a body from some columns to others. */
+export function copyPose(from: Previous, to: Previous, eid: number): void {
+  for (const name of POSE) {
+    const source: Columns = from[name];
+    const target: Columns = to[name];
+    for (const field in source) target[field][eid] = source[field][eid];
+  }
+}
+
+/** The columns of a component, by field. */
+export type Columns = { readonly [field: string]: { [row: number]: number } };

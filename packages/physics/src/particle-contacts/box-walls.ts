@@ -1,0 +1,75 @@
+// Walls of an axis-aligned box, with the instant of impact found inside the step (kernels/particle-contacts/walls/box.ts has the maths).
+import { MAX_SPEED } from '../components/velocity.ts';
+import { type BoxSystem, bounceFromBox } from '../dynamics/fused-step.ts';
+import { FAR } from '../dynamics/loop-checks.ts';
+import { checkKeys, checkNumber, checkVector, mustBe, type VectorInput } from '../errors/validate.ts';
+import { allocate } from '../memory/arena.ts';
+import { AXES } from '../memory/axes.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+
+/** A box that keeps bodies inside. An axis left out of `min` or `max` has no wall on that side. */
+export interface BoxWallsOptions {
+  /** Corner with the smallest coordinates, m. */
+  readonly min?: VectorInput;
+  /** Corner with the largest coordinates, m. */
+  readonly max?: VectorInput;
+  /** Restitution of the walls; a contact's is the larger of this and the body's. Default 0: the body decides. */
+  readonly restitution?: number;
+  /** Friction of the walls; a contact's is the geometric mean of this and the body's. Default: the body's own. */
+  readonly friction?: number;
+}
+
+/** Bytes of the class `Box` in kernels/particle-contacts/walls/box.ts: eight doubles and eight words. */
+const BOX_BYTES = 96;
+
+/**
+ * A system for the `walls` phase. Acts on bodies with Mass and Collider.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function boxWalls(options: BoxWallsOptions): BoxSystem {
+  checkKeys(options, 'boxWalls', ['min', 'max', 'restitution', 'friction']);
+  checkVector(options.min ?? {}, 'boxWalls.min');
+  checkVector(options.max ?? {}, 'boxWalls.max');
+  const low = { x: -FAR, y: -FAR, z: -FAR, ...options.min };
+  const high = { x: FAR, y: FAR, z: FAR, ...options.max };
+  for (const axis of AXES[3]) {
+    if (low[axis] < high[axis]) continue;
+    throw mustBe(`below max.${axis} (${high[axis]})`, low[axis], `boxWalls.min.${axis}`, 'E_RANGE');
+  }
+  const restitution = checkNumber(options.restitution ?? 0, 'boxWalls.restitution', { min: 0, max: 10 });
+  const friction =
+    options.friction === undefined ? -1 : checkNumber(options.friction, 'boxWalls.friction', { min: 0, max: 100 });
+  const values = [low.x, low.y, low.z, high.x, high.y, high.z, restitution, friction];
+  const boxAt = resource((world) => writeBox(world, values));
+  const lagOf = ({ integrator }: PhysicsWorld, dt: number) => (integrator.velocityLag ?? 0) * dt;
+  const system: BoxSystem = {
+    name: 'box walls',
+    role: 'box',
+    box: { low, high, restitution, friction },
+    prepare: boxAt,
+    run(world, { bounds, count }, dt) {
+      if (world.internal.plan?.fusion?.walls === system) {
+        bounceFromBox(world, system, world.spans, dt);
+        return;
+      }
+      const at = boxAt(world);
+      for (let r = 0; r < count; r++) {
+        world.kernels.boxRows(at, dt, lagOf(world, dt), bounds[2 * r], bounds[2 * r + 1]);
+      }
+    },
+    bounceListed: (world, list, dt) =>
+      world.kernels.boxListed(boxAt(world), list, dt, lagOf(world, dt), MAX_SPEED) === 0,
+  };
+  return system;
+}
+
+function writeBox(world: PhysicsWorld, values: readonly number[]): number {
+  const { memory, internal, scratch, dimensions, previousAddresses } = world;
+  const origin = previousAddresses.Position;
+  const at = allocate(internal.arena, BOX_BYTES, 'box walls');
+  const { x, y, z } = scratch.at.startVelocity;
+  new Float64Array(memory.buffer, at, 8).set(values);
+  new Uint32Array(memory.buffer, at + 64, 7).set([x, y, z, dimensions, origin.x, origin.y, origin.z]);
+  return at;
+}

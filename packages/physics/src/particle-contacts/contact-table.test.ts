@@ -1,0 +1,37 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+import { colliding, createPhysicsWorld } from '../index.ts';
+import { TableColumn } from '../memory/column-table.ts';
+import { contactTable, Word } from './contact-table.ts';
+
+/** The fields of an `@unmanaged` class in the kernels, in order. */
+function fieldsOf(file: string, name: string): string[] {
+  const source = readFileSync(new URL(`../../kernels/${file}`, import.meta.url), 'utf8');
+  const body = source.slice(source.indexOf(`class ${name} {`)).split('\n}')[0];
+  return [...body.matchAll(/^ {2}(\w+): \w+;/gm)].map((match) => match[1]);
+}
+
+/** The members of an enumeration before its `end`, in order. */
+const namesOf = (words: object) => Object.keys(words).filter((name) => name !== 'end' && Number.isNaN(Number(name)));
+
+test('the tables are laid out as the kernels read them', () => {
+  expect(fieldsOf('collision/table.ts', 'ContactTable')).toEqual(['previousDt', ...namesOf(Word)]);
+  expect(fieldsOf('columns.ts', 'Columns')).toEqual(namesOf(TableColumn));
+});
+
+describe.each([
+  [2, 'f32'],
+  [2, 'f64'],
+  [3, 'f32'],
+  [3, 'f64'],
+] as const)('the memory of contacts in %d D, %s', (dimensions, precision) => {
+  test.each([1, 1000, 20_000])(
+    'has room for a dense packing of %d bodies, and half a KiB a body is left to others',
+    (capacity) => {
+      const world = createPhysicsWorld({ preset: colliding, dimensions, precision, capacity });
+      const { arena } = world.internal;
+      expect(contactTable(world).words[Word.capacity]).toBeGreaterThanOrEqual((dimensions === 2 ? 4 : 8) * capacity);
+      expect(arena.bytes - arena.top).toBeGreaterThan(200 * capacity);
+    },
+  );
+});

@@ -1,0 +1,124 @@
+// The contacts of the last step as arrays, and as events.
+import type { RealColumn } from '../components/define.ts';
+import { constant, resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { emit, hasHandlers } from '../world/event-handlers.ts';
+import { contactTable, Word } from './contact-table.ts';
+
+/**
+ * The contacts of the last step, by ascending (a, b); entry i of each array for i < `count`. The arrays stay valid, and
+ * their content is that of the last step. A contact is listed when its bodies exchanged an impulse or overlap.
+ */
+export interface Contacts {
+  readonly count: number;
+  /** Candidates the step had no room for, or no time: see `contactCapacity`. */
+  readonly lost: number;
+  /** Entity ids, a < b. */
+  readonly a: Uint32Array;
+  readonly b: Uint32Array;
+  /** Point of contact, m; the middle of the overlap when the step ended. */
+  readonly x: RealColumn;
+  readonly y: RealColumn;
+  readonly z: RealColumn;
+  /** Unit normal from a to b. */
+  readonly nx: RealColumn;
+  readonly ny: RealColumn;
+  readonly nz: RealColumn;
+  /** Impulse along the normal in this step, N s: on b, and the opposite on a. */
+  readonly impulse: RealColumn;
+}
+
+/** The contacts with walls of the last step. */
+export interface WallContacts {
+  readonly count: number;
+  /** Contacts there was no room for. */
+  readonly lost: number;
+  readonly body: Uint32Array;
+  /** Entity id of the wall; 0 for `boxWalls`. */
+  readonly wall: Uint32Array;
+  /** Unit normal out of the wall. */
+  readonly nx: RealColumn;
+  readonly ny: RealColumn;
+  readonly nz: RealColumn;
+  /** Impulse of the wall on the body along the normal, N s. */
+  readonly impulse: RealColumn;
+}
+
+const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
+  const table = contactTable(world).words;
+  const capacity = table[Word.capacity];
+  const { reals, words } = viewers(world, capacity);
+  return constant({
+    get count() {
+      return table[Word.count];
+    },
+    get lost() {
+      return table[Word.lost];
+    },
+    a: words(table[Word.a]),
+    b: words(table[Word.b]),
+    x: reals(table[Word.x]),
+    y: reals(table[Word.y]),
+    z: reals(table[Word.z]),
+    nx: reals(table[Word.nx]),
+    ny: reals(table[Word.ny]),
+    nz: reals(table[Word.nz]),
+    impulse: reals(table[Word.impulse]),
+  });
+});
+
+const wallContactsOf = /* @__PURE__ */ resource<WallContacts>((world) => {
+  const table = contactTable(world).words;
+  const { reals, words } = viewers(world, table[Word.wallCapacity]);
+  return constant({
+    get count() {
+      return table[Word.wallCount];
+    },
+    get lost() {
+      return table[Word.wallLost];
+    },
+    body: words(table[Word.wallBody]),
+    wall: words(table[Word.wallId]),
+    nx: reals(table[Word.wallNx]),
+    ny: reals(table[Word.wallNy]),
+    nz: reals(table[Word.wallNz]),
+    impulse: reals(table[Word.wallImpulse]),
+  });
+});
+
+function viewers(world: PhysicsWorld, length: number) {
+  const { buffer } = world.memory;
+  const Column = world.precision === 'f32' ? Float32Array : Float64Array;
+  return {
+    reals: (address: number): RealColumn => new Column(buffer, address, length),
+    words: (address: number) => new Uint32Array(buffer, address, length),
+  };
+}
+
+/**
+ * The contacts between bodies of the last step. Always the same object; empty in a world whose preset has no contacts.
+ * @throws PhysicsError E_CAPACITY when the world's memory has no room for contacts, E_DESTROYED
+ */
+export function contacts(world: PhysicsWorld): Contacts {
+  return contactsOf(world);
+}
+
+/**
+ * The contacts with walls of the last step, in the order the walls were met, tile by tile of bodies.
+ * @throws PhysicsError E_CAPACITY, E_DESTROYED
+ */
+export function wallContacts(world: PhysicsWorld): WallContacts {
+  return wallContactsOf(world);
+}
+
+/** Most contacts a step can hold; a larger `arenaBytes` gives more. */
+export function contactCapacity(world: PhysicsWorld): number {
+  return contactTable(world).words[Word.capacity];
+}
+
+/** System of the `events` phase: tells of this step's contacts between bodies. */
+export function tellContacts(world: PhysicsWorld): void {
+  if (!hasHandlers(world, 'contact')) return;
+  const { count } = contactsOf(world);
+  for (let i = 0; i < count; i++) emit(world, 'contact', i);
+}

@@ -1,0 +1,79 @@
+// Walls that are straight segments (2D), each an entity with SegmentWall. kernels/particle-contacts/walls/segments.ts has the maths.
+
+import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
+import { eachRun } from '../ecs/ranges.ts';
+import { allocate } from '../memory/arena.ts';
+import { realBytes } from '../memory/columns.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import type { LocalSystem } from '../world/phases.ts';
+import { collisionKernels } from './kernels.ts';
+
+/** Cells of the walls' grid along one axis, at most; and entries of its lists for each wall. */
+const MOST_SIDE = 64;
+const ITEMS_A_WALL = 16;
+
+/** The words of `WallGrid` in kernels/particle-contacts/walls/wall-grid.ts. */
+enum GridWord {
+  count,
+  segments,
+  starts,
+  items,
+  mostItems,
+  side,
+  /** How many there are. */
+  end,
+}
+
+interface SegmentList extends Roster {
+  readonly grid: number;
+  readonly words: Uint32Array;
+  /** The step they were gathered in. */
+  tick: number;
+}
+
+const segmentList = resource<SegmentList>((world) => {
+  const { arena } = world.internal;
+  const grid = allocate(arena, 4 * GridWord.end, 'segment walls');
+  const words = new Uint32Array(world.memory.buffer, grid, GridWord.end);
+  words[GridWord.starts] = allocate(arena, 4 * (MOST_SIDE * MOST_SIDE + 2), 'segment walls');
+  return { grid, words, tick: -1, ...emptyRoster() };
+});
+
+/** Gathers the walls, once a step, in ascending id. */
+function gather(world: PhysicsWorld): SegmentList {
+  const list = segmentList(world);
+  if (list.tick === world.tick) return list;
+  const size = 12 * realBytes(world.precision);
+  if (refreshRoster(world, list, 'SegmentWall', size + 4 * ITEMS_A_WALL)) {
+    const { words, at, room } = list;
+    words[GridWord.segments] = at;
+    words[GridWord.items] = at + size * room;
+    words[GridWord.mostItems] = ITEMS_A_WALL * room;
+  }
+  const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
+  collisionKernels(world).gatherSegments(list.grid, list.ids, list.count, ax, ay, bx, by, restitution, friction);
+  list.tick = world.tick;
+  return list;
+}
+
+/**
+ * System of the `walls` phase: bodies with Mass and Collider against every SegmentWall. A contact's restitution is the
+ * larger of the body's and the wall's, its friction coefficient the geometric mean. No speed takes a body through.
+ */
+export const segmentWalls: LocalSystem = {
+  name: 'segment walls',
+  run: eachRun((world, first, last, dt) => {
+    if (world.dimensions !== 2 || world.internal.counts.SegmentWall === 0) return;
+    const { grid } = gather(world);
+    const { x, y } = world.previousAddresses.Position;
+    const start = world.scratch.at.startVelocity;
+    const lag = (world.integrator.velocityLag ?? 0) * dt;
+    collisionKernels(world).segmentWalls(grid, x, y, start.x, start.y, dt, lag, first, last);
+  }),
+};
+
+/** Keeps bodies that contacts pushed in this step on their side of the segment walls. */
+export function confineToSegments(world: PhysicsWorld): void {
+  collisionKernels(world).confineToSegments(gather(world).grid);
+}

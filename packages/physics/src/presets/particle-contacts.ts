@@ -1,0 +1,35 @@
+import { integrate } from '../dynamics/integrate.ts';
+import { turn } from '../dynamics/integrate-rotation.ts';
+import { begin, checkFinite } from '../dynamics/validate-state.ts';
+import type { Precision } from '../kernels/instantiate.ts';
+import { collideBodies, openContacts } from '../particle-contacts/collide.ts';
+import { contactBytesPerEntity } from '../particle-contacts/contact-table.ts';
+import { tellContacts } from '../particle-contacts/contacts.ts';
+import { planeWalls } from '../particle-contacts/plane-walls.ts';
+import { segmentWalls } from '../particle-contacts/segment-walls.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { tellFaults } from '../world/event-handlers.ts';
+import type { Preset } from './preset.ts';
+
+/**
+ * `standard` with collisions: round bodies meet each other, SegmentWalls and PlaneWalls; `contacts(world)` lists what
+ * met. Walls given to `createPhysicsWorld`, such as `boxWalls`, come after the wall entities.
+ *
+ * Values are checked before bodies meet as well, so that what a force made of one body does not pass to another.
+ */
+export const colliding: Preset = /* @__PURE__ */ Object.assign(fill, {
+  // Others may need what a world has by default.
+  bytesPerEntity: (dimensions: 2 | 3, precision: Precision) => 256 + contactBytesPerEntity(dimensions, precision),
+});
+
+function fill(world: PhysicsWorld): void {
+  const { phases } = world;
+  // Takes the memory now, so that a world too small for contacts fails when it is made.
+  openContacts(world);
+  phases.begin.push(openContacts, begin);
+  phases.integrate.push(integrate, turn);
+  phases.walls.push(segmentWalls, planeWalls);
+  phases.collide.push(checkFinite, collideBodies);
+  phases.finish.push(checkFinite);
+  phases.events.push(tellFaults, tellContacts);
+}

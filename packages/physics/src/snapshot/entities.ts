@@ -1,0 +1,116 @@
+// Which entities bitECS has, put aside and brought back through bitECS itself, so that queries and observers follow.
+import { addComponent, addEntity, entityExists, removeComponent } from 'bitecs';
+import { bitOf, COMPONENT_NAMES } from '../components/all.ts';
+import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+
+/** The entities of a moment, in arrays that the next moment takes over. */
+export interface SavedEntities {
+  /** bitECS's list of ids: those alive, then those free, in the order they will be given out. */
+  dense: Uint32Array;
+  /** Ids in that list. */
+  length: number;
+  alive: number;
+  maxId: number;
+  /** Components of the rows up to the highest in use. */
+  members: Uint32Array;
+  rows: number;
+}
+
+export function noEntities(): SavedEntities {
+  return { dense: new Uint32Array(0), length: 0, alive: 0, maxId: 0, members: new Uint32Array(0), rows: 0 };
+}
+
+export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
+  const { dense, aliveCount, maxId } = contextOf(world).entityIndex;
+  const { members } = world.internal;
+  const rows = world.lastId + 1;
+  if (into.dense.length < dense.length) into.dense = new Uint32Array(roomFor(dense.length));
+  if (into.members.length < rows) into.members = new Uint32Array(roomFor(rows));
+  for (let i = 0; i < dense.length; i++) into.dense[i] = dense[i];
+  for (let row = 0; row < rows; row++) into.members[row] = members[row];
+  into.length = dense.length;
+  into.alive = aliveCount;
+  into.maxId = maxId;
+  into.rows = rows;
+}
+
+/** A world that grows a little does not ask for new arrays each time. */
+function roomFor(count: number): number {
+  return count + (count >> 3) + 16;
+}
+
+/**
+ * Makes bitECS's entities and components those of then. Columns are left to whoever writes the memory back.
+ * @returns what observers of users threw
+ */
+export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unknown[] {
+  const thrown: unknown[] = [];
+  const attempt = (act: () => void) => {
+    try {
+      act();
+    } catch (error) {
+      thrown.push(error);
+    }
+  };
+  if (!isSameIndex(world, saved)) {
+    const wanted = new Set(saved.dense.subarray(0, saved.alive));
+    const { dense, aliveCount } = contextOf(world).entityIndex;
+    for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeWholly(world, eid));
+    for (const eid of wanted) if (!entityExists(world, eid)) revive(world, eid);
+  }
+  const { members } = world.internal;
+  const rows = Math.max(saved.rows, world.lastId + 1);
+  for (let eid = 1; eid < rows; eid++) {
+    const bits = eid < saved.rows ? saved.members[eid] : 0;
+    if (members[eid] !== bits) attempt(() => changeComponents(world, eid, bits));
+  }
+  writeIndex(world, saved);
+  return thrown;
+}
+
+function isSameIndex(world: PhysicsWorld, { dense, alive, maxId }: SavedEntities): boolean {
+  const index = contextOf(world).entityIndex;
+  if (index.aliveCount !== alive || index.maxId !== maxId) return false;
+  for (let i = 0; i < alive; i++) if (index.dense[i] !== dense[i]) return false;
+  return true;
+}
+
+/** Makes an entity with a given id: bitECS hands out the first of those free. */
+function revive(world: PhysicsWorld, eid: number): void {
+  const index = contextOf(world).entityIndex;
+  const { dense, sparse, aliveCount } = index;
+  if (dense[sparse[eid]] !== eid) {
+    index.maxId = Math.max(index.maxId, eid);
+    sparse[eid] = dense.push(eid) - 1;
+  }
+  const place = sparse[eid];
+  const other = dense[aliveCount];
+  dense[place] = other;
+  sparse[other] = place;
+  dense[aliveCount] = eid;
+  sparse[eid] = aliveCount;
+  addEntity(world);
+}
+
+function changeComponents(world: PhysicsWorld, eid: number, bits: number): void {
+  for (const name of COMPONENT_NAMES) {
+    const differs = ((world.internal.members[eid] ^ bits) & bitOf(name)) !== 0;
+    if (!differs) continue;
+    if ((bits & bitOf(name)) !== 0) addComponent(world, eid, world.components[name]);
+    else removeComponent(world, eid, world.components[name]);
+  }
+}
+
+/** The order in which ids will be given out. */
+function writeIndex(world: PhysicsWorld, { dense, length, alive, maxId }: SavedEntities): void {
+  const index = contextOf(world).entityIndex;
+  index.dense.length = length;
+  for (let i = 0; i < length; i++) {
+    index.dense[i] = dense[i];
+    index.sparse[dense[i]] = i;
+  }
+  index.sparse.length = Math.min(index.sparse.length, maxId + 1);
+  index.aliveCount = alive;
+  index.maxId = maxId;
+}

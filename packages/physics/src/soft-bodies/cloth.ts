@@ -1,0 +1,205 @@
+// A cloth: a grid of nodes with springs along the threads, and where wanted across the meshes (against shear) and from
+// each node to the next but one (against bending).
+
+import { assertUsable } from '../ecs/guards.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import {
+  checkFlag,
+  checkKeys,
+  checkNumber,
+  checkVector,
+  checkWhole,
+  type Vector,
+  type VectorInput,
+} from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import {
+  COUNTS,
+  checkStiffness,
+  type Network,
+  SPRING_OPTIONS,
+  SpringList,
+  type SpringOptions,
+  spawnNetwork,
+} from './network.ts';
+
+export interface ClothOptions extends SpringOptions {
+  /** Place of the node of column 0 and row 0, m. */
+  readonly corner: VectorInput;
+  readonly columns: number;
+  readonly rows: number;
+  /** Distance of neighbours along a thread, m. */
+  readonly spacing: number;
+  /** Mass of the whole cloth, kg, shared equally by its nodes. */
+  readonly mass: number;
+  /** Unit vectors along a row and down a column; default +x and -y. */
+  readonly right?: VectorInput;
+  readonly down?: VectorInput;
+  /** Stiffness of the threads, N/m; default Infinity, which needs the integrator `xpbd`. */
+  readonly structural?: number;
+  /** Stiffness across the meshes, N/m; default 0: none. */
+  readonly shear?: number;
+  /** Stiffness from a node to the next but one, N/m; default 0: none. */
+  readonly bend?: number;
+  /** An inextensible cord from every node to the nearest held one, which takes the load off the threads; default false. */
+  readonly tethers?: boolean;
+  /** Which nodes are held: the first row, its two corners, none, or pairs [column, row]; default 'top'. */
+  readonly pins?: 'none' | 'top' | 'corners' | readonly (readonly [number, number])[];
+}
+
+/** A cloth that was made. */
+export interface Cloth extends Network {
+  readonly columns: number;
+  readonly rows: number;
+  /** The node at a place of the grid. */
+  at(column: number, row: number): number;
+  /** Entity ids of the corners of its triangles, three each: what `clothWind` takes. */
+  readonly triangles: Uint32Array;
+}
+
+const OPTIONS = [
+  ...[
+    'corner',
+    'columns',
+    'rows',
+    'spacing',
+    'mass',
+    'right',
+    'down',
+    'structural',
+    'shear',
+    'bend',
+    'tethers',
+    'pins',
+  ],
+  ...SPRING_OPTIONS,
+];
+
+/**
+ * Makes a cloth, flat and at rest. Its nodes are numbered row by row.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
+ */
+export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
+  assertUsable(world);
+  checkKeys(options, 'createCloth', OPTIONS);
+  const columns = checkNumber(options.columns, 'cloth.columns', COUNTS);
+  const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);
+  const list = new SpringList();
+  if (checkFlag(options.tethers, 'cloth.tethers')) addTethers(list, options, columns, rows);
+  addBraces(list, options, columns, rows);
+  // Last, because what is solved last is kept best.
+  addThreads(list, options, columns, rows);
+  const bodies = placeNodes(options, columns, rows);
+  const { nodes, springs } = spawnNetwork(world, columns * rows, bodies, list, options);
+  const at = (column: number, row: number) => nodes[row * columns + column];
+  return { nodes, springs, columns, rows, at, triangles: trianglesOf(at, columns, rows) };
+}
+
+function placeNodes(options: ClothOptions, columns: number, rows: number) {
+  const corner = checkVector(options.corner, 'cloth.corner');
+  const right = checkVector(options.right ?? { x: 1 }, 'cloth.right');
+  const down = checkVector(options.down ?? { y: -1 }, 'cloth.down');
+  const spacing = checkNumber(options.spacing, 'cloth.spacing', { above: 0 });
+  const count = columns * rows;
+  const mass = checkNumber(options.mass, 'cloth.mass', { above: 0 }) / count;
+  const place = (axis: keyof Vector) =>
+    Float64Array.from({ length: count }, (_, i) => {
+      const [column, row] = [i % columns, Math.floor(i / columns)];
+      return corner[axis] + spacing * (right[axis] * column + down[axis] * row);
+    });
+  const masses = new Float64Array(count).fill(mass);
+  for (const node of pinnedNodes(options.pins ?? 'top', columns, rows)) masses[node] = Infinity;
+  const position = { x: place('x'), y: place('y'), z: place('z') };
+  return { position, mass: masses };
+}
+
+function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, rows: number): number[] {
+  if (pins === 'none') return [];
+  if (pins === 'top') return Array.from({ length: columns }, (_, column) => column);
+  if (pins === 'corners') return [0, columns - 1];
+  if (!Array.isArray(pins) || !pins.every((pair) => Array.isArray(pair))) {
+    throw new PhysicsError('E_TYPE', "cloth.pins must be 'none', 'top', 'corners' or pairs [column, row].", {
+      field: 'cloth.pins',
+      value: pins,
+    });
+  }
+  return pins.map(([column, row]) => {
+    checkWhole(column, 'cloth.pins: column', 0, columns - 1);
+    checkWhole(row, 'cloth.pins: row', 0, rows - 1);
+    return row * columns + column;
+  });
+}
+
+/** Springs from node to node, one after the other: so a solver sees a thread. */
+function addThread(
+  list: SpringList,
+  [first, stride, nodes]: readonly [number, number, number],
+  stiffness: number,
+  length: number,
+): void {
+  for (let i = 1; i < nodes; i++) list.add(first + stride * (i - 1), first + stride * i, stiffness, length);
+}
+
+function addThreads(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const stiffness = checkStiffness(options.structural ?? Infinity, 'cloth.structural');
+  if (stiffness === 0) return;
+  for (let column = 0; column < columns; column++) {
+    addThread(list, [column, columns, rows], stiffness, options.spacing);
+  }
+  for (let row = 0; row < rows; row++) addThread(list, [row * columns, 1, columns], stiffness, options.spacing);
+}
+
+/**
+ * Springs against shear and bending, row by row: so their nodes are in the cache while a solver goes through them. Of
+ * those along a row first every other two: neighbours share a node, and the solver would wait for each.
+ */
+function addBraces(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const shear = checkStiffness(options.shear ?? 0, 'cloth.shear');
+  const bend = checkStiffness(options.bend ?? 0, 'cloth.bend');
+  const [diagonal, straight] = [Math.SQRT2 * options.spacing, 2 * options.spacing];
+  const add = (column: number, row: number, right: number, down: number, stiffness: number, length: number) => {
+    const [toColumn, toRow] = [column + right, row + down];
+    if (stiffness === 0 || toColumn < 0 || toColumn >= columns || toRow >= rows) return;
+    list.add(row * columns + column, toRow * columns + toColumn, stiffness, length);
+  };
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) add(column, row, 1, 1, shear, diagonal);
+    for (let column = 0; column < columns; column++) add(column, row, -1, 1, shear, diagonal);
+    for (let column = 0; column < columns; column++) if (column % 4 < 2) add(column, row, 2, 0, bend, straight);
+    for (let column = 0; column < columns; column++) if (column % 4 > 1) add(column, row, 2, 0, bend, straight);
+    for (let column = 0; column < columns; column++) add(column, row, 0, 2, bend, straight);
+  }
+}
+
+/**
+ * Cords as long as the way to the nearest held node along the threads: shear can straighten that way (Kim, Chentanez,
+ * Müller: Long Range Attachments, SCA 2012). A cloth that does not shear cannot: there the straight distance counts.
+ */
+function addTethers(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+  const pins = pinnedNodes(options.pins ?? 'top', columns, rows);
+  const held = new Set(pins);
+  const shears = (options.shear ?? 0) === 0;
+  for (let node = 0; node < columns * rows; node++) {
+    let nearest = -1;
+    let least = Infinity;
+    for (const pin of pins) {
+      const across = Math.abs((node % columns) - (pin % columns));
+      const down = Math.abs(Math.floor(node / columns) - Math.floor(pin / columns));
+      const way = shears ? across + down : Math.sqrt(across * across + down * down);
+      if (way >= least) continue;
+      least = way;
+      nearest = pin;
+    }
+    if (nearest >= 0 && !held.has(node)) list.add(nearest, node, Infinity, least * options.spacing, 1);
+  }
+}
+
+/** Row by row, first those with an edge above, then those with one below: so corners follow each other like nodes. */
+function trianglesOf(at: Cloth['at'], columns: number, rows: number): Uint32Array {
+  const triangles: number[] = [];
+  for (let row = 0; row + 1 < rows; row++) {
+    for (let c = 0; c + 1 < columns; c++) triangles.push(at(c, row), at(c, row + 1), at(c + 1, row));
+    for (let c = 0; c + 1 < columns; c++) triangles.push(at(c + 1, row), at(c, row + 1), at(c + 1, row + 1));
+  }
+  return Uint32Array.from(triangles);
+}

@@ -1,0 +1,271 @@
+import { describe, expect, test } from 'vitest';
+import { angularMomentum, energy, momentum } from '../diagnostics/energy.ts';
+import { linearDrag } from '../forces/drag.ts';
+import { springs } from '../forces/springs.ts';
+import { uniformGravity } from '../forces/uniform-gravity.ts';
+import { velocityVerlet } from '../integrators/velocity-verlet.ts';
+import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { largestStretch } from '../xpbd/stretch.ts';
+import { xpbd } from '../xpbd/xpbd.ts';
+import { createCloth } from './cloth.ts';
+import { clothWind } from './cloth-wind.ts';
+import { movePin, pin, unpin } from './pins.ts';
+import { createRope } from './rope.ts';
+import { createSoftBody } from './soft-body.ts';
+
+const DRAGGED = { linearDrag: 1 };
+
+function network(options: PhysicsWorldOptions = {}): PhysicsWorld {
+  const forces = [uniformGravity({ y: -10 }), linearDrag(), springs()];
+  return createPhysicsWorld({ capacity: 2000, integrator: xpbd(), forces, ...options });
+}
+
+function run(world: PhysicsWorld, steps: number, dt = 1 / 60): void {
+  for (let s = 0; s < steps; s++) step(world, dt);
+}
+
+/** How far a chain hangs down between two pins as high as each other: 2 a sinh(gap/2a) = length, sag a (cosh(gap/2a) - 1). */
+function catenarySag(length: number, gap: number): number {
+  let [low, high] = [gap / 16, 10 * gap];
+  for (let i = 0; i < 60; i++) {
+    const a = (low + high) / 2;
+    if (2 * a * Math.sinh(gap / 2 / a) > length) low = a;
+    else high = a;
+  }
+  return low * (Math.cosh(gap / 2 / low) - 1);
+}
+
+/** By its series, exact to rounding below 10. */
+function besselJ0(x: number): number {
+  let [sum, term] = [1, 1];
+  for (let k = 1; k < 40; k++) {
+    term *= -(x * x) / 4 / (k * k);
+    sum += term;
+  }
+  return sum;
+}
+
+describe('a rope', () => {
+  test.each([2, 3] as const)('hangs as a catenary between two pins, in %iD', (dimensions) => {
+    const world = network({ dimensions });
+    const ends = { from: { x: -4 }, to: { x: 4 }, pins: 'both' } as const;
+    const rope = createRope(world, { ...ends, length: 10, nodes: 61, mass: 1, components: { linearDrag: 0.05 } });
+    run(world, 1200);
+    expect(Math.abs(-world.components.Position.y[rope.nodes[30]] / catenarySag(10, 8) - 1)).toBeLessThan(2e-3);
+    expect(largestStretch(world)).toBeLessThan(1e-9);
+  });
+
+  test.each([
+    ['f32', false],
+    ['f32', true],
+    ['f64', false],
+  ] as const)(
+    'of a thousand links swings and settles unstretched, in %s, with links that only pull: %s',
+    (precision, cord) => {
+      const count = 1000;
+      const world = network({ capacity: 4 * count, precision, integrator: xpbd({ substeps: 4 }) });
+      const ends = { from: {}, to: { x: 8 }, length: 10, pins: 'both' } as const;
+      const { nodes } = createRope(world, {
+        ...ends,
+        cord,
+        nodes: count,
+        mass: 1,
+        components: { linearDrag: 2 / count },
+      });
+      // Links that push start straight from the pins to the middle; those that pull, slack.
+      const { y } = world.components.Position;
+      if (!cord) {
+        nodes.forEach((node, i) => {
+          y[node] = 3 * (Math.abs((2 * i) / (count - 1) - 1) - 1);
+        });
+      }
+      for (let s = 0; s < 600; s++) {
+        step(world, 1 / 60);
+        // Coordinates up to 8 m are rounded to 4.8e-7 m in f32, and a link is 0.01 m long.
+        expect(largestStretch(world)).toBeLessThan(precision === 'f32' ? 1e-4 : 1e-9);
+      }
+      expect(Math.abs(-y[nodes[500]] / catenarySag(10, 8) - 1)).toBeLessThan(0.01);
+      expect(world.faults.faults).toEqual([]);
+    },
+  );
+
+  test.each([
+    [1, 2.404826],
+    [2, 5.520078],
+    [3, 8.653728],
+  ])('that hangs swings in Bessel modes: ω = j/2 √(g/L), mode %i', (_, zero) => {
+    const [count, length] = [201, 2];
+    const world = network({ integrator: xpbd({ substeps: 8 }), forces: [uniformGravity({ y: -10 }), springs()] });
+    const { nodes } = createRope(world, { from: {}, to: { y: -length }, nodes: count, mass: 1 });
+    const { x, y } = world.components.Position;
+    // J₀(j √(s/L)), s the height above the free end (Daniel Bernoulli 1738).
+    const mode = Array.from(nodes, (_node, i) => besselJ0(zero * Math.sqrt(1 - i / (count - 1))));
+    const swing = 1e-3;
+    for (let i = 1; i < count; i++) {
+      x[nodes[i]] = swing * mode[i];
+      const across = x[nodes[i]] - x[nodes[i - 1]];
+      y[nodes[i]] = y[nodes[i - 1]] - Math.sqrt((length / (count - 1)) ** 2 - across * across);
+    }
+    const amplitude = () => nodes.reduce((sum, node, i) => sum + mode[i] * x[node], 0);
+    let before = amplitude();
+    for (;;) {
+      step(world, 1 / 240);
+      const now = amplitude();
+      if (now <= 0) {
+        const quarter = world.time - now / (now - before) / 240;
+        // Two hundred links are a chain to 1/200 of its length; backward Euler lags by less, (ω h)²/3.
+        expect(Math.abs(Math.PI / 2 / quarter / ((zero / 2) * Math.sqrt(10 / length)) - 1)).toBeLessThan(0.01);
+        return;
+      }
+      before = now;
+    }
+  });
+
+  test('of springs stretches by the load below each link (ch13-rope)', () => {
+    for (const integrator of [xpbd({ substeps: 4 }), velocityVerlet]) {
+      const world = network({ integrator });
+      const rope = createRope(world, {
+        ...{ from: {}, to: { y: -280 }, nodes: 15, mass: 150, stiffness: 500, damping: 20 },
+        components: { linearDrag: 20 },
+      });
+      run(world, 3000, 1 / 30);
+      const { y } = world.components.Position;
+      for (let j = 1; j < 15; j++) {
+        const stretch = y[rope.nodes[j - 1]] - y[rope.nodes[j]] - 20;
+        expect(stretch).toBeCloseTo(0.2 * (15 - j), 3);
+      }
+    }
+  });
+
+  test('tethers hold the length of a thousand links within a per cent', () => {
+    const world = network({ capacity: 14_000, precision: 'f32', integrator: xpbd({ substeps: 10, iterations: 1 }) });
+    const rope = createRope(world, { from: {}, to: { y: -10 }, nodes: 1000, mass: 1, tethers: true });
+    run(world, 120);
+    expect(-world.components.Position.y[rope.nodes[999]]).toBeLessThan(10.1);
+    expect(largestStretch(world)).toBeLessThan(0.01);
+  });
+});
+
+test('a network that does not fit, or is given nonsense, leaves nothing behind', () => {
+  const world = network({ capacity: 15 });
+  const size = { from: {}, to: { x: 1 }, nodes: 10, mass: 1 };
+  expect(() => createRope(world, size)).toThrow(/E_CAPACITY/);
+  expect(() => createRope(world, { ...size, nodes: 4, damping: -1 })).toThrow(/E_RANGE/);
+  expect(() => createRope(world, { ...size, nodes: 1 })).toThrow(/E_RANGE/);
+  expect(() => createRope(world, { ...size, lenght: 1 } as never)).toThrow(/E_UNKNOWN/);
+  const body = { centre: {}, radius: 1, mass: 1, stiffness: 1, pressure: 1, detail: 3 };
+  expect(() => createSoftBody(world, { ...body, ambient: Number.NaN })).toThrow(/E_NONFINITE: softBody.ambient/);
+  expect(world.lastId).toBe(0);
+  expect(createRope(world, { ...size, nodes: 4 }).springs).toHaveLength(3);
+});
+
+describe('a cloth', () => {
+  test('its pins bear its weight, and what hangs below each row stretches it', () => {
+    const world = network({ dimensions: 3, integrator: xpbd({ substeps: 4 }) });
+    const stiffness = 2000;
+    const size = { corner: {}, columns: 7, rows: 6, spacing: 0.1, mass: 4.2 };
+    const cloth = createCloth(world, { ...size, structural: stiffness, damping: 0.5, components: DRAGGED });
+    run(world, 1500);
+    const { y } = world.components.Position;
+    for (let row = 1; row < 6; row++) {
+      let pull = 0;
+      for (let column = 0; column < 7; column++) {
+        pull += stiffness * (y[cloth.at(column, row - 1)] - y[cloth.at(column, row)] - 0.1);
+      }
+      // Nodes of 0.1 kg, seven a row, at g = 10 m/s².
+      expect(pull).toBeCloseTo(7 * (6 - row), 3);
+    }
+  });
+
+  test.each(['f32', 'f64'] as const)('is inextensible in the limit, in %s', (precision) => {
+    const stretch = (structural: number, substeps: number) => {
+      const world = network({ dimensions: 3, precision, integrator: xpbd({ substeps }) });
+      const size = { corner: {}, columns: 10, rows: 10, spacing: 0.1, mass: 1, shear: 100 };
+      createCloth(world, { ...size, structural, components: DRAGGED });
+      run(world, 300);
+      return largestStretch(world, structural);
+    };
+    const [soft, stiff] = [stretch(100, 10), stretch(1e4, 10)];
+    expect(soft).toBeGreaterThan(5 * stiff);
+    expect(stretch(Infinity, 20)).toBeLessThan(0.01);
+  });
+
+  test('a steady wind and its weight share the pull on the pins', () => {
+    const gale = 5;
+    const world = network({ dimensions: 3, forces: [uniformGravity({ y: -10 }), springs()] });
+    const cloth = createCloth(world, { corner: {}, columns: 2, rows: 2, spacing: 1, mass: 1, pins: 'top' });
+    world.forces.push(clothWind({ triangles: cloth.triangles, velocity: { z: gale }, density: 1.2, tangential: 0 }));
+    step(world, 1e-6);
+    let total = 0;
+    for (const node of cloth.nodes) total += world.scratch.force.z[node];
+    // ρ A u² for c_n = 2: pinned nodes feel it too.
+    expect(total).toBeCloseTo(1.2 * gale * gale, 3);
+  });
+
+  test('wind needs three dimensions, and triangles of bodies', () => {
+    const world = network();
+    world.forces.push(clothWind({ triangles: [] }));
+    expect(() => step(world, 0.01)).toThrow(/E_RANGE.*three dimensions/);
+    expect(() => clothWind({ triangles: [1, 2] })).toThrow(/E_RANGE/);
+  });
+
+  test('pins hold, move and let go', () => {
+    const world = network({ dimensions: 3 });
+    const size = { corner: {}, columns: 4, rows: 4, spacing: 0.1, mass: 1 };
+    const cloth = createCloth(world, { ...size, pins: [[0, 0]] });
+    const { Position } = world.components;
+    const corner = cloth.at(3, 0);
+    const mass = pin(world, corner);
+    expect(mass).toBeCloseTo(1 / 16, 12);
+    run(world, 20);
+    expect(Position.x[corner]).toBeCloseTo(0.3, 12);
+    expect(Position.y[corner]).toBe(0);
+    for (let s = 1; s <= 10; s++) {
+      movePin(world, corner, { x: 0.3, y: 0.01 * s }, 1 / 60);
+      step(world, 1 / 60);
+    }
+    expect(Position.y[corner]).toBeCloseTo(0.1, 12);
+    pin(world, corner);
+    unpin(world, corner, mass);
+    run(world, 30);
+    expect(Position.y[corner]).toBeLessThan(0.05);
+    expect(Position.y[cloth.at(0, 0)]).toBe(0);
+  });
+});
+
+describe('a soft body', () => {
+  test.each([2, 3] as const)('breathes about the radius where gas and skin balance, in %iD', (dimensions) => {
+    const world = createPhysicsWorld({ dimensions, capacity: 2000, forces: [springs()] });
+    const options = { centre: { x: 3 }, radius: 1, mass: 1, stiffness: 200, pressure: 50 };
+    const body = createSoftBody(world, { ...options, detail: dimensions === 2 ? 32 : 2 });
+    const before = energy(world).total;
+    run(world, 2000, 2e-4);
+    // Of the pressure times the volume.
+    expect(Math.abs(energy(world).total - before)).toBeLessThan(2e-5 * 150);
+    expect(Math.abs(momentum(world).x)).toBeLessThan(1e-12);
+    expect(Math.abs(angularMomentum(world).z)).toBeLessThan(1e-12);
+    // It moved, and all its nodes alike.
+    const { x, y, z } = world.components.Position;
+    const radii = Array.from(body.nodes, (node) => Math.hypot(x[node] - 3, y[node], z[node]));
+    expect(Math.max(...radii)).not.toBeCloseTo(1, 3);
+    if (dimensions === 2) expect(Math.max(...radii) - Math.min(...radii)).toBeLessThan(1e-9);
+  });
+
+  test('the force of the gas is the gradient of its potential', () => {
+    const world = createPhysicsWorld({ dimensions: 3, capacity: 2000 });
+    const options = { centre: {}, radius: 1, mass: 1, stiffness: 1, pressure: 50, ambient: 20, detail: 1 };
+    const body = createSoftBody(world, options);
+    const node = body.nodes[1];
+    const { x } = world.components.Position;
+    step(world, 1e-9);
+    const force = world.scratch.force.x[node];
+    const at = x[node];
+    const potential = (shift: number) => {
+      x[node] = at + shift;
+      return body.gas.potential?.(world) ?? 0;
+    };
+    expect((potential(-1e-5) - potential(1e-5)) / 2e-5).toBeCloseTo(force, 5);
+    expect(Math.abs(force)).toBeGreaterThan(0.1);
+  });
+});

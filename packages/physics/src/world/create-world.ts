@@ -1,0 +1,310 @@
+import { createWorld, deleteWorld, type Query, type WorldContext } from 'bitecs';
+import { type Addresses, COMPONENT_NAMES, type ComponentName, type Components } from '../components/all.ts';
+import type { ComponentSpec } from '../components/define.ts';
+import { contextOf } from '../ecs/bitecs-adapter.ts';
+import { MAX_CAPACITY } from '../ecs/entity-ref.ts';
+import { assertUsable } from '../ecs/guards.ts';
+import { observeComponents } from '../ecs/observers.ts';
+import {
+  checkOwnComponents,
+  makeOwnColumns,
+  type OwnComponents,
+  observeOwnComponents,
+  ownColumnCount,
+} from '../ecs/own-components.ts';
+import type { Spans } from '../ecs/ranges.ts';
+import type { FieldValues } from '../ecs/values.ts';
+import { createFaultLog, type Fault, type FaultLog } from '../errors/fault-log.ts';
+import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
+import type { Integrator } from '../integrators/support/integrator.ts';
+import { velocityVerlet } from '../integrators/velocity-verlet.ts';
+import { instantiateKernels, type KernelExports, type Precision } from '../kernels/instantiate.ts';
+import type { Force } from '../laws/force.ts';
+import { type Arena, createArena, type MemoryFactory } from '../memory/arena.ts';
+import { RESERVED_BYTES, writeColumnTable } from '../memory/column-table.ts';
+import { columnCounts, componentColumns, realBytes, wordColumn } from '../memory/columns.ts';
+import { POSE, type Previous, type PreviousAddresses } from '../memory/previous-pose.ts';
+import { createScratch, SCRATCH_COLUMNS, type Scratch } from '../memory/scratch.ts';
+import type { Preset } from '../presets/preset.ts';
+import { standard } from '../presets/standard.ts';
+import { checkForces, checkIntegrator, checkSystems, type Plan } from './execution-plan.ts';
+import { createPhases, type Phases, type System } from './phases.ts';
+import type { Profile } from './profile.ts';
+
+/** How a world is made. Everything has a default. */
+export interface PhysicsWorldOptions {
+  /** 2 (default) or 3. */
+  readonly dimensions?: 2 | 3;
+  /** Most entities alive at once; fixed for the world's life. Default 10 000. Unused room costs address space only. */
+  readonly capacity?: number;
+  /** Type of every real column: f64 (default) for orbits and large worlds, f32 for games and millions of particles. */
+  readonly precision?: Precision;
+  /** Seed of everything random in this world. Default 1. */
+  readonly seed?: number;
+  /** Components of your own, made by `defineComponent`: their columns lie in the world's memory. Default none. */
+  readonly components?: readonly ComponentSpec[];
+  /** Default velocity Verlet. */
+  readonly integrator?: Integrator;
+  /** Default none. Change `world.forces` at any time. */
+  readonly forces?: readonly Force[];
+  /** Systems of the `walls` phase, such as `boxWalls({ … })`. */
+  readonly walls?: readonly System[];
+  /** Which systems run in which phase; default `standard`. */
+  readonly preset?: Preset;
+  /** A fault found in a step: 'quarantine' (default) goes on without the body, 'throw' also throws when the step ends. */
+  readonly onFault?: 'quarantine' | 'throw';
+  /**
+   * Bytes for features that need memory of their own (contacts, grids); default what the preset asks for, or 256, per
+   * entity, and at least 1 MiB.
+   */
+  readonly arenaBytes?: number;
+  /** How the memory is made; for tests. */
+  readonly memoryFactory?: MemoryFactory;
+}
+
+/** A world: plain columns of numbers in one block of memory, and the short lists that say what a step does. */
+export interface PhysicsWorld {
+  readonly dimensions: 2 | 3;
+  readonly precision: Precision;
+  readonly capacity: number;
+  /** Length of every column; a multiple of 1024. Row `eid` belongs to entity `eid`; row 0 to none. */
+  readonly rows: number;
+  readonly seed: number;
+  readonly memory: WebAssembly.Memory;
+  readonly kernels: KernelExports;
+  /** Per component, one typed array a field: `world.components.Position.x[eid]`. */
+  readonly components: Components;
+  /** Byte addresses of the same columns, for kernels. */
+  readonly addresses: Addresses;
+  /** The pose of every body at the start of the last step. */
+  readonly previous: Previous;
+  readonly previousAddresses: PreviousAddresses;
+  readonly scratch: Scratch;
+  readonly phases: Phases;
+  readonly forces: Force[];
+  integrator: Integrator;
+  onFault: 'quarantine' | 'throw';
+  /** Simulated time, s. */
+  time: number;
+  /** Steps done. */
+  tick: number;
+  /** Highest entity id in use. */
+  lastId: number;
+  /** Runs of bodies, ascending. */
+  readonly spans: Spans;
+  /**
+   * Counters that grow when poses, looks or the set of bodies may have changed. A snapshot brings them back too;
+   * `restored` counts how often that happened, so that the four together never repeat.
+   */
+  readonly versions: { pose: number; style: number; membership: number; restored: number };
+  readonly faults: FaultLog;
+  profile: Profile | undefined;
+  /** 'settling' is the end of a step, when the edits made during it take effect. */
+  state: 'idle' | 'stepping' | 'settling' | 'destroyed';
+  /** Not for users. */
+  readonly internal: WorldInternals;
+}
+
+/** What the engine keeps about a world. */
+export interface WorldInternals {
+  readonly arena: Arena;
+  /** Bit set per row: the components its entity has. */
+  readonly members: Uint32Array;
+  readonly membersAt: number;
+  /** Lives per row. */
+  readonly generations: Uint32Array;
+  readonly idsAt: number;
+  readonly spansAt: number;
+  readonly counts: Record<ComponentName, number>;
+  /** Entities with mass that forces cannot move, and such as move without a place or turn without an angle. */
+  readonly incomplete: { unmoved: number; strays: number };
+  /** Edits made during a step, waiting for its end. */
+  readonly commands: (() => void)[];
+  /** Entities that end with this step, and by bitECS's own set of components which life of theirs it is. */
+  readonly leaving: Map<number, Set<unknown>>;
+  /** Exceptions of users' code during this step: the first few, and how many there were. */
+  readonly thrown: unknown[];
+  thrownCount: number;
+  /** Faults of this step, the first 1024. */
+  readonly stepFaults: Fault[];
+  readonly resources: Map<object, unknown>;
+  readonly ownComponents: OwnComponents;
+  /** Every column of every component. */
+  readonly columns: readonly { [row: number]: number }[];
+  /** bitECS's table of components, to notice that the world was reset. */
+  componentMap: WorldContext['componentMap'] | undefined;
+  /** Per component, the entity that the `addComponent` now running gave it to. */
+  readonly fresh: Record<ComponentName, number>;
+  /** Values that `spawn` has checked and is about to set. */
+  checked: FieldValues | undefined;
+  /** bitECS's queries of our components whose additions nobody but us waits for. */
+  readonly unobserved: Set<Query>;
+  /** What prefabs hand on to their instances. */
+  readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
+  /** The world ends with this step. */
+  ending: boolean;
+  readonly bodyList: { readonly ids: Uint32Array; count: number };
+  spansVersion: number;
+  /** Rows that hold anything, rounded up to whole blocks. */
+  sweptRows: number;
+  plan: Plan | undefined;
+}
+
+const OPTIONS = [
+  'dimensions',
+  'capacity',
+  'precision',
+  'seed',
+  'components',
+  'integrator',
+  'forces',
+  'walls',
+  'preset',
+  'onFault',
+  'arenaBytes',
+  'memoryFactory',
+] as const;
+
+/**
+ * Makes a world, synchronously. It is a bitECS world: `addEntity(world)`, `addComponent(world, eid, set(…))` and
+ * `query(world, […])` work on it.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN for options; E_CAPACITY when there is no memory
+ */
+export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
+  checkKeys(options, 'createPhysicsWorld', OPTIONS);
+  const dimensions = checkChoice(options.dimensions ?? 2, 'dimensions', [2, 3]);
+  const precision = checkChoice(options.precision ?? 'f64', 'precision', ['f32', 'f64']);
+  const onFault = checkChoice(options.onFault ?? 'quarantine', 'onFault', ['quarantine', 'throw']);
+  const capacity = checkWhole(options.capacity ?? 10_000, 'capacity', 1, MAX_CAPACITY);
+  const seed = checkWhole(options.seed ?? 1, 'seed', 0, 2 ** 53 - 1);
+  checkParts(options);
+  const rows = Math.ceil((capacity + 1) / 1024) * 1024;
+  const { preset = standard, integrator = velocityVerlet, forces = [] } = options;
+  const perEntity = preset.bytesPerEntity?.(dimensions, precision) ?? 256;
+  const extra = checkNumber(options.arenaBytes ?? Math.max(2 ** 20, perEntity * rows), 'arenaBytes', {
+    min: 0,
+    max: 2 ** 32,
+  });
+  const components = checkOwnComponents(options.components);
+  const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
+  const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES, options.memoryFactory);
+  const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault };
+  const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows, components) }) as PhysicsWorld;
+  world.internal.componentMap = contextOf(world).componentMap;
+  writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
+  observeComponents(world);
+  observeOwnComponents(world);
+  preset(world);
+  for (const system of options.walls ?? []) world.phases.walls.push(system);
+  return world;
+}
+
+function checkParts({
+  dimensions = 2,
+  forces = [],
+  walls = [],
+  integrator,
+  preset,
+  memoryFactory,
+}: PhysicsWorldOptions): void {
+  checkForces(forces, 'forces', dimensions);
+  checkSystems(walls, 'walls');
+  if (integrator !== undefined) checkIntegrator(integrator, 'integrator');
+  if (preset !== undefined) checkFunction(preset, 'preset');
+  if (memoryFactory !== undefined) checkFunction(memoryFactory, 'memoryFactory');
+}
+
+/** For parameters of laws and the list of bodies at walls. */
+const LOOP_BYTES = 24_576;
+
+function memoryBytes(rows: number, precision: Precision): number {
+  const { reals, words } = columnCounts();
+  const realColumns = reals + SCRATCH_COLUMNS + columnCounts(POSE).reals;
+  const wordColumns = words + 4;
+  return columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192) + 2 * rows + LOOP_BYTES + 65536;
+}
+
+/** Room for columns of reals, each with a start of its own in the cache. */
+function columnBytes(columns: number, rows: number, precision: Precision): number {
+  return columns * (rows * realBytes(precision) + 8192);
+}
+
+function worldParts(arena: Arena, precision: Precision, rows: number, own: readonly ComponentSpec[]) {
+  const [components, addresses] = componentColumns(arena, precision, rows);
+  const [previous, previousAddresses] = componentColumns<(typeof POSE)[number]>(arena, precision, rows, POSE);
+  const scratch = createScratch(arena, precision, rows);
+  const [members, membersAt] = wordColumn(arena, rows, 'members');
+  const [generations] = wordColumn(arena, rows, 'generations');
+  const [ids, idsAt] = wordColumn(arena, rows, 'ids');
+  const [spanWords, spansAt] = wordColumn(arena, rows / 4, 'spans');
+  return {
+    memory: arena.memory,
+    kernels: instantiateKernels(precision, arena.memory),
+    components,
+    addresses,
+    previous,
+    previousAddresses,
+    scratch,
+    phases: createPhases(),
+    time: 0,
+    tick: 0,
+    lastId: 0,
+    spans: { bounds: new Int32Array(spanWords.buffer, spanWords.byteOffset, spanWords.length), count: 0 },
+    versions: { pose: 0, style: 0, membership: 0, restored: 0 },
+    faults: createFaultLog(),
+    profile: undefined,
+    state: 'idle',
+    internal: {
+      arena,
+      members,
+      membersAt,
+      generations,
+      idsAt,
+      spansAt,
+      ...bookkeeping(components),
+      ownComponents: makeOwnColumns(arena, precision, rows, own),
+      bodyList: { ids, count: 0 },
+      plan: undefined,
+    },
+  };
+}
+
+/** What the engine keeps about a world from step to step, at its start. */
+function bookkeeping(components: Components) {
+  const zeros = () => Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
+  return {
+    counts: zeros(),
+    incomplete: { unmoved: 0, strays: 0 },
+    commands: [],
+    leaving: new Map(),
+    thrown: [],
+    thrownCount: 0,
+    stepFaults: [],
+    resources: new Map(),
+    columns: COMPONENT_NAMES.flatMap((name) => Object.values(components[name]) as { [row: number]: number }[]),
+    componentMap: undefined,
+    fresh: zeros(),
+    checked: undefined,
+    unobserved: new Set(),
+    templates: new Map(),
+    ending: false,
+    spansVersion: -1,
+    sweptRows: 0,
+  };
+}
+
+/**
+ * Ends a world: every later call on it throws E_DESTROYED, except this one, which does nothing. Inside a step it takes
+ * effect when the step ends. The memory goes when nothing refers to the world any more.
+ * @throws PhysicsError E_TYPE for something that is no world
+ */
+export function destroyWorld(world: PhysicsWorld): void {
+  if (world?.internal !== undefined && world.state === 'destroyed') return;
+  assertUsable(world);
+  if (world.state !== 'idle') {
+    world.internal.ending = true;
+    return;
+  }
+  world.state = 'destroyed';
+  deleteWorld(world);
+}

@@ -1,0 +1,153 @@
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkHas, checkList, isRecord } from '../errors/validate.ts';
+import type { PhysicsWorld } from './create-world.ts';
+import { type LocalSystem, PHASES, type Phase, type System } from './phases.ts';
+
+/** A system and the phase that it runs in. */
+export interface PlannedSystem {
+  readonly phase: Phase;
+  readonly system: System;
+}
+
+/** What of a step runs as one loop with the laws and the integrator, because the systems follow each other. */
+export interface Fusion {
+  /** The pose is saved, and what was written between the steps is checked. */
+  readonly begin: boolean;
+  /** Walls of a box, at which bodies are found in the loop. */
+  readonly walls: LocalSystem | undefined;
+  /** The result is checked. */
+  readonly check: boolean;
+}
+
+/** What a step does, worked out from the phases and forces; made anew only when those change. */
+export interface Plan {
+  readonly systems: readonly PlannedSystem[];
+  readonly signature: readonly unknown[];
+  /** No force looks at more than its own body. */
+  readonly forcesLocal: boolean;
+  /** Undefined where a force is no law, or the integrator has no fixed stages. */
+  readonly fusion: Fusion | undefined;
+  /** What other parts of the engine keep as long as the plan holds. */
+  readonly kept: Map<object, unknown>;
+}
+
+/** Said of what is no force. */
+export const FORCE_HINT = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';
+
+/** @throws PhysicsError E_TYPE, naming the first that is no force; E_RANGE */
+export function checkForces(forces: readonly unknown[], what: string, dimensions: 2 | 3): void {
+  checkList(forces, what);
+  // By index: `forEach` would pass over the holes of a sparse array.
+  for (let f = 0; f < forces.length; f++) checkForce(forces[f], `${what}[${f}]`, dimensions);
+}
+
+/** @throws PhysicsError E_TYPE for what is neither a law nor a force with `accumulate`; E_RANGE for a law of other dimensions */
+export function checkForce(force: unknown, what: string, dimensions?: 2 | 3): void {
+  if (!isRecord(force) || !isRecord(force.law)) {
+    checkHas(force, 'accumulate', what, FORCE_HINT);
+    return;
+  }
+  const { dimensions: wanted, name } = force.law;
+  if (dimensions === undefined || wanted === undefined || wanted === dimensions) return;
+  throw new PhysicsError(
+    'E_RANGE',
+    `${what}: law "${name}" is for worlds of ${wanted} dimensions, and this one has ${dimensions}.`,
+    {
+      field: what,
+    },
+  );
+}
+
+/** @throws PhysicsError E_TYPE, naming the first that is no system */
+export function checkSystems(systems: readonly unknown[], what: string): void {
+  checkList(systems, what);
+  const hint = 'A system is a function (world, dt) => void, or made by a function such as boxWalls({ … }).';
+  for (let s = 0; s < systems.length; s++) {
+    if (typeof systems[s] !== 'function') checkHas(systems[s], 'run', `${what}[${s}]`, hint);
+  }
+}
+
+/** @throws PhysicsError E_TYPE */
+export function checkIntegrator(integrator: unknown, what: string): void {
+  if (isRecord(integrator) && isRecord(integrator.scheme)) return;
+  checkHas(integrator, 'advance', what, 'Such as velocityVerlet, semiImplicitEuler or rungeKutta4.');
+}
+
+/**
+ * The plan for the world as it is now, reused while neither phases, forces nor integrator changed.
+ * @throws PhysicsError E_TYPE when one of them is not what it must be
+ */
+export function currentPlan(world: PhysicsWorld): Plan {
+  const plan = world.internal.plan;
+  if (plan !== undefined && isCurrent(world, plan)) return plan;
+  const made = makePlan(world);
+  world.internal.plan = made;
+  return made;
+}
+
+/** Something made when first asked for, and kept as long as the plan of a world holds. */
+export function keptWithPlan<T>(make: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
+  const key = {};
+  return (world) => {
+    const running = world.state === 'stepping' ? world.internal.plan : undefined;
+    const { kept } = running ?? currentPlan(world);
+    if (!kept.has(key)) kept.set(key, make(world));
+    return kept.get(key) as T;
+  };
+}
+
+function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
+  const { signature } = plan;
+  let i = 0;
+  if (signature[i++] !== world.integrator) return false;
+  if (signature[i++] !== world.internal.incomplete.unmoved > 0) return false;
+  for (let p = 0; p < PHASES.length; p++) {
+    const phase = PHASES[p];
+    const systems = world.phases[phase];
+    for (let s = 0; s < systems.length; s++) if (signature[i++] !== systems[s]) return false;
+    if (signature[i++] !== phase) return false;
+  }
+  for (let f = 0; f < world.forces.length; f++) if (signature[i++] !== world.forces[f]) return false;
+  return i === signature.length;
+}
+
+function makePlan(world: PhysicsWorld): Plan {
+  checkForces(world.forces, 'world.forces', world.dimensions);
+  checkIntegrator(world.integrator, 'world.integrator');
+  for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
+  const signature: unknown[] = [world.integrator, world.internal.incomplete.unmoved > 0];
+  const systems: PlannedSystem[] = [];
+  for (const phase of PHASES) {
+    for (const system of world.phases[phase]) {
+      signature.push(system);
+      systems.push({ phase, system });
+    }
+    signature.push(phase);
+  }
+  signature.push(...world.forces);
+  const { scheme, advance } = world.integrator;
+  const isFused = scheme !== undefined && advance === undefined && world.forces.every(({ law }) => law !== undefined);
+  return {
+    signature,
+    systems,
+    forcesLocal: world.forces.every(({ local }) => local),
+    fusion: isFused ? fusionOf(systems.map(({ system }) => system)) : undefined,
+    kept: new Map(),
+  };
+}
+
+/** Which neighbours of the integrator its loop takes over. Turning bodies is no business of theirs. */
+function fusionOf(systems: readonly System[]): Fusion {
+  const roles = systems.map((system) => (typeof system === 'function' ? undefined : system.role));
+  const at = roles.indexOf('integrate');
+  const isOnly = roles.lastIndexOf('integrate') === at;
+  if (at < 0 || !isOnly) return { begin: false, walls: undefined, check: false };
+  let next = at + 1;
+  if (roles[next] === 'rotate') next++;
+  const hasWalls = roles[next] === 'box' && roles[next + 1] === 'check';
+  return {
+    begin: roles[at - 1] === 'begin',
+    walls: hasWalls ? (systems[next] as LocalSystem) : undefined,
+    check: roles[hasWalls ? next + 1 : next] === 'check',
+  };
+}

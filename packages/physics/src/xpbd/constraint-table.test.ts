@@ -1,0 +1,78 @@
+import { readFileSync } from 'node:fs';
+import { expect, test } from 'vitest';
+import { despawn, spawn } from '../bodies/spawn.ts';
+import { springs } from '../forces/springs.ts';
+import { uniformGravity } from '../forces/uniform-gravity.ts';
+import { createCloth } from '../soft-bodies/cloth.ts';
+import { createRope } from '../soft-bodies/rope.ts';
+import { createPhysicsWorld } from '../world/create-world.ts';
+import { step } from '../world/step.ts';
+import { Word } from './constraint-table.ts';
+import { xpbd } from './xpbd.ts';
+
+test('the table has the fields of the kernel’s class, in its order', () => {
+  const source = readFileSync(new URL('../../kernels/xpbd/table.ts', import.meta.url), 'utf8');
+  const [body] = source.slice(source.indexOf('class ConstraintTable')).split('\n}');
+  const names = Object.keys(Word).filter((name) => name !== 'count' && Number.isNaN(Number(name)));
+  expect([...body.matchAll(/^ {2}(\w+): \w+;/gm)].map(([, name]) => name)).toEqual(names);
+});
+
+/** Two networks with other bodies between, so that springs do not all follow each other. */
+function build(precision: 'f32' | 'f64') {
+  const forces = [uniformGravity(), springs()];
+  const integrator = xpbd({ substeps: 2, iterations: 2 });
+  const world = createPhysicsWorld({ dimensions: 3, capacity: 1000, precision, integrator, forces });
+  const size = { columns: 9, rows: 7, spacing: 0.1, mass: 1, shear: 50, bend: 5, structural: 900, damping: 0.01 };
+  const sheet = createCloth(world, { ...size, corner: {} });
+  const rope = createRope(world, { from: { y: 1 }, to: { x: 1, y: 1 }, nodes: 12, mass: 1, stiffness: 400 });
+  return { world, all: [...sheet.springs, ...rope.springs], nodes: [...sheet.nodes, ...rope.nodes] };
+}
+
+type Built = ReturnType<typeof build>;
+
+const CHANGES: Readonly<Record<string, (built: Built) => void>> = {
+  nothing: () => {},
+  'the stiffness of one': ({ world, all }) => {
+    world.components.Spring.stiffness[all[all.length - 1]] *= 2;
+  },
+  'the stiffness of all': ({ world, all }) => {
+    for (const id of all) world.components.Spring.stiffness[id] *= 2;
+  },
+  'a length': ({ world, all }) => {
+    world.components.Spring.length[all[40]] *= 1.0001;
+  },
+  'two lengths, one for the other': ({ world, all }) => {
+    const { length } = world.components.Spring;
+    const [a, b] = [all[0], all[all.length - 1]];
+    [length[a], length[b]] = [length[b], length[a]];
+  },
+  damping: ({ world, all }) => {
+    world.components.Spring.damping[all[7]] = 1;
+  },
+  'what is a cord': ({ world, all }) => {
+    for (const id of all) world.components.Spring.cord[id] = 1;
+  },
+  'a mass': ({ world, nodes }) => {
+    world.components.Mass.value[nodes[30]] *= 3;
+  },
+};
+
+test.each(Object.keys(CHANGES).flatMap((what) => (['f32', 'f64'] as const).map((real) => [what, real] as const)))(
+  'what is changed in place is seen at the next step: %s, in %s',
+  (what, precision) => {
+    const run = (change: string, anew: boolean) => {
+      const built = build(precision);
+      const { world, nodes } = built;
+      for (let s = 0; s < 3; s++) step(world, 1 / 60);
+      CHANGES[change](built);
+      // A body that comes and goes makes the solver read everything anew.
+      if (anew) despawn(world, spawn(world, { position: {} }));
+      for (let s = 0; s < 2; s++) step(world, 1 / 60);
+      const { x, y } = world.components.Position;
+      return nodes.flatMap((node) => [x[node], y[node]]);
+    };
+    const places = run(what, false);
+    expect(places).toEqual(run(what, true));
+    if (what !== 'nothing') expect(places).not.toEqual(run('nothing', false));
+  },
+);

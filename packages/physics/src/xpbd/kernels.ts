@@ -1,0 +1,5 @@
+import { kernelModule } from '../kernels/instantiate.ts';
+import { KERNELS, type KernelExports } from '../kernels/xpbd.gen.ts';
+
+/** The kernels of constraints and networks, for a world. */
+export const constraintKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);

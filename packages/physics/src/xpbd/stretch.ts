@@ -1,0 +1,24 @@
+import { scanSprings } from '../forces/support/spring-table.ts';
+import type { PhysicsWorld } from '../world/create-world.ts';
+import { constraintTable } from './constraint-table.ts';
+import { constraintKernels } from './kernels.ts';
+
+/**
+ * Largest |d - L|/L of all springs at least as stiff as `stiffness`, N/m: how far from inextensible the world is. Slack
+ * cords and springs without length do not count.
+ * @throws PhysicsError E_DESTROYED
+ */
+export function largestStretch(world: PhysicsWorld, stiffness = 0): number {
+  const { at } = constraintTable(world);
+  if (world.internal.counts.Spring === 0) return 0;
+  scanSprings(world);
+  return constraintKernels(world).largestStretch(at, stiffness);
+}
+
+/** The root of the mean square of the same, over the springs that count. @throws PhysicsError E_DESTROYED */
+export function rmsStretch(world: PhysicsWorld, stiffness = 0): number {
+  const { at } = constraintTable(world);
+  if (world.internal.counts.Spring === 0) return 0;
+  scanSprings(world);
+  return constraintKernels(world).rmsStretch(at, stiffness);
+}
