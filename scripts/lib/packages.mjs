@@ -1,0 +1,57 @@
+/** The published packages: which there are, where they lie, and which of their sources can be reached from outside. */
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { root } from './paths.mjs';
+
+/** Names of the folders below `packages`, in alphabetical order. */
+export const packageNames = readdirSync(`${root}/packages`)
+  .filter((name) => existsSync(`${packageFolder(name)}/src/index.ts`))
+  .sort();
+
+/** @param {string} name */
+export function packageFolder(name) {
+  return `${root}/packages/${name}`;
+}
+
+/**
+ * What a package's manifest says.
+ * @param {string} name
+ */
+export function manifestOf(name) {
+  return JSON.parse(readFileSync(`${packageFolder(name)}/package.json`, 'utf8'));
+}
+
+/**
+ * The sources behind a package's `exports` and `imports`: a file that one condition alone chooses is among them, and `*`
+ * stands for all names.
+ * @param {string} name
+ * @returns {string[]} absolute paths
+ */
+export function sourcesOf(name) {
+  const { exports, imports = {} } = manifestOf(name);
+  return [...new Set([exports, imports].flatMap(targetsIn))]
+    .filter((target) => /^\.\/src\/.*\.ts$/.test(target))
+    .flatMap((target) => filesLike(packageFolder(name), target.slice(2)));
+}
+
+/**
+ * Every file that a part of a manifest leads to.
+ * @param {unknown} part
+ * @returns {string[]}
+ */
+function targetsIn(part) {
+  if (typeof part === 'string') return [part];
+  return part === null ? [] : Object.values(/** @type {object} */ (part)).flatMap(targetsIn);
+}
+
+/**
+ * @param {string} folder
+ * @param {string} pattern a path below it, with at most one `*`
+ */
+function filesLike(folder, pattern) {
+  const [start, end] = pattern.split('*');
+  if (end === undefined) return [`${folder}/${pattern}`];
+  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).map((file) => file.replaceAll('\\', '/'));
+  return files
+    .filter((file) => file.startsWith(start) && file.endsWith(end) && !file.endsWith('.test.ts'))
+    .map((file) => `${folder}/${file}`);
+}
