@@ -21,6 +21,22 @@ export function manifestOf(name) {
 }
 
 /**
+ * The front page of a package.
+ * @param {string} name
+ */
+export function readmeOf(name) {
+  return readFileSync(`${packageFolder(name)}/README.md`, 'utf8');
+}
+
+/**
+ * The program that a page shows: all its blocks of TypeScript together.
+ * @param {string} markdown
+ */
+export function codeOf(markdown) {
+  return [...markdown.matchAll(/```ts\n([\s\S]*?)```/g)].map(([, block]) => block).join('\n');
+}
+
+/**
  * The sources behind a package's `exports` and `imports`: a file that one condition alone chooses is among them, and `*`
  * stands for all names.
  * @param {string} name
