@@ -8,7 +8,7 @@
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { buildKernels } from './build-kernels.mjs';
-import { packageFolder, packageNames, sourcesOf } from './lib/packages.mjs';
+import { packageFolder, packageNames, sourcesByImport, sourcesOf } from './lib/packages.mjs';
 import { cacheFolder, resolveInstalled, root } from './lib/paths.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { runNode } from './lib/run.mjs';
@@ -39,6 +39,8 @@ async function emit(folder) {
       ...{ noEmit: false, declaration: true, allowJs: false, checkJs: false, rewriteRelativeImportExtensions: true },
       // Nothing of Node, so that the packages need none of its types.
       ...{ types: [], rootDir: `${root}/packages`, outDir: folder },
+      // Sources that are found through node_modules belong to another project for the compiler, which does not emit them.
+      paths: Object.fromEntries(packageNames.flatMap(sourcesByImport).map(([name, source]) => [name, [source]])),
     },
     files: packageNames.flatMap(sourcesOf),
     include: [],

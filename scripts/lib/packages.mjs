@@ -50,6 +50,21 @@ export function sourcesOf(name) {
 }
 
 /**
+ * The source behind each name that other packages import.
+ * @param {string} name
+ * @returns {[imported: string, source: string][]} such as `@principia/shell/pixi`, with absolute paths
+ */
+export function sourcesByImport(name) {
+  const manifest = manifestOf(name);
+  return Object.entries(manifest.exports)
+    .filter(([, target]) => target['principia-source'] !== undefined)
+    .map(([path, target]) => [
+      manifest.name + path.slice(1),
+      `${packageFolder(name)}/${target['principia-source'].slice(2)}`,
+    ]);
+}
+
+/**
  * Every file that a part of a manifest leads to.
  * @param {unknown} part
  * @returns {string[]}
