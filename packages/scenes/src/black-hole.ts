@@ -13,7 +13,8 @@ import {
   thrust,
   velocityVerlet,
 } from '@principia/physics';
-import { BLACK_HOLE, drawHoles, type Hole, holeMu, holePlace } from './black-hole-layout.ts';
+import { BLACK_HOLE, drawHoles, holeMu, holePlace } from './black-hole-layout.ts';
+import type { Hole } from './black-hole-types.ts';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
 
 /** A ship among black holes. */

@@ -2,7 +2,7 @@
 // bits, and kept in a local when more than one node needs it.
 import { ColumnEmitter } from './emit-columns.ts';
 import { emitSum } from './emit-sum.ts';
-import type { Node, Operation } from './graph.ts';
+import type { Node, Operation } from './node.ts';
 import type { SumScope } from './table.ts';
 
 const LANES: Readonly<Partial<Record<Operation, string>>> = {

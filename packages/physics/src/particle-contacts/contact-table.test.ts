@@ -15,8 +15,8 @@ function fieldsOf(file: string, name: string): string[] {
 const namesOf = (words: object) => Object.keys(words).filter((name) => name !== 'end' && Number.isNaN(Number(name)));
 
 test('the tables are laid out as the kernels read them', () => {
-  expect(fieldsOf('collision/table.ts', 'ContactTable')).toEqual(['previousDt', ...namesOf(Word)]);
-  expect(fieldsOf('columns.ts', 'Columns')).toEqual(namesOf(TableColumn));
+  expect(fieldsOf('particle-contacts/table.ts', 'ContactTable')).toEqual(['previousDt', ...namesOf(Word)]);
+  expect(fieldsOf('memory/columns.ts', 'Columns')).toEqual(namesOf(TableColumn));
 });
 
 describe.each([

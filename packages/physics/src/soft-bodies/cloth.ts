@@ -12,7 +12,7 @@ import {
   type Vector,
   type VectorInput,
 } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import {
   COUNTS,
   checkStiffness,

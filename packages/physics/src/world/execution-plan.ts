@@ -1,35 +1,7 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkHas, checkList, isRecord } from '../errors/validate.ts';
-import type { PhysicsWorld } from './create-world.ts';
-import { type LocalSystem, PHASES, type Phase, type System } from './phases.ts';
-
-/** A system and the phase that it runs in. */
-export interface PlannedSystem {
-  readonly phase: Phase;
-  readonly system: System;
-}
-
-/** What of a step runs as one loop with the laws and the integrator, because the systems follow each other. */
-export interface Fusion {
-  /** The pose is saved, and what was written between the steps is checked. */
-  readonly begin: boolean;
-  /** Walls of a box, at which bodies are found in the loop. */
-  readonly walls: LocalSystem | undefined;
-  /** The result is checked. */
-  readonly check: boolean;
-}
-
-/** What a step does, worked out from the phases and forces; made anew only when those change. */
-export interface Plan {
-  readonly systems: readonly PlannedSystem[];
-  readonly signature: readonly unknown[];
-  /** No force looks at more than its own body. */
-  readonly forcesLocal: boolean;
-  /** Undefined where a force is no law, or the integrator has no fixed stages. */
-  readonly fusion: Fusion | undefined;
-  /** What other parts of the engine keep as long as the plan holds. */
-  readonly kept: Map<object, unknown>;
-}
+import { PHASES } from './phases.ts';
+import type { Fusion, LocalSystem, PhysicsWorld, Plan, PlannedSystem, System } from './types.ts';
 
 /** Said of what is no force. */
 export const FORCE_HINT = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';

@@ -1,7 +1,6 @@
 import { collectThrown } from '../errors/collect-thrown.ts';
-import type { PhysicsWorld } from './create-world.ts';
-import type { Plan } from './execution-plan.ts';
 import type { Phase } from './phases.ts';
+import type { PhysicsWorld, Plan } from './types.ts';
 
 /** Runs every system once, phase by phase. */
 export function runPlan(world: PhysicsWorld, { systems }: Plan, dt: number): void {

@@ -5,9 +5,10 @@ import { refreshSpans } from '../ecs/ranges.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkNumber } from '../errors/validate.ts';
-import { destroyWorld, type PhysicsWorld } from './create-world.ts';
-import { currentPlan, type Plan } from './execution-plan.ts';
+import { destroyWorld } from './create-world.ts';
+import { currentPlan } from './execution-plan.ts';
 import { runPlan } from './run-plan.ts';
+import type { PhysicsWorld, Plan } from './types.ts';
 
 /** Longest step, s: thirty thousand years. The sum of 2⁵³ of them is still a finite time. */
 export const MAX_DT = 1e12;

@@ -4,10 +4,9 @@ import { defineLaw } from '../../dynamics/define-law.ts';
 import type { VectorInput } from '../../errors/validate.ts';
 import type { BodySymbols } from '../../laws/body-symbols.ts';
 import { type Condition, constant, type Scalar, select, type Vector } from '../../laws/expression.ts';
-import type { Force } from '../../laws/force.ts';
 import type { LawSymbols } from '../../laws/law.ts';
 import { type ParameterInput, type Parameters, vector } from '../../laws/parameter.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../../world/types.ts';
 import { PLACES, SPEEDS } from './bounds.ts';
 
 /** Where a centre is. */

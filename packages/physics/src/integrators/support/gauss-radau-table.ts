@@ -4,7 +4,7 @@ import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
 import { resource } from '../../memory/resource.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import type { PhysicsWorld } from '../../world/types.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
 /**
