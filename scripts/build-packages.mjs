@@ -40,7 +40,11 @@ async function writeDeclarations() {
   const project = {
     extends: `${root}/tsconfig.json`,
     compilerOptions: {
-      ...{ noEmit: false, declaration: true, emitDeclarationOnly: true, allowJs: false, checkJs: false },
+      noEmit: false,
+      declaration: true,
+      emitDeclarationOnly: true,
+      allowJs: false,
+      checkJs: false,
       rootDir: `${root}/packages`,
       outDir: types,
       typeRoots: [`${root}/node_modules/@types`],

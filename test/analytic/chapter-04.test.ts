@@ -30,8 +30,11 @@ test('ch04-ball, ch04-ball-inherits-particle: a ball is a particle and a shape, 
   const radii = [20, ...Array.from({ length: 10 }, (_, i) => 10 + 2 * i)];
   const whole = radii.map((radius, i) =>
     spawn(world, {
-      ...{ position: { x: 150 + i, y: 50 }, velocity: {}, mass: 1 },
-      ...{ collider: { radius }, appearance: { size: radius, color: 0xffff0000 } },
+      position: { x: 150 + i, y: 50 },
+      velocity: {},
+      mass: 1,
+      collider: { radius },
+      appearance: { size: radius, color: 0xffff0000 },
     }),
   );
   const parts = radii.map((radius, i) => {

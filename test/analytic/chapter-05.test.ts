@@ -158,7 +158,9 @@ test('ch05-elastic-1d: equal balls swap velocities at 5.667, 7.8 and 11 s, and k
     [500, -20],
   ].map(([x, speed]) =>
     spawn(world, {
-      ...{ position: { x, y: 200 }, velocity: { x: speed }, mass: 1 },
+      position: { x, y: 200 },
+      velocity: { x: speed },
+      mass: 1,
       collider: { radius: 15, restitution: 1 },
     }),
   );

@@ -189,7 +189,8 @@ describe('ch06-rocket', () => {
   // The planet fills r < 100 about (400, 400); the rocket stands on top of it, and y points down.
   const rocket = () => {
     const world = createPhysicsWorld({
-      ...{ capacity: 5, integrator: rungeKutta4 },
+      capacity: 5,
+      integrator: rungeKutta4,
       forces: [attractors(), rocketEngines({ frame: 'world' })],
     });
     spawn(world, { position: { x: 400, y: 400 }, attractor: 1e5 });

@@ -170,7 +170,10 @@ test('ch07-lift: k v² across the velocity', () => {
 test('ch07-airplane: rolls as 22.361 tanh(0.22361 t), lifts off at 20 after 6.456 s and 130.47', () => {
   const forces = [uniformGravity({ y: -10 }), thrust(), quadraticDrag(), lift(), planeSupport()];
   const { world, at, going } = single(forces, {
-    ...{ position: { x: 50 }, thrust: { x: 5 }, quadraticDrag: 0.01, lift: 0.025 },
+    position: { x: 50 },
+    thrust: { x: 5 },
+    quadraticDrag: 0.01,
+    lift: 0.025,
   });
   run(world, 5);
   expect(going().x / (22.361 * Math.tanh(0.22361 * 5))).toBeCloseTo(1, 4);

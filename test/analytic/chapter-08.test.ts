@@ -203,7 +203,11 @@ describe('ch08-bungee', () => {
   const jump = (quadratic: number) =>
     hang(
       {
-        ...{ from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, cord: 1 },
+        from: { x: 350, y: 50 },
+        at: { x: 350, y: 50 },
+        stiffness: 25,
+        length: 100,
+        cord: 1,
         body: { mass: 90, quadraticDrag: quadratic },
       },
       [uniformGravity({ y: 20 }), quadraticDrag()],

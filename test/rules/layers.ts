@@ -8,8 +8,16 @@ export const packageImports: Record<string, readonly string[]> = {
   'render-pixi': ['@principia/physics', '@principia/render-core', 'bitecs', 'pixi.js'],
   'render-three': ['@principia/physics', '@principia/render-core', 'bitecs', 'three'],
   shell: [
-    ...['@principia/physics', '@principia/scenes', '@principia/render-core'],
-    ...['@principia/render-pixi', '@principia/render-three', 'bitecs', 'pixi.js', 'three', 'lil-gui', 'uplot'],
+    '@principia/physics',
+    '@principia/scenes',
+    '@principia/render-core',
+    '@principia/render-pixi',
+    '@principia/render-three',
+    'bitecs',
+    'pixi.js',
+    'three',
+    'lil-gui',
+    'uplot',
   ],
 };
 

@@ -70,7 +70,11 @@ export const blackHole = defineScene({
     sky.redraw(count, moving);
     const placeShip = (x: number, y: number) => teleport(world, ship, x, y);
     return {
-      ...{ world, dt, ship, placeShip, isSteep },
+      world,
+      dt,
+      ship,
+      placeShip,
+      isSteep,
       ...(moving > 0 ? { losesEnergy: 'moving holes give energy to the ship and take it' } : {}),
       get holes() {
         return sky.holes;

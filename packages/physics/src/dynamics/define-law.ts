@@ -15,8 +15,18 @@ export type LawFactory<P> =
     : (parameters: ParameterInput<P>) => LawForce;
 
 const KEYS = [
-  ...['name', 'formula', 'source', 'reads', 'parameters', 'dimensions', 'force', 'acceleration', 'torque'],
-  ...['potential', 'prepare', 'consumes'],
+  'name',
+  'formula',
+  'source',
+  'reads',
+  'parameters',
+  'dimensions',
+  'force',
+  'acceleration',
+  'torque',
+  'potential',
+  'prepare',
+  'consumes',
 ];
 
 /**

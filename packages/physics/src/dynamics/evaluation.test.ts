@@ -51,7 +51,10 @@ describe('the length of the step', () => {
   test('is known to a law beside a force that is none, and to an integrator of one’s own', () => {
     const nothing = defineForce({ name: 'nothing', accumulate: () => {} });
     const byHand: Integrator = {
-      ...{ name: 'by hand', order: 1, symplectic: false, evaluations: 1 },
+      name: 'by hand',
+      order: 1,
+      symplectic: false,
+      evaluations: 1,
       advance: (world, spans, dt, evaluateForces) => {
         evaluateForces(world, spans, world.time);
         world.components.Velocity.x[1] += (world.scratch.force.x[1] / 2) * dt;

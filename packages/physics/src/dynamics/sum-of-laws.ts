@@ -60,7 +60,9 @@ export function sumLaws(columns: WorldColumns, laws: readonly LawForce[], at: Ev
 function environmentOf(columns: WorldColumns, owner: LawForce, at: Evaluation, sum: Sum): Environment {
   const { position, velocity, startVelocity, stage, time } = at;
   const vectors = {
-    ...{ position, velocity, startVelocity },
+    position,
+    velocity,
+    startVelocity,
     get force() {
       return totalForce(columns, sum);
     },

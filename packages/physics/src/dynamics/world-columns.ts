@@ -59,7 +59,10 @@ export class WorldColumns {
     const { block, graph } = this;
     const parameters = this.ownerOf(owner);
     return {
-      ...{ dimensions: this.world.dimensions, vectors, time, dt: this.dt },
+      dimensions: this.world.dimensions,
+      vectors,
+      time,
+      dt: this.dt,
       parameter: (parameter: Parameter, index) => {
         const source = parameters.sources[parameters.parameters.indexOf(parameter)];
         if (source.zeros?.[index] === true) return graph.zero;

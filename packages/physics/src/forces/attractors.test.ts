@@ -26,7 +26,10 @@ describe('attractors', () => {
   test('are where they are at the moment that a scheme of one’s own asks for', () => {
     let moment = 0;
     const probe: Integrator = {
-      ...{ name: 'probe', order: 1, symplectic: false, evaluations: 1 },
+      name: 'probe',
+      order: 1,
+      symplectic: false,
+      evaluations: 1,
       advance: (world, spans, _dt, evaluateForces) => evaluateForces(world, spans, world.time + moment),
     };
     const world = createPhysicsWorld({ capacity: 10, forces: [attractors()], integrator: probe });

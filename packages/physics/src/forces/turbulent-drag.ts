@@ -96,8 +96,8 @@ function phaseAt({ phase, frequency }: Mode, time: Scalar): Scalar {
 function cosineOfTurns(turns: Scalar): Scalar {
   const square = turns.sub(turns.round()).square();
   const series = [
-    ...[0.2734560008, -1.71439071109, 7.90353637132, -26.4262567834, 60.2446413719],
-    ...[-85.4568172067, 64.9393940227, -19.7392088022, 1],
+    0.2734560008, -1.71439071109, 7.90353637132, -26.4262567834, 60.2446413719, -85.4568172067, 64.9393940227,
+    -19.7392088022, 1,
   ];
   return series.slice(1).reduce((sum, term) => sum.mul(square).add(term), constant(series[0]));
 }

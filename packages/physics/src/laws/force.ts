@@ -21,7 +21,12 @@ export interface CustomForce {
 export function defineForce(force: CustomForce): Force {
   const { name, equation = '', reads = [], local = true, turns = false, accumulate, prepare, potential } = force;
   return {
-    ...{ name, equation, reads, local, turns, accumulate },
+    name,
+    equation,
+    reads,
+    local,
+    turns,
+    accumulate,
     ...(prepare && { prepare }),
     ...(potential && { potential }),
   };

@@ -39,7 +39,10 @@ export class Graph {
     const known = this.#known.get(key);
     if (known !== undefined) return known;
     const node: Node = {
-      ...{ id: this.#count++, op, args, value },
+      id: this.#count++,
+      op,
+      args,
+      value,
       isMask: MASKS.has(op),
       isUniform: !OF_BODIES.has(op) && args.every((arg) => arg.isUniform),
       scope: scopeOf(

@@ -81,7 +81,11 @@ export function recordLaw(
   }
   const list = Object.values(parameters);
   const law: Law = {
-    ...{ name, dimensions, parameters: list, ...parts, structure: structureOf(list, parts) },
+    name,
+    dimensions,
+    parameters: list,
+    ...parts,
+    structure: structureOf(list, parts),
     names: Object.keys(parameters),
     columns: columnNames(options.reads ?? {}),
   };

@@ -34,7 +34,13 @@ export function table<Field extends string>(
   placeOf: (world: PhysicsWorld) => TablePlace,
 ): TableParameter<Field> {
   return {
-    ...({ kind: 'table', unit: '', bounds: {}, size: 3, overTime: false, byDefault: undefined, fields } as const),
+    kind: 'table',
+    unit: '',
+    bounds: {},
+    size: 3,
+    overTime: false,
+    byDefault: undefined,
+    fields,
     supply(world: PhysicsWorld, into: Float64Array, at: number) {
       const place = placeOf(world);
       into[at] = place.at;

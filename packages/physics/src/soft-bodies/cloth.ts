@@ -58,20 +58,18 @@ export interface Cloth extends Network {
 }
 
 const OPTIONS = [
-  ...[
-    'corner',
-    'columns',
-    'rows',
-    'spacing',
-    'mass',
-    'right',
-    'down',
-    'structural',
-    'shear',
-    'bend',
-    'tethers',
-    'pins',
-  ],
+  'corner',
+  'columns',
+  'rows',
+  'spacing',
+  'mass',
+  'right',
+  'down',
+  'structural',
+  'shear',
+  'bend',
+  'tethers',
+  'pins',
   ...SPRING_OPTIONS,
 ];
 

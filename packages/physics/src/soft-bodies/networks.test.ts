@@ -127,7 +127,12 @@ describe('a rope', () => {
     for (const integrator of [xpbd({ substeps: 4 }), velocityVerlet]) {
       const world = network({ integrator });
       const rope = createRope(world, {
-        ...{ from: {}, to: { y: -280 }, nodes: 15, mass: 150, stiffness: 500, damping: 20 },
+        from: {},
+        to: { y: -280 },
+        nodes: 15,
+        mass: 150,
+        stiffness: 500,
+        damping: 20,
         components: { linearDrag: 20 },
       });
       run(world, 3000, 1 / 30);

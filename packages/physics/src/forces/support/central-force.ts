@@ -58,7 +58,10 @@ export function centralForce<P extends Parameters>(
   const energy = (body: Body, given: object) => law.energy(from(body, given), symbols(given));
   const isOfMass = couplesTo === 'Mass';
   const make = defineLaw({
-    ...{ name, formula, source, parameters: { ...law.parameters, ...CENTRE } as Parameters },
+    name,
+    formula,
+    source,
+    parameters: { ...law.parameters, ...CENTRE } as Parameters,
     reads: { charge: Charge },
     ...(isOfMass ? { acceleration: field } : { force: (body: Body, given) => field(body, given).mul(body.charge) }),
     ...(!moves(options) && {

@@ -61,7 +61,10 @@ export function limitedLaw(force: LawForce, limits: CheckedLimits): LawForce {
   const parameters = [...law.parameters, ...added.parameters];
   const derived: Law = {
     ...law,
-    ...{ name, parameters, ...parts, structure: structureOf(parameters, parts) },
+    name,
+    parameters,
+    ...parts,
+    structure: structureOf(parameters, parts),
     names: [...law.names, ...added.names],
   };
   const { potential: _, ...rest } = force;

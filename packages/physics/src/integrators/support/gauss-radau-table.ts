@@ -63,9 +63,15 @@ function makeRadau(world: PhysicsWorld) {
     ...three(Position),
     ...three(Velocity),
     ...three(force),
-    ...[x, y, z],
-    ...[Mass.value, stride, world.dimensions],
-    ...[weights, reciprocals, powers],
+    x,
+    y,
+    z,
+    Mass.value,
+    stride,
+    world.dimensions,
+    weights,
+    reciprocals,
+    powers,
   ]);
   const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 8 * SCALARS, 'Gauss-Radau'), SCALARS);
   return { table, scalars, kernels: integratorKernels(world) };
