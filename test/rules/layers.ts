@@ -41,7 +41,7 @@ export const physicsLayers: readonly string[] = [
   'world/execution-plan.ts',
   'world/event-handlers.ts',
   'world/profile.ts',
-  'world/run-plan.ts',
+  'world/run-phase.ts',
   'dynamics',
   'forces/support',
   'bodies',

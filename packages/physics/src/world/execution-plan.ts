@@ -1,7 +1,7 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkHas, checkList, isRecord } from '../errors/validate.ts';
-import { PHASES } from './phases.ts';
-import type { Fusion, LocalSystem, PhysicsWorld, Plan, PlannedSystem, System } from './types.ts';
+import { PHASES, type Phase } from './phases.ts';
+import type { Fusion, LocalSystem, PhysicsWorld, Plan, System } from './types.ts';
 
 /** Said of what is no force. */
 export const FORCE_HINT = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';
@@ -88,22 +88,19 @@ function makePlan(world: PhysicsWorld): Plan {
   checkIntegrator(world.integrator, 'world.integrator');
   for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
   const signature: unknown[] = [world.integrator, world.internal.incomplete.unmoved > 0];
-  const systems: PlannedSystem[] = [];
-  for (const phase of PHASES) {
-    for (const system of world.phases[phase]) {
-      signature.push(system);
-      systems.push({ phase, system });
-    }
-    signature.push(phase);
-  }
+  for (const phase of PHASES) signature.push(...world.phases[phase], phase);
   signature.push(...world.forces);
+  const systems = Object.fromEntries(PHASES.map((phase) => [phase, [...world.phases[phase]]])) as Record<
+    Phase,
+    System[]
+  >;
   const { scheme, advance } = world.integrator;
   const isFused = scheme !== undefined && advance === undefined && world.forces.every(({ law }) => law !== undefined);
   return {
     signature,
     systems,
     forcesLocal: world.forces.every(({ local }) => local),
-    fusion: isFused ? fusionOf(systems.map(({ system }) => system)) : undefined,
+    fusion: isFused ? fusionOf(PHASES.flatMap((phase) => systems[phase])) : undefined,
     kept: new Map(),
   };
 }

@@ -173,12 +173,6 @@ export interface Preset {
   readonly bytesPerEntity?: (dimensions: 2 | 3, precision: Precision) => number;
 }
 
-/** A system and the phase that it runs in. */
-export interface PlannedSystem {
-  readonly phase: Phase;
-  readonly system: System;
-}
-
 /** What of a step runs as one loop with the laws and the integrator, because the systems follow each other. */
 export interface Fusion {
   /** The pose is saved, and what was written between the steps is checked. */
@@ -191,7 +185,8 @@ export interface Fusion {
 
 /** What a step does, worked out from the phases and forces; made anew only when those change. */
 export interface Plan {
-  readonly systems: readonly PlannedSystem[];
+  /** The systems of each phase, as they were when the plan was made. */
+  readonly systems: Readonly<Record<Phase, readonly System[]>>;
   readonly signature: readonly unknown[];
   /** No force looks at more than its own body. */
   readonly forcesLocal: boolean;
