@@ -80,8 +80,14 @@ function writePrograms(project) {
  */
 async function compileErrors(project, module, moduleResolution) {
   const compilerOptions = {
-    ...{ strict: true, skipLibCheck: false, noEmit: true, types: [] },
-    ...{ target: 'ES2022', lib: ['ES2022', 'DOM', 'DOM.Iterable'], module, moduleResolution },
+    strict: true,
+    skipLibCheck: false,
+    noEmit: true,
+    target: 'ES2022',
+    lib: ['ES2022', 'DOM', 'DOM.Iterable'],
+    types: [],
+    module,
+    moduleResolution,
   };
   writeFileSync(`${project}/tsconfig.json`, JSON.stringify({ compilerOptions, include: ['*.ts'] }));
   const output = (
@@ -99,10 +105,9 @@ async function compileErrors(project, module, moduleResolution) {
 async function unresolvedImports(project) {
   const imported = packageNames.flatMap(sourcesByImport).map(([name]) => name);
   const contents = imported.map((name) => `export * from '${name}';`).join('');
-  const bundled = { bundle: true, write: false, format: /** @type {const} */ ('esm'), outdir: project };
   const stdin = { contents, resolveDir: project };
   try {
-    await build({ ...bundled, stdin, logLevel: 'silent' });
+    await build({ stdin, bundle: true, format: 'esm', outdir: project, write: false, logLevel: 'silent' });
     return [];
   } catch (error) {
     const { errors } = /** @type {import('esbuild').BuildFailure} */ (error);

@@ -58,10 +58,18 @@ const AXES = ['x', 'y', 'z'];
 function columnsOf({ components, previous }: PhysicsWorld) {
   const { Position, Velocity, Mass, QuadraticDrag, Collider } = components;
   return [
-    ...[Position.x, Position.y, Position.z],
-    ...[Velocity.x, Velocity.y, Velocity.z],
-    ...[previous.Position.x, previous.Position.y, previous.Position.z],
-    ...[Mass.value, QuadraticDrag.coefficient, Collider.radius],
+    Position.x,
+    Position.y,
+    Position.z,
+    Velocity.x,
+    Velocity.y,
+    Velocity.z,
+    previous.Position.x,
+    previous.Position.y,
+    previous.Position.z,
+    Mass.value,
+    QuadraticDrag.coefficient,
+    Collider.radius,
   ];
 }
 

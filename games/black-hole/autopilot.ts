@@ -66,7 +66,10 @@ export class Autopilot {
     const { world, ship } = this.#scene;
     const { Position, Velocity } = world.components;
     Object.assign(this.#craft, {
-      ...{ x: Position.x[ship], y: Position.y[ship], vx: Velocity.x[ship], vy: Velocity.y[ship] },
+      x: Position.x[ship],
+      y: Position.y[ship],
+      vx: Velocity.x[ship],
+      vy: Velocity.y[ship],
     });
     let best = rest(this.#plan.course, this.#since[BEGIN]);
     best.value = this.#judge(best);

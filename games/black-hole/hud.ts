@@ -70,9 +70,16 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
   parent.append(root);
   const find = (selector: string) => root.querySelector(selector) as HTMLElement;
   const parts = {
-    ...{ lives: find('.bh-lives span'), score: find('.bh-score'), level: find('.bh-level span') },
-    ...{ bonus: find('.bh-level small'), fuel: find('.bh-fuel'), fuelText: find('.bh-fuel small') },
-    ...{ bar: find('.bh-fuel b'), speed: find('.bh-speed'), title: find('.bh-call h2'), call: find('.bh-call p') },
+    lives: find('.bh-lives span'),
+    score: find('.bh-score'),
+    level: find('.bh-level span'),
+    bonus: find('.bh-level small'),
+    fuel: find('.bh-fuel'),
+    fuelText: find('.bh-fuel small'),
+    bar: find('.bh-fuel b'),
+    speed: find('.bh-speed'),
+    title: find('.bh-call h2'),
+    call: find('.bh-call p'),
   };
   const icons = [...root.querySelectorAll('.bh-lives i')];
   const toast = find('.bh-toast');

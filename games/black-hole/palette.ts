@@ -16,14 +16,26 @@ export interface Palette {
 }
 
 const USUAL: Palette = {
-  ...{ hull: 0xff4d57, hullShade: 0x9c1634, trail: 0xff8f5c, goal: 0x7dffb0, goalName: 'green', fall: 0xff3b4a },
-  ...{ path: 0x9fd0ff, zone: 0x7fc4ff },
+  hull: 0xff4d57,
+  hullShade: 0x9c1634,
+  trail: 0xff8f5c,
+  goal: 0x7dffb0,
+  goalName: 'green',
+  fall: 0xff3b4a,
+  path: 0x9fd0ff,
+  zone: 0x7fc4ff,
 };
 
 /** Okabe and Ito's: sky blue for the goal and vermillion for a fall differ for every eye; the ship is yellow. */
 const SAFE: Palette = {
-  ...{ hull: 0xf0e442, hullShade: 0xe69f00, trail: 0xe69f00, goal: 0x56b4e9, goalName: 'blue', fall: 0xd55e00 },
-  ...{ path: 0xffffff, zone: 0xcc79a7 },
+  hull: 0xf0e442,
+  hullShade: 0xe69f00,
+  trail: 0xe69f00,
+  goal: 0x56b4e9,
+  goalName: 'blue',
+  fall: 0xd55e00,
+  path: 0xffffff,
+  zone: 0xcc79a7,
 };
 
 export function paletteOf(isSafe: boolean): Palette {

@@ -114,7 +114,13 @@ function createTrail({ world, scene }: BlackHoleGame, color: number): TrailLayer
   return createTrailLayer({
     source: worldSource(world),
     bodies: [scene.ship],
-    ...{ length: 120, interval: 2, thickness: 3.5, color, opacity: 0.6, maxSegment: 30, blendMode: 'add' },
+    length: 120,
+    interval: 2,
+    thickness: 3.5,
+    color,
+    opacity: 0.6,
+    maxSegment: 30,
+    blendMode: 'add',
   });
 }
 

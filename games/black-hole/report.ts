@@ -15,8 +15,22 @@ export function tell(game: BlackHoleGame) {
   const { phase, lives, score, bonus, dodged, prize, fuel, slings, heading, newsCount } = game.rules;
   const { scene, isDemo, isReplay } = game;
   return {
-    ...{ phase, lives, score, bonus, dodged, prize, fuel, slings, heading: heading ?? '', newsCount, isDemo, isReplay },
-    ...{ holes: scene.holes, ship: scene.ship, hash: game.hash(), log: [...game.log.entries] },
+    phase,
+    lives,
+    score,
+    bonus,
+    dodged,
+    prize,
+    fuel,
+    slings,
+    heading: heading ?? '',
+    newsCount,
+    isDemo,
+    isReplay,
+    holes: scene.holes,
+    ship: scene.ship,
+    hash: game.hash(),
+    log: [...game.log.entries],
   };
 }
 

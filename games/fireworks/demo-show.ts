@@ -36,5 +36,11 @@ const rows: readonly (readonly number[])[] = [
 ];
 
 export const DEMO_SHOW: readonly Cue[] = rows.map(([seconds, x, y, z, kind, color, power]) => ({
-  ...{ tick: Math.round(60 * seconds), x, y, z, kind, color, power },
+  tick: Math.round(60 * seconds),
+  x,
+  y,
+  z,
+  kind,
+  color,
+  power,
 }));

@@ -82,7 +82,9 @@ export function createLight2D(renderer: WebGLRenderer): Light2D {
   const passes = [...fades, ...shows, ...blurs.flatMap((chain) => chain.map(({ made }) => made))];
   let now = 0;
   const order: { container: Container; target: RenderTexture; clear: boolean; transform?: Matrix | undefined } = {
-    ...{ container, target: one, clear: true },
+    container,
+    target: one,
+    clear: true,
   };
   const draw = (what: Container, onto: RenderTexture, clear: boolean) => {
     order.container = what;

@@ -55,8 +55,13 @@ export function createLight3D(renderer: WebGLRenderer, camera: Camera): Light3D 
   screen.add(quad);
   const make = (fragment: string, paint: string, uniforms: Record<string, { value: unknown }>) =>
     new RawShaderMaterial({
-      ...{ glslVersion: GLSL3, vertexShader, fragmentShader: fragmentStart + paint + fragment, uniforms },
-      ...{ blending: NoBlending, depthTest: false, depthWrite: false },
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader: fragmentStart + paint + fragment,
+      uniforms,
+      blending: NoBlending,
+      depthTest: false,
+      depthWrite: false,
     });
   const fade = make(FADE, KEPT, { uLast: { value: null }, uFade: { value: 0 }, uLeast: { value: 0.0004 } });
   const blur = make(BLUR, KEPT, { uLight: { value: null }, uStride: { value: new Vector2() } });

@@ -7,9 +7,23 @@ export function tell(sim: FireworksGame, desk: Desk) {
   const { scene, log, fired, refused, isShowing, isDemo, sight, held } = sim;
   const { editor, sound, isEditing, kind, color } = desk;
   return {
-    ...{ hash: sim.hash(), log: [...log.entries], alive: scene.alive, flying: scene.flying, news: scene.news.count },
-    ...{ fired, refused, isShowing, isDemo, sight: { ...sight }, held: [...held.keys()], isEditing, kind, color },
-    ...{ cues: editor.cues, cursor: editor.cursor, chosen: editor.chosen },
+    hash: sim.hash(),
+    log: [...log.entries],
+    alive: scene.alive,
+    flying: scene.flying,
+    news: scene.news.count,
+    fired,
+    refused,
+    isShowing,
+    isDemo,
+    sight: { ...sight },
+    held: [...held.keys()],
+    isEditing,
+    kind,
+    color,
+    cues: editor.cues,
+    cursor: editor.cursor,
+    chosen: editor.chosen,
     sound: { state: sound.state, heard: sound.heard, lastDelay: sound.lastDelay },
   };
 }

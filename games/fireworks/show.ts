@@ -42,8 +42,13 @@ function placesOf({ tick, x, y, z, kind, color, power }: Cue): number[] {
 function cueOf([tick, x, y, z, kind, color, power]: number[]): Cue {
   const { halfWidth, lowest } = FIREWORKS_SKY;
   return {
-    ...{ tick: tick * TENTH, x: x * STEP_X - halfWidth, y: y * STEP_Y + lowest, z: z - MOST_Z },
-    ...{ kind, color, power: power / POWERS },
+    tick: tick * TENTH,
+    x: x * STEP_X - halfWidth,
+    y: y * STEP_Y + lowest,
+    z: z - MOST_Z,
+    kind,
+    color,
+    power: power / POWERS,
   };
 }
 

@@ -119,7 +119,10 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
 
 function createSparks({ world }: FireworksGame, parent: Container): BodyLayer {
   const layer = createBodyLayer({
-    ...{ source: worldSource(world), blendMode: 'add', rotation: false, minimumPixels: 1.1 },
+    source: worldSource(world),
+    blendMode: 'add',
+    rotation: false,
+    minimumPixels: 1.1,
   });
   parent.addChild(layer.container);
   return layer;

@@ -13,6 +13,7 @@ import {
   uniformGravity,
   velocityVerlet,
 } from '@principia/physics';
+import { worldSource } from '@principia/render-core';
 import { addComponent, set } from 'bitecs';
 import { expect, test } from 'vitest';
 import { forceOn, read, run, single } from '../support/laws.ts';
@@ -24,31 +25,40 @@ test('ch04-particle: one step of x += v dt', () => {
   expect(Math.abs(at().y - 3.47)).toBeLessThan(1e-15);
 });
 
-test('ch04-ball, ch04-ball-inherits-particle: a ball is a particle and a shape, whichever way the two come together', () => {
-  const world = createPhysicsWorld({ capacity: 30 });
-  const { Position, Velocity, Mass, Collider, Appearance } = world.components;
-  const radii = [20, ...Array.from({ length: 10 }, (_, i) => 10 + 2 * i)];
-  const whole = radii.map((radius, i) =>
-    spawn(world, {
-      ...{ position: { x: 150 + i, y: 50 }, velocity: {}, mass: 1 },
-      ...{ collider: { radius }, appearance: { size: radius, color: 0xffff0000 } },
-    }),
-  );
-  const parts = radii.map((radius, i) => {
-    const particle = spawn(world, { position: { x: 150 + i, y: 50 }, velocity: {}, mass: 1 });
-    addComponent(world, particle, set(Appearance, { size: radius, color: 0xffff0000 }));
-    addComponent(world, particle, set(Collider, { radius }));
-    return particle;
-  });
-  run(world, 1);
-  expect(whole).toHaveLength(11);
-  for (const component of [Position, Velocity, Mass, Collider, Appearance]) {
-    for (const column of Object.values(component)) {
-      whole.forEach((eid, i) => {
-        expect(column[eid]).toBe(column[parts[i]]);
-      });
+/** A red ball of 20 px at (150, 50) and ten blue ones of 12 to 30 px beside it, all on their way. */
+const ELEVEN_BALLS = Array.from({ length: 11 }, (_, i) => {
+  const radius = i === 0 ? 20 : 10 + 2 * i;
+  return { x: 150 + i, y: 50, radius, color: i === 0 ? 0xffff0000 : 0xff0000ff, velocity: { x: 4 * i, y: -2 } };
+});
+
+test.each([
+  ['ch04-ball: made in one call', true],
+  ['ch04-ball-inherits-particle: a particle that is given a shape', false],
+])('%s, eleven balls are drawn where they are, as large and in the colour they were given', (_, isWhole) => {
+  const world = createPhysicsWorld({ capacity: 12 });
+  for (const { x, y, radius, color, velocity } of ELEVEN_BALLS) {
+    const particle = { position: { x, y }, velocity, mass: 1 };
+    const shape = { collider: { radius }, appearance: { size: radius, color } };
+    if (isWhole) spawn(world, { ...particle, ...shape });
+    else {
+      const eid = spawn(world, particle);
+      const { Appearance, Collider } = world.components;
+      addComponent(world, eid, set(Appearance, shape.appearance));
+      addComponent(world, eid, set(Collider, shape.collider));
     }
   }
+  // A quarter of a second is a binary fraction: the places are exact.
+  step(world, 0.25);
+  const { ids, count, position, radius, size, color } = worldSource(world);
+  expect(count).toBe(11);
+  const drawn = Array.from(ids.subarray(0, count), (id) => [
+    position.x[id],
+    position.y[id],
+    radius[id],
+    size[id],
+    color[id],
+  ]);
+  expect(drawn).toEqual(ELEVEN_BALLS.map((ball, i) => [150 + 2 * i, 49.5, ball.radius, ball.radius, ball.color]));
 });
 
 test('ch04-ball-move: uniform motion with a clock', () => {

@@ -89,37 +89,51 @@ function floatingBall(
   return { forces, body };
 }
 
-const EQUAL = 2 / 3;
-/** Depth at which a sphere of relative density 2/3 floats: ½ + ¼ d (3 - d²) = 2/3. */
-const FLOATS_AT = 0.2261;
-
 test.each([
   ['ch05-floating-ball: rest, bob and plunge', 50, 40, 300, 1.5, 309.043, 5.439, 416.8],
   ['ch07-floating-ball: rest, bob and plunge in shallow units', 10, 20, 100, 1.5, 104.521, 8.6, 153.0],
 ] as const)('%s', (_, gravity, radius, level, density, rest, period, deepest) => {
   const { forces, body } = floatingBall(gravity, radius, level, density, { x: 50, y: 50 });
-  const share = 0.5 + 0.25 * FLOATS_AT * (3 - FLOATS_AT ** 2);
-  expect(share).toBeCloseTo(EQUAL, 3);
-  // At rest the force is zero.
+  // At rest the force is zero: the figure is rounded by 5e-4, which the bob's own stiffness ω² pushes back.
   const resting = single(forces, { ...body, position: { x: 50, y: rest } });
-  expect(Math.abs(forceOn(resting.world, resting.eid).y)).toBeLessThan(1e-4 * gravity);
-  // A small bob.
+  const stiffness = ((2 * Math.PI) / period) ** 2;
+  expect(Math.abs(forceOn(resting.world, resting.eid).y)).toBeLessThan(5e-4 * stiffness);
+  // A small bob: the figure is rounded by 5e-4, and 2 % of the radius lengthens the period by some 0.02²/8 of it.
   const bob = single(forces, { ...body, quadraticDrag: 0, position: { x: 50, y: rest + 0.02 * radius } });
   const [first, second] = crossings(bob.world, () => bob.at().y, rest, 3 * period, 1 / 240);
-  expect(Math.abs((second - first) / period - 1)).toBeLessThan(2e-4);
-  // The first plunge of the thrown ball, by the first-order scheme that its figure comes from and by a better one.
+  expect(Math.abs(second - first - period)).toBeLessThan(5e-4 + (0.02 ** 2 / 8) * period);
+  // The first plunge of the thrown ball: to the digits of the figure by the scheme that it was measured with, and
+  // within the half a per cent that it may be off by an accurate one.
   for (const [integrator, tolerance] of [
-    [positionFirstEuler, 2e-4],
-    [velocityVerlet, 5e-3],
+    [positionFirstEuler, 0.05],
+    [velocityVerlet, 0.005 * deepest],
   ] as const) {
     const thrown = single(forces, { ...body, velocity: { x: 40, y: -20 } }, { integrator });
     let depth = 0;
-    run(thrown.world, 60, 1 / 60, () => {
+    run(thrown.world, 20, 1 / 60, () => {
       depth = Math.max(depth, thrown.at().y);
     });
-    expect(Math.abs(depth / deepest - 1), integrator.name).toBeLessThan(tolerance);
-    if (gravity === 10) expect(thrown.speed()).toBeGreaterThan(0.1);
+    expect(Math.abs(depth - deepest), integrator.name).toBeLessThan(tolerance);
   }
+});
+
+test('ch07-floating-ball: quadratic drag lets the bob fade as 1/t, so that it still bobs after 60 s', () => {
+  const { forces, body } = floatingBall(10, 20, 100, 1.5, { x: 50, y: 50 });
+  const { world, at, going } = single(forces, body, { integrator: rungeKutta4 });
+  const turns: { time: number; amplitude: number }[] = [];
+  let before = going().y;
+  run(world, 120, 1 / 60, () => {
+    const now = going().y;
+    if (before > 0 && now <= 0) turns.push({ time: world.time, amplitude: at().y - 104.521 });
+    before = now;
+  });
+  const late = turns.filter(({ time }) => time > 75);
+  const [first, last] = [late[0], late[late.length - 1]];
+  // The mean power of the drag, f k ω³ A³ 4/3π, against the energy m ω² A²/2: 1/A grows by 4 f k ω/3π m each second.
+  const growth = ((2 / 3) * 0.01 * ((2 * Math.PI) / 8.6) * 4) / (3 * Math.PI);
+  const measured = (1 / last.amplitude - 1 / first.amplitude) / (last.time - first.time);
+  // A bob of A = 6 in a radius of 20 is harmonic to (A/r)²/8 = 1 %.
+  expect(Math.abs(measured / growth - 1)).toBeLessThan(0.01);
 });
 
 test('ch05-fall-drag-analytic: s(10) = 160.270, v(10) = 19.8652', () => {
@@ -135,19 +149,24 @@ test('ch05-fall-drag-analytic: s(10) = 160.270, v(10) = 19.8652', () => {
   }
 });
 
-test('ch05-projectile-energy: 1250 J throughout, and the apex 125 up after 5 s', () => {
+test('ch05-projectile-energy: 1250 J throughout, the apex 125 up after 5 s, and as much of either kind at 62.5', () => {
   const { world, at } = single([uniformGravity({ y: -10 })], { velocity: { y: 50 } }, { integrator: velocityVerlet });
-  let evenly = Number.POSITIVE_INFINITY;
-  run(world, 5, 1 / 60, () => {
+  const even: number[] = [];
+  let before = { surplus: 1250, height: 0 };
+  const watch = () => {
     const { total, kinetic, potential } = energy(world);
-    expect(total).toBeCloseTo(1250, 9);
-    if (Math.abs(kinetic - potential) < evenly) evenly = Math.abs(kinetic - potential);
-  });
-  expect(at().y).toBeCloseTo(125, 9);
-  run(world, 5);
-  expect(energy(world).total).toBeCloseTo(1250, 6);
-  const half = single([uniformGravity({ y: -10 })], { position: { y: 62.5 }, velocity: { y: Math.sqrt(1250) } });
-  expect(energy(half.world).kinetic).toBeCloseTo(energy(half.world).potential, 9);
+    expect(Math.abs(total - 1250)).toBeLessThan(1e-9);
+    const now = { surplus: kinetic - potential, height: at().y };
+    // What is kinetic exceeds what is potential by an amount that is linear in the height: between steps it is exact.
+    const share = before.surplus / (before.surplus - now.surplus);
+    if (before.surplus * now.surplus < 0) even.push(before.height + share * (now.height - before.height));
+    before = now;
+  };
+  run(world, 5, 1 / 60, watch);
+  expect(Math.abs(at().y - 125)).toBeLessThan(1e-9);
+  run(world, 5, 1 / 60, watch);
+  expect(even).toHaveLength(2);
+  for (const height of even) expect(Math.abs(height - 62.5)).toBeLessThan(1e-9);
 });
 
 test('ch05-elastic-1d: equal balls swap velocities at 5.667, 7.8 and 11 s, and keep momentum and energy', () => {
@@ -158,7 +177,9 @@ test('ch05-elastic-1d: equal balls swap velocities at 5.667, 7.8 and 11 s, and k
     [500, -20],
   ].map(([x, speed]) =>
     spawn(world, {
-      ...{ position: { x, y: 200 }, velocity: { x: speed }, mass: 1 },
+      position: { x, y: 200 },
+      velocity: { x: speed },
+      mass: 1,
       collider: { radius: 15, restitution: 1 },
     }),
   );

@@ -172,23 +172,31 @@ describe('damped', () => {
     // Uniform within ±500, drawn 60 times a second: a spectral density of 10⁶/12/60 N² s.
     const noise = randomDrive({ spectralDensity: 1e6 / 12 / 60 });
     const mean = periodicDrive({ cosine: { x: 500 }, angularFrequency: 0 });
+    // Bodies, and times of 8 s after each other, in which a square forgets all but e^(-c t/m) = 2 %.
+    const [count, times] = [2000, 5];
     for (const dt of [1 / 30, 1 / 60]) {
-      const count = 2000;
       const forces = [powerLaw({ strength: -10, exponent: 1 }), linearDrag(), noise, mean];
       const world = createPhysicsWorld({ capacity: count, forces });
       for (let i = 0; i < count; i++) spawn(world, { position: { x: 50 }, velocity: {}, mass: 1, linearDrag: 0.5 });
-      run(world, 25, dt);
-      const x = Array.from(world.components.Position.x.subarray(1, count + 1));
-      const centre = x.reduce((sum, each) => sum + each / count, 0);
-      const rms = Math.sqrt(x.reduce((sum, each) => sum + (each - 50) ** 2 / count, 0));
-      // Of 2000 bodies: the mean is good to 11.8/√2000 = 0.26, the rms to 1.6 %.
-      expect(Math.abs(centre - 50)).toBeLessThan(1);
-      expect(Math.abs(rms / 11.785 - 1)).toBeLessThan(0.06);
+      let [centre, square] = [0, 0];
+      run(world, 8, dt);
+      for (let time = 0; time < times; time++) {
+        run(world, 8, dt);
+        for (const x of world.components.Position.x.subarray(1, count + 1)) {
+          centre += x / (count * times);
+          square += (x - 50) ** 2 / (count * times);
+        }
+      }
+      // Three and a half standard errors: 1/√N of the rms for the mean, 1/√2N for the rms, which the scheme itself may
+      // miss by ω² dt²/4.
+      const standardErrors = 3.5 / Math.sqrt(count * times);
+      expect(Math.abs(centre - 50)).toBeLessThan(11.785 * standardErrors);
+      expect(Math.abs(Math.sqrt(square) / 11.785 - 1)).toBeLessThan(standardErrors / Math.SQRT2 + (10 * dt * dt) / 4);
     }
   });
 });
 
-test('ch08-stickman: a body of 20 and a head of 10 on it balance a fifth of the way up', () => {
+test('a stick figure: a body of 20 and a head of 10 on it balance a fifth of the way up', () => {
   const world = createPhysicsWorld({ capacity: 5 });
   for (const [radius, y] of [
     [20, 0],
@@ -200,14 +208,9 @@ test('ch08-stickman: a body of 20 and a head of 10 on it balance a fifth of the 
 });
 
 describe('ch08-bungee', () => {
+  const CORD = { from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, cord: 1 };
   const jump = (quadratic: number) =>
-    hang(
-      {
-        ...{ from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, cord: 1 },
-        body: { mass: 90, quadraticDrag: quadratic },
-      },
-      [uniformGravity({ y: 20 }), quadraticDrag()],
-    );
+    hang({ ...CORD, body: { mass: 90, quadraticDrag: quadratic } }, [uniformGravity({ y: 20 }), quadraticDrag()]);
 
   test('ch08-bungee: free fall to 63.246 in 3.162 s, lowest at 361.94, or 356.1 with drag; rest at 222', () => {
     const free = jump(0);
@@ -225,12 +228,13 @@ describe('ch08-bungee', () => {
       });
       expect(Math.abs(low / lowest - 1)).toBeLessThan(0.005);
     }
-    const resting = hang(
-      { from: { x: 350, y: 50 }, at: { x: 350, y: 222 }, stiffness: 25, length: 100, cord: 1, body: { mass: 90 } },
-      [uniformGravity({ y: 20 })],
-    );
-    run(resting.world, 1e-3, 1e-3);
-    expect(resting.speed()).toBeLessThan(1e-12);
+    const forces = [uniformGravity({ y: 20 }), linearDrag()];
+    const body = { mass: 90, linearDrag: 90 };
+    const resting = hang({ ...CORD, body }, forces);
+    run(resting.world, 80);
+    // Damped by exp(-t/2), it comes to rest where its steps are less than half an ulp, 1.4e-14: at 60 · 1.4e-14 a
+    // second, the drag of which holds 90/25 of that.
+    expect(Math.abs(resting.at().y - 222)).toBeLessThan((90 / 25) * 60 * 1.4e-14);
   });
 });
 

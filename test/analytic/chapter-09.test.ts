@@ -30,7 +30,7 @@ test('ch09-angular-kinematics: v = ωr = 100, T = 2π/ω, a = ω²r = 200', () =
   expect(at().y).toBeCloseTo(0, 7);
 });
 
-test('ch09-wheel-shape: a rim from 40 to 50 turns with I = m (40² + 50²)/2, a disc less a disc', () => {
+test('a rim from 40 to 50 turns with I = m (40² + 50²)/2, a disc less a disc', () => {
   const [outer, inner] = [50, 40].map((radius) => ({ mass: discMass(1, radius), radius }));
   const inertia = discInertia(outer.mass, outer.radius) - discInertia(inner.mass, inner.radius);
   const mass = outer.mass - inner.mass;

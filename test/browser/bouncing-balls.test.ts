@@ -214,8 +214,13 @@ describe('holding and throwing', () => {
     const start = Date.now() / 1000;
     const mouse = (type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', frame: number, dx: number, dy: number) =>
       client.send('Input.dispatchMouseEvent', {
-        ...{ type, x: from.x + dx, y: from.y + dy, timestamp: start + frame / 100 },
-        ...{ button: 'left' as const, buttons: 1, clickCount: 1 },
+        type,
+        x: from.x + dx,
+        y: from.y + dy,
+        timestamp: start + frame / 100,
+        button: 'left' as const,
+        buttons: 1,
+        clickCount: 1,
       });
     await mouse('mousePressed', 0, 0, 0);
     for (let i = 1; i <= 20; i++) await mouse('mouseMoved', i, 5 * i, 3 * i);

@@ -4,7 +4,7 @@ import { type Force, formulasOf } from '@principia/physics';
 import { LAW_RECORDS, makeLaw } from '../support/law-records.ts';
 
 const source = 'packages/physics/src';
-const folders = ['forces', 'n-body', 'networks'];
+const folders = ['forces', 'n-body', 'soft-bodies'];
 
 /** What makes forces of forces, or forces of your own. */
 const NOT_LAWS = [

@@ -27,9 +27,9 @@ const heap = () => getHeapStatistics().used_heap_size;
 /** Bodies in a bowl; planets about a star for the scheme that knows nothing else. No force looks at the time. */
 function build(name: string): PhysicsWorld {
   const forces = name === 'wisdomHolman' ? [mutualGravity({ G: 1 })] : [powerLaw({ strength: -1, exponent: 1 })];
-  const world = createPhysicsWorld({ dimensions: 3, capacity: 40, integrator: integratorOf(name), forces });
+  const world = createPhysicsWorld({ dimensions: 3, capacity: 110, integrator: integratorOf(name), forces });
   spawn(world, { position: {}, velocity: {}, mass: 1 });
-  for (let i = 1; i < 20; i++) {
+  for (let i = 1; i < 100; i++) {
     const r = 1 + i;
     spawn(world, { position: { x: r }, velocity: { y: 1 / Math.sqrt(r), z: 1e-3 }, mass: 1e-6, charge: 1e-3 });
   }

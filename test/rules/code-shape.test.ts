@@ -5,7 +5,7 @@ const longestFile = 400;
 const longestFunction = 70;
 
 const codeFiles = projectFiles.filter((path) => /^(packages|games|bench|scripts)\/.*\.(ts|mjs|js)$/.test(path));
-const librarySources = typescriptFiles.filter((path) => /^packages\/[^/]+\/src\//.test(path) && !isTest(path));
+const sources = typescriptFiles.filter((path) => /^packages\/[^/]+\/src\//.test(path) && !isTest(path));
 
 test(`no file is longer than ${longestFile} lines`, () => {
   const violations = codeFiles
@@ -16,7 +16,7 @@ test(`no file is longer than ${longestFile} lines`, () => {
 });
 
 test(`no function is longer than ${longestFunction} lines`, () => {
-  const violations = librarySources.flatMap((path) => {
+  const violations = sources.flatMap((path) => {
     const { text, tree } = parse(path);
     const found: string[] = [];
     walk(tree, (node, parent) => {
@@ -28,6 +28,20 @@ test(`no function is longer than ${longestFunction} lines`, () => {
     return found;
   });
   expectNone('A long function is several steps; give each a name:', violations);
+});
+
+test('no literal is spread into another', () => {
+  const violations = typescriptFiles.flatMap((path) => {
+    const { text, tree } = parse(path);
+    const found: string[] = [];
+    walk(tree, (node) => {
+      const spread = node.type === 'SpreadElement' ? (node.argument as Node) : undefined;
+      if (!/^(Object|Array)Expression$/.test(spread?.type ?? '')) return;
+      found.push(`${path}:${lineOf(text, node.start)}`);
+    });
+    return found;
+  });
+  expectNone('`...{ a, b }` only makes the formatter put a and b on one line; write them out:', violations);
 });
 
 test('files and folders have kebab-case names', () => {

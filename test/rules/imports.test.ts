@@ -57,6 +57,15 @@ test('nothing inside a package imports its index.ts', () => {
   expectNone('index.ts is for users of the package; import the file that defines the thing:', violations);
 });
 
+test('relative imports carry their extension', () => {
+  const violations = typescriptFiles
+    .filter((path) => !/(^|\/)kernels\//.test(path) || isTest(path) || path.startsWith('packages/physics/src/'))
+    .flatMap((path) => importsOf(path).map((item) => ({ path, ...item })))
+    .filter(({ source }) => /^\.{1,2}\//.test(source) && !/\.(ts|mjs|js|json)$/.test(source))
+    .map(({ path, source, line }) => `${path}:${line} imports ${source}`);
+  expectNone('Node and strict resolvers find `./name.ts`, not `./name`:', violations);
+});
+
 test('no import cycles, types included', () => {
   const graph = new Map<string, string[]>();
   for (const path of librarySources) {

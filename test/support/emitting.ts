@@ -1,5 +1,6 @@
-import { createEmitter, type Emitter } from '../../packages/physics/src/emitters/emitter.ts';
+import { createEmitter } from '../../packages/physics/src/emitters/emitter.ts';
 import type { EmitterOptions } from '../../packages/physics/src/emitters/options.ts';
+import type { Emitter } from '../../packages/physics/src/emitters/types.ts';
 import {
   createPhysicsWorld,
   PhysicsError,

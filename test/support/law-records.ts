@@ -26,12 +26,7 @@ const triangle = [
 ];
 /** Ids of `lawWorld`: its bodies are made in this order. */
 const [SOURCE, SUBJECT, SECOND, THIRD, FOURTH] = [1, 2, 3, 4, 5];
-const TETRAHEDRON = [
-  ...[SUBJECT, SECOND, FOURTH],
-  ...[SUBJECT, THIRD, SECOND],
-  ...[SUBJECT, FOURTH, THIRD],
-  ...[SECOND, THIRD, FOURTH],
-];
+const TETRAHEDRON = [SUBJECT, SECOND, FOURTH, SUBJECT, THIRD, SECOND, SUBJECT, FOURTH, THIRD, SECOND, THIRD, FOURTH];
 
 /** U = x² y + y² + z² per kilogram, and minus its gradient. */
 function saddle(x: number, y: number, z: number, _time: number, out: { x: number; y: number; z: number }): void {
@@ -104,8 +99,11 @@ export const LAW_RECORDS: readonly LawRecord[] = [
   law('planeSupport', { point: {}, normal: { x: 1, y: 3 }, kineticFriction: 0.1, staticFriction: 0.2, gap: 100 }),
   {
     ...law('enclosedGas', {
-      ...{ faces: [SUBJECT, SECOND, SECOND, THIRD, THIRD, SUBJECT], corners: 2 },
-      ...{ amount: 3, ambient: 0.5, reference: 1 },
+      faces: [SUBJECT, SECOND, SECOND, THIRD, THIRD, SUBJECT],
+      corners: 2,
+      amount: 3,
+      ambient: 0.5,
+      reference: 1,
     }),
     title: 'enclosedGas in a ring',
     dimensions: 2,

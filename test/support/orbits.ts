@@ -48,7 +48,8 @@ export function measureOrbit(
   }
   const [first, second] = minima;
   return {
-    ...{ near, far },
+    near,
+    far,
     period: minima.length > 1 ? second.time - first.time : Number.NaN,
     angle: minima.length > 1 ? second.angle - first.angle : Number.NaN,
   };

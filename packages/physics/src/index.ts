@@ -25,20 +25,19 @@ export { MAX_SPEED } from './components/velocity.ts';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy.ts';
 export { stateHash } from './diagnostics/hash.ts';
 export { defineLaw, type LawFactory } from './dynamics/define-law.ts';
-export { type EvaluateForces, evaluateForces } from './dynamics/evaluate-forces.ts';
+export { evaluateForces } from './dynamics/evaluate-forces.ts';
 export { explain } from './dynamics/explain.ts';
 export { lawFromPotential, type PotentialOptions } from './dynamics/law-from-potential.ts';
 export { begin, checkFinite } from './dynamics/validate-state.ts';
 export { type EntityRef, entityRef, isAlive, isBody, resolve } from './ecs/entity-ref.ts';
 export { columnsOf } from './ecs/own-components.ts';
-export { type BodyList, bodies, type Spans } from './ecs/ranges.ts';
+export { type BodyList, bodies } from './ecs/ranges.ts';
 export {
   aliveCount,
   type BurstOptions,
   burst,
   createEmitter,
   destroyEmitter,
-  type Emitter,
   type EmitterCounts,
   type Endings,
   emitterCounts,
@@ -49,6 +48,7 @@ export {
 } from './emitters/emitter.ts';
 export type { EmitterOptions, EmitterParameters, Range } from './emitters/options.ts';
 export { type BurstPattern, createPattern } from './emitters/pattern.ts';
+export type { Emitter } from './emitters/types.ts';
 export { clearFaults, type Fault, type FaultLog } from './errors/fault-log.ts';
 export { type FaultCode, type FaultDetails, PhysicsError } from './errors/physics-error.ts';
 export type { Vector, VectorInput } from './errors/validate.ts';
@@ -89,11 +89,12 @@ export { type CorrelatedGustOptions, correlatedGusts } from './forces/support/co
 export type { Pool } from './forces/support/fluid-volume.ts';
 export { replaceForce } from './forces/support/replace-force.ts';
 export type { Limits, Region } from './forces/support/restrictions.ts';
+export { STANDARD_GRAVITY } from './forces/support/standard-gravity.ts';
 export { type GustOptions, gusts, type Wind } from './forces/support/wind.ts';
 export { type ThrustOptions, thrust } from './forces/thrust.ts';
 export { angularDrag, constantTorque } from './forces/torque.ts';
 export { type TurbulenceOptions, turbulentDrag } from './forces/turbulent-drag.ts';
-export { STANDARD_GRAVITY, uniformGravity } from './forces/uniform-gravity.ts';
+export { uniformGravity } from './forces/uniform-gravity.ts';
 export { type UniformSphereOptions, uniformSphereGravity } from './forces/uniform-sphere-gravity.ts';
 export { type VortexOptions, vortex } from './forces/vortex.ts';
 export { type YukawaOptions, yukawa } from './forces/yukawa.ts';
@@ -117,7 +118,6 @@ export { positionVerlet } from './integrators/position-verlet.ts';
 export { rungeKutta4 } from './integrators/runge-kutta-4.ts';
 export { semiImplicitEuler } from './integrators/semi-implicit-euler.ts';
 export { defineIntegrator } from './integrators/support/define-integrator.ts';
-export type { Integrator } from './integrators/support/integrator.ts';
 export { INTEGRATORS, type IntegratorName, type IntegratorRecord } from './integrators/support/integrator-list.ts';
 export { velocityVerlet } from './integrators/velocity-verlet.ts';
 export { type WisdomHolmanOptions, wisdomHolman } from './integrators/wisdom-holman.ts';
@@ -134,9 +134,9 @@ export {
   type Vector as VectorSymbol,
   vec3,
 } from './laws/expression.ts';
-export { type CustomForce, defineForce, type Force, type ForceParameter } from './laws/force.ts';
+export { type CustomForce, defineForce } from './laws/force.ts';
 export { formulasOf } from './laws/formula.ts';
-export type { Law, LawOptions } from './laws/law.ts';
+export type { LawOptions } from './laws/law.ts';
 export { axialVector, axialVectorOverTime, scalar, vector, vectorOverTime } from './laws/parameter.ts';
 export type { Kick, SchemeFunction, SchemeResult, SchemeState } from './laws/scheme.ts';
 export { type TablePlace, table } from './laws/table.ts';
@@ -167,7 +167,6 @@ export {
 export { planeWalls } from './particle-contacts/plane-walls.ts';
 export { segmentWalls } from './particle-contacts/segment-walls.ts';
 export { colliding } from './presets/particle-contacts.ts';
-export type { Preset } from './presets/preset.ts';
 export { standard } from './presets/standard.ts';
 export { bodyAt, type PickOptions } from './queries/pick.ts';
 export { keepState } from './snapshot/keep-state.ts';
@@ -179,20 +178,31 @@ export type { Network, SpringOptions } from './soft-bodies/network.ts';
 export { movePin, pin, unpin } from './soft-bodies/pins.ts';
 export { createRope, type RopeOptions } from './soft-bodies/rope.ts';
 export { createSoftBody, type SoftBody, type SoftBodyOptions } from './soft-bodies/soft-body.ts';
-export { createPhysicsWorld, destroyWorld, type PhysicsWorld, type PhysicsWorldOptions } from './world/create-world.ts';
+export { createPhysicsWorld, destroyWorld, type PhysicsWorldOptions } from './world/create-world.ts';
 export { type EventMap, type EventName, type Handler, on } from './world/event-handlers.ts';
 export {
-  type GlobalSystem,
-  type LocalSystem,
-  localSystem,
   PHASES,
   type Phase,
-  type Phases,
-  type System,
 } from './world/phases.ts';
-export { type Profile, resetProfile, startProfile, stopProfile } from './world/profile.ts';
+export { resetProfile, startProfile, stopProfile } from './world/profile.ts';
 export { createRunner, type Runner, type RunnerOptions } from './world/runner.ts';
 export { step } from './world/step.ts';
+export { localSystem } from './world/systems.ts';
+export type {
+  EvaluateForces,
+  Force,
+  ForceParameter,
+  GlobalSystem,
+  Integrator,
+  Law,
+  LocalSystem,
+  Phases,
+  PhysicsWorld,
+  Preset,
+  Profile,
+  Spans,
+  System,
+} from './world/types.ts';
 export { type BrokenSprings, breakSprings, brokenSprings } from './xpbd/breaking.ts';
 export { largestStretch, rmsStretch } from './xpbd/stretch.ts';
 export { type XpbdOptions, xpbd } from './xpbd/xpbd.ts';

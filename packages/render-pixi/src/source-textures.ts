@@ -180,10 +180,7 @@ export class SourceTextures {
   }
 
   #reals(): RealTexture[] {
-    return [
-      ...[this.x, this.y, this.previousX, this.previousY],
-      ...[this.angle, this.previousAngle, this.radius, this.size],
-    ];
+    return [this.x, this.y, this.previousX, this.previousY, this.angle, this.previousAngle, this.radius, this.size];
   }
 }
 

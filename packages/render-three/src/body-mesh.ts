@@ -1,16 +1,7 @@
 import type { BodySource } from '@principia/render-core';
-import {
-  type BufferGeometry,
-  type ColorRepresentation,
-  Group,
-  type Intersection,
-  type Material,
-  Mesh,
-  type Object3D,
-  type Raycaster,
-  type WebGLRenderer,
-} from 'three';
+import { Group, type Intersection, Mesh, type Object3D, type Raycaster, type WebGLRenderer } from 'three';
 import { colorBytes } from './body-color.ts';
+import type { BodyMeshOptions, BodyPass } from './body-pass.ts';
 import { pickBody } from './body-picker.ts';
 import { BodyTextures } from './body-textures.ts';
 import {
@@ -22,32 +13,6 @@ import {
 import { createInstancedPasses } from './instanced-passes.ts';
 import { QuadGeometry } from './quad-geometry.ts';
 import { TargetPixels } from './target-pixels.ts';
-
-/** What `createBodyMesh` may be told. */
-export interface BodyMeshOptions {
-  source: BodySource;
-  /** Colour of bodies whose colour is zero; default a light blue. */
-  defaultColor?: ColorRepresentation;
-  /**
-   * Any mesh material of three, used for these bodies alone: it is rewritten to read the columns. Left out, impostors
-   * are lit by a light that moves with the camera, and meshes are a `MeshStandardMaterial`.
-   */
-  material?: Material;
-  /**
-   * `impostor`: exact balls and boxes worked out for each pixel, the cheapest for many bodies. `mesh`: instances of
-   * triangles, which can wear texture maps and any `geometry`. Default `impostor`, or `mesh` where `segments` or
-   * `geometry` is given.
-   */
-  form?: 'impostor' | 'mesh';
-  /** Segments around a ball in `mesh` form, at least 3; default 16. */
-  segments?: number;
-  /** Geometry that all bodies have instead of balls and boxes, in units of the drawn radius; makes the form `mesh`. */
-  geometry?: BufferGeometry;
-  /** Smallest drawn radius in device pixels, so that far bodies neither vanish nor flicker; default 0.75. Impostors only. */
-  minPixelRadius?: number;
-  castShadow?: boolean;
-  receiveShadow?: boolean;
-}
 
 /** Bodies as one object of a scene. */
 export interface BodyMesh {
@@ -65,16 +30,6 @@ export interface BodyMesh {
    */
   setOrigin(x: number, y: number, z: number): void;
   /** Frees textures, geometries and materials; remove `object` from the scene yourself. */
-  destroy(): void;
-}
-
-/** One mesh and whether any body needs it. */
-export interface BodyPass {
-  readonly mesh: Mesh;
-  /** Version of the membership it was last told about. */
-  membership: number;
-  isNeeded(): boolean;
-  setCount(count: number): void;
   destroy(): void;
 }
 

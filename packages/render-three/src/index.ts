@@ -1,5 +1,6 @@
 export { type BodyDragging, type BodyDraggingOptions, listenToBodyDragging } from './body-dragging.ts';
-export { type BodyMesh, type BodyMeshOptions, createBodyMesh } from './body-mesh.ts';
+export { type BodyMesh, createBodyMesh } from './body-mesh.ts';
+export type { BodyMeshOptions } from './body-pass.ts';
 export { type PickOptions, pickBody } from './body-picker.ts';
 export { type BoxFrame, createBoxFrame } from './box-frame.ts';
 export { createOrbitCamera, type OrbitCamera, type OrbitCameraOptions } from './orbit-camera.ts';

@@ -12,7 +12,7 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three';
-import type { BodyMeshOptions, BodyPass } from './body-mesh.ts';
+import type { BodyMeshOptions, BodyPass } from './body-pass.ts';
 import type { BodyTextures } from './body-textures.ts';
 import { createMeshShadowMaterials, drawnShapes, patchMeshMaterial } from './mesh-material.ts';
 

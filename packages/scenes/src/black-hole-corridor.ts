@@ -1,3 +1,5 @@
+import type { Hole } from './black-hole-types.ts';
+
 // Whether a layout of holes can be flown through, judged on a grid.
 //
 // A cell is open if it keeps clear of every hole by most of the hole's radius, so that the escape speed from any one
@@ -9,7 +11,6 @@
 //
 // A cell where that would be negative is beyond the ship's strength. The shortest way has the least thrust to spend, so
 // the judgement errs on the safe side.
-import type { Hole } from './black-hole-layout.ts';
 
 /** What the search has to know of the stage. */
 export interface CorridorStage {

@@ -6,6 +6,7 @@
 // a ship can travel on its own thrust. Layouts without one are drawn again.
 import { cos, type Random, sin } from '@principia/physics';
 import { findCorridor } from './black-hole-corridor.ts';
+import type { Hole } from './black-hole-types.ts';
 
 /** The stage and its laws. */
 export const BLACK_HOLE = {
@@ -25,21 +26,6 @@ export const BLACK_HOLE = {
   /** Most holes of a layout. */
   most: 40,
 } as const;
-
-/** A hole, and the circle its centre runs on if it moves. */
-export interface Hole {
-  /** Centre of the hole, or of its circle. */
-  readonly x: number;
-  readonly y: number;
-  /** Radius of the horizon. */
-  readonly radius: number;
-  /** Radius of the circle; zero for a hole that rests. */
-  readonly orbit: number;
-  /** Angular velocity on the circle, rad/s; positive turns left. */
-  readonly rate: number;
-  /** Angle on the circle at time zero. */
-  readonly phase: number;
-}
 
 /** Gravitational parameter of a hole whose horizon has this radius, m³/s². */
 export function holeMu(radius: number): number {

@@ -2,7 +2,8 @@ import { createRandom } from '@principia/physics';
 import { expect, test } from 'vitest';
 import { blackHole } from './black-hole.ts';
 import { findCorridor, isClear } from './black-hole-corridor.ts';
-import { BLACK_HOLE, drawHoles, type Hole, holeMu } from './black-hole-layout.ts';
+import { BLACK_HOLE, drawHoles, holeMu } from './black-hole-layout.ts';
+import type { Hole } from './black-hole-types.ts';
 
 const resting = { orbit: 0, rate: 0, phase: 0 };
 

@@ -13,7 +13,8 @@ import {
   thrust,
   velocityVerlet,
 } from '@principia/physics';
-import { BLACK_HOLE, drawHoles, type Hole, holeMu, holePlace } from './black-hole-layout.ts';
+import { BLACK_HOLE, drawHoles, holeMu, holePlace } from './black-hole-layout.ts';
+import type { Hole } from './black-hole-types.ts';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
 
 /** A ship among black holes. */
@@ -69,7 +70,11 @@ export const blackHole = defineScene({
     sky.redraw(count, moving);
     const placeShip = (x: number, y: number) => teleport(world, ship, x, y);
     return {
-      ...{ world, dt, ship, placeShip, isSteep },
+      world,
+      dt,
+      ship,
+      placeShip,
+      isSteep,
       ...(moving > 0 ? { losesEnergy: 'moving holes give energy to the ship and take it' } : {}),
       get holes() {
         return sky.holes;

@@ -35,13 +35,21 @@ export const cloth = defineScene({
     const columns = Math.max(2, Math.floor(Math.sqrt(count)));
     const rows = Math.max(2, Math.floor(count / columns));
     const world = createPhysicsWorld({
-      ...{ dimensions, precision, seed },
+      dimensions,
+      precision,
+      seed,
       capacity: 8 * columns * rows,
       integrator: xpbd({ substeps, iterations }),
       forces: [uniformGravity(), linearDrag(), springs()],
     });
     const sheet = createCloth(world, {
-      ...{ corner: {}, columns, rows, spacing: SIZE / columns, mass, shear, bend },
+      corner: {},
+      columns,
+      rows,
+      spacing: SIZE / columns,
+      mass,
+      shear,
+      bend,
       components: { linearDrag: (drag * mass) / (columns * rows) },
     });
     shake(world, sheet.nodes, 0.02, seed);

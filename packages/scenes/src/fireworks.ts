@@ -73,7 +73,11 @@ export const fireworks = defineScene({
     const { count, shells } = parameters;
     const room = roomFor(count, shells);
     const world = createPhysicsWorld({
-      ...{ dimensions, precision, seed, capacity: room.bodies, arenaBytes: room.bytes },
+      dimensions,
+      precision,
+      seed,
+      capacity: room.bodies,
+      arenaBytes: room.bytes,
       integrator: boris({ field: { z: FIELD } }),
       forces: [
         uniformGravity({ y: -GRAVITY }),
@@ -86,7 +90,8 @@ export const fireworks = defineScene({
     // In a cell, which snapshots copy without garbage.
     const blowing = new Float64Array([parameters.wind]);
     const air = {
-      ...{ drag: SHELL_DRAG, gravity: GRAVITY },
+      drag: SHELL_DRAG,
+      gravity: GRAVITY,
       get wind() {
         return blowing[0];
       },
@@ -103,7 +108,10 @@ export const fireworks = defineScene({
       barrage?.run();
     });
     return {
-      ...{ world, dt: DT, news, losesEnergy: 'sparks are born and end' },
+      world,
+      dt: DT,
+      news,
+      losesEnergy: 'sparks are born and end',
       get alive() {
         return (show?.stars.alive ?? 0) + (barrage?.alive ?? 0);
       },
@@ -214,8 +222,14 @@ class Barrage {
     );
     // The first sparks are as if they had been born over a whole life: the number is steady from the first step.
     this.#emitter = createEmitter(world, {
-      ...{ capacity: barrageCapacity(count), lifetime: [1e-6, BARRAGE_LIFE], speed: 0, mass: STAR_MASS },
-      ...{ size: [0.16, 0.2, 0.15, 0.05], shape: GLOW, color: rampsOf(STAR_RGB), whenFull: 'oldest' },
+      capacity: barrageCapacity(count),
+      lifetime: [1e-6, BARRAGE_LIFE],
+      speed: 0,
+      mass: STAR_MASS,
+      size: [0.16, 0.2, 0.15, 0.05],
+      shape: GLOW,
+      color: rampsOf(STAR_RGB),
+      whenFull: 'oldest',
       quadraticDrag: 0.08 * STAR_MASS,
     });
     this.#order = { position: this.#place, ramp: 0, pattern: this.#patterns[0], scale: 1 };

@@ -2,7 +2,8 @@
 export { attractors } from './attractors.ts';
 export { type BlackHole, blackHole } from './black-hole.ts';
 export { findCorridor, isClear } from './black-hole-corridor.ts';
-export { BLACK_HOLE, drawHoles, type Hole, holeMu, holePlace } from './black-hole-layout.ts';
+export { BLACK_HOLE, drawHoles, holeMu, holePlace } from './black-hole-layout.ts';
+export type { Hole } from './black-hole-types.ts';
 export { type BouncingBalls, ballDrag, bouncingBalls } from './bouncing-balls.ts';
 export type { BoxedRun } from './boxed-run.ts';
 export { circles } from './circles.ts';

@@ -26,13 +26,20 @@ export const rope = defineScene({
   build({ dimensions, precision, seed, parameters }) {
     const { count, mass, drag, push, substeps, iterations } = parameters;
     const world = createPhysicsWorld({
-      ...{ dimensions, precision, seed },
+      dimensions,
+      precision,
+      seed,
       capacity: 4 * count,
       integrator: xpbd({ substeps, iterations }),
       forces: [uniformGravity(), linearDrag(), springs()],
     });
     const { nodes } = createRope(world, {
-      ...{ from: {}, to: { x: GAP }, length: LENGTH, nodes: count, mass, pins: 'both' },
+      from: {},
+      to: { x: GAP },
+      length: LENGTH,
+      nodes: count,
+      mass,
+      pins: 'both',
       components: { linearDrag: (drag * mass) / count },
     });
     const { y } = world.components.Position;

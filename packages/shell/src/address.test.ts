@@ -10,13 +10,21 @@ const read = (query: string) => readAddress(query, settings, ['pixi', 'three']);
 
 it('has the initial values when nothing is asked for', () => {
   expect(read('')).toEqual({
-    ...{ values: { count: 5, trails: false }, seed: 1, renderer: 'pixi', manual: false, problems: [] },
+    values: { count: 5, trails: false },
+    seed: 1,
+    renderer: 'pixi',
+    manual: false,
+    problems: [],
   });
 });
 
 it('takes what it can take', () => {
   expect(read('?seed=7&count=20&trails&renderer=three&manual')).toEqual({
-    ...{ values: { count: 20, trails: true }, seed: 7, renderer: 'three', manual: true, problems: [] },
+    values: { count: 20, trails: true },
+    seed: 7,
+    renderer: 'three',
+    manual: true,
+    problems: [],
   });
 });
 

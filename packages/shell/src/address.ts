@@ -13,8 +13,13 @@ export interface Address<S extends Settings> {
 }
 
 const SEED: NumberSetting = {
-  ...{ kind: 'number', label: 'Seed', unit: '', initial: 1 },
-  ...{ min: 0, max: 2 ** 32 - 1, integer: true },
+  kind: 'number',
+  label: 'Seed',
+  unit: '',
+  initial: 1,
+  min: 0,
+  max: 2 ** 32 - 1,
+  integer: true,
 };
 
 /**

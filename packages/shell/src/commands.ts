@@ -59,7 +59,8 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
   const help: (readonly [string, string])[] = [];
   const again: Command = { keys: ['z'], shown: 'Z', what: 'watch this game from its beginning', press: actions.replay };
   const all = [
-    ...[...settingCommands(game.settings, actions), ...rendererCommands(game, actions)],
+    ...settingCommands(game.settings, actions),
+    ...rendererCommands(game, actions),
     ...(game.replay === undefined ? [] : [again]),
     ...common(actions),
   ];
@@ -110,8 +111,11 @@ function common(actions: Actions): Command[] {
     { keys: ['.', 'arrowright'], shown: '. or →', what: 'one step', press: step },
     { keys: [','], shown: ',', what: 'one moment back', press: stepBack },
     {
-      ...{ keys: ['backspace', 'b'], shown: 'B, held', what: 'back in time, the last twenty seconds' },
-      ...{ press: () => rewind(true), release: () => rewind(false) },
+      keys: ['backspace', 'b'],
+      shown: 'B, held',
+      what: 'back in time, the last twenty seconds',
+      press: () => rewind(true),
+      release: () => rewind(false),
     },
     { keys: ['s'], shown: 'S', what: 'slow motion', press: slow },
     { keys: ['r'], shown: 'R', what: 'start again', press: reset },

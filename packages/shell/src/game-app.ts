@@ -108,7 +108,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const { createSide } = await import('./side.ts');
     const session = this.#session;
     this.#side = createSide(this.#layout.side, {
-      ...{ settings: this.#game.settings, values: session.values, actions: this.#actions },
+      settings: this.#game.settings,
+      values: session.values,
+      actions: this.#actions,
       set: (name, value) => this.#guard(() => this.#set(name, value)),
       world: () => (session.started ? session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
@@ -364,12 +366,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       renderers: Object.keys(this.#game.renderers),
       state: () => ({
         ...sessionState(session),
-        ...{ calm: this.#preferences.calm, filming: this.#recorder.filming },
-        ...{
-          ready: this.#views.view !== undefined && this.#side !== undefined,
-          renderer: this.#renderer,
-          banner: this.#banner.text,
-        },
+        calm: this.#preferences.calm,
+        filming: this.#recorder.filming,
+        ready: this.#views.view !== undefined && this.#side !== undefined,
+        renderer: this.#renderer,
+        banner: this.#banner.text,
         timing: { ...this.#timing },
         game: this.#game.tell?.(session.sim) ?? {},
       }),

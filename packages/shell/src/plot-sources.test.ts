@@ -43,6 +43,8 @@ it('reads any column: of one body, or the range of all', () => {
 
 it('offers the columns that hold anything', () => {
   expect(columnsInUse(world()).map(({ component, field }) => `${component}.${field}`)).toEqual([
-    ...['Position.x', 'Velocity.y', 'Mass.value'],
+    'Position.x',
+    'Velocity.y',
+    'Mass.value',
   ]);
 });

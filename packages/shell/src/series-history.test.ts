@@ -41,7 +41,10 @@ it('writes numbers short', () => {
   const joules = [0, 0.0123, 5, 1234, 56_789_000, -2e-9, 1000, 3e15].map((value) => siNumber(value, 'J'));
   expect(joules).toEqual(['0 J', '12.3 mJ', '5 J', '1.23 kJ', '56.8 MJ', '-2 nJ', '1 kJ', '3000 TJ']);
   expect([0, 1234, 2e6, 1e-5].map((value) => siNumber(value, 'kg m/s'))).toEqual([
-    ...['0 kg m/s', '1230 kg m/s', '2.0e6 kg m/s', '1.0e-5 kg m/s'],
+    '0 kg m/s',
+    '1230 kg m/s',
+    '2.0e6 kg m/s',
+    '1.0e-5 kg m/s',
   ]);
   expect(siNumber(0.5, '')).toBe('0.5');
 });

@@ -8,7 +8,10 @@ const shape = { kind: 'choice', label: 'Shape', initial: 'ball', choices: { Ball
 
 it('starts with the initial values, the limits being those of the panel', () => {
   expect(initialValues({ count, gravity, trails, shape })).toEqual({
-    ...{ count: 5, gravity: 9.8, trails: false, shape: 'ball' },
+    count: 5,
+    gravity: 9.8,
+    trails: false,
+    shape: 'ball',
   });
   expect(gravity.max).toBe(20);
 });

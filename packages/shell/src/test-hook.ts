@@ -83,7 +83,14 @@ export function bodyState<S extends Settings, Sim extends Simulation>(
   const { Position, Velocity, Collider } = world.components;
   const [x, y, z] = [Position.x[id], Position.y[id], Position.z[id]];
   return {
-    ...{ id, x, y, z, vx: Velocity.x[id], vy: Velocity.y[id], vz: Velocity.z[id], radius: Collider.radius[id] },
+    id,
+    x,
+    y,
+    z,
+    vx: Velocity.x[id],
+    vy: Velocity.y[id],
+    vz: Velocity.z[id],
+    radius: Collider.radius[id],
     screen: view?.toScreen(x, y, z),
   };
 }
@@ -93,18 +100,16 @@ export function sessionState<S extends Settings, Sim extends Simulation>(session
   const { sim, paused, speed, past, rewound, safeColors, seed, values, holding } = session;
   const { world } = sim;
   return {
-    ...{
-      paused,
-      speed,
-      past,
-      rewound,
-      safeColors,
-      seed,
-      values: { ...values },
-      held: holding.held,
-      time: world.time,
-      tick: world.tick,
-    },
+    paused,
+    speed,
+    past,
+    rewound,
+    safeColors,
+    seed,
+    values: { ...values },
+    held: holding.held,
+    time: world.time,
+    tick: world.tick,
     count: bodies(world).count,
     contacts: session.game.contacts?.(sim),
     hash: stateHash(world),

@@ -13,7 +13,7 @@ import { isOpen } from '../ecs/rows.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { ANY, LENGTHS, PLACES } from '../forces/support/bounds.ts';
 import { lawKernels } from '../forces/support/force-kernels.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /**
  * Gives a body an impulse, through its centre of mass or at a point, where it turns the body too if that has Inertia and

@@ -1,9 +1,11 @@
 // What `spawnMany` is given, checked and completed before anything is made.
 import { COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
-import { checkField, completeValues, type FieldValues, fieldName, initialValues, type Space } from '../ecs/values.ts';
+import type { Space } from '../ecs/body-references.ts';
+import { checkField, completeValues, fieldName, initialValues } from '../ecs/values.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, isRecord, isWithin, mustBe } from '../errors/validate.ts';
+import type { FieldValues } from '../world/types.ts';
 import { type BodyInput, componentOfKey, lacksVelocity } from './spawn.ts';
 
 /** A value for each body: one number for all, or as many as there are bodies. */

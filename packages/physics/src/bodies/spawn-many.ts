@@ -12,7 +12,7 @@ import { countIncomplete } from '../ecs/partial-entities.ts';
 import { cleanRow } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkWhole } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { type Column, checkMany, type Filling, type ManyInput } from './many.ts';
 
 /** Called as bodies are made, with how many are. */

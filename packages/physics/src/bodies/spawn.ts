@@ -4,9 +4,9 @@ import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
 import { makeRoom } from '../ecs/entity-capacity.ts';
 import { isInhabited, staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
-import { checkValues, completeValues, type FieldValues, initialValues } from '../ecs/values.ts';
+import { checkValues, completeValues, initialValues } from '../ecs/values.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 
 type FieldsOf<Name extends ComponentName> = {
   readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: number;

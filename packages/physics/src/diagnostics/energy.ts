@@ -2,7 +2,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** Energies, J. */
 export interface Energy {

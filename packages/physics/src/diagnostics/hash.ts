@@ -1,6 +1,6 @@
 import { COMPONENT_NAMES, COMPONENTS } from '../components/all.ts';
 import { assertUsable } from '../ecs/guards.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /**
  * A 64-bit hash of the world's state: membership and every component column up to the highest entity in use, as 16

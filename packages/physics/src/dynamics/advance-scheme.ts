@@ -1,18 +1,16 @@
 // Steps of a scheme where some force is no law: the scheme is cut at each evaluation of the forces into pieces. A piece
 // is a loop that moves the bodies to the state at which the forces are asked for next, and keeps in scratch columns what
 // later pieces need.
-
-import type { Spans } from '../ecs/ranges.ts';
 import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
-import type { Node } from '../laws/graph.ts';
 import { Lowering } from '../laws/lower.ts';
-import type { Scheme, StageData } from '../laws/scheme.ts';
+import type { Node } from '../laws/node.ts';
+import type { StageData } from '../laws/scheme.ts';
 import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
 import { realColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
+import type { PhysicsWorld, Scheme, Spans } from '../world/types.ts';
 import { evaluateForces } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
 import { mathImports } from './math-imports.ts';

@@ -1,8 +1,8 @@
 // Finds the law that gave a body a force which is not a number: called when a step failed for it, never otherwise.
 
 import { AXES } from '../memory/axes.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { type LawLoop, makeLawLoop } from './evaluate-forces.ts';
 import { type LawForce, lawsOf } from './sum-of-laws.ts';
 

@@ -1,17 +1,10 @@
 // Laws: forces, accelerations and torques written once as expressions, and fused into the step of every world.
 import { checkChoice, checkFunction, checkKeys, mustBe } from '../errors/validate.ts';
 import type { Reads } from '../laws/body-symbols.ts';
-import type { Force, ForceParameter } from '../laws/force.ts';
-import { type Law, type LawOptions, recordLaw } from '../laws/law.ts';
-import {
-  type Parameter,
-  type ParameterInput,
-  type ParameterSource,
-  type Parameters,
-  sourcesOf,
-} from '../laws/parameter.ts';
+import { type LawOptions, recordLaw } from '../laws/law.ts';
+import { type ParameterInput, type Parameters, sourcesOf } from '../laws/parameter.ts';
 import { columnsRead } from '../laws/structure.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, ForceParameter, Law, Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
 import { potentialEnergy } from './potential-energy.ts';
 import type { LawForce } from './sum-of-laws.ts';
 
@@ -22,8 +15,18 @@ export type LawFactory<P> =
     : (parameters: ParameterInput<P>) => LawForce;
 
 const KEYS = [
-  ...['name', 'formula', 'source', 'reads', 'parameters', 'dimensions', 'force', 'acceleration', 'torque'],
-  ...['potential', 'prepare', 'consumes'],
+  'name',
+  'formula',
+  'source',
+  'reads',
+  'parameters',
+  'dimensions',
+  'force',
+  'acceleration',
+  'torque',
+  'potential',
+  'prepare',
+  'consumes',
 ];
 
 /**

@@ -1,6 +1,5 @@
-import type { Spans } from '../ecs/ranges.ts';
 import { AXES } from '../memory/axes.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld, Spans } from '../world/types.ts';
 
 /** Drift: x += v h. */
 export function drift(world: PhysicsWorld, spans: Spans, h: number): void {

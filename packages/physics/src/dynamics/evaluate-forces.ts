@@ -2,15 +2,15 @@
 // loop. For integrators that choose their own stages, and for worlds in which some force is no law.
 
 import { holdUnmoved } from '../ecs/partial-entities.ts';
-import type { Spans } from '../ecs/ranges.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
-import { AXES, clearAxes } from '../memory/axes.ts';
+import { AXES } from '../memory/axes.ts';
+import { clearAxes } from '../memory/clear-axes.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
+import type { EvaluateForces, PhysicsWorld, Spans } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
 import { mathImports } from './math-imports.ts';
 import { notesOf } from './notes.ts';
@@ -18,9 +18,6 @@ import { ParameterBlock, type ParameterOwner, variantOf } from './parameter-bloc
 import { type LawForce, lawsOf, ownerOf, sumLaws, totalForce } from './sum-of-laws.ts';
 import { dropBadForces } from './validate-state.ts';
 import { WorldColumns } from './world-columns.ts';
-
-/** Evaluates all forces of the world on the bodies of `spans` at `time`, into `world.scratch.force`. */
-export type EvaluateForces = (world: PhysicsWorld, spans: Spans, time: number) => void;
 
 /** Length of the step for which forces were prepared last, s. */
 const preparedFor = resource(() => ({ dt: 0 }));

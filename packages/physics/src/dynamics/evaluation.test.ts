@@ -4,7 +4,6 @@ import { read, run } from '../../../../test/support/laws.ts';
 import { spawn } from '../bodies/spawn.ts';
 import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
 import { semiImplicitEuler } from '../integrators/semi-implicit-euler.ts';
-import type { Integrator } from '../integrators/support/integrator.ts';
 import { vec3 } from '../laws/expression.ts';
 import { defineForce } from '../laws/force.ts';
 import { table } from '../laws/table.ts';
@@ -12,6 +11,7 @@ import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
+import type { Integrator } from '../world/types.ts';
 import { defineLaw } from './define-law.ts';
 
 /** A body at x = 3 under some forces. */
@@ -51,7 +51,10 @@ describe('the length of the step', () => {
   test('is known to a law beside a force that is none, and to an integrator of one’s own', () => {
     const nothing = defineForce({ name: 'nothing', accumulate: () => {} });
     const byHand: Integrator = {
-      ...{ name: 'by hand', order: 1, symplectic: false, evaluations: 1 },
+      name: 'by hand',
+      order: 1,
+      symplectic: false,
+      evaluations: 1,
       advance: (world, spans, dt, evaluateForces) => {
         evaluateForces(world, spans, world.time);
         world.components.Velocity.x[1] += (world.scratch.force.x[1] / 2) * dt;

@@ -1,23 +1,19 @@
 // Runs a step as one loop. Where the loop stops, because a value is out of range, the bodies there are looked at one by
 // one; all others go on as if nothing had happened.
-
-import type { Spans } from '../ecs/ranges.ts';
 import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
-import type { Scheme } from '../laws/scheme.ts';
 import { wordColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import { type Fusion, keptWithPlan } from '../world/execution-plan.ts';
-import type { LocalSystem } from '../world/phases.ts';
+import { keptWithPlan } from '../world/execution-plan.ts';
+import type { Fusion, LocalSystem, PhysicsWorld, Scheme, Spans } from '../world/types.ts';
 import { schemeLoops } from './advance-scheme.ts';
 import { blamedLaws } from './blame-law.ts';
 import { anyForceTurns, lawLoopOf } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
-import type { Box } from './loop-checks.ts';
 import { mathImports } from './math-imports.ts';
 import { ParameterBlock, variantOf } from './parameter-block.ts';
 import { lastStepOf, schemeMemory } from './scheme-memory.ts';
-import { ownersOf, type StepFeatures, stepLoopSource } from './step-loop.ts';
+import type { Box, StepFeatures } from './step-features.ts';
+import { ownersOf, stepLoopSource } from './step-loop.ts';
 import { lawsOf } from './sum-of-laws.ts';
 import { repairRows } from './validate-state.ts';
 

@@ -4,8 +4,7 @@
 //   ω' = ω + τ/I dt        θ' = θ + ω' dt
 import { bitOf } from '../components/all.ts';
 import { eachRun } from '../ecs/ranges.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import type { LocalSystem } from '../world/phases.ts';
+import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { anyForceTurns } from './evaluate-forces.ts';
 
 export const turn: LocalSystem = {

@@ -1,5 +1,6 @@
 // Moves the bodies by the world's integrator: with all laws in one loop where that is possible.
-import type { LocalSystem } from '../world/phases.ts';
+
+import type { LocalSystem } from '../world/types.ts';
 import { advanceScheme } from './advance-scheme.ts';
 import { evaluateForces } from './evaluate-forces.ts';
 import { runStepLoop } from './fused-step.ts';

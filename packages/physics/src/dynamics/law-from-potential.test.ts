@@ -29,7 +29,8 @@ const PLACES = [
 ];
 
 const bodyAt = (at: { x: number; y: number; z: number }, dimensions: 2 | 3): Body => ({
-  ...{ mass: 3, charge: -0.5 },
+  mass: 3,
+  charge: -0.5,
   position: dimensions === 2 ? { x: at.x, y: at.y } : at,
   ...(dimensions === 2 ? { rotation: 0.3 } : { orientation: { x: 0.3, y: -0.2, z: 0.5, w: 1 } }),
 });

@@ -1,6 +1,6 @@
 // Where the columns of a world are: worlds of the same layout run the same code.
 import { componentNumber } from '../laws/structure.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import type { ParameterBlock } from './parameter-block.ts';
 
 /** What of a world the addresses in a loop depend on. */

@@ -2,20 +2,10 @@
 import { MAX_POSITION } from '../components/position.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import type { LoopSource, Store, WallTest } from '../laws/emit-loop.ts';
-import type { Node } from '../laws/graph.ts';
+import type { Node } from '../laws/node.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
-import type { AxisAddresses } from '../memory/columns.ts';
-import type { Result, StepFeatures } from './step-loop.ts';
+import type { Box, Result, StepFeatures } from './step-features.ts';
 import type { WorldColumns } from './world-columns.ts';
-
-/** An axis-aligned box; a coordinate beyond `FAR` is no wall. */
-export interface Box {
-  readonly low: Readonly<AxisAddresses>;
-  readonly high: Readonly<AxisAddresses>;
-  readonly restitution: number;
-  /** Negative where the bodies' own friction counts. */
-  readonly friction: number;
-}
 
 /** No coordinate that a world takes reaches this. */
 export const FAR = 1e30;

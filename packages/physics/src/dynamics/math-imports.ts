@@ -1,7 +1,7 @@
 // The elementary functions that fused loops call: those of kernels/math, so that a law and TypeScript get the same bits.
 import { instantiate } from '../kernels/instantiate.ts';
 import { KERNELS, type KernelExports } from '../kernels/math.gen.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 const functions = new WeakMap<WebAssembly.Memory, Readonly<Record<string, unknown>>>();
 

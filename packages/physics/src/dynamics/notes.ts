@@ -1,5 +1,6 @@
 // Names for addresses, so that a printed loop says `Position.x` and not 65600.
-import type { PhysicsWorld } from '../world/create-world.ts';
+
+import type { PhysicsWorld } from '../world/types.ts';
 import type { ParameterBlock } from './parameter-block.ts';
 
 /** A function that names a column by its address. */

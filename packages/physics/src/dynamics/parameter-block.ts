@@ -1,10 +1,9 @@
 // The doubles that a fused loop reads: length and time of the step, and the parameters of its laws, for every stage at
 // whose time they are evaluated.
-import type { Parameter, ParameterSource } from '../laws/parameter.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
+import type { Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
 
 /** What can own parameters: a law in its place in the list of forces, or an integrator. */
 export interface ParameterOwner {

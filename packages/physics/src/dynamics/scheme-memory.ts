@@ -1,8 +1,7 @@
 // What a scheme keeps from one step to the next: vectors of each body, and the length of the step.
-import type { Scheme } from '../laws/scheme.ts';
 import { type AxisAddresses, axisColumns } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld, Scheme } from '../world/types.ts';
 
 /** Columns that a scheme keeps from step to step, and the length of the last step. */
 export interface SchemeMemory {

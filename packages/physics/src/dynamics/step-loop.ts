@@ -2,28 +2,15 @@
 // checks of the result and the test at box walls.
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
-import type { Scheme } from '../laws/scheme.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
-import { type Box, checksOf } from './loop-checks.ts';
+import type { Scheme } from '../world/types.ts';
+import { checksOf } from './loop-checks.ts';
 import { notesOf } from './notes.ts';
 import type { ParameterBlock, ParameterOwner } from './parameter-block.ts';
+import type { Result, StepFeatures } from './step-features.ts';
 import { type LawForce, ownerOf, type Sum, sumLaws, velocityChange } from './sum-of-laws.ts';
 import { WorldColumns } from './world-columns.ts';
-
-/** What a step loop does besides moving bodies. */
-export interface StepFeatures {
-  /** Positions before the step go to `world.previous`. */
-  readonly savesPose: boolean;
-  /** Velocities before the step go to the scratch columns, for walls that are not part of the loop. */
-  readonly savesVelocity: boolean;
-  readonly hasTorque: boolean;
-  readonly box: Box | undefined;
-  /** Address of the list of bodies at walls. */
-  readonly list: number;
-  /** Columns that the scheme keeps from step to step. */
-  readonly memory: readonly Readonly<AxisAddresses>[];
-}
 
 /** Owners of parameters: the scheme first, then the laws. */
 export function ownersOf(scheme: Scheme, laws: readonly LawForce[]): Map<object, ParameterOwner> {
@@ -64,13 +51,6 @@ export function stepLoopSource(
     ...checksOf(columns, { position, velocity }, result, features),
     noteOf: notesOf(world, block),
   };
-}
-
-/** Where a step leads. */
-export interface Result {
-  readonly position: Axes;
-  readonly velocity: Axes;
-  readonly memory: readonly Axes[];
 }
 
 function lowerScheme(

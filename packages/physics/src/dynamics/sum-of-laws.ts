@@ -1,10 +1,9 @@
 // All laws of a world together, as arithmetic: the force and torque on a body, and its acceleration.
-
-import type { Force } from '../laws/force.ts';
-import type { Graph, Node } from '../laws/graph.ts';
-import type { Law } from '../laws/law.ts';
+import type { Graph } from '../laws/graph.ts';
 import { type Environment, Lowering } from '../laws/lower.ts';
+import type { Node } from '../laws/node.ts';
 import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
+import type { Force, Law } from '../world/types.ts';
 import type { ParameterOwner } from './parameter-block.ts';
 import type { WorldColumns } from './world-columns.ts';
 
@@ -61,7 +60,9 @@ export function sumLaws(columns: WorldColumns, laws: readonly LawForce[], at: Ev
 function environmentOf(columns: WorldColumns, owner: LawForce, at: Evaluation, sum: Sum): Environment {
   const { position, velocity, startVelocity, stage, time } = at;
   const vectors = {
-    ...{ position, velocity, startVelocity },
+    position,
+    velocity,
+    startVelocity,
     get force() {
       return totalForce(columns, sum);
     },

@@ -10,11 +10,10 @@ import { MAX_SPEED } from '../components/velocity.ts';
 import { clearAbsent } from '../ecs/partial-entities.ts';
 import { eachRun } from '../ecs/ranges.ts';
 import { isOpen } from '../ecs/rows.ts';
-import { reportFault } from '../errors/fault-log.ts';
+import { reportFault } from '../errors/report-fault.ts';
 import { ANGLES, AXES } from '../memory/axes.ts';
 import { type Columns, copyPose } from '../memory/previous-pose.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import type { LocalSystem } from '../world/phases.ts';
+import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 
 type When = 'begin' | 'finish';
 

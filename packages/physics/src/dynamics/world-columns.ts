@@ -4,13 +4,13 @@ import { ownColumns } from '../ecs/own-components.ts';
 import { MOVABLE } from '../ecs/partial-entities.ts';
 import type { ColumnData } from '../laws/body-symbols.ts';
 import type { Store } from '../laws/emit-loop.ts';
-import { Graph, type Node } from '../laws/graph.ts';
+import { Graph } from '../laws/graph.ts';
 import type { Environment } from '../laws/lower.ts';
-import type { Parameter } from '../laws/parameter.ts';
+import type { Node } from '../laws/node.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
 import { AXES } from '../memory/axes.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Parameter, PhysicsWorld } from '../world/types.ts';
 import type { ParameterBlock, ParameterOwner } from './parameter-block.ts';
 
 /** A graph over the columns of one world. */
@@ -59,7 +59,10 @@ export class WorldColumns {
     const { block, graph } = this;
     const parameters = this.ownerOf(owner);
     return {
-      ...{ dimensions: this.world.dimensions, vectors, time, dt: this.dt },
+      dimensions: this.world.dimensions,
+      vectors,
+      time,
+      dt: this.dt,
       parameter: (parameter: Parameter, index) => {
         const source = parameters.sources[parameters.parameters.indexOf(parameter)];
         if (source.zeros?.[index] === true) return graph.zero;

@@ -11,7 +11,7 @@ import {
 } from 'bitecs';
 import { bitOf, COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** bitECS's tables of a world; undefined once `deleteWorld` was called. */
 export function contextOf(world: PhysicsWorld): WorldContext {

@@ -5,8 +5,10 @@
 import { hasComponent } from 'bitecs';
 import type { ComponentSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import type { FieldValues, Space } from './values.ts';
+import type { FieldValues, PhysicsWorld } from '../world/types.ts';
+
+/** What checking needs to know of the world. */
+export type Space = Pick<PhysicsWorld, 'dimensions' | 'capacity' | 'components' | 'internal'>;
 
 /**
  * Asks bitECS rather than the rows, so that bodies made in the running step count.

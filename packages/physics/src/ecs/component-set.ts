@@ -3,7 +3,7 @@
 // of bits, and a `Set` only once it gets a component that is not the engine's.
 import type { ComponentRef } from 'bitecs';
 import { bitOf, COMPONENT_NAMES } from '../components/all.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { bitIn } from './bitecs-adapter.ts';
 
 /** Does what bitECS asks of the set: add, delete, iterate; and what a reader of it would expect besides. */

@@ -1,7 +1,7 @@
 // Lists of the entities that have some component, for kernels that visit them one by one.
 import { bitOf, type ComponentName } from '../components/all.ts';
 import { allocate } from '../memory/arena.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** Entities in ascending id. */
 export interface Roster {

@@ -1,6 +1,6 @@
 import { bitOf } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { assertUsable } from './guards.ts';
 
 declare const reference: unique symbol;

@@ -1,5 +1,5 @@
 import { PhysicsError } from '../errors/physics-error.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { contextOf } from './bitecs-adapter.ts';
 
 /** @throws PhysicsError E_DESTROYED, or E_TYPE for something that is no world */

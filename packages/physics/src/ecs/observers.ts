@@ -4,12 +4,12 @@
 // While a step runs nothing changes under its feet: the edits are queued and made when it ends.
 import { hasComponent, observe, onAdd, onGet, onRemove, onSet, removeComponent } from 'bitecs';
 import { COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { contextOf, guardTables, isPrefab } from './bitecs-adapter.ts';
 import { capacityError } from './entity-capacity.ts';
 import { whenIdle } from './guards.ts';
 import { closeRow, isOpen, openRow, readRow, writeRow } from './rows.ts';
-import { asGiven, checkValues, completeValues, type FieldValues, initialValues } from './values.ts';
+import { asGiven, checkValues, completeValues, initialValues } from './values.ts';
 
 /** Registers the observers; called once when the world is made. */
 export function observeComponents(world: PhysicsWorld): void {

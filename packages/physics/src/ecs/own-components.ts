@@ -7,16 +7,8 @@ import { checkKeys, checkList, checkNumber, isRecord, mustBe } from '../errors/v
 import type { Precision } from '../kernels/instantiate.ts';
 import type { Arena } from '../memory/arena.ts';
 import { realColumn, wordColumn } from '../memory/columns.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { OwnColumns, OwnComponents, PhysicsWorld } from '../world/types.ts';
 import { assertUsable, whenIdle } from './guards.ts';
-
-/** The columns of one component in one world. */
-export interface OwnColumns {
-  readonly columns: Readonly<Record<string, { [row: number]: number; readonly length: number }>>;
-  readonly addresses: Readonly<Record<string, number>>;
-}
-
-export type OwnComponents = ReadonlyMap<ComponentSpec, OwnColumns>;
 
 /** @throws PhysicsError E_TYPE for what is no list of components */
 export function checkOwnComponents(components: unknown): readonly ComponentSpec[] {

@@ -6,7 +6,7 @@
 // step zeroes what they do not have: they cost nothing when there are none.
 import { bitOf } from '../components/all.ts';
 import { ANGLES, AXES } from '../memory/axes.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** What forces move. */
 export const MOVABLE = bitOf('Position') | bitOf('Velocity');

@@ -1,16 +1,6 @@
 import { bitOf } from '../components/all.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld, Spans } from '../world/types.ts';
 import { assertUsable } from './guards.ts';
-
-/**
- * Rows to sweep: ascending runs [first, last) of whole 16-row blocks. Rows in a run that belong to no body hold zeros,
- * which every kernel leaves as they are.
- */
-export interface Spans {
-  /** Pairs first, last. */
-  readonly bounds: Int32Array;
-  count: number;
-}
 
 /** Runs of bodies closer than this many blocks are swept as one: inert rows cost less than another call. */
 const JOIN_BLOCKS = 8;

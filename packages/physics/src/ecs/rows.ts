@@ -3,9 +3,9 @@ import { removeComponent } from 'bitecs';
 import { bitOf, COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
 import { type Columns, copyPose } from '../memory/previous-pose.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { countIncomplete } from './partial-entities.ts';
-import { type FieldValues, initialValues } from './values.ts';
+import { initialValues } from './values.ts';
 
 /** Whether the row of a component is in use. */
 export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): boolean {

@@ -3,14 +3,8 @@ import { COMPONENT_NAMES, COMPONENTS, type ComponentName, keyOf } from '../compo
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkNumber, isRecord, mustBe, unknownName } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import { checkBodyId, noteLives } from './body-references.ts';
-
-/** The checked values of a component, field by field. */
-export type FieldValues = Record<string, number>;
-
-/** What checking needs to know of the world. */
-export type Space = Pick<PhysicsWorld, 'dimensions' | 'capacity' | 'components' | 'internal'>;
+import type { FieldValues } from '../world/types.ts';
+import { checkBodyId, noteLives, type Space } from './body-references.ts';
 
 /**
  * The values a caller gave, checked one by one; fields left out stay out.

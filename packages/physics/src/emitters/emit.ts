@@ -4,10 +4,10 @@ import { bitOf } from '../components/all.ts';
 import { MAX_POSITION } from '../components/position.ts';
 import { isAlive } from '../ecs/entity-ref.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import type { Emitter } from './emitter.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { emitterKernels } from './kernels.ts';
 import { type EmitterRecord, N, W } from './record.ts';
+import type { Emitter } from './types.ts';
 
 /** The emitters of a world, in the order they were made, and how many there ever were: the stream of the next. */
 export const emittersOf = resource(() => ({ list: [] as Emitter[], made: 0 }));

@@ -1,10 +1,10 @@
-import { type EntityRef, entityRef } from '../ecs/entity-ref.ts';
+import { entityRef } from '../ecs/entity-ref.ts';
 import { assertUsable, whenIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkFlag, checkNumber, checkWhole, readVector, type VectorInput } from '../errors/validate.ts';
 import { seedWords } from '../math/random.ts';
 import { constant } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { emitParticles, emittersOf } from './emit.ts';
 import { emitterKernels } from './kernels.ts';
 import {
@@ -27,31 +27,7 @@ import {
   takeBlock,
 } from './pool.ts';
 import { type EmitterRecord, MOST_STOPS, N, W } from './record.ts';
-
-/** A source of particles and the pool of entities they live in. */
-export interface Emitter {
-  readonly world: PhysicsWorld;
-  readonly capacity: number;
-  /** The entities of the pool, ascending: living particles and inert ones alike. */
-  readonly ids: Uint32Array;
-  /** Not for users. */
-  readonly internal: EmitterInternals;
-}
-
-export interface EmitterInternals {
-  readonly block: Block;
-  /** The body it follows, and its id. */
-  readonly followed: EntityRef | undefined;
-  readonly entity: number;
-  parameters: EmitterParameters;
-  /** Where bursts wait for the next step, twelve numbers each. */
-  readonly bursts: Float64Array;
-  /** What was reported last, once somebody asked; the same object every time. */
-  endings: { count: number; readonly ids: Uint32Array; readonly states: Float64Array } | undefined;
-  destroyed: boolean;
-  /** How often the world had been restored when it was last seen to have this emitter. */
-  timeline: number;
-}
+import type { Emitter } from './types.ts';
 
 /**
  * Makes an emitter and, once and for all, the entities of its particles. From then on particles are born and end in

@@ -1,7 +1,7 @@
 import { MAX_POSITION } from '../components/position.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, mustBe, type VectorInput } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { MOST_RAMPS, MOST_STOPS } from './record.ts';
 
 /** A number, or a range within which each particle draws its own. */

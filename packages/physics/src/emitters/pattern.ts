@@ -5,7 +5,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkVector, type VectorInput } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** Velocities in a world's memory: what a ring or a ball of sparks is made from. */
 export interface BurstPattern {

@@ -4,7 +4,7 @@ import { spawnMany } from '../bodies/spawn-many.ts';
 import { removeWholly } from '../ecs/bitecs-adapter.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterOptions } from './options.ts';
 import { type EmitterRecord, MOST_RAMPS, RECORD_BYTES, recordAt, W } from './record.ts';
 

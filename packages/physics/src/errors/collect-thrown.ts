@@ -1,4 +1,4 @@
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** Exceptions kept of one step. A force that throws does so for every tile, which for a million bodies is often. */
 const MOST = 32;

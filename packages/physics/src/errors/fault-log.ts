@@ -1,5 +1,3 @@
-import type { PhysicsWorld } from '../world/create-world.ts';
-import { ADVICE } from './fault-hints.ts';
 import type { FaultCode } from './physics-error.ts';
 import { checkList } from './validate.ts';
 
@@ -24,8 +22,6 @@ export interface Fault {
   readonly hint?: string | undefined;
 }
 
-const MOST = 1024;
-
 /** The faults since the log was last cleared: the first 1024, and how many more there were. */
 export interface FaultLog {
   readonly faults: Fault[];
@@ -35,15 +31,6 @@ export interface FaultLog {
 
 export function createFaultLog(): FaultLog {
   return { faults: [], lost: 0 };
-}
-
-/** Enters a fault of the present step in the log, and in the list of the step's that handlers are told of. */
-export function reportFault(world: PhysicsWorld, fault: Omit<Fault, 'step'>): void {
-  const { faults: log, internal } = world;
-  const dated = { hint: ADVICE[fault.code], ...fault, step: world.tick };
-  if (internal.stepFaults.length < MOST) internal.stepFaults.push(dated);
-  if (log.faults.length < MOST) log.faults.push(dated);
-  else log.lost++;
 }
 
 /** Empties the log. @throws PhysicsError E_TYPE for what is no log */

@@ -15,8 +15,8 @@ import { Hull } from '../components/hull.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { type Scalar, select, type Vector } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { immersion, POOL, type Pool, poolValues } from './support/fluid-volume.ts';
 
 const about = {

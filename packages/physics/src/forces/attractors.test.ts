@@ -4,11 +4,11 @@ import { spawn } from '../bodies/spawn.ts';
 import { angularMomentum, energy } from '../diagnostics/energy.ts';
 import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
 import { semiImplicitEuler } from '../integrators/semi-implicit-euler.ts';
-import type { Integrator } from '../integrators/support/integrator.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { defineForce } from '../laws/force.ts';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
+import type { Integrator } from '../world/types.ts';
 import { attractors } from './attractors.ts';
 import { paczynskiWiita } from './paczynski-wiita.ts';
 
@@ -26,7 +26,10 @@ describe('attractors', () => {
   test('are where they are at the moment that a scheme of one’s own asks for', () => {
     let moment = 0;
     const probe: Integrator = {
-      ...{ name: 'probe', order: 1, symplectic: false, evaluations: 1 },
+      name: 'probe',
+      order: 1,
+      symplectic: false,
+      evaluations: 1,
       advance: (world, spans, _dt, evaluateForces) => evaluateForces(world, spans, world.time + moment),
     };
     const world = createPhysicsWorld({ capacity: 10, forces: [attractors()], integrator: probe });

@@ -18,15 +18,14 @@
 import { bitOf } from '../components/all.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
-import { reportFault } from '../errors/fault-log.ts';
+import { reportFault } from '../errors/report-fault.ts';
 import { checkKeys } from '../errors/validate.ts';
 import type { BodySymbols } from '../laws/body-symbols.ts';
 import { constant, type Scalar, type Vector, vec3 } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar, suppliedScalar } from '../laws/parameter.ts';
 import { table } from '../laws/table.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { inverseWhere } from './support/central-force.ts';
 
 /** Slower light than a millimetre a second would make horizons of whole worlds. */

@@ -14,7 +14,7 @@ import { Collider } from '../components/collider.ts';
 import { Hull } from '../components/hull.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { type Scalar, select } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
+import type { Force } from '../world/types.ts';
 import { FLUID, type HullSymbols, immersion, POOL, type Pool, poolValues } from './support/fluid-volume.ts';
 
 const about = {

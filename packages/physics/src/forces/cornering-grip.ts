@@ -10,10 +10,10 @@
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
 import { select } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar, vector } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { NOT_NEGATIVE, PLACES } from './support/bounds.ts';
-import { STANDARD_GRAVITY } from './uniform-gravity.ts';
+import { STANDARD_GRAVITY } from './support/standard-gravity.ts';
 
 export interface BendOptions {
   /** Centre of the bend, m; default the origin. */

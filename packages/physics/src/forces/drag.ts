@@ -7,7 +7,7 @@
 // Cost: linear one multiply-add an axis; quadratic one square root more.
 import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
-import type { Force } from '../laws/force.ts';
+import type { Force } from '../world/types.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
 const source = 'Batchelor, An Introduction to Fluid Dynamics, sections 4.9 and 5.11.';

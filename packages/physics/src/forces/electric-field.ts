@@ -9,10 +9,10 @@
 // Cost: one multiply-add an axis.
 import { Charge } from '../components/charge.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
-import type { Force } from '../laws/force.ts';
 import type { LawOptions } from '../laws/law.ts';
 import { vectorOverTime } from '../laws/parameter.ts';
 import type { VectorOverTime } from '../laws/time-vector.ts';
+import type { Force } from '../world/types.ts';
 import { ANY } from './support/bounds.ts';
 
 const reads = { charge: Charge };

@@ -12,11 +12,11 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkList, checkNumber } from '../errors/validate.ts';
 import { constant, type Scalar, select } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar, suppliedScalar } from '../laws/parameter.ts';
 import { table } from '../laws/table.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
+import type { Force } from '../world/types.ts';
 import { LENGTHS, NOT_NEGATIVE, POSITIVE } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 

@@ -9,8 +9,7 @@
 // Cost: one call of the function a body and evaluation, in TypeScript.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkKeys } from '../errors/validate.ts';
-import type { Force } from '../laws/force.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 
 /** Writes the field at (x, y, z) and time t to `out`, which holds zeros. */
 export type Field = (x: number, y: number, z: number, t: number, out: { x: number; y: number; z: number }) => void;

@@ -210,8 +210,13 @@ describe('upthrust on a polygon', () => {
   test('it swings upright when damped, and bodies of another shape number float on their own', () => {
     const forces = [uniformGravity({ y: -10 }), polygonUpthrust(pool, hull), immersedDrag(pool), angularDrag()];
     const body = {
-      ...{ mass: 1000, inertia: 400, rotation: 0.5, angularVelocity: {}, hull: { volume: 2, shape: 2 } },
-      ...{ linearDrag: 1000, angularDrag: 1000 },
+      mass: 1000,
+      inertia: 400,
+      rotation: 0.5,
+      angularVelocity: {},
+      hull: { volume: 2, shape: 2 },
+      linearDrag: 1000,
+      angularDrag: 1000,
     };
     const { world, eid, at } = single(forces, body);
     run(world, 60, 1 / 120);

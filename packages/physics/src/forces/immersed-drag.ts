@@ -13,8 +13,8 @@ import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { Hull } from '../components/hull.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { Scalar, Vector } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar, vector } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { immersion, type Pool, poolValues } from './support/fluid-volume.ts';
 
 const about = {

@@ -8,8 +8,8 @@
 // steps, and in f32 distances under σ/500 overflow. Cost: one square root, one division and 22 more operations a body.
 import { checkKeys } from '../errors/validate.ts';
 import type { Scalar, Vector } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { LENGTHS, NOT_NEGATIVE } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
 import { checkCoupling } from './support/coupling.ts';

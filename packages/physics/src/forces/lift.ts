@@ -10,10 +10,11 @@
 // Cost: one square root and a cross product a body; in the body's axes in 3D two cross products more.
 import { Lift } from '../components/lift.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
-import { PhysicsError } from '../errors/physics-error.ts';
-import { checkChoice, checkKeys, checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
-import type { Force } from '../laws/force.ts';
+import { checkKeys, checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
 import { suppliedVector } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
+import { checkFrame } from './support/frame.ts';
+import { unit } from './support/unit-vector.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
 export interface LiftOptions {
@@ -51,20 +52,4 @@ function liftAlong(given: Vector, frame: 'world' | 'body') {
       return s.cross(w).mul(k.mul(w.length()));
     },
   });
-}
-
-/** A vector of length 1 in the same direction. @throws PhysicsError E_RANGE when there is none */
-export function unit(vector: Vector, field: string): Vector {
-  const length = Math.sqrt(vector.x * vector.x + vector.y * vector.y + vector.z * vector.z);
-  if (length > 1e-12) return { x: vector.x / length, y: vector.y / length, z: vector.z / length };
-  throw new PhysicsError('E_RANGE', `${field} has no direction.`, {
-    field,
-    value: vector,
-    hint: 'Give a vector that is not zero.',
-  });
-}
-
-/** @throws PhysicsError E_RANGE */
-export function checkFrame(value: unknown, field: string): 'world' | 'body' {
-  return checkChoice(value, field, ['world', 'body']);
 }

@@ -13,9 +13,9 @@
 // Simulation, section 4.3. Cost: four to twelve operations a body.
 import { Charge } from '../components/charge.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
-import type { Force } from '../laws/force.ts';
 import { axialVectorOverTime } from '../laws/parameter.ts';
 import type { VectorOverTime } from '../laws/time-vector.ts';
+import type { Force } from '../world/types.ts';
 import { ANY } from './support/bounds.ts';
 
 const law = /* @__PURE__ */ defineLaw({

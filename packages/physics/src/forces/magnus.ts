@@ -10,8 +10,8 @@
 // here, does not slow the spin: add `angularDrag`. Cost: a cross product a body.
 import { Collider } from '../components/collider.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { NOT_NEGATIVE, POSITIVE } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 

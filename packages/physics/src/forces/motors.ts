@@ -11,10 +11,10 @@ import { Motor } from '../components/propulsion.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkVector, type VectorInput } from '../errors/validate.ts';
 import { select } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { vector } from '../laws/parameter.ts';
-import { unit } from './lift.ts';
+import type { Force } from '../world/types.ts';
 import { PLACES } from './support/bounds.ts';
+import { unit } from './support/unit-vector.ts';
 
 export interface MotorOptions {
   /** Where bodies at rest set off to; default +x. */

@@ -10,8 +10,8 @@
 // operations a body.
 import { MAX_SPEED } from '../components/velocity.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { LENGTHS, POSITIVE } from './support/bounds.ts';
 import {
   CENTRE_KEYS,

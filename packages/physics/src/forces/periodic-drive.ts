@@ -9,8 +9,8 @@
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
 import { select, vec3 } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar, vector } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { ANY } from './support/bounds.ts';
 
 export interface PeriodicDriveOptions {

@@ -21,10 +21,10 @@ import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkVector, type VectorInput } from '../errors/validate.ts';
 import type { BodySymbols } from '../laws/body-symbols.ts';
 import { type Condition, constant, type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar, suppliedScalar, vector } from '../laws/parameter.ts';
-import { unit } from './lift.ts';
+import type { Force } from '../world/types.ts';
 import { PLACES } from './support/bounds.ts';
+import { unit } from './support/unit-vector.ts';
 
 export interface PlaneSupportOptions {
   /** A point of the plane, m; default the origin. */

@@ -14,12 +14,11 @@ import { defineLaw } from '../dynamics/define-law.ts';
 import { assertBody, type EntityRef, entityRef, isAlive } from '../ecs/entity-ref.ts';
 import { checkVector, type VectorInput } from '../errors/validate.ts';
 import { constant, select, vec3 } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
 import { type TablePlace, table } from '../laws/table.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { PLACES } from './support/bounds.ts';
 
 export interface PointerPullOptions {

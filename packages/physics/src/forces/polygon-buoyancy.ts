@@ -15,12 +15,11 @@ import { defineLaw } from '../dynamics/define-law.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkList, checkNumber, checkWhole } from '../errors/validate.ts';
 import { axial3, type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar, vector } from '../laws/parameter.ts';
 import { type Table, type TablePlace, table } from '../laws/table.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { PLACES } from './support/bounds.ts';
 import { FLUID, POOL, type Pool, poolValues } from './support/fluid-volume.ts';
 

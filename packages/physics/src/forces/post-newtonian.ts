@@ -9,7 +9,7 @@
 // In the harmonic gauge of general relativity: Einstein, Infeld, Hoffmann (1938); Will, Theory and Experiment in
 // Gravitational Physics, section 6.2. No potential: the force depends on velocity. Cost: a square root a body.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import type { Force } from '../laws/force.ts';
+import type { Force } from '../world/types.ts';
 import { GRAVITATIONAL_CONSTANT } from './enclosed-mass-gravity.ts';
 import { lawKernels } from './support/force-kernels.ts';
 

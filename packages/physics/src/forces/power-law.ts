@@ -12,8 +12,8 @@
 // operations a body, and one power more unless n is 1 or -2; n = 1 without an inner radius is two operations an axis.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { type Scalar, select, type Vector } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { ANY } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
 import { checkCoupling } from './support/coupling.ts';

@@ -14,8 +14,8 @@
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { select, vec3 } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { suppliedScalar, vector } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { NOT_NEGATIVE } from './support/bounds.ts';
 
 export interface RandomDriveOptions {

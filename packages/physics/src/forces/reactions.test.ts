@@ -82,8 +82,12 @@ describe('plane support', () => {
     const [angle, radius] = [0.2, 0.5];
     const up = { x: radius * Math.sin(angle), y: radius * Math.cos(angle) };
     const body = {
-      ...{ position: up, mass: 2, inertia: 0.4 * 2 * radius ** 2, collider: radius },
-      ...{ angularVelocity: {}, rotation: {} },
+      position: up,
+      mass: 2,
+      inertia: 0.4 * 2 * radius ** 2,
+      collider: radius,
+      angularVelocity: {},
+      rotation: {},
     };
     const { world, eid, speed } = single([gravity, slope(angle, { kineticFriction: 0.5 })], body);
     run(world, 2);
@@ -93,8 +97,13 @@ describe('plane support', () => {
 
   test('a ball thrown along the floor slides until it rolls at 5/7 of its speed', () => {
     const body = {
-      ...{ position: { y: 1 }, velocity: { x: 7 }, mass: 3, inertia: 0.4 * 3, collider: 1 },
-      ...{ angularVelocity: {}, rotation: {} },
+      position: { y: 1 },
+      velocity: { x: 7 },
+      mass: 3,
+      inertia: 0.4 * 3,
+      collider: 1,
+      angularVelocity: {},
+      rotation: {},
     };
     const { world, eid, going } = single([gravity, planeSupport({ kineticFriction: 0.2 })], body);
     run(world, 4, 1 / 240);

@@ -11,12 +11,11 @@
 // the force columns and a test a body.
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { LawForce } from '../dynamics/sum-of-laws.ts';
-import type { Force } from '../laws/force.ts';
 import { allocate } from '../memory/arena.ts';
 import { realAddresses, realBytes } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { checkForce } from '../world/execution-plan.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { lawKernels } from './support/force-kernels.ts';
 import { limitedLaw } from './support/restricted-law.ts';
 import { type CheckedLimits, checkLimits, type Limits } from './support/restrictions.ts';
@@ -90,7 +89,7 @@ function spentOf(world: PhysicsWorld, spends: readonly ComponentName[]): readonl
   const known = spentColumns(world);
   let columns = known.get(spends);
   if (columns === undefined) {
-    columns = spends.flatMap((name) => realAddresses(world, name));
+    columns = spends.flatMap((name) => realAddresses(world.addresses, name));
     known.set(spends, columns);
   }
   return columns;

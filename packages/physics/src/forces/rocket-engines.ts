@@ -15,10 +15,9 @@ import { Engine } from '../components/propulsion.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys } from '../errors/validate.ts';
 import { vec3 } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import { checkFrame } from './lift.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { lawKernels } from './support/force-kernels.ts';
+import { checkFrame } from './support/frame.ts';
 
 export interface RocketOptions {
   /** Whether engines push along axes of the world or, by default, of the body. */

@@ -14,9 +14,9 @@ import { Collider } from '../components/collider.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { constant } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
 import { pow } from '../math/elementary.ts';
+import type { Force } from '../world/types.ts';
 import { POSITIVE } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 

@@ -7,8 +7,9 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
 import { semiImplicitEuler } from '../integrators/semi-implicit-euler.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { removedSprings, springs } from './springs.ts';
 import { uniformGravity } from './uniform-gravity.ts';
 

@@ -16,8 +16,7 @@
 
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import type { Force } from '../laws/force.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { activeSprings, removeLost, type SpringTable, scanSprings, springTable } from './support/spring-table.ts';
 
 /** Springs between bodies: see `Spring`. */

@@ -9,8 +9,8 @@
 import { Thrust } from '../components/propulsion.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys } from '../errors/validate.ts';
-import type { Force } from '../laws/force.ts';
-import { checkFrame } from './lift.ts';
+import type { Force } from '../world/types.ts';
+import { checkFrame } from './support/frame.ts';
 
 export interface ThrustOptions {
   /** Whether the vector is in axes of the world (default) or of the body. */

@@ -12,8 +12,8 @@ import { Inertia } from '../components/inertia.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
 import { axial3, select } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { axialVector } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { ANY } from './support/bounds.ts';
 
 const source = 'Goldstein, Classical Mechanics, section 5.';

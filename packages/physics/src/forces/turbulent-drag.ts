@@ -15,14 +15,13 @@ import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { constant, type Scalar, vec3 } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
 import { type TablePlace, table } from '../laws/table.ts';
 import { cos, pow, sin } from '../math/elementary.ts';
 import { createRandom, type Random } from '../math/random.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { LENGTHS } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
@@ -97,8 +96,8 @@ function phaseAt({ phase, frequency }: Mode, time: Scalar): Scalar {
 function cosineOfTurns(turns: Scalar): Scalar {
   const square = turns.sub(turns.round()).square();
   const series = [
-    ...[0.2734560008, -1.71439071109, 7.90353637132, -26.4262567834, 60.2446413719],
-    ...[-85.4568172067, 64.9393940227, -19.7392088022, 1],
+    0.2734560008, -1.71439071109, 7.90353637132, -26.4262567834, 60.2446413719, -85.4568172067, 64.9393940227,
+    -19.7392088022, 1,
   ];
   return series.slice(1).reduce((sum, term) => sum.mul(square).add(term), constant(series[0]));
 }

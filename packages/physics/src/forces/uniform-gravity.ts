@@ -8,11 +8,9 @@
 // Cost: one multiply-add an axis.
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
-import type { Force } from '../laws/force.ts';
 import { vector } from '../laws/parameter.ts';
-
-/** Standard acceleration of free fall, m/s². */
-export const STANDARD_GRAVITY = 9.80665;
+import type { Force } from '../world/types.ts';
+import { STANDARD_GRAVITY } from './support/standard-gravity.ts';
 
 const law = /* @__PURE__ */ defineLaw({
   name: 'uniform gravity',

@@ -8,8 +8,8 @@
 // Newton, Principia I, propositions 73 and 74. Valid for constant density; the field is continuous at the surface.
 // Cost: one square root, one division and 17 more operations a body.
 import { constant, select } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { ANY, LENGTHS } from './support/bounds.ts';
 import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 

@@ -10,8 +10,8 @@
 // and a step that crosses it errs by the first order. The potential is continuous. For the flow itself, and drag in it,
 // give `turbulentDrag` or `quadraticDrag` a wind. Cost: one square root, one division and 17 more operations a body.
 import { select } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { ANY, LENGTHS } from './support/bounds.ts';
 import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 

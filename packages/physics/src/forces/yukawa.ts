@@ -9,8 +9,8 @@
 // body.
 import { checkKeys } from '../errors/validate.ts';
 import { constant, type Scalar, type Vector } from '../laws/expression.ts';
-import type { Force } from '../laws/force.ts';
 import { scalar } from '../laws/parameter.ts';
+import type { Force } from '../world/types.ts';
 import { ANY, LENGTHS } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
 import { checkCoupling } from './support/coupling.ts';

@@ -15,8 +15,8 @@ import { checkFunction, checkKeys } from '../errors/validate.ts';
 import { constant, Scalar, select, type Vector, vectorOf } from '../laws/expression.ts';
 import { axialVectorOverTime, sourcesOf } from '../laws/parameter.ts';
 import type { VectorOverTime } from '../laws/time-vector.ts';
+import type { Integrator } from '../world/types.ts';
 import { defineIntegrator } from './support/define-integrator.ts';
-import type { Integrator } from './support/integrator.ts';
 
 /** The magnetic field, T: give one of the two. In two dimensions only z acts. */
 export interface BorisOptions {

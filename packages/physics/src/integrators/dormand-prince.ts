@@ -8,13 +8,10 @@
 // (Gustafsson, ACM Trans. Math. Softw. 17, 533, 1991) chooses it. Not symplectic: the energy drifts by about the
 // tolerance a sub-step. Where the force is singular or jumps, the step is crossed without error control and the log gets
 // an E_STEP that names the body. Sources: dormand-prince-tableau.ts.
-
-import type { EvaluateForces } from '../dynamics/evaluate-forces.ts';
-import type { Spans } from '../ecs/ranges.ts';
 import { checkKeys, checkNumber, type Vector } from '../errors/validate.ts';
 import { raise } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Spans } from '../world/types.ts';
 import {
   begin,
   END,
@@ -35,7 +32,6 @@ import {
   WANTED,
 } from './support/dormand-prince-stages.ts';
 import { denseWeights, twice } from './support/dormand-prince-tableau.ts';
-import type { Integrator } from './support/integrator.ts';
 import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
 
 /** How exact it is. */

@@ -11,12 +11,9 @@
 // For f64; in f32 it works, to seven digits.
 //
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
-
-import type { EvaluateForces } from '../dynamics/evaluate-forces.ts';
-import type { Spans } from '../ecs/ranges.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { raise } from '../math/elementary.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Spans } from '../world/types.ts';
 import {
   CHANGE,
   LAST_TERM,
@@ -31,7 +28,6 @@ import {
   STEP,
   WANTED,
 } from './support/gauss-radau-table.ts';
-import type { Integrator } from './support/integrator.ts';
 import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
 
 /** How exact it is. */

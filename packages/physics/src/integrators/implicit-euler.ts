@@ -12,12 +12,10 @@
 // swinging, is solved at k dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd.
 // Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
 
-import type { EvaluateForces } from '../dynamics/evaluate-forces.ts';
-import type { Spans } from '../ecs/ranges.ts';
-import { reportFault } from '../errors/fault-log.ts';
+import { reportFault } from '../errors/report-fault.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Spans } from '../world/types.ts';
 import { addScaled, copyVector, norm } from './support/body-vectors.ts';
 import { solveLinear } from './support/gmres.ts';
 import {
@@ -29,7 +27,6 @@ import {
   Scalar,
   VECTORS,
 } from './support/implicit-equation.ts';
-import type { Integrator } from './support/integrator.ts';
 
 /** When the equation counts as solved. */
 export interface ImplicitEulerOptions {

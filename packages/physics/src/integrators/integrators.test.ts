@@ -4,12 +4,12 @@ import { energy } from '../diagnostics/energy.ts';
 import { linearDrag, quadraticDrag } from '../forces/drag.ts';
 import { springs } from '../forces/springs.ts';
 import { uniformGravity } from '../forces/uniform-gravity.ts';
-import { defineForce, type Force } from '../laws/force.ts';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { defineForce } from '../laws/force.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
+import type { Force, Integrator, PhysicsWorld } from '../world/types.ts';
 import { rungeKutta4 } from './runge-kutta-4.ts';
 import { semiImplicitEuler } from './semi-implicit-euler.ts';
-import type { Integrator } from './support/integrator.ts';
 import { velocityVerlet } from './velocity-verlet.ts';
 
 const ALL = [semiImplicitEuler, velocityVerlet, rungeKutta4];

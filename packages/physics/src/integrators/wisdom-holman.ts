@@ -21,8 +21,7 @@ import { emptyRoster, refreshRoster } from '../ecs/entity-list.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import type { Integrator } from './support/integrator.ts';
+import type { Integrator, PhysicsWorld } from '../world/types.ts';
 import { integratorKernels } from './support/integrator-kernels.ts';
 import { reportUnderflow } from './support/sub-steps.ts';
 

@@ -1,4 +1,3 @@
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { compileBytes } from './compile-bytes.ts';
 import { decodeModule, type EmbeddedModule } from './decode.ts';
 import { KERNELS, type KernelExports } from './modules.gen.ts';
@@ -22,19 +21,4 @@ export function instantiate<Exports>(
   kernels.compiled[precision] ??= compileBytes(decodeModule(kernels, precision));
   const functions = Object.values(new WebAssembly.Instance(kernels.compiled[precision], { env: { memory } }).exports);
   return Object.fromEntries(kernels.names.split('.').map((name, i) => [name, functions[i]])) as Exports;
-}
-
-/**
- * The kernels of a feature, on each world that asks for them. A game that does not import the feature does not carry
- * them: `const kernels = kernelModule<NBodyKernels>(KERNELS)`, then `kernels(world).walk(…)`.
- */
-export function kernelModule<Exports>(kernels: EmbeddedModule): (world: PhysicsWorld) => Exports {
-  return ({ internal, precision, memory }) => {
-    let exports = internal.resources.get(kernels);
-    if (exports === undefined) {
-      exports = instantiate(kernels, precision, memory);
-      internal.resources.set(kernels, exports);
-    }
-    return exports as Exports;
-  };
 }

@@ -1,9 +1,8 @@
 // A new law is lowered once for nobody, so that what is wrong with it is said when it is defined.
 import { PhysicsError } from '../errors/physics-error.ts';
+import type { Law, Parameter } from '../world/types.ts';
 import { Graph } from './graph.ts';
-import type { Law } from './law.ts';
 import { Lowering } from './lower.ts';
-import type { Parameter } from './parameter.ts';
 import type { Axes } from './vector-algebra.ts';
 
 /** Lowers a new law to arithmetic that nobody runs, in each dimension it is for: what is wrong with it shows now. */

@@ -2,7 +2,7 @@
 import { NodeEmitter } from './emit-nodes.ts';
 import type { ModuleSource } from './encode.ts';
 import type { LaneTypes } from './function-builder.ts';
-import type { Node, Operation } from './graph.ts';
+import type { Node, Operation } from './node.ts';
 
 /** A column, and what is stored there for every body. */
 export interface Store {

@@ -2,12 +2,24 @@
 // bits, and kept in a local when more than one node needs it.
 import { ColumnEmitter } from './emit-columns.ts';
 import { emitSum } from './emit-sum.ts';
-import type { Node, Operation } from './graph.ts';
+import type { Node, Operation } from './node.ts';
 import type { SumScope } from './table.ts';
 
 const LANES: Readonly<Partial<Record<Operation, string>>> = {
-  ...{ add: 'add', sub: 'sub', mul: 'mul', div: 'div', negate: 'neg', abs: 'abs', sqrt: 'sqrt', floor: 'floor' },
-  ...{ round: 'nearest', min: 'pmin', max: 'pmax', less: 'lt', lessOrEqual: 'le', equal: 'eq' },
+  add: 'add',
+  sub: 'sub',
+  mul: 'mul',
+  div: 'div',
+  negate: 'neg',
+  abs: 'abs',
+  sqrt: 'sqrt',
+  floor: 'floor',
+  round: 'nearest',
+  min: 'pmin',
+  max: 'pmax',
+  less: 'lt',
+  lessOrEqual: 'le',
+  equal: 'eq',
 };
 
 const BITS: Readonly<Partial<Record<Operation, string>>> = { and: 'v128.and', or: 'v128.or', not: 'v128.not' };

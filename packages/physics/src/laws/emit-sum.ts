@@ -1,10 +1,20 @@
 // Sums over the rows of a table: a loop inside the loop over bodies.
-import type { NodeEmitter } from './emit-nodes.ts';
-import type { Node } from './graph.ts';
+import type { ColumnEmitter } from './emit-columns.ts';
+import type { Node } from './node.ts';
 import type { SumScope } from './table.ts';
 
+/** What a sum asks of the emitter of its terms, besides columns. */
+interface TermEmitter extends ColumnEmitter {
+  push(node: Node): void;
+  /** Computes a node now and keeps it in a local. */
+  keep(node: Node): number;
+  /** The value of a node is in a local from now on. */
+  know(node: Node, local: number): void;
+  withRow(row: number, emit: () => void): void;
+}
+
 /** Emits all sums that run over the same rows as one loop, and leaves one of them on the stack. */
-export function emitSum(emitter: NodeEmitter, node: Node, sums: readonly Node[]): void {
+export function emitSum(emitter: TermEmitter, node: Node, sums: readonly Node[]): void {
   const { code } = emitter;
   const scope = node.over as SumScope;
   const rowBytes = 8 * scope.table.fields.length;
@@ -36,7 +46,7 @@ export function emitSum(emitter: NodeEmitter, node: Node, sums: readonly Node[])
 }
 
 /** Computes, before a loop over rows, what its terms need and does not depend on the row. */
-function keepOutside(emitter: NodeEmitter, terms: readonly Node[], scope: SumScope): void {
+function keepOutside(emitter: TermEmitter, terms: readonly Node[], scope: SumScope): void {
   const seen = new Set<Node>();
   const visit = (node: Node) => {
     if (seen.has(node)) return;

@@ -1,11 +1,23 @@
 // What is the same for every body: computed once, as a double, before the loop; or, in a sum, once for each row.
 import { FunctionBuilder } from './function-builder.ts';
-import type { Node, Operation } from './graph.ts';
+import type { Node, Operation } from './node.ts';
 
 const DOUBLE: Readonly<Partial<Record<Operation, string>>> = {
-  ...{ add: 'f64.add', sub: 'f64.sub', mul: 'f64.mul', div: 'f64.div', negate: 'f64.neg', abs: 'f64.abs' },
-  ...{ sqrt: 'f64.sqrt', floor: 'f64.floor', round: 'f64.nearest', less: 'f64.lt', lessOrEqual: 'f64.le' },
-  ...{ equal: 'f64.eq', and: 'i32.and', or: 'i32.or', not: 'i32.eqz' },
+  add: 'f64.add',
+  sub: 'f64.sub',
+  mul: 'f64.mul',
+  div: 'f64.div',
+  negate: 'f64.neg',
+  abs: 'f64.abs',
+  sqrt: 'f64.sqrt',
+  floor: 'f64.floor',
+  round: 'f64.nearest',
+  less: 'f64.lt',
+  lessOrEqual: 'f64.le',
+  equal: 'f64.eq',
+  and: 'i32.and',
+  or: 'i32.or',
+  not: 'i32.eqz',
 };
 
 /** Emits uniform nodes. */

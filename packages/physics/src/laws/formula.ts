@@ -1,8 +1,8 @@
 // Expressions as formulas: as plain text, for terminals, or as LaTeX, for pages.
+
+import type { Law, Parameter } from '../world/types.ts';
 import type { ColumnData } from './body-symbols.ts';
 import type { Expression } from './expression.ts';
-import type { Law } from './law.ts';
-import type { Parameter } from './parameter.ts';
 import type { RowData } from './table.ts';
 
 /** How the parts of a formula are written. */

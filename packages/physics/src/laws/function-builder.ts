@@ -1,7 +1,7 @@
 // A function being written: its instructions, locals and imports.
 import type { ValueType } from './encode.ts';
-import type { Operation } from './graph.ts';
 import { Code } from './instructions.ts';
+import type { Operation } from './node.ts';
 
 /** How columns are stored and how lanes compute: energies are summed in doubles, whatever the columns are. */
 export interface LaneTypes {

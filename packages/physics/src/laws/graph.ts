@@ -1,63 +1,9 @@
 // The arithmetic of a law as a directed graph of scalar operations, in which equal operations are one node: so what two
 // laws have in common is computed once.
 import { PhysicsError } from '../errors/physics-error.ts';
+import type { Node, Operation } from './node.ts';
 import { simplify } from './simplify.ts';
 import type { SumScope } from './table.ts';
-
-/** Operations on reals that give a real. */
-export type Operation =
-  | 'add'
-  | 'sub'
-  | 'mul'
-  | 'div'
-  | 'min'
-  | 'max'
-  | 'negate'
-  | 'abs'
-  | 'sqrt'
-  | 'floor'
-  | 'round'
-  | 'sin'
-  | 'cos'
-  | 'exp'
-  | 'log'
-  | 'pow'
-  | 'atan2'
-  | 'noise'
-  | 'select'
-  | 'keep'
-  | 'less'
-  | 'lessOrEqual'
-  | 'equal'
-  | 'and'
-  | 'or'
-  | 'not'
-  | 'has'
-  | 'constant'
-  | 'zero'
-  | 'load'
-  | 'real'
-  | 'word'
-  | 'entity'
-  | 'row'
-  | 'sum';
-
-/** One operation. Its arguments were made before it, so that ids ascend along every path. */
-export interface Node {
-  readonly id: number;
-  readonly op: Operation;
-  readonly args: readonly Node[];
-  /** The number of a constant, the address of a load or column, the field of a row. */
-  readonly value: number;
-  /** A condition, and not a real. */
-  readonly isMask: boolean;
-  /** The same for all bodies: computed once, as a double. */
-  readonly isUniform: boolean;
-  /** The sum on whose rows it depends. */
-  readonly scope: SumScope | undefined;
-  /** Of a sum: what it runs over. */
-  readonly over: SumScope | undefined;
-}
 
 const MASKS = new Set<Operation>(['less', 'lessOrEqual', 'equal', 'and', 'or', 'not', 'has']);
 const OF_BODIES = new Set<Operation>(['real', 'word', 'entity', 'has', 'noise', 'sum']);
@@ -93,7 +39,10 @@ export class Graph {
     const known = this.#known.get(key);
     if (known !== undefined) return known;
     const node: Node = {
-      ...{ id: this.#count++, op, args, value },
+      id: this.#count++,
+      op,
+      args,
+      value,
       isMask: MASKS.has(op),
       isUniform: !OF_BODIES.has(op) && args.every((arg) => arg.isUniform),
       scope: scopeOf(

@@ -2,7 +2,7 @@
 import type { ComponentName } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, isRecord, mustBe } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Law, Parameter, PhysicsWorld } from '../world/types.ts';
 import {
   type BodySymbols,
   bodySymbols,
@@ -13,31 +13,9 @@ import {
 } from './body-symbols.ts';
 import { checkLaw } from './check-law.ts';
 import { Expression, kindOf, type Scalar, type Vector } from './expression.ts';
-import { type Parameter, type ParameterSymbols, type Parameters, symbolOf } from './parameter.ts';
+import { type ParameterSymbols, type Parameters, symbolOf } from './parameter.ts';
 import { structureOf } from './structure.ts';
 import { Table, type TableParameter } from './table.ts';
-
-/** A recorded law. */
-export interface Law {
-  readonly name: string;
-  /** The same for laws that compile to the same code. */
-  readonly structure: string;
-  readonly parameters: readonly Parameter[];
-  /** Their names, in the same order. */
-  readonly names: readonly string[];
-  /** What the law calls the columns that it reads, by component and field. */
-  readonly columns: Readonly<Record<string, string>>;
-  /** Force, N. */
-  readonly force?: Vector | undefined;
-  /** Acceleration of every body with mass, m/s². */
-  readonly acceleration?: Vector | undefined;
-  /** Torque, N m. */
-  readonly torque?: Vector | undefined;
-  /** Potential energy of the body, J. */
-  readonly potential?: Scalar | undefined;
-  /** It is for worlds of these dimensions alone. */
-  readonly dimensions?: 2 | 3 | undefined;
-}
 
 /** Operations that may follow each other in a law: what lowers and emits them calls itself as often, in each stage. */
 const MAX_DEPTH = 500;
@@ -103,7 +81,11 @@ export function recordLaw(
   }
   const list = Object.values(parameters);
   const law: Law = {
-    ...{ name, dimensions, parameters: list, ...parts, structure: structureOf(list, parts) },
+    name,
+    dimensions,
+    parameters: list,
+    ...parts,
+    structure: structureOf(list, parts),
     names: Object.keys(parameters),
     columns: columnNames(options.reads ?? {}),
   };

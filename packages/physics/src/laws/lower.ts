@@ -2,10 +2,11 @@
 
 import type { ComponentName } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
+import type { Parameter } from '../world/types.ts';
 import type { ColumnData } from './body-symbols.ts';
 import type { Expression, Vector } from './expression.ts';
-import type { Graph, Node, Operation } from './graph.ts';
-import type { Parameter } from './parameter.ts';
+import type { Graph } from './graph.ts';
+import type { Node, Operation } from './node.ts';
 import type { StageData } from './scheme.ts';
 import { type RowData, SumScope } from './table.ts';
 import {

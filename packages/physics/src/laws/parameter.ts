@@ -1,32 +1,9 @@
 // What a law can be given when it is put into a world: numbers and vectors with units, steady or over time. Their
 // values lie in the world's memory, so that changing them compiles nothing.
 import { type Bounds, checkKeys, checkNumber, type VectorInput } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
 import { Scalar, Vector } from './expression.ts';
 import { timeVector, type VectorOverTime } from './time-vector.ts';
-
-/** How the numbers of a parameter get into a world's memory. */
-export interface ParameterSource {
-  /** 'once' when the law enters a world, before every 'step', or for every 'stage' of one, at its time. */
-  readonly when: 'once' | 'step' | 'stage';
-  write(world: PhysicsWorld, into: Float64Array, at: number, time: number): void;
-  /** Axes of a steady vector that are zero: what they are multiplied by is left out of the code. */
-  readonly zeros?: readonly boolean[] | undefined;
-}
-
-/** A parameter of a law. `Input` is the type of what it takes. */
-export interface Parameter<Input = unknown> {
-  readonly kind: 'scalar' | 'vector' | 'axial';
-  readonly unit: string;
-  readonly bounds: Bounds;
-  /** Number of doubles it takes in memory. */
-  readonly size: 1 | 3;
-  readonly overTime: boolean;
-  /** What it is when it is left out; without one it must be given. */
-  readonly byDefault: Input | undefined;
-  /** It comes from the law itself and not from its options: which body is held, where a table lies. */
-  readonly supply?: ((world: PhysicsWorld, into: Float64Array, at: number) => void) | undefined;
-}
 
 interface ParameterOptions<Input> extends Bounds {
   readonly default?: Input;

@@ -1,7 +1,8 @@
 // Integrators of a fixed number of stages, written as expressions: where a step leads, and at which states and times it
 // asks for the forces.
+
+import type { Parameter, ParameterSource, Scheme } from '../world/types.ts';
 import { Scalar, scalarOf, Vector, vectorOf } from './expression.ts';
-import type { Parameter, ParameterSource } from './parameter.ts';
 import { structureOf } from './structure.ts';
 
 /** Where a body is, what else the scheme may use, and the state that it returns. */
@@ -33,18 +34,6 @@ export type Kick = (position: Vector, velocity: Vector, fraction: number, durati
 
 /** A step as expressions. */
 export type SchemeFunction = (state: SchemeState, kick: Kick, parameters: readonly (Scalar | Vector)[]) => SchemeResult;
-
-/** A recorded scheme. */
-export interface Scheme {
-  readonly structure: string;
-  readonly position: Vector;
-  readonly velocity: Vector;
-  readonly memory: readonly Vector[];
-  /** Fractions of the step at which the forces are evaluated, in order. */
-  readonly stages: readonly number[];
-  readonly parameters: readonly Parameter[];
-  readonly sources: readonly ParameterSource[];
-}
 
 /** What an evaluation of the forces remembers. */
 export interface StageData {

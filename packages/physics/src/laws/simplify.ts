@@ -1,9 +1,9 @@
 // What can be said of an operation before it is compiled. Every rule gives the same bits for every number, or drops a
 // product with a zero that is there for the dimensions' sake only. Nothing is reassociated.
-import type { Graph, Node, Operation } from './graph.ts';
+import type { Node, NodeMaker, Operation } from './node.ts';
 
 /** A node that stands for the operation, if there is a simpler one. */
-export function simplify(graph: Graph, op: Operation, args: readonly Node[]): Node | undefined {
+export function simplify(graph: NodeMaker, op: Operation, args: readonly Node[]): Node | undefined {
   const [a, b, c] = args;
   if (args.length > 0 && args.every((arg) => arg.op === 'constant')) {
     const value = evaluate(
@@ -48,7 +48,7 @@ export function simplify(graph: Graph, op: Operation, args: readonly Node[]): No
   }
 }
 
-function product(graph: Graph, a: Node, b: Node): Node | undefined {
+function product(graph: NodeMaker, a: Node, b: Node): Node | undefined {
   if (a.op === 'zero' || isNumber(b, 1)) return a;
   if (b.op === 'zero' || isNumber(a, 1)) return b;
   if (b.op === 'negate') return graph.make('negate', [graph.make('mul', [a, b.args[0]])]);
@@ -57,7 +57,7 @@ function product(graph: Graph, a: Node, b: Node): Node | undefined {
 }
 
 /** Sums and products are the same either way round: the older operand first. */
-function ordered(graph: Graph, op: Operation, a: Node, b: Node): Node | undefined {
+function ordered(graph: NodeMaker, op: Operation, a: Node, b: Node): Node | undefined {
   return a.id > b.id ? graph.make(op, [b, a]) : undefined;
 }
 

@@ -1,10 +1,9 @@
 // What a law is made of, as a text: laws with the same text compile to the same code, whoever defined them.
 import type { ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
+import type { Law, Parameter } from '../world/types.ts';
 import type { ColumnData } from './body-symbols.ts';
 import type { Expression } from './expression.ts';
-import type { Law } from './law.ts';
-import type { Parameter } from './parameter.ts';
 import { type RowData, SumScope } from './table.ts';
 
 type Parts = Readonly<Record<string, Expression | undefined>>;

@@ -1,10 +1,9 @@
 // Sums over a table of numbers: fixed charges, centres of attraction, waves of a turbulent wind. The table may grow and
 // change without anything being compiled again.
 import { PhysicsError } from '../errors/physics-error.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Parameter, PhysicsWorld } from '../world/types.ts';
 import { refuseUnknown } from './body-symbols.ts';
 import { constant, Scalar, type ScalarInput, Vector } from './expression.ts';
-import type { Parameter } from './parameter.ts';
 
 /** Where a table lies in a world's memory: rows of doubles, one a field. */
 export interface TablePlace {
@@ -35,7 +34,13 @@ export function table<Field extends string>(
   placeOf: (world: PhysicsWorld) => TablePlace,
 ): TableParameter<Field> {
   return {
-    ...({ kind: 'table', unit: '', bounds: {}, size: 3, overTime: false, byDefault: undefined, fields } as const),
+    kind: 'table',
+    unit: '',
+    bounds: {},
+    size: 3,
+    overTime: false,
+    byDefault: undefined,
+    fields,
     supply(world: PhysicsWorld, into: Float64Array, at: number) {
       const place = placeOf(world);
       into[at] = place.at;

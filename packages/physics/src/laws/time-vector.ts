@@ -1,8 +1,7 @@
 // A vector that is given once, or as a function of time.
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { type Bounds, checkNumber, checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import type { ForceParameter } from './force.ts';
+import type { ForceParameter, PhysicsWorld } from '../world/types.ts';
 
 /**
  * A vector, or a function of the time in seconds that returns one. The function must give the same vector for the same

@@ -1,5 +1,6 @@
 // Vectors as three nodes: in two dimensions z of most is a zero that the graph leaves out of every product.
-import type { Graph, Node } from './graph.ts';
+import type { Graph } from './graph.ts';
+import type { Node } from './node.ts';
 
 /** The three components of a vector. */
 export type Axes = readonly [x: Node, y: Node, z: Node];

@@ -1,7 +1,6 @@
 import { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from '../components/all.ts';
 import type { FieldSpec, RealColumn } from '../components/define.ts';
 import type { Precision } from '../kernels/instantiate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { type Arena, allocate } from './arena.ts';
 import { AXES } from './axes.ts';
 
@@ -77,7 +76,7 @@ function named<Name extends string, Column, Address>(
 }
 
 /** Addresses of all real columns of a component. */
-export function realAddresses({ addresses }: PhysicsWorld, name: ComponentName): readonly number[] {
+export function realAddresses(addresses: Addresses, name: ComponentName): readonly number[] {
   const starts = addresses[name] as Readonly<Record<string, number>>;
   const fields = Object.entries(COMPONENTS[name].fields).filter(([, { kind }]) => kind === 'real');
   return fields.map(([field]) => starts[field]);

@@ -1,6 +1,6 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { checkFunction, checkObject } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** What a resource is kept under. */
 export class ResourceKey {

@@ -1,5 +1,5 @@
 // The kernels of mutual forces, on every world that has one.
-import { kernelModule } from '../kernels/instantiate.ts';
 import { KERNELS, type KernelExports } from '../kernels/n-body.gen.ts';
+import { kernelModule } from '../memory/kernel-module.ts';
 
 export const nBodyKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);

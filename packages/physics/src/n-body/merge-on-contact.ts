@@ -18,7 +18,7 @@ import { AXES } from '../memory/axes.ts';
 import { resource } from '../memory/resource.ts';
 import { contactTable, useContacts, Word } from '../particle-contacts/contact-table.ts';
 import { collisionKernels } from '../particle-contacts/kernels.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** What has merged in a world. */
 export interface Mergers {

@@ -3,10 +3,9 @@
 import { bitOf } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
-import type { Force, ForceParameter } from '../laws/force.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, ForceParameter, PhysicsWorld } from '../world/types.ts';
 import { nBodyKernels } from './kernels.ts';
 
 /**

@@ -7,8 +7,9 @@ import { stateHash } from '../diagnostics/hash.ts';
 import { evaluateForces } from '../dynamics/evaluate-forces.ts';
 import { refreshSpans } from '../ecs/ranges.ts';
 import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import type { MutualForce } from './mutual-force.ts';
 import { mutualGravity } from './mutual-gravity.ts';
 

@@ -3,8 +3,9 @@ import { type Cloud, cloud, fieldAt, SHAPES, type Shape } from '../../../../test
 import { spawnMany } from '../bodies/spawn-many.ts';
 import { energy } from '../diagnostics/energy.ts';
 import { stateHash } from '../diagnostics/hash.ts';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { mutualCoulomb } from './mutual-coulomb.ts';
 import type { MutualForce, MutualOptions } from './mutual-force.ts';
 import { mutualGravity } from './mutual-gravity.ts';

@@ -6,7 +6,7 @@ import { checkKeys, checkNumber, checkVector, mustBe, type VectorInput } from '.
 import { allocate } from '../memory/arena.ts';
 import { AXES } from '../memory/axes.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** A box that keeps bodies inside. An axis left out of `min` or `max` has no wall on that side. */
 export interface BoxWallsOptions {

@@ -12,8 +12,7 @@
 // a relative speed above the sum of their diameters a step, do not collide. Cost: `npm run bench -- circles --peers`, beside the same in plain JavaScript.
 
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import type { LocalSystem } from '../world/phases.ts';
+import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { useContacts } from './contact-table.ts';
 import { collisionKernels } from './kernels.ts';
 import { confineToSegments } from './segment-walls.ts';

@@ -19,8 +19,9 @@ function namesOf(file: object, enumeration: string): string[] {
 }
 
 test('the tables are laid out as the kernels read them', () => {
-  expect(fieldsOf('collision/table.ts', 'ContactTable')).toEqual(['previousDt', ...namesOf(contactTables, 'Word')]);
-  expect(fieldsOf('columns.ts', 'Columns')).toEqual(namesOf(columnTable, 'TableColumn'));
+  const names = ['previousDt', ...namesOf(contactTables, 'Word')];
+  expect(fieldsOf('particle-contacts/table.ts', 'ContactTable')).toEqual(names);
+  expect(fieldsOf('memory/columns.ts', 'Columns')).toEqual(namesOf(columnTable, 'TableColumn'));
 });
 
 describe.each([

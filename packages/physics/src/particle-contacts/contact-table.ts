@@ -6,7 +6,7 @@ import { allocate } from '../memory/arena.ts';
 import { TABLE_ADDRESS, TableColumn } from '../memory/column-table.ts';
 import { realBytes } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** The words of the table after its first field, the f64 `previousDt`; in the order of the kernels' class. */
 export const enum Word {

@@ -1,8 +1,8 @@
 // The contacts of the last step as arrays, and as events.
 import type { RealColumn } from '../components/define.ts';
 import { constant, resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { emit, hasHandlers } from '../world/event-handlers.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { contactTable, Word } from './contact-table.ts';
 
 /**

@@ -4,7 +4,7 @@ import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
 import { eachRun } from '../ecs/ranges.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import type { LocalSystem } from '../world/phases.ts';
+import type { LocalSystem } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
 interface PlaneList extends Roster {

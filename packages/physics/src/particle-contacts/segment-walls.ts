@@ -5,8 +5,7 @@ import { eachRun } from '../ecs/ranges.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import type { LocalSystem } from '../world/phases.ts';
+import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
 /** Cells of the walls' grid along one axis, at most; and entries of its lists for each wall. */

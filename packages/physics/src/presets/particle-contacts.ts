@@ -7,9 +7,8 @@ import { contactBytesPerEntity } from '../particle-contacts/contact-table.ts';
 import { tellContacts } from '../particle-contacts/contacts.ts';
 import { planeWalls } from '../particle-contacts/plane-walls.ts';
 import { segmentWalls } from '../particle-contacts/segment-walls.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
 import { tellFaults } from '../world/event-handlers.ts';
-import type { Preset } from './preset.ts';
+import type { PhysicsWorld, Preset } from '../world/types.ts';
 
 /**
  * `standard` with collisions: round bodies meet each other, SegmentWalls and PlaneWalls; `contacts(world)` lists what

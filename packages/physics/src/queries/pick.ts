@@ -1,7 +1,7 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { bodies } from '../ecs/ranges.ts';
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** How a point picks a body. */
 export interface PickOptions {

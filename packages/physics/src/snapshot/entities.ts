@@ -2,7 +2,7 @@
 import { addComponent, addEntity, entityExists, removeComponent } from 'bitecs';
 import { bitOf, COMPONENT_NAMES } from '../components/all.ts';
 import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** The entities of a moment, in arrays that the next moment takes over. */
 export interface SavedEntities {

@@ -1,7 +1,7 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { checkObject } from '../errors/validate.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** What is kept, in the order it was named. */
 export const keptOf = resource((): object[] => []);

@@ -1,6 +1,6 @@
 // The world's memory, put aside and written back. Pieces that hold only zeros are left out.
 import { RESERVED_BYTES, TABLE_ADDRESS, TableColumn } from '../memory/column-table.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** Which parts of a memory hold anything. */
 interface Layout {

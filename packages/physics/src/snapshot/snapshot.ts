@@ -6,8 +6,8 @@
 import { assertIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { isConstant, ResourceKey } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
-import { PHASES, type System } from '../world/phases.ts';
+import { PHASES } from '../world/phases.ts';
+import type { PhysicsWorld, System } from '../world/types.ts';
 import { noEntities, restoreEntities, saveEntities } from './entities.ts';
 import { noImage, putImage, takeImage } from './memory-image.ts';
 import { PlainRecord } from './plain-record.ts';

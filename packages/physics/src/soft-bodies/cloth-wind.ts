@@ -12,8 +12,8 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { SPEEDS } from '../forces/support/bounds.ts';
-import type { Force } from '../laws/force.ts';
 import { shownVector, timeVector, type VectorOverTime } from '../laws/time-vector.ts';
+import type { Force } from '../world/types.ts';
 import { constraintKernels } from '../xpbd/kernels.ts';
 import { facesOf } from './faces.ts';
 

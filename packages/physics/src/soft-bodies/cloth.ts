@@ -12,7 +12,7 @@ import {
   type Vector,
   type VectorInput,
 } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import {
   COUNTS,
   checkStiffness,
@@ -58,20 +58,18 @@ export interface Cloth extends Network {
 }
 
 const OPTIONS = [
-  ...[
-    'corner',
-    'columns',
-    'rows',
-    'spacing',
-    'mass',
-    'right',
-    'down',
-    'structural',
-    'shear',
-    'bend',
-    'tethers',
-    'pins',
-  ],
+  'corner',
+  'columns',
+  'rows',
+  'spacing',
+  'mass',
+  'right',
+  'down',
+  'structural',
+  'shear',
+  'bend',
+  'tethers',
+  'pins',
   ...SPRING_OPTIONS,
 ];
 

@@ -4,7 +4,7 @@
 import { assertBody } from '../ecs/entity-ref.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { allocate } from '../memory/arena.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { partsOf } from './strips.ts';
 
 export interface Faces {

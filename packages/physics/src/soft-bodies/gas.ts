@@ -12,9 +12,8 @@
 // a face, twice an evaluation.
 
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
-import type { Force } from '../laws/force.ts';
 import { log } from '../math/elementary.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { constraintKernels } from '../xpbd/kernels.ts';
 import { facesOf } from './faces.ts';
 

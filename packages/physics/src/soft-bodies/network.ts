@@ -4,7 +4,7 @@ import { spawnMany } from '../bodies/spawn-many.ts';
 import { makeRoom } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { type Bounds, checkNumber, checkObject } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /** A network that was made: entity ids. */
 export interface Network {

@@ -4,8 +4,9 @@ import { linearDrag } from '../forces/drag.ts';
 import { springs } from '../forces/springs.ts';
 import { uniformGravity } from '../forces/uniform-gravity.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { largestStretch } from '../xpbd/stretch.ts';
 import { xpbd } from '../xpbd/xpbd.ts';
 import { createCloth } from './cloth.ts';
@@ -126,7 +127,12 @@ describe('a rope', () => {
     for (const integrator of [xpbd({ substeps: 4 }), velocityVerlet]) {
       const world = network({ integrator });
       const rope = createRope(world, {
-        ...{ from: {}, to: { y: -280 }, nodes: 15, mass: 150, stiffness: 500, damping: 20 },
+        from: {},
+        to: { y: -280 },
+        nodes: 15,
+        mass: 150,
+        stiffness: 500,
+        damping: 20,
         components: { linearDrag: 20 },
       });
       run(world, 3000, 1 / 30);

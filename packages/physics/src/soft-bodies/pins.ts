@@ -2,7 +2,7 @@
 import { addComponent, set } from 'bitecs';
 import { assertBody } from '../ecs/entity-ref.ts';
 import { checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 
 /**
  * Holds a node where it is.

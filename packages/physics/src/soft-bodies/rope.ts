@@ -8,7 +8,7 @@
 
 import { assertUsable } from '../ecs/guards.ts';
 import { checkChoice, checkFlag, checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import {
   COUNTS,
   checkStiffness,

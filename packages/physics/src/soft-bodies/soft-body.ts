@@ -2,9 +2,8 @@
 
 import { assertUsable } from '../ecs/guards.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
-import type { Force } from '../laws/force.ts';
 import { cos, sin } from '../math/elementary.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { enclosedGas } from './gas.ts';
 import { icosphere } from './icosphere.ts';
 import {

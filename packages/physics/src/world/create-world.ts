@@ -1,35 +1,24 @@
-import { createWorld, deleteWorld, type Query, type WorldContext } from 'bitecs';
-import { type Addresses, COMPONENT_NAMES, type ComponentName, type Components } from '../components/all.ts';
+import { createWorld, deleteWorld } from 'bitecs';
+import { COMPONENT_NAMES, type ComponentName, type Components } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
 import { contextOf } from '../ecs/bitecs-adapter.ts';
 import { MAX_CAPACITY } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { observeComponents } from '../ecs/observers.ts';
-import {
-  checkOwnComponents,
-  makeOwnColumns,
-  type OwnComponents,
-  observeOwnComponents,
-  ownColumnCount,
-} from '../ecs/own-components.ts';
-import type { Spans } from '../ecs/ranges.ts';
-import type { FieldValues } from '../ecs/values.ts';
-import { createFaultLog, type Fault, type FaultLog } from '../errors/fault-log.ts';
+import { checkOwnComponents, makeOwnColumns, observeOwnComponents, ownColumnCount } from '../ecs/own-components.ts';
+import { createFaultLog } from '../errors/fault-log.ts';
 import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
-import type { Integrator } from '../integrators/support/integrator.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
-import { instantiateKernels, type KernelExports, type Precision } from '../kernels/instantiate.ts';
-import type { Force } from '../laws/force.ts';
+import { instantiateKernels, type Precision } from '../kernels/instantiate.ts';
 import { type Arena, createArena, type MemoryFactory } from '../memory/arena.ts';
 import { RESERVED_BYTES, writeColumnTable } from '../memory/column-table.ts';
 import { columnCounts, componentColumns, realBytes, wordColumn } from '../memory/columns.ts';
-import { POSE, type Previous, type PreviousAddresses } from '../memory/previous-pose.ts';
-import { createScratch, SCRATCH_COLUMNS, type Scratch } from '../memory/scratch.ts';
-import type { Preset } from '../presets/preset.ts';
+import { POSE } from '../memory/previous-pose.ts';
+import { createScratch, SCRATCH_COLUMNS } from '../memory/scratch.ts';
 import { standard } from '../presets/standard.ts';
-import { checkForces, checkIntegrator, checkSystems, type Plan } from './execution-plan.ts';
-import { createPhases, type Phases, type System } from './phases.ts';
-import type { Profile } from './profile.ts';
+import { checkForces, checkIntegrator, checkSystems } from './execution-plan.ts';
+import { createPhases } from './systems.ts';
+import type { Force, Integrator, PhysicsWorld, Preset, System } from './types.ts';
 
 /** How a world is made. Everything has a default. */
 export interface PhysicsWorldOptions {
@@ -60,94 +49,6 @@ export interface PhysicsWorldOptions {
   readonly arenaBytes?: number;
   /** How the memory is made; for tests. */
   readonly memoryFactory?: MemoryFactory;
-}
-
-/** A world: plain columns of numbers in one block of memory, and the short lists that say what a step does. */
-export interface PhysicsWorld {
-  readonly dimensions: 2 | 3;
-  readonly precision: Precision;
-  readonly capacity: number;
-  /** Length of every column; a multiple of 1024. Row `eid` belongs to entity `eid`; row 0 to none. */
-  readonly rows: number;
-  readonly seed: number;
-  readonly memory: WebAssembly.Memory;
-  readonly kernels: KernelExports;
-  /** Per component, one typed array a field: `world.components.Position.x[eid]`. */
-  readonly components: Components;
-  /** Byte addresses of the same columns, for kernels. */
-  readonly addresses: Addresses;
-  /** The pose of every body at the start of the last step. */
-  readonly previous: Previous;
-  readonly previousAddresses: PreviousAddresses;
-  readonly scratch: Scratch;
-  readonly phases: Phases;
-  readonly forces: Force[];
-  integrator: Integrator;
-  onFault: 'quarantine' | 'throw';
-  /** Simulated time, s. */
-  time: number;
-  /** Steps done. */
-  tick: number;
-  /** Highest entity id in use. */
-  lastId: number;
-  /** Runs of bodies, ascending. */
-  readonly spans: Spans;
-  /**
-   * Counters that grow when poses, looks or the set of bodies may have changed. A snapshot brings them back too;
-   * `restored` counts how often that happened, so that the four together never repeat.
-   */
-  readonly versions: { pose: number; style: number; membership: number; restored: number };
-  readonly faults: FaultLog;
-  profile: Profile | undefined;
-  /** 'settling' is the end of a step, when the edits made during it take effect. */
-  state: 'idle' | 'stepping' | 'settling' | 'destroyed';
-  /** Not for users. */
-  readonly internal: WorldInternals;
-}
-
-/** What the engine keeps about a world. */
-export interface WorldInternals {
-  readonly arena: Arena;
-  /** Bit set per row: the components its entity has. */
-  readonly members: Uint32Array;
-  readonly membersAt: number;
-  /** Lives per row. */
-  readonly generations: Uint32Array;
-  readonly idsAt: number;
-  readonly spansAt: number;
-  readonly counts: Record<ComponentName, number>;
-  /** Entities with mass that forces cannot move, and such as move without a place or turn without an angle. */
-  readonly incomplete: { unmoved: number; strays: number };
-  /** Edits made during a step, waiting for its end. */
-  readonly commands: (() => void)[];
-  /** Entities that end with this step, and by bitECS's own set of components which life of theirs it is. */
-  readonly leaving: Map<number, Set<unknown>>;
-  /** Exceptions of users' code during this step: the first few, and how many there were. */
-  readonly thrown: unknown[];
-  thrownCount: number;
-  /** Faults of this step, the first 1024. */
-  readonly stepFaults: Fault[];
-  readonly resources: Map<object, unknown>;
-  readonly ownComponents: OwnComponents;
-  /** Every column of every component. */
-  readonly columns: readonly { [row: number]: number }[];
-  /** bitECS's table of components, to notice that the world was reset. */
-  componentMap: WorldContext['componentMap'] | undefined;
-  /** Per component, the entity that the `addComponent` now running gave it to. */
-  readonly fresh: Record<ComponentName, number>;
-  /** Values that `spawn` has checked and is about to set. */
-  checked: FieldValues | undefined;
-  /** bitECS's queries of our components whose additions nobody but us waits for. */
-  readonly unobserved: Set<Query>;
-  /** What prefabs hand on to their instances. */
-  readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
-  /** The world ends with this step. */
-  ending: boolean;
-  readonly bodyList: { readonly ids: Uint32Array; count: number };
-  spansVersion: number;
-  /** Rows that hold anything, rounded up to whole blocks. */
-  sweptRows: number;
-  plan: Plan | undefined;
 }
 
 const OPTIONS = [

@@ -2,7 +2,7 @@ import { collectThrown } from '../errors/collect-thrown.ts';
 import type { Fault } from '../errors/fault-log.ts';
 import { checkFunction, unknownName } from '../errors/validate.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from './create-world.ts';
+import type { PhysicsWorld } from './types.ts';
 
 /** What a handler can be told of, and what it gets. */
 export interface EventMap {

@@ -1,35 +1,7 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkHas, checkList, isRecord } from '../errors/validate.ts';
-import type { PhysicsWorld } from './create-world.ts';
-import { type LocalSystem, PHASES, type Phase, type System } from './phases.ts';
-
-/** A system and the phase that it runs in. */
-export interface PlannedSystem {
-  readonly phase: Phase;
-  readonly system: System;
-}
-
-/** What of a step runs as one loop with the laws and the integrator, because the systems follow each other. */
-export interface Fusion {
-  /** The pose is saved, and what was written between the steps is checked. */
-  readonly begin: boolean;
-  /** Walls of a box, at which bodies are found in the loop. */
-  readonly walls: LocalSystem | undefined;
-  /** The result is checked. */
-  readonly check: boolean;
-}
-
-/** What a step does, worked out from the phases and forces; made anew only when those change. */
-export interface Plan {
-  readonly systems: readonly PlannedSystem[];
-  readonly signature: readonly unknown[];
-  /** No force looks at more than its own body. */
-  readonly forcesLocal: boolean;
-  /** Undefined where a force is no law, or the integrator has no fixed stages. */
-  readonly fusion: Fusion | undefined;
-  /** What other parts of the engine keep as long as the plan holds. */
-  readonly kept: Map<object, unknown>;
-}
+import { PHASES, type Phase } from './phases.ts';
+import type { Fusion, LocalSystem, PhysicsWorld, Plan, System } from './types.ts';
 
 /** Said of what is no force. */
 export const FORCE_HINT = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';
@@ -116,22 +88,19 @@ function makePlan(world: PhysicsWorld): Plan {
   checkIntegrator(world.integrator, 'world.integrator');
   for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
   const signature: unknown[] = [world.integrator, world.internal.incomplete.unmoved > 0];
-  const systems: PlannedSystem[] = [];
-  for (const phase of PHASES) {
-    for (const system of world.phases[phase]) {
-      signature.push(system);
-      systems.push({ phase, system });
-    }
-    signature.push(phase);
-  }
+  for (const phase of PHASES) signature.push(...world.phases[phase], phase);
   signature.push(...world.forces);
+  const systems = Object.fromEntries(PHASES.map((phase) => [phase, [...world.phases[phase]]])) as Record<
+    Phase,
+    System[]
+  >;
   const { scheme, advance } = world.integrator;
   const isFused = scheme !== undefined && advance === undefined && world.forces.every(({ law }) => law !== undefined);
   return {
     signature,
     systems,
     forcesLocal: world.forces.every(({ local }) => local),
-    fusion: isFused ? fusionOf(systems.map(({ system }) => system)) : undefined,
+    fusion: isFused ? fusionOf(PHASES.flatMap((phase) => systems[phase])) : undefined,
     kept: new Map(),
   };
 }

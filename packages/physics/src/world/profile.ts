@@ -1,13 +1,7 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { checkFunction, checkHas } from '../errors/validate.ts';
-import type { PhysicsWorld } from './create-world.ts';
 import { PHASES, type Phase } from './phases.ts';
-
-/** Time spent in each phase since the profile was switched on or reset, in the clock's unit. */
-export interface Profile {
-  readonly clock: () => number;
-  readonly times: Record<Phase, number>;
-}
+import type { PhysicsWorld, Profile } from './types.ts';
 
 /**
  * Switches profiling on. Physics reads no clock of its own, so the caller hands one in:

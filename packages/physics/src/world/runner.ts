@@ -1,7 +1,7 @@
 import { assertIdle, assertUsable } from '../ecs/guards.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import type { PhysicsWorld } from './create-world.ts';
 import { MAX_DT, MIN_DT, step } from './step.ts';
+import type { PhysicsWorld } from './types.ts';
 
 /** How a runner paces a world. */
 export interface RunnerOptions {

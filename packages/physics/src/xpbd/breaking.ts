@@ -6,7 +6,7 @@
 import { despawn } from '../bodies/spawn.ts';
 import { scanSprings } from '../forces/support/spring-table.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { type ConstraintTable, constraintTable, makeRows, Word } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 

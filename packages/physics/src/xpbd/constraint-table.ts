@@ -5,7 +5,7 @@ import { removeLost, scanSprings, springTable } from '../forces/support/spring-t
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { constraintKernels } from './kernels.ts';
 
 /** Where the fields stand; a bundle has the numbers alone. */

@@ -1,5 +1,5 @@
-import { kernelModule } from '../kernels/instantiate.ts';
 import { KERNELS, type KernelExports } from '../kernels/xpbd.gen.ts';
+import { kernelModule } from '../memory/kernel-module.ts';
 
 /** The kernels of constraints and networks, for a world. */
 export const constraintKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);

@@ -1,5 +1,5 @@
 import { scanSprings } from '../forces/support/spring-table.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { constraintTable } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 

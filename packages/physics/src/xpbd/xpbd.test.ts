@@ -8,8 +8,9 @@ import { uniformGravity } from '../forces/uniform-gravity.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { createCloth } from '../soft-bodies/cloth.ts';
 import { createRope } from '../soft-bodies/rope.ts';
-import { createPhysicsWorld, type PhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
+import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
+import type { PhysicsWorld } from '../world/types.ts';
 import { breakSprings, brokenSprings } from './breaking.ts';
 import { largestStretch } from './stretch.ts';
 import { xpbd } from './xpbd.ts';
@@ -298,7 +299,13 @@ describe('breaking', () => {
     world.phases.finish.push(breakSprings);
     // Ten links below the pin bear from 10 N up to 100 N; the uppermost is the first beyond 95 N.
     const rope = createRope(world, {
-      ...{ from: {}, to: { y: -10 }, nodes: 11, mass: 11, stiffness: 5000, breakForce: 95, damping: 50 },
+      from: {},
+      to: { y: -10 },
+      nodes: 11,
+      mass: 11,
+      stiffness: 5000,
+      breakForce: 95,
+      damping: 50,
       components: { linearDrag: 5 },
     });
     for (let s = 0; s < 400; s++) step(world, 1 / 400);

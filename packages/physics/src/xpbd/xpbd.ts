@@ -31,12 +31,9 @@
 // Andersen: RATTLE (J. Comput. Phys. 52, 1983). Cost: a square root and a division a spring and iteration.
 
 import { drift, kick } from '../dynamics/drift-kick.ts';
-import type { EvaluateForces } from '../dynamics/evaluate-forces.ts';
 import { dropBadForces } from '../dynamics/validate-state.ts';
-import type { Spans } from '../ecs/ranges.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import type { Integrator } from '../integrators/support/integrator.ts';
-import type { PhysicsWorld } from '../world/create-world.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Spans } from '../world/types.ts';
 import { type ConstraintTable, constraintTable, refreshConstraints, Word } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 

@@ -21,7 +21,14 @@ export class NewsRing {
   /** How many there ever were; the last 256 can be read. */
   count = 0;
   readonly #items: SkyNews[] = Array.from({ length: MOST }, () => ({
-    ...{ what: 'launch', x: 0, y: 0, z: 0, time: 0, kind: 0, color: 0, power: 0 },
+    what: 'launch',
+    x: 0,
+    y: 0,
+    z: 0,
+    time: 0,
+    kind: 0,
+    color: 0,
+    power: 0,
   }));
 
   /** The record of number `index`, from 0; read it at once, as it will be written again. */

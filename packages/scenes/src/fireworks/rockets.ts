@@ -122,12 +122,23 @@ export class Rockets {
 
 function createRocket(world: PhysicsWorld): Rocket {
   const id = spawn(world, {
-    ...{ position: {}, velocity: {}, mass: SHELL_MASS, quadraticDrag: SHELL_DRAG * SHELL_MASS },
+    position: {},
+    velocity: {},
+    mass: SHELL_MASS,
+    quadraticDrag: SHELL_DRAG * SHELL_MASS,
     appearance: { color: rgba(1, 0.85, 0.55, 0.9), shape: GLOW, size: SHELL_SIZE },
   });
   const tail = createEmitter(world, {
-    ...{ entity: id, capacity: TAIL_CAPACITY, lifetime: [0.2, 0.6], speed: [0, 2.2], inheritVelocity: 0.25 },
-    ...{ mass: 0.0002, quadraticDrag: 0.0002 * 0.3, size: [0.2, 0.16, 0.04], shape: GLOW, whenFull: 'oldest' },
+    entity: id,
+    capacity: TAIL_CAPACITY,
+    lifetime: [0.2, 0.6],
+    speed: [0, 2.2],
+    inheritVelocity: 0.25,
+    mass: 0.0002,
+    quadraticDrag: 0.0002 * 0.3,
+    size: [0.2, 0.16, 0.04],
+    shape: GLOW,
+    whenFull: 'oldest',
     color: [rgba(1, 0.8, 0.5, 0.5), rgba(1, 0.55, 0.2, 0.35), rgba(0.8, 0.25, 0.05, 0.02)],
   });
   return { id, light: (lit) => setRate(tail, lit ? TAIL_RATE : 0), order: undefined };

@@ -47,7 +47,13 @@ const common = { slowest: 0.9, size: STAR_SIZE, isShell: true, form: 'ball' } as
 
 /** The stars of chains and swarms. Their pools are those of families, not of kinds. */
 const chain: Omit<ShellKind, 'name'> = {
-  ...{ ...common, speed: 13, slowest: 0.4, life: [2, 4], drag: 0.05, capacity: 0, stars: 10 },
+  ...common,
+  speed: 13,
+  slowest: 0.4,
+  life: [2, 4],
+  drag: 0.05,
+  capacity: 0,
+  stars: 10,
   size: [0.46, 0.44, 0.38, 0.26],
 };
 
@@ -55,16 +61,14 @@ const chain: Omit<ShellKind, 'name'> = {
 export const SHELLS: readonly ShellKind[] = [
   { ...common, name: 'peony', stars: 240, speed: 27, life: [1.3, 2], drag: 0.075, capacity: 3000 },
   {
-    ...{
-      ...common,
-      name: 'willow',
-      stars: 160,
-      speed: 16,
-      slowest: 0.25,
-      life: [2.8, 4.2],
-      drag: 0.17,
-      capacity: 2600,
-    },
+    ...common,
+    name: 'willow',
+    stars: 160,
+    speed: 16,
+    slowest: 0.25,
+    life: [2.8, 4.2],
+    drag: 0.17,
+    capacity: 2600,
     size: [0.2, 0.25, 0.2, 0.06],
   },
   {
@@ -79,21 +83,27 @@ export const SHELLS: readonly ShellKind[] = [
     capacity: 1300,
   },
   {
-    ...{
-      ...common,
-      name: 'crackle',
-      stars: 110,
-      speed: 23,
-      slowest: 0.35,
-      life: [0.9, 1.9],
-      drag: 0.09,
-      capacity: 1400,
-    },
+    ...common,
+    name: 'crackle',
+    stars: 110,
+    speed: 23,
+    slowest: 0.35,
+    life: [0.9, 1.9],
+    drag: 0.09,
+    capacity: 1400,
     ends: { kind: 9, count: 6, color: SILVER },
   },
   {
-    ...{ ...common, name: 'palm', form: 'palm', stars: 192, speed: 22, slowest: 0.5, life: [1.7, 2.7], drag: 0.055 },
-    ...{ size: [0.32, 0.38, 0.28, 0.08], capacity: 2200 },
+    ...common,
+    name: 'palm',
+    form: 'palm',
+    stars: 192,
+    speed: 22,
+    slowest: 0.5,
+    life: [1.7, 2.7],
+    drag: 0.055,
+    size: [0.32, 0.38, 0.28, 0.08],
+    capacity: 2200,
   },
   {
     ...common,
@@ -109,13 +119,29 @@ export const SHELLS: readonly ShellKind[] = [
   { ...chain, name: 'chain', family: { seconds: 6, color: GREEN } },
   {
     // Rises at √((b - 1) g / drag) = 2.2 m/s in the end, if nothing blows.
-    ...{ ...common, name: 'lantern', stars: 44, speed: 19, slowest: 0.15, life: [5, 7.5], drag: 0.25, capacity: 600 },
-    ...{ size: [0.3, 0.46, 0.46, 0.12], buoyancy: 1.12 },
+    ...common,
+    name: 'lantern',
+    stars: 44,
+    speed: 19,
+    slowest: 0.15,
+    life: [5, 7.5],
+    drag: 0.25,
+    capacity: 600,
+    size: [0.3, 0.46, 0.46, 0.12],
+    buoyancy: 1.12,
   },
   { ...chain, name: 'swarm', color: YELLOW, isHeld: true, family: { seconds: 6 } },
   {
-    ...{ ...common, name: 'spark', stars: 6, speed: 9, slowest: 0.5, life: [0.12, 0.34], drag: 0.3, capacity: 1800 },
-    ...{ size: [0.3, 0.24, 0.05], isShell: false },
+    ...common,
+    name: 'spark',
+    stars: 6,
+    speed: 9,
+    slowest: 0.5,
+    life: [0.12, 0.34],
+    drag: 0.3,
+    capacity: 1800,
+    size: [0.3, 0.24, 0.05],
+    isShell: false,
   },
 ];
 

@@ -151,14 +151,17 @@ export const AIR_DENSITY = 1.2;
 function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
   const { capacity, life, drag, size, turning, buoyancy, ends, family } = kind;
   const emitter = createEmitter(world, {
-    ...{ capacity, lifetime: life, size, mass: STAR_MASS, quadraticDrag: drag * STAR_MASS, whenFull: 'oldest' },
-    ...{
-      speed: 0,
-      sizeFactor: [0.75, 1.2],
-      shape: GLOW,
-      color: rampsOf(STAR_RGB),
-      reportEndings: ends !== undefined || family !== undefined,
-    },
+    capacity,
+    lifetime: life,
+    size,
+    mass: STAR_MASS,
+    quadraticDrag: drag * STAR_MASS,
+    whenFull: 'oldest',
+    speed: 0,
+    sizeFactor: [0.75, 1.2],
+    shape: GLOW,
+    color: rampsOf(STAR_RGB),
+    reportEndings: ends !== undefined || family !== undefined,
   });
   if (turning !== undefined) {
     const { Charge } = world.components;

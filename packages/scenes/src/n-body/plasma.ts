@@ -63,13 +63,18 @@ export const plasma = defineScene({
     const { count, relativeError, field, shift, thermal, massRatio, softening } = parameters;
     const electrons = Math.floor(count / 2);
     const coulomb = mutualCoulomb({
-      ...{ k: 1, relativeError },
+      k: 1,
+      relativeError,
       law: dimensions === 3 ? 'inverse-square' : 'inverse-distance',
       softening: softening * pow(electrons, -1 / dimensions),
     });
     const magnetic = magnetism(field, integrator);
     const world = createPhysicsWorld({
-      ...{ dimensions, precision, seed, capacity: count, integrator: magnetic.integrator },
+      dimensions,
+      precision,
+      seed,
+      capacity: count,
+      integrator: magnetic.integrator,
       forces: [coulomb, ...magnetic.forces],
     });
     const random = createRandom(seed, 4);
@@ -112,7 +117,9 @@ function spawnSpecies(species: Species, progress?: Progress): Uint32Array {
   for (let i = 0; i < count; i++) {
     const speed = () => thermal * random.gaussian();
     putStar(bodies, i, placeInBall(i, count, start, dimensions), {
-      ...{ x: speed(), y: speed(), z: dimensions === 3 ? speed() : 0 },
+      x: speed(),
+      y: speed(),
+      z: dimensions === 3 ? speed() : 0,
     });
   }
   centreStars(bodies);

@@ -4,10 +4,9 @@ import { defineLaw } from '../../dynamics/define-law.ts';
 import type { VectorInput } from '../../errors/validate.ts';
 import type { BodySymbols } from '../../laws/body-symbols.ts';
 import { type Condition, constant, type Scalar, select, type Vector } from '../../laws/expression.ts';
-import type { Force } from '../../laws/force.ts';
 import type { LawSymbols } from '../../laws/law.ts';
 import { type ParameterInput, type Parameters, vector } from '../../laws/parameter.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import type { Force, PhysicsWorld } from '../../world/types.ts';
 import { PLACES, SPEEDS } from './bounds.ts';
 
 /** Where a centre is. */
@@ -59,7 +58,10 @@ export function centralForce<P extends Parameters>(
   const energy = (body: Body, given: object) => law.energy(from(body, given), symbols(given));
   const isOfMass = couplesTo === 'Mass';
   const make = defineLaw({
-    ...{ name, formula, source, parameters: { ...law.parameters, ...CENTRE } as Parameters },
+    name,
+    formula,
+    source,
+    parameters: { ...law.parameters, ...CENTRE } as Parameters,
     reads: { charge: Charge },
     ...(isOfMass ? { acceleration: field } : { force: (body: Body, given) => field(body, given).mul(body.charge) }),
     ...(!moves(options) && {

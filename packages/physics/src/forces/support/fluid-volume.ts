@@ -2,9 +2,9 @@
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { type Scalar, select, type Vector as VectorSymbol } from '../../laws/expression.ts';
 import { scalar, vector } from '../../laws/parameter.ts';
-import { unit } from '../lift.ts';
-import { STANDARD_GRAVITY } from '../uniform-gravity.ts';
 import { ANY, PLACES, POSITIVE, SPEEDS } from './bounds.ts';
+import { STANDARD_GRAVITY } from './standard-gravity.ts';
+import { unit } from './unit-vector.ts';
 
 /** A body of water, or the air when there is no level. Give the same record to all forces of one pool. */
 export interface Pool {

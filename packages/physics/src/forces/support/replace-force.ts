@@ -1,8 +1,7 @@
 import { assertUsable, whenIdle } from '../../ecs/guards.ts';
 import { unknownName } from '../../errors/validate.ts';
-import type { Force } from '../../laws/force.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
 import { checkForce } from '../../world/execution-plan.ts';
+import type { Force, PhysicsWorld } from '../../world/types.ts';
 
 /**
  * Puts a force in the place of another: how a slider changes gravity while the world runs,

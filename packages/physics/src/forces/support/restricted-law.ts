@@ -3,16 +3,9 @@
 import { lawForce } from '../../dynamics/define-law.ts';
 import type { LawForce } from '../../dynamics/sum-of-laws.ts';
 import { Condition, Scalar, select, Vector, vec3 } from '../../laws/expression.ts';
-import type { Law } from '../../laws/law.ts';
-import {
-  type Parameter,
-  type ParameterSource,
-  scalar,
-  suppliedScalar,
-  symbolOf,
-  vector,
-} from '../../laws/parameter.ts';
+import { scalar, suppliedScalar, symbolOf, vector } from '../../laws/parameter.ts';
 import { structureOf } from '../../laws/structure.ts';
+import type { Law, Parameter, ParameterSource } from '../../world/types.ts';
 import type { CheckedLimits } from './restrictions.ts';
 
 /** Limits are parameters, so that laws with others of the same kind compile to the same code. */
@@ -68,7 +61,10 @@ export function limitedLaw(force: LawForce, limits: CheckedLimits): LawForce {
   const parameters = [...law.parameters, ...added.parameters];
   const derived: Law = {
     ...law,
-    ...{ name, parameters, ...parts, structure: structureOf(parameters, parts) },
+    name,
+    parameters,
+    ...parts,
+    structure: structureOf(parameters, parts),
     names: [...law.names, ...added.names],
   };
   const { potential: _, ...rest } = force;

@@ -5,7 +5,7 @@ import { emptyRoster, type Roster, refreshRoster } from '../../ecs/entity-list.t
 import { collectThrown } from '../../errors/collect-thrown.ts';
 import { allocate } from '../../memory/arena.ts';
 import { resource } from '../../memory/resource.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import type { PhysicsWorld } from '../../world/types.ts';
 
 /** Words of the table before the two f64, in the order of the class in kernels/forces/springs.ts. */
 const WORDS = 16;

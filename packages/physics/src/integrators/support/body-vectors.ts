@@ -1,10 +1,8 @@
 // Vectors with an entry for every body and axis, as columns: what iterative solvers calculate with. Numbers come from
 // cells of arrays and go to them: one that is handed to a function, or returned, becomes garbage.
-
-import type { Spans } from '../../ecs/ranges.ts';
 import { AXES } from '../../memory/axes.ts';
 import type { AxisAddresses } from '../../memory/columns.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import type { PhysicsWorld, Spans } from '../../world/types.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
 export type BodyVector = Readonly<AxisAddresses>;

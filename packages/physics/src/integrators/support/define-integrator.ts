@@ -1,6 +1,6 @@
 import { checkFunction } from '../../errors/validate.ts';
 import { recordScheme, type SchemeFunction, type SchemeOptions } from '../../laws/scheme.ts';
-import type { Integrator } from './integrator.ts';
+import type { Integrator } from '../../world/types.ts';
 
 /**
  * An integrator of fixed stages, written as expressions: it becomes one loop with the laws of a world.

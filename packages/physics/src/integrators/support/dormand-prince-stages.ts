@@ -1,12 +1,10 @@
 // One sub-step of Dormand and Prince's pair over the columns: its stages and its error.
 import type { RealColumn } from '../../components/define.ts';
-import type { EvaluateForces } from '../../dynamics/evaluate-forces.ts';
-import type { Spans } from '../../ecs/ranges.ts';
 import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
 import { resource } from '../../memory/resource.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import type { EvaluateForces, PhysicsWorld, Spans } from '../../world/types.ts';
 import { A, AA, C, E, EA } from './dormand-prince-tableau.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 

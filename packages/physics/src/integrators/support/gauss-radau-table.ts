@@ -4,7 +4,7 @@ import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
 import { resource } from '../../memory/resource.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import type { PhysicsWorld } from '../../world/types.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
 /**
@@ -63,9 +63,15 @@ function makeRadau(world: PhysicsWorld) {
     ...three(Position),
     ...three(Velocity),
     ...three(force),
-    ...[x, y, z],
-    ...[Mass.value, stride, world.dimensions],
-    ...[weights, reciprocals, powers],
+    x,
+    y,
+    z,
+    Mass.value,
+    stride,
+    world.dimensions,
+    weights,
+    reciprocals,
+    powers,
   ]);
   const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 8 * SCALARS, 'Gauss-Radau'), SCALARS);
   return { table, scalars, kernels: integratorKernels(world) };

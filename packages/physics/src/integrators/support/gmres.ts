@@ -1,8 +1,7 @@
 // GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7, 856, 1986) for the linear systems of Newton's method: the matrix
 // is never formed, its products with vectors are differences of residuals.
-import type { EvaluateForces } from '../../dynamics/evaluate-forces.ts';
-import type { Spans } from '../../ecs/ranges.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+
+import type { EvaluateForces, PhysicsWorld, Spans } from '../../world/types.ts';
 import { addScaled, type BodyVector, dot, norm, scale } from './body-vectors.ts';
 import { BASIS, type Equation, MINUS_ONE, residualAt, Scalar } from './implicit-equation.ts';
 

@@ -1,10 +1,8 @@
 // The equation that a step of implicit Euler solves, and the columns its solution needs.
-import type { EvaluateForces } from '../../dynamics/evaluate-forces.ts';
-import type { Spans } from '../../ecs/ranges.ts';
 import { AXES } from '../../memory/axes.ts';
 import { axisColumns } from '../../memory/columns.ts';
 import { resource } from '../../memory/resource.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import type { EvaluateForces, PhysicsWorld, Spans } from '../../world/types.ts';
 import { addScaled, type BodyVector, copyVector } from './body-vectors.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 

@@ -1,4 +1,6 @@
 // Every integrator by name, and what is worth knowing before choosing one. docs/integrators.md is made of this.
+
+import type { Integrator } from '../../world/types.ts';
 import { boris } from '../boris.ts';
 import { dormandPrince } from '../dormand-prince.ts';
 import { driftKickDrift } from '../drift-kick-drift.ts';
@@ -16,7 +18,6 @@ import { velocityVerlet } from '../velocity-verlet.ts';
 import { wisdomHolman } from '../wisdom-holman.ts';
 import { yoshida4 } from '../yoshida4.ts';
 import { yoshida6 } from '../yoshida6.ts';
-import type { Integrator } from './integrator.ts';
 
 /** What is worth knowing about a scheme. */
 export interface IntegratorRecord {

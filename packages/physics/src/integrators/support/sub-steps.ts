@@ -1,7 +1,7 @@
-// What schemes that choose their own steps share: they divide the world's step so that it ends where it should.
-import { reportFault } from '../../errors/fault-log.ts';
-import type { PhysicsWorld } from '../../world/create-world.ts';
+import { reportFault } from '../../errors/report-fault.ts';
+import type { PhysicsWorld } from '../../world/types.ts';
 
+// What schemes that choose their own steps share: they divide the world's step so that it ends where it should.
 /** A sub-step below this part of the step is no step any more: something is singular or jumps. */
 export const SHORTEST = 1e-10;
 

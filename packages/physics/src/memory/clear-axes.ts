@@ -1,0 +1,13 @@
+import type { PhysicsWorld } from '../world/types.ts';
+import type { AxisAddresses } from './columns.ts';
+
+/** Zeroes the rows [first, last) of columns, one for each axis. */
+export function clearAxes(
+  { kernels }: PhysicsWorld,
+  columns: Readonly<AxisAddresses>,
+  axes: readonly (keyof AxisAddresses)[],
+  first: number,
+  last: number,
+): void {
+  for (const axis of axes) kernels.zeroColumn(columns[axis], first, last);
+}

@@ -1,0 +1,38 @@
+import type { BodySource } from '@principia/render-core';
+import type { BufferGeometry, ColorRepresentation, Material, Mesh } from 'three';
+
+/** What `createBodyMesh` may be told. */
+export interface BodyMeshOptions {
+  source: BodySource;
+  /** Colour of bodies whose colour is zero; default a light blue. */
+  defaultColor?: ColorRepresentation;
+  /**
+   * Any mesh material of three, used for these bodies alone: it is rewritten to read the columns. Left out, impostors
+   * are lit by a light that moves with the camera, and meshes are a `MeshStandardMaterial`.
+   */
+  material?: Material;
+  /**
+   * `impostor`: exact balls and boxes worked out for each pixel, the cheapest for many bodies. `mesh`: instances of
+   * triangles, which can wear texture maps and any `geometry`. Default `impostor`, or `mesh` where `segments` or
+   * `geometry` is given.
+   */
+  form?: 'impostor' | 'mesh';
+  /** Segments around a ball in `mesh` form, at least 3; default 16. */
+  segments?: number;
+  /** Geometry that all bodies have instead of balls and boxes, in units of the drawn radius; makes the form `mesh`. */
+  geometry?: BufferGeometry;
+  /** Smallest drawn radius in device pixels, so that far bodies neither vanish nor flicker; default 0.75. Impostors only. */
+  minPixelRadius?: number;
+  castShadow?: boolean;
+  receiveShadow?: boolean;
+}
+
+/** One mesh and whether any body needs it. */
+export interface BodyPass {
+  readonly mesh: Mesh;
+  /** Version of the membership it was last told about. */
+  membership: number;
+  isNeeded(): boolean;
+  setCount(count: number): void;
+  destroy(): void;
+}
