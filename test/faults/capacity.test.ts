@@ -9,7 +9,7 @@ import {
   step,
 } from '@principia/physics';
 import { addComponent, addEntity, removeEntity } from 'bitecs';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { assertRefused, assertWorldAlive, ball, DT, groundWorld, refusal, steps } from '../support/worlds.ts';
 
 function fullWorld(capacity: number): PhysicsWorld {
@@ -17,6 +17,8 @@ function fullWorld(capacity: number): PhysicsWorld {
   for (let i = 0; i < capacity; i++) ball(world, i, 1);
   return world;
 }
+
+const tooSmall = new WebAssembly.Memory({ initial: 1 });
 
 const FULL = { code: 'E_CAPACITY', field: 'capacity', hint: /larger `capacity`/ };
 
@@ -95,10 +97,15 @@ describe('capacity', () => {
         throw new RangeError('out of memory');
       },
     ],
-    ['is too small', () => new WebAssembly.Memory({ initial: 1 })],
-  ])('68 memory that %s at creation gives E_CAPACITY and leaves other worlds alone', (_, memoryFactory) => {
+    ['is too small', () => tooSmall],
+  ])('68 memory that %s at creation gives E_CAPACITY and leaves other worlds alone', (_, makeMemory) => {
     const other = fullWorld(10);
-    expect(refusal(() => createPhysicsWorld({ memoryFactory }))).toMatchObject({ code: 'E_CAPACITY', hint: /f32/ });
+    const replaced = vi.spyOn(WebAssembly, 'Memory').mockImplementation(function allocate() {
+      return makeMemory();
+    });
+    const error = refusal(() => createPhysicsWorld());
+    replaced.mockRestore();
+    expect(error).toMatchObject({ code: 'E_CAPACITY', hint: /f32/ });
     despawn(other, 1);
     assertWorldAlive(other);
   });

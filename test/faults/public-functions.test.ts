@@ -101,7 +101,6 @@ describe('arguments', () => {
     [{ precision: 'f16' }, 'E_RANGE', 'precision'],
     [{ onFault: 'ignore' }, 'E_RANGE', 'onFault'],
     [{ arenaBytes: -1 }, 'E_RANGE', 'arenaBytes'],
-    [{ memoryFactory: 5 }, 'E_TYPE', 'memoryFactory'],
     [{ gravity: 5 }, 'E_UNKNOWN', 'gravity'],
     [null, 'E_TYPE', 'createPhysicsWorld'],
     [5, 'E_TYPE', 'createPhysicsWorld'],

@@ -13,20 +13,15 @@ export interface Arena {
   staggered: number;
 }
 
-/** How the memory is made; a test can put one in its place that fails. */
-export type MemoryFactory = (pages: number) => WebAssembly.Memory;
-
-const plainMemory: MemoryFactory = (pages) => new WebAssembly.Memory({ initial: pages, maximum: pages });
-
 /**
  * A fixed block of at least `bytes`.
  * @throws PhysicsError E_CAPACITY when the machine or the 4 GiB address space cannot hold it
  */
-export function createArena(bytes: number, reserved: number, factory: MemoryFactory = plainMemory): Arena {
+export function createArena(bytes: number, reserved: number): Arena {
   const pages = Math.ceil(bytes / PAGE);
   let memory: WebAssembly.Memory;
   try {
-    memory = factory(pages);
+    memory = new WebAssembly.Memory({ initial: pages, maximum: pages });
     if (memory.buffer.byteLength < pages * PAGE) throw new RangeError('the memory is smaller than asked for');
   } catch (cause) {
     const error = new PhysicsError('E_CAPACITY', `no memory for ${(bytes / 2 ** 20).toFixed(0)} MiB.`, {

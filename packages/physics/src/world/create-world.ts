@@ -10,7 +10,7 @@ import { createFaultLog } from '../errors/fault-log.ts';
 import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { instantiateKernels, type Precision } from '../kernels/instantiate.ts';
-import { type Arena, createArena, type MemoryFactory } from '../memory/arena.ts';
+import { type Arena, createArena } from '../memory/arena.ts';
 import { RESERVED_BYTES, writeColumnTable } from '../memory/column-table.ts';
 import { columnCounts, componentColumns, realBytes, wordColumn } from '../memory/columns.ts';
 import { POSE } from '../memory/previous-pose.ts';
@@ -47,8 +47,6 @@ export interface PhysicsWorldOptions {
    * entity, and at least 1 MiB.
    */
   readonly arenaBytes?: number;
-  /** How the memory is made; for tests. */
-  readonly memoryFactory?: MemoryFactory;
 }
 
 const OPTIONS = [
@@ -63,7 +61,6 @@ const OPTIONS = [
   'preset',
   'onFault',
   'arenaBytes',
-  'memoryFactory',
 ] as const;
 
 /**
@@ -88,7 +85,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   });
   const components = checkOwnComponents(options.components);
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
-  const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES, options.memoryFactory);
+  const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault };
   const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows, components) }) as PhysicsWorld;
   world.internal.componentMap = contextOf(world).componentMap;
@@ -100,19 +97,11 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   return world;
 }
 
-function checkParts({
-  dimensions = 2,
-  forces = [],
-  walls = [],
-  integrator,
-  preset,
-  memoryFactory,
-}: PhysicsWorldOptions): void {
+function checkParts({ dimensions = 2, forces = [], walls = [], integrator, preset }: PhysicsWorldOptions): void {
   checkForces(forces, 'forces', dimensions);
   checkSystems(walls, 'walls');
   if (integrator !== undefined) checkIntegrator(integrator, 'integrator');
   if (preset !== undefined) checkFunction(preset, 'preset');
-  if (memoryFactory !== undefined) checkFunction(memoryFactory, 'memoryFactory');
 }
 
 /** For parameters of laws and the list of bodies at walls. */
