@@ -1,7 +1,7 @@
 /**
  * What the physics costs a game: minified and gzipped, both precisions in it, bitECS left out. It is bundled from what npm
- * would publish, as by a user. A game carries what it imports, and exports nothing; the lists below are what typical games do. Then what each game's own code weighs: its
- * files and its scene, beside the packages that all games share.
+ * would publish, as by a user. A game carries what it imports, and exports nothing; the lists below are what typical games
+ * do. Then what each game's own code weighs: its files and its scene, beside the packages that all games share.
  */
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
