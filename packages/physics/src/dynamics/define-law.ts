@@ -53,7 +53,7 @@ export function defineLaw<
       // What it consumes it reads, to know how much there is.
       reads: [...new Set([...reads, ...(options.consumes ?? [])])],
       ...(options.prepare && { prepare: options.prepare }),
-      ...(options.consumes && { spends: options.consumes }),
+      ...(options.consumes && { consumes: options.consumes }),
     });
   }) as LawFactory<P>;
 }
@@ -62,9 +62,9 @@ export function defineLaw<
 export function lawForce(
   law: Law,
   sources: readonly ParameterSource[],
-  rest: Omit<Force, 'name' | 'local' | 'law' | 'sources' | 'turns' | 'accumulate' | 'potential'>,
+  rest: Omit<Force, 'name' | 'local' | 'law' | 'sources' | 'appliesTorque' | 'accumulate' | 'potential'>,
 ): LawForce {
-  const force = { name: law.name, local: true, turns: law.torque !== undefined, ...rest, law, sources };
+  const force = { name: law.name, local: true, appliesTorque: law.torque !== undefined, ...rest, law, sources };
   if (law.potential === undefined) return force;
   return { ...force, potential: (world) => potentialEnergy(world, force) };
 }

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { MOST_RAMPS, MOST_STOPS, N, W } from './record.ts';
+import { MAX_RAMPS, MAX_STOPS, N, W } from './record.ts';
 
 /** The members of an enumeration without `count`, in order; those numbered from 0 that stand for several, each. */
 function namesOf(fields: object): string[] {
@@ -19,5 +19,5 @@ test('the record has the fields of the kernel’s class, in its order, and its f
   expect(fields.filter(([, , type]) => type === 'f64').map(([, name]) => name)).toEqual(namesOf(N));
   expect(fields.findIndex(([, , type]) => type === 'f64')).toBe(W.count);
   expect(W.count % 2).toBe(0);
-  expect(W.count - W.color0).toBe(MOST_RAMPS * MOST_STOPS + MOST_RAMPS);
+  expect(W.count - W.color0).toBe(MAX_RAMPS * MAX_STOPS + MAX_RAMPS);
 });

@@ -30,7 +30,7 @@ describe('attractors', () => {
       order: 1,
       symplectic: false,
       evaluations: 1,
-      advance: (world, spans, _dt, evaluateForces) => evaluateForces(world, spans, world.time + moment),
+      advance: (world, ranges, _dt, evaluateForces) => evaluateForces(world, ranges, world.time + moment),
     };
     const world = createPhysicsWorld({ capacity: 10, forces: [attractors()], integrator: probe });
     spawn(world, { position: {}, velocity: { x: 3 }, attractor: 1e3 });
