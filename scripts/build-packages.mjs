@@ -1,59 +1,83 @@
-/** Builds every package for publishing: an ES module for each of its entries, and declarations, in its `dist`. */
-import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { build } from 'esbuild';
+/**
+ * Builds every package for publishing, in its `dist`: a JavaScript module and a declaration file for each source that its
+ * entries reach. One module a source, because a bundler drops whole modules of a package without side effects, and finds
+ * far less to drop in one large file. There are no source maps: the modules are the sources without their types.
+ *
+ * As a program: `node scripts/build-packages.mjs`. As a function: `await buildPackages()`.
+ */
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { buildKernels } from './build-kernels.mjs';
-import { bundleOptions } from './lib/bundle.mjs';
+import { packageFolder, packageNames, sourcesByImport, sourcesOf } from './lib/packages.mjs';
 import { cacheFolder, resolveInstalled, root } from './lib/paths.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { runNode } from './lib/run.mjs';
 
-const names = readdirSync(`${root}/packages`).filter((name) => existsSync(`${root}/packages/${name}/src/index.ts`));
-
-try {
+export async function buildPackages() {
   await buildKernels();
-  for (const name of names) {
-    rmSync(`${root}/packages/${name}/dist`, { recursive: true, force: true });
-    const folders = { outbase: `packages/${name}/src`, outdir: `packages/${name}/dist` };
-    await build(bundleOptions({ ...folders, entryPoints: entriesOf(name), splitting: true, packages: 'external' }));
+  const emitted = `${cacheFolder}/emitted`;
+  await emit(emitted);
+  for (const name of packageNames) {
+    const dist = `${packageFolder(name)}/dist`;
+    rmSync(dist, { recursive: true, force: true });
+    cpSync(`${emitted}/${name}/src`, dist, { recursive: true });
+    // Npm puts it into every tarball; the repository needs it once.
+    cpSync(`${root}/LICENSE`, `${packageFolder(name)}/LICENSE`);
   }
-  await writeDeclarations();
-  process.stdout.write(`Built ${names.join(', ')}\n`);
-} catch (error) {
-  await reportFailure(error);
 }
 
 /**
- * The sources that a package exports.
- * @param {string} name
- * @returns {string[]}
+ * All packages at once, because each imports the sources of those below it.
+ * @param {string} folder
  */
-function entriesOf(name) {
-  const { exports } = JSON.parse(readFileSync(`${root}/packages/${name}/package.json`, 'utf8'));
-  return Object.values(exports).map((entry) => `packages/${name}/${entry['principia-source'].slice(2)}`);
-}
-
-/** All packages at once, because each imports the sources of those below it; then to each its own. */
-async function writeDeclarations() {
-  const types = `${cacheFolder}/types`;
-  rmSync(types, { recursive: true, force: true });
-  mkdirSync(types, { recursive: true });
+async function emit(folder) {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
   const project = {
     extends: `${root}/tsconfig.json`,
     compilerOptions: {
       noEmit: false,
       declaration: true,
-      emitDeclarationOnly: true,
       allowJs: false,
       checkJs: false,
+      rewriteRelativeImportExtensions: true,
+      // Seen together, and not one by one, so that numbers with names (`const enum`) stand in place of the names.
+      isolatedModules: false,
+      verbatimModuleSyntax: false,
+      // Nothing of Node, so that the packages need none of its types.
+      types: [],
       rootDir: `${root}/packages`,
-      outDir: types,
-      typeRoots: [`${root}/node_modules/@types`],
+      outDir: folder,
+      // Sources that are found through node_modules belong to another project for the compiler, which does not emit them.
+      paths: Object.fromEntries(packageNames.flatMap(sourcesByImport).map(([name, source]) => [name, [source]])),
     },
-    include: names.map((name) => `${root}/packages/${name}/src`),
-    exclude: [`${root}/packages/*/src/**/*.test.ts`],
+    files: packageNames.flatMap(sourcesOf),
+    include: [],
   };
-  writeFileSync(`${types}/tsconfig.json`, JSON.stringify(project));
+  writeFileSync(`${folder}/tsconfig.json`, JSON.stringify(project));
   const typescript = resolveInstalled('typescript/package.json').replace(/package\.json$/, 'bin/tsc');
-  if ((await runNode([typescript, '-p', `${types}/tsconfig.json`])) !== 0) throw new Error('The declarations failed.');
-  for (const name of names) cpSync(`${types}/${name}/src`, `${root}/packages/${name}/dist`, { recursive: true });
+  if ((await runNode([typescript, '-p', `${folder}/tsconfig.json`])) !== 0)
+    throw new Error('The packages do not compile.');
+  for (const file of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
+    if (file.endsWith('.d.ts')) nameEmittedFiles(`${folder}/${file}`);
+  }
+}
+
+/**
+ * The compiler gives imports of modules the extension of what it emits, but leaves those of declarations as they are in the
+ * sources, which are not published.
+ * @param {string} file
+ */
+function nameEmittedFiles(file) {
+  const text = readFileSync(file, 'utf8');
+  writeFileSync(file, text.replace(/((?:from|import) '\.[^']*|import\("\.[^"]*)\.ts(?=['"])/g, '$1.js'));
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  try {
+    await buildPackages();
+    process.stdout.write(`Built ${packageNames.join(', ')}\n`);
+  } catch (error) {
+    await reportFailure(error);
+  }
 }

@@ -13,6 +13,7 @@ const steps = [
   ['lint', () => succeeds(biome, 'check', '--error-on-warnings', '.')],
   ['kernel format', () => succeeds('scripts/format-kernels.mjs')],
   ['types', () => succeeds(typescript, '-p', 'tsconfig.json')],
+  ['packages', () => succeeds('scripts/check-packages.mjs')],
   ['size', () => succeeds('scripts/size.mjs')],
   ['site', () => succeeds('scripts/site.mjs')],
 ];

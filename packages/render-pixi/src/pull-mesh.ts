@@ -8,7 +8,9 @@ import {
   Shader,
   type TextureSource,
   UniformGroup,
+  VERSION,
 } from 'pixi.js';
+import { requirePixi } from './pixi-version.ts';
 import { QuadGeometry } from './quad-geometry.ts';
 import { glslHeader, gpuLayout, type PullProgram, type UniformType, wgslHeader } from './shaders/pull-program.ts';
 
@@ -27,7 +29,7 @@ export class PullMesh {
 
   /**
    * @param textures one for each name in `program.textures`
-   * @throws Error when `pixelsPerMetre` is not a positive number
+   * @throws Error when `pixelsPerMetre` is not a positive number, or pixi.js is too old
    */
   constructor(
     program: PullProgram,
@@ -35,6 +37,7 @@ export class PullMesh {
     pixelsPerMetre: number,
     blendMode: BLEND_MODES,
   ) {
+    requirePixi(VERSION);
     if (!(pixelsPerMetre > 0 && Number.isFinite(pixelsPerMetre))) {
       throw new Error(`pixelsPerMetre must be a positive number, got ${pixelsPerMetre}`);
     }

@@ -7,9 +7,11 @@ import {
   Container,
   type Renderer,
   type RenderOptions,
+  VERSION,
   type WebGLOptions,
   WebGLRenderer,
 } from 'pixi.js';
+import { requirePixi } from './pixi-version.ts';
 
 /** A canvas that pixi draws on. */
 export interface Screen {
@@ -32,9 +34,10 @@ export type ScreenOptions = Partial<WebGLOptions & AutoDetectOptions>;
  * another that it has to enlarge, and loads pixi's events, filters and other parts before the first picture: here
  * `pixi.js/graphics` and the like are to be imported by who uses them.
  *
- * @throws Error when the browser has neither
+ * @throws Error when the browser has neither, or pixi.js is too old
  */
 export async function openScreen(parent: HTMLElement, options: ScreenOptions = {}): Promise<Screen> {
+  requirePixi(VERSION);
   const { width, height, resolution } = sizeToFill(parent);
   const size = { width: Math.max(1, width), height: Math.max(1, height), resolution };
   const wanted = { autoDensity: true, ...size, ...options, skipExtensionImports: true };

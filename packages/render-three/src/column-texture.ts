@@ -1,5 +1,6 @@
 import { TEXTURE_WIDTH, textureRows } from '@principia/render-core';
-import { ExternalTexture, type WebGLRenderer } from 'three';
+import type { WebGLRenderer } from 'three';
+import { ExternalTexture, requireThree } from './three-version.ts';
 
 /** What a texel of a column texture holds. */
 export type TexelKind = 'real' | 'uint' | 'uint4';
@@ -34,7 +35,9 @@ export class ColumnTexture extends ExternalTexture {
   #used = 0;
   #uploads = 0;
 
+  /** @throws Error when three is too old */
   constructor(kind: TexelKind) {
+    requireThree();
     super();
     this.#kind = kind;
   }

@@ -6,7 +6,7 @@ export const MAX_RAMPS = 8;
 export const MAX_STOPS = 4;
 
 /** Where the u32 fields stand in `record.words`, in order; a bundle has the numbers alone. */
-export enum W {
+export const enum W {
   ids,
   generation,
   free,
@@ -53,7 +53,7 @@ export enum W {
 }
 
 /** Where the f64 fields stand in `record.numbers`, which follow the words. */
-export enum N {
+export const enum N {
   clock,
   pending,
   owed,

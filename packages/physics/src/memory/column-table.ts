@@ -8,7 +8,7 @@ export const TABLE_ADDRESS = 64;
 export const RESERVED_BYTES = 4096;
 
 /** The words of the table, in the order of the class in kernels/memory/columns.ts. */
-export enum TableColumn {
+export const enum TableColumn {
   positionX,
   positionY,
   positionZ,

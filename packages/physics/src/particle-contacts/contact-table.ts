@@ -9,7 +9,7 @@ import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The words of the table after its first field, the f64 `previousDt`; in the order of the kernels' class. */
-export enum Word {
+export const enum Word {
   capacity,
   count,
   lost,

@@ -13,7 +13,7 @@ const MAX_SIDE = 64;
 const ITEMS_A_WALL = 16;
 
 /** The words of `WallGrid` in kernels/particle-contacts/walls/wall-grid.ts. */
-enum GridWord {
+const enum GridWord {
   count,
   segments,
   starts,

@@ -9,7 +9,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 import { constraintKernels } from './kernels.ts';
 
 /** Where the fields stand; a bundle has the numbers alone. */
-export enum Word {
+export const enum Word {
   springs,
   breakForce,
   nodes,

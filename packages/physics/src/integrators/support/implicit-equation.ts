@@ -13,7 +13,7 @@ export const BASIS = 64;
 export const VECTORS = BASIS + 1 + 7;
 
 /** Where the numbers of a solution are, in `scalars`. */
-export enum Scalar {
+export const enum Scalar {
   /** Length of the step, s. */
   step,
   /** Of the residual of the best velocities, and of those being tried. */
