@@ -10,5 +10,4 @@ export * from './integrators/stages';
 export * from './integrators/spin';
 export * from './walls/box';
 export * from './pages';
-export { logarithm } from './math/elementary';
 export { staticEnd } from './columns';

@@ -1,8 +1,5 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
 
-// First, so that a bundle begins with the kernels' texts: gzip packs them 10 % better there than between lines of code.
-import './kernels/texts.gen';
-
 export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia';
 export type { Many, ManyInput } from './bodies/many';
 export { type BodyInput, despawn, spawn } from './bodies/spawn';
