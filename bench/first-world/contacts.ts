@@ -18,8 +18,8 @@ provideFirstWorld((precision) => {
     forces: [uniformGravity(), linearDrag()],
     walls: [boxWalls({ min: { x: 0, y: 0 }, max: { x: 1000 } })],
   });
-  const x = Float64Array.from({ length: 1000 }, (_, i) => 0.9 * i);
-  spawnMany(world, 1000, { position: { x, y: 0.5 }, velocity: { x: 1 }, mass: 1, collider: { radius: 0.5 } });
+  const x = Float64Array.from({ length: 100 }, (_, i) => 0.9 * i);
+  spawnMany(world, 100, { position: { x, y: 0.5 }, velocity: { x: 1 }, mass: 1, collider: { radius: 0.5 } });
   createEmitter(world, { capacity: 100, rate: 600, lifetime: 1, speed: 5, direction: { y: 1 } });
   step(world, 1 / 60);
 });

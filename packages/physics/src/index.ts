@@ -35,7 +35,7 @@ export { largestStretch, rmsStretch } from './constraints/stretch';
 export { type XpbdOptions, xpbd } from './constraints/xpbd';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy';
 export { stateHash } from './diagnostics/hash';
-export { defineLaw, type LawFactory } from './dynamics/define-law';
+export { defineCheckedLaw as defineLaw, type LawFactory } from './dynamics/define-law';
 export { type EvaluateForces, evaluateForces } from './dynamics/evaluate-forces';
 export { explain } from './dynamics/explain';
 export { lawFromPotential, type PotentialOptions } from './dynamics/law-from-potential';
@@ -108,7 +108,7 @@ export { type GustOptions, gusts, type Wind } from './forces/wind';
 export { type YukawaOptions, yukawa } from './forces/yukawa';
 export { INTEGRATORS, type IntegratorName, type IntegratorRecord } from './integrators/all';
 export { type BorisOptions, boris } from './integrators/boris';
-export { defineIntegrator } from './integrators/define-integrator';
+export { defineCheckedIntegrator as defineIntegrator } from './integrators/define-integrator';
 export {
   type DenseState,
   type DormandPrinceOptions,

@@ -15,7 +15,7 @@ import { checkFunction, checkKeys } from '../faults/validate';
 import { constant, Scalar, select, type Vector, vectorOf } from '../laws/expression';
 import { axialVectorOverTime, sourcesOf } from '../laws/parameter';
 import type { VectorOverTime } from '../laws/time-vector';
-import { defineIntegrator } from './define-integrator';
+import { defineCheckedIntegrator } from './define-integrator';
 import type { Integrator } from './integrator';
 
 /** The magnetic field, T: give one of the two. In two dimensions only z acts. */
@@ -36,7 +36,7 @@ export function boris(options: BorisOptions): Integrator {
   if (fieldAt !== undefined) checkFunction(fieldAt, 'fieldAt');
   const parameters = { field: axialVectorOverTime('T', { min: -1e30, max: 1e30 }) };
   const sources = sourcesOf('boris', parameters, { field: field ?? {} });
-  return defineIntegrator(
+  return defineCheckedIntegrator(
     {
       name: 'Boris',
       order: 2,
