@@ -1,8 +1,5 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
 
-// First, so that a bundle begins with the kernels' texts: gzip packs them 10 % better there than between lines of code.
-import './kernels/texts.gen.ts';
-
 export { applyImpulse, type ExplosionOptions, explode } from './bodies/impulse.ts';
 export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia.ts';
 export type { Many, ManyInput } from './bodies/many.ts';
@@ -24,7 +21,7 @@ export { MAX_ANGULAR_SPEED } from './components/rotation.ts';
 export { MAX_SPEED } from './components/velocity.ts';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy.ts';
 export { stateHash } from './diagnostics/hash.ts';
-export { defineLaw, type LawFactory } from './dynamics/define-law.ts';
+export { defineCheckedLaw as defineLaw, type LawFactory } from './dynamics/define-law.ts';
 export { evaluateForces } from './dynamics/evaluate-forces.ts';
 export { explain } from './dynamics/explain.ts';
 export { lawFromPotential, type PotentialOptions } from './dynamics/law-from-potential.ts';
@@ -117,7 +114,7 @@ export { positionFirstEuler } from './integrators/position-first-euler.ts';
 export { positionVerlet } from './integrators/position-verlet.ts';
 export { rungeKutta4 } from './integrators/runge-kutta-4.ts';
 export { semiImplicitEuler } from './integrators/semi-implicit-euler.ts';
-export { defineIntegrator } from './integrators/support/define-integrator.ts';
+export { defineCheckedIntegrator as defineIntegrator } from './integrators/support/define-integrator.ts';
 export { INTEGRATORS, type IntegratorName, type IntegratorRecord } from './integrators/support/integrator-list.ts';
 export { velocityVerlet } from './integrators/velocity-verlet.ts';
 export { type WisdomHolmanOptions, wisdomHolman } from './integrators/wisdom-holman.ts';

@@ -32,7 +32,7 @@ export interface Contacts {
 export interface WallContacts {
   readonly count: number;
   /** Contacts there was no room for. */
-  readonly lost: number;
+  readonly droppedCount: number;
   readonly body: Uint32Array;
   /** Entity id of the wall; 0 for `boxWalls`. */
   readonly wall: Uint32Array;
