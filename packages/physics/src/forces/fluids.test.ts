@@ -18,8 +18,9 @@ import {
 } from '../index.ts';
 
 describe('sphere drag', () => {
-  test('the drag curve: Stokes at Re → 0, measured values at 1, 10, 100, 1000 and 10⁵ within 6 %', () => {
-    expect(sphereDragCoefficient(1e-4) * 1e-4).toBeCloseTo(24, 1);
+  test('the drag curve: Stokes at Re → 0, measured values from 1 to 10⁵ within 6 %', () => {
+    // Beside Stokes' 24/Re stands 0.15 Re^0.687 of it, 2.7e-4, and 0.42 Re/24 · Re^1.16/42500, which is nothing.
+    expect(Math.abs((sphereDragCoefficient(1e-4) * 1e-4) / 24 - 1 - 0.15 * 1e-4 ** 0.687)).toBeLessThan(1e-12);
     // Clift, Grace and Weber, Bubbles, Drops and Particles (1978), table 5.1.
     for (const [re, measured] of [
       [1, 26.5],
@@ -29,8 +30,8 @@ describe('sphere drag', () => {
       [1e4, 0.4],
       [1e5, 0.5],
     ]) {
-      expect(sphereDragCoefficient(re) / measured).toBeGreaterThan(0.82);
-      expect(sphereDragCoefficient(re) / measured).toBeLessThan(1.07);
+      // The authors of the curve claim no more.
+      expect(Math.abs(sphereDragCoefficient(re) / measured - 1), `Re = ${re}`).toBeLessThan(0.06);
     }
   });
 
@@ -43,17 +44,21 @@ describe('sphere drag', () => {
     expect(slow / (-6 * Math.PI * 1e6 * 1e-6)).toBeCloseTo(1, 6);
   });
 
-  test('a raindrop of 1 mm falls at about 4 m/s, a fog droplet of 10 µm at 3 mm/s', () => {
+  test('a raindrop of 1 mm falls at 4.03 m/s, a fog droplet of 10 µm at 3.02 mm/s', () => {
+    // Gunn and Kinzer, J. Meteorol. 6, 243 (1949), measured 4.03 m/s: 6 % of the drag are 4 % of the speed, as C_d falls
+    // as Re^-0.43 there, and a drop is not quite a rigid sphere. The fog: Stokes' d² ρ g/18η less 0.15 Re^0.687 = 0.21 %
+    // of it, where Re = 2.0e-3.
+    const stokes = (1e-10 * 1000 * 9.80665) / (18 * 1.8e-5);
     for (const [diameter, terminal, within] of [
-      [1e-3, 4.0, 0.2],
-      [1e-5, 3.03e-3, 2e-5],
+      [1e-3, 4.03, 0.05 * 4.03],
+      [1e-5, stokes * (1 - 0.0021), 1e-4 * stokes],
     ]) {
       const r = diameter / 2;
       const mass = (1000 * 4 * Math.PI * r ** 3) / 3;
       const forces = [uniformGravity(), sphereDrag({ density: 1.2, viscosity: 1.8e-5 })];
       const { world, speed } = single(forces, { mass, collider: r });
-      run(world, 4 * (terminal / 9.8), terminal / 9.8 / 200);
-      run(world, 4 * (terminal / 9.8), terminal / 9.8 / 200);
+      // Slow ones approach their end as exp(-g t/v).
+      run(world, 24 * (terminal / 9.8), terminal / 9.8 / 200);
       expect(Math.abs(speed() - terminal)).toBeLessThan(within);
     }
   });
