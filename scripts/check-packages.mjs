@@ -80,8 +80,14 @@ function writePrograms(project) {
  */
 async function compileErrors(project, module, moduleResolution) {
   const compilerOptions = {
-    ...{ strict: true, skipLibCheck: false, noEmit: true, types: [] },
-    ...{ target: 'ES2022', lib: ['ES2022', 'DOM', 'DOM.Iterable'], module, moduleResolution },
+    strict: true,
+    skipLibCheck: false,
+    noEmit: true,
+    types: [],
+    target: 'ES2022',
+    lib: ['ES2022', 'DOM', 'DOM.Iterable'],
+    module,
+    moduleResolution,
   };
   writeFileSync(`${project}/tsconfig.json`, JSON.stringify({ compilerOptions, include: ['*.ts'] }));
   const output = (

@@ -11,7 +11,7 @@ import {
   type Force,
   spawn,
   step,
-} from '../index';
+} from '../index.ts';
 
 type Turning = { readonly angularVelocity: { x?: number; y?: number; z?: number }; readonly inertia?: number };
 
@@ -22,7 +22,8 @@ function turning(dimensions: 2 | 3, body: Turning, forces: readonly Force[] = []
   const eid = spawn(world, { position: {}, velocity: {}, mass: 1, inertia: 3, ...pose, ...body });
   const { AngularVelocity: w, Orientation: q, Rotation } = world.components;
   return {
-    ...{ world, eid },
+    world,
+    eid,
     spin: () => ({ x: w.x[eid], y: w.y[eid], z: w.z[eid] }),
     quaternion: () => [q.w[eid], q.x[eid], q.y[eid], q.z[eid]],
     angle: () => Rotation.angle[eid],
