@@ -37,7 +37,7 @@ function onlyOurs() {
   return {
     name: 'only-ours',
     setup({ onResolve }) {
-      onResolve({ filter: /^[^./]/ }, ({ path, kind }) =>
+      onResolve({ filter: /^[^./#]/ }, ({ path, kind }) =>
         kind === 'entry-point' || path.startsWith('@principia/') ? undefined : { path, external: true },
       );
       onResolve({ filter: /^\..*\.mjs$/ }, ({ path, resolveDir }) => ({

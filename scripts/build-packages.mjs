@@ -40,14 +40,14 @@ async function emit(folder) {
       declaration: true,
       allowJs: false,
       checkJs: false,
-      rootDir: `${root}/packages`,
-      outDir: folder,
       rewriteRelativeImportExtensions: true,
       // Seen together, and not one by one, so that numbers with names (`const enum`) stand in place of the names.
       isolatedModules: false,
       verbatimModuleSyntax: false,
       // Nothing of Node, so that the packages need none of its types.
       types: [],
+      rootDir: `${root}/packages`,
+      outDir: folder,
       // Sources that are found through node_modules belong to another project for the compiler, which does not emit them.
       paths: Object.fromEntries(packageNames.flatMap(sourcesByImport).map(([name, source]) => [name, [source]])),
     },

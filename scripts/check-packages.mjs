@@ -83,9 +83,9 @@ async function compileErrors(project, module, moduleResolution) {
     strict: true,
     skipLibCheck: false,
     noEmit: true,
+    types: [],
     target: 'ES2022',
     lib: ['ES2022', 'DOM', 'DOM.Iterable'],
-    types: [],
     module,
     moduleResolution,
   };

@@ -1,15 +1,19 @@
 /**
- * How long players wait: from the click on a game to its first frame that can be played, in milliseconds. Each load is
- * in a fresh browser that has shown the front page, as players come from there; nothing is in its cache.
+ * How long players wait, in milliseconds, and what of that the physics takes: first how long the first world of a page
+ * blocks it, then the time from the click on a game to its first frame that can be played. Each load is in a fresh
+ * browser, for games one that has shown the front page, as players come from there; nothing is in its cache.
  *
- * `npm run start-time -- [--loads 5] [--game black-hole] [--built]`; `--built` serves the site of `npm run build` in
- * place of that of `npm start`. `CHROMIUM` names the browser. Times are this machine's, drawn by its processor.
+ * `npm run start-time -- [--loads 5] [--worlds] [--game black-hole] [--built]`; `--worlds` leaves the games out, `--game`
+ * the worlds; `--built` serves the site of `npm run build` in place of that of `npm start`. `CHROMIUM` names the browser.
+ * Times are this machine's, drawn by its processor.
  */
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
+import { buildKernels } from './build-kernels.mjs';
 import { commandOptions } from './lib/command-options.mjs';
+import { blockedByFirstWorld, FIRST_WORLDS, serveFirstWorlds } from './lib/first-world.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
 import { gameNames } from './lib/site-pages.mjs';
@@ -18,31 +22,77 @@ import { serveFiles } from './lib/static-server.mjs';
 
 const values = commandOptions({
   loads: { type: 'string', default: '5' },
+  worlds: { type: 'boolean', default: false },
   game: { type: 'string', multiple: true },
   built: { type: 'boolean', default: false },
 });
+const loads = Number(values.loads);
 
 const folder = mkdtempSync(join(tmpdir(), 'principia-start-'));
 try {
-  const server = values.built ? await serveBuilt() : await serveSite({ ports: [0], host: '127.0.0.1' });
-  // The first game of the tour has no shell to say when it is ready.
-  const names = values.game ?? gameNames().filter((name) => name !== 'first-game');
-  await untilServed(`${server.url}${names[0]}/main.js`);
-  for (const name of names) {
-    /** @type {number[]} */
-    const times = [];
-    for (let i = 0; i < Number(values.loads); i++) times.push(await firstFrame(server.url, name));
-    times.sort((a, b) => a - b);
-    const all = times.map((time) => time.toFixed(0)).join(' ');
-    process.stdout.write(`${name}: ${times[times.length >> 1].toFixed(0)} ms (${all})\n`);
-  }
-  await server.close();
+  if (!(loads >= 1)) throw new Error(`--loads must be a number from 1, got ${values.loads}.`);
+  if (values.game === undefined) await measureWorlds();
+  if (!values.worlds) await measureGames();
 } catch (error) {
   await reportFailure(error);
 } finally {
   rmSync(folder, { recursive: true, force: true });
 }
 process.exit();
+
+async function measureWorlds() {
+  await buildKernels();
+  const server = await serveFirstWorlds();
+  for (const name of FIRST_WORLDS) {
+    for (const precision of /** @type {const} */ (['f64', 'f32'])) {
+      const blocked = [];
+      for (let i = 0; i < loads; i++) {
+        const browser = await launchBrowser();
+        blocked.push(await blockedByFirstWorld(browser, server.url, name, precision));
+        await browser.close();
+      }
+      const [script, world] = [blocked.map((times) => times.script), blocked.map((times) => times.world)];
+      const all = blocked.map((times) => times.script + times.world);
+      const parts = `script ${medianOf(script).toFixed(1)}, world and step ${medianOf(world).toFixed(1)}`;
+      process.stdout.write(`First world, ${name}, ${precision}: ${summary(all, 1)}; ${parts}\n`);
+    }
+  }
+  await server.close();
+}
+
+async function measureGames() {
+  const server = values.built ? await serveBuilt() : await serveSite({ ports: [0], host: '127.0.0.1' });
+  // The first game of the tour has no shell to say when it is ready.
+  const names = values.game ?? gameNames().filter((name) => name !== 'first-game');
+  await untilServed(`${server.url}${names[0]}/main.js`);
+  for (const name of names) {
+    const times = [];
+    for (let i = 0; i < loads; i++) times.push(await firstFrame(server.url, name));
+    process.stdout.write(`${name}: ${summary(times, 0)}\n`);
+  }
+  await server.close();
+}
+
+/**
+ * The median, and all that it is the median of.
+ * @param {readonly number[]} times
+ * @param {number} digits behind the point
+ */
+function summary(times, digits) {
+  const sorted = times.toSorted((a, b) => a - b).map((time) => time.toFixed(digits));
+  return `${medianOf(times).toFixed(digits)} ms (${sorted.join(' ')})`;
+}
+
+/** @param {readonly number[]} times */
+function medianOf(times) {
+  return times.toSorted((a, b) => a - b)[times.length >> 1];
+}
+
+function launchBrowser() {
+  const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+  const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+  return chromium.launch({ executablePath, chromiumSandbox: false, args });
+}
 
 async function serveBuilt() {
   await writeSite(folder);
@@ -72,9 +122,7 @@ async function untilServed(address) {
  * @param {string} name
  */
 async function firstFrame(url, name) {
-  const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-  const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-  const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
+  const browser = await launchBrowser();
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   await page.goto(url);
   await page.waitForTimeout(1000);

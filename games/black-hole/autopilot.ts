@@ -1,5 +1,5 @@
 /** A player that looks ahead: tries courses on a copy of the ship and flies the best one it knows. */
-import { constant, createRandom, keepState, type Random } from '@principia/physics';
+import { createRandom, keepState, markImmutable, type Random } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole, isClear } from '@principia/scenes';
 import { type Craft, Flight } from './flight.ts';
 import { type Heading, thrustOf } from './heading.ts';
@@ -12,7 +12,7 @@ interface Course {
 }
 
 const HEADINGS: readonly (Heading | undefined)[] = ['up', 'up', 'left', 'right', 'down', undefined];
-const NONE: Course = constant({ headings: [], ends: [], value: Number.NEGATIVE_INFINITY });
+const NONE: Course = markImmutable({ headings: [], ends: [], value: Number.NEGATIVE_INFINITY });
 const HORIZON = 9;
 const LOOK_DT = 1 / 40;
 /** Seconds between two searches, and courses tried in each. */
@@ -78,7 +78,7 @@ export class Autopilot {
       course.value = this.#judge(course);
       if (course.value > best.value) best = course;
     }
-    this.#plan.course = constant(best);
+    this.#plan.course = markImmutable(best);
     this.#since[BEGIN] = 0;
   }
 

@@ -8,7 +8,7 @@
  * - Bonus points, apart from the score: one for every slingshot of a flight that reaches the goal, and up to five for
  *   fuel left over; none where other holes were wished for in the level.
  */
-import { constant, keepState } from '@principia/physics';
+import { keepState, markImmutable } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole } from '@principia/scenes';
 import { type Heading, thrustOf } from './heading.ts';
 
@@ -228,7 +228,7 @@ export class Rules {
   #tell(kind: News['kind'], points: number): void {
     const { world, ship } = this.#scene;
     const { x, y } = world.components.Position;
-    this.news.push(constant({ kind, tick: world.tick, x: x[ship], y: y[ship], points }));
+    this.news.push(markImmutable({ kind, tick: world.tick, x: x[ship], y: y[ship], points }));
     if (this.news.length > KEPT_NEWS) this.news.shift();
     this.newsCount++;
   }

@@ -1,5 +1,5 @@
 /** The simulation: the scene, its rules and its inputs. Needs no screen; the same seed and log give the same game. */
-import { constant, keepState, stateHash } from '@principia/physics';
+import { keepState, markImmutable, stateHash } from '@principia/physics';
 import { type BlackHole, blackHole, InputLog, type LoggedInput } from '@principia/scenes';
 import { Autopilot } from './autopilot.ts';
 import type { Heading } from './heading.ts';
@@ -46,7 +46,7 @@ export class BlackHoleGame {
   constructor({ values, seed, log }: BlackHoleOptions) {
     this.#values = { fuel: values.fuel, moving: values.moving, steep: values.steep, autopilot: values.autopilot };
     // Its own state is kept; the rest of it stays.
-    this.scene = constant(blackHole.create({ seed, steep: values.steep ? 1 : 0 }));
+    this.scene = markImmutable(blackHole.create({ seed, steep: values.steep ? 1 : 0 }));
     this.rules = new Rules(this.scene, this.#values);
     this.log = new InputLog(log);
     this.autopilot = values.autopilot;

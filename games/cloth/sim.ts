@@ -70,5 +70,5 @@ export function brokenThreads({ world }: ClothRun): number {
 }
 
 function breeze(speed: number, seed: number) {
-  return gusts({ mean: { x: speed }, spread: { x: 0.6 * speed, y: 0.3 * speed }, hold: 0.4, seed });
+  return gusts({ mean: { x: speed }, spread: { x: 0.6 * speed, y: 0.3 * speed }, interval: 0.4, seed });
 }

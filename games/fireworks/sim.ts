@@ -1,5 +1,5 @@
 /** The simulation: the scene, what players do to it, and shows. Needs no screen; seed and log give the same night. */
-import { constant, createRandom, keepState, stateHash } from '@principia/physics';
+import { createRandom, keepState, markImmutable, stateHash } from '@principia/physics';
 import {
   FIREWORKS_SKY,
   type Fireworks,
@@ -98,12 +98,12 @@ export class FireworksGame {
   constructor({ values, seed, dimensions, opening = [], isDemo = false, log }: FireworksOptions) {
     const { wind, barrage, sparks } = values;
     // Its own state is kept; the rest of it stays.
-    this.scene = constant(
+    this.scene = markImmutable(
       fireworks.create({ seed, dimensions, wind, shells: SHELLS_IN_AIR, count: barrage ? sparks : 0 }),
     );
     this.log = new InputLog(log);
     this.#random = createRandom(seed, 2);
-    this.show = constant(opening);
+    this.show = markImmutable(opening);
     this.isDemo = isDemo;
     keepState(this.world, this, this.#pushed, this.#progress, this.#random.state, this.log.state);
     const take = (input: Input) => this.#take(input);
@@ -192,7 +192,7 @@ export class FireworksGame {
 
   #play(cues: readonly Cue[]): void {
     this.isDemo = false;
-    this.show = constant(cues);
+    this.show = markImmutable(cues);
     this.showStart = this.world.tick;
     this.#progress.next = 0;
   }

@@ -36,7 +36,7 @@ export const kernelsPlugin = {
     build.onResolve({ filter: /\/[\w-]+\.gen(\.ts)?$/ }, ({ path }) => ({
       path: `${generatedFolder}/${basename(path, '.ts')}.ts`,
     }));
-    build.onLoad({ filter: /[\\/]kernels[\\/][\w-]+\.gen\.ts$/ }, async ({ path }) => {
+    build.onLoad({ filter: /[\\/]kernels[\\/](f32[\\/]|f64[\\/])?[\w-]+\.gen\.ts$/ }, async ({ path }) => {
       const entries = readdirSync(kernelFolder, { recursive: true, withFileTypes: true });
       const watched = {
         watchDirs: [kernelFolder, ...entries.filter((e) => e.isDirectory()).map((e) => `${e.parentPath}/${e.name}`)],

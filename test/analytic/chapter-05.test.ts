@@ -1,13 +1,14 @@
 // Newton's laws, projectiles with drag, floating, energy, rotation. y points down.
 import {
   angularMomentum,
-  colliding,
+  buoyancy,
   constantTorque,
   createPhysicsWorld,
   energy,
   immersedDrag,
   linearDrag,
   momentum,
+  particleContacts,
   positionFirstEuler,
   quadraticDrag,
   rungeKutta4,
@@ -15,7 +16,6 @@ import {
   springs,
   step,
   uniformGravity,
-  upthrust,
   velocityVerlet,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
@@ -84,7 +84,7 @@ function floatingBall(
   position: { x: number; y: number },
 ) {
   const pool = { density, gravity: { y: gravity }, level: -level };
-  const forces = [uniformGravity({ y: gravity }), upthrust(pool), immersedDrag(pool)];
+  const forces = [uniformGravity({ y: gravity }), buoyancy(pool), immersedDrag(pool)];
   const body = { position, hull: 1, collider: radius, quadraticDrag: 0.01 };
   return { forces, body };
 }
@@ -170,7 +170,7 @@ test('ch05-projectile-energy: 1250 J throughout, the apex 125 up after 5 s, and 
 });
 
 test('ch05-elastic-1d: equal balls swap velocities at 5.667, 7.8 and 11 s, and keep momentum and energy', () => {
-  const world = createPhysicsWorld({ preset: colliding, capacity: 5 });
+  const world = createPhysicsWorld({ preset: particleContacts, capacity: 5 });
   const [left, middle, right] = [
     [50, 30],
     [300, 10],

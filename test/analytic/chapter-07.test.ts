@@ -1,5 +1,6 @@
 // Contact and fluid forces. y points down where screens are meant.
 import {
+  buoyancy,
   energy,
   gaussRadau,
   gusts,
@@ -12,7 +13,6 @@ import {
   stringTension,
   thrust,
   uniformGravity,
-  upthrust,
   vortex,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
@@ -73,7 +73,7 @@ describe('ch07-sliding', () => {
 
 test('ch07-pressure-depth: under 10 m of water the pressure is 98.1 kPa above that at the surface', () => {
   // A column of one square metre that stands out of the water: only the pressure on its foot pushes it up.
-  const law = upthrust({ density: 1000, gravity: { y: -9.81 }, level: 0 });
+  const law = buoyancy({ density: 1000, gravity: { y: -9.81 }, level: 0 });
   const pressureAt = (depth: number) => {
     const column = { position: { y: 20 - depth }, hull: { volume: 40, halfHeight: 20, shape: 1 } };
     return lawOn(law, column).y / 1000;
@@ -91,7 +91,7 @@ test('ch07-pressure-depth: under 10 m of water the pressure is 98.1 kPa above th
 test('ch07-apparent-weight: (ρ - ρ_fluid) V g; floats 90 % immersed; neutral when equal', () => {
   const deep = { density: 1000, gravity: { y: -10 } };
   const weight = (mass: number) => {
-    const { world, eid } = single([uniformGravity({ y: -10 }), upthrust(deep)], { mass, hull: 2 });
+    const { world, eid } = single([uniformGravity({ y: -10 }), buoyancy(deep)], { mass, hull: 2 });
     return forceOn(world, eid).y;
   };
   expect(weight(2500)).toBe(-5000);
@@ -99,14 +99,14 @@ test('ch07-apparent-weight: (ρ - ρ_fluid) V g; floats 90 % immersed; neutral w
   const pool = { ...deep, level: 0 };
   // A box of half height 1 with a tenth of it in the air.
   const ice = { position: { y: -0.8 }, mass: 1800, hull: { volume: 2, halfHeight: 1, shape: 1 } };
-  const { world, eid } = single([uniformGravity({ y: -10 }), upthrust(pool)], ice);
+  const { world, eid } = single([uniformGravity({ y: -10 }), buoyancy(pool)], ice);
   expect(forceOn(world, eid).y).toBeCloseTo(0, 10);
 });
 
 describe('balloon', () => {
   const balloon = (density: number, drag: number) => {
     const air = { density: 1.2, gravity: { y: 10 } };
-    const forces = [uniformGravity({ y: 10 }), upthrust(air), quadraticDrag()];
+    const forces = [uniformGravity({ y: 10 }), buoyancy(air), quadraticDrag()];
     return single(forces, { position: { y: 450 }, hull: 1 / density, quadraticDrag: drag });
   };
 
@@ -150,7 +150,7 @@ test('ch07-terminal-velocity: mg/k and √(mg/k)', () => {
 });
 
 test('ch07-parachute: 30 before opening, 10 after, and the way between', () => {
-  const forces = [uniformGravity({ y: 10 }), upthrust({ density: 0.1, gravity: { y: 10 } }), quadraticDrag()];
+  const forces = [uniformGravity({ y: 10 }), buoyancy({ density: 0.1, gravity: { y: 10 } }), quadraticDrag()];
   const { world, eid, speed } = single(forces, { hull: 1, quadraticDrag: 0.01 });
   run(world, 5);
   expect(speed() / 27.154).toBeCloseTo(1, 3);
@@ -207,7 +207,7 @@ test('ch07-bubbles-wind: still-air rise speeds, and the drift in a wind', () => 
   };
   const forces = (wind: number) => [
     uniformGravity({ y: 10 }),
-    upthrust({ density: 1, gravity: { y: 10 } }),
+    buoyancy({ density: 1, gravity: { y: 10 } }),
     quadraticDrag({ x: wind }),
   ];
   for (const [r, rise] of [
@@ -230,7 +230,7 @@ test('ch07-bubbles-wind: still-air rise speeds, and the drift in a wind', () => 
 });
 
 describe('ch07-bubbles-turbulence', () => {
-  const options = { mean: { x: 20 }, spread: { x: 500, y: 500 }, hold: 0.125, seed: 4 };
+  const options = { mean: { x: 20 }, spread: { x: 500, y: 500 }, interval: 0.125, seed: 4 };
   /** Standard deviation of what is uniform within ±500. */
   const deviation = 500 / Math.sqrt(3);
 
@@ -239,7 +239,7 @@ describe('ch07-bubbles-turbulence', () => {
     const count = 20_000;
     const sum = { x: 0, y: 0, xx: 0, yy: 0 };
     for (let i = 0; i < count; i++) {
-      const { x, y } = wind((i + 0.5) * options.hold);
+      const { x, y } = wind((i + 0.5) * options.interval);
       sum.x += (x - 20) / count;
       sum.y += y / count;
       sum.xx += (x - 20) ** 2 / count;
@@ -264,13 +264,13 @@ describe('ch07-bubbles-turbulence', () => {
       );
       run(world, 2, 1 / rate);
       const wind = gusts(options);
-      const fade = Math.exp(-options.hold);
+      const fade = Math.exp(-options.interval);
       for (const axis of ['x', 'y'] as const) {
         let [position, velocity] = [0, 0];
         // While a gust w lasts: v = w + (v₀ - w) exp(-t), and x by its integral.
-        for (let i = 0; i < 2 / options.hold; i++) {
-          const w = wind((i + 0.5) * options.hold)[axis];
-          position += w * options.hold + (velocity - w) * (1 - fade);
+        for (let i = 0; i < 2 / options.interval; i++) {
+          const w = wind((i + 0.5) * options.interval)[axis];
+          position += w * options.interval + (velocity - w) * (1 - fade);
           velocity = w + (velocity - w) * fade;
         }
         // Speeds of 500, rounded by 2⁻⁵³ of that some ten times in each of at most 128 steps: 7e-11.

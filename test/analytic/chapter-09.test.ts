@@ -1,8 +1,8 @@
 // Circular motion.
 import {
   attractors,
-  bendGrip,
   constantTorque,
+  corneringGrip,
   createPhysicsWorld,
   discInertia,
   discMass,
@@ -128,7 +128,7 @@ test('ch09-circular-orbit: periods, radius over 500 s, and the launch at 45°', 
 });
 
 test('ch09-car-bend: up to 27.386 it stays on the bend, faster it slides out', () => {
-  const grip = bendGrip({ centre: { x: 200, y: 100 }, friction: 1, gravity: 10 });
+  const grip = corneringGrip({ centre: { x: 200, y: 100 }, friction: 1, gravity: 10 });
   const car = (speed: number) => {
     const body = { position: { x: 275, y: 100 }, velocity: { y: speed }, mass: 90 };
     const { world, eid, at } = single([grip], body, { integrator: rungeKutta4 });

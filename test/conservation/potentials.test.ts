@@ -62,7 +62,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
           const fall = gradient(stage, eid);
           for (const axis of axesOf(stage)) expect(Math.abs(fall[axis] - pull[axis])).toBeLessThan(1e-9 * size);
         }
-        if (force.turns === true) {
+        if (force.appliesTorque === true) {
           expect(Math.abs(torqueOf(stage) - forceOn(world, subject).torque)).toBeLessThan(1e-9 * size);
         }
         moveBy(stage, by, -1);

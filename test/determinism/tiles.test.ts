@@ -87,7 +87,7 @@ describe.each(['f32', 'f64'] as const)('several tiles, %s', (precision) => {
     const ids = holed(churned);
     expect(churned.lastId).toBeGreaterThan(COUNT);
     const found = outcome(churned, ids);
-    expect(churned.spans.count).toBeGreaterThan(1);
+    expect(churned.ranges.count).toBeGreaterThan(1);
     expectSame(found, expected);
   });
 

@@ -9,8 +9,8 @@ const folders = ['forces', 'n-body', 'soft-bodies'];
 /** What makes forces of forces, or forces of your own. */
 const NOT_LAWS = [
   'defineForce',
-  'limited',
-  'limitedLaw',
+  'restrictForce',
+  'restrictedLaw',
   'centralForce',
   'fieldForce',
   'createMutualForce',
@@ -62,7 +62,7 @@ export function forcePage(): string {
     'Every law of the package: a function makes its record, and `world.forces` lists the records of a world. *Energy* marks',
     'those with a potential, with which `energy(world)` closes. Those marked *last* answer the forces listed before them.',
     'Formulas are typeset from the expressions that are compiled. Any force can be kept to some bodies, places or times by',
-    '`limited(force, { group, region, from, until })`; one of your own is [an expression](adding-a-force.md). Winds that change are made by `gusts` and `correlatedGusts`; blows by',
+    '`restrictForce(force, { group, region, from, until })`; one of your own is [an expression](adding-a-force.md). Winds that change are made by `gusts` and `correlatedGusts`; blows by',
     '`applyImpulse` and `explode`.',
     '',
     '| function | law | components it reads | |',

@@ -123,10 +123,10 @@ describe('capacity', () => {
       step(world, DT);
     }
     const { faults } = world;
-    expect([faults.faults.length, faults.lost]).toEqual([1024, 20_000 - 1024]);
+    expect([faults.faults.length, faults.droppedCount]).toEqual([1024, 20_000 - 1024]);
     expect(world.internal.stepFaults.length).toBe(20);
     clearFaults(faults);
-    expect(world.faults).toMatchObject({ faults: [], lost: 0 });
+    expect(world.faults).toMatchObject({ faults: [], droppedCount: 0 });
     assertWorldAlive(world);
   });
 
@@ -141,15 +141,15 @@ describe('capacity', () => {
       world.components.Velocity.x[eid] = 1e30;
       step(world, DT);
     }
-    expect([heard, world.faults.lost]).toEqual([1500, 476]);
+    expect([heard, world.faults.droppedCount]).toEqual([1500, 476]);
   });
 
   it('70 nothing grows in a hundred thousand steps of a world that nobody asks anything', () => {
     const world = groundWorld({ capacity: 20 });
     ball(world, 0, 1, { x: 1 });
     steps(world, 100_000);
-    const { commands, thrown, stepFaults, leaving } = world.internal;
-    expect([commands.length, thrown.length, stepFaults.length, leaving.size]).toEqual([0, 0, 0, 0]);
+    const { deferredEdits, thrown, stepFaults, leaving } = world.internal;
+    expect([deferredEdits.length, thrown.length, stepFaults.length, leaving.size]).toEqual([0, 0, 0, 0]);
     expect([world.tick, world.faults.faults.length]).toEqual([100_000, 0]);
   });
 });

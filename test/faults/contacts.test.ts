@@ -1,6 +1,5 @@
 /** Bodies that touch: faults stay with their body, crowds cost a bounded amount, overlaps come apart gently. */
 import {
-  colliding,
   contactCapacity,
   contacts,
   createPhysicsWorld,
@@ -10,6 +9,7 @@ import {
   on,
   type PhysicsWorld,
   type PhysicsWorldOptions,
+  particleContacts,
   spawn,
   spawnMany,
   step,
@@ -18,9 +18,9 @@ import { addComponent, set } from 'bitecs';
 import { describe, expect, it } from 'vitest';
 import { assertWorldAlive, ball, bodyState, DT, groundWorld, KINDS, steps } from '../support/worlds.ts';
 
-const touching = (options: PhysicsWorldOptions = {}) => groundWorld({ preset: colliding, ...options });
+const touching = (options: PhysicsWorldOptions = {}) => groundWorld({ preset: particleContacts, ...options });
 const space = (options: PhysicsWorldOptions = {}) =>
-  createPhysicsWorld({ preset: colliding, capacity: 100, ...options });
+  createPhysicsWorld({ preset: particleContacts, capacity: 100, ...options });
 
 function allFinite({ components: { Position, Velocity, AngularVelocity }, lastId }: PhysicsWorld): boolean {
   return [Position, Velocity, AngularVelocity].every((columns) =>
@@ -112,7 +112,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     const found = contacts(world);
     expect(found.count).toBeGreaterThan(0);
     expect(found.count).toBeLessThanOrEqual(contactCapacity(world));
-    expect(found.lost).toBeGreaterThan(0);
+    expect(found.droppedCount).toBeGreaterThan(0);
     step(world, DT);
     expect(allFinite(world)).toBe(true);
     expect(world.faults.faults).toEqual([]);
@@ -130,12 +130,12 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     const { world, ids, found } = crowd(2 ** 19);
     expect(contactCapacity(world)).toBeLessThan(pairs);
     expect(found.count).toBe(contactCapacity(world));
-    expect(found.count + found.lost).toBe(pairs);
+    expect(found.count + found.droppedCount).toBe(pairs);
     const roomy = crowd(2 ** 23).found;
-    expect([roomy.count, roomy.lost]).toEqual([pairs, 0]);
+    expect([roomy.count, roomy.droppedCount]).toEqual([pairs, 0]);
     // Where some are left out the others still come apart, until there is room for all.
     steps(world, 600);
-    expect(found.lost).toBe(0);
+    expect(found.droppedCount).toBe(0);
     expect(allFinite(world)).toBe(true);
     expect(world.faults.faults).toEqual([]);
     expect(topSpeed(world, ids)).toBeLessThan(3);

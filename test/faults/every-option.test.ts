@@ -17,7 +17,7 @@ const GOOD: Record<string, object> = {
   wisdomHolman: {},
   xpbd: {},
   boxWalls: { min: { x: -1 }, max: { x: 1 } },
-  gusts: { spread: { x: 1 }, hold: 1 },
+  gusts: { spread: { x: 1 }, interval: 1 },
   correlatedGusts: { deviation: { x: 1 }, time: 1 },
 };
 

@@ -146,11 +146,11 @@ function checkBodies(world: PhysicsWorld): void {
   const found = [...query(world, [world.components.Position])].sort((a, b) => a - b);
   const { ids, count } = bodies(world);
   expect([...ids.subarray(0, count)]).toEqual(found);
-  const { spans } = world;
+  const { ranges } = world;
   const inside: number[] = [];
   let before = 0;
-  for (let r = 0; r < spans.count; r++) {
-    const [first, end] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+  for (let r = 0; r < ranges.count; r++) {
+    const [first, end] = [ranges.bounds[2 * r], ranges.bounds[2 * r + 1]];
     expect(first % 16 === 0 && end % 16 === 0 && first >= before && end > first).toBe(true);
     const within = found.filter((eid) => eid >= first && eid < end);
     // Both ends of a run hold bodies: it covers what it must and not a block more.
@@ -170,7 +170,7 @@ function checkReferences({ world, refs }: Model): void {
   }
 }
 
-function checkFinite(world: PhysicsWorld): void {
+function validateState(world: PhysicsWorld): void {
   const { Position, Velocity, Rotation } = world.components;
   for (const column of [Position.x, Position.y, Velocity.x, Velocity.y, Rotation.angle]) {
     expect(column.subarray(0, world.lastId + 1).every(Number.isFinite)).toBe(true);
@@ -179,7 +179,7 @@ function checkFinite(world: PhysicsWorld): void {
 
 const operation = fc.tuple(fc.constantFrom(...Object.keys(OPERATIONS)), fc.nat(1000), fc.nat(1000));
 
-it('members, counts, spans, zero rows and references hold after any operations', () => {
+it('members, counts, ranges, zero rows and references hold after any operations', () => {
   fc.assert(
     fc.property(fc.array(operation, { minLength: 1, maxLength: 60 }), (operations) => {
       const model: Model = { world: groundWorld({ capacity: CAPACITY }), refs: new Map() };
@@ -190,7 +190,7 @@ it('members, counts, spans, zero rows and references hold after any operations',
       }
       checkRows(model.world);
       step(model.world, DT);
-      checkFinite(model.world);
+      validateState(model.world);
       expect(model.world.state).toBe('idle');
     }),
     { numRuns: 150, seed: 20, endOnFailure: false },

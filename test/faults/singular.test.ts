@@ -2,7 +2,7 @@
 // too stiff, bodies without mass. All must stay finite, spread to nobody, and be told of where they are wrong.
 import {
   attractors,
-  bendGrip,
+  corneringGrip,
   createPhysicsWorld,
   enclosedMassGravity,
   type Force,
@@ -25,7 +25,7 @@ import { forceOn } from '../support/laws.ts';
 
 const LAWS: [string, () => Force][] = [
   ['attractors', () => attractors()],
-  ['bendGrip', () => bendGrip({ friction: 1 })],
+  ['corneringGrip', () => corneringGrip({ friction: 1 })],
   ['enclosedMassGravity', () => enclosedMassGravity({ radii: [0.5, 1], masses: [0.5, 1], gravitationalConstant: 1 })],
   ['fixedCharges', () => fixedCharges(1)],
   ['lennardJones', () => lennardJones({ depth: 1, diameter: 1 })],

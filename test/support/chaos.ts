@@ -3,12 +3,12 @@ import {
   attractors,
   bodies,
   boxWalls,
-  colliding,
   createPhysicsWorld,
   createRandom,
   linearDrag,
   type PhysicsWorld,
   type Precision,
+  particleContacts,
   quadraticDrag,
   spawn,
   springs,
@@ -22,7 +22,7 @@ const SIDE = 20;
 /** Discs or balls on springs that collide, tossed about by three attractors in a box: errors grow with every contact. */
 export function chaoticWorld(dimensions: 2 | 3, precision: Precision, seed = 7, count = 120): PhysicsWorld {
   const world = createPhysicsWorld({
-    preset: colliding,
+    preset: particleContacts,
     dimensions,
     precision,
     seed,

@@ -62,11 +62,11 @@ export function crowd(forces: readonly Force[], options: PhysicsWorldOptions = {
 /** Lets the world evaluate its forces; the columns they are in. */
 export function forcesNow(world: PhysicsWorld, time = world.time) {
   bodies(world);
-  const { scratch, kernels, addresses, spans, rows } = world;
+  const { scratch, kernels, addresses, ranges, rows } = world;
   for (const axis of ['x', 'y', 'z'] as const) {
     kernels.copyColumn(scratch.at.startVelocity[axis], addresses.Velocity[axis], 0, rows);
   }
-  evaluateForces(world, spans, time);
+  evaluateForces(world, ranges, time);
   return scratch.force;
 }
 

@@ -73,8 +73,8 @@ export const LAW_RECORDS: readonly LawRecord[] = [
   law('turbulentDrag', { mean: { x: 1 }, deviation: 1, largest: 1, smallest: 0.1, time: 1, modes: 8, seed: 1 }),
   law('lift', { span: { z: 1 }, frame: 'world', wind: { x: 1 } }),
   law('magnus', { density: 1, coefficient: 1, wind: { x: 1 } }),
-  law('upthrust', pool),
-  { ...law('polygonUpthrust', pool, { shape: 2, vertices: triangle }), dimensions: 2 },
+  law('buoyancy', pool),
+  { ...law('polygonBuoyancy', pool, { shape: 2, vertices: triangle }), dimensions: 2 },
   law('immersedDrag', { ...pool, flow: { x: 1 } }),
   law('addedMass', pool),
   law('thrust', { frame: 'world' }),
@@ -95,7 +95,7 @@ export const LAW_RECORDS: readonly LawRecord[] = [
   law('constantTorque', { x: 1, y: 2, z: 3 }),
   law('angularDrag'),
   law('stringTension', { pivot: { x: 0.1 }, length: 1 }),
-  law('bendGrip', { centre: { x: 0.1 }, friction: 1, gravity: 10 }),
+  law('corneringGrip', { centre: { x: 0.1 }, friction: 1, gravity: 10 }),
   law('planeSupport', { point: {}, normal: { x: 1, y: 3 }, kineticFriction: 0.1, staticFriction: 0.2, gap: 100 }),
   {
     ...law('enclosedGas', {
@@ -185,7 +185,7 @@ export function lawWorld(
     spawn(world, {
       ...BODY,
       ...turns,
-      hull: { ...BODY.hull, shape: record.maker === 'polygonUpthrust' ? 2 : 0 },
+      hull: { ...BODY.hull, shape: record.maker === 'polygonBuoyancy' ? 2 : 0 },
       charge: 0.5 - i,
       position: { x, y, ...(dimensions === 3 ? { z } : {}) },
       velocity: still ? {} : { x: 0.3 * i - 0.7, y: 0.4 },

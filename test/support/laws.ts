@@ -53,7 +53,7 @@ export function forceOn(world: PhysicsWorld, eid: number, time = world.time) {
       16 * Math.ceil((world.lastId + 1) / 16),
     );
   }
-  evaluateForces(world, world.spans, time);
+  evaluateForces(world, world.ranges, time);
   const { force, torque } = scratch;
   // No force has no direction: of minus zero this makes zero.
   return { x: force.x[eid] + 0, y: force.y[eid] + 0, z: force.z[eid] + 0, torque: torque.z[eid] + 0 };

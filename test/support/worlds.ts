@@ -72,8 +72,8 @@ export function worldState(world: PhysicsWorld): unknown {
     time: world.time,
     tick: world.tick,
     state: world.state,
-    faults: world.faults.faults.length + world.faults.lost,
-    waiting: world.internal.commands.length,
+    faults: world.faults.faults.length + world.faults.droppedCount,
+    waiting: world.internal.deferredEdits.length,
   };
 }
 

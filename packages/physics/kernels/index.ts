@@ -10,5 +10,4 @@ export * from './dynamics/drift-kick';
 export * from './dynamics/integrate-rotation';
 export * from './particle-contacts/walls/box';
 export * from './snapshot/pages';
-export { logarithm } from './math/elementary';
 export { staticEnd } from './memory/columns';

@@ -1,8 +1,5 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
 
-// First, so that a bundle begins with the kernels' texts: gzip packs them 10 % better there than between lines of code.
-import './kernels/texts.gen.ts';
-
 export { applyImpulse, type ExplosionOptions, explode } from './bodies/impulse.ts';
 export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia.ts';
 export type { Many, ManyInput } from './bodies/many.ts';
@@ -24,11 +21,11 @@ export { MAX_ANGULAR_SPEED } from './components/rotation.ts';
 export { MAX_SPEED } from './components/velocity.ts';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy.ts';
 export { stateHash } from './diagnostics/hash.ts';
-export { defineLaw, type LawFactory } from './dynamics/define-law.ts';
+export { defineCheckedLaw as defineLaw, type LawFactory } from './dynamics/define-law.ts';
 export { evaluateForces } from './dynamics/evaluate-forces.ts';
 export { explain } from './dynamics/explain.ts';
 export { lawFromPotential, type PotentialOptions } from './dynamics/law-from-potential.ts';
-export { begin, checkFinite } from './dynamics/validate-state.ts';
+export { beginStep, validateState } from './dynamics/validate-state.ts';
 export { type EntityRef, entityRef, isAlive, isBody, resolve } from './ecs/entity-ref.ts';
 export { columnsOf } from './ecs/own-components.ts';
 export { type BodyList, bodies } from './ecs/ranges.ts';
@@ -54,8 +51,8 @@ export { type FaultCode, type FaultDetails, PhysicsError } from './errors/physic
 export type { Vector, VectorInput } from './errors/validate.ts';
 export { addedMass } from './forces/added-mass.ts';
 export { type AttractorsOptions, attractors } from './forces/attractors.ts';
-export { upthrust } from './forces/buoyancy.ts';
-export { type BendOptions, bendGrip } from './forces/cornering-grip.ts';
+export { buoyancy } from './forces/buoyancy.ts';
+export { type CorneringGripOptions, corneringGrip } from './forces/cornering-grip.ts';
 export { linearDrag, quadraticDrag } from './forces/drag.ts';
 export { electricField } from './forces/electric-field.ts';
 export {
@@ -75,20 +72,20 @@ export { type PaczynskiWiitaOptions, paczynskiWiita } from './forces/paczynski-w
 export { type PeriodicDriveOptions, periodicDrive } from './forces/periodic-drive.ts';
 export { type PlaneSupportOptions, planeSupport } from './forces/plane-support.ts';
 export { type PointerPull, type PointerPullOptions, pointerPull } from './forces/pointer-pull.ts';
-export { type PolygonHull, polygonUpthrust } from './forces/polygon-buoyancy.ts';
+export { type PolygonHull, polygonBuoyancy } from './forces/polygon-buoyancy.ts';
 export { type PostNewtonianOptions, postNewtonian } from './forces/post-newtonian.ts';
 export { type PowerLawOptions, powerLaw } from './forces/power-law.ts';
 export { type RandomDriveOptions, randomDrive } from './forces/random-drive.ts';
-export { limited } from './forces/restrict-force.ts';
+export { restrictForce } from './forces/restrict-force.ts';
 export { type RocketOptions, rocketEngines } from './forces/rocket-engines.ts';
 export { type FluidOptions, sphereDrag, sphereDragCoefficient } from './forces/sphere-drag.ts';
 export { removedSprings, springs } from './forces/springs.ts';
 export { type StringOptions, stringTension } from './forces/string-tension.ts';
 export type { CentreOptions } from './forces/support/central-force.ts';
 export { type CorrelatedGustOptions, correlatedGusts } from './forces/support/correlated-gusts.ts';
-export type { Pool } from './forces/support/fluid-volume.ts';
+export type { FluidVolume } from './forces/support/fluid-volume.ts';
 export { replaceForce } from './forces/support/replace-force.ts';
-export type { Limits, Region } from './forces/support/restrictions.ts';
+export type { Region, Restrictions } from './forces/support/restrictions.ts';
 export { STANDARD_GRAVITY } from './forces/support/standard-gravity.ts';
 export { type GustOptions, gusts, type Wind } from './forces/support/wind.ts';
 export { type ThrustOptions, thrust } from './forces/thrust.ts';
@@ -117,7 +114,7 @@ export { positionFirstEuler } from './integrators/position-first-euler.ts';
 export { positionVerlet } from './integrators/position-verlet.ts';
 export { rungeKutta4 } from './integrators/runge-kutta-4.ts';
 export { semiImplicitEuler } from './integrators/semi-implicit-euler.ts';
-export { defineIntegrator } from './integrators/support/define-integrator.ts';
+export { defineCheckedIntegrator as defineIntegrator } from './integrators/support/define-integrator.ts';
 export { INTEGRATORS, type IntegratorName, type IntegratorRecord } from './integrators/support/integrator-list.ts';
 export { velocityVerlet } from './integrators/velocity-verlet.ts';
 export { type WisdomHolmanOptions, wisdomHolman } from './integrators/wisdom-holman.ts';
@@ -143,7 +140,7 @@ export { type TablePlace, table } from './laws/table.ts';
 export type { VectorOverTime } from './laws/time-vector.ts';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary.ts';
 export { createRandom, type Random } from './math/random.ts';
-export { constant, resource } from './memory/resource.ts';
+export { markImmutable, resource } from './memory/resource.ts';
 export { type Mergers, mergeOnContact, mergers } from './n-body/merge-on-contact.ts';
 export { type MutualCoulombOptions, mutualCoulomb } from './n-body/mutual-coulomb.ts';
 export type {
@@ -155,18 +152,18 @@ export type {
 } from './n-body/mutual-force.ts';
 export { type MutualGravityOptions, mutualGravity } from './n-body/mutual-gravity.ts';
 export { type BoxWallsOptions, boxWalls } from './particle-contacts/box-walls.ts';
-export { collideBodies, openContacts } from './particle-contacts/collide.ts';
+export { collideBodies, enableContacts } from './particle-contacts/collide.ts';
 export {
   type Contacts,
   contactCapacity,
   contacts,
-  tellContacts,
+  dispatchContactEvents,
   type WallContacts,
   wallContacts,
 } from './particle-contacts/contacts.ts';
 export { planeWalls } from './particle-contacts/plane-walls.ts';
 export { segmentWalls } from './particle-contacts/segment-walls.ts';
-export { colliding } from './presets/particle-contacts.ts';
+export { particleContacts } from './presets/particle-contacts.ts';
 export { standard } from './presets/standard.ts';
 export { bodyAt, type PickOptions } from './queries/pick.ts';
 export { keepState } from './snapshot/keep-state.ts';
@@ -200,9 +197,9 @@ export type {
   PhysicsWorld,
   Preset,
   Profile,
-  Spans,
+  Ranges,
   System,
 } from './world/types.ts';
 export { type BrokenSprings, breakSprings, brokenSprings } from './xpbd/breaking.ts';
-export { largestStretch, rmsStretch } from './xpbd/stretch.ts';
+export { maxStrain, rmsStrain } from './xpbd/stretch.ts';
 export { type XpbdOptions, xpbd } from './xpbd/xpbd.ts';

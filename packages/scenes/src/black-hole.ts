@@ -2,11 +2,11 @@
 // points up. The rules of the game are not here: this is the world they are played in.
 import {
   attractors,
-  constant,
   createPhysicsWorld,
   createRandom,
   despawn,
   keepState,
+  markImmutable,
   type PhysicsWorld,
   type Random,
   spawn,
@@ -122,7 +122,7 @@ class Sky {
   }
 
   redraw(count: number, moving: number): void {
-    this.holes = constant(drawHoles(this.#random, count, moving, this.#isSteep));
+    this.holes = markImmutable(drawHoles(this.#random, count, moving, this.#isSteep));
     this.#time[0] = 0;
     while (this.ids.length > count) despawn(this.#world, this.ids.pop() as number);
     for (const [i, hole] of this.holes.entries()) this.#put(i, hole);

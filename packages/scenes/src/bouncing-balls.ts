@@ -2,10 +2,10 @@
 // shrinks so that they never fill more than a fixed part of the room. Balls may meet each other or pass through.
 import {
   boxWalls,
-  colliding,
   createPhysicsWorld,
   type ManyInput,
   type PhysicsWorld,
+  particleContacts,
   quadraticDrag,
   spawnMany,
   uniformGravity,
@@ -72,7 +72,7 @@ export const bouncingBalls = defineScene({
       precision,
       seed,
       capacity: count,
-      preset: colliding,
+      preset: particleContacts,
       forces: [uniformGravity({ y: -gravity }), quadraticDrag()],
       walls: [boxWalls(dimensions === 3 ? room : { min: flat(room.min), max: flat(room.max) })],
     });

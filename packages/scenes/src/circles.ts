@@ -1,6 +1,6 @@
 // Discs or balls of several sizes in a box they fill to two fifths, falling onto each other: collisions by the hundred
 // thousand, from a gas to a heap.
-import { boxWalls, colliding, createPhysicsWorld, pow, spawnMany, uniformGravity } from '@principia/physics';
+import { boxWalls, createPhysicsWorld, particleContacts, pow, spawnMany, uniformGravity } from '@principia/physics';
 import type { BoxedRun } from './boxed-run.ts';
 import { countOf, defineScene } from './scene.ts';
 import { seededUniforms } from './seeded.ts';
@@ -40,7 +40,7 @@ export const circles = defineScene({
       seed,
       capacity: count,
       arenaBytes: 2 ** 22 + BYTES_A_BODY * count,
-      preset: colliding,
+      preset: particleContacts,
       forces: [uniformGravity({ y: -gravity })],
       walls: [boxWalls({ min, max, restitution, friction })],
     });

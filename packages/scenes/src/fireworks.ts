@@ -3,6 +3,7 @@
 import {
   aliveCount,
   boris,
+  buoyancy,
   burst,
   createEmitter,
   createPattern,
@@ -16,7 +17,6 @@ import {
   replaceForce,
   setEmitter,
   uniformGravity,
-  upthrust,
 } from '@principia/physics';
 import type { Air } from './fireworks/aim.ts';
 import { STAR_COLORS, STAR_RGB } from './fireworks/colors.ts';
@@ -82,7 +82,7 @@ export const fireworks = defineScene({
       forces: [
         uniformGravity({ y: -GRAVITY }),
         quadraticDrag({ x: parameters.wind }),
-        ...(shells > 0 ? [upthrust({ density: AIR_DENSITY, gravity: { y: -GRAVITY } })] : []),
+        ...(shells > 0 ? [buoyancy({ density: AIR_DENSITY, gravity: { y: -GRAVITY } })] : []),
       ],
     });
     const random = createRandom(seed, 1);

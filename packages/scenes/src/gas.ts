@@ -1,6 +1,6 @@
 // An elastic gas of discs or balls in a box: bodies that meet and nothing else. Energy is what it was at the start, and
 // no momentum is lost but to the walls.
-import { boxWalls, colliding, createPhysicsWorld, pow, spawnMany } from '@principia/physics';
+import { boxWalls, createPhysicsWorld, particleContacts, pow, spawnMany } from '@principia/physics';
 import type { BoxedRun } from './boxed-run.ts';
 import { countOf, defineScene } from './scene.ts';
 import { seededUniforms } from './seeded.ts';
@@ -26,7 +26,7 @@ export const gas = defineScene({
       precision,
       seed,
       capacity: count,
-      preset: colliding,
+      preset: particleContacts,
       walls: [boxWalls({ min: { x: 0, y: 0, z: 0 }, max: { x: side, y: side, z: side }, restitution })],
     });
     const uniform = seededUniforms(seed, count);

@@ -1,4 +1,4 @@
-import { largestStretch, type PhysicsWorld, rmsStretch } from '@principia/physics';
+import { maxStrain, type PhysicsWorld, rmsStrain } from '@principia/physics';
 import type { Stretch } from './scene.ts';
 
 /** A stiffness, N/m, that only inextensible threads reach: of what gives by design, the stretch says nothing. */
@@ -6,5 +6,5 @@ const INEXTENSIBLE = 1e29;
 
 /** Of the inextensible threads of a scene. */
 export function threadStretch(world: PhysicsWorld): Stretch {
-  return { worst: largestStretch(world, INEXTENSIBLE), rms: rmsStretch(world, INEXTENSIBLE) };
+  return { worst: maxStrain(world, INEXTENSIBLE), rms: rmsStrain(world, INEXTENSIBLE) };
 }

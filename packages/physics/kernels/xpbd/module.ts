@@ -3,7 +3,7 @@ export { arrangeConstraints } from './arrange';
 export { solveChainVelocities, solveChains } from './chain';
 export { enclosed, inflateEdges, inflateTriangles } from './gas';
 export { kickNodes, packBodies, unpackBodies } from './nodes';
-export { findBroken, findOverloaded, largestStretch, readConstraints, rmsStretch } from './rows';
+export { findBroken, findOverloaded, maxStrain, readConstraints, rmsStrain } from './rows';
 export { sweepConstraints } from './sweep';
 export { dampConstraints } from './velocities';
 export { blowTriangles } from './wind';

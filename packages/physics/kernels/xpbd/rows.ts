@@ -134,7 +134,7 @@ export function findOverloaded(table: usize): i32 {
 }
 
 // Largest |d - L| / L of the springs stiffer than `stiffness`.
-export function largestStretch(table: usize, stiffness: f64): f64 {
+export function maxStrain(table: usize, stiffness: f64): f64 {
   const springs = changetype<SpringTable>(tableAt(table).springs);
   let most: f64 = 0;
   for (let i = 0; i < springs.active; i++) most = max<f64>(most, stretchOf(springs, i, stiffness));
@@ -142,7 +142,7 @@ export function largestStretch(table: usize, stiffness: f64): f64 {
 }
 
 // The root of the mean square of the same.
-export function rmsStretch(table: usize, stiffness: f64): f64 {
+export function rmsStrain(table: usize, stiffness: f64): f64 {
   const springs = changetype<SpringTable>(tableAt(table).springs);
   let sum: f64 = 0;
   let count = 0;

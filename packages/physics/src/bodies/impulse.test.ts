@@ -111,7 +111,7 @@ describe('torque', () => {
   test('a force of your own may turn bodies: a torsion spring swings with 2π √(I/κ)', () => {
     const torsion = defineForce({
       name: 'torsion',
-      turns: true,
+      appliesTorque: true,
       accumulate({ components, scratch }, first, last) {
         for (let eid = first; eid < last; eid++) scratch.torque.z[eid] -= 20 * components.Rotation.angle[eid];
       },

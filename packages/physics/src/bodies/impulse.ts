@@ -12,7 +12,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { ANY, LENGTHS, PLACES } from '../forces/support/bounds.ts';
-import { lawKernels } from '../forces/support/force-kernels.ts';
+import { forceKernels } from '../forces/support/force-kernels.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /**
@@ -67,5 +67,5 @@ export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
   const radius = checkNumber(options.radius, 'explode.radius', LENGTHS);
   const falloff = checkWhole(options.falloff ?? 1, 'explode.falloff', 0, 16);
   const depth = world.dimensions === 3 ? z : 0;
-  lawKernels(world).blast(x, y, depth, impulse, radius, falloff, 0, world.lastId + 1);
+  forceKernels(world).blast(x, y, depth, impulse, radius, falloff, 0, world.lastId + 1);
 }

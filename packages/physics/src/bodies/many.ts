@@ -1,7 +1,7 @@
 // What `spawnMany` is given, checked and completed before anything is made.
 import { COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
-import type { Space } from '../ecs/body-references.ts';
+import type { WorldView } from '../ecs/body-references.ts';
 import { checkField, completeValues, fieldName, initialValues } from '../ecs/values.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, isRecord, isWithin, mustBe } from '../errors/validate.ts';
@@ -31,7 +31,7 @@ export interface Filling {
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function checkMany(space: Space, values: ManyInput, count: number): Filling[] {
+export function checkMany(space: WorldView, values: ManyInput, count: number): Filling[] {
   if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
   const fillings: Filling[] = [];
   for (const [key, data] of Object.entries(values)) {
@@ -45,7 +45,7 @@ export function checkMany(space: Space, values: ManyInput, count: number): Filli
   return fillings;
 }
 
-function checkComponent(space: Space, name: ComponentName, data: unknown, count: number): [string, Column][] {
+function checkComponent(space: WorldView, name: ComponentName, data: unknown, count: number): [string, Column][] {
   const spec: ComponentSpec = COMPONENTS[name];
   const isScalar = typeof data === 'number' || isList(data);
   const given = (isScalar && spec.scalar !== undefined ? { [spec.scalar]: data } : data) as Record<string, unknown>;
@@ -61,7 +61,7 @@ function isList(value: unknown): value is ArrayLike<number> {
   return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 }
 
-function checkColumn(space: Space, name: string, spec: FieldSpec, many: unknown, count: number): Column {
+function checkColumn(space: WorldView, name: string, spec: FieldSpec, many: unknown, count: number): Column {
   if (typeof many === 'number') return checkField(space, spec, name, many);
   if (!isList(many)) {
     throw mustBe(`a number or an array of ${count}`, many, name);
@@ -83,7 +83,7 @@ function checkColumn(space: Space, name: string, spec: FieldSpec, many: unknown,
 const nothing = (): FieldValues => ({});
 
 /** Components whose fields depend on each other are completed body by body, or once when all are alike. */
-function completeColumns(space: Space, name: ComponentName, columns: Columns, count: number): Columns {
+function completeColumns(space: WorldView, name: ComponentName, columns: Columns, count: number): Columns {
   const given = Object.entries(columns);
   const bodyAt = (i: number): FieldValues => {
     const values = Object.fromEntries(given.map(([field, column]) => [field, valueAt(column, i)]));

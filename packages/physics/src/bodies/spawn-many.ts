@@ -8,7 +8,7 @@ import { contextOf, queriesOf, removeWholly } from '../ecs/bitecs-adapter.ts';
 import { ComponentSet } from '../ecs/component-set.ts';
 import { capacityError, makeRoom } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
-import { countIncomplete } from '../ecs/partial-entities.ts';
+import { countPartialEntities } from '../ecs/partial-entities.ts';
 import { cleanRow } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkWhole } from '../errors/validate.ts';
@@ -178,7 +178,7 @@ function finish(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Ar
     internal.members[eid] |= bits;
     if (bits !== 0 && eid > world.lastId) world.lastId = eid;
   }
-  countIncomplete(world, 0, bits, ids.length);
+  countPartialEntities(world, 0, bits, ids.length);
   versions.membership++;
   versions.style++;
   versions.pose++;

@@ -100,7 +100,7 @@ export function despawn(world: PhysicsWorld, eid: number): void {
 }
 
 function despawnLater(world: PhysicsWorld, eid: number): void {
-  const { leaving, commands } = world.internal;
+  const { leaving, deferredEdits } = world.internal;
   // bitECS knows better than the rows: bodies made in this step have none yet, and others may be gone already.
   if (!Number.isInteger(eid) || !entityExists(world, eid) || !hasAny(world, eid)) {
     throw staleError(eid, `there is no body ${String(eid)} in this world.`);
@@ -108,7 +108,7 @@ function despawnLater(world: PhysicsWorld, eid: number): void {
   const life = contextOf(world).entityComponents.get(eid);
   if (leaving.get(eid) === life) throw staleError(eid, `body ${eid} is already being removed.`);
   leaving.set(eid, life as Set<unknown>);
-  commands.push(() => {
+  deferredEdits.push(() => {
     if (contextOf(world).entityComponents.get(eid) === life) removeWholly(world, eid);
   });
 }

@@ -10,7 +10,7 @@ import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
 import { realColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
-import type { PhysicsWorld, Scheme, Spans } from '../world/types.ts';
+import type { PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
 import { evaluateForces } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
 import { mathImports } from './math-imports.ts';
@@ -50,13 +50,13 @@ export const schemeLoops = keptWithPlan((world): SchemeLoops => {
 });
 
 /** Moves all bodies by one step. */
-export function advanceScheme(world: PhysicsWorld, spans: Spans, dt: number): void {
+export function advanceScheme(world: PhysicsWorld, ranges: Ranges, dt: number): void {
   const { block, pieces } = schemeLoops(world);
   const { stages } = world.integrator.scheme as Scheme;
   block.write(dt, world.time, lastStepOf(world, world.integrator.scheme as Scheme, dt));
   for (let p = 0; p < pieces.length; p++) {
-    for (let r = 0; r < spans.count; r++) pieces[p](spans.bounds[2 * r], spans.bounds[2 * r + 1], 0);
-    if (p < stages.length) evaluateForces(world, spans, world.time + stages[p] * dt);
+    for (let r = 0; r < ranges.count; r++) pieces[p](ranges.bounds[2 * r], ranges.bounds[2 * r + 1], 0);
+    if (p < stages.length) evaluateForces(world, ranges, world.time + stages[p] * dt);
   }
 }
 

@@ -29,42 +29,71 @@ const KEYS = [
   'consumes',
 ];
 
+/** The function that makes the force of a law, and one that records the law unless it is recorded already. */
+interface Definition<P> {
+  readonly factory: LawFactory<P>;
+  record(): Law;
+}
+
 /**
- * Defines a law. Its functions are called once, now, with symbols; what is wrong with them is said here.
+ * Defines a law of a user. Its functions are called once, now, with symbols; what is wrong with them is said here.
+ * `index.ts` exports it as `defineLaw`.
  * @returns a function that makes the force: `createPhysicsWorld({ forces: [myLaw({ strength: 3 })] })`
  * @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN, naming the law
+ */
+export function defineCheckedLaw<
+  const R extends Reads = Record<never, never>,
+  const P extends Parameters = Record<never, never>,
+>(options: LawOptions<R, P>): LawFactory<P> {
+  const { factory, record } = definitionOf<R, P>(options);
+  record();
+  return factory;
+}
+
+/**
+ * Defines a law of this package. Its functions are called when its first force is made, so that a page does not wait for
+ * laws that it does not use.
  */
 export function defineLaw<
   const R extends Reads = Record<never, never>,
   const P extends Parameters = Record<never, never>,
 >(options: LawOptions<R, P>): LawFactory<P> {
+  return definitionOf<R, P>(options).factory;
+}
+
+function definitionOf<R extends Reads, P extends Parameters>(options: LawOptions<R, P>): Definition<P> {
   checkKeys(options, 'defineLaw', KEYS);
   if (typeof options.name !== 'string' || options.name === '') throw mustBe('a text', options.name, 'defineLaw: name');
   if (options.dimensions !== undefined) checkChoice(options.dimensions, `${options.name}.dimensions`, [2, 3]);
   if (options.prepare !== undefined) checkFunction(options.prepare, `${options.name}.prepare`);
   const parameters = (options.parameters ?? {}) as Readonly<Record<string, Parameter>>;
-  const law = recordLaw(options as unknown as LawOptions<Reads, Parameters>, parameters);
-  const reads = columnsRead(law);
-  return ((input: unknown = {}) => {
+  let recorded: Law | undefined;
+  const record = () => {
+    recorded ??= recordLaw(options as unknown as LawOptions<Reads, Parameters>, parameters);
+    return recorded;
+  };
+  const factory = (input: unknown = {}) => {
     const sources = sourcesOf(options.name, parameters, input);
+    const law = record();
     return lawForce(law, sources, {
       equation: options.formula ?? '',
       parameters: shownParameters(parameters, sources),
       // What it consumes it reads, to know how much there is.
-      reads: [...new Set([...reads, ...(options.consumes ?? [])])],
+      reads: [...new Set([...columnsRead(law), ...(options.consumes ?? [])])],
       ...(options.prepare && { prepare: options.prepare }),
-      ...(options.consumes && { spends: options.consumes }),
+      ...(options.consumes && { consumes: options.consumes }),
     });
-  }) as LawFactory<P>;
+  };
+  return { factory: factory as LawFactory<P>, record };
 }
 
 /** The force of a recorded law with the values of its parameters. */
 export function lawForce(
   law: Law,
   sources: readonly ParameterSource[],
-  rest: Omit<Force, 'name' | 'local' | 'law' | 'sources' | 'turns' | 'accumulate' | 'potential'>,
+  rest: Omit<Force, 'name' | 'local' | 'law' | 'sources' | 'appliesTorque' | 'accumulate' | 'potential'>,
 ): LawForce {
-  const force = { name: law.name, local: true, turns: law.torque !== undefined, ...rest, law, sources };
+  const force = { name: law.name, local: true, appliesTorque: law.torque !== undefined, ...rest, law, sources };
   if (law.potential === undefined) return force;
   return { ...force, potential: (world) => potentialEnergy(world, force) };
 }

@@ -1,7 +1,7 @@
 // Evaluates all forces of a world into the force columns: first what is no law, kernel by kernel, then all laws in one
 // loop. For integrators that choose their own stages, and for worlds in which some force is no law.
 
-import { holdUnmoved } from '../ecs/partial-entities.ts';
+import { clearForcesOfImmovable } from '../ecs/partial-entities.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
@@ -10,34 +10,34 @@ import { AXES } from '../memory/axes.ts';
 import { clearAxes } from '../memory/clear-axes.ts';
 import { resource } from '../memory/resource.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
-import type { EvaluateForces, PhysicsWorld, Spans } from '../world/types.ts';
+import type { EvaluateForces, PhysicsWorld, Ranges } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
 import { mathImports } from './math-imports.ts';
 import { notesOf } from './notes.ts';
 import { ParameterBlock, type ParameterOwner, variantOf } from './parameter-block.ts';
 import { type LawForce, lawsOf, ownerOf, sumLaws, totalForce } from './sum-of-laws.ts';
-import { dropBadForces } from './validate-state.ts';
+import { quarantineBadForces } from './validate-state.ts';
 import { WorldColumns } from './world-columns.ts';
 
 /** Length of the step for which forces were prepared last, s. */
 const preparedFor = resource(() => ({ dt: 0 }));
 
-export const evaluateForces: EvaluateForces = (world, spans, time) => {
+export const evaluateForces: EvaluateForces = (world, ranges, time) => {
   const lawLoop = lawLoopOf(world);
-  if (lawLoop === undefined || lawLoop.addsToColumns) accumulateKernels(world, spans, time);
+  if (lawLoop === undefined || lawLoop.addsToColumns) accumulateKernels(world, ranges, time);
   if (lawLoop !== undefined) {
     lawLoop.block.write(preparedFor(world).dt, time, 0);
-    for (let r = 0; r < spans.count; r++) lawLoop.run(spans.bounds[2 * r], spans.bounds[2 * r + 1], 0);
+    for (let r = 0; r < ranges.count; r++) lawLoop.run(ranges.bounds[2 * r], ranges.bounds[2 * r + 1], 0);
   }
-  for (let r = 0; r < spans.count; r++) finish(world, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+  for (let r = 0; r < ranges.count; r++) finish(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
 };
 
 /** Puts the columns at zero, and lets every force that is no law add to them. */
-function accumulateKernels(world: PhysicsWorld, spans: Spans, time: number): void {
+function accumulateKernels(world: PhysicsWorld, ranges: Ranges, time: number): void {
   const { force, torque } = world.scratch.at;
   const turns = anyForceTurns(world);
-  for (let r = 0; r < spans.count; r++) {
-    const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+  for (let r = 0; r < ranges.count; r++) {
+    const [first, last] = [ranges.bounds[2 * r], ranges.bounds[2 * r + 1]];
     clearAxes(world, force, AXES[world.dimensions], first, last);
     if (turns) clearAxes(world, torque, AXES[3], first, last);
   }
@@ -46,8 +46,8 @@ function accumulateKernels(world: PhysicsWorld, spans: Spans, time: number): voi
     try {
       if (!each.local) each.accumulate(world, 0, world.internal.sweptRows, time);
       else
-        for (let r = 0; r < spans.count; r++)
-          each.accumulate(world, spans.bounds[2 * r], spans.bounds[2 * r + 1], time);
+        for (let r = 0; r < ranges.count; r++)
+          each.accumulate(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1], time);
     } catch (error) {
       collectThrown(world, error);
     }
@@ -55,15 +55,15 @@ function accumulateKernels(world: PhysicsWorld, spans: Spans, time: number): voi
 }
 
 function finish(world: PhysicsWorld, first: number, last: number): void {
-  holdUnmoved(world, first, last);
+  clearForcesOfImmovable(world, first, last);
   // Forces that read one body leave a bad one alone with it, unless the scheme mixes bodies, as Jacobi coordinates do.
   const isAlone = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
-  if (!isAlone) dropBadForces(world, first, last);
+  if (!isAlone) quarantineBadForces(world, first, last);
 }
 
 /** Whether some force of the world adds torque. */
 export function anyForceTurns({ forces }: PhysicsWorld): boolean {
-  for (let f = 0; f < forces.length; f++) if (forces[f].turns === true) return true;
+  for (let f = 0; f < forces.length; f++) if (forces[f].appliesTorque === true) return true;
   return false;
 }
 

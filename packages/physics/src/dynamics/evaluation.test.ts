@@ -55,8 +55,8 @@ describe('the length of the step', () => {
       order: 1,
       symplectic: false,
       evaluations: 1,
-      advance: (world, spans, dt, evaluateForces) => {
-        evaluateForces(world, spans, world.time);
+      advance: (world, ranges, dt, evaluateForces) => {
+        evaluateForces(world, ranges, world.time);
         world.components.Velocity.x[1] += (world.scratch.force.x[1] / 2) * dt;
       },
     };

@@ -4,7 +4,7 @@ import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../l
 import { wordColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
-import type { Fusion, LocalSystem, PhysicsWorld, Scheme, Spans } from '../world/types.ts';
+import type { Fusion, LocalSystem, PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
 import { schemeLoops } from './advance-scheme.ts';
 import { blamedLaws } from './blame-law.ts';
 import { anyForceTurns, lawLoopOf } from './evaluate-forces.ts';
@@ -78,7 +78,7 @@ export function prepareLoops(world: PhysicsWorld): void {
 const CHUNK_ROWS = 4096;
 
 /** Moves all bodies by one step. */
-export function runStepLoop(world: PhysicsWorld, spans: Spans, dt: number): void {
+export function runStepLoop(world: PhysicsWorld, ranges: Ranges, dt: number): void {
   const { run, block } = stepLoop(world);
   const { plan, counts } = world.internal;
   const walls = plan?.fusion?.walls as BoxSystem | undefined;
@@ -86,10 +86,10 @@ export function runStepLoop(world: PhysicsWorld, spans: Spans, dt: number): void
   block.write(dt, world.time, lastStepOf(world, world.integrator.scheme as Scheme, dt));
   // Friction at a wall turns bodies, which comes after the torques of the step: where nothing turns, nothing has to wait.
   const bounces = walls !== undefined && counts.AngularVelocity === 0;
-  for (let r = 0; r < spans.count; r++) {
-    const end = spans.bounds[2 * r + 1];
+  for (let r = 0; r < ranges.count; r++) {
+    const end = ranges.bounds[2 * r + 1];
     const rows = bounces ? CHUNK_ROWS : end;
-    for (let first = spans.bounds[2 * r]; first < end; first += rows) {
+    for (let first = ranges.bounds[2 * r]; first < end; first += rows) {
       const last = Math.min(first + rows, end);
       runRows(world, run, first, last, dt);
       if (bounces && !bounceList(world, walls, dt)) repairRows(world, first, last, 'finish');
@@ -116,9 +116,9 @@ function stepOverBad(world: PhysicsWorld, run: Loop, first: number, dt: number):
 }
 
 /** Brings back the bodies that the loop found at walls and that were left there. */
-export function bounceFromBox(world: PhysicsWorld, walls: BoxSystem, spans: Spans, dt: number): void {
+export function bounceFromBox(world: PhysicsWorld, walls: BoxSystem, ranges: Ranges, dt: number): void {
   if (bounceList(world, walls, dt)) return;
-  for (let r = 0; r < spans.count; r++) repairRows(world, spans.bounds[2 * r], spans.bounds[2 * r + 1], 'finish');
+  for (let r = 0; r < ranges.count; r++) repairRows(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1], 'finish');
 }
 
 /** Brings back the bodies of the list, and says whether their velocities are in range. */

@@ -103,13 +103,13 @@ describe('an integrator in plain TypeScript', () => {
     order: 1,
     symplectic: false,
     evaluations: 1,
-    advance(world, spans, dt, evaluateForces) {
-      evaluateForces(world, spans, world.time);
+    advance(world, ranges, dt, evaluateForces) {
+      evaluateForces(world, ranges, world.time);
       const { kernels, addresses, scratch } = world;
       const { Position, Velocity, Mass } = addresses;
       for (const axis of ['x', 'y', 'z'] as const) {
-        for (let r = 0; r < spans.count; r++) {
-          const [first, last] = [spans.bounds[2 * r], spans.bounds[2 * r + 1]];
+        for (let r = 0; r < ranges.count; r++) {
+          const [first, last] = [ranges.bounds[2 * r], ranges.bounds[2 * r + 1]];
           kernels.driftAxis(Position[axis], Velocity[axis], dt, first, last);
           kernels.kickAxis(Velocity[axis], scratch.at.force[axis], Mass.value, dt, first, last);
         }
@@ -142,9 +142,9 @@ describe('an integrator in plain TypeScript', () => {
     const asked: number[] = [];
     const curious: Integrator = {
       ...plainEuler,
-      advance(world, spans, dt, evaluateForces) {
+      advance(world, ranges, dt, evaluateForces) {
         for (const part of [0, 0.25, 1]) {
-          evaluateForces(world, spans, world.time + part * dt);
+          evaluateForces(world, ranges, world.time + part * dt);
           asked.push(world.scratch.force.x[1]);
         }
       },

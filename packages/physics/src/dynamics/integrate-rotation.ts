@@ -3,14 +3,14 @@
 //
 //   ω' = ω + τ/I dt        θ' = θ + ω' dt
 import { bitOf } from '../components/all.ts';
-import { eachRun } from '../ecs/ranges.ts';
+import { forEachRange } from '../ecs/ranges.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { anyForceTurns } from './evaluate-forces.ts';
 
-export const turn: LocalSystem = {
+export const integrateRotation: LocalSystem = {
   name: 'turn',
   role: 'rotate',
-  run: eachRun((world, first, last, dt) => {
+  run: forEachRange((world, first, last, dt) => {
     if (world.internal.counts.AngularVelocity === 0) return;
     if (anyForceTurns(world)) kickRun(world, first, last, dt);
     turnRun(world, first, last, dt);

@@ -8,10 +8,10 @@ import { runStepLoop } from './fused-step.ts';
 export const integrate: LocalSystem = {
   name: 'integrate',
   role: 'integrate',
-  run(world, spans, dt) {
+  run(world, ranges, dt) {
     const { integrator, internal } = world;
-    if (internal.plan?.fusion !== undefined) runStepLoop(world, spans, dt);
-    else if (integrator.advance !== undefined) integrator.advance(world, spans, dt, evaluateForces);
-    else advanceScheme(world, spans, dt);
+    if (internal.plan?.fusion !== undefined) runStepLoop(world, ranges, dt);
+    else if (integrator.advance !== undefined) integrator.advance(world, ranges, dt, evaluateForces);
+    else advanceScheme(world, ranges, dt);
   },
 };

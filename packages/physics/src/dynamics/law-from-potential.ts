@@ -6,7 +6,7 @@ import { gradientOf } from '../laws/differentiate.ts';
 import { constant, type Expression, Scalar } from '../laws/expression.ts';
 import type { LawOptions, LawSymbols } from '../laws/law.ts';
 import type { Parameters } from '../laws/parameter.ts';
-import { defineLaw, type LawFactory } from './define-law.ts';
+import { defineCheckedLaw, type LawFactory } from './define-law.ts';
 
 /** What a law says of itself that has a potential and nothing else. */
 export interface PotentialOptions<R extends Reads, P extends Parameters>
@@ -32,7 +32,7 @@ export function lawFromPotential<
 >(options: PotentialOptions<R, P>): LawFactory<P> {
   checkKeys(options, 'lawFromPotential', KEYS);
   const { potential } = options;
-  return defineLaw<R, P>({
+  return defineCheckedLaw<R, P>({
     ...options,
     force: (body, parameters) => {
       const energy: unknown = potential(body, parameters);

@@ -12,5 +12,5 @@ export function layoutOf(
     componentNumber(component),
     columns.addresses,
   ]);
-  return [dimensions, precision, rows, addresses.Position.x, block.at, internal.incomplete.unmoved > 0, own];
+  return [dimensions, precision, rows, addresses.Position.x, block.at, internal.partialEntities.unmoved > 0, own];
 }

@@ -6,15 +6,12 @@ import type { PhysicsWorld } from '../world/types.ts';
 const functions = new WeakMap<WebAssembly.Memory, Readonly<Record<string, unknown>>>();
 
 /** The functions by the names of operations. */
-export function mathImports({ memory, precision, kernels }: PhysicsWorld): Readonly<Record<string, unknown>> {
+export function mathImports({ memory, precision }: PhysicsWorld): Readonly<Record<string, unknown>> {
   let made = functions.get(memory);
   if (made === undefined) {
-    const { sine, cosine, exponential, power, arcTangent2, noise } = instantiate<KernelExports>(
-      KERNELS,
-      precision,
-      memory,
-    );
-    made = { sin: sine, cos: cosine, exp: exponential, log: kernels.logarithm, pow: power, atan2: arcTangent2, noise };
+    const kernels = instantiate<KernelExports>(KERNELS, precision, memory);
+    const { sine, cosine, exponential, logarithm, power, arcTangent2, noise } = kernels;
+    made = { sin: sine, cos: cosine, exp: exponential, log: logarithm, pow: power, atan2: arcTangent2, noise };
     functions.set(memory, made);
   }
   return made;

@@ -7,8 +7,8 @@ import { addComponent, entityExists, hasComponent, set } from 'bitecs';
 import { MAX_POSITION } from '../components/position.ts';
 import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_PART } from '../components/rotation.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
-import { clearAbsent } from '../ecs/partial-entities.ts';
-import { eachRun } from '../ecs/ranges.ts';
+import { clearMissing } from '../ecs/partial-entities.ts';
+import { forEachRange } from '../ecs/ranges.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { reportFault } from '../errors/report-fault.ts';
 import { ANGLES, AXES } from '../memory/axes.ts';
@@ -21,10 +21,10 @@ type When = 'begin' | 'finish';
 const MAX_FORCE = 3e38;
 
 /** Saves poses, and puts right what was written between steps. First system of every preset. */
-export const begin: LocalSystem = { name: 'begin', role: 'begin', run: eachRun(beginRun) };
+export const beginStep: LocalSystem = { name: 'begin', role: 'begin', run: forEachRange(beginRun) };
 
 /** Finds what the step itself made bad. Last system of every preset. */
-export const checkFinite: LocalSystem = { name: 'check finite', role: 'check', run: eachRun(checkRun) };
+export const validateState: LocalSystem = { name: 'check finite', role: 'check', run: forEachRange(checkRun) };
 
 function beginRun(world: PhysicsWorld, first: number, last: number): void {
   // Positions and velocities are the business of the loop that reads them anyway.
@@ -75,7 +75,7 @@ function saveAngles(world: PhysicsWorld, first: number, last: number): void {
 }
 
 function checkRun(world: PhysicsWorld, first: number, last: number): void {
-  clearAbsent(world, first, last);
+  clearMissing(world, first, last);
   const isChecked = world.internal.plan?.fusion?.check === true;
   if ((isChecked || isInRange(world, first, last)) && anglesGood(world, first, last)) return;
   repairRows(world, first, last, 'finish');
@@ -180,7 +180,7 @@ function tag(world: PhysicsWorld, row: number, field: string, value: number, pha
  * is over. Called after each evaluation where forces or the integrator look at more than one body; elsewhere a bad force
  * stays with its body, and is found when the step ends.
  */
-export function dropBadForces(world: PhysicsWorld, first: number, last: number): void {
+export function quarantineBadForces(world: PhysicsWorld, first: number, last: number): void {
   const { x, y, z } = world.scratch.at.force;
   const { checkAxis } = world.kernels;
   let good = checkAxis(x, y, MAX_FORCE, MAX_FORCE, first, last);

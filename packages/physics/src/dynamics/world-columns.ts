@@ -28,7 +28,7 @@ export class WorldColumns {
     const { graph } = this;
     this.mass = graph.make('real', [], world.addresses.Mass.value);
     const hasMass = graph.make('less', [graph.constant(0), this.mass]);
-    const isPartial = world.internal.incomplete.unmoved > 0;
+    const isPartial = world.internal.partialEntities.unmoved > 0;
     this.isMovable = isPartial ? graph.make('and', [hasMass, this.#has(MOVABLE)]) : hasMass;
   }
 

@@ -43,7 +43,7 @@ function guardComponents(world: PhysicsWorld): void {
   const has = componentMap.has.bind(componentMap);
   componentMap.has = (component) => {
     const owner = owners.get(component);
-    if (owner?.world === world) world.internal.fresh[owner.name] = 0;
+    if (owner?.world === world) world.internal.justAdded[owner.name] = 0;
     else if (owner !== undefined) throw foreignError(owner.name);
     return has(component);
   };

@@ -4,15 +4,15 @@ import type { PhysicsWorld } from '../world/types.ts';
 
 /** Makes the edits in the order in which they were asked for. One that fails does not stop the others. */
 export function applyDeferredEdits(world: PhysicsWorld): void {
-  const { commands, leaving } = world.internal;
-  if (commands.length === 0) return;
-  for (let c = 0; c < commands.length; c++) {
+  const { deferredEdits, leaving } = world.internal;
+  if (deferredEdits.length === 0) return;
+  for (let c = 0; c < deferredEdits.length; c++) {
     try {
-      commands[c]();
+      deferredEdits[c]();
     } catch (error) {
       collectThrown(world, error);
     }
   }
-  commands.length = 0;
+  deferredEdits.length = 0;
   leaving.clear();
 }

@@ -4,7 +4,7 @@ import { allocate } from '../memory/arena.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Entities in ascending id. */
-export interface Roster {
+export interface EntityList {
   /** Address of their ids. */
   ids: number;
   count: number;
@@ -17,7 +17,7 @@ export interface Roster {
 }
 
 /** A list of nobody, to be kept in a resource. */
-export function emptyRoster(): Roster {
+export function emptyEntityList(): EntityList {
   return { ids: 0, at: 0, count: 0, room: 0, version: -1 };
 }
 
@@ -29,23 +29,23 @@ export function emptyRoster(): Roster {
  * @returns whether it was listed anew
  * @throws PhysicsError E_CAPACITY
  */
-export function refreshRoster(
+export function refreshEntityList(
   world: PhysicsWorld,
-  roster: Roster,
+  entityList: EntityList,
   name: ComponentName,
   bytes: number,
   bits = bitOf(name),
 ): boolean {
   const { internal, versions, kernels } = world;
-  if (roster.version === versions.membership) return false;
+  if (entityList.version === versions.membership) return false;
   const most = internal.counts[name];
-  if (most > roster.room) {
+  if (most > entityList.room) {
     const room = Math.min(world.rows, Math.ceil(most / 32) * 64);
-    roster.ids = allocate(internal.arena, room * (4 + bytes), `a list of ${name}`);
-    roster.at = roster.ids + 4 * room;
-    roster.room = room;
+    entityList.ids = allocate(internal.arena, room * (4 + bytes), `a list of ${name}`);
+    entityList.at = entityList.ids + 4 * room;
+    entityList.room = room;
   }
-  roster.count = most === 0 ? 0 : kernels.listIds(internal.membersAt, bits, world.lastId + 1, roster.ids);
-  roster.version = versions.membership;
+  entityList.count = most === 0 ? 0 : kernels.listIds(internal.membersAt, bits, world.lastId + 1, entityList.ids);
+  entityList.version = versions.membership;
   return true;
 }

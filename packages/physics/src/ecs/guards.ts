@@ -17,7 +17,7 @@ export function assertUsable(world: PhysicsWorld): void {
 
 /** Makes an edit now, or, while a step runs, when it ends: nothing changes under its feet. */
 export function whenIdle({ state, internal }: PhysicsWorld, edit: () => void): void {
-  if (state === 'stepping') internal.commands.push(edit);
+  if (state === 'stepping') internal.deferredEdits.push(edit);
   else edit();
 }
 

@@ -28,7 +28,7 @@ function added(world: PhysicsWorld, eid: number, name: ComponentName): void {
     removeComponent(world, eid, world.components[name]);
     throw capacityError(world, 1, eid);
   }
-  world.internal.fresh[name] = eid;
+  world.internal.justAdded[name] = eid;
   if (isLeaving(world, eid)) return;
   whenIdle(world, () => {
     if (hasComponent(world, eid, world.components[name])) openRow(world, eid, name);
@@ -44,11 +44,11 @@ function isLeaving(world: PhysicsWorld, eid: number): boolean {
 function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): void {
   const { internal } = world;
   // Refused values take the component with them if this very call added it, and only then.
-  const fresh = internal.fresh[name] === eid;
-  internal.fresh[name] = 0;
+  const fresh = internal.justAdded[name] === eid;
+  internal.justAdded[name] = 0;
   let values: FieldValues;
   try {
-    values = data === internal.checked ? (data as FieldValues) : checkWhole(world, eid, name, data);
+    values = data === internal.checked ? (data as FieldValues) : checkComplete(world, eid, name, data);
   } catch (error) {
     if (fresh) removeComponent(world, eid, world.components[name]);
     throw error;
@@ -57,7 +57,7 @@ function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: u
   else if (!isLeaving(world, eid)) whenIdle(world, () => writeRow(world, eid, name, values));
 }
 
-function checkWhole(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): FieldValues {
+function checkComplete(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): FieldValues {
   const values = checkValues(world, name, data, eid);
   return completeValues(world, name, values, () => present(world, eid, name), eid);
 }

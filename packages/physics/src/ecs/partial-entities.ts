@@ -11,7 +11,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 /** What forces move. */
 export const MOVABLE = bitOf('Position') | bitOf('Velocity');
 
-function isUnmoved(bits: number): boolean {
+function isImmovable(bits: number): boolean {
   return (bits & bitOf('Mass')) !== 0 && (bits & MOVABLE) !== MOVABLE;
 }
 
@@ -25,25 +25,25 @@ function turnBit({ dimensions }: PhysicsWorld): number {
 }
 
 /** Keeps the counts when `rows` rows go from one set of components to another. */
-export function countIncomplete(world: PhysicsWorld, from: number, to: number, rows = 1): void {
-  const { incomplete } = world.internal;
-  incomplete.unmoved += rows * (Number(isUnmoved(to)) - Number(isUnmoved(from)));
-  incomplete.strays += rows * (Number(isStray(world, to)) - Number(isStray(world, from)));
+export function countPartialEntities(world: PhysicsWorld, from: number, to: number, rows = 1): void {
+  const { partialEntities } = world.internal;
+  partialEntities.unmoved += rows * (Number(isImmovable(to)) - Number(isImmovable(from)));
+  partialEntities.strays += rows * (Number(isStray(world, to)) - Number(isStray(world, from)));
 }
 
 /** Takes the force from what forces do not move; called whenever forces were evaluated. */
-export function holdUnmoved(world: PhysicsWorld, first: number, last: number): void {
+export function clearForcesOfImmovable(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, internal, scratch } = world;
-  if (internal.incomplete.unmoved === 0) return;
+  if (internal.partialEntities.unmoved === 0) return;
   for (const axis of AXES[world.dimensions]) {
     kernels.zeroAbsent(scratch.at.force[axis], internal.membersAt, MOVABLE, first, last);
   }
 }
 
 /** Zeroes what the step wrote for entities that do not have the component. */
-export function clearAbsent(world: PhysicsWorld, first: number, last: number): void {
+export function clearMissing(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, internal, addresses, dimensions } = world;
-  const { unmoved, strays } = internal.incomplete;
+  const { unmoved, strays } = internal.partialEntities;
   if (unmoved === 0 && strays === 0) return;
   const at = internal.membersAt;
   for (const axis of AXES[dimensions]) {

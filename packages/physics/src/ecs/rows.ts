@@ -4,7 +4,7 @@ import { bitOf, COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
 import { type Columns, copyPose } from '../memory/previous-pose.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
-import { countIncomplete } from './partial-entities.ts';
+import { countPartialEntities } from './partial-entities.ts';
 import { initialValues } from './values.ts';
 
 /** Whether the row of a component is in use. */
@@ -14,7 +14,7 @@ export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): b
 
 function changeBits(world: PhysicsWorld, eid: number, bits: number): void {
   const { members } = world.internal;
-  countIncomplete(world, members[eid], bits);
+  countPartialEntities(world, members[eid], bits);
   members[eid] = bits;
 }
 

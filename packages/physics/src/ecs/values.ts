@@ -4,13 +4,13 @@ import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkNumber, isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues } from '../world/types.ts';
-import { checkBodyId, noteLives, type Space } from './body-references.ts';
+import { checkBodyId, recordGenerations, type WorldView } from './body-references.ts';
 
 /**
  * The values a caller gave, checked one by one; fields left out stay out.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
-export function checkValues(space: Space, name: ComponentName, data: unknown, entity?: number): FieldValues {
+export function checkValues(space: WorldView, name: ComponentName, data: unknown, entity?: number): FieldValues {
   const spec: ComponentSpec = COMPONENTS[name];
   const given = normalise(name, data, entity);
   const values: FieldValues = {};
@@ -30,7 +30,7 @@ export function checkValues(space: Space, name: ComponentName, data: unknown, en
  * @throws PhysicsError E_RANGE
  */
 export function completeValues(
-  space: Space,
+  space: WorldView,
   name: ComponentName,
   values: FieldValues,
   present: () => Readonly<FieldValues>,
@@ -39,7 +39,7 @@ export function completeValues(
   const spec: ComponentSpec = COMPONENTS[name];
   if (spec.complete === undefined) return values;
   const all = { ...present(), ...values };
-  noteLives(space, spec, values, all);
+  recordGenerations(space, spec, values, all);
   spec.complete(all, entity);
   return all;
 }
@@ -66,7 +66,7 @@ export function fieldName(name: ComponentName, field: string): string {
  * One value as it will be stored.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
-export function checkField(space: Space, spec: FieldSpec, name: string, value: unknown, entity?: number): number {
+export function checkField(space: WorldView, spec: FieldSpec, name: string, value: unknown, entity?: number): number {
   if (value === Infinity && spec.infinite !== undefined) return spec.infinite;
   const checked = checkNumber(value, name, spec.bounds, entity, spec.hint);
   if (spec.life !== undefined) checkBodyId(space, name, checked, entity);

@@ -3,7 +3,7 @@ import { assertUsable, whenIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkFlag, checkNumber, checkWhole, readVector, type VectorInput } from '../errors/validate.ts';
 import { seedWords } from '../math/random.ts';
-import { constant } from '../memory/resource.ts';
+import { markImmutable } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { emitParticles, emittersOf } from './emit.ts';
 import { emitterKernels } from './kernels.ts';
@@ -20,13 +20,13 @@ import {
   type Block,
   BURST_NUMBERS,
   layOut,
-  MOST_BURSTS,
+  MAX_BURSTS,
   makeBodies,
   removeBodies,
   returnBlock,
   takeBlock,
 } from './pool.ts';
-import { type EmitterRecord, MOST_STOPS, N, W } from './record.ts';
+import { type EmitterRecord, MAX_STOPS, N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
 /**
@@ -43,13 +43,13 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
   checkOptionNames(options, 'createEmitter', false);
   const capacity = checkWhole(options.capacity, 'capacity', 1, world.capacity);
   checkChoice(options.whenFull ?? 'skip', 'whenFull', ['skip', 'oldest']);
-  const parameters = constant(parametersOf(options));
+  const parameters = markImmutable(parametersOf(options));
   const checked = checkParameters(world, parameters);
   const followed = options.entity === undefined ? undefined : entityRef(world, options.entity);
   const block = takeBlock(world, capacity, checkFlag(options.reportEndings, 'reportEndings'));
   let ids: Uint32Array;
   try {
-    ids = constant(makeBodies(world, options));
+    ids = markImmutable(makeBodies(world, options));
   } catch (error) {
     returnBlock(world, block);
     throw error;
@@ -64,7 +64,7 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
       followed,
       entity: options.entity ?? 0,
       parameters,
-      bursts: new Float64Array(world.memory.buffer, block.record.words[W.bursts], MOST_BURSTS * BURST_NUMBERS),
+      bursts: new Float64Array(world.memory.buffer, block.record.words[W.bursts], MAX_BURSTS * BURST_NUMBERS),
       endings: undefined,
       destroyed: false,
       timeline: world.versions.restored,
@@ -103,7 +103,7 @@ function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRec
   words[W.sizeStops] = checked.numbers.length - (N.size0 - N.rate);
   words[W.rampCount] = ramps.length;
   ramps.forEach((ramp, r) => {
-    words.set(ramp, W.color0 + r * MOST_STOPS);
+    words.set(ramp, W.color0 + r * MAX_STOPS);
     words[W.stops0 + r] = ramp.length;
   });
   emitterKernels(world).prepareEmitter(at);
@@ -140,7 +140,7 @@ function noticeRestore(emitter: Emitter): void {
 export function setEmitter(emitter: Emitter, changes: EmitterParameters): void {
   const record = recordOf(emitter);
   checkOptionNames(changes, 'setEmitter', true);
-  const parameters = constant({ ...emitter.internal.parameters, ...parametersOf(changes) });
+  const parameters = markImmutable({ ...emitter.internal.parameters, ...parametersOf(changes) });
   const checked = checkParameters(emitter.world, parameters);
   emitter.internal.parameters = parameters;
   writeParameters(emitter.world, record, checked);
@@ -194,8 +194,8 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
     throw new PhysicsError('E_RANGE', 'pattern must be one of the emitter’s world.', { field: 'pattern' });
   }
   const waiting = words[W.burstCount];
-  if (waiting >= MOST_BURSTS) {
-    throw new PhysicsError('E_CAPACITY', `${MOST_BURSTS} bursts of emitter ${at} wait for the next step already.`, {
+  if (waiting >= MAX_BURSTS) {
+    throw new PhysicsError('E_CAPACITY', `${MAX_BURSTS} bursts of emitter ${at} wait for the next step already.`, {
       field: 'burst',
       value: count,
     });

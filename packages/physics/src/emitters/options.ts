@@ -2,7 +2,7 @@ import { MAX_POSITION } from '../components/position.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, mustBe, type VectorInput } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { MOST_RAMPS, MOST_STOPS } from './record.ts';
+import { MAX_RAMPS, MAX_STOPS } from './record.ts';
 
 /** A number, or a range within which each particle draws its own. */
 export type Range = number | readonly [min: number, max: number];
@@ -156,12 +156,12 @@ function unit(direction: Triple): Triple {
 
 function colorRamps(color: NonNullable<EmitterParameters['color']>): readonly (readonly number[])[] {
   const lists = Array.isArray(color) ? (Array.isArray(color[0]) ? color : [color]) : [[color]];
-  if (lists.length > MOST_RAMPS) {
-    throw mustBe(`at most ${MOST_RAMPS} lists of colours`, color, 'color', 'E_RANGE');
+  if (lists.length > MAX_RAMPS) {
+    throw mustBe(`at most ${MAX_RAMPS} lists of colours`, color, 'color', 'E_RANGE');
   }
   for (const list of lists) {
-    if (!Array.isArray(list) || list.length < 1 || list.length > MOST_STOPS) {
-      throw mustBe(`a colour, or lists of 1 to ${MOST_STOPS} colours`, color, 'color', 'E_RANGE');
+    if (!Array.isArray(list) || list.length < 1 || list.length > MAX_STOPS) {
+      throw mustBe(`a colour, or lists of 1 to ${MAX_STOPS} colours`, color, 'color', 'E_RANGE');
     }
     for (const each of list) checkWhole(each, 'color', 0, 0xffffffff);
   }
@@ -170,8 +170,8 @@ function colorRamps(color: NonNullable<EmitterParameters['color']>): readonly (r
 
 function sizeRamp(size: number | readonly number[]): readonly number[] {
   const list = Array.isArray(size) ? size : [size];
-  if (list.length < 1 || list.length > MOST_STOPS) {
-    throw mustBe(`1 to ${MOST_STOPS} radii`, size, 'size', 'E_RANGE');
+  if (list.length < 1 || list.length > MAX_STOPS) {
+    throw mustBe(`1 to ${MAX_STOPS} radii`, size, 'size', 'E_RANGE');
   }
   for (const each of list) checkNumber(each, 'size', { min: 0, max: 1e12 });
   return list;

@@ -6,14 +6,14 @@ import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterOptions } from './options.ts';
-import { type EmitterRecord, MOST_RAMPS, RECORD_BYTES, recordAt, W } from './record.ts';
+import { type EmitterRecord, MAX_RAMPS, RECORD_BYTES, recordAt, W } from './record.ts';
 
 /** Bursts that wait for the next step, and the bytes of one (kernels/emitters/record.ts). */
-export const MOST_BURSTS = 256;
+export const MAX_BURSTS = 256;
 export const BURST_NUMBERS = 12;
 
 /** 256 shades of each ramp. */
-const COLOR_BYTES = MOST_RAMPS * 1024;
+const COLOR_BYTES = MAX_RAMPS * 1024;
 const SLOT_BYTES = 40;
 const ENDING_BYTES = 52;
 
@@ -36,7 +36,7 @@ export function takeBlock(world: PhysicsWorld, capacity: number, reports: boolea
   if (found >= 0) return idle.splice(found, 1)[0];
   const { arena } = world.internal;
   const slots = capacity * (SLOT_BYTES + (reports ? ENDING_BYTES : 0));
-  const bytes = RECORD_BYTES + MOST_BURSTS * BURST_NUMBERS * 8 + COLOR_BYTES + slots;
+  const bytes = RECORD_BYTES + MAX_BURSTS * BURST_NUMBERS * 8 + COLOR_BYTES + slots;
   return { record: recordAt(arena, allocate(arena, bytes + 64, `an emitter of ${capacity}`)), capacity, reports };
 }
 
@@ -54,7 +54,7 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
   };
   words.fill(0);
   numbers.fill(0);
-  words[W.bursts] = take(MOST_BURSTS * BURST_NUMBERS * 8);
+  words[W.bursts] = take(MAX_BURSTS * BURST_NUMBERS * 8);
   words[W.colors] = take(COLOR_BYTES);
   words[W.bornAt] = take(capacity * 8);
   if (reports) words[W.endedAt] = take(capacity * 48);

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import * as record from './record.ts';
-import { MOST_RAMPS, MOST_STOPS, W } from './record.ts';
+import { MAX_RAMPS, MAX_STOPS, W } from './record.ts';
 
 /** The enumerations as objects, which they are wherever files are compiled one by one, as here. */
 const enumerations = record as unknown as Readonly<Record<'N' | 'W', object>>;
@@ -23,5 +23,5 @@ test('the record has the fields of the kernel’s class, in its order, and its f
   expect(fields.filter(([, , type]) => type === 'f64').map(([, name]) => name)).toEqual(namesOf(enumerations.N));
   expect(fields.findIndex(([, , type]) => type === 'f64')).toBe(W.count);
   expect(W.count % 2).toBe(0);
-  expect(W.count - W.color0).toBe(MOST_RAMPS * MOST_STOPS + MOST_RAMPS);
+  expect(W.count - W.color0).toBe(MAX_RAMPS * MAX_STOPS + MAX_RAMPS);
 });

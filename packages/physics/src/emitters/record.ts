@@ -2,8 +2,8 @@
 import type { Arena } from '../memory/arena.ts';
 
 /** Colour ramps an emitter can choose from, and stops of a ramp. */
-export const MOST_RAMPS = 8;
-export const MOST_STOPS = 4;
+export const MAX_RAMPS = 8;
+export const MAX_STOPS = 4;
 
 /** Where the u32 fields stand in `record.words`, in order; a bundle has the numbers alone. */
 export const enum W {

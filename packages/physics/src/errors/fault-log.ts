@@ -26,16 +26,16 @@ export interface Fault {
 export interface FaultLog {
   readonly faults: Fault[];
   /** Faults not kept because the log was full. */
-  lost: number;
+  droppedCount: number;
 }
 
 export function createFaultLog(): FaultLog {
-  return { faults: [], lost: 0 };
+  return { faults: [], droppedCount: 0 };
 }
 
 /** Empties the log. @throws PhysicsError E_TYPE for what is no log */
 export function clearFaults(log: FaultLog): void {
   checkList(log?.faults ?? null, 'clearFaults: log.faults');
   log.faults.length = 0;
-  log.lost = 0;
+  log.droppedCount = 0;
 }

@@ -17,7 +17,7 @@ import { checkNumber } from '../errors/validate.ts';
 import { type Scalar, select, type Vector } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { immersion, POOL, type Pool, poolValues } from './support/fluid-volume.ts';
+import { type FluidVolume, fluidVolumeValues, immersion, POOL } from './support/fluid-volume.ts';
 
 const about = {
   name: 'added mass',
@@ -54,8 +54,8 @@ const withSurface = /* @__PURE__ */ defineLaw({
  * @param coefficient C
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
-export function addedMass(pool: Pool, coefficient = 0.5): Force {
-  const { fluid, level } = poolValues(pool, 'addedMass');
+export function addedMass(pool: FluidVolume, coefficient = 0.5): Force {
+  const { fluid, level } = fluidVolumeValues(pool, 'addedMass');
   const given = {
     density: fluid.density,
     coefficient: checkNumber(coefficient, 'addedMass.coefficient', { min: 0, max: 100 }),

@@ -17,7 +17,7 @@
 // speed of light two divisions and some 25.
 import { bitOf } from '../components/all.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
-import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
+import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { reportFault } from '../errors/report-fault.ts';
 import { checkKeys } from '../errors/validate.ts';
 import type { BodySymbols } from '../laws/body-symbols.ts';
@@ -35,7 +35,7 @@ const LIGHT_SPEEDS = { min: 1e-3, max: 1e12 };
 const CENTRE = ['x', 'y', 'z', 'vx', 'vy', 'vz', 'mu', 'softeningSquared', 'entity'] as const;
 type Centre = Readonly<Record<(typeof CENTRE)[number], Scalar>>;
 
-const centresOf = resource(emptyRoster);
+const centresOf = resource(emptyEntityList);
 
 export interface AttractorsOptions {
   /** Makes black holes of the centres: a speed of light c, m/s. Left out, the pull is Newton's. */
@@ -116,14 +116,14 @@ function horizonOf({ mu }: Centre, lightSpeed: Scalar): Scalar {
 }
 
 /** In a step the centres are those of its start; at other times they are as they are. */
-function placeOfCentres(world: PhysicsWorld): Roster {
+function placeOfCentres(world: PhysicsWorld): EntityList {
   return world.state === 'stepping' ? centresOf(world) : gather(world);
 }
 
 /** Lists the centres anew when entities changed, and copies where they are now. */
-function gather(world: PhysicsWorld): Roster {
+function gather(world: PhysicsWorld): EntityList {
   const centres = centresOf(world);
-  refreshRoster(world, centres, 'Attractor', 8 * CENTRE.length, bitOf('Attractor') | bitOf('Position'));
+  refreshEntityList(world, centres, 'Attractor', 8 * CENTRE.length, bitOf('Attractor') | bitOf('Position'));
   const { ids, at, count } = centres;
   const { mu, softening } = world.addresses.Attractor;
   const bad = world.kernels.gatherAttractors(ids, count, mu, softening, at);
@@ -132,7 +132,7 @@ function gather(world: PhysicsWorld): Roster {
 }
 
 /** Coefficients that somebody made NaN or infinite become 0, with a fault; poses are put right when the step begins. */
-function repair(world: PhysicsWorld, { ids, count }: Roster): void {
+function repair(world: PhysicsWorld, { ids, count }: EntityList): void {
   const { Attractor } = world.components;
   for (const entity of new Uint32Array(world.memory.buffer, ids, count)) {
     for (const field of ['mu', 'softening'] as const) {

@@ -1,4 +1,4 @@
-// Upthrust of a fluid on bodies that are wholly or partly in it.
+// Buoyancy of a fluid on bodies that are wholly or partly in it.
 //
 //   F = -ρ V f g        f: share of the volume under the surface, from d = depth of the centre / half height, -1 to 1:
 //   sphere  f = ½ + ¼ d (3 - d²)        upright box  f = ½ + ½ d
@@ -9,16 +9,23 @@
 //
 // Archimedes, On Floating Bodies, proposition 5. Valid for a level surface and slow motion: no waves, no pressure drag
 // (`immersedDrag`), no accelerated fluid (`addedMass`). Without a level the fluid is everywhere and f = 1: a balloon.
-// Polygons, which turn: `polygonUpthrust`. Cost: some 20 operations and one division a body.
+// Polygons, which turn: `polygonBuoyancy`. Cost: some 20 operations and one division a body.
 import { Collider } from '../components/collider.ts';
 import { Hull } from '../components/hull.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { type Scalar, select } from '../laws/expression.ts';
 import type { Force } from '../world/types.ts';
-import { FLUID, type HullSymbols, immersion, POOL, type Pool, poolValues } from './support/fluid-volume.ts';
+import {
+  FLUID,
+  type FluidVolume,
+  fluidVolumeValues,
+  type HullSymbols,
+  immersion,
+  POOL,
+} from './support/fluid-volume.ts';
 
 const about = {
-  name: 'upthrust',
+  name: 'buoyancy',
   formula: 'F = -ρ V f g',
   source: 'Archimedes, On Floating Bodies, proposition 5.',
 };
@@ -51,7 +58,7 @@ const withSurface = /* @__PURE__ */ defineLaw({
 });
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function upthrust(pool: Pool): Force {
-  const { fluid, level } = poolValues(pool, 'upthrust');
+export function buoyancy(pool: FluidVolume): Force {
+  const { fluid, level } = fluidVolumeValues(pool, 'buoyancy');
   return level === undefined ? everywhere(fluid) : withSurface({ ...fluid, level });
 }

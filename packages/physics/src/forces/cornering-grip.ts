@@ -5,7 +5,7 @@
 //   v  speed, m/s    r  distance from the centre, m    μ  static friction coefficient    g  gravity, m/s²
 //
 // Up to v = √(μ g r) the car keeps its radius; faster, it slides outwards. It steers whatever comes near: for the cars
-// alone, wrap it in `limited`. Sideways friction only: add `motors` and `quadraticDrag` for the rest.
+// alone, wrap it in `restrictForce`. Sideways friction only: add `motors` and `quadraticDrag` for the rest.
 // Feynman, Lectures on Physics I, section 12-2. Cost: one square root, two divisions a body.
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
@@ -15,7 +15,7 @@ import type { Force } from '../world/types.ts';
 import { NOT_NEGATIVE, PLACES } from './support/bounds.ts';
 import { STANDARD_GRAVITY } from './support/standard-gravity.ts';
 
-export interface BendOptions {
+export interface CorneringGripOptions {
   /** Centre of the bend, m; default the origin. */
   readonly centre?: VectorInput;
   /** μ. */
@@ -42,6 +42,6 @@ const law = /* @__PURE__ */ defineLaw({
 });
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function bendGrip(options: BendOptions): Force {
+export function corneringGrip(options: CorneringGripOptions): Force {
   return law(options);
 }

@@ -102,7 +102,7 @@ describe('wind', () => {
   });
 
   test('ch07-bubbles-turbulence: gusts have the mean asked for and depend on time alone', () => {
-    const options = { mean: { x: 20 }, spread: { x: 500, y: 500 }, hold: 0.1, seed: 4 };
+    const options = { mean: { x: 20 }, spread: { x: 500, y: 500 }, interval: 0.1, seed: 4 };
     const gust = gusts(options);
     const n = 5000;
     const sum = { x: 0, y: 0 };

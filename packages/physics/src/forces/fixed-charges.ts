@@ -11,7 +11,7 @@
 import { bitOf } from '../components/all.ts';
 import { Charge } from '../components/charge.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
-import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
+import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { reportFault } from '../errors/report-fault.ts';
 import { type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
@@ -20,7 +20,7 @@ import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { POSITIVE } from './support/bounds.ts';
 import { inverseWhere } from './support/central-force.ts';
-import { lawKernels } from './support/force-kernels.ts';
+import { forceKernels } from './support/force-kernels.ts';
 
 /** 1/(4π ε₀), N m²/C²: CODATA 2022. */
 export const COULOMB_CONSTANT = 8.9875517862e9;
@@ -29,12 +29,12 @@ export const COULOMB_CONSTANT = 8.9875517862e9;
 const SOURCE = ['x', 'y', 'z', 'charge', 'radius'] as const;
 type Source = Readonly<Record<(typeof SOURCE)[number], Scalar>>;
 
-interface Sources extends Roster {
+interface Sources extends EntityList {
   /** Those listed that have no mass. */
   readonly fixed: { at: number; count: number };
 }
 
-const sourcesOf = resource((): Sources => ({ fixed: { at: 0, count: 0 }, ...emptyRoster() }));
+const sourcesOf = resource((): Sources => ({ fixed: { at: 0, count: 0 }, ...emptyEntityList() }));
 
 const law = /* @__PURE__ */ defineLaw({
   name: 'fixed charges',
@@ -82,9 +82,9 @@ function placeOfSources(world: PhysicsWorld): TablePlace {
 /** Lists the charges anew when entities changed, and copies those without mass as they are now. */
 function gather(world: PhysicsWorld): TablePlace {
   const sources = sourcesOf(world);
-  refreshRoster(world, sources, 'Charge', 8 * SOURCE.length, bitOf('Charge') | bitOf('Position'));
+  refreshEntityList(world, sources, 'Charge', 8 * SOURCE.length, bitOf('Charge') | bitOf('Position'));
   const { fixed, ids, at } = sources;
-  const count = lawKernels(world).gatherCharges(ids, sources.count, world.addresses.Charge.value, at);
+  const count = forceKernels(world).gatherCharges(ids, sources.count, world.addresses.Charge.value, at);
   fixed.at = at;
   fixed.count = count < 0 ? -1 - count : count;
   if (count < 0) repair(world, sources);

@@ -3,23 +3,24 @@ import { forceOn, lawOn, run, single, slope } from '../../../../test/support/law
 import {
   addedMass,
   angularDrag,
+  buoyancy,
   createPhysicsWorld,
   energy,
   immersedDrag,
   lift,
   magnus,
   PhysicsError,
-  polygonUpthrust,
+  polygonBuoyancy,
   rungeKutta4,
   sphereDrag,
   sphereDragCoefficient,
   uniformGravity,
-  upthrust,
 } from '../index.ts';
 
 describe('sphere drag', () => {
-  test('the drag curve: Stokes at Re → 0, measured values at 1, 10, 100, 1000 and 10⁵ within 6 %', () => {
-    expect(sphereDragCoefficient(1e-4) * 1e-4).toBeCloseTo(24, 1);
+  test('the drag curve: Stokes at Re → 0, measured values from 1 to 10⁵ within 6 %', () => {
+    // Beside Stokes' 24/Re stands 0.15 Re^0.687 of it, 2.7e-4, and 0.42 Re/24 · Re^1.16/42500, which is nothing.
+    expect(Math.abs((sphereDragCoefficient(1e-4) * 1e-4) / 24 - 1 - 0.15 * 1e-4 ** 0.687)).toBeLessThan(1e-12);
     // Clift, Grace and Weber, Bubbles, Drops and Particles (1978), table 5.1.
     for (const [re, measured] of [
       [1, 26.5],
@@ -29,8 +30,8 @@ describe('sphere drag', () => {
       [1e4, 0.4],
       [1e5, 0.5],
     ]) {
-      expect(sphereDragCoefficient(re) / measured).toBeGreaterThan(0.82);
-      expect(sphereDragCoefficient(re) / measured).toBeLessThan(1.07);
+      // The authors of the curve claim no more.
+      expect(Math.abs(sphereDragCoefficient(re) / measured - 1), `Re = ${re}`).toBeLessThan(0.06);
     }
   });
 
@@ -43,17 +44,21 @@ describe('sphere drag', () => {
     expect(slow / (-6 * Math.PI * 1e6 * 1e-6)).toBeCloseTo(1, 6);
   });
 
-  test('a raindrop of 1 mm falls at about 4 m/s, a fog droplet of 10 µm at 3 mm/s', () => {
+  test('a raindrop of 1 mm falls at 4.03 m/s, a fog droplet of 10 µm at 3.02 mm/s', () => {
+    // Gunn and Kinzer, J. Meteorol. 6, 243 (1949), measured 4.03 m/s: 6 % of the drag are 4 % of the speed, as C_d falls
+    // as Re^-0.43 there, and a drop is not quite a rigid sphere. The fog: Stokes' d² ρ g/18η less 0.15 Re^0.687 = 0.21 %
+    // of it, where Re = 2.0e-3.
+    const stokes = (1e-10 * 1000 * 9.80665) / (18 * 1.8e-5);
     for (const [diameter, terminal, within] of [
-      [1e-3, 4.0, 0.2],
-      [1e-5, 3.03e-3, 2e-5],
+      [1e-3, 4.03, 0.05 * 4.03],
+      [1e-5, stokes * (1 - 0.0021), 1e-4 * stokes],
     ]) {
       const r = diameter / 2;
       const mass = (1000 * 4 * Math.PI * r ** 3) / 3;
       const forces = [uniformGravity(), sphereDrag({ density: 1.2, viscosity: 1.8e-5 })];
       const { world, speed } = single(forces, { mass, collider: r });
-      run(world, 4 * (terminal / 9.8), terminal / 9.8 / 200);
-      run(world, 4 * (terminal / 9.8), terminal / 9.8 / 200);
+      // Slow ones approach their end as exp(-g t/v).
+      run(world, 24 * (terminal / 9.8), terminal / 9.8 / 200);
       expect(Math.abs(speed() - terminal)).toBeLessThan(within);
     }
   });
@@ -96,12 +101,12 @@ describe('lift and the Magnus force', () => {
   });
 });
 
-describe('upthrust', () => {
+describe('buoyancy', () => {
   const pool = { density: 1000, gravity: { y: -10 }, level: 2 };
 
   test('grows with immersion: nothing above, half at the surface, all below; in between by volume', () => {
     const at = (y: number, shape: 0 | 1) =>
-      lawOn(upthrust(pool), { position: { y }, hull: { volume: 3, halfHeight: 0.5, shape } }).y / 3e4;
+      lawOn(buoyancy(pool), { position: { y }, hull: { volume: 3, halfHeight: 0.5, shape } }).y / 3e4;
     for (const shape of [0, 1] as const) {
       expect(at(2.5, shape)).toBe(0);
       expect(at(9, shape)).toBe(0);
@@ -118,12 +123,12 @@ describe('upthrust', () => {
     for (const shape of [0, 1]) {
       for (const y of [2.6, 2.3, 1.9, 1.2]) {
         const body = { position: { y }, hull: { volume: 3, shape }, collider: 0.5 };
-        const { world, eid } = single([upthrust(pool)], body);
+        const { world, eid } = single([buoyancy(pool)], body);
         expect(forceOn(world, eid).y).toBeCloseTo(slope(world, eid).y, 4);
       }
     }
     const body = { position: { y: 3 }, mass: 1500, hull: 3, collider: 0.5 };
-    const { world } = single([uniformGravity({ y: -10 }), upthrust(pool)], body, { integrator: rungeKutta4 });
+    const { world } = single([uniformGravity({ y: -10 }), buoyancy(pool)], body, { integrator: rungeKutta4 });
     const before = energy(world).total;
     run(world, 20, 1e-3);
     expect(energy(world).total / before).toBeCloseTo(1, 7);
@@ -131,7 +136,7 @@ describe('upthrust', () => {
 
   test('up is against gravity, whichever way that points', () => {
     const sideways = { density: 1, gravity: { x: 3, y: 4 }, level: 100 };
-    const force = lawOn(upthrust(sideways), { position: {}, hull: 2, collider: 1 });
+    const force = lawOn(buoyancy(sideways), { position: {}, hull: 2, collider: 1 });
     expect(force.x).toBeCloseTo(-6, 12);
     expect(force.y).toBeCloseTo(-8, 12);
   });
@@ -147,7 +152,7 @@ describe('upthrust', () => {
   test('an empty bubble rises at no more than 2 g with added mass, and at 999 g without', () => {
     const deep = { density: 1000, gravity: { y: -10 } };
     const bubble = { mass: 1e-3, hull: 1e-3 };
-    const forces = [uniformGravity({ y: -10 }), upthrust(deep)];
+    const forces = [uniformGravity({ y: -10 }), buoyancy(deep)];
     const without = single(forces, bubble);
     expect(forceOn(without.world, without.eid).y / 1e-3).toBeCloseTo(9990, 9);
     const light = single([...forces, addedMass(deep)], bubble);
@@ -156,14 +161,14 @@ describe('upthrust', () => {
 });
 
 test('a balloon has the energy of the air it displaces, and a hull without mass has none', () => {
-  const air = upthrust({ density: 1.2, gravity: { y: -10 } });
+  const air = buoyancy({ density: 1.2, gravity: { y: -10 } });
   const { world } = single([air], { position: { x: 5, y: 7 }, mass: 0.1, hull: 2 });
   expect(energy(world).potential).toBeCloseTo(-1.2 * 10 * 2 * 7, 12);
   world.components.Mass.value[1] = 0;
   expect(energy(world).potential).toBeCloseTo(0, 12);
 });
 
-describe('upthrust on a polygon', () => {
+describe('buoyancy on a polygon', () => {
   const pool = { density: 1000, gravity: { y: -10 }, level: 0 };
   const box = [
     { x: -1, y: -0.5 },
@@ -178,8 +183,8 @@ describe('upthrust on a polygon', () => {
       for (const y of [-0.6, -0.2, 0, 0.4, 0.5, 0.7]) {
         const body = { position: { y }, hull: { volume: 2, shape: 2 } };
         const boxed = { position: { y }, hull: { volume: 2, halfHeight: 0.5, shape: 1 } };
-        const force = lawOn(polygonUpthrust(pool, { shape: 2, vertices }), body);
-        expect(force.y).toBeCloseTo(lawOn(upthrust(pool), boxed).y, 9);
+        const force = lawOn(polygonBuoyancy(pool, { shape: 2, vertices }), body);
+        expect(force.y).toBeCloseTo(lawOn(buoyancy(pool), boxed).y, 9);
         expect(force.torque).toBeCloseTo(0, 9);
       }
     }
@@ -189,14 +194,14 @@ describe('upthrust on a polygon', () => {
     // Half immersed: displaced area 1, second moment of the waterline 2³/12, centre of buoyancy 0.25 below the centre.
     const metacentre = 8 / 12 / 1 - 0.25;
     const angle = 1e-4;
-    const force = lawOn(polygonUpthrust(pool, hull), { rotation: angle, hull: { volume: 2, shape: 2 } });
+    const force = lawOn(polygonBuoyancy(pool, hull), { rotation: angle, hull: { volume: 2, shape: 2 } });
     expect(force.y).toBeCloseTo(1e4, 6);
     expect(force.torque / (-1e4 * metacentre * angle)).toBeCloseTo(1, 5);
   });
 
   test('force and torque are minus the gradient of the energy', () => {
     const body = { position: { y: 0.1 }, rotation: 0.7, hull: { volume: 2, shape: 2 } };
-    const { world, eid } = single([polygonUpthrust(pool, hull)], body);
+    const { world, eid } = single([polygonBuoyancy(pool, hull)], body);
     const force = forceOn(world, eid);
     expect(force.y).toBeCloseTo(slope(world, eid).y, 3);
     const { angle } = world.components.Rotation;
@@ -208,7 +213,7 @@ describe('upthrust on a polygon', () => {
   });
 
   test('it swings upright when damped, and bodies of another shape number float on their own', () => {
-    const forces = [uniformGravity({ y: -10 }), polygonUpthrust(pool, hull), immersedDrag(pool), angularDrag()];
+    const forces = [uniformGravity({ y: -10 }), polygonBuoyancy(pool, hull), immersedDrag(pool), angularDrag()];
     const body = {
       mass: 1000,
       inertia: 400,
@@ -222,7 +227,7 @@ describe('upthrust on a polygon', () => {
     run(world, 60, 1 / 120);
     expect(world.components.Rotation.angle[eid]).toBeCloseTo(0, 3);
     expect(at().y).toBeCloseTo(0, 3);
-    expect(lawOn(polygonUpthrust(pool, hull), { hull: { volume: 2, shape: 3 } }).y).toBe(0);
+    expect(lawOn(polygonBuoyancy(pool, hull), { hull: { volume: 2, shape: 3 } }).y).toBe(0);
   });
 
   test('a concave outline counts what is under the surface only', () => {
@@ -237,7 +242,7 @@ describe('upthrust on a polygon', () => {
       [2, 1],
       [-2, 1],
     ].map(([x, y]) => ({ x, y }));
-    const force = lawOn(polygonUpthrust(pool, { shape: 2, vertices: bridge }), {
+    const force = lawOn(polygonBuoyancy(pool, { shape: 2, vertices: bridge }), {
       position: { y: 0.5 },
       hull: { volume: 6, shape: 2 },
     });
@@ -249,26 +254,26 @@ describe('upthrust on a polygon', () => {
     // The centroid of this outline is (1, 0).
     const aside = box.map(({ x, y }) => ({ x: x + 1, y }));
     const body = { position: { y: 3 }, rotation: 0.7, hull: { volume: 2, shape: 2 } };
-    const force = lawOn(polygonUpthrust(everywhere, { shape: 2, vertices: aside }), body);
+    const force = lawOn(polygonBuoyancy(everywhere, { shape: 2, vertices: aside }), body);
     expect(force.y).toBeCloseTo(2e4, 9);
     expect(force.torque).toBeCloseTo(2e4 * Math.cos(0.7), 8);
     // So is one far below a surface, to the last digits.
-    const deep = lawOn(polygonUpthrust(pool, { shape: 2, vertices: aside }), { ...body, position: { y: -1e6 } });
+    const deep = lawOn(polygonBuoyancy(pool, { shape: 2, vertices: aside }), { ...body, position: { y: -1e6 } });
     expect(deep.y).toBeCloseTo(force.y, 9);
     expect(deep.torque).toBeCloseTo(force.torque, 8);
-    const { world, eid } = single([polygonUpthrust(everywhere, { shape: 2, vertices: aside })], body);
+    const { world, eid } = single([polygonBuoyancy(everywhere, { shape: 2, vertices: aside })], body);
     expect(forceOn(world, eid).y).toBeCloseTo(slope(world, eid).y, 3);
   });
 
   test('in space it is refused', () => {
-    const make = () => createPhysicsWorld({ dimensions: 3, forces: [polygonUpthrust(pool, hull)] });
-    expect(make).toThrow(/law "polygon upthrust" is for worlds of 2 dimensions/);
+    const make = () => createPhysicsWorld({ dimensions: 3, forces: [polygonBuoyancy(pool, hull)] });
+    expect(make).toThrow(/law "polygon buoyancy" is for worlds of 2 dimensions/);
   });
 
   test('refuse outlines without area', () => {
-    expect(() => polygonUpthrust(pool, { shape: 2, vertices: box.slice(0, 2) })).toThrow(PhysicsError);
-    expect(() => polygonUpthrust(pool, { shape: 1, vertices: box })).toThrow(PhysicsError);
-    expect(() => upthrust({ density: 0 })).toThrow(PhysicsError);
-    expect(() => upthrust({ density: 1, gravity: {} })).toThrow(/no direction/);
+    expect(() => polygonBuoyancy(pool, { shape: 2, vertices: box.slice(0, 2) })).toThrow(PhysicsError);
+    expect(() => polygonBuoyancy(pool, { shape: 1, vertices: box })).toThrow(PhysicsError);
+    expect(() => buoyancy({ density: 0 })).toThrow(PhysicsError);
+    expect(() => buoyancy({ density: 1, gravity: {} })).toThrow(/no direction/);
   });
 });

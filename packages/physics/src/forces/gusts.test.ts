@@ -6,13 +6,19 @@ describe('correlated gusts', () => {
   const options = { mean: { x: 5 }, deviation: { x: 2, y: 3 }, time: 0.5, seed: 7 };
 
   test('mean, deviation and correlation time, however often it is looked at', () => {
-    // 4000 correlation times hold some 4000 independent gusts: the mean is good to 2 % of a deviation, twice over.
-    for (const dt of [0.05, 0.2]) {
+    // Standard errors over a time T of a process with correlation time τ, in parts of σ: √(2τ/T) for the mean, half of
+    // that for the deviation; and for the correlation at τ √((1 - 3e⁻²) τ/T) (Bartlett 1946). Three and a half of each.
+    const [duration, tau] = [8000, 0.5];
+    const mean = 3.5 * Math.sqrt((2 * tau) / duration);
+    const correlation = 3.5 * Math.sqrt(((1 - 3 * Math.exp(-2)) * tau) / duration);
+    // Straight lines between nodes τ/16 apart keep e⁻¹/48 more of it.
+    const straight = Math.exp(-1) / 48;
+    for (const dt of [0.1, 0.2]) {
       const wind = correlatedGusts(options);
       const ahead = correlatedGusts(options);
       const lag = 0.5;
       let [n, sum, square, product] = [0, 0, 0, 0];
-      for (let t = 0; t < 2000; t += dt) {
+      for (let t = 0; t < duration; t += dt) {
         const now = wind(t).y;
         const later = ahead(t + lag).y;
         n++;
@@ -20,9 +26,9 @@ describe('correlated gusts', () => {
         square += now * now;
         product += now * later;
       }
-      expect(Math.abs(sum / n)).toBeLessThan(0.2);
-      expect(Math.sqrt(square / n)).toBeCloseTo(3, 0);
-      expect(product / square).toBeCloseTo(Math.exp(-1), 1);
+      expect(Math.abs(sum / n)).toBeLessThan(3 * mean);
+      expect(Math.abs(Math.sqrt(square / n) - 3)).toBeLessThan((3 * mean) / 2);
+      expect(Math.abs(product / square - Math.exp(-1) - straight)).toBeLessThan(correlation);
     }
   });
 
@@ -39,8 +45,9 @@ describe('correlated gusts', () => {
 
   test('carries a body with the wind: the mean drift of linear drag is the mean wind', () => {
     const { world, at } = single([linearDrag(correlatedGusts({ ...options, time: 0.05 }))], { linearDrag: 10 });
-    run(world, 200, 0.02);
-    expect(at().x / 200).toBeCloseTo(5, 0);
+    run(world, 800, 0.02);
+    // Three and a half standard errors σ √(2τ/T) of the mean wind, and the 0.1 s in which the body takes up its speed.
+    expect(Math.abs(at().x / 800 - 5)).toBeLessThan(3.5 * 2 * Math.sqrt((2 * 0.05) / 800) + (5 * 0.1) / 800);
   });
 });
 

@@ -2,7 +2,7 @@
 //
 //   F = -f (k |w| + c) w
 //
-//   f  share of the volume under the surface (see `upthrust`)    w  velocity through the fluid, m/s
+//   f  share of the volume under the surface (see `buoyancy`)    w  velocity through the fluid, m/s
 //   k  QuadraticDrag, kg/m    c  LinearDrag, kg/s
 //
 // The coefficients are those of the wholly immersed body in this fluid; list no other drag with them, or it acts in the
@@ -15,7 +15,7 @@ import { defineLaw } from '../dynamics/define-law.ts';
 import type { Scalar, Vector } from '../laws/expression.ts';
 import { scalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { immersion, type Pool, poolValues } from './support/fluid-volume.ts';
+import { type FluidVolume, fluidVolumeValues, immersion } from './support/fluid-volume.ts';
 
 const about = {
   name: 'immersed drag',
@@ -45,7 +45,7 @@ const withSurface = /* @__PURE__ */ defineLaw({
 });
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function immersedDrag(pool: Pool): Force {
-  const { fluid, level, flow } = poolValues(pool, 'immersedDrag');
+export function immersedDrag(pool: FluidVolume): Force {
+  const { fluid, level, flow } = fluidVolumeValues(pool, 'immersedDrag');
   return level === undefined ? everywhere({ flow }) : withSurface({ up: fluid.up, level, flow });
 }

@@ -5,7 +5,7 @@
 //   A, B  amplitudes, N    Ω  angular frequency, rad/s; 0 is a constant force A    t  time, s
 //
 // A driven oscillator of mass m, stiffness k and damping c settles to the amplitude |A|/√((k - mΩ²)² + c²Ω²): Landau
-// and Lifshitz, Mechanics, section 26. For some bodies only, wrap it in `limited`. Cost: two operations an axis.
+// and Lifshitz, Mechanics, section 26. For some bodies only, wrap it in `restrictForce`. Cost: two operations an axis.
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
 import { select, vec3 } from '../laws/expression.ts';

@@ -1,4 +1,4 @@
-// Upthrust on a hull of any outline in the plane, at its centre of buoyancy, so that it rights or capsizes the body.
+// Buoyancy on a hull of any outline in the plane, at its centre of buoyancy, so that it rights or capsizes the body.
 //
 //   F = -ρ V (A'/A) g        τ = r_B × F        potential  U = ρ V g/A ∫ depth dA'
 //
@@ -21,7 +21,7 @@ import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { PLACES } from './support/bounds.ts';
-import { FLUID, POOL, type Pool, poolValues } from './support/fluid-volume.ts';
+import { FLUID, type FluidVolume, fluidVolumeValues, POOL } from './support/fluid-volume.ts';
 
 export interface PolygonHull {
   /** Number by which bodies name this outline: `hull: { volume, shape }`. 2 and up. */
@@ -34,7 +34,7 @@ export interface PolygonHull {
 const HULL = /* @__PURE__ */ { shape: scalar(''), area: scalar('m²') };
 
 const about = {
-  name: 'polygon upthrust',
+  name: 'polygon buoyancy',
   formula: 'F = -ρ V (A′/A) g, τ = r_B × F',
   source: 'Euler, Scientia navalis (1749).',
   reads: { hull: Hull, angle: Rotation },
@@ -156,10 +156,10 @@ function withSurface(placeOf: (world: PhysicsWorld) => TablePlace) {
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function polygonUpthrust(pool: Pool, hull: PolygonHull): Force {
-  const { fluid, level } = poolValues(pool, 'polygonUpthrust');
-  checkKeys(hull, 'polygonUpthrust', ['shape', 'vertices']);
-  const shape = checkWhole(hull.shape, 'polygonUpthrust.shape', 2, 1000);
+export function polygonBuoyancy(pool: FluidVolume, hull: PolygonHull): Force {
+  const { fluid, level } = fluidVolumeValues(pool, 'polygonBuoyancy');
+  checkKeys(hull, 'polygonBuoyancy', ['shape', 'vertices']);
+  const shape = checkWhole(hull.shape, 'polygonBuoyancy.shape', 2, 1000);
   const corners = anticlockwise(hull.vertices);
   const edges = corners.map(({ x, y }, i) => {
     const next = corners[(i + 1) % corners.length];
@@ -184,14 +184,14 @@ interface Corner {
 
 /** The corners, checked, in a way that makes their area positive. */
 function anticlockwise(vertices: PolygonHull['vertices']): Corner[] {
-  checkList(vertices, 'polygonUpthrust.vertices');
+  checkList(vertices, 'polygonBuoyancy.vertices');
   const corners = (vertices ?? []).map((vertex, i) => ({
-    x: checkNumber(vertex?.x, `polygonUpthrust.vertices[${i}].x`, PLACES),
-    y: checkNumber(vertex?.y, `polygonUpthrust.vertices[${i}].y`, PLACES),
+    x: checkNumber(vertex?.x, `polygonBuoyancy.vertices[${i}].x`, PLACES),
+    y: checkNumber(vertex?.y, `polygonBuoyancy.vertices[${i}].y`, PLACES),
   }));
   const area = areaOf(corners);
   if (corners.length < 3 || area === 0) {
-    throw new PhysicsError('E_RANGE', 'polygonUpthrust needs at least three vertices that enclose an area.', {
+    throw new PhysicsError('E_RANGE', 'polygonBuoyancy needs at least three vertices that enclose an area.', {
       field: 'vertices',
       value: vertices,
     });

@@ -11,7 +11,7 @@
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import type { Force } from '../world/types.ts';
 import { GRAVITATIONAL_CONSTANT } from './enclosed-mass-gravity.ts';
-import { lawKernels } from './support/force-kernels.ts';
+import { forceKernels } from './support/force-kernels.ts';
 
 /** The dominant body and the constants, in the units of the world. */
 export interface PostNewtonianOptions {
@@ -40,7 +40,7 @@ export function postNewtonian(options: PostNewtonianOptions): Force {
       if (!(mass > 0 && mass < Infinity)) return;
       const { x, y, z } = world.scratch.at.force;
       const inSpace = world.dimensions === 3 ? z : 0;
-      lawKernels(world).postNewtonian(x, y, inSpace, central, G * mass, c, first, last);
+      forceKernels(world).postNewtonian(x, y, inSpace, central, G * mass, c, first, last);
     },
   };
 }

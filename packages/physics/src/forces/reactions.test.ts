@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { forceOn, run, single } from '../../../../test/support/laws.ts';
 import {
-  bendGrip,
+  corneringGrip,
   energy,
   lift,
   planeSupport,
@@ -43,7 +43,7 @@ describe('string tension', () => {
 
 describe('grip on a bend', () => {
   test('what a circle needs, up to what friction gives, and nothing in the centre', () => {
-    const law = bendGrip({ friction: 0.5, gravity: 10 });
+    const law = corneringGrip({ friction: 0.5, gravity: 10 });
     const at = (speed: number, x = 20) => {
       const { world, eid } = single([law], { position: { x }, velocity: { y: speed }, mass: 3 });
       return forceOn(world, eid).x;

@@ -6,10 +6,10 @@ import {
   defineForce,
   energy,
   type Force,
-  limited,
   linearDrag,
   PhysicsError,
   type Region,
+  restrictForce,
   spawn,
   springs,
   step,
@@ -18,9 +18,9 @@ import {
 
 const gravity = uniformGravity({ y: -10 });
 
-describe('limited', () => {
+describe('restrictForce', () => {
   test('to a group: only bodies with all of its components feel it', () => {
-    const law = limited(gravity, { group: ['Mass', 'Charge'] });
+    const law = restrictForce(gravity, { group: ['Mass', 'Charge'] });
     const world = createPhysicsWorld({ capacity: 20, forces: [linearDrag({ x: 1 }), law] });
     const with_ = spawn(world, { position: {}, velocity: {}, mass: 2, charge: 1, linearDrag: 3 });
     const without = spawn(world, { position: {}, velocity: {}, mass: 2, linearDrag: 3 });
@@ -30,7 +30,7 @@ describe('limited', () => {
 
   test('to a box or a ball: the rest keeps what it had, to the bit', () => {
     const inside = (region: Region, x: number, y: number) => {
-      const { world, eid } = single([linearDrag({ x: 0.1 }), limited(gravity, { region })], {
+      const { world, eid } = single([linearDrag({ x: 0.1 }), restrictForce(gravity, { region })], {
         position: { x, y },
         linearDrag: 3,
       });
@@ -50,7 +50,7 @@ describe('limited', () => {
   });
 
   test('to a time: a push from 1 s to 2 s', () => {
-    const { world, going } = single([limited(gravity, { from: 1, until: 2 })]);
+    const { world, going } = single([restrictForce(gravity, { from: 1, until: 2 })]);
     run(world, 3, 1 / 64);
     // Verlet sees the force at both ends of a step: the two steps at the borders count half each.
     expect(going().y).toBeCloseTo(-10, 9);
@@ -63,8 +63,8 @@ describe('limited', () => {
         for (let eid = first; eid < last; eid++) scratch.force.x[eid] += components.Mass.value[eid];
       },
     });
-    const nested = limited(limited(plain, { region: { centre: {}, radius: 2 } }), { group: 'Charge' });
-    const turned = limited(constantTorque({ z: 3 }), { group: 'Charge' });
+    const nested = restrictForce(restrictForce(plain, { region: { centre: {}, radius: 2 } }), { group: 'Charge' });
+    const turned = restrictForce(constantTorque({ z: 3 }), { group: 'Charge' });
     const at = (x: number, charge?: number) => {
       const body = { position: { x }, inertia: 1, rotation: {}, angularVelocity: {} };
       const { world, eid } = single([gravity, nested, turned], charge === undefined ? body : { ...body, charge });
@@ -76,9 +76,9 @@ describe('limited', () => {
     expect(at(1)).toEqual([0, -10, 0]);
   });
 
-  test('tiles and whole spans give the same, to the bit', () => {
+  test('tiles and whole ranges give the same, to the bit', () => {
     const moved = (local: boolean) => {
-      const law = limited(gravity, { region: { min: { x: 10 }, max: { x: 30 } } });
+      const law = restrictForce(gravity, { region: { min: { x: 10 }, max: { x: 30 } } });
       const world = createPhysicsWorld({ capacity: 6000, forces: [law] });
       if (!local) world.forces.push(defineForce({ name: 'nothing', local: false, accumulate: () => {} }));
       for (let i = 0; i < 5000; i++) spawn(world, { position: { x: i / 100 }, velocity: { x: 1 }, mass: 1 });
@@ -89,7 +89,7 @@ describe('limited', () => {
   });
 
   test('springs, which are not local, can be limited to bodies', () => {
-    const world = createPhysicsWorld({ capacity: 20, forces: [limited(springs(), { group: 'Charge' })] });
+    const world = createPhysicsWorld({ capacity: 20, forces: [restrictForce(springs(), { group: 'Charge' })] });
     const a = spawn(world, { position: {}, velocity: {}, mass: 1, charge: 1 });
     const b = spawn(world, { position: { x: 2 }, velocity: {}, mass: 1 });
     spawn(world, { spring: { a, b, stiffness: 1, length: 1 } });
@@ -99,31 +99,31 @@ describe('limited', () => {
   });
 
   test('the potential: of the group, of the time, and none of a region', () => {
-    const world = createPhysicsWorld({ capacity: 20, forces: [limited(gravity, { group: 'Charge' })] });
+    const world = createPhysicsWorld({ capacity: 20, forces: [restrictForce(gravity, { group: 'Charge' })] });
     spawn(world, { position: { y: 7 }, velocity: {}, mass: 2, charge: 1 });
     spawn(world, { position: { y: 5 }, velocity: {}, mass: 3 });
     expect(energy(world).potential).toBe(140);
     expect(world.components.Mass.value[2]).toBe(3);
     run(world, 1);
     expect(energy(world).total).toBeCloseTo(140, 9);
-    expect(limited(gravity, { from: 1 }).potential?.(world)).toBe(gravity.potential?.(world));
-    expect(limited(gravity, { from: 2 }).potential?.(world)).toBe(0);
-    expect(limited(gravity, { region: { centre: {}, radius: 1 } }).potential).toBeUndefined();
+    expect(restrictForce(gravity, { from: 1 }).potential?.(world)).toBe(gravity.potential?.(world));
+    expect(restrictForce(gravity, { from: 2 }).potential?.(world)).toBe(0);
+    expect(restrictForce(gravity, { region: { centre: {}, radius: 1 } }).potential).toBeUndefined();
   });
 
-  test('a limited law is a law, and other numbers of its limits compile nothing', () => {
+  test('a restricted law is a law, and other numbers of its limits compile nothing', () => {
     const structure = (force: Force) => force.law?.structure;
     const limits = { group: 'Charge', from: 1, region: { centre: { x: 1 }, radius: 2 } } as const;
     const other = { group: 'Charge', from: 7, region: { centre: { y: 3 }, radius: 5 } } as const;
-    expect(structure(limited(gravity, limits))).toBe(structure(limited(gravity, other)));
-    expect(structure(limited(gravity, limits))).not.toBe(structure(gravity));
-    const { world } = single([limited(limited(gravity, limits), other)]);
+    expect(structure(restrictForce(gravity, limits))).toBe(structure(restrictForce(gravity, other)));
+    expect(structure(restrictForce(gravity, limits))).not.toBe(structure(gravity));
+    const { world } = single([restrictForce(restrictForce(gravity, limits), other)]);
     step(world, 0.1);
     expect(world.internal.plan?.fusion).toBeDefined();
   });
 
   test('limits within limits: both hold', () => {
-    const nested = limited(limited(gravity, { region: { min: { x: 0 }, max: {} } }), {
+    const nested = restrictForce(restrictForce(gravity, { region: { min: { x: 0 }, max: {} } }), {
       region: { min: {}, max: { x: 2 } },
     });
     const at = (x: number) => lawOn(nested, { position: { x } }).y;
@@ -131,9 +131,9 @@ describe('limited', () => {
   });
 
   test('refuse what limits nothing', () => {
-    expect(() => limited(gravity, { group: 'Colour' as never })).toThrow(/names no component/);
-    expect(() => limited(gravity, { region: { min: { x: 1 }, max: { x: 0 } } })).toThrow(PhysicsError);
-    expect(() => limited({} as never, {})).toThrow(PhysicsError);
-    expect(() => limited(gravity, { until: Number.NaN })).toThrow(PhysicsError);
+    expect(() => restrictForce(gravity, { group: 'Colour' as never })).toThrow(/names no component/);
+    expect(() => restrictForce(gravity, { region: { min: { x: 1 }, max: { x: 0 } } })).toThrow(PhysicsError);
+    expect(() => restrictForce({} as never, {})).toThrow(PhysicsError);
+    expect(() => restrictForce(gravity, { until: Number.NaN })).toThrow(PhysicsError);
   });
 });

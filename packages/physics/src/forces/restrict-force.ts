@@ -16,31 +16,31 @@ import { realAddresses, realBytes } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import { checkForce } from '../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { lawKernels } from './support/force-kernels.ts';
-import { limitedLaw } from './support/restricted-law.ts';
-import { type CheckedLimits, checkLimits, type Limits } from './support/restrictions.ts';
+import { forceKernels } from './support/force-kernels.ts';
+import { restrictedLaw } from './support/restricted-law.ts';
+import { type CheckedRestrictions, checkRestrictions, type Restrictions } from './support/restrictions.ts';
 
 /** Bytes of a record of limits, kernels/forces/restrict-force.ts. */
 const LIMITS_BYTES = 56;
 
-/** Columns that hold the force and torque from before, one set for each limited force inside another. */
+/** Columns that hold the force and torque from before, one set for each restricted force inside another. */
 const savesOf = resource((): number[][] => []);
 let depth = 0;
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step when the world has no room */
-export function limited(force: Force, limits: Limits): Force {
-  checkForce(force, 'limited: force');
-  const checked = checkLimits(limits);
+export function restrictForce(force: Force, limits: Restrictions): Force {
+  checkForce(force, 'restrictForce: force');
+  const checked = checkRestrictions(limits);
   const limitsAt = resource((world) => writeLimits(world, checked));
   const prepare = prepareWithin(force, checked, limitsAt);
-  if (force.law !== undefined) return { ...limitedLaw(force as LawForce, checked), ...prepare };
+  if (force.law !== undefined) return { ...restrictedLaw(force as LawForce, checked), ...prepare };
   return {
     ...force,
-    name: `${force.name} (limited)`,
+    name: `${force.name} (restricted)`,
     ...prepare,
     accumulate(world, first, last, time) {
       // What was spent at the start of a step drives the whole of it.
-      const moment = force.spends === undefined ? time : world.time;
+      const moment = force.consumes === undefined ? time : world.time;
       if (moment < checked.from || moment >= checked.until) return;
       if (isEverywhere(checked)) force.accumulate?.(world, first, last, time);
       else accumulateWithin(world, force, limitsAt(world), first, last, time);
@@ -49,18 +49,18 @@ export function limited(force: Force, limits: Limits): Force {
   };
 }
 
-function isEverywhere({ group, box, ball }: CheckedLimits): boolean {
+function isEverywhere({ group, box, ball }: CheckedRestrictions): boolean {
   return group === 0 && box === undefined && ball === undefined;
 }
 
 /** The whole preparation, but of what is spent outside the limits nothing is. */
 function prepareWithin(
   force: Force,
-  limits: CheckedLimits,
+  limits: CheckedRestrictions,
   limitsAt: (world: PhysicsWorld) => number,
 ): Pick<Force, 'prepare'> {
-  const { spends } = force;
-  if (force.prepare === undefined || spends === undefined) return {};
+  const { consumes } = force;
+  if (force.prepare === undefined || consumes === undefined) return {};
   return {
     prepare(world, dt) {
       if (world.time < limits.from || world.time >= limits.until) return;
@@ -68,7 +68,7 @@ function prepareWithin(
         force.prepare?.(world, dt);
         return;
       }
-      const columns = spentOf(world, spends);
+      const columns = spentOf(world, consumes);
       const saves = savesAt(world, columns.length);
       const rows = world.lastId + 1;
       for (let i = 0; i < columns.length; i++) world.kernels.copyColumn(saves[i], columns[i], 0, rows);
@@ -76,7 +76,7 @@ function prepareWithin(
         force.prepare?.(world, dt);
       } finally {
         const at = limitsAt(world);
-        for (let i = 0; i < columns.length; i++) lawKernels(world).restoreOutside(at, columns[i], saves[i], 0, rows);
+        for (let i = 0; i < columns.length; i++) forceKernels(world).restoreOutside(at, columns[i], saves[i], 0, rows);
       }
     },
   };
@@ -105,7 +105,7 @@ function accumulateWithin(
 ): void {
   const { kernels, scratch } = world;
   const { force: f, torque: t } = scratch.at;
-  const turns = force.turns === true;
+  const turns = force.appliesTorque === true;
   const saves = savesAt(world, turns ? 6 : 3);
   for (let a = 0; a < 3; a++) {
     kernels.copyColumn(saves[a], f[SPACE[a]], first, last);
@@ -116,7 +116,7 @@ function accumulateWithin(
     force.accumulate?.(world, first, last, time);
   } finally {
     depth--;
-    const laws = lawKernels(world);
+    const laws = forceKernels(world);
     for (let a = 0; a < 3; a++) {
       laws.restoreOutside(limits, f[SPACE[a]], saves[a], first, last);
       if (turns) laws.restoreOutside(limits, t[SPACE[a]], saves[a + 3], first, last);
@@ -132,14 +132,14 @@ function savesAt(world: PhysicsWorld, count: number): readonly number[] {
   const columns = saves[depth];
   const bytes = world.rows * realBytes(world.precision);
   while (columns.length < count) {
-    columns.push(allocate(world.internal.arena, bytes, 'a limited force'));
+    columns.push(allocate(world.internal.arena, bytes, 'a restricted force'));
   }
   return columns;
 }
 
 function potentialWithin(
   force: Force,
-  limits: CheckedLimits,
+  limits: CheckedRestrictions,
   limitsAt: (world: PhysicsWorld) => number,
 ): Pick<Force, 'potential'> {
   const { potential } = force;
@@ -159,7 +159,7 @@ function potentialWithin(
 /** The coefficients of all other bodies are put away while the potential is asked for. */
 function potentialOfGroup(world: PhysicsWorld, force: Force, limits: number): number {
   const { components, addresses, internal } = world;
-  const laws = lawKernels(world);
+  const laws = forceKernels(world);
   const saved: [{ set(values: ArrayLike<number>): void }, ArrayLike<number>][] = [];
   for (const name of COMPONENT_NAMES) {
     if (!force.reads.includes(name) || name === 'Position' || internal.counts[name] === 0) continue;
@@ -177,7 +177,7 @@ function potentialOfGroup(world: PhysicsWorld, force: Force, limits: number): nu
   }
 }
 
-function writeLimits(world: PhysicsWorld, { group, box, ball }: CheckedLimits): number {
+function writeLimits(world: PhysicsWorld, { group, box, ball }: CheckedRestrictions): number {
   const at = allocate(world.internal.arena, LIMITS_BYTES, 'limits');
   const numbers = new Float64Array(world.memory.buffer, at, 6);
   const isFlat = world.dimensions === 2;

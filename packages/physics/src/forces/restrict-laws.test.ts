@@ -3,7 +3,7 @@ import { addComponent } from 'bitecs';
 import { describe, expect, test } from 'vitest';
 import { LAW_CASES, lawWorld } from '../../../../test/support/law-records.ts';
 import { forceOn, run, single } from '../../../../test/support/laws.ts';
-import { type Force, type Limits, limited, rocketEngines, spawn, uniformGravity } from '../index.ts';
+import { type Force, type Restrictions, restrictForce, rocketEngines, spawn, uniformGravity } from '../index.ts';
 
 /** For those laws that answer the forces before them. */
 const before = () => [uniformGravity({ x: 1, y: -10 })];
@@ -14,9 +14,9 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
     prepare(stage);
     return forceOn(stage.world, stage.subject);
   };
-  const kept = (limits: Limits) => (force: Force) => limited(force, limits);
+  const kept = (limits: Restrictions) => (force: Force) => restrictForce(force, limits);
   const free = on((force) => force);
-  const none = on(() => limited(uniformGravity({}), {}));
+  const none = on(() => restrictForce(uniformGravity({}), {}));
 
   test('acts on the group alone', () => {
     const group = kept({ group: 'Appearance' });
@@ -40,9 +40,10 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
   });
 });
 
-describe('a limited engine', () => {
+describe('a restricted engine', () => {
   const engine = { exhaustSpeed: 100, burnRate: 0.5, fuel: 4, y: 1 };
-  const rocket = (limits: Limits) => single([limited(rocketEngines({ frame: 'world' }), limits)], { mass: 10, engine });
+  const rocket = (limits: Restrictions) =>
+    single([restrictForce(rocketEngines({ frame: 'world' }), limits)], { mass: 10, engine });
 
   test('burns in its time alone, and gains v_e ln(m₀/m₁)', () => {
     const { world, eid, going } = rocket({ from: 1, until: 3 });

@@ -16,7 +16,7 @@ import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys } from '../errors/validate.ts';
 import { vec3 } from '../laws/expression.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { lawKernels } from './support/force-kernels.ts';
+import { forceKernels } from './support/force-kernels.ts';
 import { checkFrame } from './support/frame.ts';
 
 export interface RocketOptions {
@@ -55,6 +55,6 @@ function burn(world: PhysicsWorld, dt: number): void {
   if (world.internal.counts.Engine === 0) return;
   const e = world.addresses.Engine;
   const [tx, ty, tz, last] = [e.thrustX, e.thrustY, e.thrustZ, world.lastId + 1];
-  const kernels = lawKernels(world);
+  const kernels = forceKernels(world);
   kernels.burnFuel(e.fuel, e.burnRate, e.throttle, e.exhaustSpeed, e.x, e.y, e.z, tx, ty, tz, dt, 0, last);
 }

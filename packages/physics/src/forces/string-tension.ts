@@ -9,7 +9,7 @@
 // drifts only by the integrator's error (Runge-Kutta 4 at a hundredth of the period: 10⁻⁸ a swing), and in single
 // precision by rounding, some 10⁻⁴ in a minute. A string that goes slack is slack, but one that comes taut with a jerk
 // stretches: that is an impulse, and a joint's work.
-// Goldstein, Classical Mechanics, section 1.3. For some bodies only, wrap it in `limited`.
+// Goldstein, Classical Mechanics, section 1.3. For some bodies only, wrap it in `restrictForce`.
 // Cost: some 30 operations and two divisions a body.
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';

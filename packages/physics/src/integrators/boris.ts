@@ -16,7 +16,7 @@ import { constant, Scalar, select, type Vector, vectorOf } from '../laws/express
 import { axialVectorOverTime, sourcesOf } from '../laws/parameter.ts';
 import type { VectorOverTime } from '../laws/time-vector.ts';
 import type { Integrator } from '../world/types.ts';
-import { defineIntegrator } from './support/define-integrator.ts';
+import { defineCheckedIntegrator } from './support/define-integrator.ts';
 
 /** The magnetic field, T: give one of the two. In two dimensions only z acts. */
 export interface BorisOptions {
@@ -36,7 +36,7 @@ export function boris(options: BorisOptions): Integrator {
   if (fieldAt !== undefined) checkFunction(fieldAt, 'fieldAt');
   const parameters = { field: axialVectorOverTime('T', { min: -1e30, max: 1e30 }) };
   const sources = sourcesOf('boris', parameters, { field: field ?? {} });
-  return defineIntegrator(
+  return defineCheckedIntegrator(
     {
       name: 'Boris',
       order: 2,

@@ -11,7 +11,7 @@
 import { checkKeys, checkNumber, type Vector } from '../errors/validate.ts';
 import { raise } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
-import type { EvaluateForces, Integrator, PhysicsWorld, Spans } from '../world/types.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import {
   begin,
   END,
@@ -32,7 +32,7 @@ import {
   WANTED,
 } from './support/dormand-prince-stages.ts';
 import { denseWeights, twice } from './support/dormand-prince-tableau.ts';
-import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
+import { LAST_RESORT, MAX_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
 
 /** How exact it is. */
 export interface DormandPrinceOptions {
@@ -70,13 +70,13 @@ export function dormandPrince(options: DormandPrinceOptions = {}): Integrator {
     prepare(world) {
       stagesOf(world);
     },
-    advance(world, spans, dt, evaluateForces) {
-      cross(world, spans, dt, evaluateForces, limits);
+    advance(world, ranges, dt, evaluateForces) {
+      cross(world, ranges, dt, evaluateForces, limits);
     },
   };
 }
 
-function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: EvaluateForces, limits: Limits): void {
+function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: EvaluateForces, limits: Limits): void {
   const stages = stagesOf(world);
   const { scalars } = stages;
   const tolerance = Math.max(limits.tolerance, world.precision === 'f32' ? 1e-6 : 0);
@@ -86,20 +86,20 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
   // Once more as a mere number: variables that are `dt` or a number worked out would be objects.
   const whole = 1 * dt;
   let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
-  evaluateForces(world, spans, world.time);
-  begin(world, spans, stages);
+  evaluateForces(world, ranges, world.time);
+  begin(world, ranges, stages);
   for (let tries = 0; passed < dt; tries++) {
-    if (wanted < SHORTEST * dt || tries > MOST_TRIES) {
+    if (wanted < SHORTEST * dt || tries > MAX_TRIES) {
       reportUnderflow(world, stages.kernels.rowOfWorstError(), wanted);
-      crossBlindly(world, spans, passed, dt, evaluateForces);
+      crossBlindly(world, ranges, passed, dt, evaluateForces);
       return;
     }
     const rest = dt - passed;
     const h = subStep(wanted, rest);
     scalars[PASSED] = passed;
     scalars[STEP] = h;
-    takeSubStep(world, spans, stages, evaluateForces);
-    findWorstRatio(world, spans, stages);
+    takeSubStep(world, ranges, stages, evaluateForces);
+    findWorstRatio(world, ranges, stages);
     scalars[ERROR] /= tolerance;
     const error = scalars[ERROR];
     if (error <= 1) {
@@ -111,7 +111,7 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: Ev
       scalars[RATIO] = Math.max(error, 1e-4);
       scalars[LENGTH] = h;
       scalars[END] = world.time + passed;
-      if (passed < dt) begin(world, spans, stages);
+      if (passed < dt) begin(world, ranges, stages);
     } else {
       scalars[POWER] = error;
       if (error < Infinity) raise(scalars, POWER, 0.17);
@@ -135,15 +135,15 @@ function findGrowth(scalars: Float64Array): void {
 }
 
 /** The rest of a step whose error cannot be kept small. */
-function crossBlindly(world: PhysicsWorld, spans: Spans, passed: number, dt: number, evaluate: EvaluateForces): void {
+function crossBlindly(world: PhysicsWorld, ranges: Ranges, passed: number, dt: number, evaluate: EvaluateForces): void {
   const stages = stagesOf(world);
   const h = (dt - passed) / LAST_RESORT;
-  restore(world, spans, stages);
+  restore(world, ranges, stages);
   for (let i = 0; i < LAST_RESORT; i++) {
     stages.scalars[PASSED] = passed + i * h;
     stages.scalars[STEP] = h;
-    takeSubStep(world, spans, stages, evaluate);
-    begin(world, spans, stages);
+    takeSubStep(world, ranges, stages, evaluate);
+    begin(world, ranges, stages);
   }
   stages.scalars.fill(0);
 }

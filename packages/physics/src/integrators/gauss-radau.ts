@@ -13,7 +13,7 @@
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { raise } from '../math/elementary.ts';
-import type { EvaluateForces, Integrator, PhysicsWorld, Spans } from '../world/types.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import {
   CHANGE,
   LAST_TERM,
@@ -28,7 +28,7 @@ import {
   STEP,
   WANTED,
 } from './support/gauss-radau-table.ts';
-import { LAST_RESORT, MOST_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
+import { LAST_RESORT, MAX_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
 
 /** How exact it is. */
 export interface GaussRadauOptions {
@@ -66,13 +66,13 @@ export function gaussRadau(options: GaussRadauOptions = {}): Integrator {
     prepare(world) {
       radauOf(world);
     },
-    advance(world, spans, dt, evaluateForces) {
-      cross(world, spans, dt, evaluateForces, tolerance);
+    advance(world, ranges, dt, evaluateForces) {
+      cross(world, ranges, dt, evaluateForces, tolerance);
     },
   };
 }
 
-function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluate: EvaluateForces, tolerance: number): void {
+function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluate: EvaluateForces, tolerance: number): void {
   const radau = radauOf(world);
   const { scalars } = radau;
   // Once more as a mere number: variables that are `dt` or a number worked out would be objects.
@@ -82,64 +82,64 @@ function cross(world: PhysicsWorld, spans: Spans, dt: number, evaluate: Evaluate
   let isNew = true;
   for (let tries = 0; passed < dt; tries++) {
     const rest = dt - passed;
-    if (wanted < SHORTEST * dt || tries > MOST_TRIES) {
-      reportUnderflow(world, worstRow(spans, radau), wanted);
+    if (wanted < SHORTEST * dt || tries > MAX_TRIES) {
+      reportUnderflow(world, worstRow(ranges, radau), wanted);
       scalars[PASSED] = passed;
-      crossBlindly(world, spans, radau, dt, evaluate);
+      crossBlindly(world, ranges, radau, dt, evaluate);
       return;
     }
     const h = subStep(wanted, rest);
     scalars[PASSED] = passed;
     scalars[STEP] = h;
-    if (isNew) begin(world, spans, radau, evaluate);
-    predict(spans, radau, isNew);
-    const converged = iterate(world, spans, radau, evaluate);
+    if (isNew) begin(world, ranges, radau, evaluate);
+    predict(ranges, radau, isNew);
+    const converged = iterate(world, ranges, radau, evaluate);
     scalars[NEXT] = 0;
-    if (converged) findNextLength(world, spans, radau, tolerance);
+    if (converged) findNextLength(world, ranges, radau, tolerance);
     const next = scalars[NEXT];
     isNew = next >= TOO_LONG * h;
     if (isNew) {
-      end(spans, radau);
+      end(ranges, radau);
       passed = h === rest ? whole : passed + h;
       // A sub-step cut short by the end of the step says nothing against a longer one.
       wanted = next < GROWTH * h ? next : Math.max(wanted, next);
     } else {
-      if (!converged) forget(spans, radau);
+      if (!converged) forget(ranges, radau);
       wanted = converged ? next : h / GROWTH;
     }
   }
   scalars[WANTED] = wanted;
 }
 
-function begin(world: PhysicsWorld, spans: Spans, { table, kernels, scalars }: Radau, evaluate: EvaluateForces) {
-  evaluate(world, spans, world.time + scalars[PASSED]);
-  for (let r = 0; r < spans.count; r++) kernels.radauBegin(table, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+function begin(world: PhysicsWorld, ranges: Ranges, { table, kernels, scalars }: Radau, evaluate: EvaluateForces) {
+  evaluate(world, ranges, world.time + scalars[PASSED]);
+  for (let r = 0; r < ranges.count; r++) kernels.radauBegin(table, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
 }
 
 /** The polynomial of the last sub-step, or of the last try of this one, carried to the length of this one. */
-function predict(spans: Spans, { table, kernels, scalars }: Radau, onwards: boolean): void {
+function predict(ranges: Ranges, { table, kernels, scalars }: Radau, onwards: boolean): void {
   const h = scalars[STEP];
   const ratio = h / scalars[LENGTH];
   if (scalars[LENGTH] > 0) {
     const shift = onwards ? 1 : 0;
-    for (let r = 0; r < spans.count; r++) {
-      kernels.radauPredict(table, ratio, shift, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    for (let r = 0; r < ranges.count; r++) {
+      kernels.radauPredict(table, ratio, shift, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
     }
   }
   scalars[LENGTH] = h;
 }
 
-function forget(spans: Spans, { table, kernels, scalars }: Radau): void {
-  for (let r = 0; r < spans.count; r++) kernels.radauForget(table, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+function forget(ranges: Ranges, { table, kernels, scalars }: Radau): void {
+  for (let r = 0; r < ranges.count; r++) kernels.radauForget(table, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
   scalars[LENGTH] = 0;
 }
 
 /** Improves the polynomial until it no longer changes; whether it came to that. */
-function iterate(world: PhysicsWorld, spans: Spans, radau: Radau, evaluate: EvaluateForces): boolean {
+function iterate(world: PhysicsWorld, ranges: Ranges, radau: Radau, evaluate: EvaluateForces): boolean {
   const settled = SETTLED[world.precision];
   let before = Number.POSITIVE_INFINITY;
   for (let i = 0; i < MOST_ITERATIONS; i++) {
-    sweepNodes(world, spans, radau, evaluate);
+    sweepNodes(world, ranges, radau, evaluate);
     const change = radau.scalars[CHANGE];
     if (change <= settled) return true;
     if (!(change < before)) return before < STALLED[world.precision];
@@ -153,17 +153,17 @@ function iterate(world: PhysicsWorld, spans: Spans, radau: Radau, evaluate: Eval
 /** One sweep over the seven nodes. A number that is returned would be garbage: CHANGE has it. */
 function sweepNodes(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   { table, kernels, scalars }: Radau,
   evaluate: EvaluateForces,
 ): void {
-  const { bounds, count } = spans;
+  const { bounds, count } = ranges;
   const h = scalars[STEP];
   let change = 0;
   let largest = 0;
   for (let s = 1; s < NODES.length; s++) {
     for (let r = 0; r < count; r++) kernels.radauState(table, s, NODES[s], h, bounds[2 * r], bounds[2 * r + 1]);
-    evaluate(world, spans, world.time + scalars[PASSED] + NODES[s] * h);
+    evaluate(world, ranges, world.time + scalars[PASSED] + NODES[s] * h);
     change = 0;
     for (let r = 0; r < count; r++) {
       change = Math.max(change, kernels.radauRefine(table, s, bounds[2 * r], bounds[2 * r + 1]));
@@ -176,11 +176,11 @@ function sweepNodes(
 /** Leaves the length that would have met the tolerance in NEXT. */
 function findNextLength(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   { table, kernels, scalars }: Radau,
   tolerance: number,
 ): void {
-  const { bounds, count } = spans;
+  const { bounds, count } = ranges;
   const h = scalars[STEP];
   const wanted = Math.max(tolerance, world.precision === 'f32' ? 0.03 : 0);
   let term = 0;
@@ -198,31 +198,31 @@ function findNextLength(
   scalars[NEXT] = Math.min(GROWTH * h, h * scalars[NEXT]);
 }
 
-function end(spans: Spans, { table, kernels, scalars }: Radau): void {
+function end(ranges: Ranges, { table, kernels, scalars }: Radau): void {
   const h = scalars[STEP];
-  for (let r = 0; r < spans.count; r++) kernels.radauEnd(table, h, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+  for (let r = 0; r < ranges.count; r++) kernels.radauEnd(table, h, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
 }
 
-function worstRow(spans: Spans, { table, kernels }: Radau): number {
-  return kernels.radauWorstRow(table, 0, spans.bounds[2 * spans.count - 1]);
+function worstRow(ranges: Ranges, { table, kernels }: Radau): number {
+  return kernels.radauWorstRow(table, 0, ranges.bounds[2 * ranges.count - 1]);
 }
 
 /** The rest of a step whose error cannot be kept small. */
-function crossBlindly(world: PhysicsWorld, spans: Spans, radau: Radau, dt: number, evaluate: EvaluateForces): void {
+function crossBlindly(world: PhysicsWorld, ranges: Ranges, radau: Radau, dt: number, evaluate: EvaluateForces): void {
   const { kernels, table, scalars } = radau;
   const passed = scalars[PASSED];
   const h = (dt - passed) / LAST_RESORT;
-  for (let r = 0; r < spans.count; r++) {
-    kernels.radauState(table, 0, 0, h, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+  for (let r = 0; r < ranges.count; r++) {
+    kernels.radauState(table, 0, 0, h, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
   }
   for (let i = 0; i < LAST_RESORT; i++) {
     scalars[PASSED] = passed + i * h;
     scalars[STEP] = h;
-    forget(spans, radau);
-    begin(world, spans, radau, evaluate);
-    iterate(world, spans, radau, evaluate);
-    end(spans, radau);
+    forget(ranges, radau);
+    begin(world, ranges, radau, evaluate);
+    iterate(world, ranges, radau, evaluate);
+    end(ranges, radau);
   }
-  forget(spans, radau);
+  forget(ranges, radau);
   scalars.fill(0);
 }

@@ -15,7 +15,7 @@
 import { reportFault } from '../errors/report-fault.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
-import type { EvaluateForces, Integrator, PhysicsWorld, Spans } from '../world/types.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { addScaled, copyVector, norm } from './support/body-vectors.ts';
 import { solveLinear } from './support/gmres.ts';
 import {
@@ -56,20 +56,20 @@ export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
     prepare(world) {
       equationOf(world);
     },
-    advance(world, spans, dt, evaluateForces) {
+    advance(world, ranges, dt, evaluateForces) {
       const equation = equationOf(world);
       const { Position, Velocity } = world.addresses;
-      copyVector(world, spans, equation.from, Position);
-      copyVector(world, spans, equation.start, Velocity);
-      copyVector(world, spans, equation.best, Velocity);
-      if (!newton(world, spans, dt, evaluateForces, equation, tolerance)) {
-        report(world, spans, equation);
+      copyVector(world, ranges, equation.from, Position);
+      copyVector(world, ranges, equation.start, Velocity);
+      copyVector(world, ranges, equation.best, Velocity);
+      if (!newton(world, ranges, dt, evaluateForces, equation, tolerance)) {
+        report(world, ranges, equation);
         // A force that is not a number must meet its own body alone: the others take an explicit step.
         const { best, residual, scalars } = equation;
-        norm(world, spans, residual, scalars, Scalar.one);
-        if (!Number.isFinite(scalars[Scalar.one])) addScaled(world, spans, best, best, residual, MINUS_ONE, 0);
+        norm(world, ranges, residual, scalars, Scalar.one);
+        if (!Number.isFinite(scalars[Scalar.one])) addScaled(world, ranges, best, best, residual, MINUS_ONE, 0);
       }
-      moveTo(world, spans, equation, equation.best, dt);
+      moveTo(world, ranges, equation, equation.best, dt);
     },
   };
 }
@@ -77,7 +77,7 @@ export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
 /** Brings the residual of `best` to zero; whether it succeeded. */
 function newton(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   dt: number,
   evaluate: EvaluateForces,
   equation: Equation,
@@ -85,19 +85,19 @@ function newton(
 ): boolean {
   const { start, best, residual, scalars } = equation;
   const least = Math.max(tolerance, world.precision === 'f32' ? 1e-5 : 0);
-  residualAt(world, spans, dt, evaluate, equation, best, residual);
-  norm(world, spans, residual, scalars, Scalar.size);
+  residualAt(world, ranges, dt, evaluate, equation, best, residual);
+  norm(world, ranges, residual, scalars, Scalar.size);
   for (let i = 0; i < MOST_STEPS; i++) {
-    norm(world, spans, start, scalars, Scalar.one);
-    norm(world, spans, best, scalars, Scalar.other);
+    norm(world, ranges, start, scalars, Scalar.one);
+    norm(world, ranges, best, scalars, Scalar.other);
     const enough = least * Math.max(scalars[Scalar.one], scalars[Scalar.other]);
     if (scalars[Scalar.size] <= enough) return true;
     if (!(scalars[Scalar.size] < Number.POSITIVE_INFINITY)) return false;
-    solveLinear(world, spans, dt, evaluate, equation);
-    norm(world, spans, equation.change, scalars, Scalar.one);
+    solveLinear(world, ranges, dt, evaluate, equation);
+    norm(world, ranges, equation.change, scalars, Scalar.one);
     // A stiff force turns the rounding of positions into a residual that nothing can bring to zero: then the step says it.
     const settled = scalars[Scalar.left] < 0.1 * scalars[Scalar.size] && scalars[Scalar.one] <= enough;
-    const isSmaller = search(world, spans, dt, evaluate, equation);
+    const isSmaller = search(world, ranges, dt, evaluate, equation);
     if (settled) return true;
     if (!isSmaller) return false;
   }
@@ -105,16 +105,22 @@ function newton(
 }
 
 /** Goes along the Newton step, half as far each time, until the residual is smaller; whether it became so. */
-function search(world: PhysicsWorld, spans: Spans, dt: number, evaluate: EvaluateForces, equation: Equation): boolean {
+function search(
+  world: PhysicsWorld,
+  ranges: Ranges,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+): boolean {
   const { best, trial, change, residual, trialResidual, scalars } = equation;
   scalars[Scalar.part] = 1;
   for (let i = 0; i < MOST_HALVINGS; i++) {
-    addScaled(world, spans, trial, best, change, scalars, Scalar.part);
-    residualAt(world, spans, dt, evaluate, equation, trial, trialResidual);
-    norm(world, spans, trialResidual, scalars, Scalar.trialSize);
+    addScaled(world, ranges, trial, best, change, scalars, Scalar.part);
+    residualAt(world, ranges, dt, evaluate, equation, trial, trialResidual);
+    norm(world, ranges, trialResidual, scalars, Scalar.trialSize);
     if (scalars[Scalar.trialSize] < (1 - 1e-4 * scalars[Scalar.part]) * scalars[Scalar.size]) {
-      copyVector(world, spans, best, trial);
-      copyVector(world, spans, residual, trialResidual);
+      copyVector(world, ranges, best, trial);
+      copyVector(world, ranges, residual, trialResidual);
       scalars[Scalar.size] = scalars[Scalar.trialSize];
       return true;
     }
@@ -123,11 +129,11 @@ function search(world: PhysicsWorld, spans: Spans, dt: number, evaluate: Evaluat
   return false;
 }
 
-function report(world: PhysicsWorld, spans: Spans, { residualColumns }: Equation): void {
+function report(world: PhysicsWorld, ranges: Ranges, { residualColumns }: Equation): void {
   let worst = 0;
   let most = -1;
-  for (let r = 0; r < spans.count; r++) {
-    for (let row = spans.bounds[2 * r]; row < spans.bounds[2 * r + 1]; row++) {
+  for (let r = 0; r < ranges.count; r++) {
+    for (let row = ranges.bounds[2 * r]; row < ranges.bounds[2 * r + 1]; row++) {
       for (const axis of AXES[world.dimensions]) {
         const here = Math.abs(residualColumns[axis][row]);
         if (here > most || Number.isNaN(here)) {

@@ -17,7 +17,7 @@
 // Wisdom and Holman, Astron. J. 102, 1528 (1991); Rein and Tamayo, MNRAS 452, 376 (2015).
 
 import { bitOf } from '../components/all.ts';
-import { emptyRoster, refreshRoster } from '../ecs/entity-list.ts';
+import { emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';
 import { resource } from '../memory/resource.ts';
@@ -36,7 +36,7 @@ export interface WisdomHolmanOptions {
 /** Bytes of a body, kernels/integrators/wisdom-holman.ts. */
 const PLANET_BYTES = 80;
 
-const planetsOf = resource(emptyRoster);
+const planetsOf = resource(emptyEntityList);
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
@@ -51,7 +51,7 @@ export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
     wholeWorld: true,
     isStable: () => true,
     prepare: list,
-    advance(world, spans, dt, evaluateForces) {
+    advance(world, ranges, dt, evaluateForces) {
       const { at } = planetsOf(world);
       const star = isMassive(world, central) ? central : heaviest(world);
       if (star === 0) return;
@@ -61,7 +61,7 @@ export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
       kernels.toJacobi(at, n);
       const lost = kernels.driftKepler(at, n, dt / 2);
       kernels.fromJacobi(at, n);
-      evaluateForces(world, spans, world.time + dt / 2);
+      evaluateForces(world, ranges, world.time + dt / 2);
       kernels.kickJacobi(at, n, force.x, force.y, world.dimensions === 3 ? force.z : 0, dt);
       const lostLater = kernels.driftKepler(at, n, dt / 2);
       kernels.fromJacobi(at, n);
@@ -85,7 +85,7 @@ function heaviest(world: PhysicsWorld): number {
 
 /** Lists the bodies with mass. @throws PhysicsError E_CAPACITY */
 function list(world: PhysicsWorld): void {
-  refreshRoster(world, planetsOf(world), 'Position', PLANET_BYTES, bitOf('Position') | bitOf('Mass'));
+  refreshEntityList(world, planetsOf(world), 'Position', PLANET_BYTES, bitOf('Position') | bitOf('Mass'));
 }
 
 /** Gathers them, the star first. Returns how many. */

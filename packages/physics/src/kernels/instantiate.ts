@@ -1,24 +1,50 @@
+import { PhysicsError } from '../errors/physics-error.ts';
 import { compileBytes } from './compile-bytes.ts';
-import { decodeModule, type EmbeddedModule } from './decode.ts';
-import { KERNELS, type KernelExports } from './modules.gen.ts';
+import { KERNELS, type KernelExports } from './core.gen.ts';
+import { decodeBase64, type EmbeddedModule } from './decode.ts';
 
 export type Precision = 'f32' | 'f64';
 export type { KernelExports };
 
-/** The kernels every world has. */
+/** What was compiled in this process, by its text. */
+const compiled = new Map<string, WebAssembly.Module>();
+
+/**
+ * The kernels every world has.
+ * @throws PhysicsError E_RANGE for a precision that the bundle leaves out
+ */
 export function instantiateKernels(precision: Precision, memory: WebAssembly.Memory): KernelExports {
   return instantiate<KernelExports>(KERNELS, precision, memory);
 }
 
 /**
- * The functions of one build of a module, by name. Compiling is synchronous and done once a process and precision.
+ * The functions of one build of a module, by name. Compiling is synchronous and done once a process and build.
+ * @throws PhysicsError E_RANGE for a precision that the bundle leaves out
  */
 export function instantiate<Exports>(
   kernels: EmbeddedModule,
   precision: Precision,
   memory: WebAssembly.Memory,
 ): Exports {
-  kernels.compiled[precision] ??= compileBytes(decodeModule(kernels, precision));
-  const functions = Object.values(new WebAssembly.Instance(kernels.compiled[precision], { env: { memory } }).exports);
-  return Object.fromEntries(kernels.names.split('.').map((name, i) => [name, functions[i]])) as Exports;
+  const text = kernels[precision];
+  if (text === '') throw leftOut(precision);
+  let module = compiled.get(text);
+  if (module === undefined) {
+    module = compileBytes(decodeBase64(text));
+    compiled.set(text, module);
+  }
+  return new WebAssembly.Instance(module, { env: { memory } }).exports as Exports;
+}
+
+function leftOut(precision: Precision): PhysicsError {
+  const kept = precision === 'f32' ? 'f64' : 'f32';
+  return new PhysicsError(
+    'E_RANGE',
+    `precision must be '${kept}' here, got '${precision}': the export condition principia-${kept} left the kernels for ${precision} out of this bundle.`,
+    {
+      field: 'precision',
+      value: precision,
+      hint: `Create the world with precision: '${kept}', or build without the condition principia-${kept}.`,
+    },
+  );
 }

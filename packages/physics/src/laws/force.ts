@@ -8,7 +8,7 @@ export interface CustomForce {
   /** Default true: reads nothing but its own body. */
   readonly local?: boolean;
   /** Default false: adds to `world.scratch.torque` as well. */
-  readonly turns?: boolean;
+  readonly appliesTorque?: boolean;
   prepare?(world: PhysicsWorld, dt: number): void;
   accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
   potential?(world: PhysicsWorld): number;
@@ -19,13 +19,22 @@ export interface CustomForce {
  * [first, last); rows of absent bodies hold zeros and need no test.
  */
 export function defineForce(force: CustomForce): Force {
-  const { name, equation = '', reads = [], local = true, turns = false, accumulate, prepare, potential } = force;
+  const {
+    name,
+    equation = '',
+    reads = [],
+    local = true,
+    appliesTorque = false,
+    accumulate,
+    prepare,
+    potential,
+  } = force;
   return {
     name,
     equation,
     reads,
     local,
-    turns,
+    appliesTorque,
     accumulate,
     ...(prepare && { prepare }),
     ...(potential && { potential }),

@@ -2,11 +2,10 @@
 // the kernels' own (kernels/math), so TypeScript and kernels agree to the last bit. Each is within 1 ulp
 // (sine and cosine of angles beyond a million radians within 2).
 // Cost: some 20 ns, of which half is the call.
-import { instantiate, instantiateKernels } from '../kernels/instantiate.ts';
+import { instantiate } from '../kernels/instantiate.ts';
 import { KERNELS, type KernelExports } from '../kernels/math.gen.ts';
 
 let made: KernelExports | undefined;
-let logarithm: ((x: number) => number) | undefined;
 
 /** Made at the first use, with a page of memory of its own for a table. */
 function kernels(): KernelExports {
@@ -36,8 +35,7 @@ export function exp(x: number): number {
 
 /** Natural logarithm. */
 export function log(x: number): number {
-  logarithm ??= instantiateKernels('f64', new WebAssembly.Memory({ initial: 1 })).logarithm;
-  return logarithm(x);
+  return kernels().logarithm(x);
 }
 
 /** cells[at] to the power y, in its place: a number that is handed on and returned becomes garbage. */

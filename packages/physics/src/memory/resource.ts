@@ -8,18 +8,18 @@ export class ResourceKey {
   constructor(readonly outlives: boolean) {}
 }
 
-const constants = new WeakSet<object>();
+const immutables = new WeakSet<object>();
 
 /** Says that nobody changes this object any more, nor what it holds: snapshots need not copy it. @throws PhysicsError E_TYPE */
-export function constant<T extends object>(value: T): T {
+export function markImmutable<T extends object>(value: T): T {
   checkObject(value, 'constant: value');
-  constants.add(value);
+  immutables.add(value);
   return value;
 }
 
 /** Whether snapshots leave an object alone. */
-export function isConstant(value: object): boolean {
-  return constants.has(value);
+export function isImmutable(value: object): boolean {
+  return immutables.has(value);
 }
 
 /**

@@ -6,7 +6,7 @@ import { type AxisAddresses, type AxisColumns, axisColumns } from './columns.ts'
 export interface Scratch {
   /** Force on each body, N; writable by forces during `accumulate`, and only then. */
   readonly force: AxisColumns;
-  /** Torque on each body, N m, likewise, by forces that say `turns`; in 2D only z is used. */
+  /** Torque on each body, N m, likewise, by forces that say `appliesTorque`; in 2D only z is used. */
   readonly torque: AxisColumns;
   readonly at: {
     readonly force: AxisAddresses;

@@ -16,7 +16,7 @@ import { bitOf } from '../components/all.ts';
 import { pow } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
 import { resource } from '../memory/resource.ts';
-import { contactTable, useContacts, Word } from '../particle-contacts/contact-table.ts';
+import { activateContacts, contactTable, Word } from '../particle-contacts/contact-table.ts';
 import { collisionKernels } from '../particle-contacts/kernels.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -37,7 +37,7 @@ interface State {
 }
 
 const stateOf = resource((world): State => {
-  useContacts(world);
+  activateContacts(world);
   return { total: 0, lastStep: 0, into: new Uint32Array(world.rows), gone: [] };
 });
 

@@ -50,7 +50,7 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
     prepare: boxAt,
     run(world, { bounds, count }, dt) {
       if (world.internal.plan?.fusion?.walls === system) {
-        bounceFromBox(world, system, world.spans, dt);
+        bounceFromBox(world, system, world.ranges, dt);
         return;
       }
       const at = boxAt(world);

@@ -3,7 +3,6 @@ import {
   angularMomentum,
   ballInertia,
   boxWalls,
-  colliding,
   contacts,
   createPhysicsWorld,
   createRandom,
@@ -12,6 +11,7 @@ import {
   momentum,
   type PhysicsWorld,
   type PhysicsWorldOptions,
+  particleContacts,
   spawn,
   stateHash,
   step,
@@ -19,7 +19,7 @@ import {
 } from '../index.ts';
 
 const make = (options: PhysicsWorldOptions = {}) =>
-  createPhysicsWorld({ preset: colliding, capacity: 200, ...options });
+  createPhysicsWorld({ preset: particleContacts, capacity: 200, ...options });
 
 function body(
   world: PhysicsWorld,

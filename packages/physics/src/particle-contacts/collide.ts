@@ -13,12 +13,12 @@
 
 import { resource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
-import { useContacts } from './contact-table.ts';
+import { activateContacts } from './contact-table.ts';
 import { collisionKernels } from './kernels.ts';
 import { confineToSegments } from './segment-walls.ts';
 
 const opened = resource((world) => {
-  useContacts(world);
+  activateContacts(world);
   return true;
 });
 
@@ -39,7 +39,7 @@ export const collideBodies: LocalSystem = {
 };
 
 /** System of the `begin` phase: forgets the last step's contacts with walls. */
-export function openContacts(world: PhysicsWorld): void {
+export function enableContacts(world: PhysicsWorld): void {
   opened(world);
   collisionKernels(world).beginWallContacts();
 }

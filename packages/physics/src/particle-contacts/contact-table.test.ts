@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { colliding, createPhysicsWorld } from '../index.ts';
+import { createPhysicsWorld, particleContacts } from '../index.ts';
 import * as columnTable from '../memory/column-table.ts';
 import * as contactTables from './contact-table.ts';
 import { contactTable, Word } from './contact-table.ts';
@@ -19,8 +19,10 @@ function namesOf(file: object, enumeration: string): string[] {
 }
 
 test('the tables are laid out as the kernels read them', () => {
-  const names = ['previousDt', ...namesOf(contactTables, 'Word')];
-  expect(fieldsOf('particle-contacts/table.ts', 'ContactTable')).toEqual(names);
+  expect(fieldsOf('particle-contacts/table.ts', 'ContactTable')).toEqual([
+    'previousDt',
+    ...namesOf(contactTables, 'Word'),
+  ]);
   expect(fieldsOf('memory/columns.ts', 'Columns')).toEqual(namesOf(columnTable, 'TableColumn'));
 });
 
@@ -33,7 +35,7 @@ describe.each([
   test.each([1, 1000, 20_000])(
     'has room for a dense packing of %d bodies, and half a KiB a body is left to others',
     (capacity) => {
-      const world = createPhysicsWorld({ preset: colliding, dimensions, precision, capacity });
+      const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision, capacity });
       const { arena } = world.internal;
       expect(contactTable(world).words[Word.capacity]).toBeGreaterThanOrEqual((dimensions === 2 ? 4 : 8) * capacity);
       expect(arena.bytes - arena.top).toBeGreaterThan(200 * capacity);

@@ -96,10 +96,10 @@ const CONTACTS_A_BODY = { 2: 4, 3: 8 } as const;
 const SPARE = 0.25;
 
 /** Small worlds have room for a heap: a hundred bodies in one place are 4950 contacts. */
-const LEAST_CONTACTS = 8192;
+const MIN_CONTACTS = 8192;
 
 /** In a small world most bodies may lie at walls, some at three. */
-const LEAST_WALL_CONTACTS = 2048;
+const MIN_WALL_CONTACTS = 2048;
 
 /** Bytes of a gathered body (kernels/particle-contacts/body.ts): fifteen reals and a word. */
 const bodyBytes = (bytes: number) => 16 * bytes;
@@ -137,7 +137,7 @@ export const contactTable = resource<ContactTable>((world) => {
 });
 
 /** From now on walls write their contacts down, and the kernels find the table. */
-export function useContacts(world: PhysicsWorld): void {
+export function activateContacts(world: PhysicsWorld): void {
   const pointer = TABLE_ADDRESS / 4 + TableColumn.contacts;
   new Uint32Array(world.memory.buffer)[pointer] = contactTable(world).table;
 }
@@ -178,7 +178,7 @@ const sharesSorted = (world: PhysicsWorld, capacity: number) =>
   capacity * packedBytes(realBytes(world.precision)) >= sortedBytes(world);
 
 function takeWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
-  const capacity = Math.max(world.rows / 2, Math.min(2 * world.rows, LEAST_WALL_CONTACTS));
+  const capacity = Math.max(world.rows / 2, Math.min(2 * world.rows, MIN_WALL_CONTACTS));
   const bytes = realBytes(world.precision);
   words[Word.wallCapacity] = capacity;
   for (const list of [Word.wallBody, Word.wallId]) words[list] = take(4 * capacity);
@@ -196,7 +196,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
   const room = SHARE * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
   const spare = (SPARE * room) / contactBytes(bytes);
-  const wanted = Math.max(LEAST_CONTACTS, CONTACTS_A_BODY[dimensions] * rows, spare);
+  const wanted = Math.max(MIN_CONTACTS, CONTACTS_A_BODY[dimensions] * rows, spare);
   let most = Math.min(wanted, room / contactBytes(bytes));
   if (!sharesSorted(world, most)) most = (room - sortedBytes(world)) / contactBytes(bytes);
   const capacity = Math.max(256, Math.floor(most / 16) * 16);

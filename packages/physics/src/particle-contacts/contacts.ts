@@ -1,6 +1,6 @@
 // The contacts of the last step as arrays, and as events.
 import type { RealColumn } from '../components/define.ts';
-import { constant, resource } from '../memory/resource.ts';
+import { markImmutable, resource } from '../memory/resource.ts';
 import { emit, hasHandlers } from '../world/event-handlers.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { contactTable, Word } from './contact-table.ts';
@@ -12,7 +12,7 @@ import { contactTable, Word } from './contact-table.ts';
 export interface Contacts {
   readonly count: number;
   /** Candidates the step had no room for, or no time: see `contactCapacity`. */
-  readonly lost: number;
+  readonly droppedCount: number;
   /** Entity ids, a < b. */
   readonly a: Uint32Array;
   readonly b: Uint32Array;
@@ -32,7 +32,7 @@ export interface Contacts {
 export interface WallContacts {
   readonly count: number;
   /** Contacts there was no room for. */
-  readonly lost: number;
+  readonly droppedCount: number;
   readonly body: Uint32Array;
   /** Entity id of the wall; 0 for `boxWalls`. */
   readonly wall: Uint32Array;
@@ -48,11 +48,11 @@ const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
   const table = contactTable(world).words;
   const capacity = table[Word.capacity];
   const { reals, words } = viewers(world, capacity);
-  return constant({
+  return markImmutable({
     get count() {
       return table[Word.count];
     },
-    get lost() {
+    get droppedCount() {
       return table[Word.lost];
     },
     a: words(table[Word.a]),
@@ -70,11 +70,11 @@ const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
 const wallContactsOf = /* @__PURE__ */ resource<WallContacts>((world) => {
   const table = contactTable(world).words;
   const { reals, words } = viewers(world, table[Word.wallCapacity]);
-  return constant({
+  return markImmutable({
     get count() {
       return table[Word.wallCount];
     },
-    get lost() {
+    get droppedCount() {
       return table[Word.wallLost];
     },
     body: words(table[Word.wallBody]),
@@ -117,7 +117,7 @@ export function contactCapacity(world: PhysicsWorld): number {
 }
 
 /** System of the `events` phase: tells of this step's contacts between bodies. */
-export function tellContacts(world: PhysicsWorld): void {
+export function dispatchContactEvents(world: PhysicsWorld): void {
   if (!hasHandlers(world, 'contact')) return;
   const { count } = contactsOf(world);
   for (let i = 0; i < count; i++) emit(world, 'contact', i);

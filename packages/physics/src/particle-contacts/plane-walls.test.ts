@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest';
 import {
   ballInertia,
-  colliding,
   createPhysicsWorld,
   createRandom,
+  particleContacts,
   semiImplicitEuler,
   spawn,
   step,
@@ -19,7 +19,7 @@ describe.each([
   const digits = precision === 'f64' ? 10 : 4;
 
   test('a ball is mirrored by an oblique plane, at the instant it touches', () => {
-    const world = createPhysicsWorld({ preset: colliding, dimensions, precision });
+    const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision });
     const [nx, ny, nz] = dimensions === 2 ? [0.6, 0.8, 0] : [0.48, 0.64, 0.6];
     spawn(world, { planeWall: { nx: 2 * nx, ny: 2 * ny, nz: 2 * nz, offset: 1, restitution: 0.5 } });
     const v = { x: -3, y: -4, ...(dimensions === 3 ? { z: 1 } : {}) };
@@ -38,7 +38,7 @@ describe.each([
 
 test('a ball in a corner of three planes bounces to heights that fall by e²', () => {
   // Gravity 20, radius 20, planes at -100, restitution 0.9; from 100 it falls 180 to rest height -80.
-  const world = createPhysicsWorld({ preset: colliding, dimensions: 3, forces: [uniformGravity({ y: -20 })] });
+  const world = createPhysicsWorld({ preset: particleContacts, dimensions: 3, forces: [uniformGravity({ y: -20 })] });
   for (const normal of [{ nx: 1, ny: 0 }, { ny: 1 }, { ny: 0, nz: 1 }]) {
     spawn(world, { planeWall: { ...normal, offset: -100, restitution: 0.9 } });
   }
@@ -61,7 +61,7 @@ test('a ball in a corner of three planes bounces to heights that fall by e²', (
 test('a ball on a slope slides or rolls by its friction', () => {
   const slope = (friction: number, integrator = semiImplicitEuler) => {
     const world = createPhysicsWorld({
-      preset: colliding,
+      preset: particleContacts,
       dimensions: 3,
       integrator,
       forces: [uniformGravity({ y: -10 })],
@@ -86,7 +86,7 @@ test('a ball on a slope slides or rolls by its friction', () => {
 });
 
 test('nothing gets out of a wedge of planes', () => {
-  const world = createPhysicsWorld({ preset: colliding, forces: [uniformGravity({ y: -10 })] });
+  const world = createPhysicsWorld({ preset: particleContacts, forces: [uniformGravity({ y: -10 })] });
   spawn(world, { planeWall: { nx: 1, ny: 0.5, offset: 0, restitution: 0.9 } });
   spawn(world, { planeWall: { nx: -1, ny: 0.5, offset: 0, restitution: 0.9 } });
   const random = createRandom(1);

@@ -1,13 +1,13 @@
 // Walls that are half-spaces (2D and 3D), each an entity with PlaneWall. kernels/particle-contacts/walls/planes.ts has the maths.
 
-import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
-import { eachRun } from '../ecs/ranges.ts';
+import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
+import { forEachRange } from '../ecs/ranges.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { LocalSystem } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
-interface PlaneList extends Roster {
+interface PlaneList extends EntityList {
   /** Addresses of the planes' columns, for the kernel. */
   readonly columns: number;
 }
@@ -16,7 +16,7 @@ const planeList = resource<PlaneList>((world) => {
   const { nx, ny, nz, offset, restitution, friction } = world.addresses.PlaneWall;
   const columns = allocate(world.internal.arena, 4 * 6, 'plane walls');
   new Uint32Array(world.memory.buffer, columns, 6).set([nx, ny, nz, offset, restitution, friction]);
-  return { columns, ...emptyRoster() };
+  return { columns, ...emptyEntityList() };
 });
 
 /**
@@ -25,10 +25,10 @@ const planeList = resource<PlaneList>((world) => {
  */
 export const planeWalls: LocalSystem = {
   name: 'plane walls',
-  run: eachRun((world, first, last, dt) => {
+  run: forEachRange((world, first, last, dt) => {
     if (world.internal.counts.PlaneWall === 0) return;
     const list = planeList(world);
-    refreshRoster(world, list, 'PlaneWall', 0);
+    refreshEntityList(world, list, 'PlaneWall', 0);
     const { x, y, z } = world.scratch.at.startVelocity;
     const lag = (world.integrator.velocityLag ?? 0) * dt;
     collisionKernels(world).planeWalls(list.columns, list.ids, list.count, x, y, z, dt, lag, first, last);

@@ -4,12 +4,12 @@ import { describe, expect, test } from 'vitest';
 import {
   ballInertia,
   boxWalls,
-  colliding,
   createPhysicsWorld,
   discInertia,
   energy,
   momentum,
   type PhysicsWorld,
+  particleContacts,
   spawn,
   step,
 } from '../index.ts';
@@ -40,7 +40,7 @@ const apart = fc.uniqueArray(oneBody, {
 
 /** The crowd in free space; with `side` -1 its mirror image in the plane x = 0, which turns spins about y and z round. */
 function worldOf(bodies: readonly Body[], dimensions: 2 | 3, side: 1 | -1 = 1): PhysicsWorld {
-  const world = createPhysicsWorld({ preset: colliding, dimensions, precision: 'f64', capacity: 100 });
+  const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision: 'f64', capacity: 100 });
   const inertia = dimensions === 2 ? discInertia : ballInertia;
   const flat = ({ x, y, z }: Body['position']) => ({ x: side * x, y, ...(dimensions === 3 ? { z } : {}) });
   for (const { position, velocity, mass, radius, restitution, friction, spin } of bodies) {
@@ -120,7 +120,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
     fc.assert(
       fc.property(fast, ({ speed, body }) => {
         const world = createPhysicsWorld({
-          preset: colliding,
+          preset: particleContacts,
           dimensions,
           precision: 'f64',
           walls: [boxWalls({ min: { x: -3, y: -3, z: -3 }, max: { x: 3, y: 3, z: 3 } })],
@@ -156,7 +156,7 @@ test('no speed takes a disc through the segments of a closed room', () => {
   });
   fc.assert(
     fc.property(shot, ({ position, speed, turn, radius }) => {
-      const world = createPhysicsWorld({ preset: colliding, precision: 'f64' });
+      const world = createPhysicsWorld({ preset: particleContacts, precision: 'f64' });
       const corners = [-3, -3, 3, -3, 3, 3, -3, 3, -3, -3];
       for (let i = 0; i < 8; i += 2) {
         const [ax, ay, bx, by] = corners.slice(i, i + 4);

@@ -1,12 +1,12 @@
 import { describe, expect, test } from 'vitest';
 import {
   boxWalls,
-  colliding,
   contacts,
   createPhysicsWorld,
   createRandom,
   energy,
   type PhysicsWorld,
+  particleContacts,
   semiImplicitEuler,
   spawn,
   step,
@@ -21,7 +21,7 @@ const DT = 1 / 60;
 function stackWorld(parts: { dimensions?: 2 | 3; precision?: 'f32' | 'f64'; euler?: boolean } = {}): PhysicsWorld {
   const { dimensions = 2, precision = 'f64', euler = false } = parts;
   return createPhysicsWorld({
-    preset: colliding,
+    preset: particleContacts,
     dimensions,
     precision,
     capacity: 500,
@@ -156,7 +156,7 @@ test('a million times heavier ball rests on a light one', () => {
 });
 
 test('a stack on a body that holds still bears its weight too', () => {
-  const world = createPhysicsWorld({ preset: colliding, forces: [uniformGravity({ y: -G })] });
+  const world = createPhysicsWorld({ preset: particleContacts, forces: [uniformGravity({ y: -G })] });
   spawn(world, { position: {}, collider: 0.5 });
   const top = spawn(world, { position: { y: 1 }, velocity: {}, mass: 3, collider: 0.5 });
   run(world, 100);

@@ -1,11 +1,11 @@
 import { describe, expect, test } from 'vitest';
 import {
-  colliding,
   createPhysicsWorld,
   createRandom,
   discInertia,
   type PhysicsWorld,
   type PhysicsWorldOptions,
+  particleContacts,
   spawn,
   stateHash,
   step,
@@ -13,7 +13,7 @@ import {
 } from '../index.ts';
 
 const make = (options: PhysicsWorldOptions = {}) =>
-  createPhysicsWorld({ preset: colliding, capacity: 1000, ...options });
+  createPhysicsWorld({ preset: particleContacts, capacity: 1000, ...options });
 
 type Ends = readonly [ax: number, ay: number, bx: number, by: number];
 

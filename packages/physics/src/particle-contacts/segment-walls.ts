@@ -1,7 +1,7 @@
 // Walls that are straight segments (2D), each an entity with SegmentWall. kernels/particle-contacts/walls/segments.ts has the maths.
 
-import { emptyRoster, type Roster, refreshRoster } from '../ecs/entity-list.ts';
-import { eachRun } from '../ecs/ranges.ts';
+import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
+import { forEachRange } from '../ecs/ranges.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
@@ -9,7 +9,7 @@ import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
 /** Cells of the walls' grid along one axis, at most; and entries of its lists for each wall. */
-const MOST_SIDE = 64;
+const MAX_SIDE = 64;
 const ITEMS_A_WALL = 16;
 
 /** The words of `WallGrid` in kernels/particle-contacts/walls/wall-grid.ts. */
@@ -24,7 +24,7 @@ const enum GridWord {
   end,
 }
 
-interface SegmentList extends Roster {
+interface SegmentList extends EntityList {
   readonly grid: number;
   readonly words: Uint32Array;
   /** The step they were gathered in. */
@@ -35,8 +35,8 @@ const segmentList = resource<SegmentList>((world) => {
   const { arena } = world.internal;
   const grid = allocate(arena, 4 * GridWord.end, 'segment walls');
   const words = new Uint32Array(world.memory.buffer, grid, GridWord.end);
-  words[GridWord.starts] = allocate(arena, 4 * (MOST_SIDE * MOST_SIDE + 2), 'segment walls');
-  return { grid, words, tick: -1, ...emptyRoster() };
+  words[GridWord.starts] = allocate(arena, 4 * (MAX_SIDE * MAX_SIDE + 2), 'segment walls');
+  return { grid, words, tick: -1, ...emptyEntityList() };
 });
 
 /** Gathers the walls, once a step, in ascending id. */
@@ -44,7 +44,7 @@ function gather(world: PhysicsWorld): SegmentList {
   const list = segmentList(world);
   if (list.tick === world.tick) return list;
   const size = 12 * realBytes(world.precision);
-  if (refreshRoster(world, list, 'SegmentWall', size + 4 * ITEMS_A_WALL)) {
+  if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_A_WALL)) {
     const { words, at, room } = list;
     words[GridWord.segments] = at;
     words[GridWord.items] = at + size * room;
@@ -62,7 +62,7 @@ function gather(world: PhysicsWorld): SegmentList {
  */
 export const segmentWalls: LocalSystem = {
   name: 'segment walls',
-  run: eachRun((world, first, last, dt) => {
+  run: forEachRange((world, first, last, dt) => {
     if (world.dimensions !== 2 || world.internal.counts.SegmentWall === 0) return;
     const { grid } = gather(world);
     const { x, y } = world.previousAddresses.Position;

@@ -1,13 +1,13 @@
 import { integrate } from '../dynamics/integrate.ts';
-import { turn } from '../dynamics/integrate-rotation.ts';
-import { begin, checkFinite } from '../dynamics/validate-state.ts';
+import { integrateRotation } from '../dynamics/integrate-rotation.ts';
+import { beginStep, validateState } from '../dynamics/validate-state.ts';
 import type { Precision } from '../kernels/instantiate.ts';
-import { collideBodies, openContacts } from '../particle-contacts/collide.ts';
+import { collideBodies, enableContacts } from '../particle-contacts/collide.ts';
 import { contactBytesPerEntity } from '../particle-contacts/contact-table.ts';
-import { tellContacts } from '../particle-contacts/contacts.ts';
+import { dispatchContactEvents } from '../particle-contacts/contacts.ts';
 import { planeWalls } from '../particle-contacts/plane-walls.ts';
 import { segmentWalls } from '../particle-contacts/segment-walls.ts';
-import { tellFaults } from '../world/event-handlers.ts';
+import { dispatchFaultEvents } from '../world/event-handlers.ts';
 import type { PhysicsWorld, Preset } from '../world/types.ts';
 
 /**
@@ -16,7 +16,7 @@ import type { PhysicsWorld, Preset } from '../world/types.ts';
  *
  * Values are checked before bodies meet as well, so that what a force made of one body does not pass to another.
  */
-export const colliding: Preset = /* @__PURE__ */ Object.assign(fill, {
+export const particleContacts: Preset = /* @__PURE__ */ Object.assign(fill, {
   // Others may need what a world has by default.
   bytesPerEntity: (dimensions: 2 | 3, precision: Precision) => 256 + contactBytesPerEntity(dimensions, precision),
 });
@@ -24,11 +24,11 @@ export const colliding: Preset = /* @__PURE__ */ Object.assign(fill, {
 function fill(world: PhysicsWorld): void {
   const { phases } = world;
   // Takes the memory now, so that a world too small for contacts fails when it is made.
-  openContacts(world);
-  phases.begin.push(openContacts, begin);
-  phases.integrate.push(integrate, turn);
+  enableContacts(world);
+  phases.begin.push(enableContacts, beginStep);
+  phases.integrate.push(integrate, integrateRotation);
   phases.walls.push(segmentWalls, planeWalls);
-  phases.collide.push(checkFinite, collideBodies);
-  phases.finish.push(checkFinite);
-  phases.events.push(tellFaults, tellContacts);
+  phases.collide.push(validateState, collideBodies);
+  phases.finish.push(validateState);
+  phases.events.push(dispatchFaultEvents, dispatchContactEvents);
 }

@@ -1,13 +1,13 @@
 import { integrate } from '../dynamics/integrate.ts';
-import { turn } from '../dynamics/integrate-rotation.ts';
-import { begin, checkFinite } from '../dynamics/validate-state.ts';
-import { tellFaults } from '../world/event-handlers.ts';
+import { integrateRotation } from '../dynamics/integrate-rotation.ts';
+import { beginStep, validateState } from '../dynamics/validate-state.ts';
+import { dispatchFaultEvents } from '../world/event-handlers.ts';
 import type { Preset } from '../world/types.ts';
 
 /** Bodies under forces, without contacts between them: particles, orbits, springs. */
 export const standard: Preset = ({ phases }) => {
-  phases.begin.push(begin);
-  phases.integrate.push(integrate, turn);
-  phases.finish.push(checkFinite);
-  phases.events.push(tellFaults);
+  phases.begin.push(beginStep);
+  phases.integrate.push(integrate, integrateRotation);
+  phases.finish.push(validateState);
+  phases.events.push(dispatchFaultEvents);
 };

@@ -7,7 +7,6 @@ import {
   aliveCount,
   bodies,
   burst,
-  colliding,
   createEmitter,
   createPhysicsWorld,
   createRandom,
@@ -19,6 +18,7 @@ import {
   isAlive,
   on,
   type PhysicsWorld,
+  particleContacts,
   replaceForce,
   resource,
   restore,
@@ -55,7 +55,7 @@ function churn(world: PhysicsWorld, seed: number, steps: number): string {
 const crowd = (options: { dimensions?: 2 | 3; precision?: 'f32' | 'f64' } = {}) =>
   createPhysicsWorld({
     capacity: 3000,
-    preset: colliding,
+    preset: particleContacts,
     forces: [uniformGravity({ y: -3 }), springs()],
     ...options,
   });

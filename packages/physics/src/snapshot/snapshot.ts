@@ -5,7 +5,7 @@
 
 import { assertIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { isConstant, ResourceKey } from '../memory/resource.ts';
+import { isImmutable, ResourceKey } from '../memory/resource.ts';
 import { PHASES } from '../world/phases.ts';
 import type { PhysicsWorld, System } from '../world/types.ts';
 import { noEntities, restoreEntities, saveEntities } from './entities.ts';
@@ -84,7 +84,7 @@ class Content implements Snapshot {
   readonly #phases = PHASES.map((): System[] => []);
   #integrator: PhysicsWorld['integrator'];
   #lastId = 0;
-  #spansVersion = 0;
+  #rangesVersion = 0;
   #sweptRows = 0;
 
   constructor(world: PhysicsWorld) {
@@ -92,7 +92,7 @@ class Content implements Snapshot {
     this.#integrator = world.integrator;
     const { buffer } = world.memory;
     this.#plain = new PlainRecord(
-      (value) => value === world || isConstant(value) || (ArrayBuffer.isView(value) && value.buffer === buffer),
+      (value) => value === world || isImmutable(value) || (ArrayBuffer.isView(value) && value.buffer === buffer),
     );
   }
 
@@ -113,7 +113,7 @@ class Content implements Snapshot {
     for (let p = 0; p < PHASES.length; p++) refill(this.#phases[p], world.phases[PHASES[p]]);
     this.#integrator = world.integrator;
     this.#lastId = world.lastId;
-    this.#spansVersion = internal.spansVersion;
+    this.#rangesVersion = internal.rangesVersion;
     this.#sweptRows = internal.sweptRows;
     this.time = world.time;
     this.tick = world.tick;
@@ -140,14 +140,14 @@ class Content implements Snapshot {
     world.tick = this.tick;
     // Compiled loops know addresses of what was made since.
     internal.plan = undefined;
-    internal.spansVersion = this.#spansVersion;
+    internal.rangesVersion = this.#rangesVersion;
     internal.sweptRows = this.#sweptRows;
     return thrown;
   }
 
   #takePlain(): void {
-    const { faults, versions, spans, internal } = this.world;
-    const { counts, incomplete, templates, bodyList, resources } = internal;
+    const { faults, versions, ranges, internal } = this.world;
+    const { counts, partialEntities, templates, bodyList, resources } = internal;
     this.#count = 0;
     resources.forEach(this.#noteResource);
     this.#keys.length = this.#count;
@@ -155,11 +155,11 @@ class Content implements Snapshot {
     const plain = this.#plain;
     plain.begin();
     plain.add(counts);
-    plain.add(incomplete);
+    plain.add(partialEntities);
     plain.add(templates);
     plain.add(faults);
     plain.add(versions);
-    plain.add(spans);
+    plain.add(ranges);
     plain.add(bodyList);
     for (let i = 0; i < this.#states.length; i++) plain.add(this.#states[i]);
     plain.end();

@@ -86,7 +86,7 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   if (checkFlag(options.tethers, 'cloth.tethers')) addTethers(list, options, columns, rows);
   addBraces(list, options, columns, rows);
   // Last, because what is solved last is kept best.
-  addThreads(list, options, columns, rows);
+  addPolylines(list, options, columns, rows);
   const bodies = placeNodes(options, columns, rows);
   const { nodes, springs } = spawnNetwork(world, columns * rows, bodies, list, options);
   const at = (column: number, row: number) => nodes[row * columns + column];
@@ -129,7 +129,7 @@ function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, r
 }
 
 /** Springs from node to node, one after the other: so a solver sees a thread. */
-function addThread(
+function addPolyline(
   list: SpringList,
   [first, stride, nodes]: readonly [number, number, number],
   stiffness: number,
@@ -138,13 +138,13 @@ function addThread(
   for (let i = 1; i < nodes; i++) list.add(first + stride * (i - 1), first + stride * i, stiffness, length);
 }
 
-function addThreads(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
+function addPolylines(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
   const stiffness = checkStiffness(options.structural ?? Infinity, 'cloth.structural');
   if (stiffness === 0) return;
   for (let column = 0; column < columns; column++) {
-    addThread(list, [column, columns, rows], stiffness, options.spacing);
+    addPolyline(list, [column, columns, rows], stiffness, options.spacing);
   }
-  for (let row = 0; row < rows; row++) addThread(list, [row * columns, 1, columns], stiffness, options.spacing);
+  for (let row = 0; row < rows; row++) addPolyline(list, [row * columns, 1, columns], stiffness, options.spacing);
 }
 
 /**

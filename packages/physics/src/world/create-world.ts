@@ -126,7 +126,7 @@ function worldParts(arena: Arena, precision: Precision, rows: number, own: reado
   const [members, membersAt] = wordColumn(arena, rows, 'members');
   const [generations] = wordColumn(arena, rows, 'generations');
   const [ids, idsAt] = wordColumn(arena, rows, 'ids');
-  const [spanWords, spansAt] = wordColumn(arena, rows / 4, 'spans');
+  const [rangeWords, rangesAt] = wordColumn(arena, rows / 4, 'ranges');
   return {
     memory: arena.memory,
     kernels: instantiateKernels(precision, arena.memory),
@@ -139,7 +139,7 @@ function worldParts(arena: Arena, precision: Precision, rows: number, own: reado
     time: 0,
     tick: 0,
     lastId: 0,
-    spans: { bounds: new Int32Array(spanWords.buffer, spanWords.byteOffset, spanWords.length), count: 0 },
+    ranges: { bounds: new Int32Array(rangeWords.buffer, rangeWords.byteOffset, rangeWords.length), count: 0 },
     versions: { pose: 0, style: 0, membership: 0, restored: 0 },
     faults: createFaultLog(),
     profile: undefined,
@@ -150,7 +150,7 @@ function worldParts(arena: Arena, precision: Precision, rows: number, own: reado
       membersAt,
       generations,
       idsAt,
-      spansAt,
+      rangesAt,
       ...bookkeeping(components),
       ownComponents: makeOwnColumns(arena, precision, rows, own),
       bodyList: { ids, count: 0 },
@@ -164,8 +164,8 @@ function bookkeeping(components: Components) {
   const zeros = () => Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
   return {
     counts: zeros(),
-    incomplete: { unmoved: 0, strays: 0 },
-    commands: [],
+    partialEntities: { unmoved: 0, strays: 0 },
+    deferredEdits: [],
     leaving: new Map(),
     thrown: [],
     thrownCount: 0,
@@ -173,12 +173,12 @@ function bookkeeping(components: Components) {
     resources: new Map(),
     columns: COMPONENT_NAMES.flatMap((name) => Object.values(components[name]) as { [row: number]: number }[]),
     componentMap: undefined,
-    fresh: zeros(),
+    justAdded: zeros(),
     checked: undefined,
     unobserved: new Set(),
     templates: new Map(),
     ending: false,
-    spansVersion: -1,
+    rangesVersion: -1,
     sweptRows: 0,
   };
 }

@@ -64,7 +64,7 @@ export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, ev
 }
 
 /** System of the `events` phase: tells of this step's faults. */
-export function tellFaults(world: PhysicsWorld): void {
+export function dispatchFaultEvents(world: PhysicsWorld): void {
   const { stepFaults } = world.internal;
   if (stepFaults.length === 0 || !hasHandlers(world, 'fault')) return;
   for (let f = 0; f < stepFaults.length; f++) emit(world, 'fault', stepFaults[f]);

@@ -11,7 +11,7 @@ export function runPhase(world: PhysicsWorld, plan: Plan, phase: Phase, dt: numb
     const system = systems[s];
     try {
       if (typeof system === 'function') system(world, dt);
-      else system.run(world, world.spans, dt);
+      else system.run(world, world.ranges, dt);
     } catch (error) {
       collectThrown(world, error);
     }

@@ -12,7 +12,7 @@ export interface RunnerOptions {
 }
 
 /** Steps one frame may take: more would hang the program, as a dt mistaken for microseconds does. */
-const MOST_STEPS = 1e6;
+const MAX_STEPS = 1e6;
 
 /** Time that waits for a step, and time that was not simulated, s. */
 const [WAITING, DROPPED] = [0, 1];
@@ -78,7 +78,7 @@ function checkOptions(options: RunnerOptions): Required<RunnerOptions> {
   checkKeys(options, 'createRunner', ['dt', 'maxFrame']);
   const dt = checkNumber(options.dt ?? 1 / 60, 'dt', { min: MIN_DT, max: MAX_DT });
   const maxFrame = checkNumber(options.maxFrame ?? Math.max(0.25, dt), 'maxFrame', { min: dt });
-  const hint = `A frame may take ${MOST_STEPS} steps: lower \`maxFrame\`, or raise \`dt\`.`;
-  checkNumber(dt, 'dt', { min: maxFrame / MOST_STEPS }, undefined, hint);
+  const hint = `A frame may take ${MAX_STEPS} steps: lower \`maxFrame\`, or raise \`dt\`.`;
+  checkNumber(dt, 'dt', { min: maxFrame / MAX_STEPS }, undefined, hint);
   return { dt, maxFrame };
 }

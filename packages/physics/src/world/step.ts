@@ -2,7 +2,7 @@ import { prepareForces } from '../dynamics/evaluate-forces.ts';
 import { prepareLoops } from '../dynamics/fused-step.ts';
 import { applyDeferredEdits } from '../ecs/deferred.ts';
 import { assertIdle } from '../ecs/guards.ts';
-import { refreshSpans } from '../ecs/ranges.ts';
+import { refreshRanges } from '../ecs/ranges.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { destroyWorld } from './create-world.ts';
 import { currentPlan } from './execution-plan.ts';
@@ -39,7 +39,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   prepareLoops(world);
   prepareForces(world, dt);
   world.integrator.prepare?.(world, dt);
-  refreshSpans(world);
+  refreshRanges(world);
   world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
 
   world.state = 'stepping';

@@ -1,4 +1,4 @@
-import { eachRun } from '../ecs/ranges.ts';
+import { forEachRange } from '../ecs/ranges.ts';
 import { checkFunction } from '../errors/validate.ts';
 import { PHASES } from './phases.ts';
 import type { LocalSystem, Phases, PhysicsWorld } from './types.ts';
@@ -13,5 +13,5 @@ export function localSystem(
   run: (world: PhysicsWorld, first: number, last: number, dt: number) => void,
 ): LocalSystem {
   checkFunction(run, 'localSystem: run');
-  return { name, run: eachRun(run) };
+  return { name, run: forEachRange(run) };
 }

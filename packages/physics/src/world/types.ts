@@ -85,9 +85,9 @@ export interface Force {
    */
   prepare?(world: PhysicsWorld, dt: number): void;
   /** It adds to `world.scratch.torque` as well: the torque of the last evaluation turns the bodies. */
-  readonly turns?: boolean;
-  /** Components whose columns its `prepare` changes, as an engine burns fuel: `limited` keeps those outside its limits. */
-  readonly spends?: readonly ComponentName[];
+  readonly appliesTorque?: boolean;
+  /** Components whose columns its `prepare` changes, as an engine burns fuel: `restrictForce` keeps those outside its limits. */
+  readonly consumes?: readonly ComponentName[];
   /**
    * Of what is no law: adds this force, N, to the force on each body of rows [first, last). `time` is that at which it
    * is evaluated, s.
@@ -109,8 +109,8 @@ export interface Scheme {
   readonly sources: readonly ParameterSource[];
 }
 
-/** Evaluates all forces of the world on the bodies of `spans` at `time`, into `world.scratch.force`. */
-export type EvaluateForces = (world: PhysicsWorld, spans: Spans, time: number) => void;
+/** Evaluates all forces of the world on the bodies of `ranges` at `time`, into `world.scratch.force`. */
+export type EvaluateForces = (world: PhysicsWorld, ranges: Ranges, time: number) => void;
 
 /**
  * A scheme that moves positions and velocities by one step. It owns the step: it asks for forces when it wants them.
@@ -146,7 +146,7 @@ export interface Integrator {
   /** A scheme of fixed stages as expressions: it becomes one loop with the laws. */
   readonly scheme?: Scheme;
   /** Moves the bodies by one step. Where there is one, the scheme is not used. */
-  advance?(world: PhysicsWorld, spans: Spans, dt: number, evaluateForces: EvaluateForces): void;
+  advance?(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: EvaluateForces): void;
 }
 
 /** A system that may look at the whole world. */
@@ -155,8 +155,8 @@ export type GlobalSystem = (world: PhysicsWorld, dt: number) => void;
 /** A system that, for each body, reads and writes the body's own row only. */
 export interface LocalSystem {
   readonly name: string;
-  /** Sweeps the runs of `spans`. */
-  run(world: PhysicsWorld, spans: Spans, dt: number): void;
+  /** Sweeps the runs of `ranges`. */
+  run(world: PhysicsWorld, ranges: Ranges, dt: number): void;
   /** What it is to the integrator, when that may take over its work: see docs/step.md. */
   readonly role?: 'begin' | 'integrate' | 'rotate' | 'box' | 'check';
 }
@@ -206,7 +206,7 @@ export interface Profile {
  * Rows to sweep: ascending runs [first, last) of whole 16-row blocks. Rows in a run that belong to no body hold zeros,
  * which every kernel leaves as they are.
  */
-export interface Spans {
+export interface Ranges {
   /** Pairs first, last. */
   readonly bounds: Int32Array;
   count: number;
@@ -252,7 +252,7 @@ export interface PhysicsWorld {
   /** Highest entity id in use. */
   lastId: number;
   /** Runs of bodies, ascending. */
-  readonly spans: Spans;
+  readonly ranges: Ranges;
   /**
    * Counters that grow when poses, looks or the set of bodies may have changed. A snapshot brings them back too;
    * `restored` counts how often that happened, so that the four together never repeat.
@@ -275,12 +275,12 @@ export interface WorldInternals {
   /** Lives per row. */
   readonly generations: Uint32Array;
   readonly idsAt: number;
-  readonly spansAt: number;
+  readonly rangesAt: number;
   readonly counts: Record<ComponentName, number>;
   /** Entities with mass that forces cannot move, and such as move without a place or turn without an angle. */
-  readonly incomplete: { unmoved: number; strays: number };
+  readonly partialEntities: { unmoved: number; strays: number };
   /** Edits made during a step, waiting for its end. */
-  readonly commands: (() => void)[];
+  readonly deferredEdits: (() => void)[];
   /** Entities that end with this step, and by bitECS's own set of components which life of theirs it is. */
   readonly leaving: Map<number, Set<unknown>>;
   /** Exceptions of users' code during this step: the first few, and how many there were. */
@@ -295,7 +295,7 @@ export interface WorldInternals {
   /** bitECS's table of components, to notice that the world was reset. */
   componentMap: WorldContext['componentMap'] | undefined;
   /** Per component, the entity that the `addComponent` now running gave it to. */
-  readonly fresh: Record<ComponentName, number>;
+  readonly justAdded: Record<ComponentName, number>;
   /** Values that `spawn` has checked and is about to set. */
   checked: FieldValues | undefined;
   /** bitECS's queries of our components whose additions nobody but us waits for. */
@@ -305,7 +305,7 @@ export interface WorldInternals {
   /** The world ends with this step. */
   ending: boolean;
   readonly bodyList: { readonly ids: Uint32Array; count: number };
-  spansVersion: number;
+  rangesVersion: number;
   /** Rows that hold anything, rounded up to whole blocks. */
   sweptRows: number;
   plan: Plan | undefined;

@@ -8,17 +8,17 @@ import { constraintKernels } from './kernels.ts';
  * cords and springs without length do not count.
  * @throws PhysicsError E_DESTROYED
  */
-export function largestStretch(world: PhysicsWorld, stiffness = 0): number {
+export function maxStrain(world: PhysicsWorld, stiffness = 0): number {
   const { at } = constraintTable(world);
   if (world.internal.counts.Spring === 0) return 0;
   scanSprings(world);
-  return constraintKernels(world).largestStretch(at, stiffness);
+  return constraintKernels(world).maxStrain(at, stiffness);
 }
 
 /** The root of the mean square of the same, over the springs that count. @throws PhysicsError E_DESTROYED */
-export function rmsStretch(world: PhysicsWorld, stiffness = 0): number {
+export function rmsStrain(world: PhysicsWorld, stiffness = 0): number {
   const { at } = constraintTable(world);
   if (world.internal.counts.Spring === 0) return 0;
   scanSprings(world);
-  return constraintKernels(world).rmsStretch(at, stiffness);
+  return constraintKernels(world).rmsStrain(at, stiffness);
 }

@@ -5,7 +5,7 @@ import { uniformGravity } from '../forces/uniform-gravity.ts';
 import { type ClothOptions, createCloth } from '../soft-bodies/cloth.ts';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
-import { largestStretch, rmsStretch } from './stretch.ts';
+import { maxStrain, rmsStrain } from './stretch.ts';
 import { xpbd } from './xpbd.ts';
 
 const ONCE = xpbd({ iterations: 1 });
@@ -30,7 +30,7 @@ describe('threads', () => {
       const { world, sheet } = hang({ columns, rows }, { precision });
       for (let s = 0; s < 100; s++) step(world, 1 / 60);
       // Coordinates up to 2 m are rounded to 1.2e-7 m in f32; links are 0.05 m long.
-      expect(largestStretch(world)).toBeLessThan(precision === 'f32' ? 1e-5 : 1e-9);
+      expect(maxStrain(world)).toBeLessThan(precision === 'f32' ? 1e-5 : 1e-9);
       const { x, y, z } = world.components.Position;
       for (let column = 0; column < columns; column++) {
         const foot = sheet.at(column, rows - 1);
@@ -54,7 +54,7 @@ describe('threads', () => {
     }
     // The lowest links, which bear least, swing by v √(L/g); those above by less.
     expect(most).toBeLessThan(0.01 * Math.sqrt(0.01 / 10));
-    expect(largestStretch(world)).toBeLessThan(1e-6);
+    expect(maxStrain(world)).toBeLessThan(1e-6);
   });
 
   test('of a sheet that swings gain no energy and stay as long as they are', () => {
@@ -64,7 +64,7 @@ describe('threads', () => {
     for (let s = 0; s < 120; s++) {
       step(world, 1 / 60);
       highest = Math.max(highest, energy(world).total);
-      worst = Math.max(worst, rmsStretch(world, 1e29));
+      worst = Math.max(worst, rmsStrain(world, 1e29));
     }
     // Of the 1 kg, 10 m/s² and 1 m that its middle falls.
     expect(highest - start).toBeLessThan(1e-3 * 10);
@@ -129,7 +129,7 @@ describe('threads', () => {
       for (let s = 0; s < 90; s++) {
         step(world, 1 / 60);
         // Turns end where no thread is off by more than one in 250; those solved last, by one in a thousand or two.
-        expect(largestStretch(world, 1e29)).toBeLessThan(0.005);
+        expect(maxStrain(world, 1e29)).toBeLessThan(0.005);
       }
     },
   );

@@ -12,7 +12,7 @@ import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-wo
 import { step } from '../world/step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { breakSprings, brokenSprings } from './breaking.ts';
-import { largestStretch } from './stretch.ts';
+import { maxStrain } from './stretch.ts';
 import { xpbd } from './xpbd.ts';
 
 function constrainedWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
@@ -82,7 +82,7 @@ describe('rods and strings', () => {
         step(world, 1 / 480);
         drift = Math.max(drift, Math.abs(energy(world).total - start));
       }
-      expect(largestStretch(world)).toBeLessThan(1e-12);
+      expect(maxStrain(world)).toBeLessThan(1e-12);
       // Of the 49 J between the highest and the lowest place.
       expect(drift).toBeLessThan(0.1);
       return world.components.Position.x[outer];
@@ -171,7 +171,7 @@ describe('springs of finite stiffness', () => {
     const b = spawn(world, { position: { x: 2 }, velocity: { y: 1 }, mass: 1 });
     spawn(world, { spring: { a, b, length: 1, stiffness: 1e15 } });
     for (let s = 0; s < 100; s++) step(world, 1 / 60);
-    expect(largestStretch(world)).toBeLessThan(1e-3);
+    expect(maxStrain(world)).toBeLessThan(1e-3);
     expect(world.faults.faults).toEqual([]);
   });
 });

@@ -31,9 +31,9 @@
 // Andersen: RATTLE (J. Comput. Phys. 52, 1983). Cost: a square root and a division a spring and iteration.
 
 import { drift, kick } from '../dynamics/drift-kick.ts';
-import { dropBadForces } from '../dynamics/validate-state.ts';
+import { quarantineBadForces } from '../dynamics/validate-state.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import type { EvaluateForces, Integrator, PhysicsWorld, Spans } from '../world/types.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { type ConstraintTable, constraintTable, refreshConstraints, Word } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 
@@ -68,16 +68,16 @@ export function xpbd(options: XpbdOptions = {}): Integrator {
       if (times.dt !== dt) times = timesOf(dt, substeps);
       if (world.internal.counts.Spring > 0) refreshConstraints(world, times.list[H] as number);
     },
-    advance(world, spans, dt, evaluateForces) {
+    advance(world, ranges, dt, evaluateForces) {
       if (times.dt !== dt) times = timesOf(dt, substeps);
       const { list } = times;
       const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
       if (table !== undefined && table.words[Word.rigid] === 0 && table.words[Word.looseCount] === 0) {
-        for (let s = 0; s < substeps; s++) moveNodes(world, spans, table, list, iterations, evaluateForces, s);
+        for (let s = 0; s < substeps; s++) moveNodes(world, ranges, table, list, iterations, evaluateForces, s);
         return;
       }
-      force(world, spans, evaluateForces, 0);
-      for (let s = 0; s < substeps; s++) subStep(world, spans, list, iterations, evaluateForces, s);
+      force(world, ranges, evaluateForces, 0);
+      for (let s = 0; s < substeps; s++) subStep(world, ranges, list, iterations, evaluateForces, s);
     },
   };
 }
@@ -95,7 +95,7 @@ const [H, HALF, BACK, STARTS] = [1, 2, 3, 4];
 /** A sub-step where all that forces move are nodes of springs, and not in chains only: the whole kick comes first. */
 function moveNodes(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   table: ConstraintTable,
   times: readonly (number | undefined)[],
   iterations: number,
@@ -103,15 +103,15 @@ function moveNodes(
   s: number,
 ): void {
   const h = times[H] as number;
-  force(world, spans, evaluateForces, times[STARTS + s] as number);
-  kick(world, spans, h);
-  drift(world, spans, h);
+  force(world, ranges, evaluateForces, times[STARTS + s] as number);
+  kick(world, ranges, h);
+  drift(world, ranges, h);
   correctPositions(world, table, h, iterations);
 }
 
 function subStep(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   times: readonly (number | undefined)[],
   iterations: number,
   evaluateForces: EvaluateForces,
@@ -119,14 +119,14 @@ function subStep(
 ): void {
   const h = times[H] as number;
   const half = times[HALF] as number;
-  kick(world, spans, half);
-  drift(world, spans, h);
+  kick(world, ranges, half);
+  drift(world, ranges, h);
   const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
   const rigid = table === undefined || table.words[Word.rigid] === 1;
   if (!rigid) kickNodes(world, table, half, h);
   if (table !== undefined) correctPositions(world, table, h, iterations);
-  force(world, spans, evaluateForces, times[STARTS + s + 1] as number);
-  kick(world, spans, half);
+  force(world, ranges, evaluateForces, times[STARTS + s + 1] as number);
+  kick(world, ranges, half);
   if (!rigid) kickNodes(world, table, times[BACK] as number, 0);
   else if (table !== undefined) constraintKernels(world).solveChainVelocities(table.at);
 }
@@ -141,10 +141,10 @@ function kickNodes(world: PhysicsWorld, { at }: ConstraintTable, h: number, way:
 }
 
 /** Bad forces are dropped at once, because constraints would carry them on. */
-function force(world: PhysicsWorld, spans: Spans, evaluateForces: EvaluateForces, offset: number): void {
-  evaluateForces(world, spans, world.time + offset);
+function force(world: PhysicsWorld, ranges: Ranges, evaluateForces: EvaluateForces, offset: number): void {
+  evaluateForces(world, ranges, world.time + offset);
   if (world.internal.plan?.forcesLocal !== true) return;
-  for (let r = 0; r < spans.count; r++) dropBadForces(world, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+  for (let r = 0; r < ranges.count; r++) quarantineBadForces(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
 }
 
 function correctPositions(world: PhysicsWorld, table: ConstraintTable, h: number, iterations: number): void {

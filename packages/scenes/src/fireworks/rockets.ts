@@ -1,5 +1,5 @@
 // Shells on their way up: a fixed number of bodies, thrown from mortars on the ground with a fuse that ends at the top.
-import { constant, createEmitter, keepState, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
+import { createEmitter, keepState, markImmutable, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
 import { type Air, aim } from './aim.ts';
 import type { Place } from './place.ts';
 import { GLOW } from './stars.ts';
@@ -69,7 +69,7 @@ export class Rockets {
     const way = { x: order.x - from.x, y: order.y, z: order.z - from.z };
     const { velocity, fuse } = aim(way, this.#air, this.#dt);
     const { Mass, Appearance, Velocity } = this.#world.components;
-    rocket.order = constant(order);
+    rocket.order = markImmutable(order);
     this.#ends[index] = this.#world.time + fuse;
     this.#place(rocket.id, from);
     for (const axis of ['x', 'y', 'z'] as const) Velocity[axis][rocket.id] = velocity[axis];

@@ -7,7 +7,7 @@ import { STANDARD_GRAVITY } from './standard-gravity.ts';
 import { unit } from './unit-vector.ts';
 
 /** A body of water, or the air when there is no level. Give the same record to all forces of one pool. */
-export interface Pool {
+export interface FluidVolume {
   /** Density ρ, kg/m³. */
   readonly density: number;
   /** Gravity, m/s²; default standard gravity downwards. It says where up is. */
@@ -25,14 +25,14 @@ export const FLUID = /* @__PURE__ */ { density: scalar('kg/m³'), gravity: scala
 export const POOL = /* @__PURE__ */ { ...FLUID, level: scalar('m') };
 
 /** What the laws of a pool are given. */
-export interface PoolValues {
+export interface FluidVolumeValues {
   readonly fluid: { readonly density: number; readonly gravity: number; readonly up: Vector };
   readonly level: number | undefined;
   readonly flow: Vector;
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function poolValues(pool: Pool, caller: string): PoolValues {
+export function fluidVolumeValues(pool: FluidVolume, caller: string): FluidVolumeValues {
   checkKeys(pool, caller, ['density', 'gravity', 'level', 'flow']);
   const density = checkNumber(pool.density, `${caller}.density`, POSITIVE);
   const given = checkVector(pool.gravity ?? { y: -STANDARD_GRAVITY }, `${caller}.gravity`, ANY);

@@ -3,4 +3,4 @@
 import { KERNELS, type KernelExports } from '../../kernels/forces.gen.ts';
 import { kernelModule } from '../../memory/kernel-module.ts';
 
-export const lawKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);
+export const forceKernels = /* @__PURE__ */ kernelModule<KernelExports>(KERNELS);

@@ -6,7 +6,7 @@ import { Condition, Scalar, select, Vector, vec3 } from '../../laws/expression.t
 import { scalar, suppliedScalar, symbolOf, vector } from '../../laws/parameter.ts';
 import { structureOf } from '../../laws/structure.ts';
 import type { Law, Parameter, ParameterSource } from '../../world/types.ts';
-import type { CheckedLimits } from './restrictions.ts';
+import type { CheckedRestrictions } from './restrictions.ts';
 
 /** Limits are parameters, so that laws with others of the same kind compile to the same code. */
 class LimitParameters {
@@ -41,9 +41,9 @@ class LimitParameters {
 }
 
 /** The law inside its limits, and nothing outside. */
-export function limitedLaw(force: LawForce, limits: CheckedLimits): LawForce {
+export function restrictedLaw(force: LawForce, limits: CheckedRestrictions): LawForce {
   const { law } = force;
-  const name = `${force.name} (limited)`;
+  const name = `${force.name} (restricted)`;
   const added = new LimitParameters();
   const conditions = [...ofGroup(limits), ...ofRegion(limits, added), ...ofTime(force, limits, added)];
   if (conditions.length === 0) return { ...force, name };
@@ -71,11 +71,11 @@ export function limitedLaw(force: LawForce, limits: CheckedLimits): LawForce {
   return { ...rest, ...lawForce(derived, [...force.sources, ...added.sources], rest) };
 }
 
-function ofGroup({ group }: CheckedLimits): Condition[] {
+function ofGroup({ group }: CheckedRestrictions): Condition[] {
   return group === 0 ? [] : [new Condition('has', [], group)];
 }
 
-function ofRegion({ box, ball }: CheckedLimits, added: LimitParameters): Condition[] {
+function ofRegion({ box, ball }: CheckedRestrictions, added: LimitParameters): Condition[] {
   const position = new Vector('position', []);
   if (ball !== undefined) {
     const square = added.scalar('radius²', ball.radius * ball.radius);
@@ -91,9 +91,9 @@ function ofRegion({ box, ball }: CheckedLimits, added: LimitParameters): Conditi
 }
 
 /** What was spent at the start of a step drives the whole of it; everything else goes by the time of evaluation. */
-function ofTime({ spends }: LawForce, { from, until }: CheckedLimits, added: LimitParameters): Condition[] {
+function ofTime({ consumes }: LawForce, { from, until }: CheckedRestrictions, added: LimitParameters): Condition[] {
   if (from === -Infinity && until === Infinity) return [];
-  const time = spends === undefined ? new Scalar('time', []) : added.startOfStep();
+  const time = consumes === undefined ? new Scalar('time', []) : added.startOfStep();
   return [
     ...(from === -Infinity ? [] : [added.scalar('from', from).lessOrEqual(time)]),
     ...(until === Infinity ? [] : [time.less(added.scalar('until', until))]),

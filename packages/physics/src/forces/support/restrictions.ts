@@ -17,7 +17,7 @@ interface Ball {
   readonly radius: number;
 }
 
-export interface Limits {
+export interface Restrictions {
   /** Only bodies that have this component, or all of these. */
   readonly group?: ComponentName | readonly ComponentName[];
   /** Only bodies whose centre is here. */
@@ -29,7 +29,7 @@ export interface Limits {
 }
 
 /** Limits that were checked. */
-export interface CheckedLimits {
+export interface CheckedRestrictions {
   /** Bits of the components that a body needs: zero for all bodies. */
   readonly group: number;
   readonly box?: { readonly min: Vector; readonly max: Vector };
@@ -40,23 +40,23 @@ export interface CheckedLimits {
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function checkLimits(limits: Limits): CheckedLimits {
-  checkKeys(limits, 'limited', ['group', 'region', 'from', 'until']);
+export function checkRestrictions(limits: Restrictions): CheckedRestrictions {
+  checkKeys(limits, 'restrictForce', ['group', 'region', 'from', 'until']);
   const { from, until, region } = limits;
   return {
     group: groupBits(limits.group),
     ...(region === undefined ? {} : 'radius' in region ? { ball: checkBall(region) } : { box: checkBox(region) }),
-    from: from === undefined ? -Infinity : checkNumber(from, 'limited.from'),
-    until: until === undefined ? Infinity : checkNumber(until, 'limited.until'),
+    from: from === undefined ? -Infinity : checkNumber(from, 'restrictForce.from'),
+    until: until === undefined ? Infinity : checkNumber(until, 'restrictForce.until'),
   };
 }
 
-function groupBits(group: Limits['group']): number {
+function groupBits(group: Restrictions['group']): number {
   if (group === undefined) return 0;
   let bits = 0;
   for (const name of typeof group === 'string' ? [group] : group) {
     if (!COMPONENT_NAMES.includes(name)) {
-      throw new PhysicsError('E_UNKNOWN', `limited.group names no component "${String(name)}".`, {
+      throw new PhysicsError('E_UNKNOWN', `restrictForce.group names no component "${String(name)}".`, {
         field: 'group',
         value: name,
         hint: `Valid: ${COMPONENT_NAMES.join(', ')}.`,
@@ -67,22 +67,22 @@ function groupBits(group: Limits['group']): number {
   return bits >>> 0;
 }
 
-function checkBall(region: Ball): NonNullable<CheckedLimits['ball']> {
-  checkKeys(region, 'limited.region', ['centre', 'radius']);
+function checkBall(region: Ball): NonNullable<CheckedRestrictions['ball']> {
+  checkKeys(region, 'restrictForce.region', ['centre', 'radius']);
   return {
-    centre: checkVector(region.centre, 'limited.region.centre', PLACES),
-    radius: checkNumber(region.radius, 'limited.region.radius', LENGTHS),
+    centre: checkVector(region.centre, 'restrictForce.region.centre', PLACES),
+    radius: checkNumber(region.radius, 'restrictForce.region.radius', LENGTHS),
   };
 }
 
-function checkBox(region: Box): NonNullable<CheckedLimits['box']> {
-  checkKeys(region, 'limited.region', ['min', 'max']);
-  checkVector(region.min, 'limited.region.min', PLACES);
-  checkVector(region.max, 'limited.region.max', PLACES);
+function checkBox(region: Box): NonNullable<CheckedRestrictions['box']> {
+  checkKeys(region, 'restrictForce.region', ['min', 'max']);
+  checkVector(region.min, 'restrictForce.region.min', PLACES);
+  checkVector(region.max, 'restrictForce.region.max', PLACES);
   const min = { x: -Infinity, y: -Infinity, z: -Infinity, ...region.min };
   const max = { x: Infinity, y: Infinity, z: Infinity, ...region.max };
   if (min.x > max.x || min.y > max.y || min.z > max.z) {
-    throw new PhysicsError('E_RANGE', 'limited.region is empty: a corner `min` lies beyond `max`.', {
+    throw new PhysicsError('E_RANGE', 'restrictForce.region is empty: a corner `min` lies beyond `max`.', {
       field: 'region',
       value: region,
     });

@@ -1,7 +1,7 @@
 // What the spring kernels need of a world: where the columns are, and the list of springs, kept while nothing changes.
 import { bitOf } from '../../components/all.ts';
 import { removeWholly } from '../../ecs/bitecs-adapter.ts';
-import { emptyRoster, type Roster, refreshRoster } from '../../ecs/entity-list.ts';
+import { type EntityList, emptyEntityList, refreshEntityList } from '../../ecs/entity-list.ts';
 import { collectThrown } from '../../errors/collect-thrown.ts';
 import { allocate } from '../../memory/arena.ts';
 import { resource } from '../../memory/resource.ts';
@@ -14,7 +14,7 @@ const [IDS, LINKS, LOST, COUNT, ACTIVE, LOST_COUNT] = [9, 10, 11, 12, 13, 14];
 
 export interface SpringTable {
   readonly at: number;
-  readonly roster: Roster;
+  readonly entityList: EntityList;
   readonly words: Uint32Array;
   /** Largest stiffness over reduced mass, 1/s², and damping over reduced mass, 1/s. */
   readonly stiffest: Float64Array;
@@ -34,17 +34,17 @@ export const springTable = resource((world): SpringTable => {
   words.set([a, b, aLife, bLife, stiffness, damping, length, cord, generations, 0, 0, 0, 0, 0, 0, world.rows]);
   const stiffest = new Float64Array(arena.memory.buffer, at + WORDS * 4, 2);
   const passed = new Float64Array(3).fill(Number.NaN);
-  return { at, words, stiffest, passed, passedBy: undefined, removed: [], roster: emptyRoster() };
+  return { at, words, stiffest, passed, passedBy: undefined, removed: [], entityList: emptyEntityList() };
 });
 
 /** Lists the springs whose ends both live, and looks at each: ends and stiffness may have been changed in place. */
 export function scanSprings(world: PhysicsWorld): SpringTable {
   const table = springTable(world);
-  const { roster, words } = table;
+  const { entityList, words } = table;
   // Behind the ids: 12 bytes each for the springs that act, 4 for those that lost an end.
-  if (refreshRoster(world, roster, 'Spring', 16)) {
-    words.set([roster.ids, roster.at, roster.at + roster.room * 12], IDS);
-    words[COUNT] = roster.count;
+  if (refreshEntityList(world, entityList, 'Spring', 16)) {
+    words.set([entityList.ids, entityList.at, entityList.at + entityList.room * 12], IDS);
+    words[COUNT] = entityList.count;
   }
   world.kernels.scanSprings(table.at, bitOf('Position'));
   return table;

@@ -18,26 +18,26 @@ export interface GustOptions {
   /** Each axis is drawn uniformly within this much of the mean, m/s. */
   readonly spread: VectorInput;
   /** How long a gust lasts, s; default 0.1. */
-  readonly hold?: number;
+  readonly interval?: number;
   /** Default 1. */
   readonly seed?: number;
 }
 
 /**
- * Wind in gusts: a new velocity is drawn every `hold` seconds. It depends on the time alone, not on the step.
+ * Wind in gusts: a new velocity is drawn every `interval` seconds. It depends on the time alone, not on the step.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function gusts(options: GustOptions): (time: number) => Vector {
-  checkKeys(options, 'gusts', ['mean', 'spread', 'hold', 'seed']);
+  checkKeys(options, 'gusts', ['mean', 'spread', 'interval', 'seed']);
   const mean = checkVector(options.mean ?? {}, 'gusts.mean', SPEEDS);
   const spread = checkVector(options.spread, 'gusts.spread', SPEEDS);
-  const hold = checkNumber(options.hold ?? 0.1, 'gusts.hold', { above: 0 });
+  const interval = checkNumber(options.interval ?? 0.1, 'gusts.interval', { above: 0 });
   const { seed = 1 } = options;
   createRandom(seed);
   const now = { x: 0, y: 0, z: 0 };
   let drawn = -1;
   return (time) => {
-    const gust = Math.floor(time / hold);
+    const gust = Math.floor(time / interval);
     if (gust === drawn) return now;
     drawn = gust;
     const random = createRandom(seed, ((gust % 2 ** 32) + 2 ** 32) % 2 ** 32);

@@ -2,18 +2,18 @@
 // cells of arrays and go to them: one that is handed to a function, or returned, becomes garbage.
 import { AXES } from '../../memory/axes.ts';
 import type { AxisAddresses } from '../../memory/columns.ts';
-import type { PhysicsWorld, Spans } from '../../world/types.ts';
+import type { PhysicsWorld, Ranges } from '../../world/types.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
 export type BodyVector = Readonly<AxisAddresses>;
 
 /** to = from. */
-export function copyVector(world: PhysicsWorld, spans: Spans, to: BodyVector, from: BodyVector): void {
+export function copyVector(world: PhysicsWorld, ranges: Ranges, to: BodyVector, from: BodyVector): void {
   const axes = AXES[world.dimensions];
   for (let n = 0; n < axes.length; n++) {
     const axis = axes[n];
-    for (let r = 0; r < spans.count; r++) {
-      world.kernels.copyColumn(to[axis], from[axis], spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    for (let r = 0; r < ranges.count; r++) {
+      world.kernels.copyColumn(to[axis], from[axis], ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
     }
   }
 }
@@ -21,7 +21,7 @@ export function copyVector(world: PhysicsWorld, spans: Spans, to: BodyVector, fr
 /** to = a + factor b, with the factor in `cells[at]`. */
 export function addScaled(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   to: BodyVector,
   a: BodyVector,
   b: BodyVector,
@@ -33,8 +33,8 @@ export function addScaled(
   const axes = AXES[world.dimensions];
   for (let n = 0; n < axes.length; n++) {
     const axis = axes[n];
-    for (let r = 0; r < spans.count; r++) {
-      addScaledColumn(to[axis], a[axis], b[axis], factor, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    for (let r = 0; r < ranges.count; r++) {
+      addScaledColumn(to[axis], a[axis], b[axis], factor, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
     }
   }
 }
@@ -42,7 +42,7 @@ export function addScaled(
 /** to = factor a, with the factor in `cells[at]`. */
 export function scale(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   to: BodyVector,
   a: BodyVector,
   cells: Float64Array,
@@ -53,8 +53,8 @@ export function scale(
   const axes = AXES[world.dimensions];
   for (let n = 0; n < axes.length; n++) {
     const axis = axes[n];
-    for (let r = 0; r < spans.count; r++) {
-      scaleColumn(to[axis], a[axis], factor, spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    for (let r = 0; r < ranges.count; r++) {
+      scaleColumn(to[axis], a[axis], factor, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
     }
   }
 }
@@ -62,7 +62,7 @@ export function scale(
 /** cells[at] = sum of a b over bodies and axes. */
 export function dot(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   a: BodyVector,
   b: BodyVector,
   cells: Float64Array,
@@ -72,15 +72,15 @@ export function dot(
   const axes = AXES[world.dimensions];
   for (let n = 0; n < axes.length; n++) {
     const axis = axes[n];
-    for (let r = 0; r < spans.count; r++) {
-      sum += world.kernels.dotColumns(a[axis], b[axis], spans.bounds[2 * r], spans.bounds[2 * r + 1]);
+    for (let r = 0; r < ranges.count; r++) {
+      sum += world.kernels.dotColumns(a[axis], b[axis], ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
     }
   }
   cells[at] = sum;
 }
 
 /** cells[at] = length of a. */
-export function norm(world: PhysicsWorld, spans: Spans, a: BodyVector, cells: Float64Array, at: number): void {
-  dot(world, spans, a, a, cells, at);
+export function norm(world: PhysicsWorld, ranges: Ranges, a: BodyVector, cells: Float64Array, at: number): void {
+  dot(world, ranges, a, a, cells, at);
   cells[at] = Math.sqrt(cells[at]);
 }

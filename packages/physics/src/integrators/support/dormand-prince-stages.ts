@@ -4,7 +4,7 @@ import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
 import { resource } from '../../memory/resource.ts';
-import type { EvaluateForces, PhysicsWorld, Spans } from '../../world/types.ts';
+import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { A, AA, C, E, EA } from './dormand-prince-tableau.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
@@ -54,12 +54,12 @@ function makeStages(world: PhysicsWorld) {
 }
 
 /** Keeps the present state as the start of a sub-step; its acceleration comes from the forces last evaluated. */
-export function begin(world: PhysicsWorld, spans: Spans, { at, stride, kernels }: Stages): void {
+export function begin(world: PhysicsWorld, ranges: Ranges, { at, stride, kernels }: Stages): void {
   const { Position, Velocity, Mass } = world.addresses;
   for (const axis of AXES[world.dimensions]) {
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r];
-      const last = spans.bounds[2 * r + 1];
+    for (let r = 0; r < ranges.count; r++) {
+      const first = ranges.bounds[2 * r];
+      const last = ranges.bounds[2 * r + 1];
       world.kernels.copyColumn(at[axis], Position[axis], first, last);
       world.kernels.copyColumn(at[axis] + stride, Velocity[axis], first, last);
       const force = world.scratch.at.force[axis];
@@ -69,12 +69,12 @@ export function begin(world: PhysicsWorld, spans: Spans, { at, stride, kernels }
 }
 
 /** Goes back to the start of the sub-step. */
-export function restore(world: PhysicsWorld, spans: Spans, { at, stride }: Stages): void {
+export function restore(world: PhysicsWorld, ranges: Ranges, { at, stride }: Stages): void {
   const { Position, Velocity } = world.addresses;
   for (const axis of AXES[world.dimensions]) {
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r];
-      const last = spans.bounds[2 * r + 1];
+    for (let r = 0; r < ranges.count; r++) {
+      const first = ranges.bounds[2 * r];
+      const last = ranges.bounds[2 * r + 1];
       world.kernels.copyColumn(Position[axis], at[axis], first, last);
       world.kernels.copyColumn(Velocity[axis], at[axis] + stride, first, last);
     }
@@ -85,13 +85,13 @@ export function restore(world: PhysicsWorld, spans: Spans, { at, stride }: Stage
  * Tries a sub-step of length STEP, which starts PASSED seconds into the step: bodies are where it leads, and the forces
  * are those there.
  */
-export function takeSubStep(world: PhysicsWorld, spans: Spans, stages: Stages, evaluateForces: EvaluateForces): void {
+export function takeSubStep(world: PhysicsWorld, ranges: Ranges, stages: Stages, evaluateForces: EvaluateForces): void {
   const { scalars } = stages;
   for (let i = 1; i < STAGES; i++) {
     setWeights(stages, C, i, AA[i], A[i]);
-    moveToStage(world, spans, stages, i);
-    evaluateForces(world, spans, world.time + scalars[PASSED] + C[i] * scalars[STEP]);
-    keepAcceleration(world, spans, stages, i);
+    moveToStage(world, ranges, stages, i);
+    evaluateForces(world, ranges, world.time + scalars[PASSED] + C[i] * scalars[STEP]);
+    keepAcceleration(world, ranges, stages, i);
   }
 }
 
@@ -111,7 +111,7 @@ function setWeights(
   }
 }
 
-function moveToStage(world: PhysicsWorld, spans: Spans, stages: Stages, i: number): void {
+function moveToStage(world: PhysicsWorld, ranges: Ranges, stages: Stages, i: number): void {
   const { at, stride, kernels, weightsAt, bytes } = stages;
   const { Position, Velocity } = world.addresses;
   const inVelocity = weightsAt + (1 + STAGES) * bytes;
@@ -119,22 +119,22 @@ function moveToStage(world: PhysicsWorld, spans: Spans, stages: Stages, i: numbe
     const x = at[axis];
     const v = x + stride;
     const a = v + stride;
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r];
-      const last = spans.bounds[2 * r + 1];
+    for (let r = 0; r < ranges.count; r++) {
+      const first = ranges.bounds[2 * r];
+      const last = ranges.bounds[2 * r + 1];
       kernels.combineAxis(Position[axis], x, v, stride, weightsAt, i + 1, first, last);
       kernels.combineAxis(Velocity[axis], v, a, stride, inVelocity, i, first, last);
     }
   }
 }
 
-function keepAcceleration(world: PhysicsWorld, spans: Spans, stages: Stages, i: number): void {
+function keepAcceleration(world: PhysicsWorld, ranges: Ranges, stages: Stages, i: number): void {
   const { at, stride, kernels } = stages;
   for (const axis of AXES[world.dimensions]) {
     const force = world.scratch.at.force[axis];
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r];
-      const last = spans.bounds[2 * r + 1];
+    for (let r = 0; r < ranges.count; r++) {
+      const first = ranges.bounds[2 * r];
+      const last = ranges.bounds[2 * r + 1];
       kernels.accelerationAxis(at[axis] + (2 + i) * stride, force, world.addresses.Mass.value, first, last);
     }
   }
@@ -144,7 +144,7 @@ function keepAcceleration(world: PhysicsWorld, spans: Spans, stages: Stages, i: 
  * Leaves the worst error of the sub-step just tried, in parts of the size of position and velocity, in the
  * scalar ERROR: a returned number would be garbage.
  */
-export function findWorstRatio(world: PhysicsWorld, spans: Spans, stages: Stages): void {
+export function findWorstRatio(world: PhysicsWorld, ranges: Ranges, stages: Stages): void {
   const { at, stride, kernels, weightsAt, bytes, scalars } = stages;
   const { Position, Velocity } = world.addresses;
   const { x: errorX, y: errorV, z: sizeX } = world.scratch.at.stage1;
@@ -153,9 +153,9 @@ export function findWorstRatio(world: PhysicsWorld, spans: Spans, stages: Stages
   const wv = weightsAt + (1 + STAGES) * bytes;
   setWeights(stages, NO_VELOCITY, 0, EA, E);
   scalars[ERROR] = 0;
-  for (let r = 0; r < spans.count; r++) {
-    const first = spans.bounds[2 * r];
-    const last = spans.bounds[2 * r + 1];
+  for (let r = 0; r < ranges.count; r++) {
+    const first = ranges.bounds[2 * r];
+    const last = ranges.bounds[2 * r + 1];
     world.kernels.zeroColumn(errorX, first, last);
     world.kernels.zeroColumn(errorV, first, last);
     world.kernels.zeroColumn(sizeX, first, last);

@@ -1,12 +1,12 @@
 // GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7, 856, 1986) for the linear systems of Newton's method: the matrix
 // is never formed, its products with vectors are differences of residuals.
 
-import type { EvaluateForces, PhysicsWorld, Spans } from '../../world/types.ts';
+import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { addScaled, type BodyVector, dot, norm, scale } from './body-vectors.ts';
 import { BASIS, type Equation, MINUS_ONE, residualAt, Scalar } from './implicit-equation.ts';
 
 /** How exactly a linear system is solved, in parts of the residual: about as exactly as differences allow. */
-const ENOUGH = 1e-5;
+const TOLERANCE = 1e-5;
 
 /**
  * Finds `equation.change`, to which the residual at `best` answers with its own negative; its norm is in the scalar
@@ -14,7 +14,7 @@ const ENOUGH = 1e-5;
  */
 export function solveLinear(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   dt: number,
   evaluate: EvaluateForces,
   equation: Equation,
@@ -22,34 +22,34 @@ export function solveLinear(
   const { basis, right, triangle, scalars } = equation;
   const size = scalars[Scalar.size];
   scalars[Scalar.factor] = -1 / size;
-  scale(world, spans, basis[0], equation.residual, scalars, Scalar.factor);
+  scale(world, ranges, basis[0], equation.residual, scalars, Scalar.factor);
   right.fill(0);
   right[0] = size;
   let used = 0;
   while (used < BASIS) {
     const column = used * (BASIS + 1);
-    multiply(world, spans, dt, evaluate, equation, basis[used], basis[used + 1]);
+    multiply(world, ranges, dt, evaluate, equation, basis[used], basis[used + 1]);
     for (let i = 0; i <= used; i++) {
-      dot(world, spans, basis[used + 1], basis[i], triangle, column + i);
+      dot(world, ranges, basis[used + 1], basis[i], triangle, column + i);
       scalars[Scalar.factor] = -triangle[column + i];
-      addScaled(world, spans, basis[used + 1], basis[used + 1], basis[i], scalars, Scalar.factor);
+      addScaled(world, ranges, basis[used + 1], basis[used + 1], basis[i], scalars, Scalar.factor);
     }
-    norm(world, spans, basis[used + 1], triangle, column + used + 1);
+    norm(world, ranges, basis[used + 1], triangle, column + used + 1);
     const length = triangle[column + used + 1];
     rotate(equation, used);
     used++;
-    if (!(length > 0) || Math.abs(right[used]) <= ENOUGH * size) break;
+    if (!(length > 0) || Math.abs(right[used]) <= TOLERANCE * size) break;
     scalars[Scalar.factor] = 1 / length;
-    scale(world, spans, basis[used], basis[used], scalars, Scalar.factor);
+    scale(world, ranges, basis[used], basis[used], scalars, Scalar.factor);
   }
-  combine(world, spans, equation, used);
+  combine(world, ranges, equation, used);
   scalars[Scalar.left] = Math.abs(right[used]);
 }
 
 /** to = J direction, by a difference of residuals. */
 function multiply(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   dt: number,
   evaluate: EvaluateForces,
   equation: Equation,
@@ -58,18 +58,18 @@ function multiply(
 ): void {
   const { best, residual, trial, from, scalars } = equation;
   // Far enough to show against the rounding of positions and velocities, near enough for the forces to be straight.
-  norm(world, spans, best, scalars, Scalar.one);
-  norm(world, spans, residual, scalars, Scalar.other);
+  norm(world, ranges, best, scalars, Scalar.one);
+  norm(world, ranges, residual, scalars, Scalar.other);
   const speeds = Math.max(scalars[Scalar.one], scalars[Scalar.other]);
-  norm(world, spans, from, scalars, Scalar.one);
+  norm(world, ranges, from, scalars, Scalar.one);
   const reach = Math.max(speeds, (1e-3 * scalars[Scalar.one]) / dt);
   const h = reach * (world.precision === 'f32' ? 3e-4 : 1e-8);
   scalars[Scalar.factor] = h;
-  addScaled(world, spans, trial, best, direction, scalars, Scalar.factor);
-  residualAt(world, spans, dt, evaluate, equation, trial, to);
-  addScaled(world, spans, to, to, residual, MINUS_ONE, 0);
+  addScaled(world, ranges, trial, best, direction, scalars, Scalar.factor);
+  residualAt(world, ranges, dt, evaluate, equation, trial, to);
+  addScaled(world, ranges, to, to, residual, MINUS_ONE, 0);
   scalars[Scalar.factor] = 1 / h;
-  scale(world, spans, to, to, scalars, Scalar.factor);
+  scale(world, ranges, to, to, scalars, Scalar.factor);
 }
 
 /** Givens rotations: the newest column joins the triangle. */
@@ -92,7 +92,7 @@ function rotate({ triangle, cosines, sines, right }: Equation, k: number): void 
 }
 
 /** change = sum of basis vectors with the weights that solve the triangle. */
-function combine(world: PhysicsWorld, spans: Spans, equation: Equation, used: number): void {
+function combine(world: PhysicsWorld, ranges: Ranges, equation: Equation, used: number): void {
   const { triangle, right, solution, basis, change } = equation;
   for (let k = used - 1; k >= 0; k--) {
     let sum = right[k];
@@ -100,6 +100,6 @@ function combine(world: PhysicsWorld, spans: Spans, equation: Equation, used: nu
     const pivot = triangle[k * (BASIS + 1) + k];
     solution[k] = pivot > 0 ? sum / pivot : 0;
   }
-  scale(world, spans, change, basis[0], solution, 0);
-  for (let k = 1; k < used; k++) addScaled(world, spans, change, change, basis[k], solution, k);
+  scale(world, ranges, change, basis[0], solution, 0);
+  for (let k = 1; k < used; k++) addScaled(world, ranges, change, change, basis[k], solution, k);
 }

@@ -2,7 +2,7 @@
 import { AXES } from '../../memory/axes.ts';
 import { axisColumns } from '../../memory/columns.ts';
 import { resource } from '../../memory/resource.ts';
-import type { EvaluateForces, PhysicsWorld, Spans } from '../../world/types.ts';
+import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { addScaled, type BodyVector, copyVector } from './body-vectors.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
@@ -65,34 +65,34 @@ function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
 }
 
 /** Gives the bodies velocities v and the positions they lead to in a step: x = start + v dt. */
-export function moveTo(world: PhysicsWorld, spans: Spans, equation: Equation, v: BodyVector, dt: number): void {
+export function moveTo(world: PhysicsWorld, ranges: Ranges, equation: Equation, v: BodyVector, dt: number): void {
   const { Position, Velocity } = world.addresses;
-  copyVector(world, spans, Velocity, v);
+  copyVector(world, ranges, Velocity, v);
   equation.scalars[Scalar.step] = dt;
-  addScaled(world, spans, Position, equation.from, v, equation.scalars, Scalar.step);
+  addScaled(world, ranges, Position, equation.from, v, equation.scalars, Scalar.step);
 }
 
 /** R(v) = v - start - F/m dt with the forces where velocities v lead. */
 export function residualAt(
   world: PhysicsWorld,
-  spans: Spans,
+  ranges: Ranges,
   dt: number,
   evaluate: EvaluateForces,
   equation: Equation,
   v: BodyVector,
   to: BodyVector,
 ): void {
-  moveTo(world, spans, equation, v, dt);
-  evaluate(world, spans, world.time + dt);
+  moveTo(world, ranges, equation, v, dt);
+  evaluate(world, ranges, world.time + dt);
   const { implicitResidualAxis } = integratorKernels(world);
   const { force } = world.scratch.at;
   const mass = world.addresses.Mass.value;
   const axes = AXES[world.dimensions];
   for (let n = 0; n < axes.length; n++) {
     const axis = axes[n];
-    for (let r = 0; r < spans.count; r++) {
-      const first = spans.bounds[2 * r];
-      const last = spans.bounds[2 * r + 1];
+    for (let r = 0; r < ranges.count; r++) {
+      const first = ranges.bounds[2 * r];
+      const last = ranges.bounds[2 * r + 1];
       implicitResidualAxis(to[axis], v[axis], equation.start[axis], force[axis], mass, dt, first, last);
     }
   }

@@ -6,7 +6,7 @@ import type { PhysicsWorld } from '../../world/types.ts';
 export const SHORTEST = 1e-10;
 
 /** Sub-steps tried in one step before it is given up. */
-export const MOST_TRIES = 100_000;
+export const MAX_TRIES = 100_000;
 
 /** Sub-steps without error control that cross the rest of a step that was given up. */
 export const LAST_RESORT = 16;
