@@ -75,6 +75,9 @@ export function plummerSphere(count: number, scale: number, seed: number): Stars
   return stars;
 }
 
+/** Share of a disc's mass that it is made of: its rim would be far out, and thin. */
+const DISC_SHARE = 0.97;
+
 /** Share of a disc's support that is rotation; the rest is random motion, which keeps it from falling to pieces. */
 const ROTATION = 0.8;
 
@@ -87,13 +90,13 @@ export function discOf(law: DistanceLaw, count: number, scale: number, seed: num
   const stars = emptyStars(count);
   const spread = Math.sqrt((1 - ROTATION * ROTATION) / 2);
   for (let i = 0; i < count; i++) {
-    const radius = scale * kuzminRadius((0.97 * (i + random.uniform())) / count);
+    const radius = scale * kuzminRadius((DISC_SHARE * (i + random.uniform())) / count);
     const p = random.onCircle();
     const square = radius * radius + scale * scale;
     const circular =
       law === 'inverse-square'
         ? radius / Math.sqrt(square * Math.sqrt(square))
-        : Math.sqrt(Math.max(0, 1 - scale / Math.sqrt(square)));
+        : Math.sqrt(Math.max(0, 1 - scale / Math.sqrt(square)) / DISC_SHARE);
     const x = circular * (-ROTATION * p.y + spread * random.gaussian());
     const y = circular * (ROTATION * p.x + spread * random.gaussian());
     putStar(stars, i, { x: radius * p.x, y: radius * p.y, z: 0 }, { x, y, z: 0 });
