@@ -71,8 +71,9 @@ function stream(e: Emitter): void {
   // What cannot even find a slot by ending all others is not worth drawing.
   const skipped = max<f64>(0, count - <f64>e.capacity);
   e.lost += skipped;
-  for (let i = skipped + 1; i <= count; i += 1) {
-    const since = (i - e.owed) / e.rate;
+  // Counted in whole numbers: beyond 2^53 a double no longer grows by one.
+  for (let born: i32 = 1, most = <i32>(count - skipped); born <= most; born++) {
+    const since = (skipped + <f64>born - e.owed) / e.rate;
     const t = since / e.pending;
     bear(
       e,

@@ -145,7 +145,8 @@ export function kickJacobi(list: usize, n: i32, fx: usize, fy: usize, fz: usize,
     const p = planet(list, i);
     const x = <f64>get(fx, p.row) / p.mass - ax;
     const y = <f64>get(fy, p.row) / p.mass - ay;
-    const z = <f64>get(fz, p.row) / p.mass - az;
+    // In two dimensions there is no column of z-forces.
+    const z = fz == 0 ? <f64>0 : <f64>get(fz, p.row) / p.mass - az;
     if (i > 0) {
       const r2 = p.x * p.x + p.y * p.y + p.z * p.z;
       const k = p.mu / (r2 * sqrt<f64>(r2));

@@ -58,7 +58,7 @@ function finish(world: PhysicsWorld, first: number, last: number): void {
   clearForcesOfImmovable(world, first, last);
   // Forces that read one body leave a bad one alone with it, unless the scheme mixes bodies, as Jacobi coordinates do.
   const isAlone = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
-  if (!isAlone) quarantineBadForces(world, first, last);
+  if (!isAlone && !world.internal.isTrial) quarantineBadForces(world, first, last);
 }
 
 /** Whether some force of the world adds torque. */
@@ -71,7 +71,8 @@ export function anyForceTurns({ forces }: PhysicsWorld): boolean {
 export function prepareForces(world: PhysicsWorld, dt: number): void {
   const { forces } = world;
   preparedFor(world).dt = dt;
-  for (let f = 0; f < forces.length; f++) forces[f].prepare?.(world, dt);
+  for (let f = 0; f < forces.length; f++) if (forces[f].consumes === undefined) forces[f].prepare?.(world, dt);
+  for (let f = 0; f < forces.length; f++) if (forces[f].consumes !== undefined) forces[f].prepare?.(world, dt);
 }
 
 /** The loop of all laws of a world; undefined where it has none. */

@@ -92,8 +92,20 @@ export function asGiven(name: ComponentName, values: FieldValues): FieldValues {
 
 function normalise(name: ComponentName, data: unknown, entity: number | undefined): Record<string, unknown> {
   const { scalar, fields }: ComponentSpec = COMPONENTS[name];
-  if (isRecord(data)) return data;
+  if (isRecord(data)) return isPlain(data) ? data : withAccessors(data, Object.keys(fields));
   if (scalar !== undefined && typeof data === 'number') return { [scalar]: data };
   const wanted = `${scalar ? 'a number or ' : ''}{ ${Object.keys(fields).join(', ')} }`;
   throw mustBe(wanted, data, keyOf(name), 'E_TYPE', entity);
+}
+
+function isPlain(data: object): boolean {
+  const prototype = Object.getPrototypeOf(data);
+  return prototype === Object.prototype || prototype === null;
+}
+
+/** The fields of an object of a class, such as DOMPoint, whose accessors are no keys of its own. */
+function withAccessors(data: Readonly<Record<string, unknown>>, fields: readonly string[]): Record<string, unknown> {
+  const values: Record<string, unknown> = { ...data };
+  for (const field of fields) if (data[field] !== undefined) values[field] = data[field];
+  return values;
 }

@@ -6,6 +6,7 @@ import { isAlive } from '../ecs/entity-ref.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { emitterKernels } from './kernels.ts';
+import { dropIncomplete } from './pool.ts';
 import { type EmitterRecord, N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
@@ -18,6 +19,10 @@ export function emitParticles(world: PhysicsWorld, dt: number): void {
   for (let i = 0; i < list.length; i++) {
     const emitter = list[i];
     const { record } = emitter.internal.block;
+    if (emitter.internal.membership !== world.versions.membership) {
+      emitter.internal.membership = world.versions.membership;
+      dropIncomplete(world, record);
+    }
     if (emitter.internal.followed !== undefined) follow(world, emitter, record);
     carry(record);
     const born = record.numbers[N.born];

@@ -1,7 +1,17 @@
 import { entityRef } from '../ecs/entity-ref.ts';
 import { assertUsable, whenIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkChoice, checkFlag, checkNumber, checkWhole, readVector, type VectorInput } from '../errors/validate.ts';
+import {
+  checkChoice,
+  checkFlag,
+  checkKeys,
+  checkNumber,
+  checkWhole,
+  isRecord,
+  mustBe,
+  readVector,
+  type VectorInput,
+} from '../errors/validate.ts';
 import { seedWords } from '../math/random.ts';
 import { markImmutable } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -15,7 +25,7 @@ import {
   type EmitterParameters,
   parametersOf,
 } from './options.ts';
-import type { BurstPattern } from './pattern.ts';
+import { type BurstPattern, checkPattern } from './pattern.ts';
 import {
   type Block,
   BURST_NUMBERS,
@@ -40,7 +50,13 @@ import type { Emitter } from './types.ts';
  */
 export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   assertUsable(world);
-  checkOptionNames(options, 'createEmitter', false);
+  // Each option is read once: what is checked is what is used.
+  const copy = isRecord(options) ? { ...options } : options;
+  checkOptionNames(copy, 'createEmitter', false);
+  return makeEmitter(world, copy);
+}
+
+function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   const capacity = checkWhole(options.capacity, 'capacity', 1, world.capacity);
   checkChoice(options.whenFull ?? 'skip', 'whenFull', ['skip', 'oldest']);
   const parameters = markImmutable(parametersOf(options));
@@ -66,6 +82,7 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
       parameters,
       bursts: new Float64Array(world.memory.buffer, block.record.words[W.bursts], MAX_BURSTS * BURST_NUMBERS),
       endings: undefined,
+      membership: world.versions.membership,
       destroyed: false,
       timeline: world.versions.restored,
     },
@@ -117,6 +134,7 @@ function comeToRest({ numbers }: EmitterRecord): void {
 
 /** @throws PhysicsError E_DESTROYED (the world), E_STALE (the emitter) */
 function recordOf(emitter: Emitter): EmitterRecord {
+  if (emitter?.internal === undefined) throw mustBe('an emitter made by createEmitter', emitter, 'emitter');
   const { world, internal } = emitter;
   assertUsable(world);
   noticeRestore(emitter);
@@ -187,12 +205,11 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
   const { words, at } = recordOf(emitter);
   const { world, internal, capacity } = emitter;
   checkWhole(count, 'count', 0, capacity);
+  checkKeys(options, 'burst', BURST_OPTIONS);
   const { ramp = -1, pattern, scale = 1, position = NOTHING, velocity = NOTHING } = options;
   checkWhole(ramp, 'ramp', -1, words[W.rampCount] - 1);
   checkNumber(scale, 'scale', SCALES);
-  if (pattern !== undefined && pattern.world !== world) {
-    throw new PhysicsError('E_RANGE', 'pattern must be one of the emitter’s world.', { field: 'pattern' });
-  }
+  if (pattern !== undefined) checkPattern(world, pattern);
   const waiting = words[W.burstCount];
   if (waiting >= MAX_BURSTS) {
     throw new PhysicsError('E_CAPACITY', `${MAX_BURSTS} bursts of emitter ${at} wait for the next step already.`, {
@@ -215,6 +232,7 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
   words[W.burstCount] = waiting + 1;
 }
 
+const BURST_OPTIONS = ['ramp', 'pattern', 'scale', 'position', 'velocity'];
 const NOTHING = {};
 const SCALES = { min: -1e6, max: 1e6 };
 const PLACES = { min: -1e15, max: 1e15 };

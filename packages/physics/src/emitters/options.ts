@@ -97,6 +97,8 @@ export interface CheckedParameters {
 /** Refuses keys that are not options. @throws PhysicsError E_TYPE, E_UNKNOWN */
 export function checkOptionNames(options: unknown, caller: string, live: boolean): void {
   checkKeys(options, caller, live ? PARAMETERS : [...PARAMETERS, ...FIXED]);
+  const { collider } = options as EmitterOptions;
+  if (collider !== undefined) checkKeys(collider, 'collider', ['radius', 'restitution', 'friction']);
 }
 
 /** The options that may change later. */

@@ -5,6 +5,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkVector, type VectorInput } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
+import { markImmutable, resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Velocities in a world's memory: what a ring or a ball of sparks is made from. */
@@ -42,5 +43,24 @@ export function createPattern(world: PhysicsWorld, velocities: readonly VectorIn
   const count = velocities.length;
   const at = allocate(world.internal.arena, count * BYTES, `a pattern of ${count}`);
   new Float64Array(world.memory.buffer, at, 3 * count).set(numbers);
-  return { world, count, at };
+  const pattern = markImmutable(Object.freeze({ world, count, at }));
+  patternsOf(world).add(pattern);
+  return pattern;
+}
+
+/** The patterns of a world. A snapshot brings back those that there were: the memory of later ones is used again. */
+const patternsOf = resource(() => new Set<BurstPattern>());
+
+/** @throws PhysicsError E_RANGE for the pattern of another world, E_STALE for one that a restored snapshot did not know */
+export function checkPattern(world: PhysicsWorld, pattern: BurstPattern): void {
+  if (patternsOf(world).has(pattern)) return;
+  if (pattern?.world !== world) {
+    throw new PhysicsError('E_RANGE', 'pattern must be made by createPattern for the world of the emitter.', {
+      field: 'pattern',
+    });
+  }
+  throw new PhysicsError('E_STALE', 'this pattern is not one of the world, or was made after the snapshot restored.', {
+    field: 'pattern',
+    hint: 'Make it again with createPattern after restore.',
+  });
 }

@@ -1,6 +1,7 @@
 // The memory and the entities of an emitter's pool.
 
 import { spawnMany } from '../bodies/spawn-many.ts';
+import { bitOf } from '../components/all.ts';
 import { removeWholly } from '../ecs/bitecs-adapter.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
@@ -91,6 +92,27 @@ export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32
   });
   return ids.sort();
 }
+
+/**
+ * Lets go of entities that lost a component which the emitter writes: their rows are no longer its own. Called when the
+ * set of components of any entity has changed.
+ */
+export function dropIncomplete(world: PhysicsWorld, { words }: EmitterRecord): void {
+  const { buffer } = world.memory;
+  const { members } = world.internal;
+  const capacity = words[W.capacity];
+  const ids = new Uint32Array(buffer, words[W.ids], capacity);
+  const mine = new Uint32Array(buffer, words[W.generation], capacity);
+  for (let slot = 0; slot < capacity; slot++) {
+    if ((members[ids[slot]] & WRITTEN) !== WRITTEN) mine[slot] = NO_GENERATION;
+  }
+}
+
+/** Components that a birth writes. */
+const WRITTEN = bitOf('Position') | bitOf('Velocity') | bitOf('Mass') | bitOf('Appearance');
+
+/** No row counts this far. */
+const NO_GENERATION = 0xffffffff;
 
 /** Removes those entities of a pool that are still its own. */
 export function removeBodies(world: PhysicsWorld, { words }: EmitterRecord): void {

@@ -23,6 +23,8 @@ export interface EmitterInternals {
   readonly bursts: Float64Array;
   /** What was reported last, once somebody asked; the same object every time. */
   endings: { count: number; readonly ids: Uint32Array; readonly states: Float64Array } | undefined;
+  /** The world's version of membership when the pool was last found complete. */
+  membership: number;
   destroyed: boolean;
   /** How often the world had been restored when it was last seen to have this emitter. */
   timeline: number;

@@ -90,8 +90,12 @@ export interface Vector {
 export function checkVector(value: unknown, field: string, bounds: Bounds = {}): Vector {
   checkKeys(value, field, ['x', 'y', 'z'], 'axis');
   const vector = { x: 0, y: 0, z: 0 };
-  for (const [axis, component] of Object.entries(value as VectorInput)) {
-    vector[axis as keyof Vector] = checkNumber(component, `${field}.${axis}`, bounds);
+  // Points such as DOMPoint have accessors in their class, which are no keys of their own.
+  for (const axis of ['x', 'y', 'z'] as const) {
+    const component = (value as VectorInput)[axis];
+    if (component !== undefined || Object.hasOwn(value as object, axis)) {
+      vector[axis] = checkNumber(component, `${field}.${axis}`, bounds);
+    }
   }
   return vector;
 }
@@ -119,7 +123,10 @@ export function readVector(out: Float64Array, at: number, value: VectorInput, fi
  */
 export function checkKeys(value: unknown, what: string, known: readonly string[], kind = 'option'): void {
   if (!isRecord(value)) throw mustBe(`{ ${known.join(', ')} }`, value, what);
-  for (const key of Object.keys(value)) if (!known.includes(key)) throw unknownName(what, kind, key, known);
+  for (const key of Object.keys(value)) {
+    if (!known.includes(key)) throw unknownName(what, kind, key, known);
+    if (value[key] === null) throw mustBe('left out or given a value', null, `${what}.${key}`);
+  }
 }
 
 /** @throws PhysicsError E_TYPE */

@@ -32,7 +32,14 @@ import {
   WANTED,
 } from './support/dormand-prince-stages.ts';
 import { denseWeights, twice } from './support/dormand-prince-tableau.ts';
-import { LAST_RESORT, MAX_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
+import {
+  checkEvaluations,
+  defaultEvaluations,
+  LAST_RESORT,
+  reportUnderflow,
+  SHORTEST,
+  subStep,
+} from './support/sub-steps.ts';
 
 /** How exact it is. */
 export interface DormandPrinceOptions {
@@ -42,22 +49,29 @@ export interface DormandPrinceOptions {
   readonly positionFloor?: number;
   /** Size below which a velocity counts as this large, m/s; default 0. */
   readonly velocityFloor?: number;
+  /**
+   * Evaluations of the forces that a step may take; default 10⁷ divided by the number of bodies, at most 125 000. Beyond,
+   * the fault E_STEP names the body, and the rest of the step is crossed without control of the error.
+   */
+  readonly maxEvaluations?: number;
 }
 
 interface Limits {
   readonly tolerance: number;
   readonly positionFloor: number;
   readonly velocityFloor: number;
+  readonly maxEvaluations: number | undefined;
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function dormandPrince(options: DormandPrinceOptions = {}): Integrator {
-  checkKeys(options, 'dormandPrince', ['tolerance', 'positionFloor', 'velocityFloor']);
+  checkKeys(options, 'dormandPrince', ['tolerance', 'positionFloor', 'velocityFloor', 'maxEvaluations']);
   const { tolerance = 1e-9, positionFloor = 0, velocityFloor = 0 } = options;
   const limits = {
     tolerance: checkNumber(tolerance, 'tolerance', { min: 1e-15, max: 1e9 }),
     positionFloor: checkNumber(positionFloor, 'positionFloor', { min: 0 }),
     velocityFloor: checkNumber(velocityFloor, 'velocityFloor', { min: 0 }),
+    maxEvaluations: checkEvaluations(options.maxEvaluations),
   };
   return {
     name: 'Dormand-Prince 5(4)',
@@ -88,8 +102,9 @@ function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: 
   let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
   evaluateForces(world, ranges, world.time);
   begin(world, ranges, stages);
-  for (let tries = 0; passed < dt; tries++) {
-    if (wanted < SHORTEST * dt || tries > MAX_TRIES) {
+  const budget = limits.maxEvaluations ?? defaultEvaluations(world);
+  for (let evaluations = 1; passed < dt; evaluations += 6) {
+    if (wanted < SHORTEST * dt || evaluations > budget) {
       reportUnderflow(world, stages.kernels.rowOfWorstError(), wanted);
       crossBlindly(world, ranges, passed, dt, evaluateForces);
       return;

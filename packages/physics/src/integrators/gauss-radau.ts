@@ -16,6 +16,8 @@ import { raise } from '../math/elementary.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import {
   CHANGE,
+  clearGoneBodies,
+  EVALUATIONS,
   LAST_TERM,
   LENGTH,
   NEXT,
@@ -28,12 +30,24 @@ import {
   STEP,
   WANTED,
 } from './support/gauss-radau-table.ts';
-import { LAST_RESORT, MAX_TRIES, reportUnderflow, SHORTEST, subStep } from './support/sub-steps.ts';
+import {
+  checkEvaluations,
+  defaultEvaluations,
+  LAST_RESORT,
+  reportUnderflow,
+  SHORTEST,
+  subStep,
+} from './support/sub-steps.ts';
 
 /** How exact it is. */
 export interface GaussRadauOptions {
   /** Largest last term of the series of the acceleration, in parts of the acceleration; default 1e-9. */
   readonly tolerance?: number;
+  /**
+   * Evaluations of the forces that a step may take; default 5·10⁶ divided by the number of bodies, at most 62 500. Beyond,
+   * the fault E_STEP names the body, and the rest of the step is crossed without control of the error.
+   */
+  readonly maxEvaluations?: number;
 }
 
 /** Iterations of a sub-step; one that needs more is too long. */
@@ -53,8 +67,9 @@ const GROWTH = 4;
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function gaussRadau(options: GaussRadauOptions = {}): Integrator {
-  checkKeys(options, 'gaussRadau', ['tolerance']);
+  checkKeys(options, 'gaussRadau', ['tolerance', 'maxEvaluations']);
   const tolerance = checkNumber(options.tolerance ?? 1e-9, 'tolerance', { min: 1e-12, max: 1e9 });
+  const maxEvaluations = checkEvaluations(options.maxEvaluations);
   return {
     name: 'Gauss-Radau 15',
     order: 15,
@@ -64,15 +79,22 @@ export function gaussRadau(options: GaussRadauOptions = {}): Integrator {
     wholeWorld: true,
     isStable: () => true,
     prepare(world) {
-      radauOf(world);
+      clearGoneBodies(world, radauOf(world));
     },
     advance(world, ranges, dt, evaluateForces) {
-      cross(world, ranges, dt, evaluateForces, tolerance);
+      cross(world, ranges, dt, evaluateForces, tolerance, maxEvaluations ?? defaultEvaluations(world) / 2);
     },
   };
 }
 
-function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluate: EvaluateForces, tolerance: number): void {
+function cross(
+  world: PhysicsWorld,
+  ranges: Ranges,
+  dt: number,
+  evaluate: EvaluateForces,
+  tolerance: number,
+  budget: number,
+): void {
   const radau = radauOf(world);
   const { scalars } = radau;
   // Once more as a mere number: variables that are `dt` or a number worked out would be objects.
@@ -80,9 +102,10 @@ function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluate: Evalua
   let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
   let passed = 0;
   let isNew = true;
-  for (let tries = 0; passed < dt; tries++) {
+  scalars[EVALUATIONS] = 0;
+  while (passed < dt) {
     const rest = dt - passed;
-    if (wanted < SHORTEST * dt || tries > MAX_TRIES) {
+    if (wanted < SHORTEST * dt || scalars[EVALUATIONS] > budget) {
       reportUnderflow(world, worstRow(ranges, radau), wanted);
       scalars[PASSED] = passed;
       crossBlindly(world, ranges, radau, dt, evaluate);
@@ -93,7 +116,9 @@ function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluate: Evalua
     scalars[STEP] = h;
     if (isNew) begin(world, ranges, radau, evaluate);
     predict(ranges, radau, isNew);
+    world.internal.isTrial = true;
     const converged = iterate(world, ranges, radau, evaluate);
+    world.internal.isTrial = false;
     scalars[NEXT] = 0;
     if (converged) findNextLength(world, ranges, radau, tolerance);
     const next = scalars[NEXT];
@@ -164,6 +189,7 @@ function sweepNodes(
   for (let s = 1; s < NODES.length; s++) {
     for (let r = 0; r < count; r++) kernels.radauState(table, s, NODES[s], h, bounds[2 * r], bounds[2 * r + 1]);
     evaluate(world, ranges, world.time + scalars[PASSED] + NODES[s] * h);
+    scalars[EVALUATIONS]++;
     change = 0;
     for (let r = 0; r < count; r++) {
       change = Math.max(change, kernels.radauRefine(table, s, bounds[2 * r], bounds[2 * r + 1]));

@@ -1,3 +1,4 @@
+import { checkHas } from '../errors/validate.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 
 /** What a user's own force in plain TypeScript needs to say. */
@@ -19,6 +20,7 @@ export interface CustomForce {
  * [first, last); rows of absent bodies hold zeros and need no test.
  */
 export function defineForce(force: CustomForce): Force {
+  checkHas(force, 'accumulate', 'defineForce: force', 'Give { name, accumulate(world, first, last, time) { … } }.');
   const {
     name,
     equation = '',

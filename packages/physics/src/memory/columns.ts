@@ -56,17 +56,19 @@ export function componentColumns<Name extends ComponentName = ComponentName>(
 ): [Pick<Components, Name>, Pick<Addresses, Name>] {
   return named(names, (name) => {
     const fields: Readonly<Record<string, FieldSpec>> = COMPONENTS[name].fields;
-    return named(Object.keys(fields), (field): [RealColumn | Uint32Array, number] => {
+    const made = named(Object.keys(fields), (field): [RealColumn | Uint32Array, number] => {
       const what = `${name}.${field}`;
       return fields[field].kind === 'real' ? realColumn(arena, precision, rows, what) : wordColumn(arena, rows, what);
     });
+    // Frozen, so that `Velocity.x = 5`, whose index was forgotten, is an error and does not replace the column.
+    return [Object.freeze(made[0]), made[1]] as const;
   }) as unknown as [Pick<Components, Name>, Pick<Addresses, Name>];
 }
 
 /** What `make` makes for each name: the columns by name, and their addresses. */
 function named<Name extends string, Column, Address>(
   names: readonly Name[],
-  make: (name: Name) => [Column, Address],
+  make: (name: Name) => readonly [Column, Address],
 ): [Record<Name, Column>, Record<Name, Address>] {
   const made = names.map((name) => [name, ...make(name)] as const);
   return [

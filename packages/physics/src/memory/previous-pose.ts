@@ -1,4 +1,5 @@
 import type { Addresses, Components } from '../components/all.ts';
+import { MAX_POSITION } from '../components/position.ts';
 
 /** The components that say where a body is and how it is turned. */
 export const POSE = ['Position', 'Rotation', 'Orientation'] as const;
@@ -8,12 +9,16 @@ export type Previous = Pick<Components, (typeof POSE)[number]>;
 
 export type PreviousAddresses = Pick<Addresses, (typeof POSE)[number]>;
 
-/** Copies the pose of a body from some columns to others. */
+/** Copies the pose of a body from some columns to others, except values that no body may have. */
 export function copyPose(from: Previous, to: Previous, eid: number): void {
   for (const name of POSE) {
     const source: Columns = from[name];
     const target: Columns = to[name];
-    for (const field in source) target[field][eid] = source[field][eid];
+    for (const field in source) {
+      const value = source[field][eid];
+      // A value that is not finite must not become the last good one.
+      if (Math.abs(value) <= MAX_POSITION) target[field][eid] = value;
+    }
   }
 }
 

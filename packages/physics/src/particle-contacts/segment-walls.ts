@@ -2,6 +2,7 @@
 
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { forEachRange } from '../ecs/ranges.ts';
+import { reportFault } from '../errors/report-fault.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
@@ -29,6 +30,8 @@ interface SegmentList extends EntityList {
   readonly words: Uint32Array;
   /** The step they were gathered in. */
   tick: number;
+  /** Walls that were reported because an end of theirs is not finite. */
+  readonly reported: Set<number>;
 }
 
 const segmentList = resource<SegmentList>((world) => {
@@ -36,7 +39,7 @@ const segmentList = resource<SegmentList>((world) => {
   const grid = allocate(arena, 4 * GridWord.end, 'segment walls');
   const words = new Uint32Array(world.memory.buffer, grid, GridWord.end);
   words[GridWord.starts] = allocate(arena, 4 * (MAX_SIDE * MAX_SIDE + 2), 'segment walls');
-  return { grid, words, tick: -1, ...emptyEntityList() };
+  return { grid, words, tick: -1, reported: new Set<number>(), ...emptyEntityList() };
 });
 
 /** Gathers the walls, once a step, in ascending id. */
@@ -53,7 +56,25 @@ function gather(world: PhysicsWorld): SegmentList {
   const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
   collisionKernels(world).gatherSegments(list.grid, list.ids, list.count, ax, ay, bx, by, restitution, friction);
   list.tick = world.tick;
+  if (list.words[GridWord.count] < list.count) reportBadWalls(world, list);
+  else if (list.reported.size > 0) list.reported.clear();
   return list;
+}
+
+/** Reports each wall that was left out, once until it is put right. */
+function reportBadWalls(world: PhysicsWorld, { ids, count, reported }: SegmentList): void {
+  const { SegmentWall } = world.components;
+  const all = new Uint32Array(world.memory.buffer, ids, count);
+  for (const entity of all) {
+    const field = (['ax', 'ay', 'bx', 'by'] as const).find((name) => !Number.isFinite(SegmentWall[name][entity]));
+    if (field === undefined) {
+      reported.delete(entity);
+    } else if (!reported.has(entity)) {
+      reported.add(entity);
+      const value = SegmentWall[field][entity];
+      reportFault(world, { code: 'E_NONFINITE', entity, field: `SegmentWall.${field}`, value, phase: 'finish' });
+    }
+  }
 }
 
 /**

@@ -55,18 +55,37 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
   };
   if (!isSameIndex(world, saved)) {
     const wanted = new Set(saved.dense.subarray(0, saved.alive));
-    const { dense, aliveCount } = contextOf(world).entityIndex;
-    for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeWholly(world, eid));
+    removeOthers(world, wanted, attempt);
     for (const eid of wanted) if (!entityExists(world, eid)) revive(world, eid);
   }
+  changeAllComponents(world, saved, attempt);
+  // Observers may have made entities, or changed components, when they were told of those that came back.
+  for (let round = 0; round < MAX_ROUNDS && !isSameIndex(world, saved); round++) {
+    removeOthers(world, new Set(saved.dense.subarray(0, saved.alive)), attempt);
+    changeAllComponents(world, saved, attempt);
+    if (contextOf(world).entityIndex.aliveCount === saved.alive) break;
+  }
+  writeIndex(world, saved);
+  return thrown;
+}
+
+/** Rounds in which the edits of observers are taken back: one that always makes another is not waited for. */
+const MAX_ROUNDS = 8;
+
+type Attempt = (act: () => void) => void;
+
+function removeOthers(world: PhysicsWorld, wanted: ReadonlySet<number>, attempt: Attempt): void {
+  const { dense, aliveCount } = contextOf(world).entityIndex;
+  for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeWholly(world, eid));
+}
+
+function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt: Attempt): void {
   const { members } = world.internal;
   const rows = Math.max(saved.rows, world.lastId + 1);
   for (let eid = 1; eid < rows; eid++) {
     const bits = eid < saved.rows ? saved.members[eid] : 0;
-    if (members[eid] !== bits) attempt(() => changeComponents(world, eid, bits));
+    if (members[eid] !== bits) changeComponents(world, eid, bits, attempt);
   }
-  writeIndex(world, saved);
-  return thrown;
 }
 
 function isSameIndex(world: PhysicsWorld, { dense, alive, maxId }: SavedEntities): boolean {
@@ -93,12 +112,13 @@ function revive(world: PhysicsWorld, eid: number): void {
   addEntity(world);
 }
 
-function changeComponents(world: PhysicsWorld, eid: number, bits: number): void {
+/** Each by itself: an observer that throws at one must not keep the others away. */
+function changeComponents(world: PhysicsWorld, eid: number, bits: number, attempt: Attempt): void {
   for (const name of COMPONENT_NAMES) {
     const differs = ((world.internal.members[eid] ^ bits) & bitOf(name)) !== 0;
     if (!differs) continue;
-    if ((bits & bitOf(name)) !== 0) addComponent(world, eid, world.components[name]);
-    else removeComponent(world, eid, world.components[name]);
+    if ((bits & bitOf(name)) !== 0) attempt(() => addComponent(world, eid, world.components[name]));
+    else attempt(() => removeComponent(world, eid, world.components[name]));
   }
 }
 

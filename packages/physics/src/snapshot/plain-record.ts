@@ -4,6 +4,7 @@ import { isKept } from './keep-state.ts';
 
 /** Copies one object; made for it once. */
 interface Copy {
+  readonly target: object;
   /** Copies the contents, and visits what they are. */
   take(visit: (value: unknown) => void): void;
   putBack(): void;
@@ -57,9 +58,23 @@ export class PlainRecord {
     this.#copies.length = this.#count;
   }
 
+  /** An object that was frozen since, whose contents cannot be put back. */
+  findFrozen(): object | undefined {
+    for (let i = 0; i < this.#count; i++) {
+      const { target } = this.#copies[i];
+      if (!ArrayBuffer.isView(target) && Object.isFrozen(target) && hasContents(target)) return target;
+    }
+    return undefined;
+  }
+
   putBack(): void {
     for (let i = 0; i < this.#count; i++) this.#copies[i].putBack();
   }
+}
+
+/** Freezing leaves the entries of maps and sets as they are. */
+function hasContents(value: object): boolean {
+  return !(value instanceof Map) && !(value instanceof Set) && Object.keys(value).length > 0;
 }
 
 function copyOf(value: object): Copy | undefined {
@@ -67,7 +82,10 @@ function copyOf(value: object): Copy | undefined {
   if (ArrayBuffer.isView(value)) return value instanceof DataView ? undefined : new NumbersCopy(value as Float64Array);
   if (value instanceof Map) return new MapCopy(value);
   if (value instanceof Set) return new SetCopy(value);
-  const isPlain = Object.getPrototypeOf(value) === Object.prototype || isKept(value);
+  const prototype = Object.getPrototypeOf(value);
+  // A frozen object without a prototype is a module, such as the functions of kernels.
+  const isDictionary = prototype === null && !Object.isFrozen(value);
+  const isPlain = prototype === Object.prototype || isDictionary || isKept(value);
   return isPlain ? new ObjectCopy(value) : undefined;
 }
 

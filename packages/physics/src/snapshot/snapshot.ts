@@ -46,7 +46,9 @@ export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {
  */
 export function restore(world: PhysicsWorld, taken: Snapshot): void {
   assertIdle(world, 'restore');
-  const thrown = contentOf(world, taken, 'restore').putBack();
+  const content = contentOf(world, taken, 'restore');
+  content.assertWritable();
+  const thrown = content.putBack();
   world.versions.restored++;
   if (thrown.length > 0) throw new AggregateError(thrown, `restore: observers threw ${thrown.length} error(s).`);
 }
@@ -68,7 +70,7 @@ function contentOf(world: PhysicsWorld, taken: Snapshot, caller: string): Conten
 
 /** What a snapshot holds: everything it needs is kept and written again when it is taken anew. */
 class Content implements Snapshot {
-  readonly world: PhysicsWorld;
+  readonly #world: PhysicsWorld;
   time = 0;
   tick = 0;
   /** Whether it was taken to the end. */
@@ -88,12 +90,16 @@ class Content implements Snapshot {
   #sweptRows = 0;
 
   constructor(world: PhysicsWorld) {
-    this.world = world;
+    this.#world = world;
     this.#integrator = world.integrator;
     const { buffer } = world.memory;
     this.#plain = new PlainRecord(
       (value) => value === world || isImmutable(value) || (ArrayBuffer.isView(value) && value.buffer === buffer),
     );
+  }
+
+  get world(): PhysicsWorld {
+    return this.#world;
   }
 
   get bytes(): number {
@@ -118,6 +124,17 @@ class Content implements Snapshot {
     this.time = world.time;
     this.tick = world.tick;
     this.isWhole = true;
+  }
+
+  /** @throws PhysicsError E_TYPE when an object named to `keepState` was frozen since */
+  assertWritable(): void {
+    const frozen = this.#plain.findFrozen();
+    if (frozen === undefined) return;
+    throw new PhysicsError('E_TYPE', 'an object of the state was frozen since the snapshot, and cannot be restored.', {
+      field: 'keepState',
+      value: frozen,
+      hint: 'Do not freeze what keepState was given, or mark what never changes with markImmutable.',
+    });
   }
 
   /** @returns what observers threw */

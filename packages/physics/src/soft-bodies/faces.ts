@@ -1,9 +1,10 @@
 // Edges or triangles of a network in the world's memory, for kernels: the first corners of all faces, the second ones and
 // so on, then which lives they are.
 
-import { assertBody } from '../ecs/entity-ref.ts';
+import { assertBody, isBody } from '../ecs/entity-ref.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { allocate } from '../memory/arena.ts';
+import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { partsOf } from './strips.ts';
 
@@ -23,15 +24,8 @@ export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): 
   if (ids.length % corners !== 0) {
     throw new PhysicsError('E_RANGE', `${field} must hold ${corners} ids a face, got ${ids.length}.`, { field });
   }
-  const places = new WeakMap<PhysicsWorld, Faces>();
-  return (world) => {
-    let faces = places.get(world);
-    if (faces === undefined) {
-      faces = place(world, ids, corners, field);
-      places.set(world, faces);
-    }
-    return faces;
-  };
+  // A resource, so that a snapshot knows whether they were there: their memory is given back when it is restored.
+  return resource((world) => place(world, ids, corners, field));
 }
 
 /** Room behind the faces for the forces on some of them: kernels/xpbd/faces.ts. */
@@ -39,7 +33,7 @@ const FORCES = 16 + 3 * 128 * 8;
 
 function place(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, field: string): Faces {
   const { arena, generations } = world.internal;
-  for (let i = 0; i < ids.length; i++) assertBody(world, ids[i]);
+  for (let i = 0; i < ids.length; i++) if (!wasBody(world, ids[i])) assertBody(world, ids[i]);
   const count = ids.length / corners;
   const list = corners === 3 ? partsOf(ids, world.rows) : [];
   const at = allocate(arena, 8 * ids.length + FORCES, field);
@@ -49,7 +43,13 @@ function place(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, fie
   for (let i = 0; i < ids.length; i++) {
     const word = count * (i % corners) + Math.floor(i / corners);
     words[word] = ids[i];
-    words[word + ids.length] = generations[ids[i]];
+    // A node that is gone already is one that was lost: no generation is this high.
+    words[word + ids.length] = isBody(world, ids[i]) ? generations[ids[i]] : 0xffffffff;
   }
   return { at, count, parts };
+}
+
+/** Whether some body had this id, be it gone now. */
+function wasBody({ capacity, internal }: PhysicsWorld, eid: number): boolean {
+  return Number.isInteger(eid) && eid > 0 && eid <= capacity && internal.generations[eid] > 0;
 }

@@ -43,11 +43,14 @@ export interface PhysicsWorldOptions {
   /** A fault found in a step: 'quarantine' (default) goes on without the body, 'throw' also throws when the step ends. */
   readonly onFault?: 'quarantine' | 'throw';
   /**
-   * Bytes for features that need memory of their own (contacts, grids); default what the preset asks for, or 256, per
-   * entity, and at least 1 MiB.
+   * Bytes for features that need memory of their own (contacts, grids); default 2 MiB, and what the preset asks for, or
+   * 256, per entity.
    */
   readonly arenaBytes?: number;
 }
+
+/** What features take however few the bodies are: trees, grids, tables of coefficients. */
+const DEFAULT_ARENA_BYTES = 2 ** 21;
 
 const OPTIONS = [
   'dimensions',
@@ -79,10 +82,11 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const rows = Math.ceil((capacity + 1) / 1024) * 1024;
   const { preset = standard, integrator = velocityVerlet, forces = [] } = options;
   const perEntity = preset.bytesPerEntity?.(dimensions, precision) ?? 256;
-  const extra = checkNumber(options.arenaBytes ?? Math.max(2 ** 20, perEntity * rows), 'arenaBytes', {
-    min: 0,
-    max: 2 ** 32,
-  });
+  const { arenaBytes } = options;
+  const extra =
+    arenaBytes === undefined
+      ? DEFAULT_ARENA_BYTES + perEntity * rows
+      : checkNumber(arenaBytes, 'arenaBytes', { min: 0, max: 2 ** 32 });
   const components = checkOwnComponents(options.components);
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
   const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES);
@@ -178,6 +182,7 @@ function bookkeeping(components: Components) {
     unobserved: new Set(),
     templates: new Map(),
     ending: false,
+    isTrial: false,
     rangesVersion: -1,
     sweptRows: 0,
   };

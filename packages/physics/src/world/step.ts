@@ -1,5 +1,6 @@
 import { prepareForces } from '../dynamics/evaluate-forces.ts';
 import { prepareLoops } from '../dynamics/fused-step.ts';
+import { validateCoefficients } from '../dynamics/validate-coefficients.ts';
 import { applyDeferredEdits } from '../ecs/deferred.ts';
 import { assertIdle } from '../ecs/guards.ts';
 import { refreshRanges } from '../ecs/ranges.ts';
@@ -35,11 +36,9 @@ export function step(world: PhysicsWorld, dt: number): void {
   checkNumber(world.time, 'world.time');
   const plan = currentPlan(world);
   clearStepErrors(world);
-  // From here on users' code runs, but nothing has moved: what it throws comes out of this call.
-  prepareLoops(world);
-  prepareForces(world, dt);
-  world.integrator.prepare?.(world, dt);
+  prepare(world, dt);
   refreshRanges(world);
+  validateCoefficients(world);
   world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
 
   world.state = 'stepping';
@@ -60,4 +59,21 @@ export function step(world: PhysicsWorld, dt: number): void {
   world.state = 'idle';
   if (world.internal.ending) destroyWorld(world);
   throwStepErrors(world);
+}
+
+/**
+ * What happens before anything has moved: an error refuses the step. Forces that consume something come last, so that a
+ * refused step has consumed nothing.
+ */
+function prepare(world: PhysicsWorld, dt: number): void {
+  world.state = 'preparing';
+  try {
+    prepareLoops(world);
+    world.integrator.prepare?.(world, dt);
+    prepareForces(world, dt);
+  } catch (error) {
+    world.state = 'idle';
+    if (world.internal.ending) destroyWorld(world);
+    throw error;
+  }
 }

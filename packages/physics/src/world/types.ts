@@ -260,8 +260,8 @@ export interface PhysicsWorld {
   readonly versions: { pose: number; style: number; membership: number; restored: number };
   readonly faults: FaultLog;
   profile: Profile | undefined;
-  /** 'settling' is the end of a step, when the edits made during it take effect. */
-  state: 'idle' | 'stepping' | 'settling' | 'destroyed';
+  /** 'preparing' is before anything has moved, 'settling' is the end of a step, when the edits made during it take effect. */
+  state: 'idle' | 'preparing' | 'stepping' | 'settling' | 'destroyed';
   /** Not for users. */
   readonly internal: WorldInternals;
 }
@@ -304,6 +304,8 @@ export interface WorldInternals {
   readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
   /** The world ends with this step. */
   ending: boolean;
+  /** The integrator tries a state that it may reject: a bad force there is no fault. */
+  isTrial: boolean;
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   rangesVersion: number;
   /** Rows that hold anything, rounded up to whole blocks. */

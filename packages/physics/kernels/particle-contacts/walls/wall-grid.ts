@@ -78,17 +78,19 @@ export function gatherSegments(
   friction: usize,
 ): void {
   const g = changetype<WallGrid>(grid);
-  g.count = count;
+  let n = 0;
   wallsMinX = wallsMinY = <real>Infinity;
   wallsMaxX = wallsMaxY = -(<real>Infinity);
   for (let i = 0; i < count; i++) {
     const id = word(ids, i);
-    const s = segment(g, i);
     const x = get(ax, id);
     const y = get(ay, id);
     const dx = get(bx, id) - x;
     const dy = get(by, id) - y;
     const length = sqrt<real>(dx * dx + dy * dy);
+    // A wall with an end that is not finite stops nobody, and must not open the others.
+    if (!isFinite<real>(x + y + length)) continue;
+    const s = segment(g, n++);
     s.minX = min<real>(x, x + dx);
     s.minY = min<real>(y, y + dy);
     s.maxX = max<real>(x, x + dx);
@@ -106,6 +108,7 @@ export function gatherSegments(
     wallsMaxX = max<real>(wallsMaxX, s.maxX);
     wallsMaxY = max<real>(wallsMaxY, s.maxY);
   }
+  g.count = n;
   listWalls(g);
 }
 

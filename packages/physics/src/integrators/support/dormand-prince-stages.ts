@@ -90,7 +90,9 @@ export function takeSubStep(world: PhysicsWorld, ranges: Ranges, stages: Stages,
   for (let i = 1; i < STAGES; i++) {
     setWeights(stages, C, i, AA[i], A[i]);
     moveToStage(world, ranges, stages, i);
+    world.internal.isTrial = true;
     evaluateForces(world, ranges, world.time + scalars[PASSED] + C[i] * scalars[STEP]);
+    world.internal.isTrial = false;
     keepAcceleration(world, ranges, stages, i);
   }
 }

@@ -1,5 +1,7 @@
 // The constants of the fifteenth-order Gauss-Radau scheme, and the memory it needs.
+
 import type { RealColumn } from '../../components/define.ts';
+import { MOVABLE } from '../../ecs/partial-entities.ts';
 import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
@@ -31,7 +33,9 @@ export const STEP = 3;
 export const NEXT = 4;
 /** By how much a sweep over the nodes changed the last term, in parts of the largest acceleration. */
 export const CHANGE = 5;
-const SCALARS = 6;
+/** Evaluations of the forces in this step. */
+export const EVALUATIONS = 6;
+const SCALARS = 7;
 
 /** Columns of an axis, kernels/integrators/radau.ts: b₆ and the acceleration at the start. */
 export const LAST_TERM = 6;
@@ -74,7 +78,21 @@ function makeRadau(world: PhysicsWorld) {
     powers,
   ]);
   const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 8 * SCALARS, 'Gauss-Radau'), SCALARS);
-  return { table, scalars, kernels: integratorKernels(world) };
+  return { table, scalars, kernels: integratorKernels(world), blocks, stride, membership: -1, rows: 0 };
+}
+
+/** Zeroes what the columns hold of bodies that are gone: it would go on moving their rows. */
+export function clearGoneBodies(world: PhysicsWorld, radau: Radau): void {
+  const { kernels, internal, versions, lastId } = world;
+  if (radau.membership === versions.membership) return;
+  radau.membership = versions.membership;
+  const rows = Math.max(radau.rows, lastId + 1);
+  radau.rows = lastId + 1;
+  for (const block of radau.blocks) {
+    for (let column = 0; column < AXIS_COLUMNS; column++) {
+      kernels.zeroAbsent(block + column * radau.stride, internal.membersAt, MOVABLE, 0, rows);
+    }
+  }
 }
 
 /** Integrals of 1, h, … h⁷ from the start to h: twice for positions (8 weights), once for velocities (8 more). */
