@@ -29,12 +29,3 @@ export function presetsTable(): string {
     ...PHASES.map((phase) => `| \`${phase}\` | ${cells(phase).join(' | ')} |`),
   ].join('\n');
 }
-
-const [START, END] = ['<!-- made by `npx vitest run test/docs/presets.test.ts -u` -->', '<!-- end -->'];
-
-/** The page with its table made anew. */
-export function withPresets(page: string): string {
-  const [start, end] = [page.indexOf(START), page.indexOf(END)];
-  if (start < 0 || end < start) throw new Error('docs/presets.md has lost the marks of its table.');
-  return `${page.slice(0, start)}${START}\n${presetsTable()}\n${page.slice(end)}`;
-}
