@@ -8,7 +8,7 @@ const texts = readdirSync(source)
   .filter((name) => name.endsWith('.ts'))
   .map((name) => readFileSync(`${source}/${name}`, 'utf8'));
 
-/** A component that more laws than this read gets their number, and not their names. */
+/** A component that more laws than this read does not get their names. */
 const MAX_LAWS_NAMED = 12;
 
 /** What reads a component besides the laws. The test checks that every name in backticks exists. */
@@ -106,7 +106,7 @@ function readersOf(name: ComponentName): string {
   const laws = LAW_RECORDS.filter((record) => makeLaw(record).reads.includes(name)).map(({ maker }) => maker);
   const makers = [...new Set(laws)];
   const named = makers.map((maker) => `[\`${maker}\`](forces.md#${maker.toLowerCase()})`).join(', ');
-  const shown = makers.length > MAX_LAWS_NAMED ? `${makers.length} of [the laws](forces.md)` : named;
+  const shown = makers.length > MAX_LAWS_NAMED ? 'many of [the laws](forces.md)' : named;
   return [OTHER_READERS[name] ?? '', shown].filter(Boolean).join('; ');
 }
 
