@@ -1,0 +1,61 @@
+// The page of docs/in-your-own-project.md that needs no bundler, opened in a browser under the Content-Security-Policy that
+// the same page recommends. What it asks of the CDN is answered from the built packages.
+import { readFileSync } from 'node:fs';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { buildPackages } from '../../scripts/build-packages.mjs';
+import { launchChromium } from '../support/chromium.ts';
+import { htmlOf } from '../support/import-map.ts';
+
+const html = htmlOf(readFileSync('docs/in-your-own-project.md', 'utf8'));
+const ORIGIN = 'http://own-project.test/';
+let browser: Browser;
+
+beforeAll(async () => {
+  [browser] = await Promise.all([launchChromium(), buildPackages()]);
+});
+
+afterAll(() => browser?.close());
+
+/** The file behind an address such as https://cdn.jsdelivr.net/npm/bitecs@0.4.0/dist/core/index.min.mjs. */
+function fileOf(address: string): string {
+  const [, name, path] = /\/npm\/(@?[^@]+)@[^/]+\/(.*)$/.exec(address) ?? [];
+  return `node_modules/${name}/${path}`;
+}
+
+async function openUnder(scriptSources: string): Promise<{ page: Page; errors: string[] }> {
+  const page = await browser.newPage();
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  await page.route('https://cdn.jsdelivr.net/**', (route) =>
+    route.fulfill({
+      body: readFileSync(fileOf(route.request().url())),
+      contentType: 'text/javascript',
+      headers: { 'access-control-allow-origin': '*' },
+    }),
+  );
+  await page.route(ORIGIN, (route) =>
+    route.fulfill({
+      body: `<!doctype html><title>…</title>${html.replaceAll('<script ', '<script nonce="page" ')}`,
+      contentType: 'text/html; charset=utf-8',
+      headers: { 'content-security-policy': `script-src 'nonce-page' https://cdn.jsdelivr.net ${scriptSources}` },
+    }),
+  );
+  await page.goto(ORIGIN, { waitUntil: 'networkidle' });
+  return { page, errors };
+}
+
+test('the page with an import map runs under the recommended policy', async () => {
+  const { page, errors } = await openUnder("'wasm-unsafe-eval'");
+  expect(errors).toEqual([]);
+  // 10 m - g t²/2 with g = 10 m/s² after one second; velocity Verlet is exact for constant forces.
+  expect(await page.title()).toBe('The ball is at 5.00 m.');
+  await page.close();
+});
+
+test('without wasm-unsafe-eval the error names what is missing', async () => {
+  const { page, errors } = await openUnder('');
+  expect(errors.join()).toMatch(/forbids compiling WebAssembly/);
+  expect(errors.join()).toMatch(/'wasm-unsafe-eval'/);
+  await page.close();
+});
