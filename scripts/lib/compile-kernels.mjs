@@ -32,11 +32,10 @@ const SHORT = ['math/module.ts'];
 const PLAIN = ['index.ts'];
 
 /**
- * @typedef {{ wasm: Uint8Array, declarations: string }} CompiledKernels
- * @typedef {{ start: number, end: number }} Room addresses in a world's memory, which modules share
+ * @typedef {{ wasm: Uint8Array<ArrayBuffer>, declarations: string }} CompiledKernels
  * @param {string} folder the folder of the kernels
  * @param {string} entry the module in it
- * @param {Room} constants where its constants go; more than fit there do not compile
+ * @param {import('./low-memory-map.mjs').Room} constants where its constants go; more than fit there do not compile
  * @param {boolean} [alwaysF64] whether one build is for worlds of both precisions: kernels that use `real` do not compile
  * @returns {Promise<{ f32: CompiledKernels, f64: CompiledKernels }>}
  */
@@ -60,14 +59,15 @@ export async function compileKernels(folder, entry, { start, end }, alwaysF64 = 
 }
 
 /**
+ * Compiles one file for one precision.
  * @param {string} folder
  * @param {string} entry
  * @param {'f32' | 'f64'} precision
- * @param {string} output
+ * @param {string} output the folder where the compiler writes
  * @param {string[]} flags
  * @returns {Promise<CompiledKernels>}
  */
-async function compile(folder, entry, precision, output, flags) {
+export async function compile(folder, entry, precision, output, flags) {
   const compiler = resolveInstalled('assemblyscript/bin/asc.js');
   const file = `${output}/${precision}.wasm`;
   const args = [`${folder}/${entry}`, '--baseDir', folder, '--outFile', file, ...compilerFlags, ...flags];

@@ -2,7 +2,8 @@
 
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { forEachRange } from '../ecs/ranges.ts';
-import { allocate } from '../memory/arena.ts';
+import { PLANE_COLUMNS_BYTES, PlaneColumnsWord } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { LocalSystem } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
@@ -14,9 +15,9 @@ interface PlaneList extends EntityList {
 
 const planeList = resource<PlaneList>((world) => {
   const { nx, ny, nz, offset, restitution, friction } = world.addresses.PlaneWall;
-  const columns = allocate(world.internal.arena, 4 * 6, 'plane walls');
-  new Uint32Array(world.memory.buffer, columns, 6).set([nx, ny, nz, offset, restitution, friction]);
-  return { columns, ...emptyEntityList() };
+  const { at, words } = allocateRecord(world.internal.arena, PLANE_COLUMNS_BYTES, 'plane walls');
+  words.set([nx, ny, nz, offset, restitution, friction], PlaneColumnsWord.nx);
+  return { columns: at, ...emptyEntityList() };
 });
 
 /**

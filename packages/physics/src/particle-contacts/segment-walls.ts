@@ -3,7 +3,8 @@
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { forEachRange } from '../ecs/ranges.ts';
 import { allocate } from '../memory/arena.ts';
-import { realBytes } from '../memory/columns.ts';
+import { SEGMENT_BYTES, WALL_GRID_BYTES, WallGridWord as Word } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
@@ -11,18 +12,6 @@ import { collisionKernels } from './kernels.ts';
 /** Cells of the walls' grid along one axis, at most; and entries of its lists for each wall. */
 const MAX_SIDE = 64;
 const ITEMS_A_WALL = 16;
-
-/** The words of `WallGrid` in kernels/particle-contacts/walls/wall-grid.ts. */
-const enum GridWord {
-  count,
-  segments,
-  starts,
-  items,
-  mostItems,
-  side,
-  /** How many there are. */
-  end,
-}
 
 interface SegmentList extends EntityList {
   readonly grid: number;
@@ -33,9 +22,8 @@ interface SegmentList extends EntityList {
 
 const segmentList = resource<SegmentList>((world) => {
   const { arena } = world.internal;
-  const grid = allocate(arena, 4 * GridWord.end, 'segment walls');
-  const words = new Uint32Array(world.memory.buffer, grid, GridWord.end);
-  words[GridWord.starts] = allocate(arena, 4 * (MAX_SIDE * MAX_SIDE + 2), 'segment walls');
+  const { at: grid, words } = allocateRecord(arena, WALL_GRID_BYTES, 'segment walls');
+  words[Word.starts] = allocate(arena, 4 * (MAX_SIDE * MAX_SIDE + 2), 'segment walls');
   return { grid, words, tick: -1, ...emptyEntityList() };
 });
 
@@ -43,12 +31,12 @@ const segmentList = resource<SegmentList>((world) => {
 function gather(world: PhysicsWorld): SegmentList {
   const list = segmentList(world);
   if (list.tick === world.tick) return list;
-  const size = 12 * realBytes(world.precision);
+  const size = SEGMENT_BYTES[world.precision];
   if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_A_WALL)) {
     const { words, at, room } = list;
-    words[GridWord.segments] = at;
-    words[GridWord.items] = at + size * room;
-    words[GridWord.mostItems] = ITEMS_A_WALL * room;
+    words[Word.segments] = at;
+    words[Word.items] = at + size * room;
+    words[Word.mostItems] = ITEMS_A_WALL * room;
   }
   const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
   collisionKernels(world).gatherSegments(list.grid, list.ids, list.count, ax, ay, bx, by, restitution, friction);

@@ -11,8 +11,9 @@ import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from '
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { instantiateKernels, type Precision } from '../kernels/instantiate.ts';
 import { type Arena, createArena, type MemoryFactory } from '../memory/arena.ts';
-import { RESERVED_BYTES, writeColumnTable } from '../memory/column-table.ts';
+import { writeColumnTable } from '../memory/column-table.ts';
 import { columnCounts, componentColumns, realBytes, wordColumn } from '../memory/columns.ts';
+import { FIRST_COLUMN } from '../memory/layouts.gen.ts';
 import { POSE } from '../memory/previous-pose.ts';
 import { createScratch, SCRATCH_COLUMNS } from '../memory/scratch.ts';
 import { standard } from '../presets/standard.ts';
@@ -88,7 +89,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   });
   const components = checkOwnComponents(options.components);
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
-  const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES, options.memoryFactory);
+  const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN, options.memoryFactory);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault };
   const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows, components) }) as PhysicsWorld;
   world.internal.componentMap = contextOf(world).componentMap;

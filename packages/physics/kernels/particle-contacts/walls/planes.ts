@@ -8,7 +8,7 @@ import { recordNearWall, recordWallContact } from './record';
 
 // Where the planes' columns are; src/particle-contacts/plane-walls.ts fills it.
 @unmanaged
-class PlaneColumns {
+export class PlaneColumns {
   nx: usize;
   ny: usize;
   nz: usize;
