@@ -20,7 +20,8 @@ export const INTEGRATORS_CONSTANTS: usize = 2048;
 export const MATH_CONSTANTS: usize = 2304;
 export const N_BODY_CONSTANTS: usize = 2560;
 export const PARTICLE_CONTACTS_CONSTANTS: usize = 2816;
-export const XPBD_CONSTANTS: usize = 3072;
+export const SOFT_BODIES_CONSTANTS: usize = 3072;
+export const XPBD_CONSTANTS: usize = 3584;
 
 // Where columns begin.
 export const FIRST_COLUMN: usize = 4096;

@@ -14,8 +14,8 @@ import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { SPEEDS } from '../forces/support/bounds.ts';
 import { shownVector, timeVector, type VectorOverTime } from '../laws/time-vector.ts';
 import type { Force } from '../world/types.ts';
-import { constraintKernels } from '../xpbd/kernels.ts';
 import { facesOf } from './faces.ts';
+import { softBodyKernels } from './kernels.ts';
 
 export interface ClothWindOptions {
   /** Entity ids of the corners of the triangles, three each: `cloth.triangles`. */
@@ -60,7 +60,7 @@ export function clothWind(options: ClothWindOptions): Force {
       const { x, y, z } = wind.at(world, time);
       const f = world.scratch.at.force;
       const lives = world.internal.generations.byteOffset;
-      const blow = constraintKernels(world).blowTriangles;
+      const blow = softBodyKernels(world).blowTriangles;
       blow(at, count, parts, lives, f.x, f.y, f.z, x, y, z, density, normal, tangential);
     },
   };

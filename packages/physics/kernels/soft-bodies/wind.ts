@@ -3,7 +3,7 @@ import { LANES, at } from '../memory/lanes';
 import { blow, breeze, setBreeze } from './blow';
 import { CHUNK, chunkOf, pushChunk, readTriangles, triangles } from './faces';
 import { blowStrip, isWholeStrip } from './strips';
-import { word } from './table';
+import { word } from '../xpbd/table';
 
 // Of each part of the faces two words: its first face, and whether it is a strip; behind the last, the number of faces.
 // A triangle that lost a corner feels nothing.

@@ -5,7 +5,7 @@ import { columns } from '../memory/columns';
 import { LANES, add, at, splat, sub } from '../memory/lanes';
 import { blow, breeze } from './blow';
 import { corner } from './faces';
-import { word } from './table';
+import { word } from '../xpbd/table';
 
 // Whether all nodes of a strip still live.
 export function isWholeStrip(faces: usize, count: i32, first: i32, last: i32, generations: usize): bool {
