@@ -93,7 +93,6 @@ async function layoutsText(from, map) {
   for (const { name, bytes } of layouts) {
     if (name === 'Columns') roomFor(map, 'COLUMN_TABLE', bytes.f64, `The class ${name}`);
     if (name === 'Body') roomFor(map, 'WALL_BODIES', 2 * bytes.f64, `Two of the class ${name}`);
-    if (name.endsWith('Arguments')) roomFor(map, 'ARGUMENTS', bytes.f64, `The class ${name}`);
   }
   const addresses = [...map].map(([name, { start }]) => `export const ${name} = ${start};\n`).join('');
   return `/* Addresses in a world's memory: kernels/memory/low-memory-map.ts. */\n${addresses}${layoutText(layouts)}`;

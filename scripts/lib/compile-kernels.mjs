@@ -31,6 +31,9 @@ const SHORT = ['math/module.ts'];
 /** Modules that are faster without the last level of optimization: springs take 0.93 of the time in f64, 0.92 in f32. */
 const PLAIN = ['index.ts'];
 
+/** A call with more arguments cannot be read: which is which. */
+const MAX_PARAMETERS = 8;
+
 /**
  * @typedef {{ wasm: Uint8Array<ArrayBuffer>, declarations: string }} CompiledKernels
  * @param {string} folder the folder of the kernels
@@ -108,6 +111,12 @@ export function kernelInterface({ f32, f64 }) {
       throw new Error(
         `The exported kernel ${place} has a default parameter, which callers outside WebAssembly cannot leave out ` +
           `safely: give ${name} plain parameters and put the default in TypeScript.`,
+      );
+    }
+    if (parameters.split(',').length > MAX_PARAMETERS) {
+      throw new Error(
+        `The exported kernel ${place} has more than ${MAX_PARAMETERS} parameters: give ${name} the address of an ` +
+          'exported @unmanaged class, whose layout TypeScript gets.',
       );
     }
     const exact = types.map((type, i) => (type === wide[index]?.types[i] ? type : type.replace('f32', 'real')));

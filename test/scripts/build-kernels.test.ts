@@ -139,6 +139,13 @@ test('an exported kernel takes every argument', () => {
   expect(() => kernelInterface({ f32: compiled, f64: compiled })).toThrow(/index\/kick has a default parameter/);
 });
 
+test('an exported kernel has at most eight parameters', () => {
+  const parameters = Array.from({ length: 9 }, (_, i) => `p${i}: number`).join(', ');
+  const declarations = `/** index/kick */\nexport function kick(${parameters}): void;`;
+  const compiled = { wasm: new Uint8Array(), declarations };
+  expect(() => kernelInterface({ f32: compiled, f64: compiled })).toThrow(/index\/kick has more than 8 parameters/);
+});
+
 test('a missing entry file is said plainly', async () => {
   await expect(build()).rejects.toThrow(/index\.ts is missing/);
 });

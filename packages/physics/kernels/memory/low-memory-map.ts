@@ -5,9 +5,6 @@
 // The addresses of columns: class Columns.
 export const COLUMN_TABLE: usize = 64;
 
-// The arguments of a kernel that takes too many to pass each: written before the call, read by it, and not kept.
-export const ARGUMENTS: usize = 256;
-
 // Two bodies of particle-contacts/body.ts for walls, which have no contacts table: row 0, which belongs to nobody and
 // holds zeros, and the body at the wall.
 export const WALL_BODIES: usize = 512;

@@ -11,6 +11,7 @@
 import { checkKeys, checkNumber, type Vector } from '../errors/validate.ts';
 import { raise } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
+import { EmbeddedErrorWord } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import {
   begin,
@@ -90,7 +91,7 @@ function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: 
   begin(world, ranges, stages);
   for (let tries = 0; passed < dt; tries++) {
     if (wanted < SHORTEST * dt || tries > MAX_TRIES) {
-      reportUnderflow(world, stages.kernels.rowOfWorstError(), wanted);
+      reportUnderflow(world, stages.error.words[EmbeddedErrorWord.worstRow], wanted);
       crossBlindly(world, ranges, passed, dt, evaluateForces);
       return;
     }

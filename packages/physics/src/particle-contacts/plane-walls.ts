@@ -17,6 +17,8 @@ const planeList = resource<PlaneList>((world) => {
   const { nx, ny, nz, offset, restitution, friction } = world.addresses.PlaneWall;
   const { at, words } = allocateRecord(world.internal.arena, PLANE_COLUMNS_BYTES, 'plane walls');
   words.set([nx, ny, nz, offset, restitution, friction], PlaneColumnsWord.nx);
+  const start = world.scratch.at.startVelocity;
+  words.set([start.x, start.y, start.z], PlaneColumnsWord.startX);
   return { columns: at, ...emptyEntityList() };
 });
 
@@ -30,8 +32,7 @@ export const planeWalls: LocalSystem = {
     if (world.internal.counts.PlaneWall === 0) return;
     const list = planeList(world);
     refreshEntityList(world, list, 'PlaneWall', 0);
-    const { x, y, z } = world.scratch.at.startVelocity;
     const lag = (world.integrator.velocityLag ?? 0) * dt;
-    collisionKernels(world).planeWalls(list.columns, list.ids, list.count, x, y, z, dt, lag, first, last);
+    collisionKernels(world).planeWalls(list.columns, list.ids, list.count, dt, lag, first, last);
   }),
 };

@@ -23,6 +23,11 @@ interface SegmentList extends EntityList {
 const segmentList = resource<SegmentList>((world) => {
   const { arena } = world.internal;
   const { at: grid, words } = allocateRecord(arena, WALL_GRID_BYTES, 'segment walls');
+  const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
+  words.set([ax, ay, bx, by, restitution, friction], Word.ax);
+  const { Position } = world.previousAddresses;
+  const { startVelocity } = world.scratch.at;
+  words.set([Position.x, Position.y, startVelocity.x, startVelocity.y], Word.previousX);
   words[Word.starts] = allocate(arena, 4 * (MAX_SIDE * MAX_SIDE + 2), 'segment walls');
   return { grid, words, tick: -1, ...emptyEntityList() };
 });
@@ -38,8 +43,7 @@ function gather(world: PhysicsWorld): SegmentList {
     words[Word.items] = at + size * room;
     words[Word.mostItems] = ITEMS_A_WALL * room;
   }
-  const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
-  collisionKernels(world).gatherSegments(list.grid, list.ids, list.count, ax, ay, bx, by, restitution, friction);
+  collisionKernels(world).gatherSegments(list.grid, list.ids, list.count);
   list.tick = world.tick;
   return list;
 }
@@ -53,10 +57,8 @@ export const segmentWalls: LocalSystem = {
   run: forEachRange((world, first, last, dt) => {
     if (world.dimensions !== 2 || world.internal.counts.SegmentWall === 0) return;
     const { grid } = gather(world);
-    const { x, y } = world.previousAddresses.Position;
-    const start = world.scratch.at.startVelocity;
     const lag = (world.integrator.velocityLag ?? 0) * dt;
-    collisionKernels(world).segmentWalls(grid, x, y, start.x, start.y, dt, lag, first, last);
+    collisionKernels(world).segmentWalls(grid, dt, lag, first, last);
   }),
 };
 

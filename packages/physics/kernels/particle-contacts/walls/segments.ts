@@ -30,24 +30,17 @@ import {
   uX,
   uY,
 } from './sweep';
-import { Segment, WallGrid, columnX, columnY, segment, wallsMaxX, wallsMaxY, wallsMinX, wallsMinY } from './wall-grid';
+import { Segment, WallGrid, columnX, columnY, segment } from './wall-grid';
 
 const MOST_BOUNCES: i32 = 8;
 
-// Bounces rows [first, last). `previousX` and `previousY` are the positions at the start of the step, `startX` and
-// `startY` the velocities then, `lag` the time by which the integrator's velocities lag its positions.
-export function segmentWalls(
-  grid: usize,
-  previousX: usize,
-  previousY: usize,
-  startX: usize,
-  startY: usize,
-  dt: real,
-  lag: real,
-  first: i32,
-  last: i32,
-): void {
+// Bounces rows [first, last). `lag` is the time by which the integrator's velocities lag its positions.
+export function segmentWalls(grid: usize, dt: real, lag: real, first: i32, last: i32): void {
   const g = changetype<WallGrid>(grid);
+  const lowX = splat(<real>g.minX);
+  const lowY = splat(<real>g.minY);
+  const highX = splat(<real>g.maxX);
+  const highY = splat(<real>g.maxY);
   const c = columns();
   const zero = splat(0);
   const reach = splat(c.contacts == 0 ? <real>1 : WALL_REACH);
@@ -56,19 +49,14 @@ export function segmentWalls(
     const r = mul(v128.load(c.radius + o), reach);
     const x = v128.load(c.positionX + o);
     const y = v128.load(c.positionY + o);
-    const fx = v128.load(previousX + o);
-    const fy = v128.load(previousY + o);
-    const near = v128.and(
-      meets(x, fx, r, splat(wallsMinX), splat(wallsMaxX)),
-      meets(y, fy, r, splat(wallsMinY), splat(wallsMaxY)),
-    );
+    const fx = v128.load(g.previousX + o);
+    const fy = v128.load(g.previousY + o);
+    const near = v128.and(meets(x, fx, r, lowX, highX), meets(y, fy, r, lowY, highY));
     const solid = v128.and(v128.gt<real>(r, zero), v128.gt<real>(v128.load(c.mass + o), zero));
     if (!v128.any_true(v128.and(near, solid)) || (g.side == 1 && !meetsAny(g, x, y, fx, fy, r))) continue;
     for (let body = row; body < row + LANES; body++) {
       if (!(get(c.radius, body) > 0 && get(c.mass, body) > 0)) continue;
-      const fromX = get(previousX, body);
-      const fromY = get(previousY, body);
-      follow(g, c, body, fromX, fromY, startX, startY, dt, lag);
+      follow(g, c, body, dt, lag);
     }
   }
 }
@@ -93,19 +81,11 @@ function meetsAny(g: WallGrid, x: v128, y: v128, fx: v128, fy: v128, r: v128): b
 }
 
 // Follows one body from wall to wall.
-function follow(
-  g: WallGrid,
-  c: Columns,
-  row: i32,
-  x: real,
-  y: real,
-  startX: usize,
-  startY: usize,
-  dt: real,
-  lag: real,
-): void {
-  const ax = (get(c.velocityX, row) - get(startX, row)) / dt;
-  const ay = (get(c.velocityY, row) - get(startY, row)) / dt;
+function follow(g: WallGrid, c: Columns, row: i32, dt: real, lag: real): void {
+  const x = get(g.previousX, row);
+  const y = get(g.previousY, row);
+  const ax = (get(c.velocityX, row) - get(g.startX, row)) / dt;
+  const ay = (get(c.velocityY, row) - get(g.startY, row)) / dt;
   freeX = ax;
   freeY = ay;
   whole = dt;
@@ -127,7 +107,7 @@ function follow(
     const half = <real>0.5 * since;
     const metX = pX - since * (uX - half * aX);
     const metY = pY - since * (uY - half * aY);
-    bounceOff(segment(g, hitWall), c, row, startX, startY);
+    bounceOff(g, segment(g, hitWall), c, row);
     if (bounce == MOST_BOUNCES) setPath(x, y, 0, 0, 0, 0);
     put(c.positionX, row, pX);
     put(c.positionY, row, pY);
@@ -177,7 +157,7 @@ let freeY: real = 0;
 let whole: real = 0;
 
 // Applies the hit that was found: the rebound if the step can resolve it, else the body rests on the wall.
-function bounceOff(s: Segment, c: Columns, row: i32, startX: usize, startY: usize): void {
+function bounceOff(g: WallGrid, s: Segment, c: Columns, row: i32): void {
   const nx = hitX;
   const ny = hitY;
   const since = hitSince;
@@ -201,8 +181,8 @@ function bounceOff(s: Segment, c: Columns, row: i32, startX: usize, startY: usiz
   if (flies) flyOn(c, row, x, y, dx, dy, since);
   else restOn(x, y, nx, ny, dx, dy);
   // Neither an impact nor friction is an acceleration of this step, but what a wall holds does not accelerate.
-  put(startX, row, get(c.velocityX, row) - aX * whole);
-  put(startY, row, get(c.velocityY, row) - aY * whole);
+  put(g.startX, row, get(c.velocityX, row) - aX * whole);
+  put(g.startY, row, get(c.velocityY, row) - aY * whole);
   recordWallContact(row, s.id, nx, ny, 0, friction, impulse, flies ? <real>0 : impulse);
 }
 
