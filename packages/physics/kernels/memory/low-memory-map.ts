@@ -12,11 +12,11 @@ export const WALL_BODIES: usize = 512;
 // The constants that the compiler puts into memory for each module: kernels/index.ts, then every <feature>/module.ts.
 export const CORE_CONSTANTS: usize = 1024;
 export const EMITTERS_CONSTANTS: usize = 1536;
-export const FORCES_CONSTANTS: usize = 1792;
-export const INTEGRATORS_CONSTANTS: usize = 2048;
-export const MATH_CONSTANTS: usize = 2304;
-export const N_BODY_CONSTANTS: usize = 2560;
-export const PARTICLE_CONTACTS_CONSTANTS: usize = 2816;
+export const FORCES_CONSTANTS: usize = 1664;
+export const INTEGRATORS_CONSTANTS: usize = 1792;
+export const MATH_CONSTANTS: usize = 2048;
+export const N_BODY_CONSTANTS: usize = 2304;
+export const PARTICLE_CONTACTS_CONSTANTS: usize = 2560;
 export const SOFT_BODIES_CONSTANTS: usize = 3072;
 export const XPBD_CONSTANTS: usize = 3584;
 
