@@ -31,12 +31,14 @@ const SHORT = ['math/module.ts'];
 /** Modules that are faster without the last level of optimization: springs take 0.93 of the time in f64, 0.92 in f32. */
 const PLAIN = ['index.ts'];
 
+/** A call with more arguments cannot be read: which is which. */
+const MAX_PARAMETERS = 8;
+
 /**
- * @typedef {{ wasm: Uint8Array, declarations: string }} CompiledKernels
- * @typedef {{ start: number, end: number }} Room addresses in a world's memory, which modules share
+ * @typedef {{ wasm: Uint8Array<ArrayBuffer>, declarations: string }} CompiledKernels
  * @param {string} folder the folder of the kernels
  * @param {string} entry the module in it
- * @param {Room} constants where its constants go; more than fit there do not compile
+ * @param {import('./low-memory-map.mjs').Room} constants where its constants go; more than fit there do not compile
  * @param {boolean} [alwaysF64] whether one build is for worlds of both precisions: kernels that use `real` do not compile
  * @returns {Promise<{ f32: CompiledKernels, f64: CompiledKernels }>}
  */
@@ -60,14 +62,15 @@ export async function compileKernels(folder, entry, { start, end }, alwaysF64 = 
 }
 
 /**
+ * Compiles one file for one precision.
  * @param {string} folder
  * @param {string} entry
  * @param {'f32' | 'f64'} precision
- * @param {string} output
+ * @param {string} output the folder where the compiler writes
  * @param {string[]} flags
  * @returns {Promise<CompiledKernels>}
  */
-async function compile(folder, entry, precision, output, flags) {
+export async function compile(folder, entry, precision, output, flags) {
   const compiler = resolveInstalled('assemblyscript/bin/asc.js');
   const file = `${output}/${precision}.wasm`;
   const args = [`${folder}/${entry}`, '--baseDir', folder, '--outFile', file, ...compilerFlags, ...flags];
@@ -108,6 +111,12 @@ export function kernelInterface({ f32, f64 }) {
       throw new Error(
         `The exported kernel ${place} has a default parameter, which callers outside WebAssembly cannot leave out ` +
           `safely: give ${name} plain parameters and put the default in TypeScript.`,
+      );
+    }
+    if (parameters.split(',').length > MAX_PARAMETERS) {
+      throw new Error(
+        `The exported kernel ${place} has more than ${MAX_PARAMETERS} parameters: give ${name} the address of an ` +
+          'exported @unmanaged class, whose layout TypeScript gets.',
       );
     }
     const exact = types.map((type, i) => (type === wide[index]?.types[i] ? type : type.replace('f32', 'real')));

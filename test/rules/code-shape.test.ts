@@ -5,7 +5,7 @@ const longestFile = 400;
 const longestFunction = 70;
 
 const codeFiles = projectFiles.filter((path) => /^(packages|games|bench|scripts)\/.*\.(ts|mjs|js)$/.test(path));
-const sources = typescriptFiles.filter((path) => /^packages\/[^/]+\/src\//.test(path) && !isTest(path));
+const sources = typescriptFiles.filter((path) => /^packages\/[^/]+\/(src|kernels)\//.test(path) && !isTest(path));
 
 test(`no file is longer than ${longestFile} lines`, () => {
   const violations = codeFiles

@@ -14,6 +14,11 @@ const writeModule = (name: string, text: string) => {
   mkdirSync(join(folder, name));
   writeFileSync(join(folder, name, 'module.ts'), text);
 };
+const writeMap = (ranges: Record<string, number>) => {
+  const lines = Object.entries(ranges).map(([name, start]) => `export const ${name}: usize = ${start};\n`);
+  mkdirSync(join(folder, 'memory'), { recursive: true });
+  writeFileSync(join(folder, 'memory/low-memory-map.ts'), lines.join(''));
+};
 const build = () => buildKernels({ quiet: true, from: folder, to: generated });
 
 beforeEach(() => {
@@ -21,6 +26,13 @@ beforeEach(() => {
   folder = join(home, 'kernels');
   generated = join(home, 'generated');
   mkdirSync(folder);
+  writeMap({
+    COLUMN_TABLE: 64,
+    CORE_CONSTANTS: 512,
+    MATH_CONSTANTS: 1024,
+    SPRINGS_CONSTANTS: 1280,
+    FIRST_COLUMN: 1536,
+  });
 });
 
 afterEach(() => rmSync(join(folder, '..'), { recursive: true, force: true }));
@@ -81,12 +93,57 @@ test('constants of a feature that reach into those of the next do not compile', 
   await expect(build()).rejects.toThrow(/limit exceeded by static data/);
 }, 60_000);
 
+test('the map of low memory ascends, and has a range for each module', async () => {
+  write('export function core(): i32 { return 1; }\n');
+  writeModule('springs', 'export function stretch(): i32 { return 2; }\n');
+  writeMap({ COLUMN_TABLE: 64, CORE_CONSTANTS: 512, FIRST_COLUMN: 1536 });
+  await expect(build()).rejects.toThrow(/The module springs has no range: add SPRINGS_CONSTANTS/);
+  writeMap({ COLUMN_TABLE: 64, CORE_CONSTANTS: 512, SPRINGS_CONSTANTS: 512, FIRST_COLUMN: 1536 });
+  await expect(build()).rejects.toThrow(/SPRINGS_CONSTANTS is 512, but must be a multiple of 16 and at least 528/);
+  writeMap({ COLUMN_TABLE: 0, FIRST_COLUMN: 1536 });
+  await expect(build()).rejects.toThrow(/COLUMN_TABLE is 0, but must be a multiple of 16 and at least 64/);
+  writeMap({ COLUMN_TABLE: 64, CORE_CONSTANTS: 512, SPRINGS_CONSTANTS: 1024 });
+  await expect(build()).rejects.toThrow(/FIRST_COLUMN must be the last range/);
+});
+
+test('TypeScript gets the layouts of exported records, and the addresses', async () => {
+  write('export function core(): i32 { return 1; }\n');
+  mkdirSync(join(folder, 'bodies'));
+  const fields = ['ids: usize', 'mass: f64', 'count: i32'].map((field) => `  ${field};\n`).join('');
+  const real = '@unmanaged\nexport class Ball {\n  x: real;\n  id: i32;\n}\n';
+  const own = '@unmanaged\nclass Own {\n  x: f64;\n}\n';
+  writeFileSync(join(folder, 'bodies/list.ts'), `@unmanaged\nexport class List {\n${fields}}\n\n${real}\n${own}`);
+  await build();
+  const text = readFileSync(join(generated, '../memory/layouts.gen.ts'), 'utf8');
+  expect(text).toContain('export const FIRST_COLUMN = 1536;');
+  expect(text).toContain('export const LIST_BYTES = 24;');
+  expect(text).toContain('export const enum ListWord {\n  ids = 0,\n  count = 4,\n}');
+  expect(text).toContain('export const enum ListNumber {\n  mass = 1,\n}');
+  expect(text).toContain('export const BALL_BYTES = { f32: 8, f64: 16 } as const;');
+  expect(text).not.toContain('OWN_BYTES');
+}, 60_000);
+
+test('a record that does not fit where the map puts it does not compile', async () => {
+  write('export function core(): i32 { return 1; }\n');
+  mkdirSync(join(folder, 'bodies'));
+  const fields = Array.from({ length: 57 }, (_, i) => `  x${i}: f64;\n`).join('');
+  writeFileSync(join(folder, 'bodies/columns.ts'), `@unmanaged\nexport class Columns {\n${fields}}\n`);
+  await expect(build()).rejects.toThrow(/The class Columns takes 456 bytes, but COLUMN_TABLE reaches from 64 to 512/);
+}, 60_000);
+
 test('an exported kernel takes every argument', () => {
   const compiled = {
     wasm: new Uint8Array(),
     declarations: '/** index/kick */\nexport function kick(n?: number): void;',
   };
   expect(() => kernelInterface({ f32: compiled, f64: compiled })).toThrow(/index\/kick has a default parameter/);
+});
+
+test('an exported kernel has at most eight parameters', () => {
+  const parameters = Array.from({ length: 9 }, (_, i) => `p${i}: number`).join(', ');
+  const declarations = `/** index/kick */\nexport function kick(${parameters}): void;`;
+  const compiled = { wasm: new Uint8Array(), declarations };
+  expect(() => kernelInterface({ f32: compiled, f64: compiled })).toThrow(/index\/kick has more than 8 parameters/);
 });
 
 test('a missing entry file is said plainly', async () => {

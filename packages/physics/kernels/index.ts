@@ -10,4 +10,3 @@ export * from './dynamics/drift-kick';
 export * from './dynamics/integrate-rotation';
 export * from './particle-contacts/walls/box';
 export * from './snapshot/pages';
-export { staticEnd } from './memory/columns';

@@ -1,4 +1,5 @@
 // Sums over bodies in f64, ascending id, so that a diagnostic is as deterministic as the state it describes.
+import { Columns, columns } from '../memory/columns';
 
 // @ts-ignore: decorator
 @inline function get(column: usize, row: i32): f64 {
@@ -22,18 +23,17 @@ export function dotColumns(a: usize, b: usize, first: i32, last: i32): f64 {
   return sum;
 }
 
-// Sum of m (p vq - q vp): angular momentum about the axis normal to the p-q plane, about the point (p0, q0), kg m^2/s.
-export function angularMomentumAxis(
-  mass: usize,
-  p: usize,
-  q: usize,
-  vp: usize,
-  vq: usize,
-  p0: f64,
-  q0: f64,
-  first: i32,
-  last: i32,
-): f64 {
+// Sum of m (p vq - q vp), p and q the two axes after `axis` (0, 1, 2): angular momentum about that axis through the point
+// (p0, q0), kg m^2/s.
+export function angularMomentumAxis(axis: usize, p0: f64, q0: f64, first: i32, last: i32): f64 {
+  const c = columns();
+  const mass = c.mass;
+  const nextAxis: usize = (axis + 1) % 3;
+  const lastAxis: usize = (axis + 2) % 3;
+  const p = load<usize>(changetype<usize>(c) + (nextAxis << 2), offsetof<Columns>('positionX'));
+  const q = load<usize>(changetype<usize>(c) + (lastAxis << 2), offsetof<Columns>('positionX'));
+  const vp = load<usize>(changetype<usize>(c) + (nextAxis << 2), offsetof<Columns>('velocityX'));
+  const vq = load<usize>(changetype<usize>(c) + (lastAxis << 2), offsetof<Columns>('velocityX'));
   let sum: f64 = 0;
   for (let row = first; row < last; row++) {
     sum += get(mass, row) * ((get(p, row) - p0) * get(vq, row) - (get(q, row) - q0) * get(vp, row));

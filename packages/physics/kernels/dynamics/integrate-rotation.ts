@@ -1,4 +1,5 @@
 // Turning of bodies at their angular velocity. Symplectic Euler for the spin: omega += torque/I dt, then the angle.
+import { columns } from '../memory/columns';
 import { at } from '../memory/lanes';
 
 // omega += torque/I dt about one axis, for the rows with inertia whose bits say that they have an angular velocity.
@@ -22,18 +23,11 @@ export function kickSpinAxis(
 
 // 3D: q += dt/2 (omega) q, renormalised; a row whose quaternion is zero and that does not turn stays untouched.
 // Kuipers, Quaternions and Rotation Sequences, section 11.4 (first order in dt; the norm is restored each step).
-export function turnQuaternion(
-  qx: usize,
-  qy: usize,
-  qz: usize,
-  qw: usize,
-  wx: usize,
-  wy: usize,
-  wz: usize,
-  dt: real,
-  first: i32,
-  last: i32,
-): void {
+export function turnQuaternion(qx: usize, qy: usize, qz: usize, qw: usize, dt: real, first: i32, last: i32): void {
+  const c = columns();
+  const wx = c.angularVelocityX;
+  const wy = c.angularVelocityY;
+  const wz = c.angularVelocityZ;
   const half = <real>0.5 * dt;
   for (let row = first; row < last; row++) {
     const o = at(row);

@@ -1,6 +1,6 @@
 // Colour and size of a particle by the part of its life that is over, linear between evenly spaced stops.
 import { put } from '../memory/columns';
-import { turn, turnCosine } from '../math/elementary';
+import { turn, turned } from '../math/elementary';
 import { Emitter, MOST_STOPS, putWord, word } from './record';
 
 // Shades of a ramp: a life shows 256.
@@ -11,7 +11,7 @@ const SHADES: u32 = 256;
 export function prepareEmitter(emitter: usize): void {
   const e = changetype<Emitter>(emitter);
   turn(e.spread);
-  e.cosSpread = turnCosine;
+  e.cosSpread = turned.cosine;
   for (let ramp: i32 = 0; ramp < e.rampCount; ramp++) {
     const stops = word(emitter + offsetof<Emitter>('stops0'), ramp);
     const first = emitter + offsetof<Emitter>('color0') + ((<usize>ramp * MOST_STOPS) << 2);

@@ -1,6 +1,6 @@
 // Birth of one particle: where, how fast and in which direction.
 import { columns, put } from '../memory/columns';
-import { turn, turnCosine, turnSine } from '../math/elementary';
+import { turn, turned } from '../math/elementary';
 import { randomUnit } from '../math/random';
 import { dress } from './appearance';
 import { NONE, link, nextGeneration, takeSlot } from './pool';
@@ -25,8 +25,8 @@ let directionZ: f64 = 0;
 // Uniform by angle within the wedge about the emitter's direction.
 function aim2d(e: Emitter): void {
   turn(e.spread * between(e, -1, 1));
-  directionX = e.directionX * turnCosine - e.directionY * turnSine;
-  directionY = e.directionX * turnSine + e.directionY * turnCosine;
+  directionX = e.directionX * turned.cosine - e.directionY * turned.sine;
+  directionY = e.directionX * turned.sine + e.directionY * turned.cosine;
   directionZ = 0;
 }
 
@@ -46,8 +46,8 @@ function aim3d(e: Emitter): void {
   const wx = e.directionY * uz - e.directionZ * uy;
   const wy = e.directionZ * ux - e.directionX * uz;
   const wz = e.directionX * uy - e.directionY * ux;
-  const a = s * turnCosine;
-  const b = s * turnSine;
+  const a = s * turned.cosine;
+  const b = s * turned.sine;
   directionX = c * e.directionX + a * ux + b * wx;
   directionY = c * e.directionY + a * uy + b * wy;
   directionZ = c * e.directionZ + a * uz + b * wz;

@@ -1,5 +1,5 @@
 // One emitter: its parameters, its counters, and where its pool's arrays and the columns are. All state is here, in the
-// world's memory, so that a copy of the memory is a copy of every emitter. src/emitters/record.ts has the same list.
+// world's memory, so that a copy of the memory is a copy of every emitter.
 
 export const MOST_STOPS: i32 = 4;
 export const MOST_RAMPS: i32 = 8;

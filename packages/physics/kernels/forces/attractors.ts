@@ -3,7 +3,7 @@ import { columns, get } from '../memory/columns';
 
 // A centre as it was when the step began. All f64, whatever the columns are.
 @unmanaged
-class Centre {
+export class Centre {
   x: f64;
   y: f64;
   z: f64;

@@ -2,7 +2,14 @@
 import { columns, get } from '../memory/columns';
 
 // A source as it was when the step began: position, charge, and the radius inside which it does not act. f64.
-const SOURCE_BYTES: usize = 40;
+@unmanaged
+export class Source {
+  x: f64;
+  y: f64;
+  z: f64;
+  charge: f64;
+  radius: f64;
+}
 
 // Copies the bodies of `ids` that have no mass to `sources` and returns their number, or -1 - n when a charge was not
 // finite and stayed out.
@@ -19,12 +26,12 @@ export function gatherCharges(ids: usize, count: i32, charge: usize, sources: us
       bad = true;
       continue;
     }
-    const source = sources + <usize>kept * SOURCE_BYTES;
-    store<f64>(source, get(c.positionX, row));
-    store<f64>(source, get(c.positionY, row), 8);
-    store<f64>(source, get(c.positionZ, row), 16);
-    store<f64>(source, q, 24);
-    store<f64>(source, get(c.radius, row), 32);
+    const source = changetype<Source>(sources + <usize>kept * offsetof<Source>());
+    source.x = get(c.positionX, row);
+    source.y = get(c.positionY, row);
+    source.z = get(c.positionZ, row);
+    source.charge = q;
+    source.radius = get(c.radius, row);
     kept++;
   }
   return bad ? -1 - kept : kept;

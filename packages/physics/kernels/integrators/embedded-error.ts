@@ -1,30 +1,48 @@
 // How far the two solutions of an embedded pair differ, body by body, against how far each body has come.
 import { add, at, LANES, mul, splat } from '../memory/lanes';
 
+// What the kernels of this file need of a world; src/integrators/support/dormand-prince-stages.ts fills it.
+@unmanaged
+export class EmbeddedError {
+  // Columns of sums over the axes.
+  errorX: usize;
+  errorV: usize;
+  sizeX: usize;
+  sizeV: usize;
+  // Bytes from a column of a stage to the next, the weights of `count` accelerations in the difference of positions and
+  // in that of velocities.
+  stride: usize;
+  weightsX: usize;
+  weightsV: usize;
+  count: i32;
+  // The row with the worst error, and that error: the results of `worstError`.
+  worstRow: i32;
+  worst: f64;
+  // Sizes below these count as these, m and m/s.
+  floorX: f64;
+  floorV: f64;
+}
+
 // Adds one axis: to `errorX` and `errorV` the squares of the differences (sums of columns, as in combineAxis), to
 // `sizeX` and `sizeV` the squares of the larger of the values before and after the step.
-export function embeddedErrorAxis(
-  errorX: usize,
-  errorV: usize,
-  sizeX: usize,
-  sizeV: usize,
-  x: usize,
-  v: usize,
-  startX: usize,
-  startV: usize,
-  columns: usize,
-  stride: usize,
-  weightsX: usize,
-  weightsV: usize,
-  count: i32,
-  first: i32,
-  last: i32,
-): void {
+// `start` is the first column of the axis: positions at the start of the step, then velocities, then accelerations.
+export function embeddedErrorAxis(table: usize, start: usize, x: usize, v: usize, first: i32, last: i32): void {
+  const e = changetype<EmbeddedError>(table);
+  const errorX = e.errorX;
+  const errorV = e.errorV;
+  const sizeX = e.sizeX;
+  const sizeV = e.sizeV;
+  const stride = e.stride;
+  const weightsX = e.weightsX;
+  const weightsV = e.weightsV;
+  const count = e.count;
+  const startV = start + stride;
+  const accelerations = startV + stride;
   for (let row = first; row < last; row += LANES) {
     const o = at(row);
     let differenceX = splat(0);
     let differenceV = splat(0);
-    let column = columns + o;
+    let column = accelerations + o;
     for (let k = 0; k < count; k++) {
       const a = v128.load(column);
       const w = <usize>k * sizeof<real>();
@@ -34,7 +52,7 @@ export function embeddedErrorAxis(
     }
     addSquare(errorX + o, differenceX);
     addSquare(errorV + o, differenceV);
-    addSquare(sizeX + o, larger(v128.load(x + o), v128.load(startX + o)));
+    addSquare(sizeX + o, larger(v128.load(x + o), v128.load(start + o)));
     addSquare(sizeV + o, larger(v128.load(v + o), v128.load(startV + o)));
   }
 }
@@ -49,27 +67,17 @@ export function embeddedErrorAxis(
   return v128.max<real>(v128.abs<real>(a), v128.abs<real>(b));
 }
 
-// The row with the worst error of the last `worstError`.
-let worstRow: i32 = 0;
-
-export function rowOfWorstError(): i32 {
-  return worstRow;
-}
-
-// The larger of `most` and the largest ratio of error to size over all bodies, positions and velocities alike; infinite
+// Raises `worst` to the largest ratio of error to size over all bodies, positions and velocities alike; infinite
 // where a value is not finite. A body that is at rest in the origin and feels nothing has no error.
-export function worstError(
-  errorX: usize,
-  errorV: usize,
-  sizeX: usize,
-  sizeV: usize,
-  floorX: f64,
-  floorV: f64,
-  most: f64,
-  first: i32,
-  last: i32,
-): f64 {
-  let worst = most * most;
+export function worstError(table: usize, first: i32, last: i32): void {
+  const e = changetype<EmbeddedError>(table);
+  const errorX = e.errorX;
+  const errorV = e.errorV;
+  const sizeX = e.sizeX;
+  const sizeV = e.sizeV;
+  const floorX = e.floorX;
+  const floorV = e.floorV;
+  let worst = e.worst * e.worst;
   for (let row = first; row < last; row++) {
     const o = at(row);
     const ofX = ratio(load<real>(errorX + o), load<real>(sizeX + o), floorX);
@@ -77,10 +85,10 @@ export function worstError(
     const here = max<f64>(ofX, ofV);
     if (here > worst) {
       worst = here;
-      worstRow = row;
+      e.worstRow = row;
     }
   }
-  return sqrt<f64>(worst);
+  e.worst = sqrt<f64>(worst);
 }
 
 // @ts-ignore: decorator

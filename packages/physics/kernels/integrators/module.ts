@@ -1,6 +1,6 @@
 // The schemes of many stages: a module of its own, so that a game without them does not pay.
 export { accelerationAxis, addScaledColumn, combineAxis, implicitResidualAxis, scaleColumn } from './combine';
-export { embeddedErrorAxis, rowOfWorstError, worstError } from './embedded-error';
+export { embeddedErrorAxis, worstError } from './embedded-error';
 export {
   radauBegin,
   radauEnd,

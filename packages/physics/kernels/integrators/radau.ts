@@ -13,9 +13,9 @@ const START_V: usize = 16;
 const CARRY_X: usize = 17;
 const CARRY_V: usize = 18;
 
-// What a world's integrator knows; src/integrators/support/gauss-radau-table.ts writes it in this order.
+// What a world's integrator knows; src/integrators/support/gauss-radau-table.ts writes it.
 @unmanaged
-class RadauTable {
+export class RadauTable {
   positionX: usize;
   positionY: usize;
   positionZ: usize;

@@ -6,7 +6,7 @@ import { advanceKepler, Orbit } from './kepler';
 // One body: its Jacobi position and velocity, its mass, the mass of it and all before it, and G times the mass that
 // its Kepler orbit feels.
 @unmanaged
-class Planet {
+export class Planet {
   x: f64;
   y: f64;
   z: f64;

@@ -16,9 +16,14 @@ export function arcTangent2(y: f64, x: f64): f64 {
   return NativeMath.atan2(y, x);
 }
 
+@unmanaged
+class Turned {
+  cosine: f64;
+  sine: f64;
+}
+
 // What `turn` was asked for last.
-export let turnCosine: f64 = 0;
-export let turnSine: f64 = 0;
+export const turned = changetype<Turned>(memory.data(offsetof<Turned>(), 8));
 
 // Beyond this angle, just above pi / 4, the reduction of fdlibm begins.
 const REDUCED: f64 = reinterpret<f64>(0x3fe921fc00000000);
@@ -80,10 +85,10 @@ export function turn(angle: f64): void {
   const c = one + (1 - one - half + (z * t - high * low));
   const quarter = <i32>quarters;
   const odd = (quarter & 1) != 0;
-  turnSine = odd ? c : s;
-  turnCosine = odd ? s : c;
-  if ((quarter & 2) != 0) turnSine = -turnSine;
-  if (((quarter + 1) & 2) != 0) turnCosine = -turnCosine;
+  turned.sine = odd ? c : s;
+  turned.cosine = odd ? s : c;
+  if ((quarter & 2) != 0) turned.sine = -turned.sine;
+  if (((quarter + 1) & 2) != 0) turned.cosine = -turned.cosine;
 }
 
 // ln 2 = LN2_HIGH + LN2_LOW; the high part has 33 bits, so that k LN2_HIGH is exact for every exponent k.

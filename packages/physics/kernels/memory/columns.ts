@@ -1,5 +1,6 @@
 // The table of column addresses at the start of the world's memory, for kernels that touch too many columns to take
-// each as a parameter. src/memory/column-table.ts writes it, in this order; a test holds the two against each other.
+// each as a parameter. src/memory/column-table.ts writes it.
+import { COLUMN_TABLE } from './low-memory-map';
 
 @unmanaged
 export class Columns {
@@ -23,11 +24,9 @@ export class Columns {
   contacts: usize;
 }
 
-const TABLE: usize = 64;
-
 // @ts-ignore: decorator
 @inline export function columns(): Columns {
-  return changetype<Columns>(TABLE);
+  return changetype<Columns>(COLUMN_TABLE);
 }
 
 // @ts-ignore: decorator
@@ -38,9 +37,4 @@ const TABLE: usize = 64;
 // @ts-ignore: decorator
 @inline export function put(column: usize, row: i32, value: real): void {
   store<real>(column + <usize>row * sizeof<real>(), value);
-}
-
-// Where the constants end that the compiler put into the memory's first bytes: they stay below the first column.
-export function staticEnd(): usize {
-  return __heap_base;
 }

@@ -5,9 +5,15 @@ import { laneSum, pull } from './direct';
 import { middleOf } from './approximate-median';
 import { NBody, SAMPLES } from './workspace';
 
-export let fieldX: f64 = 0;
-export let fieldY: f64 = 0;
-export let fieldZ: f64 = 0;
+@unmanaged
+class Field {
+  x: f64;
+  y: f64;
+  z: f64;
+}
+
+// The result of the last sum.
+const field = changetype<Field>(memory.data(offsetof<Field>(), 8));
 
 // Sums over a tile round less than one long sum.
 const TILE: i32 = 1024;
@@ -18,9 +24,9 @@ const TILE: i32 = 1024;
   const x = splat(px);
   const y = splat(py);
   const z = splat(pz);
-  fieldX = 0;
-  fieldY = 0;
-  fieldZ = 0;
+  let sumX: f64 = 0;
+  let sumY: f64 = 0;
+  let sumZ: f64 = 0;
   for (let tile = 0; tile < w.tests; tile += TILE) {
     const end = min(tile + TILE, w.tests);
     let ax = splat(0);
@@ -36,10 +42,13 @@ const TILE: i32 = 1024;
       ay = add(ay, mul(dy, k));
       az = add(az, mul(dz, k));
     }
-    fieldX += <f64>laneSum(ax);
-    fieldY += <f64>laneSum(ay);
-    fieldZ += <f64>laneSum(az);
+    sumX += <f64>laneSum(ax);
+    sumY += <f64>laneSum(ay);
+    sumZ += <f64>laneSum(az);
   }
+  field.x = sumX;
+  field.y = sumY;
+  field.z = sumZ;
 }
 
 // Acceleration, in units of strength over length^power, at a point given in units of length.
@@ -52,9 +61,9 @@ export function fieldAt(w: NBody, x: real, y: real, z: real, inverseSquare: bool
 export function directOntoTests(w: NBody, inverseSquare: bool): void {
   for (let slot = w.tests; slot < w.end; slot++) {
     fieldAt(w, get(w.x, slot), get(w.y, slot), get(w.z, slot), inverseSquare);
-    put(w.ax, slot, <real>fieldX);
-    put(w.ay, slot, <real>fieldY);
-    put(w.az, slot, <real>fieldZ);
+    put(w.ax, slot, <real>field.x);
+    put(w.ay, slot, <real>field.y);
+    put(w.az, slot, <real>field.z);
   }
 }
 
@@ -78,12 +87,12 @@ export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: 
     else fieldAt(w, get(w.x, place), get(w.y, place), get(w.z, place), inverseSquare);
     // The direct sum has forces where the tree has accelerations.
     const per = w.resultsByTree || place >= w.sources ? 1 : 1 / <f64>get(w.s, place);
-    const dx = <f64>get(w.ax, place) * per - fieldX;
-    const dy = <f64>get(w.ay, place) * per - fieldY;
-    const dz = <f64>get(w.az, place) * per - fieldZ;
+    const dx = <f64>get(w.ax, place) * per - field.x;
+    const dy = <f64>get(w.ay, place) * per - field.y;
+    const dz = <f64>get(w.az, place) * per - field.z;
     const at = w.sample + ((<usize>k) << 4);
     store<f64>(at, dx * dx + dy * dy + dz * dz);
-    store<real>(at, <real>sqrt<f64>(fieldX * fieldX + fieldY * fieldY + fieldZ * fieldZ), 8);
+    store<real>(at, <real>sqrt<f64>(field.x * field.x + field.y * field.y + field.z * field.z), 8);
   }
   const least = LEAST_FIELD * middleOf(w.counts, w.sample + 8, 16, n);
   if (least == 0) return 0;

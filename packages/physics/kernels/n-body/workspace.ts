@@ -217,17 +217,3 @@ export function nBodyBegin(w: usize, capacity: i32, hasTree: i32): void {
   work.strength = 1;
   layOut(work, w, capacity, nodeCapacity, true);
 }
-
-// Numbers about the last evaluation, by index; src/n-body/report.ts names them.
-export function nBodyNumber(address: usize, index: i32): f64 {
-  const w = changetype<NBody>(address);
-  if (index == 0) return w.bodies;
-  if (index == 1) return w.resultsByTree;
-  if (index == 2) return w.cellPairs;
-  if (index == 3) return w.bodyPairs;
-  if (index == 4) return w.error;
-  if (index == 5) return w.tolerance;
-  if (index == 6) return w.treeValid ? w.nodeCount : 0;
-  if (index == 7) return w.treeValid ? w.deepest : 0;
-  return w.evaluations;
-}

@@ -2,44 +2,57 @@
 import { Body } from './body';
 
 // From a to b: position, velocity, mean acceleration of the step; the unit normal and the distance of the centres.
-export let dX: real = 0;
-export let dY: real = 0;
-export let dZ: real = 0;
-export let vX: real = 0;
-export let vY: real = 0;
-export let vZ: real = 0;
-export let aX: real = 0;
-export let aY: real = 0;
-export let aZ: real = 0;
-export let nX: real = 0;
-export let nY: real = 0;
-export let nZ: real = 0;
-export let distance: real = 0;
+@unmanaged
+class Approach {
+  x: real;
+  y: real;
+  z: real;
+  vx: real;
+  vy: real;
+  vz: real;
+  ax: real;
+  ay: real;
+  az: real;
+  nx: real;
+  ny: real;
+  nz: real;
+  distance: real;
+}
+
+// What was read last.
+export const approach = changetype<Approach>(memory.data(offsetof<Approach>(), 8));
 
 // @ts-ignore: decorator
 @inline export function readPlace(a: Body, b: Body): void {
-  dX = b.x - a.x;
-  dY = b.y - a.y;
-  dZ = b.z - a.z;
-  distance = sqrt<real>(dX * dX + dY * dY + dZ * dZ);
+  const x = b.x - a.x;
+  const y = b.y - a.y;
+  const z = b.z - a.z;
+  approach.x = x;
+  approach.y = y;
+  approach.z = z;
+  approach.distance = sqrt<real>(x * x + y * y + z * z);
 }
 
 // The normal of the place that was read, and the motions. `idA` and `idB` decide for two bodies in one place, `flat` in
 // the plane; `lag` is the time by which the integrator's velocities lag its positions.
 export function readApproach(a: Body, b: Body, idA: i32, idB: i32, flat: bool, lag: real): void {
+  const distance = approach.distance;
   if (distance > 0) {
-    nX = dX / distance;
-    nY = dY / distance;
-    nZ = dZ / distance;
+    approach.nx = approach.x / distance;
+    approach.ny = approach.y / distance;
+    approach.nz = approach.z / distance;
   } else {
     chooseNormal(idA, idB, flat);
   }
-  aX = b.ax - a.ax;
-  aY = b.ay - a.ay;
-  aZ = b.az - a.az;
-  vX = b.vx - a.vx + lag * aX;
-  vY = b.vy - a.vy + lag * aY;
-  vZ = b.vz - a.vz + lag * aZ;
+  const ax = b.ax - a.ax;
+  const ay = b.ay - a.ay;
+  const az = b.az - a.az;
+  approach.ax = ax;
+  approach.ay = ay;
+  approach.az = az;
+  approach.vx = b.vx - a.vx + lag * ax;
+  approach.vy = b.vy - a.vy + lag * ay;
+  approach.vz = b.vz - a.vz + lag * az;
 }
 
 // A direction for two bodies in one place: any will do, but it must be the same in every run and differ from pair to
@@ -52,7 +65,7 @@ function chooseNormal(a: i32, b: i32, flat: bool): void {
   const v = flat ? <real>0 : <real>((hash >> 16) & 0xff) / <real>128 - <real>1;
   const sign: real = (hash & 1) == 0 ? 1 : -1;
   const square = u * u + v * v;
-  nX = (sign * (<real>1 - square)) / (<real>1 + square);
-  nY = (<real>2 * u) / (<real>1 + square);
-  nZ = (<real>2 * v) / (<real>1 + square);
+  approach.nx = (sign * (<real>1 - square)) / (<real>1 + square);
+  approach.ny = (<real>2 * u) / (<real>1 + square);
+  approach.nz = (<real>2 * v) / (<real>1 + square);
 }

@@ -1,6 +1,7 @@
 // A body as the response to contacts sees it: all it needs in one line of the cache (in f32). Bodies with contacts are
 // gathered from their columns once a step, and written back once.
 import { Columns, get, put } from '../memory/columns';
+import { WALL_BODIES } from '../memory/low-memory-map';
 import { ContactTable, FINITE, contactTable, putWord, word } from './table';
 
 @unmanaged
@@ -30,18 +31,14 @@ export class Body {
 
 const SIZE: usize = (offsetof<Body>() + sizeof<real>() - 1) & ~(sizeof<real>() - 1);
 
-// Two bodies at the start of the memory for walls, which have no contacts table: row 0, which belongs to nobody and
-// holds zeros, and the body at the wall.
-const AT_WALL: usize = 512;
-
 // @ts-ignore: decorator
 @inline export function nobody(): Body {
-  return changetype<Body>(AT_WALL);
+  return changetype<Body>(WALL_BODIES);
 }
 
 // @ts-ignore: decorator
 @inline export function bodyAtWall(): Body {
-  return changetype<Body>(AT_WALL + SIZE);
+  return changetype<Body>(WALL_BODIES + SIZE);
 }
 
 // @ts-ignore: decorator

@@ -14,11 +14,11 @@
 // that is within the step the bodies are at rest on each other and `rest.ts` holds them; one that came in fast still
 // gives up its speed here, at the right instant.
 import { Columns, get, put } from '../memory/columns';
-import { aX, aY, aZ, dX, dY, dZ, distance, nX, nY, nZ, readApproach, readPlace, vX, vY, vZ } from './approach';
+import { approach, readApproach, readPlace } from './approach';
 import { body, kick } from './body';
 import { rub } from './friction';
 import { ContactTable, FINITE, putWord, word } from './table';
-import { touchSpeed, touchTime, touchX, touchY, touchZ } from './time-of-impact';
+import { touch, touchTime } from './time-of-impact';
 
 // A contact's flag in this step.
 const COLLIDED: i32 = 1;
@@ -70,14 +70,26 @@ function sliceOf(t: ContactTable, i: i32, dt: real, rate: real, lag: real): i32 
   const b = body(t, word(t.slotB, i));
   readPlace(a, b);
   readApproach(a, b, word(t.a, i), word(t.b, i), t.layer == 0, lag);
-  put(t.nx, i, nX);
-  put(t.ny, i, nY);
-  put(t.nz, i, nZ);
+  put(t.nx, i, approach.nx);
+  put(t.ny, i, approach.ny);
+  put(t.nz, i, approach.nz);
   const reach = a.radius + b.radius;
-  if (!(distance < reach)) return -1;
-  const since = touchTime(dX, dY, dZ, vX, vY, vZ, 0, 0, 0, reach, dt);
+  if (!(approach.distance < reach)) return -1;
+  const since = touchTime(
+    approach.x,
+    approach.y,
+    approach.z,
+    approach.vx,
+    approach.vy,
+    approach.vz,
+    0,
+    0,
+    0,
+    reach,
+    dt,
+  );
   if (since >= 0) return max<i32>(0, SLICES - 1 - <i32>(since * rate * <real>SLICES));
-  return vX * nX + vY * nY + vZ * nZ < 0 ? 0 : -1;
+  return approach.vx * approach.nx + approach.vy * approach.ny + approach.vz * approach.nz < 0 ? 0 : -1;
 }
 
 // Lets contact i collide when it can, and notes with its bodies that they did in this `turn`. Returns 1 when it did.
@@ -86,24 +98,36 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, turn:
   const b = body(t, word(t.slotB, i));
   const reach = a.radius + b.radius;
   readPlace(a, b);
-  if (!(distance < reach)) return 0;
+  if (!(approach.distance < reach)) return 0;
   const rowA = word(t.a, i);
   const rowB = word(t.b, i);
   readApproach(a, b, rowA, rowB, t.layer == 0, lag);
-  const closing = -(vX * nX + vY * nY + vZ * nZ);
+  const closing = -(approach.vx * approach.nx + approach.vy * approach.ny + approach.vz * approach.nz);
   const flags = word(t.flags, i);
   // Bodies that passed each other within the step move apart by now; those that have collided also do.
   if (!(closing > 0) && (flags & COLLIDED) != 0) return 0;
-  let since = touchTime(dX, dY, dZ, vX, vY, vZ, aX, aY, aZ, reach, dt);
-  let x = nX;
-  let y = nY;
-  let z = nZ;
+  let since = touchTime(
+    approach.x,
+    approach.y,
+    approach.z,
+    approach.vx,
+    approach.vy,
+    approach.vz,
+    approach.ax,
+    approach.ay,
+    approach.az,
+    reach,
+    dt,
+  );
+  let x = approach.nx;
+  let y = approach.ny;
+  let z = approach.nz;
   let speed = closing;
   if (since >= 0) {
-    x = touchX;
-    y = touchY;
-    z = touchZ;
-    speed = touchSpeed;
+    x = touch.x;
+    y = touch.y;
+    z = touch.z;
+    speed = touch.speed;
   } else {
     // They touched before the step began, and moved into each other for all of it.
     since = dt;
@@ -114,7 +138,7 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, turn:
   const wb = b.inverseMass;
   // What presses on a pile comes through it, and is not yet seen in the accelerations: the last step tells.
   const pressed = get(t.holding, i) * (wa + wb);
-  const pull = max<real>(pressed, -(aX * x + aY * y + aZ * z) * dt);
+  const pull = max<real>(pressed, -(approach.ax * x + approach.ay * y + approach.az * z) * dt);
   if (e * speed <= <real>0.5 * pull) {
     if (speed <= <real>2 * pull) return 0;
     e = 0;

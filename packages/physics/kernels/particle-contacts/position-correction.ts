@@ -8,9 +8,9 @@
 import { get } from '../memory/columns';
 import { LANES } from '../memory/lanes';
 import { blockAt, contactIn, isSingle, pack, pushBlock } from './wide-contacts';
-import { distance, readPlace } from './approach';
+import { approach, readPlace } from './approach';
 import { Body, body } from './body';
-import { leave, leftX, leftY, leftZ, share } from './wall-reactions';
+import { leave, reaction } from './wall-reactions';
 import { ContactTable, putWord, word } from './table';
 
 const PART: real = 0.8;
@@ -100,7 +100,7 @@ function depthOf(t: ContactTable, i: i32, dt: real): real {
   const a = body(t, word(t.slotA, i));
   const b = body(t, word(t.slotB, i));
   readPlace(a, b);
-  const overlap = a.radius + b.radius - distance;
+  const overlap = a.radius + b.radius - approach.distance;
   const speed = (b.vx - a.vx) * get(t.nx, i) + (b.vy - a.vy) * get(t.ny, i) + (b.vz - a.vz) * get(t.nz, i);
   return overlap - SLOP * (a.radius + b.radius) - max<real>(0, speed * dt);
 }
@@ -116,16 +116,16 @@ function push(t: ContactTable, i: i32, dt: real): void {
   // A body that leaves its wall by less than this will not have room in the next step either.
   const slow = (<real>0.01 * depth) / dt;
   leave(t, a, -x, -y, -z, slow);
-  const ax = leftX;
-  const ay = leftY;
-  const az = leftZ;
-  const sharing = a.inverseMass * share;
+  const ax = reaction.x;
+  const ay = reaction.y;
+  const az = reaction.z;
+  const sharing = a.inverseMass * reaction.share;
   leave(t, b, x, y, z, slow);
-  const sum = sharing + b.inverseMass * share;
+  const sum = sharing + b.inverseMass * reaction.share;
   if (!(sum > 0)) return;
   const size = (PART * depth) / sum;
   move(a, ax, ay, az, size * a.inverseMass);
-  move(b, leftX, leftY, leftZ, size * b.inverseMass);
+  move(b, reaction.x, reaction.y, reaction.z, size * b.inverseMass);
 }
 
 // @ts-ignore: decorator

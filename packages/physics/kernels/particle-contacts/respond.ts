@@ -1,6 +1,6 @@
 // The response to the contacts of a step, after the broad phase found and ordered them.
 import { columns, get, put } from '../memory/columns';
-import { distance, readPlace } from './approach';
+import { approach, readPlace } from './approach';
 import { body, gatherBodies, scatterBodies } from './body';
 import { resolveImpacts } from './impacts';
 import { joinPrevious } from './order';
@@ -39,7 +39,7 @@ function keepTouching(t: ContactTable): void {
     const a = body(t, word(t.slotA, i));
     const b = body(t, word(t.slotB, i));
     readPlace(a, b);
-    const overlap = a.radius + b.radius - distance;
+    const overlap = a.radius + b.radius - approach.distance;
     const impulse = get(t.impulse, i);
     if (!(impulse > 0 || overlap > 0)) continue;
     const nx = get(t.nx, i);

@@ -9,10 +9,10 @@ import { Columns, get, put } from '../memory/columns';
 import { LANES, laneOf, splat } from '../memory/lanes';
 import { impactSpeed, timeSince } from './walls/impact';
 import { blockAt, contactIn, isSingle, pack, pressBlock, unpack } from './wide-contacts';
-import { aX, aY, aZ, distance, nX, nY, nZ, readApproach, readPlace, vX, vY, vZ } from './approach';
+import { approach, readApproach, readPlace } from './approach';
 import { Body, body, kick, nobody } from './body';
 import { hold } from './friction';
-import { bear, cosine, leave, leftX, leftY, leftZ, share, wall } from './wall-reactions';
+import { bear, leave, reaction } from './wall-reactions';
 import { ContactTable, FINITE, RUBBING_SIZE, putWord, rubbing, word } from './table';
 
 const MOST_SWEEPS: i32 = 10;
@@ -100,7 +100,7 @@ function chooseResting(c: Columns, t: ContactTable, lag: real): i32 {
     const rowB = word(t.b, i);
     readPlace(a, b);
     readApproach(a, b, rowA, rowB, t.layer == 0, lag);
-    const gap = distance - (a.radius + b.radius);
+    const gap = approach.distance - (a.radius + b.radius);
     const e = max<real>(get(c.restitution, rowA), get(c.restitution, rowB));
     const acceleration = max<real>(a.ax * a.ax + a.ay * a.ay + a.az * a.az, b.ax * b.ax + b.ay * b.ay + b.az * b.az);
     const pressed = get(t.holding, i) * (a.inverseMass + b.inverseMass);
@@ -108,9 +108,9 @@ function chooseResting(c: Columns, t: ContactTable, lag: real): i32 {
       put(t.holding, i, 0);
       continue;
     }
-    put(t.nx, i, nX);
-    put(t.ny, i, nY);
-    put(t.nz, i, nZ);
+    put(t.nx, i, approach.nx);
+    put(t.ny, i, approach.ny);
+    put(t.nz, i, approach.nz);
     put(t.gap, i, max<real>(0, gap));
     const sum = rubbing(t, i);
     memory.fill(sum, 0, RUBBING_SIZE);
@@ -124,8 +124,11 @@ function chooseResting(c: Columns, t: ContactTable, lag: real): i32 {
 // Whether a contact rests. `pressed` is the speed that its impulse of the last step took away, `usual` one that the
 // step's acceleration gives.
 function rests(gap: real, e: real, pressed: real, usual: real): bool {
-  const closing = -(vX * nX + vY * nY + vZ * nZ);
-  const acceleration = max<real>(0, -(aX * nX + aY * nY + aZ * nZ));
+  const closing = -(approach.vx * approach.nx + approach.vy * approach.ny + approach.vz * approach.nz);
+  const acceleration = max<real>(
+    0,
+    -(approach.ax * approach.nx + approach.ay * approach.ny + approach.az * approach.nz),
+  );
   const some = max<real>(pressed, usual);
   if (!(closing > 0)) return -closing <= some && (some > 0 || e == 0);
   const half = <real>0.5 * max<real>(pressed, acceleration * step);
@@ -171,9 +174,9 @@ function pressPair(t: ContactTable, i: i32): real {
   const holding = get(t.holding, i);
   if (excess >= 0 && holding == 0) return 0;
   leave(t, a, -x, -y, -z, slow);
-  let w = a.inverseMass * share;
+  let w = a.inverseMass * reaction.share;
   leave(t, b, x, y, z, slow);
-  w += b.inverseMass * share;
+  w += b.inverseMass * reaction.share;
   if (!(w > 0)) return 0;
   const impulse = max<real>(-holding, -excess / w);
   const half = time;
@@ -205,7 +208,7 @@ function press(t: ContactTable, i: i32, a: Body, b: Body, impulse: real): real {
 
 function pressBody(t: ContactTable, b: Body, x: real, y: real, z: real, impulse: real): void {
   leave(t, b, x, y, z, slow);
-  if (wall >= 0) bear(t, wall, -impulse * cosine);
+  if (reaction.wall >= 0) bear(t, reaction.wall, -impulse * reaction.cosine);
   const change = impulse * b.inverseMass;
-  kick(b, change * leftX, change * leftY, change * leftZ, time);
+  kick(b, change * reaction.x, change * reaction.y, change * reaction.z, time);
 }

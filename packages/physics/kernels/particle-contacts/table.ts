@@ -1,5 +1,5 @@
 // What the contacts of a world are kept in: a table of counters and addresses in the world's memory.
-// src/particle-contacts/contact-table.ts makes it, in this order of fields; a test holds the two against each other.
+// src/particle-contacts/contact-table.ts makes it.
 import { columns } from '../memory/columns';
 
 @unmanaged

@@ -5,10 +5,16 @@
 // from that root find it to rounding.
 
 // Unit normal from the first thing to the second at the touch, and the speed at which they met along it.
-export let touchX: real = 0;
-export let touchY: real = 0;
-export let touchZ: real = 0;
-export let touchSpeed: real = 0;
+@unmanaged
+class Touch {
+  x: real;
+  y: real;
+  z: real;
+  speed: real;
+}
+
+// The last touch that was found.
+export const touch = changetype<Touch>(memory.data(offsetof<Touch>(), 8));
 
 // Time since the centres came to the distance `reach`, or -1 when that was not within the last `dt`.
 export function touchTime(
@@ -50,9 +56,12 @@ export function touchTime(
   const pz = dz - time * (vz - half * az);
   const length = sqrt<real>(px * px + py * py + pz * pz);
   if (!(length > 0)) return -1;
-  touchX = px / length;
-  touchY = py / length;
-  touchZ = pz / length;
-  touchSpeed = -((vx - ax * time) * touchX + (vy - ay * time) * touchY + (vz - az * time) * touchZ);
+  const nx = px / length;
+  const ny = py / length;
+  const nz = pz / length;
+  touch.x = nx;
+  touch.y = ny;
+  touch.z = nz;
+  touch.speed = -((vx - ax * time) * nx + (vy - ay * time) * ny + (vz - az * time) * nz);
   return time;
 }

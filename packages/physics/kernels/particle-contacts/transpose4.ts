@@ -3,11 +3,16 @@
 // In f32 four bodies have one vector each. In f64 two bodies have two vectors each: first their first halves, then their
 // second. Either way four vectors go in, four come out, and going back is the same.
 
+@unmanaged
+class Quads {
+  q0: v128;
+  q1: v128;
+  q2: v128;
+  q3: v128;
+}
+
 // What was read.
-export let q0: v128 = i32x4.splat(0);
-export let q1: v128 = i32x4.splat(0);
-export let q2: v128 = i32x4.splat(0);
-export let q3: v128 = i32x4.splat(0);
+export const quads = changetype<Quads>(memory.data(64, 16));
 
 // Address of vector j, where `list` holds the addresses of the bodies.
 // @ts-ignore: decorator
@@ -30,27 +35,27 @@ export let q3: v128 = i32x4.splat(0);
 // @ts-ignore: decorator
 @inline export function writeQuads(list: usize, offset: usize, x: v128, y: v128, z: v128, w: v128): void {
   transpose(x, y, z, w);
-  v128.store(quadAt(list, 0) + offset, q0);
-  v128.store(quadAt(list, 1) + offset, q1);
-  v128.store(quadAt(list, 2) + offset, q2);
-  v128.store(quadAt(list, 3) + offset, q3);
+  v128.store(quadAt(list, 0) + offset, quads.q0);
+  v128.store(quadAt(list, 1) + offset, quads.q1);
+  v128.store(quadAt(list, 2) + offset, quads.q2);
+  v128.store(quadAt(list, 3) + offset, quads.q3);
 }
 
 // @ts-ignore: decorator
 @inline function transpose(e0: v128, e1: v128, e2: v128, e3: v128): void {
   if (sizeof<real>() == 8) {
-    q0 = i64x2.shuffle(e0, e1, 0, 2);
-    q1 = i64x2.shuffle(e0, e1, 1, 3);
-    q2 = i64x2.shuffle(e2, e3, 0, 2);
-    q3 = i64x2.shuffle(e2, e3, 1, 3);
+    quads.q0 = i64x2.shuffle(e0, e1, 0, 2);
+    quads.q1 = i64x2.shuffle(e0, e1, 1, 3);
+    quads.q2 = i64x2.shuffle(e2, e3, 0, 2);
+    quads.q3 = i64x2.shuffle(e2, e3, 1, 3);
     return;
   }
   const low01 = i32x4.shuffle(e0, e1, 0, 4, 1, 5);
   const low23 = i32x4.shuffle(e2, e3, 0, 4, 1, 5);
   const high01 = i32x4.shuffle(e0, e1, 2, 6, 3, 7);
   const high23 = i32x4.shuffle(e2, e3, 2, 6, 3, 7);
-  q0 = i64x2.shuffle(low01, low23, 0, 2);
-  q1 = i64x2.shuffle(low01, low23, 1, 3);
-  q2 = i64x2.shuffle(high01, high23, 0, 2);
-  q3 = i64x2.shuffle(high01, high23, 1, 3);
+  quads.q0 = i64x2.shuffle(low01, low23, 0, 2);
+  quads.q1 = i64x2.shuffle(low01, low23, 1, 3);
+  quads.q2 = i64x2.shuffle(high01, high23, 0, 2);
+  quads.q3 = i64x2.shuffle(high01, high23, 1, 3);
 }

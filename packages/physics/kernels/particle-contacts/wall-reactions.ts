@@ -10,12 +10,18 @@ import { ContactTable, putWord, word } from './table';
 
 // What is left of the direction given to `leave`, the share of the inverse mass, and the wall (-1 without one) with the
 // cosine it answers by.
-export let leftX: real = 0;
-export let leftY: real = 0;
-export let leftZ: real = 0;
-export let share: real = 1;
-export let wall: i32 = -1;
-export let cosine: real = 0;
+@unmanaged
+class Reaction {
+  x: real;
+  y: real;
+  z: real;
+  share: real;
+  cosine: real;
+  wall: i32;
+}
+
+// The result of the last `leave`.
+export const reaction = changetype<Reaction>(memory.data(offsetof<Reaction>(), 8));
 
 // Notes for each body with contacts which contact with a wall holds it most, and for each contact with a wall where its
 // body is, -1 where no other body touches that one, and how fast the body may come: as fast as closes the gap by the end
@@ -38,25 +44,27 @@ export function linkWalls(t: ContactTable, dt: real): void {
 // How far a body can follow a push in direction (x, y, z). It lies on its wall when it comes as fast as it may; `slow`
 // is a speed that makes no difference.
 export function leave(t: ContactTable, b: Body, x: real, y: real, z: real, slow: real): void {
-  leftX = x;
-  leftY = y;
-  leftZ = z;
-  share = 1;
-  wall = b.wall - 1;
+  reaction.x = x;
+  reaction.y = y;
+  reaction.z = z;
+  reaction.share = 1;
+  const wall = b.wall - 1;
+  reaction.wall = wall;
   if (wall < 0) return;
   const mx = get(t.wallNx, wall);
   const my = get(t.wallNy, wall);
   const mz = get(t.wallNz, wall);
-  cosine = x * mx + y * my + z * mz;
+  const cosine = x * mx + y * my + z * mz;
   const off = b.vx * mx + b.vy * my + b.vz * mz;
   if (!(cosine < 0) || off + get(t.wallGap, wall) > slow) {
-    wall = -1;
+    reaction.wall = -1;
     return;
   }
-  leftX = x - cosine * mx;
-  leftY = y - cosine * my;
-  leftZ = z - cosine * mz;
-  share = max<real>(0, <real>1 - cosine * cosine);
+  reaction.x = x - cosine * mx;
+  reaction.y = y - cosine * my;
+  reaction.z = z - cosine * mz;
+  reaction.share = max<real>(0, <real>1 - cosine * cosine);
+  reaction.cosine = cosine;
 }
 
 // Adds to what a wall bears.

@@ -76,6 +76,14 @@ function pull(t: ConstraintTable, row: i32, by: real): void {
   putPart(pb, 2, part(pb, 2) - wb * z);
 }
 
+// @ts-ignore: decorator
+@inline function putBodies(p0: usize, p1: usize, p2: usize, p3: usize, x: v128, y: v128, z: v128, w: v128): void {
+  v128.store(p0, turned0(x, y, z, w));
+  v128.store(p1, turned1(x, y, z, w));
+  v128.store(p2, turned2(x, y, z, w));
+  v128.store(p3, turned3(x, y, z, w));
+}
+
 // Groups of LANES rows that share no movable body. A fresh row's tension is zero, whatever is stored.
 function solveGroups(t: ConstraintTable, first: i32, last: i32, fresh: bool): void {
   const packed = t.packed;
@@ -138,14 +146,8 @@ function solveGroups(t: ConstraintTable, first: i32, last: i32, fresh: bool): vo
     const toXb = sub(xb, mul(byB, x));
     const toYb = sub(yb, mul(byB, y));
     const toZb = sub(zb, mul(byB, z));
-    v128.store(p0, turned0(toXa, toYa, toZa, wa));
-    v128.store(p1, turned1(toXa, toYa, toZa, wa));
-    v128.store(p2, turned2(toXa, toYa, toZa, wa));
-    v128.store(p3, turned3(toXa, toYa, toZa, wa));
-    v128.store(q0, turned0(toXb, toYb, toZb, wb));
-    v128.store(q1, turned1(toXb, toYb, toZb, wb));
-    v128.store(q2, turned2(toXb, toYb, toZb, wb));
-    v128.store(q3, turned3(toXb, toYb, toZb, wb));
+    putBodies(p0, p1, p2, p3, toXa, toYa, toZa, wa);
+    putBodies(q0, q1, q2, q3, toXb, toYb, toZb, wb);
     a += LANES << 2;
     b += LANES << 2;
   }

@@ -1,4 +1,4 @@
-// The memory of a world's constraints; src/xpbd/constraint-table.ts writes the addresses, in this order.
+// The memory of a world's constraints; src/xpbd/constraint-table.ts writes the addresses.
 //
 // A row is one spring as the solver sees it. Rows stand in this order: first chains, row after row along each; then
 // strands of threads that are solved side by side; then groups of four that share no movable body, some filled

@@ -78,13 +78,13 @@ export function centreOfMass(world: PhysicsWorld): Vector {
 export function angularMomentum(world: PhysicsWorld, about: VectorInput = {}): Vector {
   assertUsable(world);
   const { kernels, addresses } = world;
-  const { Mass, Position: p, Velocity: v, Inertia, AngularVelocity: w } = addresses;
+  const { Inertia, AngularVelocity: w } = addresses;
   const { x, y, z } = checkVector(about, 'angularMomentum: about');
   const rows = world.lastId + 1;
   const spin = (axis: 'x' | 'y' | 'z') => kernels.dotColumns(Inertia.value, w[axis], 0, rows);
   return {
-    x: kernels.angularMomentumAxis(Mass.value, p.y, p.z, v.y, v.z, y, z, 0, rows) + spin('x'),
-    y: kernels.angularMomentumAxis(Mass.value, p.z, p.x, v.z, v.x, z, x, 0, rows) + spin('y'),
-    z: kernels.angularMomentumAxis(Mass.value, p.x, p.y, v.x, v.y, x, y, 0, rows) + spin('z'),
+    x: kernels.angularMomentumAxis(0, y, z, 0, rows) + spin('x'),
+    y: kernels.angularMomentumAxis(1, z, x, 0, rows) + spin('y'),
+    z: kernels.angularMomentumAxis(2, x, y, 0, rows) + spin('z'),
   };
 }

@@ -37,5 +37,5 @@ function turnRun(world: PhysicsWorld, first: number, last: number, dt: number): 
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Orientation: q, Rotation } = addresses;
   if (world.dimensions === 2) kernels.driftAxis(Rotation.angle, w.z, dt, first, last);
-  else kernels.turnQuaternion(q.x, q.y, q.z, q.w, w.x, w.y, w.z, dt, first, last);
+  else kernels.turnQuaternion(q.x, q.y, q.z, q.w, dt, first, last);
 }

@@ -3,11 +3,12 @@ import { removeComponent } from 'bitecs';
 import { bitOf } from '../components/all.ts';
 import { MAX_POSITION } from '../components/position.ts';
 import { isAlive } from '../ecs/entity-ref.ts';
+import type { MemoryRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { emitterKernels } from './kernels.ts';
 import { dropIncomplete } from './pool.ts';
-import { type EmitterRecord, N, W } from './record.ts';
+import { N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
 /** The emitters of a world, in the order they were made, and how many there ever were: the stream of the next. */
@@ -35,7 +36,7 @@ export function emitParticles(world: PhysicsWorld, dt: number): void {
 }
 
 /** Puts the emitter where its body was at the last step and is now; without the body it stops. */
-function follow(world: PhysicsWorld, { internal }: Emitter, { words, numbers }: EmitterRecord): void {
+function follow(world: PhysicsWorld, { internal }: Emitter, { words, numbers }: MemoryRecord): void {
   if (internal.followed === undefined || !isAlive(world, internal.followed)) {
     words[W.emits] = 0;
     return;
@@ -58,7 +59,7 @@ function isPlace(coordinate: number): boolean {
 }
 
 /** The velocity particles inherit: that of the emitter's way since the last step. */
-function carry({ numbers }: EmitterRecord): void {
+function carry({ numbers }: MemoryRecord): void {
   const pending = numbers[N.pending];
   const factor = pending > 0 ? numbers[N.inheritVelocity] / pending : 0;
   numbers[N.velocityX] = (numbers[N.x] - numbers[N.lastX]) * factor;

@@ -13,6 +13,8 @@ import {
   type VectorInput,
 } from '../errors/validate.ts';
 import { seedWords } from '../math/random.ts';
+import { BurstNumber } from '../memory/layouts.gen.ts';
+import type { MemoryRecord } from '../memory/record.ts';
 import { markImmutable } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { emitParticles, emittersOf } from './emit.ts';
@@ -26,17 +28,8 @@ import {
   parametersOf,
 } from './options.ts';
 import { type BurstPattern, checkPattern } from './pattern.ts';
-import {
-  type Block,
-  BURST_NUMBERS,
-  layOut,
-  MAX_BURSTS,
-  makeBodies,
-  removeBodies,
-  returnBlock,
-  takeBlock,
-} from './pool.ts';
-import { type EmitterRecord, MAX_STOPS, N, W } from './record.ts';
+import { type Block, layOut, MAX_BURSTS, makeBodies, removeBodies, returnBlock, takeBlock } from './pool.ts';
+import { BURST_BYTES, MAX_STOPS, N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
 /**
@@ -80,7 +73,7 @@ function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
       followed,
       entity: options.entity ?? 0,
       parameters,
-      bursts: new Float64Array(world.memory.buffer, block.record.words[W.bursts], MAX_BURSTS * BURST_NUMBERS),
+      bursts: new Float64Array(world.memory.buffer, block.record.words[W.bursts], (MAX_BURSTS * BURST_BYTES) / 8),
       endings: undefined,
       membership: world.versions.membership,
       destroyed: false,
@@ -114,7 +107,7 @@ function openRecord(
   world.versions.style++;
 }
 
-function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRecord, checked: CheckedParameters): void {
+function writeParameters(world: PhysicsWorld, { at, words, numbers }: MemoryRecord, checked: CheckedParameters): void {
   const { ramps } = checked;
   numbers.set(checked.numbers, N.rate);
   words[W.sizeStops] = checked.numbers.length - (N.size0 - N.rate);
@@ -128,12 +121,12 @@ function writeParameters(world: PhysicsWorld, { at, words, numbers }: EmitterRec
 }
 
 /** No way lies behind the emitter. */
-function comeToRest({ numbers }: EmitterRecord): void {
+function comeToRest({ numbers }: MemoryRecord): void {
   numbers.copyWithin(N.lastX, N.x, N.x + 3);
 }
 
 /** @throws PhysicsError E_DESTROYED (the world), E_STALE (the emitter) */
-function recordOf(emitter: Emitter): EmitterRecord {
+function recordOf(emitter: Emitter): MemoryRecord {
   if (emitter?.internal === undefined) throw mustBe('an emitter made by createEmitter', emitter, 'emitter');
   const { world, internal } = emitter;
   assertUsable(world);
@@ -218,17 +211,17 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
     });
   }
   const { bursts } = internal;
-  const start = waiting * BURST_NUMBERS;
-  readVector(bursts, start + 3, position, 'position', PLACES);
-  readVector(bursts, start + 6, velocity, 'velocity', SPEEDS);
-  const z = bursts[start + 5] === 0 ? bursts[start + 8] : bursts[start + 5];
+  const start = (waiting * BURST_BYTES) / 8;
+  readVector(bursts, start + BurstNumber.x, position, 'position', PLACES);
+  readVector(bursts, start + BurstNumber.velocityX, velocity, 'velocity', SPEEDS);
+  const z = bursts[start + BurstNumber.z] === 0 ? bursts[start + BurstNumber.velocityZ] : bursts[start + BurstNumber.z];
   if (world.dimensions === 2 && z !== 0) checkNumber(z, 'burst z', { min: 0, max: 0 });
-  bursts[start] = count;
-  bursts[start + 1] = options.position === undefined ? 0 : 1;
-  bursts[start + 2] = ramp;
-  bursts[start + 9] = pattern?.at ?? 0;
-  bursts[start + 10] = pattern?.count ?? 0;
-  bursts[start + 11] = scale;
+  bursts[start + BurstNumber.count] = count;
+  bursts[start + BurstNumber.placed] = options.position === undefined ? 0 : 1;
+  bursts[start + BurstNumber.ramp] = ramp;
+  bursts[start + BurstNumber.pattern] = pattern?.at ?? 0;
+  bursts[start + BurstNumber.patternCount] = pattern?.count ?? 0;
+  bursts[start + BurstNumber.scale] = scale;
   words[W.burstCount] = waiting + 1;
 }
 

@@ -4,14 +4,14 @@ import { spawnMany } from '../bodies/spawn-many.ts';
 import { bitOf } from '../components/all.ts';
 import { removeWholly } from '../ecs/bitecs-adapter.ts';
 import { allocate } from '../memory/arena.ts';
+import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterOptions } from './options.ts';
-import { type EmitterRecord, MAX_RAMPS, RECORD_BYTES, recordAt, W } from './record.ts';
+import { BURST_BYTES, EMITTER_BYTES, MAX_RAMPS, W } from './record.ts';
 
-/** Bursts that wait for the next step, and the bytes of one (kernels/emitters/record.ts). */
+/** Bursts that wait for the next step. */
 export const MAX_BURSTS = 256;
-export const BURST_NUMBERS = 12;
 
 /** 256 shades of each ramp. */
 const COLOR_BYTES = MAX_RAMPS * 1024;
@@ -20,7 +20,7 @@ const ENDING_BYTES = 52;
 
 /** A piece of the world's memory for an emitter; it serves another when its own is destroyed. */
 export interface Block {
-  readonly record: EmitterRecord;
+  readonly record: MemoryRecord;
   readonly capacity: number;
   readonly reports: boolean;
 }
@@ -37,8 +37,9 @@ export function takeBlock(world: PhysicsWorld, capacity: number, reports: boolea
   if (found >= 0) return idle.splice(found, 1)[0];
   const { arena } = world.internal;
   const slots = capacity * (SLOT_BYTES + (reports ? ENDING_BYTES : 0));
-  const bytes = RECORD_BYTES + MAX_BURSTS * BURST_NUMBERS * 8 + COLOR_BYTES + slots;
-  return { record: recordAt(arena, allocate(arena, bytes + 64, `an emitter of ${capacity}`)), capacity, reports };
+  const bytes = EMITTER_BYTES + MAX_BURSTS * BURST_BYTES + COLOR_BYTES + slots;
+  const at = allocate(arena, bytes + 64, `an emitter of ${capacity}`);
+  return { record: recordAt(arena.memory, at, EMITTER_BYTES), capacity, reports };
 }
 
 export function returnBlock(world: PhysicsWorld, block: Block): void {
@@ -47,15 +48,14 @@ export function returnBlock(world: PhysicsWorld, block: Block): void {
 
 /** Lays out the block's arrays for `capacity` slots: those of 8 bytes a slot first. */
 export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity: number): void {
-  const { words, numbers } = record;
-  let top = record.at + RECORD_BYTES;
+  const { words } = record;
+  let top = record.at + EMITTER_BYTES;
   const take = (bytes: number) => {
     top += bytes;
     return top - bytes;
   };
   words.fill(0);
-  numbers.fill(0);
-  words[W.bursts] = take(MAX_BURSTS * BURST_NUMBERS * 8);
+  words[W.bursts] = take(MAX_BURSTS * BURST_BYTES);
   words[W.colors] = take(COLOR_BYTES);
   words[W.bornAt] = take(capacity * 8);
   if (reports) words[W.endedAt] = take(capacity * 48);
@@ -97,7 +97,7 @@ export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32
  * Lets go of entities that lost a component which the emitter writes: their rows are no longer its own. Called when the
  * set of components of any entity has changed.
  */
-export function dropIncomplete(world: PhysicsWorld, { words }: EmitterRecord): void {
+export function dropIncomplete(world: PhysicsWorld, { words }: MemoryRecord): void {
   const { buffer } = world.memory;
   const { members } = world.internal;
   const capacity = words[W.capacity];
@@ -115,7 +115,7 @@ const WRITTEN = bitOf('Position') | bitOf('Velocity') | bitOf('Mass') | bitOf('A
 const NO_GENERATION = 0xffffffff;
 
 /** Removes those entities of a pool that are still its own. */
-export function removeBodies(world: PhysicsWorld, { words }: EmitterRecord): void {
+export function removeBodies(world: PhysicsWorld, { words }: MemoryRecord): void {
   const { buffer } = world.memory;
   const capacity = words[W.capacity];
   const ids = new Uint32Array(buffer, words[W.ids], capacity);

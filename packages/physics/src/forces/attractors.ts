@@ -24,6 +24,7 @@ import type { BodySymbols } from '../laws/body-symbols.ts';
 import { constant, type Scalar, type Vector, vec3 } from '../laws/expression.ts';
 import { scalar, suppliedScalar } from '../laws/parameter.ts';
 import { table } from '../laws/table.ts';
+import { CENTRE_BYTES, CENTRE_FIELDS } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { inverseWhere } from './support/central-force.ts';
@@ -32,8 +33,7 @@ import { inverseWhere } from './support/central-force.ts';
 const LIGHT_SPEEDS = { min: 1e-3, max: 1e12 };
 
 /** A centre as it was when the step began, kernels/forces/attractors.ts. */
-const CENTRE = ['x', 'y', 'z', 'vx', 'vy', 'vz', 'mu', 'softeningSquared', 'entity'] as const;
-type Centre = Readonly<Record<(typeof CENTRE)[number], Scalar>>;
+type Centre = Readonly<Record<(typeof CENTRE_FIELDS)[number], Scalar>>;
 
 const centresOf = resource(emptyEntityList);
 
@@ -43,7 +43,7 @@ export interface AttractorsOptions {
 }
 
 const parameters = {
-  centres: table(CENTRE, placeOfCentres),
+  centres: table(CENTRE_FIELDS, placeOfCentres),
   /** When the centres were where the table says, s. */
   gathered: suppliedScalar((world) => world.time),
 };
@@ -123,7 +123,7 @@ function placeOfCentres(world: PhysicsWorld): EntityList {
 /** Lists the centres anew when entities changed, and copies where they are now. */
 function gather(world: PhysicsWorld): EntityList {
   const centres = centresOf(world);
-  refreshEntityList(world, centres, 'Attractor', 8 * CENTRE.length, bitOf('Attractor') | bitOf('Position'));
+  refreshEntityList(world, centres, 'Attractor', CENTRE_BYTES, bitOf('Attractor') | bitOf('Position'));
   const { ids, at, count } = centres;
   const { mu, softening } = world.addresses.Attractor;
   const bad = world.kernels.gatherAttractors(ids, count, mu, softening, at);

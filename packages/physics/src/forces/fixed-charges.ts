@@ -16,6 +16,7 @@ import { reportFault } from '../errors/report-fault.ts';
 import { type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import { type TablePlace, table } from '../laws/table.ts';
+import { SOURCE_BYTES, SOURCE_FIELDS } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { POSITIVE } from './support/bounds.ts';
@@ -26,8 +27,7 @@ import { forceKernels } from './support/force-kernels.ts';
 export const COULOMB_CONSTANT = 8.9875517862e9;
 
 /** A source as it was when the step began, kernels/forces/charges.ts: position, charge and radius. */
-const SOURCE = ['x', 'y', 'z', 'charge', 'radius'] as const;
-type Source = Readonly<Record<(typeof SOURCE)[number], Scalar>>;
+type Source = Readonly<Record<(typeof SOURCE_FIELDS)[number], Scalar>>;
 
 interface Sources extends EntityList {
   /** Those listed that have no mass. */
@@ -41,7 +41,7 @@ const law = /* @__PURE__ */ defineLaw({
   formula: 'F = k q Q r / |r|³',
   source: 'Coulomb, Histoire de l’Académie Royale des Sciences, 569 (1785).',
   reads: { charge: Charge },
-  parameters: { constant: scalar('N m²/C²', POSITIVE), sources: table(SOURCE, placeOfSources) },
+  parameters: { constant: scalar('N m²/C²', POSITIVE), sources: table(SOURCE_FIELDS, placeOfSources) },
   force: ({ position, charge }, { constant, sources }) =>
     sources.sum((source) => fieldOf(source, position, constant)).mul(charge),
   potential: ({ position, charge }, { constant, sources }) =>
@@ -82,7 +82,7 @@ function placeOfSources(world: PhysicsWorld): TablePlace {
 /** Lists the charges anew when entities changed, and copies those without mass as they are now. */
 function gather(world: PhysicsWorld): TablePlace {
   const sources = sourcesOf(world);
-  refreshEntityList(world, sources, 'Charge', 8 * SOURCE.length, bitOf('Charge') | bitOf('Position'));
+  refreshEntityList(world, sources, 'Charge', SOURCE_BYTES, bitOf('Charge') | bitOf('Position'));
   const { fixed, ids, at } = sources;
   const count = forceKernels(world).gatherCharges(ids, sources.count, world.addresses.Charge.value, at);
   fixed.at = at;

@@ -13,15 +13,14 @@ import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/a
 import type { LawForce } from '../dynamics/sum-of-laws.ts';
 import { allocate } from '../memory/arena.ts';
 import { realAddresses, realBytes } from '../memory/columns.ts';
+import { LIMITS_BYTES, LimitsNumber, LimitsWord } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import { checkForce } from '../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { forceKernels } from './support/force-kernels.ts';
 import { restrictedLaw } from './support/restricted-law.ts';
 import { type CheckedRestrictions, checkRestrictions, type Restrictions } from './support/restrictions.ts';
-
-/** Bytes of a record of limits, kernels/forces/restrict-force.ts. */
-const LIMITS_BYTES = 56;
 
 /** Columns that hold the force and torque from before, one set for each restricted force inside another. */
 const savesOf = resource((): number[][] => []);
@@ -178,18 +177,18 @@ function potentialOfGroup(world: PhysicsWorld, force: Force, limits: number): nu
 }
 
 function writeLimits(world: PhysicsWorld, { group, box, ball }: CheckedRestrictions): number {
-  const at = allocate(world.internal.arena, LIMITS_BYTES, 'limits');
-  const numbers = new Float64Array(world.memory.buffer, at, 6);
+  const { at, numbers, words } = allocateRecord(world.internal.arena, LIMITS_BYTES, 'limits');
   const isFlat = world.dimensions === 2;
   // In the plane a region has no depth: a centre lies in it, a box is open.
   if (ball !== undefined) {
     const { x, y, z } = ball.centre;
-    numbers.set([x, y, isFlat ? 0 : z, ball.radius * ball.radius]);
+    numbers.set([x, y, isFlat ? 0 : z, ball.radius * ball.radius], LimitsNumber.ax);
   } else if (box !== undefined) {
     const { min, max } = box;
-    numbers.set([min.x, min.y, isFlat ? -Infinity : min.z, max.x, max.y, isFlat ? Infinity : max.z]);
+    numbers.set([min.x, min.y, isFlat ? -Infinity : min.z], LimitsNumber.ax);
+    numbers.set([max.x, max.y, isFlat ? Infinity : max.z], LimitsNumber.bx);
   }
-  const kind = ball !== undefined ? 2 : box !== undefined ? 1 : 0;
-  new Uint32Array(world.memory.buffer, at + 48, 2).set([kind, group]);
+  words[LimitsWord.kind] = ball !== undefined ? 2 : box !== undefined ? 1 : 0;
+  words[LimitsWord.group] = group;
   return at;
 }

@@ -15,6 +15,9 @@ import { Engine } from '../components/propulsion.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys } from '../errors/validate.ts';
 import { vec3 } from '../laws/expression.ts';
+import { ENGINE_COLUMNS_BYTES, EngineColumnsWord as Word } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
+import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { forceKernels } from './support/force-kernels.ts';
 import { checkFrame } from './support/frame.ts';
@@ -53,8 +56,13 @@ export function rocketEngines(options: RocketOptions = {}): Force {
 /** Burns the fuel of one step, and leaves the thrust of it in the columns that the law reads. */
 function burn(world: PhysicsWorld, dt: number): void {
   if (world.internal.counts.Engine === 0) return;
-  const e = world.addresses.Engine;
-  const [tx, ty, tz, last] = [e.thrustX, e.thrustY, e.thrustZ, world.lastId + 1];
-  const kernels = forceKernels(world);
-  kernels.burnFuel(e.fuel, e.burnRate, e.throttle, e.exhaustSpeed, e.x, e.y, e.z, tx, ty, tz, dt, 0, last);
+  forceKernels(world).burnFuel(engineColumns(world), dt, 0, world.lastId + 1);
 }
+
+const engineColumns = resource((world) => {
+  const { at, words } = allocateRecord(world.internal.arena, ENGINE_COLUMNS_BYTES, 'rocket engines');
+  const { fuel, burnRate, throttle, exhaustSpeed, x, y, z, thrustX, thrustY, thrustZ } = world.addresses.Engine;
+  words.set([fuel, burnRate, throttle, exhaustSpeed], Word.fuel);
+  words.set([x, y, z, thrustX, thrustY, thrustZ], Word.x);
+  return at;
+});

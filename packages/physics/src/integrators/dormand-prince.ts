@@ -11,6 +11,7 @@
 import { checkKeys, checkNumber, type Vector } from '../errors/validate.ts';
 import { raise } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
+import { EmbeddedErrorWord } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import {
   begin,
@@ -105,7 +106,7 @@ function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: 
   const budget = limits.maxEvaluations ?? defaultEvaluations(world);
   for (let evaluations = 1; passed < dt; evaluations += 6) {
     if (wanted < SHORTEST * dt || evaluations > budget) {
-      reportUnderflow(world, stages.kernels.rowOfWorstError(), wanted);
+      reportUnderflow(world, stages.error.words[EmbeddedErrorWord.worstRow], wanted);
       crossBlindly(world, ranges, passed, dt, evaluateForces);
       return;
     }

@@ -20,6 +20,7 @@ import { bitOf } from '../components/all.ts';
 import { emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';
+import { PLANET_BYTES } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
 import type { Integrator, PhysicsWorld } from '../world/types.ts';
 import { integratorKernels } from './support/integrator-kernels.ts';
@@ -32,9 +33,6 @@ export interface WisdomHolmanOptions {
   /** The dominant body; default the heaviest. */
   readonly central?: number;
 }
-
-/** Bytes of a body, kernels/integrators/wisdom-holman.ts. */
-const PLANET_BYTES = 80;
 
 const planetsOf = resource(emptyEntityList);
 

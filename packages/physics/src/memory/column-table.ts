@@ -1,47 +1,24 @@
 import { type Addresses, bitOf } from '../components/all.ts';
 import type { AxisAddresses } from './columns.ts';
+import { COLUMN_TABLE, COLUMNS_BYTES, ColumnsWord } from './layouts.gen.ts';
 
-/** Where the table of column addresses stands in the world's memory; kernels/memory/columns.ts reads it there. */
-export const TABLE_ADDRESS = 64;
-
-/** Bytes at the start of the memory that belong to tables. */
-export const RESERVED_BYTES = 4096;
-
-/** The words of the table, in the order of the class in kernels/memory/columns.ts. */
-export const enum TableColumn {
-  positionX,
-  positionY,
-  positionZ,
-  velocityX,
-  velocityY,
-  velocityZ,
-  mass,
-  inertia,
-  angularVelocityX,
-  angularVelocityY,
-  angularVelocityZ,
-  radius,
-  restitution,
-  friction,
-  members,
-  angularVelocityBit,
-  contacts,
-  /** How many there are. */
-  end,
+/** Writes the addresses of columns where kernels/memory/columns.ts reads them. */
+export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, members: number): void {
+  const table = new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4);
+  const axes = (start: ColumnsWord, { x, y, z }: AxisAddresses) => table.set([x, y, z], start);
+  axes(ColumnsWord.positionX, at.Position);
+  axes(ColumnsWord.velocityX, at.Velocity);
+  axes(ColumnsWord.angularVelocityX, at.AngularVelocity);
+  table[ColumnsWord.mass] = at.Mass.value;
+  table[ColumnsWord.inertia] = at.Inertia.value;
+  table[ColumnsWord.radius] = at.Collider.radius;
+  table[ColumnsWord.restitution] = at.Collider.restitution;
+  table[ColumnsWord.friction] = at.Collider.friction;
+  table[ColumnsWord.members] = members;
+  table[ColumnsWord.angularVelocityBit] = bitOf('AngularVelocity');
 }
 
-/** Writes the table. */
-export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, members: number): void {
-  const table = new Uint32Array(memory.buffer, TABLE_ADDRESS, TableColumn.end);
-  const axes = (start: TableColumn, { x, y, z }: AxisAddresses) => table.set([x, y, z], start);
-  axes(TableColumn.positionX, at.Position);
-  axes(TableColumn.velocityX, at.Velocity);
-  axes(TableColumn.angularVelocityX, at.AngularVelocity);
-  table[TableColumn.mass] = at.Mass.value;
-  table[TableColumn.inertia] = at.Inertia.value;
-  table[TableColumn.radius] = at.Collider.radius;
-  table[TableColumn.restitution] = at.Collider.restitution;
-  table[TableColumn.friction] = at.Collider.friction;
-  table[TableColumn.members] = members;
-  table[TableColumn.angularVelocityBit] = bitOf('AngularVelocity');
+/** Writes the address of the table of contacts, which kernels find by it. */
+export function writeContactTable(memory: WebAssembly.Memory, at: number): void {
+  new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4)[ColumnsWord.contacts] = at;
 }

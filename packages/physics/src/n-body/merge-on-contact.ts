@@ -15,8 +15,9 @@ import { despawn } from '../bodies/spawn.ts';
 import { bitOf } from '../components/all.ts';
 import { pow } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
+import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
-import { activateContacts, contactTable, Word } from '../particle-contacts/contact-table.ts';
+import { activateContacts, contactTable } from '../particle-contacts/contact-table.ts';
 import { collisionKernels } from '../particle-contacts/kernels.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 

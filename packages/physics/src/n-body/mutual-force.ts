@@ -4,6 +4,8 @@ import { bitOf } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
+import { N_BODY_BYTES, NBodyNumber, NBodyWord as Word } from '../memory/layouts.gen.ts';
+import { recordAt } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force, ForceParameter, PhysicsWorld } from '../world/types.ts';
 import { nBodyKernels } from './kernels.ts';
@@ -158,16 +160,17 @@ function createSum(spec: MutualSpec) {
 }
 
 function reportOf(world: PhysicsWorld, work: number): MutualForceReport {
-  const about = (index: number) => nBodyKernels(world).nBodyNumber(work, index);
+  const { words, numbers } = recordAt(world.memory, work, N_BODY_BYTES);
+  const hasNodes = words[Word.treeValid] !== 0;
   return {
-    bodies: about(0),
-    method: about(1) === 1 ? 'tree' : 'direct',
-    cellPairs: about(2),
-    bodyPairs: about(3),
-    error: about(4),
-    tolerance: about(5),
-    nodes: about(6),
-    depth: about(7),
-    evaluations: about(8),
+    bodies: words[Word.bodies],
+    method: words[Word.resultsByTree] === 1 ? 'tree' : 'direct',
+    cellPairs: numbers[NBodyNumber.cellPairs],
+    bodyPairs: numbers[NBodyNumber.bodyPairs],
+    error: numbers[NBodyNumber.error],
+    tolerance: numbers[NBodyNumber.tolerance],
+    nodes: hasNodes ? words[Word.nodeCount] : 0,
+    depth: hasNodes ? words[Word.deepest] : 0,
+    evaluations: words[Word.evaluations],
   };
 }

@@ -3,8 +3,9 @@ import { MAX_SPEED } from '../components/velocity.ts';
 import { type BoxSystem, bounceFromBox } from '../dynamics/fused-step.ts';
 import { FAR } from '../dynamics/loop-checks.ts';
 import { checkKeys, checkNumber, checkVector, mustBe, type VectorInput } from '../errors/validate.ts';
-import { allocate } from '../memory/arena.ts';
 import { AXES } from '../memory/axes.ts';
+import { BOX_BYTES, BoxNumber, BoxWord } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -19,9 +20,6 @@ export interface BoxWallsOptions {
   /** Friction of the walls; a contact's is the geometric mean of this and the body's. Default: the body's own. */
   readonly friction?: number;
 }
-
-/** Bytes of the class `Box` in kernels/particle-contacts/walls/box.ts: eight doubles and eight words. */
-const BOX_BYTES = 96;
 
 /**
  * A system for the `walls` phase. Acts on bodies with Mass and Collider.
@@ -65,11 +63,13 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
 }
 
 function writeBox(world: PhysicsWorld, values: readonly number[]): number {
-  const { memory, internal, scratch, dimensions, previousAddresses } = world;
+  const { internal, scratch, dimensions, previousAddresses } = world;
   const origin = previousAddresses.Position;
-  const at = allocate(internal.arena, BOX_BYTES, 'box walls');
+  const { at, numbers, words } = allocateRecord(internal.arena, BOX_BYTES, 'box walls');
   const { x, y, z } = scratch.at.startVelocity;
-  new Float64Array(memory.buffer, at, 8).set(values);
-  new Uint32Array(memory.buffer, at + 64, 7).set([x, y, z, dimensions, origin.x, origin.y, origin.z]);
+  numbers.set(values, BoxNumber.lowX);
+  words.set([x, y, z], BoxWord.startX);
+  words.set([origin.x, origin.y, origin.z], BoxWord.originX);
+  words[BoxWord.axes] = dimensions;
   return at;
 }

@@ -1,30 +1,7 @@
-import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { createPhysicsWorld, particleContacts } from '../index.ts';
-import * as columnTable from '../memory/column-table.ts';
-import * as contactTables from './contact-table.ts';
-import { contactTable, Word } from './contact-table.ts';
-
-/** The fields of an `@unmanaged` class in the kernels, in order. */
-function fieldsOf(file: string, name: string): string[] {
-  const source = readFileSync(new URL(`../../kernels/${file}`, import.meta.url), 'utf8');
-  const body = source.slice(source.indexOf(`class ${name} {`)).split('\n}')[0];
-  return [...body.matchAll(/^ {2}(\w+): \w+;/gm)].map((match) => match[1]);
-}
-
-/** The members of an enumeration before its `end`, in order: an object wherever files are compiled one by one, as here. */
-function namesOf(file: object, enumeration: string): string[] {
-  const words = (file as Readonly<Record<string, object>>)[enumeration];
-  return Object.keys(words).filter((name) => name !== 'end' && Number.isNaN(Number(name)));
-}
-
-test('the tables are laid out as the kernels read them', () => {
-  expect(fieldsOf('particle-contacts/table.ts', 'ContactTable')).toEqual([
-    'previousDt',
-    ...namesOf(contactTables, 'Word'),
-  ]);
-  expect(fieldsOf('memory/columns.ts', 'Columns')).toEqual(namesOf(columnTable, 'TableColumn'));
-});
+import { ContactTableWord } from '../memory/layouts.gen.ts';
+import { contactTable } from './contact-table.ts';
 
 describe.each([
   [2, 'f32'],
@@ -37,7 +14,9 @@ describe.each([
     (capacity) => {
       const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision, capacity });
       const { arena } = world.internal;
-      expect(contactTable(world).words[Word.capacity]).toBeGreaterThanOrEqual((dimensions === 2 ? 4 : 8) * capacity);
+      expect(contactTable(world).words[ContactTableWord.capacity]).toBeGreaterThanOrEqual(
+        (dimensions === 2 ? 4 : 8) * capacity,
+      );
       expect(arena.bytes - arena.top).toBeGreaterThan(200 * capacity);
     },
   );

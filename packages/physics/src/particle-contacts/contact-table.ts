@@ -1,82 +1,14 @@
-// The memory of a world's contacts: a table of counters and addresses that kernels/particle-contacts/table.ts lays out, and
-// the lists it points to, all in the world's arena.
+// The memory of a world's contacts: a table of counters and addresses (kernels/particle-contacts/table.ts) and the
+// lists it points to, all in the world's arena.
 
 import type { Precision } from '../kernels/instantiate.ts';
 import { allocate } from '../memory/arena.ts';
-import { TABLE_ADDRESS, TableColumn } from '../memory/column-table.ts';
+import { writeContactTable } from '../memory/column-table.ts';
 import { realBytes } from '../memory/columns.ts';
+import { BODY_BYTES, CONTACT_TABLE_BYTES, ContactTableWord as Word } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-
-/** The words of the table after its first field, the f64 `previousDt`; in the order of the kernels' class. */
-export const enum Word {
-  capacity,
-  count,
-  lost,
-  a,
-  b,
-  nx,
-  ny,
-  nz,
-  impulse,
-  holding,
-  rubbing,
-  slotA,
-  slotB,
-  previousCount,
-  previousA,
-  previousB,
-  previousHolding,
-  order,
-  flags,
-  gap,
-  x,
-  y,
-  z,
-  wallCapacity,
-  wallCount,
-  wallLost,
-  wallBody,
-  wallId,
-  wallNx,
-  wallNy,
-  wallNz,
-  wallImpulse,
-  wallHolding,
-  wallGap,
-  wallFriction,
-  wallRubbed,
-  wallRubbing,
-  wallSlot,
-  blocks,
-  levels,
-  mostLevels,
-  bodies,
-  bodyRows,
-  bodyCount,
-  rowWords,
-  starts,
-  sortedX,
-  sortedY,
-  sortedZ,
-  sortedRadius,
-  sortedBucket,
-  sortedRow,
-  maxBuckets,
-  buckets,
-  stride,
-  layer,
-  gridCount,
-  largeCount,
-  histogram,
-  startX,
-  startY,
-  startZ,
-  fromX,
-  fromY,
-  /** How many there are. */
-  end,
-}
 
 /** A world's contacts as the systems of this package see them. */
 export interface ContactTable {
@@ -101,9 +33,6 @@ const MIN_CONTACTS = 8192;
 /** In a small world most bodies may lie at walls, some at three. */
 const MIN_WALL_CONTACTS = 2048;
 
-/** Bytes of a gathered body (kernels/particle-contacts/body.ts): fifteen reals and a word. */
-const bodyBytes = (bytes: number) => 16 * bytes;
-
 /** Bytes of a contact: its lists in `takeContacts`. */
 const contactBytes = (bytes: number) => 40 + 6 * bytes + packedBytes(bytes);
 
@@ -116,7 +45,7 @@ const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
 /** What contacts need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): number {
   const bytes = realBytes(precision);
-  const grid = 4 + 4 + 4 + Math.max(bodyBytes(bytes), 16 + 4);
+  const grid = 4 + 4 + 4 + Math.max(BODY_BYTES[precision], 16 + 4);
   const lists = CONTACTS_A_BODY[dimensions] * contactBytes(bytes) + wallContactBytes(bytes) / 2;
   return Math.ceil((grid + lists) / SHARE);
 }
@@ -125,21 +54,19 @@ export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): 
 export const contactTable = resource<ContactTable>((world) => {
   const { arena } = world.internal;
   const take = (size: number) => allocate(arena, size, 'contacts');
-  const table = take(8 + 4 * Word.end);
-  const words = new Uint32Array(world.memory.buffer, table + 8, Word.end);
+  const { at, words } = allocateRecord(arena, CONTACT_TABLE_BYTES, 'contacts');
   takeGrid(world, words, take);
   takeWallContacts(world, words, take);
   takeContacts(world, words, take);
   takeSorted(world, words, take);
   const { startVelocity, stage2 } = world.scratch.at;
   words.set([startVelocity.x, startVelocity.y, startVelocity.z, stage2.x, stage2.y], Word.startX);
-  return { table, words };
+  return { table: at, words };
 });
 
 /** From now on walls write their contacts down, and the kernels find the table. */
 export function activateContacts(world: PhysicsWorld): void {
-  const pointer = TABLE_ADDRESS / 4 + TableColumn.contacts;
-  new Uint32Array(world.memory.buffer)[pointer] = contactTable(world).table;
+  writeContactTable(world.memory, contactTable(world).table);
 }
 
 const SORTED = [Word.sortedX, Word.sortedY, Word.sortedZ, Word.sortedRadius, Word.sortedBucket];
@@ -156,9 +83,8 @@ function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   words[Word.levels] = take(4 * rows);
   words[Word.mostLevels] = rows;
   // The broad phase is over before the first body is gathered, so that the two can share their memory.
-  const bytes = realBytes(world.precision);
   const starts = 4 * (buckets + 16);
-  const region = take(Math.max(bodyBytes(bytes) * rows, starts + 4 * rows));
+  const region = take(Math.max(BODY_BYTES[world.precision] * rows, starts + 4 * rows));
   words[Word.starts] = region;
   words[Word.sortedRow] = region + starts;
   words[Word.bodies] = region;

@@ -1,9 +1,11 @@
 // The contacts of the last step as arrays, and as events.
+
 import type { RealColumn } from '../components/define.ts';
+import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
 import { markImmutable, resource } from '../memory/resource.ts';
 import { emit, hasHandlers } from '../world/event-handlers.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { contactTable, Word } from './contact-table.ts';
+import { contactTable } from './contact-table.ts';
 
 /**
  * The contacts of the last step, by ascending (a, b); entry i of each array for i < `count`. The arrays stay valid, and

@@ -2,7 +2,8 @@
 
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { forEachRange } from '../ecs/ranges.ts';
-import { allocate } from '../memory/arena.ts';
+import { PLANE_COLUMNS_BYTES, PlaneColumnsWord } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { LocalSystem } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
@@ -14,9 +15,11 @@ interface PlaneList extends EntityList {
 
 const planeList = resource<PlaneList>((world) => {
   const { nx, ny, nz, offset, restitution, friction } = world.addresses.PlaneWall;
-  const columns = allocate(world.internal.arena, 4 * 6, 'plane walls');
-  new Uint32Array(world.memory.buffer, columns, 6).set([nx, ny, nz, offset, restitution, friction]);
-  return { columns, ...emptyEntityList() };
+  const { at, words } = allocateRecord(world.internal.arena, PLANE_COLUMNS_BYTES, 'plane walls');
+  words.set([nx, ny, nz, offset, restitution, friction], PlaneColumnsWord.nx);
+  const start = world.scratch.at.startVelocity;
+  words.set([start.x, start.y, start.z], PlaneColumnsWord.startX);
+  return { columns: at, ...emptyEntityList() };
 });
 
 /**
@@ -29,8 +32,7 @@ export const planeWalls: LocalSystem = {
     if (world.internal.counts.PlaneWall === 0) return;
     const list = planeList(world);
     refreshEntityList(world, list, 'PlaneWall', 0);
-    const { x, y, z } = world.scratch.at.startVelocity;
     const lag = (world.integrator.velocityLag ?? 0) * dt;
-    collisionKernels(world).planeWalls(list.columns, list.ids, list.count, x, y, z, dt, lag, first, last);
+    collisionKernels(world).planeWalls(list.columns, list.ids, list.count, dt, lag, first, last);
   }),
 };

@@ -4,7 +4,8 @@ import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/enti
 import { forEachRange } from '../ecs/ranges.ts';
 import { reportFault } from '../errors/report-fault.ts';
 import { allocate } from '../memory/arena.ts';
-import { realBytes } from '../memory/columns.ts';
+import { SEGMENT_BYTES, WALL_GRID_BYTES, WallGridWord as Word } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
@@ -12,18 +13,6 @@ import { collisionKernels } from './kernels.ts';
 /** Cells of the walls' grid along one axis, at most; and entries of its lists for each wall. */
 const MAX_SIDE = 64;
 const ITEMS_A_WALL = 16;
-
-/** The words of `WallGrid` in kernels/particle-contacts/walls/wall-grid.ts. */
-const enum GridWord {
-  count,
-  segments,
-  starts,
-  items,
-  mostItems,
-  side,
-  /** How many there are. */
-  end,
-}
 
 interface SegmentList extends EntityList {
   readonly grid: number;
@@ -36,9 +25,13 @@ interface SegmentList extends EntityList {
 
 const segmentList = resource<SegmentList>((world) => {
   const { arena } = world.internal;
-  const grid = allocate(arena, 4 * GridWord.end, 'segment walls');
-  const words = new Uint32Array(world.memory.buffer, grid, GridWord.end);
-  words[GridWord.starts] = allocate(arena, 4 * (MAX_SIDE * MAX_SIDE + 2), 'segment walls');
+  const { at: grid, words } = allocateRecord(arena, WALL_GRID_BYTES, 'segment walls');
+  const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
+  words.set([ax, ay, bx, by, restitution, friction], Word.ax);
+  const { Position } = world.previousAddresses;
+  const { startVelocity } = world.scratch.at;
+  words.set([Position.x, Position.y, startVelocity.x, startVelocity.y], Word.previousX);
+  words[Word.starts] = allocate(arena, 4 * (MAX_SIDE * MAX_SIDE + 2), 'segment walls');
   return { grid, words, tick: -1, reported: new Set<number>(), ...emptyEntityList() };
 });
 
@@ -46,17 +39,16 @@ const segmentList = resource<SegmentList>((world) => {
 function gather(world: PhysicsWorld): SegmentList {
   const list = segmentList(world);
   if (list.tick === world.tick) return list;
-  const size = 12 * realBytes(world.precision);
+  const size = SEGMENT_BYTES[world.precision];
   if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_A_WALL)) {
     const { words, at, room } = list;
-    words[GridWord.segments] = at;
-    words[GridWord.items] = at + size * room;
-    words[GridWord.mostItems] = ITEMS_A_WALL * room;
+    words[Word.segments] = at;
+    words[Word.items] = at + size * room;
+    words[Word.mostItems] = ITEMS_A_WALL * room;
   }
-  const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
-  collisionKernels(world).gatherSegments(list.grid, list.ids, list.count, ax, ay, bx, by, restitution, friction);
+  collisionKernels(world).gatherSegments(list.grid, list.ids, list.count);
   list.tick = world.tick;
-  if (list.words[GridWord.count] < list.count) reportBadWalls(world, list);
+  if (list.words[Word.count] < list.count) reportBadWalls(world, list);
   else if (list.reported.size > 0) list.reported.clear();
   return list;
 }
@@ -86,10 +78,8 @@ export const segmentWalls: LocalSystem = {
   run: forEachRange((world, first, last, dt) => {
     if (world.dimensions !== 2 || world.internal.counts.SegmentWall === 0) return;
     const { grid } = gather(world);
-    const { x, y } = world.previousAddresses.Position;
-    const start = world.scratch.at.startVelocity;
     const lag = (world.integrator.velocityLag ?? 0) * dt;
-    collisionKernels(world).segmentWalls(grid, x, y, start.x, start.y, dt, lag, first, last);
+    collisionKernels(world).segmentWalls(grid, dt, lag, first, last);
   }),
 };
 

@@ -1,5 +1,5 @@
 // The world's memory, put aside and written back. Pieces that hold only zeros are left out.
-import { RESERVED_BYTES, TABLE_ADDRESS, TableColumn } from '../memory/column-table.ts';
+import { COLUMN_TABLE, COLUMNS_BYTES, FIRST_COLUMN } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Which parts of a memory hold anything. */
@@ -32,8 +32,6 @@ export function noImage(): MemoryImage {
 /** Bytes of a piece: one page, which most systems hand out untouched until it is written to. */
 const PIECE = 4096;
 
-const TABLE_BYTES = 4 * TableColumn.end;
-
 /** Copies the memory into an image, whose bytes are used again where they suffice. */
 export function takeImage(world: PhysicsWorld, image: MemoryImage): void {
   const { top, staggered } = world.internal.arena;
@@ -43,7 +41,7 @@ export function takeImage(world: PhysicsWorld, image: MemoryImage): void {
   if (!fits(image.bytes.length, length)) image.bytes = new Uint8Array(length + (length >> 4));
   const { bytes } = image;
   bytes.set(views[0]);
-  let to = TABLE_BYTES;
+  let to = COLUMNS_BYTES;
   for (let r = 0; r < runs.length; r += 2) {
     bytes.set(views[1 + r / 2], to);
     to += runs[r + 1] - runs[r];
@@ -70,7 +68,7 @@ function layoutOf(world: PhysicsWorld, top: number): Layout {
 
 /** Whether there is nothing between the runs and behind them. */
 function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: number): boolean {
-  let at = RESERVED_BYTES;
+  let at = FIRST_COLUMN;
   for (let r = 0; r < runs.length; r += 2) {
     if (kernels.nextPiece(at, runs[r], PIECE, 1) < runs[r]) return false;
     at = runs[r + 1];
@@ -81,10 +79,10 @@ function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: numb
 /** The runs there were together with all that holds anything. */
 function extended({ kernels, memory: { buffer } }: PhysicsWorld, before: readonly number[], top: number): Layout {
   const runs: number[] = [];
-  const views = [new Uint8Array(buffer, TABLE_ADDRESS, TABLE_BYTES)];
-  let length = TABLE_BYTES;
+  const views = [new Uint8Array(buffer, COLUMN_TABLE, COLUMNS_BYTES)];
+  let length = COLUMNS_BYTES;
   let b = 0;
-  for (let at = RESERVED_BYTES; ; ) {
+  for (let at = FIRST_COLUMN; ; ) {
     const from = Math.min(kernels.nextPiece(at, top, PIECE, 1), b < before.length ? before[b] : top);
     if (from >= top) break;
     at = from;
@@ -109,7 +107,7 @@ export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld,
   const { bytes, top, staggered } = image;
   const { runs } = image.layout;
   const target = new Uint8Array(memory.buffer);
-  target.set(bytes.subarray(0, TABLE_BYTES), TABLE_ADDRESS);
+  target.set(bytes.subarray(0, COLUMNS_BYTES), COLUMN_TABLE);
   const end = Math.max(top, arena.top);
   // Zeros are written only where there is something else, or pages never touched would become real.
   const clear = (from: number, to: number) => {
@@ -119,8 +117,8 @@ export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld,
       target.fill(0, first, at);
     }
   };
-  let from = TABLE_BYTES;
-  let at = RESERVED_BYTES;
+  let from = COLUMNS_BYTES;
+  let at = FIRST_COLUMN;
   for (let r = 0; r < runs.length; r += 2) {
     clear(at, runs[r]);
     const length = runs[r + 1] - runs[r];

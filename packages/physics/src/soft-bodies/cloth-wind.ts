@@ -13,9 +13,12 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { SPEEDS } from '../forces/support/bounds.ts';
 import { shownVector, timeVector, type VectorOverTime } from '../laws/time-vector.ts';
-import type { Force } from '../world/types.ts';
-import { constraintKernels } from '../xpbd/kernels.ts';
-import { facesOf } from './faces.ts';
+import { SHEET_IN_WIND_BYTES, SheetInWindNumber, SheetInWindWord } from '../memory/layouts.gen.ts';
+import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
+import { resource } from '../memory/resource.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
+import { type Faces, facesOf } from './faces.ts';
+import { softBodyKernels } from './kernels.ts';
 
 export interface ClothWindOptions {
   /** Entity ids of the corners of the triangles, three each: `cloth.triangles`. */
@@ -38,6 +41,7 @@ export function clothWind(options: ClothWindOptions): Force {
   const tangential = checkNumber(options.tangential ?? 0.01, 'clothWind.tangential', { min: 0, max: 100 });
   const wind = timeVector(options.velocity ?? {}, 'clothWind.velocity', 'velocity', SPEEDS);
   const faces = facesOf(options.triangles, 3, 'clothWind.triangles');
+  const sheetOf = resource((world) => writeSheet(world, faces(world), [density, normal, tangential]));
   return {
     name: 'wind on cloth',
     equation: 'F = ρ A |u| (c_n (u·n) n + c_t (u - (u·n) n)) / 2',
@@ -53,15 +57,24 @@ export function clothWind(options: ClothWindOptions): Force {
       if (world.dimensions === 2) {
         throw new PhysicsError('E_RANGE', 'clothWind needs a world of three dimensions.', { field: 'dimensions' });
       }
-      faces(world);
+      sheetOf(world);
     },
     accumulate(world, _first, _last, time) {
-      const { at, count, parts } = faces(world);
+      const { at, numbers } = sheetOf(world);
       const { x, y, z } = wind.at(world, time);
-      const f = world.scratch.at.force;
-      const lives = world.internal.generations.byteOffset;
-      const blow = constraintKernels(world).blowTriangles;
-      blow(at, count, parts, lives, f.x, f.y, f.z, x, y, z, density, normal, tangential);
+      numbers[SheetInWindNumber.windX] = x;
+      numbers[SheetInWindNumber.windY] = y;
+      numbers[SheetInWindNumber.windZ] = z;
+      softBodyKernels(world).blowTriangles(at);
     },
   };
+}
+
+function writeSheet(world: PhysicsWorld, { at, count, parts }: Faces, coefficients: readonly number[]): MemoryRecord {
+  const sheet = allocateRecord(world.internal.arena, SHEET_IN_WIND_BYTES, 'wind on cloth');
+  const { x, y, z } = world.scratch.at.force;
+  sheet.words.set([at, count, parts, world.internal.generations.byteOffset], SheetInWindWord.faces);
+  sheet.words.set([x, y, z], SheetInWindWord.forceX);
+  sheet.numbers.set(coefficients, SheetInWindNumber.density);
+  return sheet;
 }

@@ -28,7 +28,7 @@ export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): 
   return resource((world) => place(world, ids, corners, field));
 }
 
-/** Room behind the faces for the forces on some of them: kernels/xpbd/faces.ts. */
+/** Room behind the faces for the forces on some of them: kernels/soft-bodies/faces.ts. */
 const FORCES = 16 + 3 * 128 * 8;
 
 function place(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, field: string): Faces {

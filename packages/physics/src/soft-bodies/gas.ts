@@ -14,8 +14,8 @@
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { log } from '../math/elementary.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { constraintKernels } from '../xpbd/kernels.ts';
 import { facesOf } from './faces.ts';
+import { softBodyKernels } from './kernels.ts';
 
 export interface GasOptions {
   /** Entity ids of the corners of the faces: two an edge in 2D, three a triangle in 3D, outside to the right or in front. */
@@ -40,7 +40,7 @@ export function enclosedGas(options: GasOptions): Force {
   const faces = facesOf(options.faces, corners, 'enclosedGas.faces');
   const volume = (world: PhysicsWorld) => {
     const { at, count } = faces(world);
-    return constraintKernels(world).enclosed(at, count, corners, world.internal.generations.byteOffset);
+    return softBodyKernels(world).enclosed(at, count, corners, world.internal.generations.byteOffset);
   };
   return {
     name: 'enclosed gas',
@@ -59,7 +59,7 @@ export function enclosedGas(options: GasOptions): Force {
       if (!(inside > 0)) return;
       const pressure = amount / inside - ambient;
       const { x, y, z } = world.scratch.at.force;
-      const kernels = constraintKernels(world);
+      const kernels = softBodyKernels(world);
       if (corners === 2) kernels.inflateEdges(at, count, x, y, pressure);
       else kernels.inflateTriangles(at, count, lives, x, y, z, pressure);
     },

@@ -7,8 +7,8 @@ const SHORTEST = 8;
 const BEHIND = 3;
 
 /**
- * The parts of a list of triangles, as kernels/xpbd/wind.ts reads them: for each its first triangle and 1 where it
- * is a strip, which kernels/xpbd/strips.ts describes, else 0; then the number of triangles. `rows`: of a column.
+ * The parts of a list of triangles, as kernels/soft-bodies/wind.ts reads them: for each its first triangle and 1 where it
+ * is a strip, which kernels/soft-bodies/strips.ts describes, else 0; then the number of triangles. `rows`: of a column.
  */
 export function partsOf(ids: ArrayLike<number>, rows: number): number[] {
   const parts: number[] = [];

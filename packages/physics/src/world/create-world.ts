@@ -11,8 +11,9 @@ import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from '
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { instantiateKernels, type Precision } from '../kernels/instantiate.ts';
 import { type Arena, createArena } from '../memory/arena.ts';
-import { RESERVED_BYTES, writeColumnTable } from '../memory/column-table.ts';
+import { writeColumnTable } from '../memory/column-table.ts';
 import { columnCounts, componentColumns, realBytes, wordColumn } from '../memory/columns.ts';
+import { FIRST_COLUMN } from '../memory/layouts.gen.ts';
 import { POSE } from '../memory/previous-pose.ts';
 import { createScratch, SCRATCH_COLUMNS } from '../memory/scratch.ts';
 import { standard } from '../presets/standard.ts';
@@ -89,7 +90,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
       : checkNumber(arenaBytes, 'arenaBytes', { min: 0, max: 2 ** 32 });
   const components = checkOwnComponents(options.components);
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
-  const arena = createArena(memoryBytes(rows, precision) + own + extra, RESERVED_BYTES);
+  const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault };
   const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows, components) }) as PhysicsWorld;
   world.internal.componentMap = contextOf(world).componentMap;

@@ -5,9 +5,10 @@
 // spring and step, and nothing where no spring can break.
 import { despawn } from '../bodies/spawn.ts';
 import { scanSprings } from '../forces/support/spring-table.ts';
+import { ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { type ConstraintTable, constraintTable, makeRows, Word } from './constraint-table.ts';
+import { type ConstraintTable, constraintTable, makeRows } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 
 /** What broke. */

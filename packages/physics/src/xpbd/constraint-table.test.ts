@@ -1,4 +1,3 @@
-import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { despawn, spawn } from '../bodies/spawn.ts';
 import { springs } from '../forces/springs.ts';
@@ -7,17 +6,7 @@ import { createCloth } from '../soft-bodies/cloth.ts';
 import { createRope } from '../soft-bodies/rope.ts';
 import { createPhysicsWorld } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
-import * as table from './constraint-table.ts';
 import { xpbd } from './xpbd.ts';
-
-test('the table has the fields of the kernel’s class, in its order', () => {
-  const source = readFileSync(new URL('../../kernels/xpbd/table.ts', import.meta.url), 'utf8');
-  const [body] = source.slice(source.indexOf('class ConstraintTable')).split('\n}');
-  // An enumeration is an object wherever files are compiled one by one, as here.
-  const { Word } = table as unknown as { Word: object };
-  const names = Object.keys(Word).filter((name) => name !== 'count' && Number.isNaN(Number(name)));
-  expect([...body.matchAll(/^ {2}(\w+): \w+;/gm)].map(([, name]) => name)).toEqual(names);
-});
 
 /** Two networks with other bodies between, so that springs do not all follow each other. */
 function build(precision: 'f32' | 'f64') {

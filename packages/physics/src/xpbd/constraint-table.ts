@@ -1,53 +1,13 @@
-// The memory of a world's constraints: the class of kernels/xpbd/table.ts, field by field, and when its rows are
-// made anew. Rows keep their order while no spring and no body comes or goes; their numbers are read every step.
+// The memory of a world's constraints (kernels/xpbd/table.ts), and when its rows are made anew. Rows keep their order while no spring and no body comes or goes; their numbers are read every step.
 import { bitOf } from '../components/all.ts';
 import { removeLost, scanSprings, springTable } from '../forces/support/spring-table.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
+import { CONSTRAINT_TABLE_BYTES, ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { constraintKernels } from './kernels.ts';
-
-/** Where the fields stand; a bundle has the numbers alone. */
-export const enum Word {
-  springs,
-  breakForce,
-  nodes,
-  packed,
-  inverse,
-  masks,
-  degree,
-  joined,
-  state,
-  source,
-  a,
-  b,
-  length,
-  gain,
-  softness,
-  tension,
-  chains,
-  strands,
-  open,
-  layers,
-  work,
-  sum,
-  broken,
-  nodeCount,
-  looseCount,
-  chainCount,
-  strandCount,
-  layerCount,
-  longest,
-  rigid,
-  groupsFirst,
-  serialFirst,
-  rowCount,
-  damped,
-  breakable,
-  /** How many there are. */
-  count,
-}
 
 /** Rows that only fill up: at most three behind chains, three behind strands. */
 const FILLING = 6;
@@ -77,8 +37,7 @@ export interface ConstraintTable {
 /** @throws PhysicsError E_CAPACITY */
 export const constraintTable = resource((world): ConstraintTable => {
   const { arena } = world.internal;
-  const at = allocate(arena, 4 * Word.count, 'constraints');
-  const words = new Uint32Array(arena.memory.buffer, at, Word.count);
+  const { at, words } = allocateRecord(arena, CONSTRAINT_TABLE_BYTES, 'constraints');
   const table = { at, words, room: 0, workRoom: 0, version: -1, substep: new Float64Array(1) };
   const { rows } = world;
   const real = realBytes(world.precision);

@@ -33,8 +33,9 @@
 import { drift, kick } from '../dynamics/drift-kick.ts';
 import { quarantineBadForces } from '../dynamics/validate-state.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
-import { type ConstraintTable, constraintTable, refreshConstraints, Word } from './constraint-table.ts';
+import { type ConstraintTable, constraintTable, refreshConstraints } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 
 export interface XpbdOptions {

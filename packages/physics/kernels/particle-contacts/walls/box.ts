@@ -83,7 +83,7 @@ function settle(c: Columns, row: i32, change: v128, axis: i32, side: real, frict
 // the bodies' own counts; `start` and `origin` are the
 // columns of velocities and positions at the start of the step.
 @unmanaged
-class Box {
+export class Box {
   lowX: f64;
   lowY: f64;
   lowZ: f64;

@@ -8,31 +8,24 @@ import { recordNearWall, recordWallContact } from './record';
 
 // Where the planes' columns are; src/particle-contacts/plane-walls.ts fills it.
 @unmanaged
-class PlaneColumns {
+export class PlaneColumns {
   nx: usize;
   ny: usize;
   nz: usize;
   offset: usize;
   restitution: usize;
   friction: usize;
+  // Velocities at the start of the step.
+  startX: usize;
+  startY: usize;
+  startZ: usize;
 }
 
 // Bodies are put against the planes this often, so that a wedge of planes lets none through.
 const MOST_SWEEPS: i32 = 4;
 
-// Bounces rows [first, last) off the planes `ids`, ascending. `startX` … are the velocities at the start of the step.
-export function planeWalls(
-  planes: usize,
-  ids: usize,
-  count: i32,
-  startX: usize,
-  startY: usize,
-  startZ: usize,
-  dt: real,
-  lag: real,
-  first: i32,
-  last: i32,
-): void {
+// Bounces rows [first, last) off the planes `ids`, ascending.
+export function planeWalls(planes: usize, ids: usize, count: i32, dt: real, lag: real, first: i32, last: i32): void {
   const p = changetype<PlaneColumns>(planes);
   const c = columns();
   for (let row = first; row < last; row += LANES) {
@@ -42,7 +35,7 @@ export function planeWalls(
         const id = word(ids, k);
         if (!comesNear(p, c, row, id, 1)) continue;
         for (let body = row; body < row + LANES; body++) {
-          any = bounce(p, c, body, id, startX, startY, startZ, dt, lag) || any;
+          any = bounce(p, c, body, id, dt, lag) || any;
         }
       }
       if (!any) break;
@@ -83,17 +76,7 @@ function noteNear(p: PlaneColumns, c: Columns, row: i32, ids: usize, count: i32)
   return v128.any_true(v128.and(behind, solid));
 }
 
-function bounce(
-  p: PlaneColumns,
-  c: Columns,
-  row: i32,
-  id: i32,
-  startX: usize,
-  startY: usize,
-  startZ: usize,
-  dt: real,
-  lag: real,
-): bool {
+function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: real): bool {
   const radius = get(c.radius, row);
   const mass = get(c.mass, row);
   const nx = get(p.nx, id);
@@ -106,7 +89,7 @@ function bounce(
   const vy = get(c.velocityY, row);
   const vz = get(c.velocityZ, row);
   const into = -(vx * nx + vy * ny + vz * nz);
-  const began = get(startX, row) * nx + get(startY, row) * ny + get(startZ, row) * nz;
+  const began = get(p.startX, row) * nx + get(p.startY, row) * ny + get(p.startZ, row) * nz;
   const pull = (began + into) / dt;
   const speed = into + pull * lag;
   if (!(speed > 0)) {
@@ -123,9 +106,9 @@ function bounce(
   const change = flies ? leave - pull * (since - lag) + into : max<real>(0, into);
   shift(c, row, nx, ny, nz, flies ? depth + out : depth);
   const start = flies ? change : -began;
-  put(startX, row, get(startX, row) + start * nx);
-  put(startY, row, get(startY, row) + start * ny);
-  put(startZ, row, get(startZ, row) + start * nz);
+  put(p.startX, row, get(p.startX, row) + start * nx);
+  put(p.startY, row, get(p.startY, row) + start * ny);
+  put(p.startZ, row, get(p.startZ, row) + start * nz);
   put(c.velocityX, row, vx + change * nx);
   put(c.velocityY, row, vy + change * ny);
   put(c.velocityZ, row, vz + change * nz);

@@ -9,45 +9,18 @@ import { rubWall } from '../friction';
 import { LANES, add, at, mul, splat, sub } from '../../memory/lanes';
 import { distanceOut } from './impact';
 import { recordNearWall, recordWallContact } from './record';
-import {
-  aX,
-  aY,
-  duration,
-  findHit,
-  fromX,
-  fromY,
-  hitDepth,
-  hitEnd,
-  hitSince,
-  hitSpeed,
-  hitWall,
-  hitX,
-  hitY,
-  pX,
-  pY,
-  setPath,
-  setStart,
-  uX,
-  uY,
-} from './sweep';
-import { Segment, WallGrid, columnX, columnY, segment, wallsMaxX, wallsMaxY, wallsMinX, wallsMinY } from './wall-grid';
+import { findHit, hit, path, setPath, setStart } from './sweep';
+import { Segment, WallGrid, columnX, columnY, segment } from './wall-grid';
 
 const MOST_BOUNCES: i32 = 8;
 
-// Bounces rows [first, last). `previousX` and `previousY` are the positions at the start of the step, `startX` and
-// `startY` the velocities then, `lag` the time by which the integrator's velocities lag its positions.
-export function segmentWalls(
-  grid: usize,
-  previousX: usize,
-  previousY: usize,
-  startX: usize,
-  startY: usize,
-  dt: real,
-  lag: real,
-  first: i32,
-  last: i32,
-): void {
+// Bounces rows [first, last). `lag` is the time by which the integrator's velocities lag its positions.
+export function segmentWalls(grid: usize, dt: real, lag: real, first: i32, last: i32): void {
   const g = changetype<WallGrid>(grid);
+  const lowX = splat(<real>g.minX);
+  const lowY = splat(<real>g.minY);
+  const highX = splat(<real>g.maxX);
+  const highY = splat(<real>g.maxY);
   const c = columns();
   const zero = splat(0);
   const reach = splat(c.contacts == 0 ? <real>1 : WALL_REACH);
@@ -56,19 +29,14 @@ export function segmentWalls(
     const r = mul(v128.load(c.radius + o), reach);
     const x = v128.load(c.positionX + o);
     const y = v128.load(c.positionY + o);
-    const fx = v128.load(previousX + o);
-    const fy = v128.load(previousY + o);
-    const near = v128.and(
-      meets(x, fx, r, splat(wallsMinX), splat(wallsMaxX)),
-      meets(y, fy, r, splat(wallsMinY), splat(wallsMaxY)),
-    );
+    const fx = v128.load(g.previousX + o);
+    const fy = v128.load(g.previousY + o);
+    const near = v128.and(meets(x, fx, r, lowX, highX), meets(y, fy, r, lowY, highY));
     const solid = v128.and(v128.gt<real>(r, zero), v128.gt<real>(v128.load(c.mass + o), zero));
     if (!v128.any_true(v128.and(near, solid)) || (g.side == 1 && !meetsAny(g, x, y, fx, fy, r))) continue;
     for (let body = row; body < row + LANES; body++) {
       if (!(get(c.radius, body) > 0 && get(c.mass, body) > 0)) continue;
-      const fromX = get(previousX, body);
-      const fromY = get(previousY, body);
-      follow(g, c, body, fromX, fromY, startX, startY, dt, lag);
+      follow(g, c, body, dt, lag);
     }
   }
 }
@@ -93,19 +61,11 @@ function meetsAny(g: WallGrid, x: v128, y: v128, fx: v128, fy: v128, r: v128): b
 }
 
 // Follows one body from wall to wall.
-function follow(
-  g: WallGrid,
-  c: Columns,
-  row: i32,
-  x: real,
-  y: real,
-  startX: usize,
-  startY: usize,
-  dt: real,
-  lag: real,
-): void {
-  const ax = (get(c.velocityX, row) - get(startX, row)) / dt;
-  const ay = (get(c.velocityY, row) - get(startY, row)) / dt;
+function follow(g: WallGrid, c: Columns, row: i32, dt: real, lag: real): void {
+  const x = get(g.previousX, row);
+  const y = get(g.previousY, row);
+  const ax = (get(c.velocityX, row) - get(g.startX, row)) / dt;
+  const ay = (get(c.velocityY, row) - get(g.startY, row)) / dt;
   freeX = ax;
   freeY = ay;
   whole = dt;
@@ -121,16 +81,16 @@ function follow(
   let wall = -1;
   for (let bounce = 1; ; bounce++) {
     findHit(g, wall);
-    if (hitWall < 0) break;
-    wall = hitWall;
-    const since = hitSince;
+    if (hit.wall < 0) break;
+    wall = hit.wall;
+    const since = hit.since;
     const half = <real>0.5 * since;
-    const metX = pX - since * (uX - half * aX);
-    const metY = pY - since * (uY - half * aY);
-    bounceOff(segment(g, hitWall), c, row, startX, startY);
+    const metX = path.x - since * (path.ux - half * path.ax);
+    const metY = path.y - since * (path.uy - half * path.ay);
+    bounceOff(g, segment(g, hit.wall), c, row);
     if (bounce == MOST_BOUNCES) setPath(x, y, 0, 0, 0, 0);
-    put(c.positionX, row, pX);
-    put(c.positionY, row, pY);
+    put(c.positionX, row, path.x);
+    put(c.positionY, row, path.y);
     if (bounce == MOST_BOUNCES) break;
     setStart(metX, metY, since, get(c.radius, row));
   }
@@ -177,18 +137,18 @@ let freeY: real = 0;
 let whole: real = 0;
 
 // Applies the hit that was found: the rebound if the step can resolve it, else the body rests on the wall.
-function bounceOff(s: Segment, c: Columns, row: i32, startX: usize, startY: usize): void {
-  const nx = hitX;
-  const ny = hitY;
-  const since = hitSince;
-  const leave = max<real>(get(c.restitution, row), s.restitution) * hitSpeed;
-  const pull = -(aX * nx + aY * ny);
+function bounceOff(g: WallGrid, s: Segment, c: Columns, row: i32): void {
+  const nx = hit.x;
+  const ny = hit.y;
+  const since = hit.since;
+  const leave = max<real>(get(c.restitution, row), s.restitution) * hit.speed;
+  const pull = -(path.ax * nx + path.ay * ny);
   const out = distanceOut<real>(leave, pull, since, 0.5);
-  const flies = out > 0 && hitSpeed > 0;
+  const flies = out > 0 && hit.speed > 0;
   const vx = get(c.velocityX, row);
   const vy = get(c.velocityY, row);
-  const change = flies ? leave + hitSpeed : max<real>(0, -(vx * nx + vy * ny));
-  const shift = !flies ? hitDepth : hitEnd ? change * since : hitDepth + out;
+  const change = flies ? leave + hit.speed : max<real>(0, -(vx * nx + vy * ny));
+  const shift = !flies ? hit.depth : hit.isEnd ? change * since : hit.depth + out;
   const impulse = change * get(c.mass, row);
   put(c.velocityX, row, vx + change * nx);
   put(c.velocityY, row, vy + change * ny);
@@ -196,33 +156,33 @@ function bounceOff(s: Segment, c: Columns, row: i32, startX: usize, startY: usiz
   rubWall(c, row, nx, ny, 0, friction, impulse);
   const dx = get(c.velocityX, row) - vx;
   const dy = get(c.velocityY, row) - vy;
-  const x = pX + shift * nx;
-  const y = pY + shift * ny;
+  const x = path.x + shift * nx;
+  const y = path.y + shift * ny;
   if (flies) flyOn(c, row, x, y, dx, dy, since);
   else restOn(x, y, nx, ny, dx, dy);
   // Neither an impact nor friction is an acceleration of this step, but what a wall holds does not accelerate.
-  put(startX, row, get(c.velocityX, row) - aX * whole);
-  put(startY, row, get(c.velocityY, row) - aY * whole);
+  put(g.startX, row, get(c.velocityX, row) - path.ax * whole);
+  put(g.startY, row, get(c.velocityY, row) - path.ay * whole);
   recordWallContact(row, s.id, nx, ny, 0, friction, impulse, flies ? <real>0 : impulse);
 }
 
 // The path after a rebound: a wall that held the body before holds it no longer, and what it took away acts again.
 function flyOn(c: Columns, row: i32, x: real, y: real, dx: real, dy: real, since: real): void {
-  const rx = freeX - aX;
-  const ry = freeY - aY;
+  const rx = freeX - path.ax;
+  const ry = freeY - path.ay;
   const half = <real>0.5 * since * since;
   put(c.velocityX, row, get(c.velocityX, row) + rx * since);
   put(c.velocityY, row, get(c.velocityY, row) + ry * since);
-  setPath(x + rx * half, y + ry * half, uX + dx + rx * since, uY + dy + ry * since, freeX, freeY);
+  setPath(x + rx * half, y + ry * half, path.ux + dx + rx * since, path.uy + dy + ry * since, freeX, freeY);
 }
 
 // The path of a body that rests on a wall: along it.
 function restOn(x: real, y: real, nx: real, ny: real, dx: real, dy: real): void {
-  const held = aX * nx + aY * ny;
-  const ux = uX + dx;
-  const uy = uY + dy;
+  const held = path.ax * nx + path.ay * ny;
+  const ux = path.ux + dx;
+  const uy = path.uy + dy;
   const moving = ux * nx + uy * ny;
-  setPath(x, y, ux - moving * nx, uy - moving * ny, aX - held * nx, aY - held * ny);
+  setPath(x, y, ux - moving * nx, uy - moving * ny, path.ax - held * nx, path.ay - held * ny);
 }
 
 // Keeps the bodies of this step's contacts, which contacts moved since `fromX`, `fromY` of the table, on their side of
@@ -246,16 +206,16 @@ function confine(g: WallGrid, c: Columns, t: ContactTable, row: i32): void {
   let wall = -1;
   for (let k = 0; k < MOST_BOUNCES; k++) {
     findHit(g, wall);
-    if (hitWall < 0) break;
-    wall = hitWall;
-    x = pX - hitSince * uX;
-    y = pY - hitSince * uY;
-    const into = uX * hitX + uY * hitY;
-    const ux = k == MOST_BOUNCES - 1 ? <real>0 : uX - into * hitX;
-    const uy = k == MOST_BOUNCES - 1 ? <real>0 : uY - into * hitY;
-    setPath(x + ux * hitSince, y + uy * hitSince, ux, uy, 0, 0);
-    setStart(x, y, hitSince, radius);
+    if (hit.wall < 0) break;
+    wall = hit.wall;
+    x = path.x - hit.since * path.ux;
+    y = path.y - hit.since * path.uy;
+    const into = path.ux * hit.x + path.uy * hit.y;
+    const ux = k == MOST_BOUNCES - 1 ? <real>0 : path.ux - into * hit.x;
+    const uy = k == MOST_BOUNCES - 1 ? <real>0 : path.uy - into * hit.y;
+    setPath(x + ux * hit.since, y + uy * hit.since, ux, uy, 0, 0);
+    setStart(x, y, hit.since, radius);
   }
-  put(c.positionX, row, pX);
-  put(c.positionY, row, pY);
+  put(c.positionX, row, path.x);
+  put(c.positionY, row, path.y);
 }

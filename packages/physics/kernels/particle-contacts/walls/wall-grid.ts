@@ -32,17 +32,29 @@ export class WallGrid {
   items: usize;
   mostItems: i32;
   side: i32;
+  // Columns of the component SegmentWall.
+  ax: usize;
+  ay: usize;
+  bx: usize;
+  by: usize;
+  restitution: usize;
+  friction: usize;
+  // Columns of positions and velocities at the start of the step.
+  previousX: usize;
+  previousY: usize;
+  startX: usize;
+  startY: usize;
+  // Bounds of all walls, and columns of cells per metre: `real` values.
+  minX: f64;
+  minY: f64;
+  maxX: f64;
+  maxY: f64;
+  rateX: f64;
+  rateY: f64;
 }
 
 const FEW: i32 = 8;
 const MOST_SIDE: i32 = 64;
-
-export let wallsMinX: real = 0;
-export let wallsMinY: real = 0;
-export let wallsMaxX: real = 0;
-export let wallsMaxY: real = 0;
-let rateX: real = 0;
-let rateY: real = 0;
 
 // @ts-ignore: decorator
 @inline export function segment(g: WallGrid, i: i32): Segment {
@@ -57,36 +69,28 @@ function columnOf(x: real, low: real, rate: real, side: i32): i32 {
 
 // @ts-ignore: decorator
 @inline export function columnX(g: WallGrid, x: real): i32 {
-  return columnOf(x, wallsMinX, rateX, g.side);
+  return columnOf(x, <real>g.minX, <real>g.rateX, g.side);
 }
 
 // @ts-ignore: decorator
 @inline export function columnY(g: WallGrid, y: real): i32 {
-  return columnOf(y, wallsMinY, rateY, g.side);
+  return columnOf(y, <real>g.minY, <real>g.rateY, g.side);
 }
 
 // Gathers the walls `ids`, ascending, and lists them by cells.
-export function gatherSegments(
-  grid: usize,
-  ids: usize,
-  count: i32,
-  ax: usize,
-  ay: usize,
-  bx: usize,
-  by: usize,
-  restitution: usize,
-  friction: usize,
-): void {
+export function gatherSegments(grid: usize, ids: usize, count: i32): void {
   const g = changetype<WallGrid>(grid);
   let n = 0;
-  wallsMinX = wallsMinY = <real>Infinity;
-  wallsMaxX = wallsMaxY = -(<real>Infinity);
+  let minX = <real>Infinity;
+  let minY = <real>Infinity;
+  let maxX = -(<real>Infinity);
+  let maxY = -(<real>Infinity);
   for (let i = 0; i < count; i++) {
     const id = word(ids, i);
-    const x = get(ax, id);
-    const y = get(ay, id);
-    const dx = get(bx, id) - x;
-    const dy = get(by, id) - y;
+    const x = get(g.ax, id);
+    const y = get(g.ay, id);
+    const dx = get(g.bx, id) - x;
+    const dy = get(g.by, id) - y;
     const length = sqrt<real>(dx * dx + dy * dy);
     // A wall with an end that is not finite stops nobody, and must not open the others.
     if (!isFinite<real>(x + y + length)) continue;
@@ -100,15 +104,19 @@ export function gatherSegments(
     s.tx = length > 0 ? dx / length : <real>0;
     s.ty = length > 0 ? dy / length : <real>0;
     s.length = length;
-    s.restitution = get(restitution, id);
-    s.friction = get(friction, id);
+    s.restitution = get(g.restitution, id);
+    s.friction = get(g.friction, id);
     s.id = id;
-    wallsMinX = min<real>(wallsMinX, s.minX);
-    wallsMinY = min<real>(wallsMinY, s.minY);
-    wallsMaxX = max<real>(wallsMaxX, s.maxX);
-    wallsMaxY = max<real>(wallsMaxY, s.maxY);
+    minX = min<real>(minX, s.minX);
+    minY = min<real>(minY, s.minY);
+    maxX = max<real>(maxX, s.maxX);
+    maxY = max<real>(maxY, s.maxY);
   }
   g.count = n;
+  g.minX = minX;
+  g.minY = minY;
+  g.maxX = maxX;
+  g.maxY = maxY;
   listWalls(g);
 }
 
@@ -118,8 +126,10 @@ function listWalls(g: WallGrid): void {
   if (g.count > FEW) while (side < MOST_SIDE && side * side < g.count) side <<= 1;
   for (; ; side >>= 1) {
     g.side = side;
-    rateX = wallsMaxX > wallsMinX ? <real>side / (wallsMaxX - wallsMinX) : <real>0;
-    rateY = wallsMaxY > wallsMinY ? <real>side / (wallsMaxY - wallsMinY) : <real>0;
+    const width = <real>g.maxX - <real>g.minX;
+    const height = <real>g.maxY - <real>g.minY;
+    g.rateX = width > 0 ? <real>side / width : <real>0;
+    g.rateY = height > 0 ? <real>side / height : <real>0;
     memory.fill(g.starts, 0, (<usize>(side * side + 1)) << 2);
     if (visitCells(g, false) <= g.mostItems || side == 1) break;
   }

@@ -3,14 +3,10 @@ import { bitOf } from '../../components/all.ts';
 import { removeWholly } from '../../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../../ecs/entity-list.ts';
 import { collectThrown } from '../../errors/collect-thrown.ts';
-import { allocate } from '../../memory/arena.ts';
+import { SPRING_TABLE_BYTES, SpringTableNumber, SpringTableWord as Word } from '../../memory/layouts.gen.ts';
+import { allocateRecord } from '../../memory/record.ts';
 import { resource } from '../../memory/resource.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
-
-/** Words of the table before the two f64, in the order of the class in kernels/forces/springs.ts. */
-const WORDS = 16;
-const TABLE_BYTES = WORDS * 4 + 16;
-const [IDS, LINKS, LOST, COUNT, ACTIVE, LOST_COUNT] = [9, 10, 11, 12, 13, 14];
 
 export interface SpringTable {
   readonly at: number;
@@ -26,13 +22,12 @@ export interface SpringTable {
 }
 
 export const springTable = resource((world): SpringTable => {
-  const { arena } = world.internal;
-  const at = allocate(arena, TABLE_BYTES, 'springs');
-  const words = new Uint32Array(arena.memory.buffer, at, WORDS);
+  const { at, words, numbers } = allocateRecord(world.internal.arena, SPRING_TABLE_BYTES, 'springs');
   const { a, b, aLife, bLife, stiffness, damping, length, cord } = world.addresses.Spring;
-  const generations = world.internal.generations.byteOffset;
-  words.set([a, b, aLife, bLife, stiffness, damping, length, cord, generations, 0, 0, 0, 0, 0, 0, world.rows]);
-  const stiffest = new Float64Array(arena.memory.buffer, at + WORDS * 4, 2);
+  words.set([a, b, aLife, bLife, stiffness, damping, length, cord], Word.a);
+  words[Word.generations] = world.internal.generations.byteOffset;
+  words[Word.rows] = world.rows;
+  const stiffest = numbers.subarray(SpringTableNumber.stiffest, SpringTableNumber.mostDamped + 1);
   const passed = new Float64Array(3).fill(Number.NaN);
   return { at, words, stiffest, passed, passedBy: undefined, removed: [], entityList: emptyEntityList() };
 });
@@ -43,8 +38,10 @@ export function scanSprings(world: PhysicsWorld): SpringTable {
   const { entityList, words } = table;
   // Behind the ids: 12 bytes each for the springs that act, 4 for those that lost an end.
   if (refreshEntityList(world, entityList, 'Spring', 16)) {
-    words.set([entityList.ids, entityList.at, entityList.at + entityList.room * 12], IDS);
-    words[COUNT] = entityList.count;
+    words[Word.ids] = entityList.ids;
+    words[Word.links] = entityList.at;
+    words[Word.lost] = entityList.at + entityList.room * 12;
+    words[Word.count] = entityList.count;
   }
   world.kernels.scanSprings(table.at, bitOf('Position'));
   return table;
@@ -52,9 +49,9 @@ export function scanSprings(world: PhysicsWorld): SpringTable {
 
 /** Removes springs that lost an end: their entities go with the body. */
 export function removeLost(world: PhysicsWorld, table: SpringTable): void {
-  const lost = table.words[LOST_COUNT];
+  const lost = table.words[Word.lostCount];
   if (lost === 0 && table.removed.length === 0) return;
-  const ids = new Uint32Array(world.memory.buffer, table.words[LOST], lost);
+  const ids = new Uint32Array(world.memory.buffer, table.words[Word.lost], lost);
   table.removed = Array.from(ids);
   for (const spring of table.removed) {
     try {
@@ -67,5 +64,5 @@ export function removeLost(world: PhysicsWorld, table: SpringTable): void {
 
 /** The springs that act, as triples: id of the spring, body a, body b. */
 export function activeSprings(world: PhysicsWorld, { words }: SpringTable): Uint32Array {
-  return new Uint32Array(world.memory.buffer, words[LINKS], 3 * words[ACTIVE]);
+  return new Uint32Array(world.memory.buffer, words[Word.links], 3 * words[Word.active]);
 }

@@ -3,6 +3,8 @@ import type { RealColumn } from '../../components/define.ts';
 import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
+import { EMBEDDED_ERROR_BYTES, EmbeddedErrorNumber, EmbeddedErrorWord as Word } from '../../memory/layouts.gen.ts';
+import { allocateRecord, type MemoryRecord } from '../../memory/record.ts';
 import { resource } from '../../memory/resource.ts';
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { A, AA, C, E, EA } from './dormand-prince-tableau.ts';
@@ -50,7 +52,18 @@ function makeStages(world: PhysicsWorld) {
   const Column = precision === 'f32' ? Float32Array : Float64Array;
   const column = (axis: Axis, index: number): RealColumn =>
     new Column(arena.memory.buffer, at[axis] + index * stride, rows);
-  return { at, stride, column, weights, weightsAt, bytes, scalars, kernels: integratorKernels(world) };
+  const error = writeError(world, stride, [weightsAt + bytes, weightsAt + (1 + STAGES) * bytes]);
+  return { at, stride, column, weights, weightsAt, bytes, scalars, error, kernels: integratorKernels(world) };
+}
+
+function writeError(world: PhysicsWorld, stride: number, weights: readonly number[]): MemoryRecord {
+  const error = allocateRecord(world.internal.arena, EMBEDDED_ERROR_BYTES, 'Dormand-Prince');
+  const { x: errorX, y: errorV, z: sizeX } = world.scratch.at.stage1;
+  error.words.set([errorX, errorV, sizeX, world.scratch.at.stage2.x], Word.errorX);
+  error.words.set(weights, Word.weightsX);
+  error.words[Word.stride] = stride;
+  error.words[Word.count] = STAGES;
+  return error;
 }
 
 /** Keeps the present state as the start of a sub-step; its acceleration comes from the forces last evaluated. */
@@ -147,33 +160,26 @@ function keepAcceleration(world: PhysicsWorld, ranges: Ranges, stages: Stages, i
  * scalar ERROR: a returned number would be garbage.
  */
 export function findWorstRatio(world: PhysicsWorld, ranges: Ranges, stages: Stages): void {
-  const { at, stride, kernels, weightsAt, bytes, scalars } = stages;
+  const { at, kernels, scalars, error } = stages;
+  const { words, numbers } = error;
   const { Position, Velocity } = world.addresses;
-  const { x: errorX, y: errorV, z: sizeX } = world.scratch.at.stage1;
-  const sizeV = world.scratch.at.stage2.x;
-  const wx = weightsAt + bytes;
-  const wv = weightsAt + (1 + STAGES) * bytes;
   setWeights(stages, NO_VELOCITY, 0, EA, E);
-  scalars[ERROR] = 0;
+  numbers[EmbeddedErrorNumber.worst] = 0;
+  numbers[EmbeddedErrorNumber.floorX] = scalars[POSITION_FLOOR];
+  numbers[EmbeddedErrorNumber.floorV] = scalars[VELOCITY_FLOOR];
   for (let r = 0; r < ranges.count; r++) {
     const first = ranges.bounds[2 * r];
     const last = ranges.bounds[2 * r + 1];
-    world.kernels.zeroColumn(errorX, first, last);
-    world.kernels.zeroColumn(errorV, first, last);
-    world.kernels.zeroColumn(sizeX, first, last);
-    world.kernels.zeroColumn(sizeV, first, last);
+    world.kernels.zeroColumn(words[Word.errorX], first, last);
+    world.kernels.zeroColumn(words[Word.errorV], first, last);
+    world.kernels.zeroColumn(words[Word.sizeX], first, last);
+    world.kernels.zeroColumn(words[Word.sizeV], first, last);
     for (const axis of AXES[world.dimensions]) {
-      const x0 = at[axis];
-      const v0 = x0 + stride;
-      const a = v0 + stride;
-      const x = Position[axis];
-      const v = Velocity[axis];
-      kernels.embeddedErrorAxis(errorX, errorV, sizeX, sizeV, x, v, x0, v0, a, stride, wx, wv, STAGES, first, last);
+      kernels.embeddedErrorAxis(error.at, at[axis], Position[axis], Velocity[axis], first, last);
     }
-    const floorX = scalars[POSITION_FLOOR];
-    const floorV = scalars[VELOCITY_FLOOR];
-    scalars[ERROR] = kernels.worstError(errorX, errorV, sizeX, sizeV, floorX, floorV, scalars[ERROR], first, last);
+    kernels.worstError(error.at, first, last);
   }
+  scalars[ERROR] = numbers[EmbeddedErrorNumber.worst];
 }
 
 /** The start of the last sub-step for one body and axis. */

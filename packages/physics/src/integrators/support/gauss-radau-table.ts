@@ -5,6 +5,8 @@ import { MOVABLE } from '../../ecs/partial-entities.ts';
 import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
+import { RADAU_TABLE_BYTES, RadauTableWord as Word } from '../../memory/layouts.gen.ts';
+import { allocateRecord } from '../../memory/record.ts';
 import { resource } from '../../memory/resource.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 import { integratorKernels } from './integrator-kernels.ts';
@@ -58,25 +60,21 @@ function makeRadau(world: PhysicsWorld) {
   const weights = constants([...NODES, 1].flatMap(weightsAt), 'Gauss-Radau weights');
   const reciprocals = constants(NODES.flatMap(reciprocalsAt), 'Gauss-Radau nodes');
   const powers = constants(newtonPolynomials().flat(), 'Gauss-Radau powers');
-  const table = allocate(arena, 18 * 4, 'Gauss-Radau table');
+  const { at: table, words } = allocateRecord(arena, RADAU_TABLE_BYTES, 'Gauss-Radau table');
   const { Position, Velocity, Mass } = world.addresses;
   const { force } = world.scratch.at;
   const three = ({ x, y, z }: { x: number; y: number; z: number }) => [x, y, z];
   const [x, y, z = 0] = blocks;
-  new Uint32Array(arena.memory.buffer, table, 18).set([
-    ...three(Position),
-    ...three(Velocity),
-    ...three(force),
-    x,
-    y,
-    z,
-    Mass.value,
-    stride,
-    world.dimensions,
-    weights,
-    reciprocals,
-    powers,
-  ]);
+  words.set(three(Position), Word.positionX);
+  words.set(three(Velocity), Word.velocityX);
+  words.set(three(force), Word.forceX);
+  words.set([x, y, z], Word.blockX);
+  words[Word.mass] = Mass.value;
+  words[Word.stride] = stride;
+  words[Word.axes] = world.dimensions;
+  words[Word.weights] = weights;
+  words[Word.reciprocals] = reciprocals;
+  words[Word.powers] = powers;
   const scalars = new Float64Array(arena.memory.buffer, allocate(arena, 8 * SCALARS, 'Gauss-Radau'), SCALARS);
   return { table, scalars, kernels: integratorKernels(world), blocks, stride, membership: -1, rows: 0 };
 }

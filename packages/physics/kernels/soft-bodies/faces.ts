@@ -5,7 +5,7 @@
 // vector of each column. Others are picked body by body.
 import { columns, get, put } from '../memory/columns';
 import { LANES, add, at, sub } from '../memory/lanes';
-import { word } from './table';
+import { word } from '../xpbd/table';
 
 // Of LANES triangles: the ways from the first corner to the two others, and the sum of the corners' velocities.
 @unmanaged

@@ -3,26 +3,39 @@ import { LANES, at } from '../memory/lanes';
 import { blow, breeze, setBreeze } from './blow';
 import { CHUNK, chunkOf, pushChunk, readTriangles, triangles } from './faces';
 import { blowStrip, isWholeStrip } from './strips';
-import { word } from './table';
+import { word } from '../xpbd/table';
+
+// A sheet of `count` triangles, its parts, and the columns of forces; velocity and density of the air; the coefficients
+// across and along the sheet. src/soft-bodies/cloth-wind.ts fills it.
+@unmanaged
+export class SheetInWind {
+  faces: usize;
+  count: i32;
+  parts: usize;
+  generations: usize;
+  forceX: usize;
+  forceY: usize;
+  forceZ: usize;
+  windX: f64;
+  windY: f64;
+  windZ: f64;
+  density: f64;
+  normal: f64;
+  tangential: f64;
+}
 
 // Of each part of the faces two words: its first face, and whether it is a strip; behind the last, the number of faces.
 // A triangle that lost a corner feels nothing.
-export function blowTriangles(
-  faces: usize,
-  count: i32,
-  parts: usize,
-  generations: usize,
-  fx: usize,
-  fy: usize,
-  fz: usize,
-  windX: f64,
-  windY: f64,
-  windZ: f64,
-  density: f64,
-  normal: f64,
-  tangential: f64,
-): void {
-  setBreeze(windX, windY, windZ, density, normal, tangential);
+export function blowTriangles(sheet: usize): void {
+  const s = changetype<SheetInWind>(sheet);
+  const faces = s.faces;
+  const count = s.count;
+  const parts = s.parts;
+  const generations = s.generations;
+  const fx = s.forceX;
+  const fy = s.forceY;
+  const fz = s.forceZ;
+  setBreeze(s.windX, s.windY, s.windZ, s.density, s.normal, s.tangential);
   let first = 0;
   for (let part = 0; first < count; part++) {
     const last = <i32>word(parts, 2 * part + 2);

@@ -5,7 +5,7 @@ import { columns } from '../memory/columns';
 import { LANES, add, at, splat, sub } from '../memory/lanes';
 import { blow, breeze } from './blow';
 import { corner } from './faces';
-import { word } from './table';
+import { word } from '../xpbd/table';
 
 // Whether all nodes of a strip still live.
 export function isWholeStrip(faces: usize, count: i32, first: i32, last: i32, generations: usize): bool {
@@ -54,6 +54,34 @@ function areAlike(words: usize, others: usize, count: i32): bool {
   v128.store(force, add(v128.load(force), add(a, b)));
 }
 
+// One axis of the forces of meshes on the nodes of both sides of the strip. The forces on the upper and on the lower
+// triangle; of the meshes before, those on both together and on the lower one.
+// @ts-ignore: decorator
+@inline function pushAxis(top: usize, bottom: usize, upper: v128, under: v128, both: v128, lower: v128): void {
+  const sum = add(upper, under);
+  push(top, upper, left(both, sum));
+  push(bottom, sum, left(lower, under));
+}
+
+// The wind on triangles with the corners p, q and r, and the sum v of their velocities.
+// @ts-ignore: decorator
+@inline function blowTriangle(
+  px: v128,
+  py: v128,
+  pz: v128,
+  qx: v128,
+  qy: v128,
+  qz: v128,
+  rx: v128,
+  ry: v128,
+  rz: v128,
+  vx: v128,
+  vy: v128,
+  vz: v128,
+): void {
+  blow(sub(qx, px), sub(qy, py), sub(qz, pz), sub(rx, px), sub(ry, py), sub(rz, pz), vx, vy, vz);
+}
+
 // The wind on a strip, added to the forces on its nodes.
 export function blowStrip(faces: usize, count: i32, first: i32, last: i32, fx: usize, fy: usize, fz: usize): void {
   const meshes = (last - first) >> 1;
@@ -90,46 +118,29 @@ export function blowStrip(faces: usize, count: i32, first: i32, last: i32, fx: u
     const ux = add(v128.load(vx + t + one), v128.load(vx + b));
     const uy = add(v128.load(vy + t + one), v128.load(vy + b));
     const uz = add(v128.load(vz + t + one), v128.load(vz + b));
-    blow(
-      sub(rx, px),
-      sub(ry, py),
-      sub(rz, pz),
-      sub(qx, px),
-      sub(qy, py),
-      sub(qz, pz),
-      add(ux, v128.load(vx + t)),
-      add(uy, v128.load(vy + t)),
-      add(uz, v128.load(vz + t)),
-    );
+    const ax = add(ux, v128.load(vx + t));
+    const ay = add(uy, v128.load(vy + t));
+    const az = add(uz, v128.load(vz + t));
+    blowTriangle(px, py, pz, rx, ry, rz, qx, qy, qz, ax, ay, az);
     const upperX = v128.and(breeze.fx, is);
     const upperY = v128.and(breeze.fy, is);
     const upperZ = v128.and(breeze.fz, is);
-    blow(
-      sub(rx, qx),
-      sub(ry, qy),
-      sub(rz, qz),
-      sub(v128.load(x + b + one), qx),
-      sub(v128.load(y + b + one), qy),
-      sub(v128.load(z + b + one), qz),
-      add(ux, v128.load(vx + b + one)),
-      add(uy, v128.load(vy + b + one)),
-      add(uz, v128.load(vz + b + one)),
-    );
+    const sx = v128.load(x + b + one);
+    const sy = v128.load(y + b + one);
+    const sz = v128.load(z + b + one);
+    const bx = add(ux, v128.load(vx + b + one));
+    const by = add(uy, v128.load(vy + b + one));
+    const bz = add(uz, v128.load(vz + b + one));
+    blowTriangle(qx, qy, qz, rx, ry, rz, sx, sy, sz, bx, by, bz);
     const underX = v128.and(breeze.fx, is);
     const underY = v128.and(breeze.fy, is);
     const underZ = v128.and(breeze.fz, is);
-    const sumX = add(upperX, underX);
-    const sumY = add(upperY, underY);
-    const sumZ = add(upperZ, underZ);
-    push(fx + t, upperX, left(bothX, sumX));
-    push(fy + t, upperY, left(bothY, sumY));
-    push(fz + t, upperZ, left(bothZ, sumZ));
-    push(fx + b, sumX, left(lowerX, underX));
-    push(fy + b, sumY, left(lowerY, underY));
-    push(fz + b, sumZ, left(lowerZ, underZ));
-    bothX = sumX;
-    bothY = sumY;
-    bothZ = sumZ;
+    pushAxis(fx + t, fx + b, upperX, underX, bothX, lowerX);
+    pushAxis(fy + t, fy + b, upperY, underY, bothY, lowerY);
+    pushAxis(fz + t, fz + b, upperZ, underZ, bothZ, lowerZ);
+    bothX = add(upperX, underX);
+    bothY = add(upperY, underY);
+    bothZ = add(upperZ, underZ);
     lowerX = underX;
     lowerY = underY;
     lowerZ = underZ;

@@ -1,0 +1,24 @@
+// What stands at the start of a world's memory, by ascending address. Each range reaches up to the next. The build of the
+// kernels checks that what is put into a range fits there, and hands the addresses to TypeScript
+// (src/memory/layouts.gen.ts). The bytes before the first range stay zero: a read through a null address finds zeros.
+
+// The addresses of columns: class Columns.
+export const COLUMN_TABLE: usize = 64;
+
+// Two bodies of particle-contacts/body.ts for walls, which have no contacts table: row 0, which belongs to nobody and
+// holds zeros, and the body at the wall.
+export const WALL_BODIES: usize = 512;
+
+// The constants that the compiler puts into memory for each module: kernels/index.ts, then every <feature>/module.ts.
+export const CORE_CONSTANTS: usize = 1024;
+export const EMITTERS_CONSTANTS: usize = 1536;
+export const FORCES_CONSTANTS: usize = 1664;
+export const INTEGRATORS_CONSTANTS: usize = 1792;
+export const MATH_CONSTANTS: usize = 2048;
+export const N_BODY_CONSTANTS: usize = 2304;
+export const PARTICLE_CONTACTS_CONSTANTS: usize = 2560;
+export const SOFT_BODIES_CONSTANTS: usize = 3072;
+export const XPBD_CONSTANTS: usize = 3584;
+
+// Where columns begin.
+export const FIRST_COLUMN: usize = 4096;
