@@ -1,8 +1,8 @@
-/** Words and bars over the picture. */
+/** The text and bars drawn over the picture. */
 
 import { css, type Palette } from './palette.ts';
-import { dodgeText, livesText } from './report.ts';
-import { LIVES, type News, TANK } from './rules.ts';
+import { livesText, scoreText } from './report.ts';
+import { type GameEvent, LIVES, TANK } from './rules.ts';
 import type { BlackHoleGame } from './sim.ts';
 
 const STYLE = `
@@ -36,27 +36,26 @@ const STYLE = `
 .outside .bh-speed { display: block; bottom: -24px; right: 2px } .outside .bh-call.low { bottom: 8px; right: 8px }
 `;
 
-/** What stands above a small stage needs this much, CSS pixels. */
+/** Free height required to place text above a small stage, CSS pixels. */
 const OUTSIDE_ROOM = 50;
 
-/** Where the stage is on the canvas, CSS pixels. */
+/** Position of the stage on the canvas, CSS pixels. */
 export interface Frame {
   readonly left: number;
   readonly top: number;
   readonly width: number;
   readonly height: number;
-  /** Free room above it. */
+  /** Free height above the stage. */
   readonly room: number;
 }
 
 export interface Hud {
   update(sim: BlackHoleGame, frame: Frame): void;
-  toast(news: News, sim: BlackHoleGame): void;
+  toast(news: GameEvent, sim: BlackHoleGame): void;
   destroy(): void;
 }
 
-/** @param palette colours as they are now */
-/** Frames from one look at fuel and speed to the next. */
+/** Frames between two updates of fuel and speed. */
 const FRAMES_A_NUMBER = 9;
 
 export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
@@ -84,7 +83,7 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
   const icons = [...root.querySelectorAll('.bh-lives i')];
   const toast = find('.bh-toast');
   const callCard = find('.bh-call');
-  /** What is shown: words are made only where they change, as they are garbage by the next frame. */
+  /** The values on display: texts are created only when they change, to avoid garbage. */
   const shown = {
     left: Number.NaN,
     top: Number.NaN,
@@ -97,7 +96,7 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
   };
   const words = { prize: -1, bonus: -1, fuel: -1, spent: -1, speed: -1 };
   const place = ({ left, top, width, height, room }: Frame) => {
-    // A small stage needs all its room for the game.
+    // A small stage leaves no room for text inside.
     root.classList.toggle('outside', width < 620 && room > OUTSIDE_ROOM);
     if (left === shown.left && top === shown.top && width === shown.width && height === shown.height) return;
     Object.assign(shown, { left, top, width, height });
@@ -120,13 +119,14 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
     for (const [i, icon] of icons.entries()) icon.classList.toggle('lost', i >= lives);
     parts.lives.textContent = livesText(lives);
   };
-  const showScore = ({ score, dodged, prize, bonus }: BlackHoleGame['rules']) => {
-    if (score !== shown.score) parts.score.textContent = dodgeText(score);
+  const showScore = ({ score, dodged, goalPoints, bonus }: BlackHoleGame['rules']) => {
+    if (score !== shown.score) parts.score.textContent = scoreText(score);
     if (dodged !== shown.level) parts.level.textContent = `Level ${dodged + 1}`;
-    if (prize !== words.prize || bonus !== words.bonus) parts.bonus.textContent = `prize ${prize} · bonus ${bonus}`;
+    if (goalPoints !== words.prize || bonus !== words.bonus)
+      parts.bonus.textContent = `worth ${goalPoints} · bonus ${bonus}`;
     shown.score = score;
     shown.level = dodged;
-    words.prize = prize;
+    words.prize = goalPoints;
     words.bonus = bonus;
   };
   const showFuel = ({ fuel, options }: BlackHoleGame['rules']) => {
@@ -164,7 +164,7 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
       showColors(colors);
       showLives(sim.rules.lives);
       showScore(sim.rules);
-      // Numbers are words: they are garbage by the next frame, and nobody reads sixty a second.
+      // Every update creates strings; an update in each frame would be unreadable anyway.
       if (toNumbers-- <= 0) {
         toNumbers = FRAMES_A_NUMBER;
         showFuel(sim.rules);
@@ -178,10 +178,10 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
       toast.textContent = text;
       toast.style.color = css(news.kind === 'fall' ? palette().fall : palette().goal);
       toast.classList.remove('on');
-      // Reading the layout makes the animation begin anew.
+      // Reading the layout restarts the animation.
       void toast.offsetWidth;
       toast.classList.add('on');
-      // Where the system wants no animation, this alone takes it away.
+      // Required where the system disables animations.
       clearTimeout(timer);
       timer = window.setTimeout(() => toast.classList.remove('on'), 1700);
     },
@@ -200,17 +200,17 @@ function speedOf({ scene, world }: BlackHoleGame): number {
 type Call = readonly [title: string, text: string];
 
 const CALLS = {
-  replay: ['', 'Replay — push any arrow to take over'],
-  demo: ['', 'Demo — push any arrow to play yourself'],
-  autopilot: ['', 'Autopilot — A gives you the ship'],
+  replay: ['', 'Replay – press any arrow key to take over'],
+  demo: ['', 'Demo – press any arrow key to play'],
+  autopilot: ['', 'Autopilot on – press A to take over'],
   none: ['', ''],
 } satisfies Record<string, Call>;
 
-/** One call for each name of the goal's colour. */
+/** One message per name of the goal's colour. */
 const READY = new Map<string, Call>();
 
 function readyCall(goal: string): Call {
-  const made = READY.get(goal) ?? ['Black hole', `Reach the ${goal} line. Push an arrow, or touch, to launch.`];
+  const made = READY.get(goal) ?? ['Black hole', `Reach the ${goal} line. Press an arrow key or tap to launch.`];
   READY.set(goal, made);
   return made;
 }
@@ -222,12 +222,12 @@ function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: str
   return rules.phase === 'ready' ? readyCall(goal) : CALLS.none;
 }
 
-function toastOf({ kind, points }: News, { rules }: BlackHoleGame): string {
-  if (kind === 'goal') return `Dodged! +${points}${rules.dodged === 4 ? ' — now they move' : ''}`;
-  if (kind === 'fall') return rules.lives === 0 ? '' : `Swallowed — ${livesText(rules.lives)}`;
-  if (kind === 'left') return 'Lost in space: back to the start';
-  if (kind === 'redraw') return 'Other holes: no bonus in this level';
-  if (kind === 'sling') return 'Slingshot! bonus +1 at the goal';
-  if (kind === 'empty') return 'The tank is empty';
+function toastOf({ kind, points }: GameEvent, { rules }: BlackHoleGame): string {
+  if (kind === 'goal') return `Dodged! +${points}${rules.dodged === 4 ? ' – now some holes move' : ''}`;
+  if (kind === 'fall') return rules.lives === 0 ? '' : `Swallowed – ${livesText(rules.lives)}`;
+  if (kind === 'left') return 'Out of bounds – back to the start';
+  if (kind === 'redraw') return 'New layout – no bonus this level';
+  if (kind === 'sling') return 'Slingshot! +1 bonus at the goal';
+  if (kind === 'empty') return 'Out of fuel';
   return '';
 }

@@ -1,4 +1,4 @@
-/** The afterglow in three: what shines is drawn into a picture that fades, which is blurred and shown. */
+/** The afterglow in three.js: glowing bodies are drawn into a texture that fades, which is then blurred and shown. */
 import {
   AddEquation,
   type Camera,
@@ -30,7 +30,7 @@ out vec4 finalColor;
 #define UP(place) (place)
 `;
 const KEPT = 'void paint(vec4 color) { finalColor = color; }\n';
-/** three adds light up in linear numbers; a display wants them as sRGB. */
+/** three.js adds light in linear values; the display needs sRGB. */
 const DISPLAYED = 'void paint(vec4 color) { finalColor = vec4(pow(color.rgb, vec3(1.0 / 2.2)), color.a); }\n';
 
 const NEAR = 4;
@@ -38,9 +38,9 @@ const FAR = 12;
 
 export interface Light3D {
   resize(width: number, height: number): void;
-  /** Lets the light fade by `fade`; what `draw` draws then is added. */
+  /** Fades the light by the factor `fade` and adds the light that `draw` renders. */
   add(fade: number, draw: () => void): void;
-  /** Adds all light to what is on the screen. */
+  /** Adds the light to the content of the screen. */
   show(): void;
   clear(): void;
   destroy(): void;
@@ -63,7 +63,7 @@ export function createLight3D(renderer: WebGLRenderer, camera: Camera): Light3D 
       depthTest: false,
       depthWrite: false,
     });
-  const fade = make(FADE, KEPT, { uLast: { value: null }, uFade: { value: 0 }, uLeast: { value: 0.0004 } });
+  const fade = make(FADE, KEPT, { uLast: { value: null }, uFade: { value: 0 }, uThreshold: { value: 0.0004 } });
   const blur = make(BLUR, KEPT, { uLight: { value: null }, uStride: { value: new Vector2() } });
   const uniforms = { uLight: { value: one.texture }, uNear: { value: near.texture }, uFar: { value: far.texture } };
   const show = make(SHOW, DISPLAYED, { ...uniforms, uHorizon: { value: 0 }, uTime: { value: 0 } });
@@ -103,7 +103,7 @@ export function createLight3D(renderer: WebGLRenderer, camera: Camera): Light3D 
       spread(half, near, 0, 0.5 * NEAR);
       spread(near, narrow, 0.5 * FAR, 0);
       spread(narrow, far, 0, 0.5 * FAR);
-      // Once more: a single bell is cut off where it is still bright enough to show a square.
+      // A second pass: a single Gaussian is cut off where it is bright enough to show a square.
       spread(far, narrow, 0.5 * FAR, 0);
       spread(narrow, far, 0, 0.5 * FAR);
       renderer.setRenderTarget(null);

@@ -1,34 +1,34 @@
-/** Mouse and fingers: press, hold for a larger shell, let go; every finger may hold one. */
+/** Mouse and touch: press, hold for a larger shell, release to launch. Every pointer launches its own shell. */
 import { heldStars, SHELLS } from '@principia/scenes';
-import type { Stage } from '@principia/shell';
-import type { Desk } from './desk.ts';
+import type { ViewContext } from '@principia/shell';
+import type { PlayerControls } from './controls.ts';
 import type { Settings } from './settings.ts';
 import { clampToSky, type FireworksGame, SWARM } from './sim.ts';
 
-type Place = { readonly x: number; readonly y: number; readonly z: number };
+type SkyPoint = { readonly x: number; readonly y: number; readonly z: number };
 
-export interface SkyPlaces {
-  /** The place in the sky under a point of the canvas, CSS pixels. */
-  world(x: number, y: number): Place;
+export interface SkyMapping {
+  /** The point of the sky under a point of the canvas, CSS pixels. */
+  world(x: number, y: number): SkyPoint;
   screen(x: number, y: number, z: number): { x: number; y: number };
-  /** A pointer that moves turns the view instead of sending up a shell. */
-  readonly turns?: boolean;
+  /** Whether dragging rotates the view instead of launching a shell. */
+  readonly rotatesView?: boolean;
 }
 
-/** A finger that went farther than this is turning the view, CSS pixels. */
-const SLACK = 12;
+/** Distance beyond which a pointer rotates the view, CSS pixels. */
+const DRAG_THRESHOLD = 12;
 
 export interface SkyPointer {
-  /** Shows how large the held shells are; call it once a frame. */
+  /** Shows the size of the held shells; call it once a frame. */
   update(): void;
   destroy(): void;
 }
 
 export function listenToSky(
-  stage: Stage<Settings, FireworksGame>,
-  desk: Desk,
+  stage: ViewContext<Settings, FireworksGame>,
+  controls: PlayerControls,
   canvas: HTMLCanvasElement,
-  places: SkyPlaces,
+  places: SkyMapping,
 ): SkyPointer {
   const rings = new Map<number, HTMLElement>();
   const starts = new Map<number, { x: number; y: number }>();
@@ -46,7 +46,7 @@ export function listenToSky(
     const ring = rings.get(event.pointerId);
     if (ring === undefined) return;
     const start = starts.get(event.pointerId) ?? { x: 0, y: 0 };
-    if (places.turns === true && Math.hypot(event.clientX - start.x, event.clientY - start.y) > SLACK) {
+    if (places.rotatesView === true && Math.hypot(event.clientX - start.x, event.clientY - start.y) > DRAG_THRESHOLD) {
       cancel(event);
       return;
     }
@@ -57,7 +57,7 @@ export function listenToSky(
   const press = (event: PointerEvent) => {
     if (event.button !== 0) return;
     canvas.focus({ preventScroll: true });
-    // A finger that was let go outside the window may come down twice.
+    // A pointer released outside the window may be pressed twice.
     forget(event.pointerId);
     capture(canvas, event.pointerId);
     const ring = document.createElement('div');
@@ -66,12 +66,12 @@ export function listenToSky(
     rings.set(event.pointerId, ring);
     starts.set(event.pointerId, { x: event.clientX, y: event.clientY });
     move(event);
-    desk.hold(stage.sim(), event.pointerId);
+    controls.startHold(stage.sim(), event.pointerId);
   };
   const release = (event: PointerEvent) => {
     if (!rings.has(event.pointerId)) return;
     forget(event.pointerId);
-    desk.fire(stage.sim(), event.pointerId, at(event));
+    controls.fire(stage.sim(), event.pointerId, at(event));
   };
   const cancel = (event: PointerEvent) => {
     if (!rings.has(event.pointerId)) return;
@@ -86,9 +86,9 @@ export function listenToSky(
     update() {
       if (rings.size === 0) return;
       for (const [finger, ring] of rings) {
-        const power = stage.sim().powerOf(finger, desk.kind);
-        const isSwarm = desk.kind === SWARM;
-        // The number in the ring of a swarm is to be read from the first second on.
+        const power = stage.sim().powerOf(finger, controls.kind);
+        const isSwarm = controls.kind === SWARM;
+        // A swarm's ring is large from the first second, so that the number in it is readable.
         ring.style.setProperty('--power', String(isSwarm ? 0.6 + 0.4 * power : power));
         const stars = isSwarm ? String(heldStars(SHELLS[SWARM], power)) : '';
         if (ring.textContent !== stars) ring.textContent = stars;
@@ -102,7 +102,7 @@ export function listenToSky(
   };
 }
 
-/** A pointer that was made by a script cannot be captured. */
+/** A pointer from a synthetic event cannot be captured. */
 function capture(canvas: HTMLCanvasElement, pointer: number): void {
   try {
     canvas.setPointerCapture(pointer);

@@ -1,47 +1,46 @@
-/** The timeline of the show in the making. */
+/** The timeline of the edited show. */
 import { SHELL_NAMES } from '@principia/scenes';
-import type { Stage } from '@principia/shell';
-import type { Desk } from './desk.ts';
+import type { ViewContext } from '@principia/shell';
+import type { PlayerControls } from './controls.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
 import type { FireworksGame } from './sim.ts';
 
-/** Steps a second. */
-const RATE = 60;
-/** The line is never shorter than this, s, and leaves this much behind the last shell. */
-const SHORTEST = 15;
-const SPARE = 3;
-/** A marker that is moved by less was only clicked, CSS pixels. */
-const SLACK = 4;
+const STEPS_PER_SECOND = 60;
+/** Shortest length of the timeline, s, and margin after the last shell, s. */
+const MIN_SECONDS = 15;
+const MARGIN_SECONDS = 3;
+/** Distance that distinguishes a drag from a click, CSS pixels. */
+const DRAG_THRESHOLD = 4;
 
 export interface Timeline {
   readonly element: HTMLElement;
-  /** Once a frame. */
+  /** Call it once a frame. */
   update(): void;
 }
 
-export function createTimeline(stage: Stage<Settings, FireworksGame>, desk: Desk): Timeline {
-  const { editor } = desk;
+export function createTimeline(stage: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Timeline {
+  const { editor } = controls;
   const element = document.createElement('section');
   element.className = 'fw-show';
   element.setAttribute('aria-label', 'Show editor');
   element.innerHTML = `<div><button type="button" data-do="play">Play</button><p role="status"></p>
 <button type="button" data-do="undo" title="Undo (Backspace)">Undo</button>
-<button type="button" data-do="remove" title="Take the chosen shell out (Delete)">Remove</button>
+<button type="button" data-do="remove" title="Remove the selected shell (Delete)">Remove</button>
 <button type="button" data-do="clear">Clear</button><button type="button" data-do="share">Share</button></div>
 <div class="fw-line"><div class="fw-cursor"></div></div>`;
   const find = (selector: string) => element.querySelector(selector) as HTMLElement;
   const buttonOf = (name: string) => find(`[data-do=${name}]`) as HTMLButtonElement;
   const [line, cursor, text] = [find('.fw-line'), find('.fw-cursor'), find('p')];
   const actions: Record<string, () => void> = {
-    play: () => desk.play(stage.sim()),
+    play: () => controls.play(stage.sim()),
     undo: () => editor.undo(),
     remove: () => editor.remove(editor.chosen),
     clear: () => editor.clear(),
-    share: () => void desk.share(),
+    share: () => void controls.share(),
   };
   for (const [name, action] of Object.entries(actions)) buttonOf(name).addEventListener('click', action);
-  let length = SHORTEST * RATE;
+  let length = MIN_SECONDS * STEPS_PER_SECOND;
   const tickAt = (event: PointerEvent) => {
     const { left, width } = line.getBoundingClientRect();
     return ((event.clientX - left) / Math.max(1, width)) * length;
@@ -53,14 +52,17 @@ export function createTimeline(stage: Stage<Settings, FireworksGame>, desk: Desk
   });
   const marks: HTMLElement[] = [];
   const showMarks = () => {
-    length = Math.max(SHORTEST * RATE, (editor.cues.at(-1)?.tick ?? 0) + SPARE * RATE);
+    length = Math.max(
+      MIN_SECONDS * STEPS_PER_SECOND,
+      (editor.cues.at(-1)?.tick ?? 0) + MARGIN_SECONDS * STEPS_PER_SECOND,
+    );
     for (const mark of marks.splice(0)) mark.remove();
     const palette = paletteOf(stage.safeColors);
     for (const [i, { tick, kind, color }] of editor.cues.entries()) {
       const mark = document.createElement('button');
       mark.type = 'button';
       mark.className = 'fw-mark';
-      mark.title = `${SHELL_NAMES[kind]}, ${palette[color].name}, at ${(tick / RATE).toFixed(1)} s`;
+      mark.title = `${SHELL_NAMES[kind]}, ${palette[color].name}, at ${(tick / STEPS_PER_SECOND).toFixed(1)} s`;
       mark.setAttribute('aria-label', mark.title);
       mark.setAttribute('aria-pressed', String(i === editor.chosen));
       mark.style.cssText = `left:${(100 * tick) / length}%;--c:${css(palette[color])}`;
@@ -74,7 +76,7 @@ export function createTimeline(stage: Stage<Settings, FireworksGame>, desk: Desk
     editor.chosen = index;
     editor.version++;
   };
-  // The marks are made anew while one is dragged: the line keeps the pointer.
+  // Marks are recreated during a drag, so the line captures the pointer.
   let dragged: { pointer: number; x: number; isMoved: boolean } | undefined;
   const drag = (event: PointerEvent, index: number) => {
     event.preventDefault();
@@ -84,7 +86,7 @@ export function createTimeline(stage: Stage<Settings, FireworksGame>, desk: Desk
   };
   line.addEventListener('pointermove', (event) => {
     if (dragged?.pointer !== event.pointerId) return;
-    dragged.isMoved ||= Math.abs(event.clientX - dragged.x) > SLACK;
+    dragged.isMoved ||= Math.abs(event.clientX - dragged.x) > DRAG_THRESHOLD;
     if (dragged.isMoved) editor.move(editor.chosen, tickAt(event));
   });
   const drop = () => {
@@ -96,8 +98,8 @@ export function createTimeline(stage: Stage<Settings, FireworksGame>, desk: Desk
   return {
     element,
     update() {
-      element.hidden = !desk.isEditing;
-      if (!desk.isEditing) return;
+      element.hidden = !controls.isEditing;
+      if (!controls.isEditing) return;
       const sim = stage.sim();
       if (editor.version !== shown || isPlaying !== (sim.isShowing && !sim.isDemo)) {
         shown = editor.version;
@@ -109,8 +111,8 @@ export function createTimeline(stage: Stage<Settings, FireworksGame>, desk: Desk
         buttonOf('play').textContent = isPlaying ? 'Stop' : 'Play';
         text.textContent =
           count === 0
-            ? 'Click the sky: every shell goes onto the line, one after the other'
-            : `${count} ${count === 1 ? 'shell' : 'shells'}; the next goes up at ${(editor.cursor / RATE).toFixed(1)} s`;
+            ? 'Click the sky to add shells to the show'
+            : `${count} ${count === 1 ? 'shell' : 'shells'}; the next is added at ${(editor.cursor / STEPS_PER_SECOND).toFixed(1)} s`;
         place = -1;
       }
       const at = isPlaying ? sim.world.tick - sim.showStart : editor.cursor;

@@ -81,12 +81,12 @@ describe('playing', () => {
     const { tick } = await state(page);
     const end = await told(page);
     expect(end.phase).toBe('over');
-    await page.locator('.game-outcome button', { hasText: 'Watch it' }).click();
+    await page.locator('.game-outcome button', { hasText: 'Watch replay' }).click();
     expect(await state(page)).toMatchObject({ tick: 0, rewound: true });
     await steps(page, tick);
     expect((await told(page)).hash).toBe(end.hash);
     await frames(page);
-    expect(await page.locator('.game-outcome').textContent()).toContain('Not counted');
+    expect(await page.locator('.game-outcome').textContent()).toContain('Not ranked');
     // By key, from the beginning again; and whoever pushes an arrow plays on.
     await page.keyboard.press('z');
     await steps(page, 1);

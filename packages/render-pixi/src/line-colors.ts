@@ -1,5 +1,5 @@
+import { roomFor } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
-import { roomFor } from './room.ts';
 
 /** One colour per line as a texture; lines without a colour of their own have zero, the layer's colour. */
 export class LineColors {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { roomFor } from './buffer-capacity.ts';
 import { writeColor } from './color.ts';
 import { applyLineStyle, checkLength } from './line-style.ts';
-import { roomFor } from './room.ts';
 
 describe('line style', () => {
   it('writes thickness and colour, with defaults', () => {

@@ -1,10 +1,10 @@
 import type { BodySource } from '@principia/render-core';
 import type { Container } from 'pixi.js';
+import { roomFor } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
 import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
 import { PullMesh } from './pull-mesh.ts';
-import { roomFor } from './room.ts';
 import { LINK_PROGRAM } from './shaders/link-program.ts';
 import { SourceTextures } from './source-textures.ts';
 

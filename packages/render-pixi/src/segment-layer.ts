@@ -1,9 +1,9 @@
 import type { Container } from 'pixi.js';
+import { roomFor } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
 import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
 import { PullMesh } from './pull-mesh.ts';
-import { roomFor } from './room.ts';
 import { SEGMENT_PROGRAM } from './shaders/segment-program.ts';
 
 /** Straight lines with round ends, given as numbers: walls, force arrows, debug geometry. */
