@@ -18,7 +18,7 @@ await startGame({
   outcome: outcomeOf,
   report: reportState,
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view.ts')).openView(stage) },
+    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },
   },
   help: [
     ['Arrow keys', 'thrust up, left, down or right. The last key counts. Releasing a key stops the engine'],

@@ -20,7 +20,7 @@ export interface Picture {
   show(values: Readonly<Values>): void;
   update(alpha: number, seconds: number, camera: Camera2D, size: ViewportSize): void;
   /** Emits the sparks of a game event. */
-  celebrate(news: GameEvent): void;
+  celebrate(event: GameEvent): void;
   /** Interpolated position of the ship between two steps: x and y, m. */
   readonly ship: Readonly<Float64Array>;
   destroy(): void;
@@ -47,14 +47,8 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
   const shipView = createShipView(palette);
   const sparks = createSparks(spot, 180);
   const rays = createSparks(spot, 420);
-  world.addChild(
-    createLines(palette),
-    rays.container,
-    trailParent,
-    path.container,
-    sparks.container,
-    shipView.container,
-  );
+  const layers = [rays.container, trailParent, path.container, sparks.container, shipView.container];
+  world.addChild(createLines(palette), ...layers);
   const root = new Container({ children: [skyParent, world] });
   parent.addChild(root);
   let skyView: SkyView | undefined;
@@ -97,9 +91,7 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
     celebrate({ kind, x, y }) {
       if (isCalm) return;
       sparks.source.set([x, y, 0, 0]);
-      if (kind === 'fall' || kind === 'over') sparks.burst(70, 120, palette.fall);
-      if (kind === 'goal') sparks.burst(60, 150, palette.goal);
-      if (kind === 'sling') sparks.burst(24, 60, 0x9fd0ff);
+      burstOf(kind, palette, sparks);
     },
     destroy() {
       skyView?.destroy();
@@ -108,6 +100,12 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
       root.destroy({ children: true, context: true });
     },
   };
+}
+
+function burstOf(kind: GameEvent['kind'], palette: Palette, sparks: Sparks): void {
+  if (kind === 'fall' || kind === 'over') sparks.burst(70, 120, palette.fall);
+  if (kind === 'goal') sparks.burst(60, 150, palette.goal);
+  if (kind === 'sling') sparks.burst(24, 60, 0x9fd0ff);
 }
 
 function createTrail({ world, scene }: BlackHoleGame, color: number): TrailLayer {

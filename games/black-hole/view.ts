@@ -3,8 +3,8 @@ import { type Camera2D, fit, toScreen, watchViewport } from '@principia/render-c
 import { openScreen } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
 import type { View, ViewContext } from '@principia/shell';
-import { Container, RendererType } from 'pixi.js';
-import { createHud } from './hud.ts';
+import { Container, RendererType, type Texture } from 'pixi.js';
+import { createHud, type Frame, type Hud } from './hud.ts';
 import { paletteOf } from './palette.ts';
 import { createPicture, type Picture } from './picture.ts';
 import type { Settings } from './settings.ts';
@@ -24,21 +24,7 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
   const content = new Container();
   screen.stage.addChild(content);
   const [sky, spot] = [paintSky(5), paintSpot()];
-  const canBend = renderer.type === RendererType.WEBGL;
-  const paint = (): Picture => {
-    const sim = context.sim();
-    const made = createPicture({
-      sim,
-      parent: content,
-      sky,
-      spot,
-      canBend,
-      isCalm: context.reducedMotion,
-      palette: paletteOf(context.safeColors),
-    });
-    made.show(context.values());
-    return made;
-  };
+  const paint = () => paintGame(context, content, sky, spot, renderer.type === RendererType.WEBGL);
   let picture = paint();
   let shownEvents = 0;
   const hud = createHud(context.element, () => paletteOf(context.safeColors));
@@ -54,15 +40,6 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
     ship: () => place(picture.ship[0], picture.ship[1]),
     press: (input) => context.sim().press(input),
   });
-  const showEvents = (sim: BlackHoleGame) => {
-    const { events, eventCount } = sim.rules;
-    const fresh = Math.max(0, Math.min(events.length, eventCount - shownEvents));
-    for (let i = events.length - fresh; i < events.length; i++) {
-      picture.celebrate(events[i]);
-      hud.toast(events[i], sim);
-    }
-    shownEvents = eventCount;
-  };
   return {
     canvas,
     refresh(change) {
@@ -78,16 +55,10 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
     draw(alpha, seconds) {
       const sim = context.sim();
       fitCamera(camera, context, viewport, zoomed);
-      showEvents(sim);
+      shownEvents = showEvents(sim, shownEvents, picture, hud);
       picture.update(alpha, seconds, camera, viewport);
       steering.update();
-      const { x, y } = place(0, STAGE_HEIGHT);
-      const { pixelsPerMetre: scale } = camera;
-      frame.left = x;
-      frame.top = y;
-      frame.width = STAGE_WIDTH * scale;
-      frame.height = STAGE_HEIGHT * scale;
-      frame.room = y - context.insets().top;
+      setFrame(frame, place(0, STAGE_HEIGHT), camera.pixelsPerMetre, context.insets().top);
       hud.update(sim, frame);
       screen.render();
     },
@@ -109,6 +80,42 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
     },
   };
 }
+
+function paintGame(
+  context: ViewContext<Settings, BlackHoleGame>,
+  parent: Container,
+  sky: Texture,
+  spot: Texture,
+  canBend: boolean,
+): Picture {
+  const isCalm = context.reducedMotion;
+  const palette = paletteOf(context.safeColors);
+  const picture = createPicture({ sim: context.sim(), parent, sky, spot, canBend, isCalm, palette });
+  picture.show(context.values());
+  return picture;
+}
+
+/** Shows the events since the first `shownCount`. @returns the number of events so far */
+function showEvents(sim: BlackHoleGame, shownCount: number, picture: Picture, hud: Hud): number {
+  const { events, eventCount } = sim.rules;
+  const newCount = Math.max(0, Math.min(events.length, eventCount - shownCount));
+  for (let i = events.length - newCount; i < events.length; i++) {
+    picture.celebrate(events[i]);
+    hud.toast(events[i], sim);
+  }
+  return eventCount;
+}
+
+/** Computes the frame of the stage on the canvas. @param corner its upper left corner @param top inset of the window */
+function setFrame(frame: Mutable<Frame>, corner: { x: number; y: number }, pixelsPerMetre: number, top: number): void {
+  frame.left = corner.x;
+  frame.top = corner.y;
+  frame.width = STAGE_WIDTH * pixelsPerMetre;
+  frame.height = STAGE_HEIGHT * pixelsPerMetre;
+  frame.room = corner.y - top;
+}
+
+type Mutable<T> = { -readonly [Name in keyof T]: T[Name] };
 
 const WHOLE_STAGE = { minX: 0, minY: 0, maxX: STAGE_WIDTH, maxY: STAGE_HEIGHT };
 const free = { width: 0, height: 0 };

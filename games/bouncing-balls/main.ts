@@ -13,8 +13,8 @@ await startGame({
   dragLimit: clampToRoom,
   contacts: countContacts,
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view-2d.ts')).openView2D(stage) },
-    three: { label: '3D', dimensions: 3, open: async (stage) => (await import('./view-3d.ts')).openView3D(stage) },
+    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view-2d.ts')).openView2D(context) },
+    three: { label: '3D', dimensions: 3, open: async (context) => (await import('./view-3d.ts')).openView3D(context) },
   },
   help: [
     ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],

@@ -12,10 +12,10 @@ import { createShading } from './shading.ts';
 /** Number of balls with trails; more would hide each other. */
 const MAX_TRAILS = 2000;
 
-export function openView2D(stage: ViewContext<Settings, BouncingBalls>): Promise<View> {
-  return openPixiView(stage, {
+export function openView2D(context: ViewContext<Settings, BouncingBalls>): Promise<View> {
+  return openPixiView(context, {
     bounds: ({ room: { min, max } }) => ({ minX: min.x, minY: min.y, maxX: max.x, maxY: max.y }),
-    paint: (sim, source) => paint(sim, source, () => stage.values().trails),
+    paint: (sim, source) => paint(sim, source, () => context.values().trails),
   });
 }
 

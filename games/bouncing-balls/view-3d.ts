@@ -24,24 +24,24 @@ const FIELD_OF_VIEW = 28;
 /** Fraction of the free part of the window that the room fills. */
 const FILL_SHARE = 0.95;
 
-export async function openView3D(stage: ViewContext<Settings, BouncingBalls>): Promise<View> {
+export async function openView3D(context: ViewContext<Settings, BouncingBalls>): Promise<View> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
   const canvas = renderer.domElement;
-  stage.element.append(canvas);
+  context.element.append(canvas);
   renderer.shadowMap.enabled = true;
   const scene = new Scene();
   const orbit = createOrbitCamera({ element: canvas, camera: new PerspectiveCamera(FIELD_OF_VIEW) });
   const camera = orbit.camera as PerspectiveCamera;
   camera.position.set(0.36, 0.2, 1);
-  orbit.controls.enableDamping = !stage.reducedMotion;
-  let picture = createPicture(stage, scene);
+  orbit.controls.enableDamping = !context.reducedMotion;
+  let picture = createPicture(context, scene);
   let isFitted = true;
   orbit.controls.addEventListener('start', () => {
     isFitted = false;
   });
   const show = () => {
     isFitted = true;
-    fitInto(stage, viewport, camera, () => orbit.fit(roomBox(stage.sim())));
+    fitInto(context, viewport, camera, () => orbit.fit(roomBox(context.sim())));
   };
   const viewport = fitRendererToParent(renderer, camera, {
     onResize() {
@@ -49,18 +49,18 @@ export async function openView3D(stage: ViewContext<Settings, BouncingBalls>): P
       else camera.clearViewOffset();
     },
   });
-  let dragging = listenTo(stage, orbit, canvas);
+  let dragging = listenTo(context, orbit, canvas);
   return {
     canvas,
     refresh(change) {
       if (change === 'setting') {
-        picture.showTrails(stage.values().trails);
+        picture.showTrails(context.values().trails);
         return;
       }
       dragging.destroy();
       picture.destroy();
-      picture = createPicture(stage, scene);
-      dragging = listenTo(stage, orbit, canvas);
+      picture = createPicture(context, scene);
+      dragging = listenTo(context, orbit, canvas);
     },
     draw(alpha, seconds) {
       orbit.update(seconds);
@@ -95,12 +95,12 @@ function roomBox({ room: { min, max } }: BouncingBalls): Box3 {
 
 /** Fits the room into the part of the window that nothing covers. */
 function fitInto(
-  stage: ViewContext<Settings, BouncingBalls>,
+  context: ViewContext<Settings, BouncingBalls>,
   { width, height }: { width: number; height: number },
   camera: PerspectiveCamera,
   fitAll: () => void,
 ): void {
-  const { top, right, bottom, left } = stage.insets();
+  const { top, right, bottom, left } = context.insets();
   camera.clearViewOffset();
   const freeWidth = Math.max(width - left - right, 1);
   const freeHeight = Math.max(height - top - bottom, 1);
@@ -108,7 +108,7 @@ function fitInto(
   camera.aspect = freeWidth / freeHeight;
   camera.updateProjectionMatrix();
   fitAll();
-  const { x, y, zoom } = tightFit(camera, roomBox(stage.sim()));
+  const { x, y, zoom } = tightFit(camera, roomBox(context.sim()));
   camera.zoom = zoom;
   // The camera was fitted to the free part; the view offset extends the picture to the rest of the window.
   const [offsetX, offsetY] = [x * zoom * freeWidth * 0.5 - left, -y * zoom * freeHeight * 0.5 - top];
@@ -131,23 +131,24 @@ function tightFit(camera: PerspectiveCamera, { min, max }: Box3): { x: number; y
 }
 
 function listenTo(
-  stage: ViewContext<Settings, BouncingBalls>,
+  context: ViewContext<Settings, BouncingBalls>,
   orbit: ReturnType<typeof createOrbitCamera>,
   canvas: HTMLCanvasElement,
 ) {
   return listenToBodyDragging(canvas, {
-    source: worldSource(stage.sim().world),
+    source: worldSource(context.sim().world),
     camera: orbit.camera,
     controls: orbit.controls,
-    onGrab: (id, point, pointer) => stage.dragging().grab(pointer, id, point.x, point.y, point.z),
-    onDrag: (_, point, pointer) => stage.dragging().move(pointer, point.x, point.y, point.z),
-    onRelease: (_, _point, velocity, pointer) => stage.dragging().release(pointer, velocity.x, velocity.y, velocity.z),
+    onGrab: (id, point, pointer) => context.dragging().grab(pointer, id, point.x, point.y, point.z),
+    onDrag: (_, point, pointer) => context.dragging().move(pointer, point.x, point.y, point.z),
+    onRelease: (_, _point, velocity, pointer) =>
+      context.dragging().release(pointer, velocity.x, velocity.y, velocity.z),
   });
 }
 
 /** The drawing of one world. */
-function createPicture(stage: ViewContext<Settings, BouncingBalls>, scene: Scene) {
-  const sim = stage.sim();
+function createPicture(context: ViewContext<Settings, BouncingBalls>, scene: Scene) {
+  const sim = context.sim();
   const source = worldSource(sim.world);
   const isLit = sim.balls.length <= MAX_LIT;
   const room = createRoom3D(sim, isLit);
@@ -167,7 +168,7 @@ function createPicture(stage: ViewContext<Settings, BouncingBalls>, scene: Scene
     trails = shown ? createTrailLines({ source, bodies, length: 48, width: 2.5, opacity: 0.55 }) : undefined;
     if (trails !== undefined) scene.add(trails.object);
   };
-  showTrails(stage.values().trails);
+  showTrails(context.values().trails);
   return {
     showTrails,
     update(alpha: number) {

@@ -10,7 +10,7 @@ await startGame({
   apply: applyValue,
   report: (sim) => ({ broken: brokenThreads(sim) }),
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view.ts')).openView(stage) },
+    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },
   },
   help: [['Drag', 'pull and tear the cloth; every finger can grab it']],
 });

@@ -10,10 +10,10 @@ import { query } from 'bitecs';
 import type { Settings } from './settings.ts';
 import { brokenThreads, CLOTH, type ClothRun } from './sim.ts';
 
-export function openView(stage: ViewContext<Settings, ClothRun>): Promise<View> {
+export function openView(context: ViewContext<Settings, ClothRun>): Promise<View> {
   const reach = { x: 0.6 * CLOTH.columns * CLOTH.spacing, y: 0.75 * CLOTH.rows * CLOTH.spacing };
   const bounds = { minX: -reach.x, minY: -reach.y, maxX: reach.x, maxY: 0.7 * reach.y };
-  return openPixiView(stage, { bounds: () => bounds, paint, grabRadius: 3 * CLOTH.spacing });
+  return openPixiView(context, { bounds: () => bounds, paint, grabRadius: 3 * CLOTH.spacing });
 }
 
 function paint(sim: ClothRun, source: BodySource): Picture {

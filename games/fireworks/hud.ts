@@ -20,29 +20,29 @@ const sparks = new Intl.NumberFormat('en', { useGrouping: true });
 /** Seconds between two updates of the layout and the hint. */
 const UPDATE_INTERVAL = 0.25;
 
-export function createHud(stage: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Hud {
+export function createHud(context: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Hud {
   const root = document.createElement('div');
   root.className = 'fw-desk';
   root.innerHTML = `<style>${CONTROLS_STYLE}</style><div class="fw-hint" role="status"></div>`;
   const hint = root.querySelector('.fw-hint') as HTMLElement;
-  const timeline = createTimeline(stage, controls);
-  const tray = createTray(controls, () => stage.toggle('barrage'));
+  const timeline = createTimeline(context, controls);
+  const tray = createTray(controls, () => context.toggle('barrage'));
   const crosshair = document.createElement('div');
   crosshair.className = 'fw-sight';
   root.append(timeline.element, tray.element);
-  stage.element.append(root, crosshair);
+  context.element.append(root, crosshair);
   const unlock = () => controls.sound.unlock();
   const gestures = ['pointerdown', 'keydown', 'touchend'] as const;
   for (const gesture of gestures) globalThis.addEventListener(gesture, unlock, true);
-  const stopKeys = listenToControlKeys(stage, controls);
-  controls.setMessageHandler(stage.showMessage);
+  const stopKeys = listenToControlKeys(context, controls);
+  controls.setMessageHandler(context.showMessage);
   let shown = '';
   let covered = Number.NaN;
   let sinceUpdate = UPDATE_INTERVAL;
   return {
     update(seconds, screen) {
-      const sim = stage.sim();
-      controls.sound.set(stage.values().sound);
+      const sim = context.sim();
+      controls.sound.set(context.values().sound);
       controls.sound.playNew(sim.scene.news);
       timeline.update();
       crosshair.hidden = !sim.crosshair.isShown;
@@ -53,11 +53,11 @@ export function createHud(stage: ViewContext<Settings, FireworksGame>, controls:
       sinceUpdate += seconds;
       if (sinceUpdate < UPDATE_INTERVAL) return;
       sinceUpdate = 0;
-      const { right } = stage.insets();
+      const { right } = context.insets();
       if (right !== covered) root.style.right = `${right}px`;
       covered = right;
-      const { barrage } = stage.values();
-      tray.show(stage.safeColors, barrage);
+      const { barrage } = context.values();
+      tray.show(context.safeColors, barrage);
       const text = barrage ? `${sparks.format(sim.scene.alive)} sparks alight` : hintOf(sim, controls);
       if (text !== shown) hint.textContent = text;
       shown = text;
@@ -149,12 +149,12 @@ function createTray(controls: PlayerControls, toggleBarrage: () => void) {
 }
 
 /** Listens to the game's keys, except in input fields. Returns a function that stops listening. */
-function listenToControlKeys(stage: ViewContext<Settings, FireworksGame>, controls: PlayerControls): () => void {
+function listenToControlKeys(context: ViewContext<Settings, FireworksGame>, controls: PlayerControls): () => void {
   const keys: Record<string, () => void> = {
     k: () => controls.next('kind'),
     c: () => controls.next('color'),
     t: () => controls.setEditing(),
-    l: () => controls.play(stage.sim()),
+    l: () => controls.play(context.sim()),
     backspace: () => controls.isEditing && controls.editor.undo(),
     delete: () => controls.isEditing && controls.editor.remove(controls.editor.chosen),
   };

@@ -29,12 +29,12 @@ await startGame({
     pixi: {
       label: '2D',
       dimensions: 2,
-      open: async (stage) => (await import('./view-2d.ts')).openView2D(stage, controls),
+      open: async (context) => (await import('./view-2d.ts')).openView2D(context, controls),
     },
     three: {
       label: '3D',
       dimensions: 3,
-      open: async (stage) => (await import('./view-3d.ts')).openView3D(stage, controls),
+      open: async (context) => (await import('./view-3d.ts')).openView3D(context, controls),
     },
   },
   help: [

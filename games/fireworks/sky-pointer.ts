@@ -25,34 +25,32 @@ export interface SkyPointer {
 }
 
 export function listenToSky(
-  stage: ViewContext<Settings, FireworksGame>,
+  context: ViewContext<Settings, FireworksGame>,
   controls: PlayerControls,
   canvas: HTMLCanvasElement,
-  places: SkyMapping,
+  mapping: SkyMapping,
 ): SkyPointer {
-  const rings = new Map<number, HTMLElement>();
-  const starts = new Map<number, { x: number; y: number }>();
-  const at = (event: PointerEvent) => {
+  const rings = new Map<number, Ring>();
+  const pointAt = (event: PointerEvent) => {
     const { left, top } = canvas.getBoundingClientRect();
-    const { x, y, z } = places.world(event.clientX - left, event.clientY - top);
+    const { x, y, z } = mapping.world(event.clientX - left, event.clientY - top);
     return clampToSky(x, y, z);
   };
   const forget = (finger: number) => {
-    rings.get(finger)?.remove();
+    rings.get(finger)?.element.remove();
     rings.delete(finger);
-    starts.delete(finger);
   };
   const move = (event: PointerEvent) => {
     const ring = rings.get(event.pointerId);
     if (ring === undefined) return;
-    const start = starts.get(event.pointerId) ?? { x: 0, y: 0 };
-    if (places.rotatesView === true && Math.hypot(event.clientX - start.x, event.clientY - start.y) > DRAG_THRESHOLD) {
+    const distance = Math.hypot(event.clientX - ring.startX, event.clientY - ring.startY);
+    if (mapping.rotatesView === true && distance > DRAG_THRESHOLD) {
       cancel(event);
       return;
     }
-    const { x, y, z } = at(event);
-    const place = places.screen(x, y, z);
-    ring.style.translate = `${place.x}px ${place.y}px`;
+    const { x, y, z } = pointAt(event);
+    const place = mapping.screen(x, y, z);
+    ring.element.style.translate = `${place.x}px ${place.y}px`;
   };
   const press = (event: PointerEvent) => {
     if (event.button !== 0) return;
@@ -60,46 +58,60 @@ export function listenToSky(
     // A pointer released outside the window may be pressed twice.
     forget(event.pointerId);
     capture(canvas, event.pointerId);
-    const ring = document.createElement('div');
-    ring.className = 'fw-ring';
-    stage.element.append(ring);
-    rings.set(event.pointerId, ring);
-    starts.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const element = document.createElement('div');
+    element.className = 'fw-ring';
+    context.element.append(element);
+    rings.set(event.pointerId, { element, startX: event.clientX, startY: event.clientY });
     move(event);
-    controls.startHold(stage.sim(), event.pointerId);
+    controls.startHold(context.sim(), event.pointerId);
   };
   const release = (event: PointerEvent) => {
     if (!rings.has(event.pointerId)) return;
     forget(event.pointerId);
-    controls.fire(stage.sim(), event.pointerId, at(event));
+    controls.fire(context.sim(), event.pointerId, pointAt(event));
   };
   const cancel = (event: PointerEvent) => {
     if (!rings.has(event.pointerId)) return;
     forget(event.pointerId);
-    stage.sim().press({ do: 'forget', finger: event.pointerId });
+    context.sim().press({ do: 'forget', finger: event.pointerId });
   };
-  const listeners = { pointerdown: press, pointermove: move, pointerup: release, pointercancel: cancel };
-  for (const [type, listener] of Object.entries(listeners)) canvas.addEventListener(type as 'pointerdown', listener);
-  canvas.style.touchAction = 'none';
-  canvas.style.cursor = 'crosshair';
+  const stop = listen(canvas, { pointerdown: press, pointermove: move, pointerup: release, pointercancel: cancel });
   return {
     update() {
       if (rings.size === 0) return;
-      for (const [finger, ring] of rings) {
-        const power = stage.sim().powerOf(finger, controls.kind);
-        const isSwarm = controls.kind === SWARM;
-        // A swarm's ring is large from the first second, so that the number in it is readable.
-        ring.style.setProperty('--power', String(isSwarm ? 0.6 + 0.4 * power : power));
-        const stars = isSwarm ? String(heldStars(SHELLS[SWARM], power)) : '';
-        if (ring.textContent !== stars) ring.textContent = stars;
-      }
+      for (const [finger, { element }] of rings)
+        showPower(element, context.sim().powerOf(finger, controls.kind), controls);
     },
     destroy() {
-      for (const [type, listener] of Object.entries(listeners))
-        canvas.removeEventListener(type as 'pointerdown', listener);
+      stop();
       for (const finger of [...rings.keys()]) forget(finger);
     },
   };
+}
+
+/** The ring around a held pointer, and where the pointer was pressed, CSS pixels. */
+interface Ring {
+  readonly element: HTMLElement;
+  readonly startX: number;
+  readonly startY: number;
+}
+
+function listen(canvas: HTMLCanvasElement, listeners: Record<string, (event: PointerEvent) => void>): () => void {
+  for (const [type, listener] of Object.entries(listeners)) canvas.addEventListener(type as 'pointerdown', listener);
+  canvas.style.touchAction = 'none';
+  canvas.style.cursor = 'crosshair';
+  return () => {
+    for (const [type, listener] of Object.entries(listeners))
+      canvas.removeEventListener(type as 'pointerdown', listener);
+  };
+}
+
+function showPower(element: HTMLElement, power: number, { kind }: PlayerControls): void {
+  const isSwarm = kind === SWARM;
+  // A swarm's ring is large from the first second, so that the number in it is readable.
+  element.style.setProperty('--power', String(isSwarm ? 0.6 + 0.4 * power : power));
+  const stars = isSwarm ? String(heldStars(SHELLS[SWARM], power)) : '';
+  if (element.textContent !== stars) element.textContent = stars;
 }
 
 /** A pointer from a synthetic event cannot be captured. */

@@ -1,10 +1,11 @@
 /** The timeline of the edited show. */
-import { SHELL_NAMES } from '@principia/scenes';
+import { SHELL_NAMES, type StarColor } from '@principia/scenes';
 import type { ViewContext } from '@principia/shell';
 import type { PlayerControls } from './controls.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
-import type { FireworksGame } from './sim.ts';
+import type { ShowEditor } from './show-editor.ts';
+import type { Cue, FireworksGame } from './sim.ts';
 
 const STEPS_PER_SECOND = 60;
 /** Shortest length of the timeline, s, and margin after the last shell, s. */
@@ -19,8 +20,56 @@ export interface Timeline {
   update(): void;
 }
 
-export function createTimeline(stage: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Timeline {
+export function createTimeline(context: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Timeline {
   const { editor } = controls;
+  const { element, buttonOf, line, cursor, text } = createElements();
+  listenToButtons(context, controls, buttonOf);
+  let length = MIN_SECONDS * STEPS_PER_SECOND;
+  const onPress = listenToLine(line, editor, () => length);
+  const marks: HTMLElement[] = [];
+  const showMarks = () => {
+    const last = editor.cues.at(-1)?.tick ?? 0;
+    length = Math.max(MIN_SECONDS * STEPS_PER_SECOND, last + MARGIN_SECONDS * STEPS_PER_SECOND);
+    for (const mark of marks.splice(0)) mark.remove();
+    const palette = paletteOf(context.safeColors);
+    for (const [i, cue] of editor.cues.entries()) {
+      const mark = createMark(cue, palette, length, i === editor.chosen);
+      mark.addEventListener('pointerdown', (event) => onPress(event, i));
+      mark.addEventListener('click', () => choose(editor, i));
+      marks.push(mark);
+    }
+    line.append(...marks);
+  };
+  const showState = (isPlaying: boolean) => {
+    const count = editor.cues.length;
+    for (const name of ['play', 'clear', 'share']) buttonOf(name).disabled = count === 0;
+    buttonOf('remove').disabled = editor.chosen < 0;
+    buttonOf('play').textContent = isPlaying ? 'Stop' : 'Play';
+    text.textContent = statusOf(count, editor.cursor);
+  };
+  let [shownVersion, shownTick, isPlaying] = [-1, -1, false];
+  return {
+    element,
+    update() {
+      element.hidden = !controls.isEditing;
+      if (!controls.isEditing) return;
+      const sim = context.sim();
+      if (editor.version !== shownVersion || isPlaying !== (sim.isShowing && !sim.isDemo)) {
+        shownVersion = editor.version;
+        isPlaying = sim.isShowing && !sim.isDemo;
+        showMarks();
+        showState(isPlaying);
+        shownTick = -1;
+      }
+      const tick = isPlaying ? sim.world.tick - sim.showStart : editor.cursor;
+      if (tick === shownTick) return;
+      shownTick = tick;
+      cursor.style.left = `${Math.min(100, (100 * tick) / length)}%`;
+    },
+  };
+}
+
+function createElements() {
   const element = document.createElement('section');
   element.className = 'fw-show';
   element.setAttribute('aria-label', 'Show editor');
@@ -31,94 +80,77 @@ export function createTimeline(stage: ViewContext<Settings, FireworksGame>, cont
 <div class="fw-line"><div class="fw-cursor"></div></div>`;
   const find = (selector: string) => element.querySelector(selector) as HTMLElement;
   const buttonOf = (name: string) => find(`[data-do=${name}]`) as HTMLButtonElement;
-  const [line, cursor, text] = [find('.fw-line'), find('.fw-cursor'), find('p')];
+  return { element, buttonOf, line: find('.fw-line'), cursor: find('.fw-cursor'), text: find('p') };
+}
+
+function listenToButtons(
+  context: ViewContext<Settings, FireworksGame>,
+  controls: PlayerControls,
+  buttonOf: (name: string) => HTMLButtonElement,
+): void {
+  const { editor } = controls;
   const actions: Record<string, () => void> = {
-    play: () => controls.play(stage.sim()),
+    play: () => controls.play(context.sim()),
     undo: () => editor.undo(),
     remove: () => editor.remove(editor.chosen),
     clear: () => editor.clear(),
     share: () => void controls.share(),
   };
   for (const [name, action] of Object.entries(actions)) buttonOf(name).addEventListener('click', action);
-  let length = MIN_SECONDS * STEPS_PER_SECOND;
+}
+
+function choose(editor: ShowEditor, index: number): void {
+  editor.chosen = index;
+  editor.version++;
+}
+
+/**
+ * Handles clicks and drags on the line. Marks are recreated during a drag, so the line captures the pointer.
+ * @param length steps that the line shows
+ * @returns the handler of a press on the mark of a cue
+ */
+function listenToLine(line: HTMLElement, editor: ShowEditor, length: () => number) {
   const tickAt = (event: PointerEvent) => {
     const { left, width } = line.getBoundingClientRect();
-    return ((event.clientX - left) / Math.max(1, width)) * length;
+    return ((event.clientX - left) / Math.max(1, width)) * length();
   };
+  let drag: { pointer: number; x: number; isMoved: boolean } | undefined;
   line.addEventListener('pointerdown', (event) => {
     if (event.target !== line) return;
     editor.chosen = -1;
     editor.seek(tickAt(event));
   });
-  const marks: HTMLElement[] = [];
-  const showMarks = () => {
-    length = Math.max(
-      MIN_SECONDS * STEPS_PER_SECOND,
-      (editor.cues.at(-1)?.tick ?? 0) + MARGIN_SECONDS * STEPS_PER_SECOND,
-    );
-    for (const mark of marks.splice(0)) mark.remove();
-    const palette = paletteOf(stage.safeColors);
-    for (const [i, { tick, kind, color }] of editor.cues.entries()) {
-      const mark = document.createElement('button');
-      mark.type = 'button';
-      mark.className = 'fw-mark';
-      mark.title = `${SHELL_NAMES[kind]}, ${palette[color].name}, at ${(tick / STEPS_PER_SECOND).toFixed(1)} s`;
-      mark.setAttribute('aria-label', mark.title);
-      mark.setAttribute('aria-pressed', String(i === editor.chosen));
-      mark.style.cssText = `left:${(100 * tick) / length}%;--c:${css(palette[color])}`;
-      mark.addEventListener('pointerdown', (event) => drag(event, i));
-      mark.addEventListener('click', () => choose(i));
-      marks.push(mark);
-    }
-    line.append(...marks);
+  line.addEventListener('pointermove', (event) => {
+    if (drag?.pointer !== event.pointerId) return;
+    drag.isMoved ||= Math.abs(event.clientX - drag.x) > DRAG_THRESHOLD;
+    if (drag.isMoved) editor.move(editor.chosen, tickAt(event));
+  });
+  const endDrag = () => {
+    drag = undefined;
   };
-  const choose = (index: number) => {
-    editor.chosen = index;
-    editor.version++;
-  };
-  // Marks are recreated during a drag, so the line captures the pointer.
-  let dragged: { pointer: number; x: number; isMoved: boolean } | undefined;
-  const drag = (event: PointerEvent, index: number) => {
+  line.addEventListener('pointerup', endDrag);
+  line.addEventListener('pointercancel', endDrag);
+  return (event: PointerEvent, index: number) => {
     event.preventDefault();
-    choose(index);
-    dragged = { pointer: event.pointerId, x: event.clientX, isMoved: false };
+    choose(editor, index);
+    drag = { pointer: event.pointerId, x: event.clientX, isMoved: false };
     line.setPointerCapture(event.pointerId);
   };
-  line.addEventListener('pointermove', (event) => {
-    if (dragged?.pointer !== event.pointerId) return;
-    dragged.isMoved ||= Math.abs(event.clientX - dragged.x) > DRAG_THRESHOLD;
-    if (dragged.isMoved) editor.move(editor.chosen, tickAt(event));
-  });
-  const drop = () => {
-    dragged = undefined;
-  };
-  line.addEventListener('pointerup', drop);
-  line.addEventListener('pointercancel', drop);
-  let [shown, place, isPlaying] = [-1, -1, false];
-  return {
-    element,
-    update() {
-      element.hidden = !controls.isEditing;
-      if (!controls.isEditing) return;
-      const sim = stage.sim();
-      if (editor.version !== shown || isPlaying !== (sim.isShowing && !sim.isDemo)) {
-        shown = editor.version;
-        isPlaying = sim.isShowing && !sim.isDemo;
-        showMarks();
-        const count = editor.cues.length;
-        for (const name of ['play', 'clear', 'share']) buttonOf(name).disabled = count === 0;
-        buttonOf('remove').disabled = editor.chosen < 0;
-        buttonOf('play').textContent = isPlaying ? 'Stop' : 'Play';
-        text.textContent =
-          count === 0
-            ? 'Click the sky to add shells to the show'
-            : `${count} ${count === 1 ? 'shell' : 'shells'}; the next is added at ${(editor.cursor / STEPS_PER_SECOND).toFixed(1)} s`;
-        place = -1;
-      }
-      const at = isPlaying ? sim.world.tick - sim.showStart : editor.cursor;
-      if (at === place) return;
-      place = at;
-      cursor.style.left = `${Math.min(100, (100 * at) / length)}%`;
-    },
-  };
+}
+
+function createMark({ tick, kind, color }: Cue, palette: readonly StarColor[], length: number, isChosen: boolean) {
+  const mark = document.createElement('button');
+  mark.type = 'button';
+  mark.className = 'fw-mark';
+  mark.title = `${SHELL_NAMES[kind]}, ${palette[color].name}, at ${(tick / STEPS_PER_SECOND).toFixed(1)} s`;
+  mark.setAttribute('aria-label', mark.title);
+  mark.setAttribute('aria-pressed', String(isChosen));
+  mark.style.cssText = `left:${(100 * tick) / length}%;--c:${css(palette[color])}`;
+  return mark;
+}
+
+function statusOf(count: number, cursor: number): string {
+  if (count === 0) return 'Click the sky to add shells to the show';
+  const shells = `${count} ${count === 1 ? 'shell' : 'shells'}`;
+  return `${shells}; the next is added at ${(cursor / STEPS_PER_SECOND).toFixed(1)} s`;
 }

@@ -27,8 +27,11 @@ const VISIBLE_HEIGHT = VISIBLE.maxY - VISIBLE.minY;
 const MIN_WIDTH = 72;
 const MIN_FREE_SHARE = 0.38;
 
-export async function openView2D(stage: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Promise<View> {
-  const screen = await openScreen(stage.element, { background: '#03040d' });
+export async function openView2D(
+  context: ViewContext<Settings, FireworksGame>,
+  controls: PlayerControls,
+): Promise<View> {
+  const screen = await openScreen(context.element, { background: '#03040d' });
   const { canvas, renderer } = screen;
   const light = renderer.type === RendererType.WEBGL ? createLight2D(renderer as WebGLRenderer) : undefined;
   const shining = new Container();
@@ -36,39 +39,29 @@ export async function openView2D(stage: ViewContext<Settings, FireworksGame>, co
   screen.stage.addChild(backdrop.sky, light?.container ?? shining, backdrop.shore);
   const camera: Camera2D = { x: 0, y: 20, pixelsPerMetre: 10 };
   const clock = new LightClock();
-  let layer = createSparks(stage.sim(), shining);
+  let layer = createSparks(context.sim(), shining);
   let zoomed = 1;
-  const look = () => {
-    // Shells burst where the panel does not hide them; the landscape fills the window.
-    const { right } = stage.insets();
-    const { height } = viewport;
-    const width = Math.max(1, viewport.width - right);
-    fit(camera, VISIBLE, { width, height }, 0);
-    const closer = Math.min(width / MIN_WIDTH, ((1 - MIN_FREE_SHARE) * height) / VISIBLE_HEIGHT);
-    camera.pixelsPerMetre = Math.max(camera.pixelsPerMetre, closer);
-    // Free height is shared between above and below, so that shells burst near the centre of the window.
-    const free = Math.max(0, height - VISIBLE_HEIGHT * camera.pixelsPerMetre);
-    const lift = Math.min(0.26 * height, 0.8 * Math.max(0, free - 0.25 * height));
-    const ground = lift - VISIBLE.minY * camera.pixelsPerMetre;
-    camera.pixelsPerMetre *= zoomed;
-    camera.x = right / 2 / camera.pixelsPerMetre;
-    // The waterline keeps its height under zoom.
-    camera.y = (height / 2 - ground) / camera.pixelsPerMetre;
+  const fitAll = () => {
+    const ground = fitCamera(camera, viewport, context.insets().right, zoomed);
     backdrop.paint(viewport, ground, camera.pixelsPerMetre);
     light?.clear();
+  };
+  const setZoom = (factor: number) => {
+    zoomed = factor;
+    fitAll();
   };
   const viewport = watchViewport(canvas, (width, height, resolution) => {
     renderer.resize(width, height, resolution);
     light?.resize(width, height, resolution);
-    queueMicrotask(look);
+    queueMicrotask(fitAll);
   });
   const shown = { x: 0, y: 0 };
   const place = (x: number, y: number) => toScreen(camera, viewport, x, y, shown);
-  const pointer = listenToSky(stage, controls, canvas, {
+  const pointer = listenToSky(context, controls, canvas, {
     world: (x, y) => ({ ...toWorld(camera, viewport, x, y, { x: 0, y: 0 }), z: 0 }),
     screen: place,
   });
-  const hud = createHud(stage, controls);
+  const hud = createHud(context, controls);
   let time = 0;
   let hasShone = false;
   return {
@@ -76,18 +69,18 @@ export async function openView2D(stage: ViewContext<Settings, FireworksGame>, co
     refresh(change) {
       if (change === 'setting') return;
       layer.destroy();
-      layer = createSparks(stage.sim(), shining);
+      layer = createSparks(context.sim(), shining);
       clock.reset();
       light?.clear();
     },
     draw(alpha, seconds) {
-      const sim = stage.sim();
-      if (!stage.reducedMotion) time += seconds;
+      const sim = context.sim();
+      if (!context.reducedMotion) time += seconds;
       applyCamera(shining, camera, viewport);
       layer.update(alpha);
       // Before the first light nothing fades, so the first frame does not wait for the shader programs.
       hasShone ||= sim.scene.alive + sim.scene.flying > 0;
-      if (light !== undefined && hasShone && clock.advance(sim, alpha, stage.values().glow)) {
+      if (light !== undefined && hasShone && clock.advance(sim, alpha, context.values().glow)) {
         shining.alpha = clock.gain;
         light.add(shining, clock.fade);
       }
@@ -96,25 +89,35 @@ export async function openView2D(stage: ViewContext<Settings, FireworksGame>, co
       hud.update(seconds, place);
       screen.render();
     },
-    fit() {
-      zoomed = 1;
-      look();
-    },
-    zoom(factor) {
-      zoomed = Math.min(4, Math.max(0.4, zoomed * factor));
-      look();
-    },
+    fit: () => setZoom(1),
+    zoom: (factor) => setZoom(Math.min(4, Math.max(0.4, zoomed * factor))),
     toScreen: place,
     destroy() {
-      pointer.destroy();
-      hud.destroy();
-      viewport.destroy();
-      layer.destroy();
-      light?.destroy();
-      backdrop.destroy();
-      screen.destroy();
+      for (const part of [pointer, hud, viewport, layer, light, backdrop, screen]) part?.destroy();
     },
   };
+}
+
+/**
+ * Fits the camera to the window.
+ * @param right width of the panel, CSS pixels @returns height of the waterline above the bottom of the window, CSS pixels
+ */
+function fitCamera(camera: Camera2D, viewport: Viewport, right: number, zoomed: number): number {
+  // Shells burst where the panel does not hide them; the landscape fills the window.
+  const { height } = viewport;
+  const width = Math.max(1, viewport.width - right);
+  fit(camera, VISIBLE, { width, height }, 0);
+  const closer = Math.min(width / MIN_WIDTH, ((1 - MIN_FREE_SHARE) * height) / VISIBLE_HEIGHT);
+  camera.pixelsPerMetre = Math.max(camera.pixelsPerMetre, closer);
+  // Free height is shared between above and below, so that shells burst near the centre of the window.
+  const free = Math.max(0, height - VISIBLE_HEIGHT * camera.pixelsPerMetre);
+  const lift = Math.min(0.26 * height, 0.8 * Math.max(0, free - 0.25 * height));
+  const ground = lift - VISIBLE.minY * camera.pixelsPerMetre;
+  camera.pixelsPerMetre *= zoomed;
+  camera.x = right / 2 / camera.pixelsPerMetre;
+  // The waterline keeps its height under zoom.
+  camera.y = (height / 2 - ground) / camera.pixelsPerMetre;
+  return ground;
 }
 
 function createSparks({ world }: FireworksGame, parent: Container): BodyLayer {

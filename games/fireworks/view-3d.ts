@@ -1,6 +1,12 @@
 /** The 3D view, drawn by three.js. */
 import { worldSource } from '@principia/render-core';
-import { type BodyMesh, createBodyMesh, createOrbitCamera, fitRendererToParent } from '@principia/render-three';
+import {
+  type BodyMesh,
+  createBodyMesh,
+  createOrbitCamera,
+  fitRendererToParent,
+  type OrbitCamera,
+} from '@principia/render-three';
 import type { View, ViewContext } from '@principia/shell';
 import {
   Color,
@@ -31,31 +37,23 @@ const EYE = new Vector3(18, 9, 84);
 /** Reflectance of the water. */
 const REFLECTANCE = 0.45;
 
-export async function openView3D(stage: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Promise<View> {
+export async function openView3D(
+  context: ViewContext<Settings, FireworksGame>,
+  controls: PlayerControls,
+): Promise<View> {
   const renderer = new WebGLRenderer({ antialias: false });
   renderer.autoClear = false;
   const canvas = renderer.domElement;
-  stage.element.append(canvas);
-  const orbit = createOrbitCamera({ element: canvas, camera: new PerspectiveCamera(48, 1, 1, 2000) });
+  context.element.append(canvas);
+  const orbit = createOrbit(canvas, !context.reducedMotion);
   const camera = orbit.camera as PerspectiveCamera;
-  Object.assign(orbit.controls, { minDistance: 35, maxDistance: 125, maxPolarAngle: 1.75, enablePan: false });
-  orbit.controls.enableDamping = !stage.reducedMotion;
   const scenery = createWorld3D();
   const backdrop = new Scene().add(scenery.object);
   const shining = new Scene();
   const light = createLight3D(renderer, camera);
   const clock = new LightClock();
-  let sparks = createSparks(stage.sim(), shining);
-  const look = () => {
-    orbit.controls.target.copy(CENTRE);
-    camera.position.copy(EYE);
-    // A narrow window needs a larger distance.
-    camera.position
-      .sub(CENTRE)
-      .multiplyScalar(Math.min(1.25, Math.max(1, 1.5 / camera.aspect)))
-      .add(CENTRE);
-    orbit.update(0);
-  };
+  let sparks = createSparks(context.sim(), shining);
+  const resetCamera = () => placeCamera(orbit);
   const size = new Vector2();
   const viewport = fitRendererToParent(renderer, camera, {
     onResize() {
@@ -63,54 +61,68 @@ export async function openView3D(stage: ViewContext<Settings, FireworksGame>, co
       light.resize(size.x, size.y);
     },
   });
-  look();
+  resetCamera();
   const screen = (x: number, y: number, z: number) => {
     camera.updateMatrixWorld();
     const place = new Vector3(x, y, z).project(camera);
     return { x: ((place.x + 1) / 2) * viewport.width, y: ((1 - place.y) / 2) * viewport.height };
   };
   const world = skyPointUnder(camera, viewport);
-  const pointer = listenToSky(stage, controls, canvas, { world, screen, rotatesView: true });
-  const hud = createHud(stage, controls);
+  const pointer = listenToSky(context, controls, canvas, { world, screen, rotatesView: true });
+  const hud = createHud(context, controls);
   const shine = () => sparks.draw(renderer, camera, clock.gain);
   return {
     canvas,
     refresh(change) {
       if (change === 'setting') return;
       sparks.destroy();
-      sparks = createSparks(stage.sim(), shining);
+      sparks = createSparks(context.sim(), shining);
       clock.reset();
       light.clear();
     },
     draw(alpha, seconds) {
-      const sim = stage.sim();
+      const sim = context.sim();
       orbit.update(seconds);
       sparks.mesh.update(alpha);
-      if (clock.advance(sim, alpha, stage.values().glow)) light.add(clock.fade, shine);
+      if (clock.advance(sim, alpha, context.values().glow)) light.add(clock.fade, shine);
       renderer.clear();
       renderer.render(backdrop, camera);
       light.show();
       pointer.update();
       hud.update(seconds, screen);
     },
-    fit: look,
+    fit: resetCamera,
     zoom(factor) {
       camera.position.sub(orbit.controls.target).divideScalar(factor).add(orbit.controls.target);
     },
     toScreen: screen,
     destroy() {
-      pointer.destroy();
-      hud.destroy();
-      sparks.destroy();
-      light.destroy();
-      scenery.destroy();
-      orbit.destroy();
-      viewport.destroy();
+      for (const part of [pointer, hud, sparks, light, scenery, orbit, viewport]) part.destroy();
       renderer.dispose();
       renderer.forceContextLoss();
       canvas.remove();
     },
   };
+}
+
+function createOrbit(element: HTMLElement, hasDamping: boolean): OrbitCamera {
+  const orbit = createOrbitCamera({ element, camera: new PerspectiveCamera(48, 1, 1, 2000) });
+  Object.assign(orbit.controls, { minDistance: 35, maxDistance: 125, maxPolarAngle: 1.75, enablePan: false });
+  orbit.controls.enableDamping = hasDamping;
+  return orbit;
+}
+
+/** Moves the camera to its initial position. */
+function placeCamera(orbit: OrbitCamera): void {
+  const camera = orbit.camera as PerspectiveCamera;
+  orbit.controls.target.copy(CENTRE);
+  camera.position.copy(EYE);
+  // A narrow window needs a larger distance.
+  camera.position
+    .sub(CENTRE)
+    .multiplyScalar(Math.min(1.25, Math.max(1, 1.5 / camera.aspect)))
+    .add(CENTRE);
+  orbit.update(0);
 }
 
 /** All sparks, drawn directly and as their mirror image in the water. */
