@@ -1,5 +1,5 @@
 /** Predicts the ship's flight without a world, for the dotted path and the autopilot. */
-import { BLACK_HOLE, type Hole, holeMu, holePlace } from '@principia/scenes';
+import { BLACK_HOLE, type Hole, holeMu, holePosition } from '@principia/scenes';
 
 /** Position and velocity of a ship, m and m/s. */
 export interface ShipState {
@@ -78,7 +78,7 @@ export class Flight {
     let ay = 0;
     for (let i = 0; i < this.#holes.length; i++) {
       const hole = this.#holes[i];
-      const at = hole.orbit === 0 ? hole : holePlace(hole, state[TIME], this.#holePosition);
+      const at = hole.orbit === 0 ? hole : holePosition(hole, state[TIME], this.#holePosition);
       const dx = at.x - state[X];
       const dy = at.y - state[Y];
       const square = dx * dx + dy * dy;

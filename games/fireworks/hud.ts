@@ -43,7 +43,7 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
     update(seconds, screen) {
       const sim = context.sim();
       controls.sound.set(context.values().sound);
-      controls.sound.playNew(sim.scene.news);
+      controls.sound.playNew(sim.scene.events);
       timeline.update();
       crosshair.hidden = !sim.crosshair.isShown;
       if (sim.crosshair.isShown) {

@@ -11,7 +11,7 @@ export function reportState(sim: FireworksGame, controls: PlayerControls) {
     log: [...log.entries],
     alive: scene.alive,
     flying: scene.flying,
-    news: scene.news.count,
+    news: scene.events.count,
     fired,
     refused,
     isShowing,

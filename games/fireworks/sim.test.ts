@@ -25,7 +25,7 @@ describe('a hand', () => {
       run(game, game.dt + seconds);
       game.press(fire(1));
       run(game, game.dt);
-      return game.scene.news.at(0).power;
+      return game.scene.events.at(0).power;
     });
     expect(powers[0]).toBeLessThan(0.4);
     expect(powers[1]).toBeCloseTo((powers[0] + 1) / 2, 1);
@@ -43,7 +43,7 @@ describe('a hand', () => {
     controls.startHold(game, 1);
     controls.fire(game, 1, { x: -10, y: 30, z: 0 });
     run(game, game.dt);
-    const sent = [0, 1].map((i) => game.scene.news.at(i));
+    const sent = [0, 1].map((i) => game.scene.events.at(i));
     expect(sent[0].power).toBe(1);
     expect(sent[1].power).toBeLessThan(0.4);
     expect(controls.editor.cues.map(({ power }) => power)).toEqual(
@@ -71,8 +71,8 @@ describe('a hand', () => {
       game.press(fire(1, x, y));
     run(game, 6);
     expect(game.world.faults.faults).toEqual([]);
-    const bursts = Array.from({ length: game.scene.news.count }, (_, i) => game.scene.news.at(i));
-    const places = bursts.filter(({ what }) => what === 'burst').map(({ x, y }) => [Math.round(x), Math.round(y)]);
+    const bursts = Array.from({ length: game.scene.events.count }, (_, i) => game.scene.events.at(i));
+    const places = bursts.filter(({ type }) => type === 'burst').map(({ x, y }) => [Math.round(x), Math.round(y)]);
     expect(places.sort(([a], [b]) => a - b)).toEqual([
       [-48, 50],
       [0, 12],
@@ -129,9 +129,9 @@ describe('a swarm', () => {
     run(game, game.dt);
     expect([game.scene.alive, game.scene.flying, game.refused]).toEqual([stars, 0, 0]);
     expect(game.fired).toBe(stars > 0 ? 1 : 0);
-    const { count } = game.scene.news;
+    const { count } = game.scene.events;
     expect(count).toBe(stars > 0 ? 1 : 0);
-    if (count > 0) expect(game.scene.news.at(0)).toMatchObject({ what: 'burst', x: -12, y: 28, kind: SWARM });
+    if (count > 0) expect(game.scene.events.at(0)).toMatchObject({ type: 'burst', x: -12, y: 28, kind: SWARM });
   });
 
   it('bursts for six seconds from the moment it is let go, however long the night has lasted', () => {
@@ -166,9 +166,9 @@ describe('a show', () => {
     const game = night();
     game.press({ do: 'play', cues });
     run(game, 3);
-    const { news } = game.scene;
-    const launches = Array.from({ length: news.count }, (_, i) => ({ ...news.at(i) })).filter(
-      (n) => n.what === 'launch',
+    const { events } = game.scene;
+    const launches = Array.from({ length: events.count }, (_, i) => ({ ...events.at(i) })).filter(
+      (n) => n.type === 'launch',
     );
     expect(launches.map(({ time }) => Math.round(60 * time))).toEqual(cues.map(({ tick }) => tick));
     expect(launches.map(({ kind }) => kind)).toEqual([0, 1, 2, 3]);

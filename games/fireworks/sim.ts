@@ -10,7 +10,7 @@ import {
   heldStars,
   InputLog,
   type LoggedInput,
-  mostSeconds,
+  maxHoldSeconds,
   SHELL_NAMES,
   SHELLS,
   type ShellOrder,
@@ -138,7 +138,7 @@ export class FireworksGame {
   /** Power of the shell that a pointer holds, 0 to 1. @param kind index of the chosen kind */
   powerOf(finger: number, kind: number): number {
     const since = this.#heldSince(finger);
-    if (kind === SWARM) return this.#wholeSeconds(since) / mostSeconds(SHELLS[SWARM]);
+    if (kind === SWARM) return this.#wholeSeconds(since) / maxHoldSeconds(SHELLS[SWARM]);
     if (since === undefined) return CLICK_POWER;
     const share = Math.min(1, (this.world.time - since) / MAX_HOLD_SECONDS);
     return CLICK_POWER + (1 - CLICK_POWER) * share;
@@ -164,7 +164,7 @@ export class FireworksGame {
   #wholeSeconds(since = this.world.time): number {
     // Half a step absorbs the rounding of summed steps.
     const seconds = Math.floor(this.world.time - since + 0.5 * this.dt);
-    return Math.min(mostSeconds(SHELLS[SWARM]), seconds);
+    return Math.min(maxHoldSeconds(SHELLS[SWARM]), seconds);
   }
 
   /** Hash of the state; games with equal hashes evolve equally. */

@@ -1,5 +1,5 @@
 /** Synthesised sound, delayed by the travel time to the listener. */
-import type { NewsRing, SkyNews } from '@principia/scenes';
+import type { EventRing, FireworksEvent } from '@principia/scenes';
 import { burstVoice, crackleVoice, launchVoice, type Mixer, openMixer } from './voices.ts';
 
 /** Speed of sound in air of 20 °C, m/s. */
@@ -24,7 +24,7 @@ export class Sound {
   lastDelay = 0;
   #mixer: Mixer | undefined;
   #isOn = true;
-  #news: NewsRing | undefined;
+  #news: EventRing | undefined;
   #playedCount = 0;
   readonly #showMessage: (sentence: string) => void;
 
@@ -51,7 +51,7 @@ export class Sound {
   }
 
   /** Plays the sounds of new events. */
-  playNew(news: NewsRing): void {
+  playNew(news: EventRing): void {
     if (news !== this.#news) this.#playedCount = 0;
     this.#news = news;
     // Events during silence are skipped.
@@ -61,13 +61,13 @@ export class Sound {
     for (let i = first; i < news.count; i++) this.#make(this.#mixer, news.at(i));
   }
 
-  #make(mixer: Mixer, news: SkyNews): void {
+  #make(mixer: Mixer, news: FireworksEvent): void {
     if (mixer.voices >= MAX_VOICES) return;
     const delay = soundDelay(news);
     const at = mixer.context.currentTime + delay;
     const pan = Math.max(-1, Math.min(1, news.x / 60));
-    if (news.what === 'launch') launchVoice(mixer, at, pan);
-    else if (news.what === 'burst') burstVoice(mixer, at, pan, news.power);
+    if (news.type === 'launch') launchVoice(mixer, at, pan);
+    else if (news.type === 'burst') burstVoice(mixer, at, pan, news.power);
     else crackleVoice(mixer, at, pan);
     this.soundCount++;
     this.lastDelay = delay;

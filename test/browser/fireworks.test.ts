@@ -264,7 +264,7 @@ describe('sound', () => {
   it.each(['missing', 'blocked'])('that is %s is said once, and the game plays on', async (how) => {
     const page = await play('manual', { prepare: how === 'missing' ? hideAudio : blockAudio });
     await page.mouse.click(400, 100);
-    await page.waitForFunction(() => __game.state().banner.includes('no sound'));
+    await page.waitForFunction(() => __game.state().banner.includes('No sound'));
     await page.mouse.click(300, 150);
     await steps(page, 1);
     expect(await told(page)).toMatchObject({ fired: 2, sound: { state: 'blocked' } });

@@ -53,7 +53,7 @@ export class ColumnUpload {
   }
 
   /** Says that another column has the values of the last `refresh`, which `data` is to have from then on. */
-  rename(column: RealColumn): Float32Array {
+  replaceColumn(column: RealColumn): Float32Array {
     if (column instanceof Float32Array) this.#data = column;
     return this.#data;
   }
@@ -62,7 +62,7 @@ export class ColumnUpload {
 const EMPTY = new Float32Array(0);
 
 /** Rows that are sent for nothing: every upload pays for them. */
-const MOST_SLACK = 8;
+const MAX_SPARE_ROWS = 8;
 
 /**
  * How many rows a data texture should have, so that uploads stay close to what is used while a population that grows
@@ -83,5 +83,5 @@ export function textureRows(used: number, current: number, length: number): numb
   }
   const needed = Math.max(1, Math.ceil(used / TEXTURE_WIDTH));
   if (needed <= current && needed * 4 >= current) return current;
-  return Math.min(length / TEXTURE_WIDTH, needed + Math.min(needed >> 2, MOST_SLACK));
+  return Math.min(length / TEXTURE_WIDTH, needed + Math.min(needed >> 2, MAX_SPARE_ROWS));
 }

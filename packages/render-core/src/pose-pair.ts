@@ -36,7 +36,7 @@ export class PosePair {
 }
 
 /** What textures have of a `PosePair`. */
-export class PosesSent {
+export class UploadedPoses {
   #serial = Number.NaN;
 
   /**
@@ -52,7 +52,7 @@ export class PosesSent {
   }
 
   /** Has both sent the next time. */
-  forget(): void {
+  invalidate(): void {
     this.#serial = Number.NaN;
   }
 }

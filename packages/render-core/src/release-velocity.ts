@@ -2,7 +2,7 @@
 const SAMPLES = 16;
 
 /** How far back the estimate looks, seconds: long enough to average out jitter, short enough to feel immediate. */
-const WINDOW = 0.08;
+const WINDOW_SECONDS = 0.08;
 
 /**
  * Estimates how fast a pointer moved just before it let go, from its latest positions. A pointer that rested before
@@ -38,12 +38,12 @@ export class ReleaseVelocity {
     this.y = 0;
     if (this.#count < 2) return;
     const newest = (this.#count - 1) % SAMPLES;
-    if (time - this.#t[newest] > WINDOW) return;
+    if (time - this.#t[newest] > WINDOW_SECONDS) return;
     let oldest = newest;
     const reach = Math.min(this.#count, SAMPLES);
     for (let back = 1; back < reach; back++) {
       const i = (this.#count - 1 - back) % SAMPLES;
-      if (time - this.#t[i] > WINDOW) break;
+      if (time - this.#t[i] > WINDOW_SECONDS) break;
       oldest = i;
     }
     const dt = this.#t[newest] - this.#t[oldest];

@@ -6,7 +6,7 @@ import { TEXTURE_WIDTH } from '@principia/render-core';
  *
  * @throws Error when `count` is not a whole number from zero
  */
-export function roomFor(count: number, length: number, channels: number): number {
+export function bufferLength(count: number, length: number, channels: number): number {
   if (!Number.isInteger(count) || count < 0) throw new Error(`the number of lines must be 0 or more, got ${count}`);
   const needed = count * channels;
   if (length > 0 && needed <= length) return length;

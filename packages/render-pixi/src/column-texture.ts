@@ -56,7 +56,7 @@ export class ColumnTexture {
   }
 
   /** Says that another array has the values of the last `upload`; it is what a renderer that comes anew is sent. */
-  rename(data: ColumnData): void {
+  replaceColumn(data: ColumnData): void {
     this.#show(data, this.#rows);
   }
 

@@ -1,4 +1,4 @@
-import { roomFor } from './buffer-capacity.ts';
+import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 
 /** One colour per line as a texture; lines without a colour of their own have zero, the layer's colour. */
@@ -9,7 +9,7 @@ export class LineColors {
 
   /** Takes the first `count` of `colors` (RGBA bytes in memory order), or none. */
   set(count: number, colors: ArrayLike<number> | undefined): void {
-    const length = roomFor(count, this.#values.length, 1);
+    const length = bufferLength(count, this.#values.length, 1);
     // Zeros that are on the GPU already need no second upload.
     if (colors === undefined && this.#plain && length === this.#values.length) return;
     if (length !== this.#values.length) this.#values = new Uint32Array(length);

@@ -1,6 +1,6 @@
 import type { BodySource } from '@principia/render-core';
 import type { Container } from 'pixi.js';
-import { roomFor } from './buffer-capacity.ts';
+import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
 import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
@@ -54,7 +54,7 @@ export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
     set(pairs, count = Math.floor(pairs.length / 2), linkColors) {
       checkLength('pairs', pairs, 2 * count);
       if (linkColors !== undefined) checkLength('colors', linkColors, count);
-      const length = roomFor(2 * count, ids.length, 1);
+      const length = bufferLength(2 * count, ids.length, 1);
       if (length !== ids.length) ids = new Uint32Array(length);
       for (let i = 0; i < 2 * count; i++) ids[i] = pairs[i];
       pairsTexture.upload(ids, 2 * count);

@@ -1,5 +1,5 @@
 /** Ids and styles of bodies are textures of whole numbers, which pixi's WebGL renderer uploads since this version. */
-export const OLDEST_PIXI = '8.22.0';
+export const MIN_PIXI = '8.22.0';
 
 /**
  * An older version draws nothing and reports nothing, so each layer asks for the version before it is made.
@@ -9,10 +9,10 @@ export const OLDEST_PIXI = '8.22.0';
  */
 export function requirePixi(version: string): void {
   const [major, minor] = version.split('.').map(Number);
-  const [oldestMajor, oldestMinor] = OLDEST_PIXI.split('.').map(Number);
+  const [oldestMajor, oldestMinor] = MIN_PIXI.split('.').map(Number);
   if (major > oldestMajor || (major === oldestMajor && minor >= oldestMinor)) return;
   throw new Error(
-    `@principia/render-pixi needs pixi.js ${OLDEST_PIXI} or newer, got ${version}, which cannot draw bodies: ` +
-      `run npm install pixi.js@^${OLDEST_PIXI}`,
+    `@principia/render-pixi needs pixi.js ${MIN_PIXI} or newer, got ${version}, which cannot draw bodies: ` +
+      `run npm install pixi.js@^${MIN_PIXI}`,
   );
 }

@@ -1,5 +1,5 @@
 import type { Container } from 'pixi.js';
-import { roomFor } from './buffer-capacity.ts';
+import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
 import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
@@ -40,7 +40,7 @@ export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
     set(segments, count = Math.floor(segments.length / 4), lineColors) {
       checkLength('segments', segments, count * 4);
       if (lineColors !== undefined) checkLength('colors', lineColors, count);
-      const length = roomFor(count, data.length, 4);
+      const length = bufferLength(count, data.length, 4);
       if (length !== data.length) data = new Float32Array(length);
       for (let i = 0; i < 4 * count; i += 2) {
         data[i] = segments[i] - originX;
