@@ -1,8 +1,8 @@
 import { TEXTURE_WIDTH } from '@principia/render-core';
 
 /**
- * Length of an array that holds `count` items of `channels` numbers in whole texture rows: the present length while
- * that is enough, else at least twice it.
+ * Length of an array for `count` items of `channels` numbers in whole texture rows: the present length if it suffices,
+ * otherwise at least twice it.
  *
  * @throws Error when `count` is not a whole number from zero
  */

@@ -8,7 +8,7 @@ import { PullMesh } from './pull-mesh.ts';
 import { LINK_PROGRAM } from './shaders/link-program.ts';
 import { SourceTextures } from './source-textures.ts';
 
-/** How a link layer draws. */
+/** Options of a link layer. */
 export interface LinkLayerOptions extends LineStyle {
   source: BodySource;
 }
@@ -17,7 +17,7 @@ export interface LinkLayerOptions extends LineStyle {
 export interface LinkLayer {
   readonly container: Container;
   /**
-   * Replaces the links; needed only when they change, since the lines follow the bodies by themselves.
+   * Replaces the links; needed only when they change, since the lines follow the bodies.
    *
    * @param pairs ids of the two bodies of each link, one pair after the other
    * @param count number of links; default: all in the array
@@ -25,12 +25,12 @@ export interface LinkLayer {
    * @throws Error when an array is shorter than `count` links need
    */
   set(pairs: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
-  /** Brings the picture up to date; call it once a frame, as for bodies. */
+  /** Updates the picture; call it once a frame, as for bodies. */
   update(alpha: number): void;
   destroy(): void;
 }
 
-/** Makes an empty layer of links between bodies of `source`. @throws Error when an option is out of range */
+/** Creates an empty layer of links between bodies of `source`. @throws Error when an option is out of range */
 export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
   const { source, pixelsPerMetre = 1, blendMode = 'normal' } = options;
   const textures = SourceTextures.acquire(source);

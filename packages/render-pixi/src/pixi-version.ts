@@ -1,8 +1,8 @@
-/** Ids and styles of bodies are textures of whole numbers, which pixi's WebGL renderer uploads since this version. */
+/** Ids and styles of bodies are integer textures, which pixi's WebGL renderer uploads since this version. */
 export const MIN_PIXI = '8.22.0';
 
 /**
- * An older version draws nothing and reports nothing, so each layer asks for the version before it is made.
+ * An older version draws nothing and reports no error, so each layer checks the version first.
  *
  * @param version of pixi.js
  * @throws Error when the version cannot draw layers

@@ -6,11 +6,11 @@ import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
 import { PullMesh } from './pull-mesh.ts';
 import { SEGMENT_PROGRAM } from './shaders/segment-program.ts';
 
-/** Straight lines with round ends, given as numbers: walls, force arrows, debug geometry. */
+/** Straight lines with round ends from numbers: walls, force arrows, debug geometry. */
 export interface SegmentLayer {
   readonly container: Container;
   /**
-   * Replaces the lines. The numbers are copied, so the array may be reused at once; no garbage is left behind.
+   * Replaces the lines. The numbers are copied, so the array may be reused immediately; no garbage is created.
    *
    * @param segments x1, y1, x2, y2 of each line, metres
    * @param count number of lines; default: all in the array
@@ -18,12 +18,12 @@ export interface SegmentLayer {
    * @throws Error when an array is shorter than `count` lines need
    */
   set(segments: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
-  /** World point, metres, that the next `set` takes lines relative to; see `BodyLayer.setOrigin`. */
+  /** World point, metres, to which the next `set` makes lines relative; see `BodyLayer.setOrigin`. */
   setOrigin(x: number, y: number): void;
   destroy(): void;
 }
 
-/** Makes an empty layer of lines. @throws Error when an option is out of range */
+/** Creates an empty layer of lines. @throws Error when an option is out of range */
 export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
   const segmentsTexture = new ColumnTexture('real', 4);
   const colors = new LineColors();
