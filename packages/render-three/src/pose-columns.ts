@@ -57,12 +57,12 @@ export class PoseColumns {
     this.uniforms = uniforms;
   }
 
-  /** Whether the columns are f64: f32 ones have lost the digits that an origin could save. */
+  /** Whether the columns are f64; f32 columns have no digits that an origin could preserve. */
   get isPrecise(): boolean {
     return this.#columns[0].now instanceof Float64Array;
   }
 
-  /** Has everything sent the next time. */
+  /** Forces an upload of all columns the next time. */
   forget(): void {
     this.#sent.invalidate();
   }

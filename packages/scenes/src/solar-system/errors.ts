@@ -8,7 +8,7 @@ import { BODY_NAMES, type BodyName, OBLIQUITY, STATES } from './states.ts';
 export const DAY = 86400;
 
 /** Longest step of an integrator with adaptive sub-steps, s. */
-const LONGEST = 32 * DAY;
+const MAX_STEP = 32 * DAY;
 
 /** Distance from JPL's position, km: planets relative to the Sun, the Moon relative to the Earth. */
 export type ErrorsKm = Partial<Record<BodyName, number>>;
@@ -50,7 +50,7 @@ function earthAndMoon({ positions }: Reference): readonly number[] {
 }
 
 /** Advances a new system to each reference in turn, up to `years`, and returns the errors. */
-export function measureErrors(system: SolarSystem, dt = LONGEST, years = 50): ErrorTable {
+export function measureErrors(system: SolarSystem, dt = MAX_STEP, years = 50): ErrorTable {
   const table: ErrorTable = {};
   for (const reference of REFERENCES) {
     if (reference.days > years * 365.25) break;
@@ -71,7 +71,7 @@ export function measureErrors(system: SolarSystem, dt = LONGEST, years = 50): Er
 function mannerOf({ name }: Integrator): { readonly dt: number; readonly moon: boolean } {
   if (name === 'Wisdom-Holman') return { dt: 4 * DAY, moon: false };
   const choosesSteps = name === 'Gauss-Radau 15' || name === 'Dormand-Prince 5(4)';
-  return { dt: choosesSteps ? LONGEST : DAY / 24, moon: true };
+  return { dt: choosesSteps ? MAX_STEP : DAY / 24, moon: true };
 }
 
 /** The errors of an integrator over 50 years, in 3D and f64. */
@@ -109,7 +109,7 @@ export function againstGaussRadau(integrator: Integrator): ReferenceRuns {
     times: Array.from({ length: 50 }, (_, year) => endOf(year + 1)),
     labels: new Map([1, 10, 50].map((years) => [endOf(years), `y${years}`])),
     ours: (time) => advanceTo(ours.world, time, dt),
-    theirs: (time) => advanceTo(theirs.world, time, LONGEST),
+    theirs: (time) => advanceTo(theirs.world, time, MAX_STEP),
     apartKm: () => distancesBetween(ours, theirs),
   };
 }
