@@ -7,33 +7,33 @@ import { LAW_COUNTS, type Variant } from './particles-variants.ts';
 import { peersOf } from './peers/all.ts';
 import { countsBetween } from './scaling.ts';
 
-/** What the command line asks for. */
+/** The options of the command line. */
 export type Request = { readonly kind: 'help' } | { readonly kind: 'list' } | RunRequest;
 
 export interface RunRequest {
   readonly kind: 'run';
   readonly scene: Scene;
   readonly count: number;
-  /** Steps in all; the first `warmup` of them are not timed. */
+  /** Number of steps; the first `warmup` of them are not timed. */
   readonly steps: number;
   readonly warmup: number;
   readonly dimensions: 2 | 3;
   readonly precision: Precision;
   readonly seed: number;
-  /** Undefined for the scene's own. */
+  /** Undefined selects the scene's default. */
   readonly integrator: IntegratorName | undefined;
-  /** Of the scene `particles`. */
+  /** Options of the scene `particles`. */
   readonly variant: Variant;
   readonly peers: boolean;
-  /** Counts at which the cost of a step is measured as well; undefined for none. */
+  /** Further counts at which a step is timed; undefined for none. */
   readonly scaling: readonly number[] | undefined;
   readonly json: string | undefined;
   readonly html: string | undefined;
-  /** The scene's own parameters that were given. */
+  /** The scene parameters that were given. */
   readonly parameters: Readonly<Record<string, number>>;
 }
 
-/** A command line that cannot be carried out; the message is one sentence for the person who wrote it. */
+/** An invalid command line; the message is one sentence for the user. */
 export class ArgumentError extends Error {}
 
 const OPTIONS = {
@@ -61,7 +61,7 @@ const PARAMETERS = new Map(
     .map((name) => [name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`), name]),
 );
 
-const MOST_STEPS = 1_000_000;
+const MAX_STEPS = 1_000_000;
 const optionNames = Object.keys(OPTIONS).map((name) => `--${name}`);
 const integratorNames = Object.keys(INTEGRATORS) as IntegratorName[];
 const sceneNames = SCENES.map(({ name }) => name);
@@ -76,7 +76,7 @@ export function readArguments(args: readonly string[]): Request {
   if (values.list) return { kind: 'list' };
   const scene = sceneOf(positionals);
   const { count } = scene.parameters;
-  const steps = wholeNumber('steps', values.steps, 200, 1, MOST_STEPS);
+  const steps = wholeNumber('steps', values.steps, 200, 1, MAX_STEPS);
   const warmup = wholeNumber('warmup', values.warmup, Math.min(20, Math.floor(steps / 5)), 0, steps - 1);
   const peers = values.peers ?? false;
   if (peers && steps - warmup < peersOf(scene.name).length) {
@@ -136,7 +136,7 @@ function variantOf(scene: Scene, resting = false, laws: string | undefined): Var
   return { resting, laws: Number(count) as Variant['laws'] };
 }
 
-/** What was given of the scene's own parameters, within their ranges. */
+/** The scene parameters that were given, checked against their ranges. */
 function parametersOf(scene: Scene, values: Readonly<Record<string, unknown>>): Record<string, number> {
   const given: Record<string, number> = {};
   for (const [option, name] of PARAMETERS) {
@@ -187,13 +187,13 @@ function outputFile(option: string, file: string | undefined): string | undefine
   return path;
 }
 
-/** What `--list` prints. */
+/** The output of `--list`. */
 export function sceneList(): string {
   const width = Math.max(...sceneNames.map((name) => name.length)) + 2;
   return SCENES.map(({ name, description }) => `${name.padEnd(width)}${description}`).join('\n');
 }
 
-/** What `--help` prints. */
+/** The output of `--help`. */
 export function helpText(): string {
   return `Measures a scene headlessly: npm run bench -- <scene> [options]
 

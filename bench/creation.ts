@@ -3,7 +3,7 @@ import { addComponent, addEntity, createWorld } from 'bitecs';
 import { bytesInUse } from './memory.ts';
 import { median } from './statistics.ts';
 
-/** What making a world cost. */
+/** The cost of creating a world. */
 export interface Creation {
   readonly ms: number;
   readonly bytes: number;

@@ -13,14 +13,14 @@ export interface Measured {
 
 export interface MeasureOptions {
   readonly steps: number;
-  /** First steps that are run and not kept: the compiler is still at work. */
+  /** First steps that are not timed, while the compiler optimizes. */
   readonly warmup: number;
   readonly progress: (done: number) => void;
-  /** Called when the warm-up is over. */
+  /** Called at the end of the warm-up. */
   readonly onTimed?: () => void;
 }
 
-/** Part of a peer's turns that warm it up and do not count. */
+/** Fraction of a peer's steps that count as warm-up. */
 const WARM_TURNS = 0.25;
 
 export async function measureSteps(
@@ -58,7 +58,7 @@ export async function measureSteps(
   return { ours, peers };
 }
 
-/** Of the turns after the first quarter. */
+/** Times after the first quarter. */
 function ratioOf(theirs: Float64Array, ours: Float64Array): number {
   const cold = Math.floor(WARM_TURNS * theirs.length);
   return median(theirs.subarray(cold)) / median(ours.subarray(cold));

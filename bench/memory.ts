@@ -1,8 +1,8 @@
-// What things cost in memory. All figures need `--expose-gc`; without it they are NaN rather than wrong.
+// Memory use. All figures need `--expose-gc`; without it they are NaN instead of wrong.
 
 const collect = (globalThis as { gc?: () => void }).gc;
 
-/** Bytes that objects on the JavaScript heap take after everything dead is gone. */
+/** Bytes of the JavaScript heap after a garbage collection. */
 export function heapBytes(): number {
   if (collect === undefined) return Number.NaN;
   collect();
@@ -21,7 +21,7 @@ export function bytesInUse(): number {
   return heapUsed + rss - heapTotal;
 }
 
-/** Steps after which the compiler has long been done, and the most milliseconds to wait for it. */
+/** Steps after which compilation has certainly finished, and the longest wait for it, ms. */
 const PATIENCE = { steps: 2000, ms: 5000 };
 
 /**

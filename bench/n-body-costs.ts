@@ -1,4 +1,4 @@
-// What the picture of docs/n-body.md shows: the cost of an evaluation by the direct sum and by the tree.
+// Data of the chart in docs/n-body.md: the cost of a force evaluation by direct summation and by the tree.
 import { step } from '@principia/physics';
 import { nbodyDirect, nbodyTree, type SceneRun } from '@principia/scenes';
 import { countsBetween, measureScaling } from './scaling.ts';
@@ -13,7 +13,7 @@ function line(name: string, create: (count: number) => SceneRun, from: number, t
   return { name, points: measureScaling(create, countsBetween(from, to), advanceOf, () => {}) };
 }
 
-/** The chart as SVG; takes a minute. */
+/** Returns the chart as SVG; takes a minute. */
 export function costChart(): string {
   const tree = (dimensions: 2 | 3, falloff: number) => (count: number) =>
     nbodyTree.create({ count, dimensions, falloff });

@@ -1,4 +1,4 @@
-// Variants of the scene `particles` that only the bench knows: all bodies at rest on the floor, and more laws.
+// Variants of the scene `particles` for the bench: all bodies at rest on the floor, and more laws.
 import {
   bodies,
   electricField,
@@ -13,26 +13,26 @@ import {
 import type { Particles, SceneRun } from '@principia/scenes';
 import { addComponent, set } from 'bitecs';
 
-/** How many laws of force `--laws` composes; the scene itself has two. */
+/** Numbers of laws that `--laws` accepts; the scene has two. */
 export const LAW_COUNTS = [2, 3, 5, 8] as const;
 
 export interface Variant {
-  /** All bodies begin on the floor, and the walls give nothing back, so that every step presses every body on it. */
+  /** All bodies start on the floor and restitution is zero, so that every body rests on it in every step. */
   readonly resting: boolean;
   readonly laws: (typeof LAW_COUNTS)[number];
 }
 
 export const PLAIN: Variant = { resting: false, laws: 2 };
 
-/** A run of the scene in a variant; absent where it is as the scene made it. */
+/** A run of the scene in a variant; absent for the plain scene. */
 export type ParticlesRun = Particles & { readonly variant?: Variant };
 
-/** What a variant prescribes of the scene's parameters. */
+/** The scene parameters that a variant sets. */
 export function variantParameters({ resting }: Variant): { readonly restitution?: number } {
   return resting ? { restitution: 0 } : {};
 }
 
-/** Makes a variant of a scene just made. */
+/** Applies a variant to a new scene. */
 export function applyVariant(run: SceneRun, variant: Variant): SceneRun {
   if (!variant.resting && variant.laws === 2) return run;
   const varied: ParticlesRun = { ...(run as Particles), variant };
@@ -41,7 +41,7 @@ export function applyVariant(run: SceneRun, variant: Variant): SceneRun {
   return varied;
 }
 
-/** Every body touches the floor, at y = 0, and stands still. */
+/** Puts every body at rest on the floor, at y = 0. */
 function putOnFloor(world: PhysicsWorld): void {
   const { ids, count } = bodies(world);
   const { Position, Velocity, Collider } = world.components;
@@ -51,7 +51,10 @@ function putOnFloor(world: PhysicsWorld): void {
   }
 }
 
-/** Gives the bodies what the further laws read, of the same order as their weight at most, and the world the laws. */
+/**
+ * Sets the components that the further laws read, so that forces are at most comparable to the weight, and adds the
+ * laws.
+ */
 function addLaws({ world, side }: Particles, laws: number): void {
   if (laws === 2) return;
   const centre = { x: side / 2, y: side / 2, ...(world.dimensions === 3 ? { z: side / 2 } : {}) };

@@ -1,12 +1,12 @@
 import { Presets, SingleBar } from 'cli-progress';
 
-/** Shows how far one piece of work is. */
+/** Shows the progress of a task. */
 export interface Progress {
   update(done: number): void;
   end(): void;
 }
 
-/** A bar on a terminal; elsewhere a line for every quarter, so that logs stay short. */
+/** A bar on a terminal; elsewhere a line for every quarter, which keeps logs short. */
 export function startProgress(what: string, total: number, stream: NodeJS.WriteStream = process.stderr): Progress {
   return stream.isTTY ? terminalBar(what, total, stream) : plainLines(what, total, stream);
 }

@@ -4,17 +4,17 @@ import type { ReferenceRuns } from '@principia/scenes';
 import { median } from './statistics.ts';
 
 export interface ReferenceResult {
-  /** The reference. */
+  /** Name of the reference integrator. */
   readonly name: string;
-  /** Our time over that of the reference: the median of the turns. */
+  /** Our time over that of the reference: the median of all intervals. */
   readonly timeRatio: number;
-  /** Distance from it, km, by body and time. */
+  /** Distance from the reference, km, by body and time. */
   readonly errorKm: Readonly<Record<string, Readonly<Record<string, number>>>>;
-  /** The largest of all bodies and times at which one ended its turn, km. */
+  /** The largest distance of any body at the end of any interval, km. */
   readonly worstKm: number;
 }
 
-/** The first turns are slow, as they are compiled meanwhile; the median of all is of those that are not. */
+/** The first intervals are slow because of compilation; the median ignores them. */
 export function compareWithReference({ name, times, labels, ours, theirs, apartKm }: ReferenceRuns): ReferenceResult {
   const errorKm: Record<string, Record<string, number>> = {};
   const ratios: number[] = [];

@@ -1,19 +1,19 @@
-// The report's charts as SVG text. They need no script: hovering shows a <title>, and they print and zoom as text does.
+// The charts of the report as SVG text, without scripts: a <title> serves as tooltip.
 import { ms } from './report-table.ts';
 import { histogram, summarise } from './statistics.ts';
 
 const WIDTH = 720;
 const LEFT = 64;
 const RIGHT = 12;
-/** A scale that shows hiccups of the machine in full would flatten everything else; what is above is cut off. */
-const MOST_MEDIANS = 4;
+/** Outliers above this multiple of the median are clipped, because they would flatten the rest. */
+const MAX_MEDIANS = 4;
 
-/** Step times in order, with the median and the 99th percentile as lines; the scale ends a little above the latter. */
+/** Step times in order, with the median and the 99th percentile as lines; the scale ends slightly above the latter. */
 export function traceChart(series: ArrayLike<number>, warmup: number): string {
   const HEIGHT = 220;
   const BOTTOM = 32;
   const { median, p99 } = summarise(series);
-  const top = Math.max(Math.min(p99 * 1.15, median * MOST_MEDIANS), median * 1.5);
+  const top = Math.max(Math.min(p99 * 1.15, median * MAX_MEDIANS), median * 1.5);
   const ticks = niceTicks(top, 4);
   const x = (i: number) => LEFT + ((i + 0.5) / series.length) * (WIDTH - LEFT - RIGHT);
   const y = (time: number) => 10 + (1 - Math.min(time, top) / top) * (HEIGHT - BOTTOM - 10);
@@ -34,12 +34,12 @@ export function traceChart(series: ArrayLike<number>, warmup: number): string {
   ]);
 }
 
-/** How often a step took how long; the last bin holds whatever took longer. */
+/** Histogram of the step times; the last bin collects all larger values. */
 export function histogramChart(series: ArrayLike<number>): string {
   const HEIGHT = 200;
   const BOTTOM = 32;
   const BINS = 40;
-  const { from, to, counts } = histogram(series, BINS, MOST_MEDIANS * summarise(series).median);
+  const { from, to, counts } = histogram(series, BINS, MAX_MEDIANS * summarise(series).median);
   const most = Math.max(...counts);
   const width = (WIDTH - LEFT - RIGHT) / BINS;
   const y = (count: number) => 10 + (1 - count / most) * (HEIGHT - BOTTOM - 10);
@@ -59,7 +59,7 @@ export function histogramChart(series: ArrayLike<number>): string {
   ]);
 }
 
-/** Parts of a step as one bar, and below it their names. */
+/** Parts of a step as one bar, with labels below it. */
 export function stackChart(parts: Readonly<Record<string, number>>): string {
   const busy = Object.entries(parts).filter(([, time]) => time > 0);
   const total = busy.reduce((sum, [, time]) => sum + time, 0);
@@ -77,7 +77,7 @@ export function stackChart(parts: Readonly<Record<string, number>>): string {
   return `${svg(36, bar)}<ul class="legend">${legend.join('')}</ul>`;
 }
 
-/** Named lengths from zero, ours first. */
+/** Horizontal bars with labels, ours first. */
 export function barsChart(rows: readonly { name: string; value: number; note: string }[]): string {
   const ROW = 40;
   const most = Math.max(...rows.map(({ value }) => value));
@@ -108,7 +108,7 @@ function axisText(x: number, y: number, anchor: string, text: string): string {
   return `<text class="axis" x="${x}" y="${y.toFixed(1)}" text-anchor="${anchor}">${text}</text>`;
 }
 
-/** About `count` round numbers from zero up to `top`. */
+/** About `count` round numbers from zero to `top`. */
 function niceTicks(top: number, count: number): number[] {
   const rough = top / count;
   const power = 10 ** Math.floor(Math.log10(rough));

@@ -1,4 +1,4 @@
-// One page with everything about a run, in one file: no script, no font and no picture from elsewhere.
+// The report of a run as a single HTML file without scripts, fonts or external images.
 import type { Scene } from '@principia/scenes';
 import { barsChart, escapeHtml, histogramChart, stackChart, traceChart } from './report-charts.ts';
 import { REPORT_STYLE } from './report-style.ts';

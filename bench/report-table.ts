@@ -33,18 +33,18 @@ export function resultTable(result: Result): string {
   ].join('\n');
 }
 
-/** A line where forces are approximated. */
+/** A line for approximated forces. */
 function forceError({ rmsForceError }: Result): [string, string][] {
   return rmsForceError === null ? [] : [['force error', `${rmsForceError.toExponential(2)} RMS, relative`]];
 }
 
-/** A line where something keeps its length. */
+/** A line for the stretch of inextensible threads. */
 function stretch({ stretch }: Result): [string, string][] {
   if (stretch === null) return [];
   return [['stretch', `${percent(stretch.worst)} worst, ${percent(stretch.rms)} RMS`]];
 }
 
-/** Lines where there is a scheme to compare with. */
+/** Lines for the comparison with a reference. */
 function reference({ reference }: Result): [string, string][] {
   if (reference === null) return [];
   const { name, timeRatio, worstKm, errorKm } = reference;
@@ -117,7 +117,7 @@ function peerLines({ peers, msPerStep }: Result): string[] {
   return ['', '  beside us, in turns', ...aligned(rows).map((line) => `  ${line}`)];
 }
 
-/** Milliseconds with as many digits as mean something. */
+/** Milliseconds with a suitable number of digits. */
 export function ms(time: number): string {
   const digits = time >= 100 ? 0 : time >= 1 ? 2 : 4;
   return `${time.toFixed(digits)} ms`;

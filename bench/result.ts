@@ -8,42 +8,42 @@ import type { ReferenceResult } from './reference.ts';
 import type { ScalingPoint } from './scaling.ts';
 import type { Summary } from './statistics.ts';
 
-/** What a run of the bench found; `--json` writes it as it stands. Times in milliseconds unless named otherwise. */
+/** The result of a bench run; `--json` writes it unchanged. Times are in ms unless stated otherwise. */
 export interface Result {
   readonly scene: string;
   readonly count: number;
   readonly steps: number;
   readonly dimensions: 2 | 3;
   readonly precision: 'f32' | 'f64';
-  /** Of the scene `particles`: whether all rest on the floor, and how many laws act on each. */
+  /** Options of the scene `particles`: whether all bodies rest on the floor, and the number of laws. */
   readonly variant: Variant;
   readonly msPerStep: Summary;
   readonly nsPerBodyStep: number;
   readonly createMs: number;
-  /** What the world takes in memory. */
+  /** Memory of the world. */
   readonly bytes: number;
-  /** Of the state after all steps. */
+  /** Hash of the state after all steps. */
   readonly hash: string;
-  /** Relative change of the total energy over the timed steps; null where there is none. */
+  /** Relative change of the total energy over the timed steps; null if the energy is zero. */
   readonly energyDrift: number | null;
-  /** RMS relative error of forces that are approximated; null where they are exact. */
+  /** RMS relative error of approximated forces; null if forces are exact. */
   readonly rmsForceError: number | null;
-  /** How far what keeps its length is from it after the last step; null where nothing has to. */
+  /** Relative stretch of inextensible threads after the last step; null if there are none. */
   readonly stretch: Stretch | null;
-  /** Distance from where each body should be, km, by body and time; null where that is not known. */
+  /** Distance of each body from its true position, km, by body and time; null if unknown. */
   readonly errorKm: Readonly<Record<string, Readonly<Record<string, number>>>> | null;
-  /** Against a scheme that is next to exact; null where there is none. */
+  /** Comparison with a nearly exact integrator; null if there is none. */
   readonly reference: ReferenceResult | null;
-  /** Milliseconds a step spends in each phase. */
+  /** Milliseconds per step in each phase. */
   readonly profile: Readonly<Record<string, number>>;
   readonly peers: readonly PeerResult[];
-  /** The cost at other counts; empty unless asked for. */
+  /** The cost at other counts; empty unless requested. */
   readonly scaling: readonly ScalingPoint[];
   readonly create: Creation;
   readonly garbageBytesPerStep: number;
   readonly warmup: number;
   readonly seed: number;
-  /** Why energy is meant to change; null where it should be kept. */
+  /** Why energy is not conserved; null if it is. */
   readonly energyNote: string | null;
   readonly date: string;
   readonly machine: Machine;

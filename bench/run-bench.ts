@@ -1,4 +1,4 @@
-// One run of the bench: make the scene, step it in turns with its peers, and see what it cost.
+// A run of the bench: creates the scene, steps it alternately with its peers, and measures the cost.
 import { energy, INTEGRATORS, startProfile, stateHash, step, stopProfile } from '@principia/physics';
 import type { SceneRun } from '@principia/scenes';
 import type { RunRequest } from './arguments.ts';
@@ -39,12 +39,12 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
   const measured = await measureSteps(run, advance, makers, { steps, warmup, progress: stepping.update, onTimed });
   stepping.end();
 
-  // Everything below looks at the state after the steps, or goes on from there; the hash comes first.
+  // The measurements below read or advance the state after the steps, so the hash is computed first.
   const hash = stateHash(run.world);
   const drift = (energy(run.world).total - energyBefore) / Math.abs(energyBefore);
   const stretch = run.stretch?.(run.world) ?? null;
   const ours = summarise(measured.ours);
-  // Garbage takes many steps to see; by then bodies may have come to rest, and phases cost something else.
+  // Garbage is measured over many steps, after which bodies may be at rest and phases may cost less.
   const profile = phaseTimes(run, advance);
   const result: Result = {
     ...echo(request, run.world),
@@ -83,7 +83,7 @@ function stepOf({ world, dt, advance }: SceneRun): () => void {
   return advance === undefined ? () => step(world, dt) : () => advance(world);
 }
 
-/** Mean time of each phase over some more steps: reading the clock would slow the timed ones. */
+/** Mean time of each phase over further steps, because reading the clock would slow the timed steps. */
 function phaseTimes({ world }: SceneRun, advance: () => void): Record<string, number> {
   const STEPS = 20;
   for (let s = 0; s < 2; s++) advance();

@@ -1,4 +1,4 @@
-// The cost of a step against the count, both logarithmic, as SVG text that needs no style sheet.
+// The cost of a step against the count on logarithmic axes, as SVG text without a style sheet.
 export interface ScalingLine {
   readonly name: string;
   readonly points: readonly { readonly count: number; readonly msPerStep: number }[];
@@ -7,7 +7,7 @@ export interface ScalingLine {
 const [WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM] = [720, 420, 72, 560, 20, 380];
 const COLOURS = ['#2563eb', '#d97706', '#0d9488', '#9333ea', '#dc2626'];
 
-/** Each line with its name at its end; the dashed one grows as N log N from the first point of the first line. */
+/** Each line with its name at its end; the dashed line grows as N log N from the first point of the first line. */
 export function scalingChart(lines: readonly ScalingLine[]): string {
   const all = lines.flatMap(({ points }) => points);
   const [left, right] = decades(all.map(({ count }) => count));
@@ -47,7 +47,7 @@ ${drawn.join('\n')}
 </svg>`;
 }
 
-/** Powers of ten around some numbers. */
+/** Powers of ten that enclose the given numbers. */
 function decades(values: readonly number[]): [number, number] {
   const logs = values.map((value) => Math.log10(value));
   const low = Math.floor(Math.min(...logs) + 1e-9);

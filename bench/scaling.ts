@@ -1,19 +1,19 @@
-// How the cost of a step grows with how many there are: the scene made at several counts, a few steps timed of each.
+// The growth of the cost of a step with the count: the scene is created at several counts and a few steps are timed.
 import type { SceneRun } from '@principia/scenes';
 import { median } from './statistics.ts';
 
-/** A count and what a step of it takes. */
+/** A count and the time of a step. */
 export interface ScalingPoint {
   readonly count: number;
   readonly msPerStep: number;
-  /** RMS relative error of forces that are approximated; null where they are exact. */
+  /** RMS relative error of approximated forces; null if forces are exact. */
   readonly rmsForceError: number | null;
 }
 
 const WARMUP = 3;
 const TIMED = 5;
 
-/** Counts from the first to the last, two a decade, as whole numbers of two digits. */
+/** Counts from the first to the last, two per decade, rounded to two digits. */
 export function countsBetween(from: number, to: number): number[] {
   const intervals = Math.max(1, Math.round(2 * Math.log10(to / from)));
   const count = (i: number) => Number((from * (to / from) ** (i / intervals)).toPrecision(2));
@@ -40,7 +40,7 @@ export function measureScaling(
   });
 }
 
-/** The power p of cost = c N^p through the points, by least squares of the logarithms. */
+/** The exponent p of cost = c N^p, by least squares of the logarithms. */
 export function growthOf(points: readonly Pick<ScalingPoint, 'count' | 'msPerStep'>[]): number {
   const at = points.map(({ count, msPerStep }) => [Math.log(count), Math.log(msPerStep)] as const);
   const [meanX, meanY] = [0, 1].map((axis) => at.reduce((sum, point) => sum + point[axis], 0) / at.length);

@@ -1,17 +1,17 @@
-/** What is told of a series of step times. */
+/** Statistics of a series of step times. */
 export interface Summary {
   readonly min: number;
   readonly median: number;
   readonly p99: number;
 }
 
-/** Smallest value, median and 99th percentile; NaN for an empty series. */
+/** Minimum, median and 99th percentile; NaN for an empty series. */
 export function summarise(series: ArrayLike<number>): Summary {
   const sorted = Float64Array.from(series).sort();
   return { min: sorted[0] ?? Number.NaN, median: quantile(sorted, 0.5), p99: quantile(sorted, 0.99) };
 }
 
-/** Linear interpolation between the two nearest of the ascending values. */
+/** Linear interpolation between the two nearest sorted values. */
 function quantile(sorted: Float64Array, fraction: number): number {
   const place = (sorted.length - 1) * fraction;
   const below = Math.floor(place);

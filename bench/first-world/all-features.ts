@@ -1,4 +1,4 @@
-/** A page's first worlds, between them with every module of kernels, in a bundle with everything that there is. */
+/** Creates worlds that together use every kernel module, in a bundle with all exports. */
 import * as physics from '@principia/physics';
 import { type FirstWorld, provideFirstWorld } from './first-world.ts';
 
@@ -53,5 +53,5 @@ const stars: FirstWorld = (precision) => {
   step(world, 1 / 60);
 };
 
-// What no world above uses stays in the bundle, too.
+// Keeps exports that no world uses in the bundle.
 Object.assign(globalThis, { physics });

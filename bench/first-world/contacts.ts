@@ -1,4 +1,4 @@
-/** A page's first world with sparks of an emitter and balls that meet each other and a wall. */
+/** The first world of a page, with an emitter and balls that collide with each other and a wall. */
 import {
   boxWalls,
   createEmitter,

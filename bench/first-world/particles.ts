@@ -1,4 +1,4 @@
-/** A page's first world with particles under two laws in a box. */
+/** The first world of a page, with particles under two laws in a box. */
 import { boxWalls, createPhysicsWorld, quadraticDrag, spawnMany, step, uniformGravity } from '@principia/physics';
 import { provideFirstWorld } from './first-world.ts';
 

@@ -1,4 +1,4 @@
-/** The page of `npm run frame-cost`: hands a hundred thousand particles to a renderer, and times the JavaScript of it. */
+/** The page of `npm run frame-cost`: draws 100 000 particles and times the JavaScript. */
 import { step } from '@principia/physics';
 import { type BodySource, worldSource } from '@principia/render-core';
 import { createBodyLayer, openScreen } from '@principia/render-pixi';
@@ -6,17 +6,17 @@ import { createBodyMesh } from '@principia/render-three';
 import { particles } from '@principia/scenes';
 import { OrthographicCamera, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 
-/** Milliseconds of JavaScript in a frame after a step: `update()` of the bodies, and `render()` of the library. */
+/** Milliseconds of JavaScript per frame after a step: `update()` of the bodies and `render()` of the library. */
 export type FrameTime = readonly [update: number, render: number];
 
-/** A renderer that shows a source. */
+/** A renderer of a body source. */
 interface Picture {
   readonly gl: WebGL2RenderingContext;
   update(): void;
   render(): void;
 }
 
-/** Small, so that a software renderer has little to fill. */
+/** A small size keeps the fill cost of a software renderer low. */
 const SIZE = 128;
 
 async function pixiPicture(source: BodySource): Promise<Picture> {
@@ -57,7 +57,7 @@ async function open(renderer: 'pixi' | 'three', dimensions: 2 | 3, count: number
   const { gl } = picture;
   const pixel = new Uint8Array(4);
   const frame = (): FrameTime => {
-    // Waits until the graphics card has drawn the last frame: its work is not timed.
+    // Waits until the GPU has drawn the last frame, so that its work is not timed.
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     step(world, dt);
     const start = performance.now();

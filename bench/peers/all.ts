@@ -12,7 +12,7 @@ import type { PeerMaker } from './peer.ts';
 import { queryIdiom } from './query-idiom.ts';
 import { springsJs } from './springs-js.ts';
 
-/** Who is measured beside us, by scene. */
+/** The peers of each scene. */
 const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   particles: [
     ...[fusedSimd, handWritten, fusedJs, queryIdiom].map((make) => onlyWith(semiImplicitEuler, ofTwoLaws(make))),
@@ -26,12 +26,12 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   'nbody-tree': [nBodyDirect, nBodyD3],
 };
 
-/** A peer that can do the work of one integrator only. */
+/** A peer that supports a single integrator. */
 function onlyWith({ name }: Integrator, make: PeerMaker): PeerMaker {
   return (run) => (run.world.integrator.name === name ? make(run) : undefined);
 }
 
-/** A peer that knows the two laws of `particles` only. */
+/** A peer that supports only the two laws of `particles`. */
 function ofTwoLaws(make: PeerMaker): PeerMaker {
   return (run) => (run.world.forces.length === 2 ? make(run) : undefined);
 }

@@ -1,6 +1,6 @@
-// The same physics as the scene `attractors` as plain loops over typed arrays: velocity Verlet, every centre a body.
-// The acceleration at the end of a step is that at the start of the next, so it is worked out once a step, as anyone
-// would who writes one loop for one force.
+// The physics of the scene `attractors` as plain loops over typed arrays: velocity Verlet, with every attractor for
+// every body. The acceleration at the end of a step is reused at the start of the next, as in a loop written for one
+// force.
 import { bodies } from '@principia/physics';
 import type { SceneRun } from '@principia/scenes';
 import { type Column, denseColumn } from './columns.ts';

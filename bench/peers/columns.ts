@@ -2,7 +2,7 @@ import type { Precision } from '@principia/physics';
 
 export type Column = Float32Array | Float64Array;
 
-/** The rows `ids` of a column, side by side, as the world's precision stores them. */
+/** Copies the rows `ids` of a column into a dense array of the world's precision. */
 export function denseColumn(precision: Precision, column: Column, ids: Uint32Array): Column {
   const values = precision === 'f32' ? new Float32Array(ids.length) : new Float64Array(ids.length);
   for (let i = 0; i < ids.length; i++) values[i] = column[ids[i]];

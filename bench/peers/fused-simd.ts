@@ -1,12 +1,12 @@
-// The composed systems of `particles` against one SIMD kernel fused by hand (bench/kernels). It does all their work on
-// columns of its own, at addresses that suit it best.
+// The systems of `particles` as one SIMD kernel fused by hand (bench/kernels). It does all of their work on its own
+// columns, at addresses that suit it best.
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { MAX_POSITION, MAX_SPEED, type PhysicsWorld, type Precision } from '@principia/physics';
 import type { Particles, SceneRun } from '@principia/scenes';
 import type { Peer } from './peer.ts';
 
-/** What the kernel exports. */
+/** The exports of the kernel. */
 interface Kernel {
   reserve(): void;
   columnAt(index: number): number;
@@ -23,7 +23,7 @@ interface Kernel {
   fused3d(first: number, last: number): number;
 }
 
-/** A peer that also shows where the bodies were before the step. */
+/** A peer that also exposes the previous positions. */
 export interface FusedPeer extends Peer {
   readonly previous: Peer['positions'];
 }
@@ -54,7 +54,7 @@ export async function fusedSimd(run: SceneRun): Promise<FusedPeer> {
 
 const AXES = ['x', 'y', 'z'];
 
-/** The columns in the order of the kernel's. */
+/** The columns in the order of the kernel. */
 function columnsOf({ components, previous }: PhysicsWorld) {
   const { Position, Velocity, Mass, QuadraticDrag, Collider } = components;
   return [
@@ -74,7 +74,7 @@ function columnsOf({ components, previous }: PhysicsWorld) {
 }
 
 async function instantiate(precision: Precision, memory: WebAssembly.Memory): Promise<Kernel> {
-  // The address is computed so that bundlers leave the compiler out of the bundle.
+  // The path is computed so that bundlers leave the compiler out of the bundle.
   const compiler = pathToFileURL(resolve('bench/kernels/compile.mjs')).href;
   const { referenceKernel } = await import(/* @vite-ignore */ compiler);
   const module = new WebAssembly.Module(await referenceKernel(precision));

@@ -1,25 +1,25 @@
-// One function for each precision and dimension, although they read alike: a function that sees arrays of both precisions
-// is compiled for both and takes 1.4 times as long. Each is a function of its own in the source, because closures made
-// of one source share what the compiler has learned of their arguments.
+// One function for each precision and dimension, because a function that sees arrays of both precisions is compiled for
+// both and takes 1.4 times as long. They are separate in the source, because closures of one source share type
+// feedback.
 import type { Precision } from '@principia/physics';
 import type { ParticleColumns } from './particles-columns.ts';
 
-/** What is a column in our world, and what else does not change. */
+/** The constants that replace columns of our world. */
 export interface Constants {
   readonly dt: number;
   readonly gravity: number;
-  /** Of drag over mass, 1/m. */
+  /** Drag coefficient over mass, 1/m. */
   readonly drag: number;
-  /** Where the centre of a body meets the walls, m. */
+  /** Limits of a body's centre at the walls, m. */
   readonly low: number;
   readonly high: number;
   readonly restitution: number;
 }
 
-/** The columns it moves. */
+/** The columns that the loop updates. */
 type State<Column> = { readonly [Name in 'x' | 'y' | 'z' | 'vx' | 'vy' | 'vz']: Column };
 
-/** The loop for a precision and a dimension, on these columns. */
+/** Returns the loop for a precision and a dimension. */
 export function handWrittenStep(
   precision: Precision,
   dimensions: 2 | 3,

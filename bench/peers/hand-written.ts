@@ -1,6 +1,6 @@
-// The loop that a user would write by hand without a framework: typed arrays, gravity, quadratic drag, a box. What
-// differs from body to body in our world is a constant here, the wall clamps the position, the pose before the step is
-// not kept, and nothing is checked. It is less work than ours; the motion looks the same and is not the same.
+// The loop that a user writes without a framework: typed arrays, gravity, quadratic drag, a box. Quantities that are
+// columns in our world are constants here, walls clamp the position, the previous pose is not stored, and nothing is
+// checked. It does less work than ours; the motion is similar but not equal.
 import type { Particles, SceneRun } from '@principia/scenes';
 import type { Column } from './columns.ts';
 import { type Constants, handWrittenStep } from './hand-written-loops.ts';

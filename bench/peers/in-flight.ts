@@ -1,10 +1,10 @@
-// What it costs that bodies rest: the same world of ours, with its bodies in the air.
+// Measures the cost of resting bodies: the same world with its bodies in the air.
 import { bodies, step } from '@principia/physics';
 import { particles, type SceneRun } from '@principia/scenes';
 import { applyVariant, type ParticlesRun } from '../particles-variants.ts';
 import type { Peer } from './peer.ts';
 
-/** None where bodies do not rest. */
+/** Undefined where bodies do not rest. */
 export function inFlight(run: SceneRun): Peer | undefined {
   const { variant, world: resting, gravity, side } = run as ParticlesRun;
   if (variant?.resting !== true) return undefined;

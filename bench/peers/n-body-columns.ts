@@ -1,4 +1,4 @@
-// A star cluster as dense f64 arrays, and the velocity Verlet steps that its peers share: one force evaluation a step.
+// A star cluster as dense f64 arrays, and the parts of a velocity Verlet step with one force evaluation.
 import { bodies } from '@principia/physics';
 import type { ClusterRun, SceneRun } from '@principia/scenes';
 import { denseColumn } from './columns.ts';
@@ -35,7 +35,7 @@ export function nBodyState(run: SceneRun) {
 
 const AXES = { 2: ['x', 'y'], 3: ['x', 'y', 'z'] } as const;
 
-/** Half a kick and a drift before the forces are evaluated. */
+/** The half kick and the drift before the force evaluation. */
 export function kickDrift({ count, dt, dimensions, x, v, a }: NBodyState): void {
   for (const axis of AXES[dimensions]) {
     const [position, velocity, pull] = [x[axis], v[axis], a[axis]];
@@ -46,7 +46,7 @@ export function kickDrift({ count, dt, dimensions, x, v, a }: NBodyState): void 
   }
 }
 
-/** The other half after it. */
+/** The half kick after the force evaluation. */
 export function kick({ count, dt, dimensions, v, a }: NBodyState): void {
   for (const axis of AXES[dimensions]) {
     const [velocity, pull] = [v[axis], a[axis]];

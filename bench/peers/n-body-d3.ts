@@ -1,6 +1,6 @@
-// d3-force's forceManyBody, the Barnes-Hut quadtree that browsers know, on the stars of `nbody-tree` in the plane with
-// the law 1/r, which is the only one it has. It has no softening, but its distances have a least value. Theta is its
-// own default, 0.9; its error against the direct sum is measured when it is made and told with its name.
+// d3-force's forceManyBody, the Barnes-Hut quadtree known from browsers, on the stars of `nbody-tree` in 2D with the
+// law 1/r, the only law that it supports. It has no softening, but a minimum distance. Theta has its default of 0.9;
+// its error against direct summation is measured at creation and shown with its name.
 import type { ClusterRun, SceneRun } from '@principia/scenes';
 import { forceManyBody, type SimulationNodeDatum } from 'd3-force';
 import { median } from '../statistics.ts';
@@ -18,7 +18,7 @@ interface Node extends SimulationNodeDatum {
   vy: number;
 }
 
-/** None where the law is another. */
+/** Undefined for another law. */
 export function nBodyD3(run: SceneRun): Peer | undefined {
   if (run.world.dimensions !== 2 || (run as ClusterRun).law !== 'inverse-distance') return undefined;
   const state = nBodyState(run);
@@ -57,7 +57,9 @@ function pullBy(force: (alpha: number) => void, nodes: Node[], { x, a }: NBodySt
   }
 }
 
-/** Its RMS relative error by its own rule for close pairs; who feels next to nothing counts as a tenth of the median. */
+/**
+ * RMS relative error by d3's rule for close pairs; forces below a tenth of the median count as a tenth of the median.
+ */
 function errorOf({ count, G, softening, x: { x, y }, mass, a }: NBodyState): number {
   const samples = Math.min(SAMPLES, count);
   const off: number[] = [];

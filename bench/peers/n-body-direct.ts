@@ -1,4 +1,4 @@
-// Our own direct sum on the stars of `nbody-tree`: what the tree saves.
+// Our direct summation on the stars of `nbody-tree`, which shows the gain of the tree.
 import { bodies, createPhysicsWorld, mutualGravity, spawnMany, step } from '@principia/physics';
 import type { ClusterRun, SceneRun } from '@principia/scenes';
 import { denseColumn } from './columns.ts';

@@ -1,4 +1,4 @@
-// The four systems of the query idiom, in the plane.
+// The four systems of the query idiom in 2D.
 import { query } from 'bitecs';
 import { rebound } from './particles-columns.ts';
 import type { QueryState } from './query-idiom.ts';

@@ -1,5 +1,5 @@
-// The same four systems the way bitECS programs are usually written: a query a system, a loop over its entity ids, typed
-// arrays indexed by id. Forces are gathered in a column because drag must see the velocity before gravity changed it.
+// The same four systems in the usual style of bitECS: a query per system, and a loop over its entity ids with typed
+// arrays indexed by id. Forces are summed in a column, because drag needs the velocity before gravity changed it.
 import type { Particles, SceneRun } from '@principia/scenes';
 import { addComponents, addEntity, createWorld } from 'bitecs';
 import { type Column, particleColumns } from './particles-columns.ts';
@@ -23,7 +23,7 @@ export type QueryState = ReturnType<typeof makeState>;
 
 function makeState(run: SceneRun) {
   const { count, dt, gravity, side, wall, ...from } = particleColumns(run as Particles);
-  // Entity ids begin at 1.
+  // Entity ids start at 1.
   const column = (values?: Column): Column => {
     const made = run.world.precision === 'f32' ? new Float32Array(count + 1) : new Float64Array(count + 1);
     if (values !== undefined) made.set(values, 1);

@@ -1,4 +1,4 @@
-// The same physics as the scene `springs` as plain loops over typed arrays: springs add to forces, then kick and drift.
+// The physics of the scene `springs` as plain loops over typed arrays: spring forces, then kick and drift.
 import { bodies } from '@principia/physics';
 import type { SceneRun } from '@principia/scenes';
 import { type Column, denseColumn } from './columns.ts';

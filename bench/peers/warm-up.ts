@@ -4,7 +4,10 @@ const ROUNDS = 20;
 const CALLS = 100;
 const COUNT = 1000;
 
-/** The first bodies of columns, or all, as an object always made in this place, so that V8 knows one kind of it. */
+/**
+ * Copies the first bodies of columns, or all of them. A single place creates these objects, so that V8 sees one hidden
+ * class.
+ */
 export function firstBodies(columns: ParticleColumns, most = columns.count): ParticleColumns {
   const { dt, gravity, side, wall, x, y, z, vx, vy, vz, mass, drag, radius } = columns;
   return {
@@ -37,7 +40,7 @@ export async function warmStep(
   const few = firstBodies(columns, COUNT);
   const practice = makeStep(few);
   for (let round = 0; round < ROUNDS; round++) {
-    // Every wall is met from the first call on: code that has not run yet is left out when the rest is compiled.
+    // Every wall is hit from the first call on, because V8 omits code that has not run yet.
     for (const axis of ['x', 'y', 'z'] as const) few[axis].set([-1, columns.side + 1].slice(0, few.count));
     for (let call = 0; call < CALLS; call++) practice();
     await new Promise((resolve) => setTimeout(resolve, 5));

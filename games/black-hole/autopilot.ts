@@ -1,10 +1,10 @@
-/** A player that looks ahead: tries courses on a copy of the ship and flies the best one it knows. */
+/** An autopilot that plans ahead: it simulates random courses on a copy of the ship and flies the best one found. */
 import { createRandom, keepState, markImmutable, type Random } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole, isClear } from '@principia/scenes';
-import { type Craft, Flight } from './flight.ts';
+import { Flight, type ShipState } from './flight.ts';
 import { type Heading, thrustOf } from './heading.ts';
 
-/** A course: headings, and when each ends, s from the course's begin. */
+/** A course: headings, and the end time of each in s since the start of the course. */
 interface Course {
   readonly headings: (Heading | undefined)[];
   readonly ends: number[];
@@ -14,22 +14,24 @@ interface Course {
 const HEADINGS: readonly (Heading | undefined)[] = ['up', 'up', 'left', 'right', 'down', undefined];
 const NONE: Course = markImmutable({ headings: [], ends: [], value: Number.NEGATIVE_INFINITY });
 const HORIZON = 9;
-const LOOK_DT = 1 / 40;
+const SEARCH_DT = 1 / 40;
 /** Seconds between two searches, and courses tried in each. */
-const PATIENCE = 0.25;
-const TRIES = 24;
-/** Where the times of a plan are. */
+const SEARCH_INTERVAL = 0.25;
+const CANDIDATES = 24;
+/** Indices of the times of a plan. */
 const [BEGIN, SEARCH] = [0, 1];
 
 export class Autopilot {
   readonly #scene: BlackHole;
   readonly #random: Random;
   readonly #flight: Flight;
-  readonly #craft: Craft = { x: 0, y: 0, vx: 0, vy: 0 };
-  /** The course, and past which holes. */
+  readonly #craft: ShipState = { x: 0, y: 0, vx: 0, vy: 0 };
+  /** The course, and the layout of holes for which it was planned. */
   readonly #plan = { course: NONE, holes: undefined as unknown };
-  /** Since when it is flown, and was searched for, s: in cells, which snapshots copy without garbage. */
-  readonly #since = new Float64Array([0, PATIENCE]);
+  /**
+   * Seconds since the course began and since the last search. A typed array, because snapshots copy it without garbage.
+   */
+  readonly #since = new Float64Array([0, SEARCH_INTERVAL]);
 
   constructor(scene: BlackHole, seed: number) {
     this.#scene = scene;
@@ -38,29 +40,29 @@ export class Autopilot {
     keepState(scene.world, this.#plan, this.#since, this.#random.state);
   }
 
-  /** Forgets its plans. */
+  /** Discards the plan and reseeds the generator. */
   begin(seed: number): void {
     Object.assign(this.#plan, { course: NONE, holes: undefined });
-    this.#since.set([0, PATIENCE]);
+    this.#since.set([0, SEARCH_INTERVAL]);
     this.#random.state.set(createRandom(seed, 2).state);
   }
 
-  /** The heading for the step to come. */
+  /** Returns the heading for the next step. */
   steer(dt: number): Heading | undefined {
     const plan = this.#plan;
     const since = this.#since;
     if (plan.holes !== this.#scene.holes) {
       plan.holes = this.#scene.holes;
       plan.course = NONE;
-      since[SEARCH] = PATIENCE;
+      since[SEARCH] = SEARCH_INTERVAL;
     }
-    if (since[SEARCH] >= PATIENCE) this.#search();
+    if (since[SEARCH] >= SEARCH_INTERVAL) this.#search();
     since[SEARCH] += dt;
     since[BEGIN] += dt;
     return headingAt(plan.course, since[BEGIN] - dt);
   }
 
-  /** Tries the rest of the present course, and others. */
+  /** Compares the rest of the present course with random variations and new courses. */
   #search(): void {
     this.#since[SEARCH] = 0;
     const { world, ship } = this.#scene;
@@ -71,9 +73,9 @@ export class Autopilot {
       vx: Velocity.x[ship],
       vy: Velocity.y[ship],
     });
-    let best = rest(this.#plan.course, this.#since[BEGIN]);
+    let best = remainder(this.#plan.course, this.#since[BEGIN]);
     best.value = this.#judge(best);
-    for (let i = 0; i < TRIES; i++) {
+    for (let i = 0; i < CANDIDATES; i++) {
       const course = i % 3 === 0 && best.ends.length > 0 ? this.#vary(best) : this.#draw();
       course.value = this.#judge(course);
       if (course.value > best.value) best = course;
@@ -92,7 +94,7 @@ export class Autopilot {
     return course;
   }
 
-  /** The same course with one piece changed. */
+  /** Returns the same course with one segment changed. */
   #vary({ headings, ends }: Course): Course {
     const course = { headings: [...headings], ends: [...ends], value: 0 };
     const at = this.#random.integer(0, ends.length - 1);
@@ -101,24 +103,26 @@ export class Autopilot {
     return course;
   }
 
-  /** How good a course is: the goal, the sooner the better; else height, if it does not end in a fall. */
+  /**
+   * Rates a course: an early arrival at the goal is best; otherwise height counts, unless the course ends in a fall.
+   */
   #judge(course: Course): number {
     const flight = this.#flight;
     flight.begin(this.#craft, this.#scene.holes, this.#scene.holeTime);
-    let top = 0;
-    let clear = 0;
+    let maxHeight = 0;
+    let nearSteps = 0;
     let time = 0;
-    for (; time < HORIZON && flight.fate === 'flying'; time += LOOK_DT) {
-      flight.step(LOOK_DT, thrustOf(headingAt(course, time)));
-      top = Math.max(top, flight.y);
-      // Whatever comes close is chaos: small errors of the copy grow there.
-      if (!isClear(this.#scene.holes, flight.x, flight.y)) clear++;
+    for (; time < HORIZON && flight.status === 'flying'; time += SEARCH_DT) {
+      flight.step(SEARCH_DT, thrustOf(headingAt(course, time)));
+      maxHeight = Math.max(maxHeight, flight.y);
+      // Close to a hole the motion is chaotic, and small errors of the copy grow.
+      if (!isClear(this.#scene.holes, flight.x, flight.y)) nearSteps++;
     }
-    const risk = 4 * clear * LOOK_DT;
-    if (flight.fate === 'goal') return 1000 - 10 * time - 30 * risk;
-    if (flight.fate === 'fallen') return -1000 + 10 * time;
-    if (flight.fate === 'gone') return -300 + 10 * time;
-    return (100 * top) / BLACK_HOLE.goal - risk;
+    const risk = 4 * nearSteps * SEARCH_DT;
+    if (flight.status === 'goal') return 1000 - 10 * time - 30 * risk;
+    if (flight.status === 'fallen') return -1000 + 10 * time;
+    if (flight.status === 'gone') return -300 + 10 * time;
+    return (100 * maxHeight) / BLACK_HOLE.goal - risk;
   }
 }
 
@@ -127,8 +131,8 @@ function headingAt({ headings, ends }: Course, time: number): Heading | undefine
   return undefined;
 }
 
-/** What is left of a course after `age` seconds. */
-function rest({ headings, ends }: Course, age: number): Course {
+/** The remainder of a course after `age` seconds. */
+function remainder({ headings, ends }: Course, age: number): Course {
   const from = ends.findIndex((end) => end > age);
   if (from < 0) return { headings: [], ends: [], value: 0 };
   return { headings: headings.slice(from), ends: ends.slice(from).map((end) => end - age), value: 0 };

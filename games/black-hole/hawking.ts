@@ -1,26 +1,26 @@
 /**
- * The glow of the holes, after Hawking: a hole of mass M has the temperature T = ħ c³/(8π G M k) and loses the power
- * P ∝ 1/M². Here, where masses go as radii, the smallest hole is three times as hot as the largest and sends out nine
- * times as many sparks. For the eye alone.
+ * Decorative Hawking radiation: a hole of mass M has the temperature T = ħ c³/(8π G M k) and radiates the power
+ * P ∝ 1/M². In this game masses are proportional to radii, so the smallest hole is three times as hot as the largest
+ * and emits nine times as many sparks. The sparks do not affect the game.
  */
 import type { HoleTable } from './sky-view.ts';
 import type { Sparks } from './sparks.ts';
 
-/** Sparks a second from a hole of `REFERENCE` metres. */
+/** Sparks per second from a hole of radius `REFERENCE`, m. */
 const RATE = 80;
 const REFERENCE = 10;
-/** From hot to cool: colour of a glowing body at falling temperature. */
+/** Black-body colours, from hot to cool. */
 const TINTS = [0xa9c8ff, 0xe8efff, 0xfff0d0, 0xffd296, 0xffa860, 0xff7d45];
 
-/** Lets every hole send out what is due in `seconds`. */
-export function glow({ values, count }: HoleTable, seconds: number, { source, burst }: Sparks): void {
+/** Emits the sparks of all holes for `seconds`. */
+export function emitGlow({ values, count }: HoleTable, seconds: number, { source, burst }: Sparks): void {
   for (let i = 0; i < count; i++) {
     const x = values[4 * i];
     const y = values[4 * i + 1];
     const r = values[4 * i + 2];
     if (!(r > 0)) continue;
-    const due = RATE * (REFERENCE / r) ** 2 * Math.min(seconds, 0.25);
-    const sparks = Math.floor(due) + (Math.random() < due % 1 ? 1 : 0);
+    const expected = RATE * (REFERENCE / r) ** 2 * Math.min(seconds, 0.25);
+    const sparks = Math.floor(expected) + (Math.random() < expected % 1 ? 1 : 0);
     const cool = Math.min(TINTS.length - 1, Math.max(0, Math.round((r / REFERENCE - 1) * 2.5)));
     for (let s = 0; s < sparks; s++) {
       const angle = 2 * Math.PI * Math.random();
@@ -36,7 +36,7 @@ export function glow({ values, count }: HoleTable, seconds: number, { source, bu
   }
 }
 
-/** What comes out of one hole may lie within another. */
+/** Sparks of one hole may start inside another. */
 function isSwallowed(values: Float32Array, count: number, place: Float64Array): boolean {
   for (let i = 0; i < count; i++) {
     const dx = values[4 * i] - place[0];

@@ -1,6 +1,6 @@
 import { BLACK_HOLE } from '@principia/scenes';
 
-/** Where the ship can push: the four directions of the screen. */
+/** The direction of thrust: one of the four directions of the screen. */
 export type Heading = 'up' | 'left' | 'down' | 'right';
 
 /** Unit vectors, y up. */
@@ -11,7 +11,7 @@ export const DIRECTIONS: Readonly<Record<Heading, { readonly x: number; readonly
   right: { x: 1, y: 0 },
 };
 
-/** Acceleration under a heading, m/s²; zero for none. */
+/** Acceleration for a heading, m/s²; zero for undefined. */
 export function thrustOf(heading: Heading | undefined): { readonly x: number; readonly y: number } {
   return heading === undefined ? REST : THRUST[heading];
 }

@@ -1,8 +1,8 @@
-/** Words and bars over the picture. */
+/** The text and bars drawn over the picture. */
 
 import { css, type Palette } from './palette.ts';
-import { dodgeText, livesText } from './report.ts';
-import { LIVES, type News, TANK } from './rules.ts';
+import { livesText, scoreText } from './report.ts';
+import { type GameEvent, LIVES, TANK } from './rules.ts';
 import type { BlackHoleGame } from './sim.ts';
 
 const STYLE = `
@@ -36,30 +36,68 @@ const STYLE = `
 .outside .bh-speed { display: block; bottom: -24px; right: 2px } .outside .bh-call.low { bottom: 8px; right: 8px }
 `;
 
-/** What stands above a small stage needs this much, CSS pixels. */
+/** Free height required to place text above a small stage, CSS pixels. */
 const OUTSIDE_ROOM = 50;
 
-/** Where the stage is on the canvas, CSS pixels. */
+/** Position of the stage on the canvas, CSS pixels. */
 export interface Frame {
   readonly left: number;
   readonly top: number;
   readonly width: number;
   readonly height: number;
-  /** Free room above it. */
+  /** Free height above the stage. */
   readonly room: number;
 }
 
 export interface Hud {
   update(sim: BlackHoleGame, frame: Frame): void;
-  toast(news: News, sim: BlackHoleGame): void;
+  toast(event: GameEvent, sim: BlackHoleGame): void;
   destroy(): void;
 }
 
-/** @param palette colours as they are now */
-/** Frames from one look at fuel and speed to the next. */
-const FRAMES_A_NUMBER = 9;
+/** Frames between two updates of fuel and speed. */
+const FRAMES_PER_UPDATE = 9;
 
+/** @param palette returns the present colours */
 export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
+  const root = createRoot(parent);
+  const find = (selector: string) => root.querySelector(selector) as HTMLElement;
+  const place = createPlacement(root);
+  const applyColors = createColors(root);
+  const showLives = createLives(root, find);
+  const showScore = createScore(find);
+  const showFuel = createFuel(find);
+  const showSpeed = createSpeed(find);
+  const showCall = createCall(find);
+  const toast = createToast(find('.bh-toast'));
+  let framesToNumbers = 0;
+  return {
+    update(sim, frame) {
+      const current = palette();
+      place(frame);
+      applyColors(current);
+      showLives(sim.rules.lives);
+      showScore(sim.rules);
+      // Every update creates strings; an update in each frame would be unreadable anyway.
+      if (framesToNumbers-- <= 0) {
+        framesToNumbers = FRAMES_PER_UPDATE;
+        showFuel(sim.rules);
+        showSpeed(sim);
+      }
+      showCall(callOf(sim, current.goalName));
+    },
+    toast(event, sim) {
+      const text = toastOf(event, sim);
+      if (text !== '') toast.show(text, css(event.kind === 'fall' ? palette().fall : palette().goal));
+    },
+    destroy() {
+      toast.destroy();
+      root.remove();
+    },
+  };
+}
+
+function createRoot(parent: HTMLElement): HTMLElement {
   const root = document.createElement('div');
   root.className = 'bh-hud';
   root.innerHTML = `<style>${STYLE}</style>
@@ -68,127 +106,120 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
 <div class="bh-fuel"><small></small><div><b></b></div></div><div class="bh-speed"></div>
 <div class="bh-call"><h2></h2><p></p></div><div class="bh-toast" role="status"></div>`;
   parent.append(root);
-  const find = (selector: string) => root.querySelector(selector) as HTMLElement;
-  const parts = {
-    lives: find('.bh-lives span'),
-    score: find('.bh-score'),
-    level: find('.bh-level span'),
-    bonus: find('.bh-level small'),
-    fuel: find('.bh-fuel'),
-    fuelText: find('.bh-fuel small'),
-    bar: find('.bh-fuel b'),
-    speed: find('.bh-speed'),
-    title: find('.bh-call h2'),
-    call: find('.bh-call p'),
-  };
-  const icons = [...root.querySelectorAll('.bh-lives i')];
-  const toast = find('.bh-toast');
-  const callCard = find('.bh-call');
-  /** What is shown: words are made only where they change, as they are garbage by the next frame. */
-  const shown = {
-    left: Number.NaN,
-    top: Number.NaN,
-    width: Number.NaN,
-    height: Number.NaN,
-    fuel: Number.NaN,
-    lives: -1,
-    score: -1,
-    level: -1,
-  };
-  const words = { prize: -1, bonus: -1, fuel: -1, spent: -1, speed: -1 };
-  const place = ({ left, top, width, height, room }: Frame) => {
-    // A small stage needs all its room for the game.
-    root.classList.toggle('outside', width < 620 && room > OUTSIDE_ROOM);
+  return root;
+}
+
+type Find = (selector: string) => HTMLElement;
+
+// The functions below update one part of the display each. They remember the values on display, because texts are
+// garbage and are only created when they change.
+
+function createPlacement({ classList, style }: HTMLElement) {
+  const shown = { left: Number.NaN, top: Number.NaN, width: Number.NaN, height: Number.NaN };
+  return ({ left, top, width, height, room }: Frame) => {
+    // A small stage leaves no room for text inside.
+    classList.toggle('outside', width < 620 && room > OUTSIDE_ROOM);
     if (left === shown.left && top === shown.top && width === shown.width && height === shown.height) return;
     Object.assign(shown, { left, top, width, height });
-    const { style } = root;
     style.left = `${left}px`;
     style.top = `${top}px`;
     style.width = `${width}px`;
     style.height = `${height}px`;
   };
-  let colored: Palette | undefined;
-  const showColors = (colors: Palette) => {
-    if (colors === colored) return;
-    colored = colors;
+}
+
+function createColors(root: HTMLElement) {
+  let shown: Palette | undefined;
+  return (colors: Palette) => {
+    if (colors === shown) return;
+    shown = colors;
     root.style.setProperty('--ship', css(colors.hull));
     root.style.setProperty('--bad', css(colors.fall));
   };
-  const showLives = (lives: number) => {
-    if (lives === shown.lives) return;
-    shown.lives = lives;
+}
+
+function createLives(root: HTMLElement, find: Find) {
+  const text = find('.bh-lives span');
+  const icons = [...root.querySelectorAll('.bh-lives i')];
+  let shown = -1;
+  return (lives: number) => {
+    if (lives === shown) return;
+    shown = lives;
     for (const [i, icon] of icons.entries()) icon.classList.toggle('lost', i >= lives);
-    parts.lives.textContent = livesText(lives);
+    text.textContent = livesText(lives);
   };
-  const showScore = ({ score, dodged, prize, bonus }: BlackHoleGame['rules']) => {
-    if (score !== shown.score) parts.score.textContent = dodgeText(score);
-    if (dodged !== shown.level) parts.level.textContent = `Level ${dodged + 1}`;
-    if (prize !== words.prize || bonus !== words.bonus) parts.bonus.textContent = `prize ${prize} · bonus ${bonus}`;
+}
+
+function createScore(find: Find) {
+  const [points, level, rewards] = [find('.bh-score'), find('.bh-level span'), find('.bh-level small')];
+  const shown = { score: -1, dodged: -1, goalPoints: -1, bonus: -1 };
+  return ({ score, dodged, goalPoints, bonus }: BlackHoleGame['rules']) => {
+    if (score !== shown.score) points.textContent = scoreText(score);
+    if (dodged !== shown.dodged) level.textContent = `Level ${dodged + 1}`;
+    if (goalPoints !== shown.goalPoints || bonus !== shown.bonus)
+      rewards.textContent = `worth ${goalPoints} · bonus ${bonus}`;
     shown.score = score;
-    shown.level = dodged;
-    words.prize = prize;
-    words.bonus = bonus;
+    shown.dodged = dodged;
+    shown.goalPoints = goalPoints;
+    shown.bonus = bonus;
   };
-  const showFuel = ({ fuel, options }: BlackHoleGame['rules']) => {
-    parts.fuel.hidden = !options.fuel;
+}
+
+function createFuel(find: Find) {
+  const [gauge, text, bar] = [find('.bh-fuel'), find('.bh-fuel small'), find('.bh-fuel b')];
+  const shown = { fuel: Number.NaN, rounded: -1 };
+  return ({ fuel, options }: BlackHoleGame['rules']) => {
+    gauge.hidden = !options.fuel;
     if (fuel === shown.fuel) return;
     shown.fuel = fuel;
-    parts.fuel.classList.toggle('low', fuel < 0.25 * TANK);
-    parts.bar.style.transform = `scaleX(${fuel / TANK})`;
+    gauge.classList.toggle('low', fuel < 0.25 * TANK);
+    bar.style.transform = `scaleX(${fuel / TANK})`;
     const rounded = Math.round(fuel);
-    if (rounded !== words.fuel) parts.fuelText.textContent = `fuel ${rounded} m/s`;
-    words.fuel = rounded;
+    if (rounded !== shown.rounded) text.textContent = `fuel ${rounded} m/s`;
+    shown.rounded = rounded;
   };
-  const showSpeed = (sim: BlackHoleGame) => {
+}
+
+function createSpeed(find: Find) {
+  const text = find('.bh-speed');
+  const shown = { spent: -1, speed: -1 };
+  return (sim: BlackHoleGame) => {
     const spent = Math.round(sim.rules.spent);
     const speed = Math.round(speedOf(sim));
-    if (spent === words.spent && speed === words.speed) return;
-    words.spent = spent;
-    words.speed = speed;
-    parts.speed.textContent = `Δv ${spent} m/s · speed ${speed} m/s`;
+    if (spent === shown.spent && speed === shown.speed) return;
+    shown.spent = spent;
+    shown.speed = speed;
+    text.textContent = `Δv ${spent} m/s · speed ${speed} m/s`;
   };
-  let called: Call | undefined;
-  const showCall = (call: Call) => {
-    if (call === called) return;
-    called = call;
-    callCard.classList.toggle('low', call[0] === '');
-    parts.title.textContent = call[0];
-    parts.call.textContent = call[1];
+}
+
+function createCall(find: Find) {
+  const [card, title, text] = [find('.bh-call'), find('.bh-call h2'), find('.bh-call p')];
+  let shown: Call | undefined;
+  return (call: Call) => {
+    if (call === shown) return;
+    shown = call;
+    card.classList.toggle('low', call[0] === '');
+    title.textContent = call[0];
+    text.textContent = call[1];
   };
+}
+
+function createToast(element: HTMLElement) {
   let timer = 0;
-  let toNumbers = 0;
   return {
-    update(sim, frame) {
-      const colors = palette();
-      place(frame);
-      showColors(colors);
-      showLives(sim.rules.lives);
-      showScore(sim.rules);
-      // Numbers are words: they are garbage by the next frame, and nobody reads sixty a second.
-      if (toNumbers-- <= 0) {
-        toNumbers = FRAMES_A_NUMBER;
-        showFuel(sim.rules);
-        showSpeed(sim);
-      }
-      showCall(callOf(sim, colors.goalName));
-    },
-    toast(news, sim) {
-      const text = toastOf(news, sim);
-      if (text === '') return;
-      toast.textContent = text;
-      toast.style.color = css(news.kind === 'fall' ? palette().fall : palette().goal);
-      toast.classList.remove('on');
-      // Reading the layout makes the animation begin anew.
-      void toast.offsetWidth;
-      toast.classList.add('on');
-      // Where the system wants no animation, this alone takes it away.
+    show(text: string, color: string) {
+      element.textContent = text;
+      element.style.color = color;
+      element.classList.remove('on');
+      // Reading the layout restarts the animation.
+      void element.offsetWidth;
+      element.classList.add('on');
+      // Required where the system disables animations.
       clearTimeout(timer);
-      timer = window.setTimeout(() => toast.classList.remove('on'), 1700);
+      timer = window.setTimeout(() => element.classList.remove('on'), 1700);
     },
-    destroy() {
-      clearTimeout(timer);
-      root.remove();
-    },
+    destroy: () => clearTimeout(timer),
   };
 }
 
@@ -200,17 +231,17 @@ function speedOf({ scene, world }: BlackHoleGame): number {
 type Call = readonly [title: string, text: string];
 
 const CALLS = {
-  replay: ['', 'Replay — push any arrow to take over'],
-  demo: ['', 'Demo — push any arrow to play yourself'],
-  autopilot: ['', 'Autopilot — A gives you the ship'],
+  replay: ['', 'Replay – press any arrow key to take over'],
+  demo: ['', 'Demo – press any arrow key to play'],
+  autopilot: ['', 'Autopilot on – press A to take over'],
   none: ['', ''],
 } satisfies Record<string, Call>;
 
-/** One call for each name of the goal's colour. */
+/** One message per name of the goal's colour. */
 const READY = new Map<string, Call>();
 
 function readyCall(goal: string): Call {
-  const made = READY.get(goal) ?? ['Black hole', `Reach the ${goal} line. Push an arrow, or touch, to launch.`];
+  const made = READY.get(goal) ?? ['Black hole', `Reach the ${goal} line. Press an arrow key or tap to launch.`];
   READY.set(goal, made);
   return made;
 }
@@ -222,12 +253,12 @@ function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: str
   return rules.phase === 'ready' ? readyCall(goal) : CALLS.none;
 }
 
-function toastOf({ kind, points }: News, { rules }: BlackHoleGame): string {
-  if (kind === 'goal') return `Dodged! +${points}${rules.dodged === 4 ? ' — now they move' : ''}`;
-  if (kind === 'fall') return rules.lives === 0 ? '' : `Swallowed — ${livesText(rules.lives)}`;
-  if (kind === 'left') return 'Lost in space: back to the start';
-  if (kind === 'redraw') return 'Other holes: no bonus in this level';
-  if (kind === 'sling') return 'Slingshot! bonus +1 at the goal';
-  if (kind === 'empty') return 'The tank is empty';
+function toastOf({ kind, points }: GameEvent, { rules }: BlackHoleGame): string {
+  if (kind === 'goal') return `Dodged! +${points}${rules.dodged === 4 ? ' – now some holes move' : ''}`;
+  if (kind === 'fall') return rules.lives === 0 ? '' : `Swallowed – ${livesText(rules.lives)}`;
+  if (kind === 'left') return 'Out of bounds – back to the start';
+  if (kind === 'redraw') return 'New layout – no bonus this level';
+  if (kind === 'sling') return 'Slingshot! +1 bonus at the goal';
+  if (kind === 'empty') return 'Out of fuel';
   return '';
 }

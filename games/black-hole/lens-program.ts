@@ -1,14 +1,14 @@
 /**
- * The shader that bends light. A point mass moves the picture of a star from β to θ, where
+ * The shader of gravitational lensing. A point mass moves the image of a star from β to θ, where
  *
- *   β = θ - θ_E² θ / |θ|²        θ_E  Einstein's radius, here a little more than twice the horizon's
+ *   β = θ - θ_E² θ / |θ|²        θ_E  Einstein radius, here slightly more than twice the horizon radius
  *
- * so a pixel at θ shows the sky at β; several holes add up. Pixels within a horizon show nothing.
+ * so a pixel at θ shows the sky at β; the deflections of several holes add. Pixels within a horizon are black.
  */
 import { GlProgram } from 'pixi.js';
 
-/** Most holes that bend light; the rules allow no more. */
-export const MOST_LENSES = 40;
+/** Size of the uniform array of holes; the rules never create more. */
+export const MAX_LENSES = 40;
 
 const vertex = `#version 300 es
 in vec2 aPosition;
@@ -23,7 +23,7 @@ precision highp float;
 in vec2 vPlace;
 out vec4 finalColor;
 uniform sampler2D uSky;
-uniform vec4 uHoles[${MOST_LENSES}];
+uniform vec4 uHoles[${MAX_LENSES}];
 uniform int uCount;
 uniform vec3 uCamera;
 uniform vec2 uSize;
@@ -36,7 +36,7 @@ void main() {
   float shade = 1.0;
   vec3 glow = vec3(0.0);
   float pixel = 1.0 / uCamera.z;
-  for (int i = 0; i < ${MOST_LENSES}; i++) {
+  for (int i = 0; i < ${MAX_LENSES}; i++) {
     if (i >= uCount) break;
     float r = uHoles[i].z;
     vec2 away = p - uHoles[i].xy;

@@ -1,6 +1,6 @@
 /** Black hole: a ship among black holes, drawn by pixi.js. */
 import { FOUR_WAYS, startGame } from '@principia/shell';
-import { outcomeOf, tell } from './report.ts';
+import { outcomeOf, reportState } from './report.ts';
 import { settings } from './settings.ts';
 import { applyValue, createGame, type Input } from './sim.ts';
 
@@ -16,16 +16,16 @@ await startGame({
     release: (sim, name) => name !== 'action' && sim.press('release'),
   },
   outcome: outcomeOf,
-  tell,
+  report: reportState,
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view.ts')).openView(stage) },
+    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },
   },
   help: [
-    ['Arrow keys', 'push up, left, down or right; the last key decides, any key let go cuts the thrust'],
-    ['Press, touch', 'push towards the finger or the mouse; the d-pad or stick of a gamepad works too'],
-    ['The aim', 'cross the line at the top: as many points as there are holes, then there is one more'],
-    ['Beware', 'the dark disc of a hole takes one of three lives'],
-    ['N, double click', 'other holes, as often as you like; the level then gives no bonus'],
-    ['Bonus', 'for fuel left over, and for every slingshot round a hole'],
+    ['Arrow keys', 'thrust up, left, down or right. The last key counts. Releasing a key stops the engine'],
+    ['Mouse, touch', 'thrust towards the pointer; the d-pad or stick of a gamepad works too'],
+    ['Goal', 'cross the line at the top. A level has one more hole than the last and is worth as many points'],
+    ['Danger', 'falling into a hole costs one of three lives'],
+    ['N, double click', 'new layout, as often as you like; the level then gives no bonus'],
+    ['Bonus', 'for unused fuel, and for every slingshot around a hole'],
   ],
 });

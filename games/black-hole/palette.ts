@@ -1,21 +1,21 @@
-/** Colours that mean something: whose ship, where to, and what kills. */
+/** The colours that carry meaning: the ship, the goal and danger. */
 
 export interface Palette {
   readonly hull: number;
   readonly hullShade: number;
   readonly trail: number;
-  /** The line to cross, and whatever ends well. */
+  /** The goal line and successes. */
   readonly goal: number;
-  /** What the goal's colour is called. */
+  /** Name of the goal's colour. */
   readonly goalName: string;
-  /** A fall. */
+  /** A fall into a hole. */
   readonly fall: number;
   readonly path: number;
-  /** Foot of the holes' zone. */
+  /** Lower edge of the zone of holes. */
   readonly zone: number;
 }
 
-const USUAL: Palette = {
+const DEFAULT: Palette = {
   hull: 0xff4d57,
   hullShade: 0x9c1634,
   trail: 0xff8f5c,
@@ -26,8 +26,11 @@ const USUAL: Palette = {
   zone: 0x7fc4ff,
 };
 
-/** Okabe and Ito's: sky blue for the goal and vermillion for a fall differ for every eye; the ship is yellow. */
-const SAFE: Palette = {
+/**
+ * Okabe and Ito's palette: sky blue for the goal and vermillion for a fall differ for all kinds of colour vision; the
+ * ship is yellow.
+ */
+const COLOR_BLIND_SAFE: Palette = {
   hull: 0xf0e442,
   hullShade: 0xe69f00,
   trail: 0xe69f00,
@@ -39,7 +42,7 @@ const SAFE: Palette = {
 };
 
 export function paletteOf(isSafe: boolean): Palette {
-  return isSafe ? SAFE : USUAL;
+  return isSafe ? COLOR_BLIND_SAFE : DEFAULT;
 }
 
 export function css(color: number): string {

@@ -1,14 +1,14 @@
-/** Everything drawn of one game. */
+/** The drawing of one game. */
 import 'pixi.js/graphics';
 import { type Camera2D, type ViewportSize, worldSource } from '@principia/render-core';
 import { applyCamera, createTrailLayer, type TrailLayer } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
 import { Container, Graphics, type Texture } from 'pixi.js';
-import { glow } from './hawking.ts';
+import { emitGlow } from './hawking.ts';
 import { DIRECTIONS } from './heading.ts';
-import { MOST_LENSES } from './lens-program.ts';
+import { MAX_LENSES } from './lens-program.ts';
 import type { Palette } from './palette.ts';
-import type { News } from './rules.ts';
+import type { GameEvent } from './rules.ts';
 import type { Values } from './settings.ts';
 import { createPathView, createShipView } from './ship-view.ts';
 import type { BlackHoleGame } from './sim.ts';
@@ -16,12 +16,12 @@ import { createBentSky, createPlainSky, type HoleTable, type SkyView } from './s
 import { createSparks, type Sparks } from './sparks.ts';
 
 export interface Picture {
-  /** The player changed what is shown. */
+  /** Applies changed settings. */
   show(values: Readonly<Values>): void;
   update(alpha: number, seconds: number, camera: Camera2D, size: ViewportSize): void;
-  /** Something happened: sparks. */
-  celebrate(news: News): void;
-  /** The ship between two steps: x and y, m. */
+  /** Emits the sparks of a game event. */
+  celebrate(event: GameEvent): void;
+  /** Interpolated position of the ship between two steps: x and y, m. */
   readonly ship: Readonly<Float64Array>;
   destroy(): void;
 }
@@ -31,7 +31,7 @@ export interface PictureOptions {
   readonly parent: Container;
   readonly sky: Texture;
   readonly spot: Texture;
-  /** Whether the renderer takes the shader. */
+  /** Whether the renderer supports the lensing shader. */
   readonly canBend: boolean;
   readonly isCalm: boolean;
   readonly palette: Palette;
@@ -39,30 +39,24 @@ export interface PictureOptions {
 
 export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette }: PictureOptions): Picture {
   const ship = new Float64Array([BLACK_HOLE.start.x, BLACK_HOLE.start.y]);
-  const holes: HoleTable = { values: new Float32Array(4 * MOST_LENSES), count: 0 };
-  const skyPlace = new Container();
+  const holes: HoleTable = { values: new Float32Array(4 * MAX_LENSES), count: 0 };
+  const skyParent = new Container();
   const world = new Container();
-  const trailPlace = new Container();
+  const trailParent = new Container();
   const path = createPathView(spot, sim.scene.isSteep, palette);
   const shipView = createShipView(palette);
   const sparks = createSparks(spot, 180);
   const rays = createSparks(spot, 420);
-  world.addChild(
-    createLines(palette),
-    rays.container,
-    trailPlace,
-    path.container,
-    sparks.container,
-    shipView.container,
-  );
-  const root = new Container({ children: [skyPlace, world] });
+  const layers = [rays.container, trailParent, path.container, sparks.container, shipView.container];
+  world.addChild(createLines(palette), ...layers);
+  const root = new Container({ children: [skyParent, world] });
   parent.addChild(root);
   let skyView: SkyView | undefined;
   let isBent: boolean | undefined;
   let trail: TrailLayer | undefined;
   let isPathShown = true;
   let isGlowing = true;
-  // In a cell: a variable that a function keeps would be a new number on the heap with every frame.
+  // A typed array, because a captured variable would allocate a number on the heap in every frame.
   const time = new Float64Array(1);
   return {
     ship,
@@ -73,16 +67,16 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
         skyView?.destroy();
         isBent = values.lens && canBend;
         skyView = isBent ? createBentSky(sky) : createPlainSky(sky);
-        skyPlace.addChild(skyView.container);
+        skyParent.addChild(skyView.container);
       }
       if (values.trail === (trail !== undefined)) return;
       trail?.destroy();
       trail = values.trail ? createTrail(sim, palette.trail) : undefined;
-      if (trail !== undefined) trailPlace.addChild(trail.container);
+      if (trail !== undefined) trailParent.addChild(trail.container);
     },
     update(alpha, seconds, camera, size) {
       if (!isCalm) time[0] += seconds;
-      readPlaces(sim, alpha, ship, holes);
+      readPositions(sim, alpha, ship, holes);
       skyView?.update(holes, camera, size, time);
       applyCamera(world, camera, size);
       trail?.update(alpha);
@@ -91,23 +85,27 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
       shipView.update(sim, ship, seconds);
       if (!isCalm) exhaust(sim, ship, sparks);
       sparks.update(seconds);
-      if (isGlowing && !isCalm) glow(holes, seconds, rays);
+      if (isGlowing && !isCalm) emitGlow(holes, seconds, rays);
       rays.update(seconds);
     },
     celebrate({ kind, x, y }) {
       if (isCalm) return;
       sparks.source.set([x, y, 0, 0]);
-      if (kind === 'fall' || kind === 'over') sparks.burst(70, 120, palette.fall);
-      if (kind === 'goal') sparks.burst(60, 150, palette.goal);
-      if (kind === 'sling') sparks.burst(24, 60, 0x9fd0ff);
+      burstOf(kind, palette, sparks);
     },
     destroy() {
       skyView?.destroy();
       trail?.destroy();
-      // Told what to destroy, pixi leaves out even the shapes that a Graphics alone has, unless they are named.
+      // With options, pixi destroys even a Graphics' own shapes only if `context` is given.
       root.destroy({ children: true, context: true });
     },
   };
+}
+
+function burstOf(kind: GameEvent['kind'], palette: Palette, sparks: Sparks): void {
+  if (kind === 'fall' || kind === 'over') sparks.burst(70, 120, palette.fall);
+  if (kind === 'goal') sparks.burst(60, 150, palette.goal);
+  if (kind === 'sling') sparks.burst(24, 60, 0x9fd0ff);
 }
 
 function createTrail({ world, scene }: BlackHoleGame, color: number): TrailLayer {
@@ -124,14 +122,14 @@ function createTrail({ world, scene }: BlackHoleGame, color: number): TrailLayer
   });
 }
 
-/** Farther than any window reaches, m. */
+/** Farther than any window shows, m. */
 const FAR = 8000;
 
-/** The goal, the foot of the holes' zone, and the edge of the stage. */
+/** Draws the goal, the lower edge of the zone of holes, and the border of the stage. */
 function createLines({ goal: color, zone: zoneColor }: Palette): Graphics {
   const { width, height, goal, zone } = BLACK_HOLE;
   const lines = new Graphics().rect(0, -height, width, height).stroke({ width: 1.5, color: 0x9fb4ff, alpha: 0.28 });
-  // What lies outside is out of play: it steps back.
+  // The area out of bounds is darkened.
   for (const [x, y, w, h] of [
     [-FAR, -FAR, FAR, 2 * FAR],
     [width, -FAR, FAR, 2 * FAR],
@@ -151,13 +149,13 @@ function mix(from: number, to: number, share: number): number {
   return from + (to - from) * share;
 }
 
-/** Where everything is between two steps. */
-function readPlaces({ world, scene }: BlackHoleGame, alpha: number, ship: Float64Array, holes: HoleTable) {
+/** Interpolates the positions of ship and holes between two steps. */
+function readPositions({ world, scene }: BlackHoleGame, alpha: number, ship: Float64Array, holes: HoleTable) {
   const { Position, Collider } = world.components;
   const old = world.previous.Position;
   ship[0] = mix(old.x[scene.ship], Position.x[scene.ship], alpha);
   ship[1] = mix(old.y[scene.ship], Position.y[scene.ship], alpha);
-  holes.count = Math.min(MOST_LENSES, scene.holeIds.length);
+  holes.count = Math.min(MAX_LENSES, scene.holeIds.length);
   for (let i = 0; i < holes.count; i++) {
     const id = scene.holeIds[i];
     holes.values[4 * i] = mix(old.x[id], Position.x[id], alpha);
@@ -168,11 +166,11 @@ function readPlaces({ world, scene }: BlackHoleGame, alpha: number, ship: Float6
 
 function exhaust({ rules }: BlackHoleGame, ship: Readonly<Float64Array>, sparks: Sparks): void {
   if (rules.phase !== 'flying' || rules.heading === undefined || !rules.hasFuel) return;
-  const way = DIRECTIONS[rules.heading];
+  const direction = DIRECTIONS[rules.heading];
   const { source } = sparks;
-  source[0] = ship[0] - 8 * way.x;
-  source[1] = ship[1] - 8 * way.y;
-  source[2] = -70 * way.x;
-  source[3] = -70 * way.y;
+  source[0] = ship[0] - 8 * direction.x;
+  source[1] = ship[1] - 8 * direction.y;
+  source[2] = -70 * direction.x;
+  source[3] = -70 * direction.y;
   sparks.burst(1, 14, 0xffa04c);
 }

@@ -1,7 +1,7 @@
-/** The game in words and numbers. */
+/** The state of the game as text and numbers. */
 import type { BlackHoleGame } from './sim.ts';
 
-/** The end, for the card with the high scores; what the computer played is nobody's score. */
+/** The result for the card with the high scores; a demo or autopilot game is not ranked. */
 export function outcomeOf({ rules, isDemo, autopilot }: BlackHoleGame) {
   if (rules.phase !== 'over' || isDemo) return undefined;
   const { score, bonus, dodged } = rules;
@@ -10,9 +10,9 @@ export function outcomeOf({ rules, isDemo, autopilot }: BlackHoleGame) {
   return { title: 'Game over', score: autopilot ? 0 : score + bonus, lines };
 }
 
-/** What tests see. */
-export function tell(game: BlackHoleGame) {
-  const { phase, lives, score, bonus, dodged, prize, fuel, slings, heading, newsCount } = game.rules;
+/** The state that tests read. */
+export function reportState(game: BlackHoleGame) {
+  const { phase, lives, score, bonus, dodged, goalPoints, fuel, slings, heading, eventCount } = game.rules;
   const { scene, isDemo, isReplay } = game;
   return {
     phase,
@@ -20,11 +20,11 @@ export function tell(game: BlackHoleGame) {
     score,
     bonus,
     dodged,
-    prize,
+    goalPoints,
     fuel,
     slings,
     heading: heading ?? '',
-    newsCount,
+    eventCount,
     isDemo,
     isReplay,
     holes: scene.holes,
@@ -34,13 +34,13 @@ export function tell(game: BlackHoleGame) {
   };
 }
 
-/** Lives in words. */
+/** The remaining lives as text. */
 export function livesText(lives: number): string {
   return `lives left: ${lives}`;
 }
 
-/** The score in words; none at the start. */
-export function dodgeText(score: number): string {
+/** The score as text; empty at the start. */
+export function scoreText(score: number): string {
   if (score === 0) return '';
   return score === 1 ? '1 hole dodged' : `${score} holes dodged`;
 }

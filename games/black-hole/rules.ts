@@ -1,28 +1,27 @@
 /**
  * The rules of the game, applied to the world after every step.
  *
- * - A centre of the ship inside a horizon costs one of three lives; the holes are drawn anew.
- * - The goal line gives as many points as there are holes, so that n levels give n (n + 1) / 2; then there is one more.
- * - Whoever leaves the stage starts again below the same holes, for free.
- * - Other holes may be wished for at any time, free of charge.
- * - Bonus points, apart from the score: one for every slingshot of a flight that reaches the goal, and up to five for
- *   fuel left over; none where other holes were wished for in the level.
+ * - If the ship's centre enters a horizon, it costs one of three lives and the layout of holes changes.
+ * - Crossing the goal line gives as many points as there are holes, so n levels give n (n + 1) / 2; the next level has one hole more.
+ * - A ship that leaves the stage restarts below the same holes at no cost.
+ * - The player may ask for a new layout at any time.
+ * - Bonus points are separate from the score: one for every slingshot of a flight that reaches the goal, and up to five for unused fuel; none if the layout was changed in the level.
  */
 import { keepState, markImmutable } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole } from '@principia/scenes';
 import { type Heading, thrustOf } from './heading.ts';
 
 export const LIVES = 3;
-/** Change of velocity that a full tank gives, m/s: a climb without holes takes 100. */
+/** Change of velocity of a full tank, m/s; a climb without holes takes 100. */
 export const TANK = 250;
-/** From this level on some of the holes move. */
+/** The first level with moving holes. */
 export const FIRST_MOVING_LEVEL = 5;
-/** A slingshot is a visit within the first of these distances, in radii, that ends beyond the second. */
+/** A slingshot is an approach within the first distance, in radii, that ends beyond the second. */
 const SLING = { near: 3, far: 6 } as const;
 const FUEL_BONUS = 5;
 
-/** What happened, for pictures and sounds. */
-export interface News {
+/** An event for pictures and sounds. */
+export interface GameEvent {
   readonly kind: 'fall' | 'goal' | 'left' | 'redraw' | 'sling' | 'empty' | 'over' | 'launch';
   readonly tick: number;
   readonly x: number;
@@ -30,34 +29,37 @@ export interface News {
   readonly points: number;
 }
 
-/** What the player may change about the rules. */
+/** The options that the player may change. */
 export interface RuleOptions {
   readonly fuel: boolean;
   readonly moving: boolean;
 }
 
-const KEPT_NEWS = 32;
+const MAX_EVENTS = 32;
 
 export class Rules {
-  /** The ship waits for the first input, flies, or is lost for good. */
+  /** Waiting for the first input, flying, or lost all lives. */
   phase: 'ready' | 'flying' | 'over' = 'ready';
   lives = LIVES;
   score = 0;
   bonus = 0;
   /** Levels cleared. */
   dodged = 0;
-  /** Wishes for other holes in this level: after one it gives no bonus. */
+  /** Layout changes in this level; any of them cancels the bonus. */
   redraws = 0;
   slings = 0;
   heading: Heading | undefined;
-  /** News so far, and the last few of them. */
-  newsCount = 0;
-  readonly news: News[] = [];
+  /** Number of events so far, and the last few events. */
+  eventCount = 0;
+  readonly events: GameEvent[] = [];
   options: RuleOptions;
-  /** Change of velocity left in the tank and spent in this flight, m/s: in cells, which snapshots copy without garbage. */
+  /**
+   * Change of velocity left in the tank and spent in this flight, m/s. A typed array, because snapshots copy it without
+   * garbage.
+   */
   readonly #delta = new Float64Array([TANK, 0]);
   readonly #scene: BlackHole;
-  /** Holes the ship is near to. */
+  /** Holes within slingshot distance of the ship. */
   readonly #near = new Set<number>();
 
   constructor(scene: BlackHole, options: RuleOptions) {
@@ -80,13 +82,13 @@ export class Rules {
     return this.#delta[1];
   }
 
-  /** The number of holes, which is the prize of the level. */
+  /** Number of holes of the level. */
   get level(): number {
     return Math.min(BLACK_HOLE.most, this.dodged + 1);
   }
 
-  /** Points that the goal gives now. */
-  get prize(): number {
+  /** Points for reaching the goal now. */
+  get goalPoints(): number {
     return this.dodged + 1;
   }
 
@@ -94,7 +96,7 @@ export class Rules {
     return this.options.moving && this.level >= FIRST_MOVING_LEVEL ? Math.ceil((this.level - 2) / 3) : 0;
   }
 
-  /** A new game, with the first holes of the seed. */
+  /** Starts a new game with the first layout of the seed. */
   restart(): void {
     Object.assign(this, { phase: 'ready', lives: LIVES, score: 0, bonus: 0, dodged: 0 });
     this.#scene.rewind();
@@ -104,18 +106,18 @@ export class Rules {
   launch(): void {
     if (this.phase !== 'ready') return;
     this.phase = 'flying';
-    this.#tell('launch', 0);
+    this.#emit('launch', 0);
   }
 
-  /** The player asks for other holes. */
+  /** Changes the layout at the player's request. */
   redraw(): void {
     if (this.phase === 'over') return;
-    this.#tell('redraw', 0);
+    this.#emit('redraw', 0);
     this.redraws++;
     this.#newHoles(false);
   }
 
-  /** Before the step: pushes the ship as the player steers, while there is fuel. */
+  /** Runs before the step: applies thrust while there is fuel. */
   steer(dt: number): void {
     const { world, ship } = this.#scene;
     const cost = BLACK_HOLE.thrust * dt;
@@ -127,35 +129,35 @@ export class Rules {
     this.#delta[1] += cost;
     if (!this.options.fuel) return;
     this.fuel = Math.max(0, this.fuel - cost);
-    if (!this.hasFuel) this.#tell('empty', 0);
+    if (!this.hasFuel) this.#emit('empty', 0);
   }
 
   get hasFuel(): boolean {
-    // A sum of many small shares may leave a billionth of one.
+    // Rounding may leave about 1e-9 m/s in the tank.
     return !this.options.fuel || this.fuel > 1e-9;
   }
 
-  /** After the step: falls, the goal, the edge of the stage. At most one of them a step. */
+  /** Runs after the step: detects falls, the goal and the edge of the stage, at most one of them per step. */
   judge(): void {
     if (this.phase !== 'flying') {
-      this.#hold();
+      this.#holdShip();
       return;
     }
     const { world, ship, placeShip } = this.#scene;
     const { x, y } = world.components.Position;
     if (this.#hasFallen()) {
-      this.#tell('fall', 0);
+      this.#emit('fall', 0);
       this.#loseLife();
     } else if (y[ship] > BLACK_HOLE.goal) {
       this.#win();
     } else if (x[ship] < 0 || x[ship] > BLACK_HOLE.width || y[ship] < 0) {
-      this.#tell('left', 0);
+      this.#emit('left', 0);
       placeShip(BLACK_HOLE.start.x, BLACK_HOLE.start.y);
       this.#newFlight();
     }
   }
 
-  /** However many discs overlap there, it is one fall. */
+  /** A fall counts once even where discs overlap. */
   #hasFallen(): boolean {
     const { world, ship, holeIds } = this.#scene;
     const { Position, Collider } = world.components;
@@ -172,16 +174,16 @@ export class Rules {
       else if (square < (SLING.near * radius) ** 2) this.#near.add(id);
       else if (square > (SLING.far * radius) ** 2 && this.#near.delete(id)) {
         this.slings++;
-        this.#tell('sling', 1);
+        this.#emit('sling', 1);
       }
     }
     return fallen;
   }
 
   #win(): void {
-    const { prize } = this;
-    this.#tell('goal', prize);
-    this.score += prize;
+    const { goalPoints } = this;
+    this.#emit('goal', goalPoints);
+    this.score += goalPoints;
     const saved = this.options.fuel ? Math.floor((FUEL_BONUS * this.fuel) / TANK) : 0;
     if (this.redraws === 0) this.bonus += this.slings + saved;
     this.dodged++;
@@ -196,11 +198,11 @@ export class Rules {
     }
     this.phase = 'over';
     this.heading = undefined;
-    this.#hold();
-    this.#tell('over', this.score);
+    this.#holdShip();
+    this.#emit('over', this.score);
   }
 
-  /** @param isNewLevel no other holes were wished for yet */
+  /** @param isNewLevel resets the count of layout changes */
   #newHoles(isNewLevel = true): void {
     if (isNewLevel) this.redraws = 0;
     this.#scene.redraw(this.level, this.movingHoles);
@@ -215,8 +217,8 @@ export class Rules {
     this.#near.clear();
   }
 
-  /** Before the first input the ship rests at the start; after the last life it rests where it fell. */
-  #hold(): void {
+  /** Keeps the ship at the start before the first input, and at the place of its fall after the last life. */
+  #holdShip(): void {
     const { world, ship, placeShip } = this.#scene;
     const { x, y } = world.previous.Position;
     world.components.Thrust.x[ship] = 0;
@@ -225,11 +227,11 @@ export class Rules {
     else placeShip(x[ship], y[ship]);
   }
 
-  #tell(kind: News['kind'], points: number): void {
+  #emit(kind: GameEvent['kind'], points: number): void {
     const { world, ship } = this.#scene;
     const { x, y } = world.components.Position;
-    this.news.push(markImmutable({ kind, tick: world.tick, x: x[ship], y: y[ship], points }));
-    if (this.news.length > KEPT_NEWS) this.news.shift();
-    this.newsCount++;
+    this.events.push(markImmutable({ kind, tick: world.tick, x: x[ship], y: y[ship], points }));
+    if (this.events.length > MAX_EVENTS) this.events.shift();
+    this.eventCount++;
   }
 }

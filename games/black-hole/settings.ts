@@ -1,19 +1,22 @@
-/** What the panel offers. */
+/** The settings in the panel. */
 import { switchSetting, type ValuesOf } from '@principia/shell';
 
 export const settings = {
-  fuel: switchSetting('Fuel', true, { key: 'u', about: 'A tank for every flight; what is left gives bonus points' }),
-  moving: switchSetting('Moving holes', true, { about: 'From level 5 on, some holes run on circles' }),
-  steep: switchSetting('Steep pull', false, {
-    key: 'q',
-    about: 'After Paczyński and Wiita: endless at the horizon, and no circle nearer than three radii is stable',
+  fuel: switchSetting('Fuel', true, {
+    key: 'u',
+    about: 'A limited tank for every flight; unused fuel gives bonus points',
   }),
-  path: switchSetting('Path ahead', true, { key: 'v', about: 'Where the ship goes in the next two seconds' }),
-  trail: switchSetting('Trail', true, { key: 't', about: 'Where the ship came from' }),
-  lens: switchSetting('Bent light', true, { key: 'l', about: 'Holes bend the light of the stars behind them' }),
+  moving: switchSetting('Moving holes', true, { about: 'From level 5 on, some holes move on circles' }),
+  steep: switchSetting('Relativistic gravity', false, {
+    key: 'q',
+    about: 'Paczyński–Wiita potential: infinite at the horizon, and no stable circular orbit within three radii',
+  }),
+  path: switchSetting('Predicted path', true, { key: 'v', about: 'The flight of the next two seconds' }),
+  trail: switchSetting('Trail', true, { key: 't', about: 'The recent path of the ship' }),
+  lens: switchSetting('Light bending', true, { key: 'l', about: 'Holes bend the light of the stars behind them' }),
   glow: switchSetting('Hawking glow', true, {
     key: 'g',
-    about: 'Holes glow; the smaller, the hotter and the brighter',
+    about: 'Holes glow: smaller ones are hotter and brighter',
   }),
   autopilot: switchSetting('Autopilot', false, { key: 'a', about: 'The game plays itself' }),
 };

@@ -1,19 +1,19 @@
-/** The ship, its flame, and the dots of its way to come. */
+/** Draws the ship, its flame, and the dots of its predicted path. */
 import { Container, Graphics, Sprite, type Texture } from 'pixi.js';
 import { Flight } from './flight.ts';
 import { DIRECTIONS, thrustOf } from './heading.ts';
 import type { Palette } from './palette.ts';
 import type { BlackHoleGame } from './sim.ts';
 
-/** Seconds of the way to come, how often it is stepped, and how many of these steps lie between two dots. */
-const AHEAD = 2;
-const AHEAD_DT = 1 / 120;
-const STEPS_A_DOT = 6;
-const DOTS = AHEAD / AHEAD_DT / STEPS_A_DOT;
+/** Length of the prediction, its time step, both in s, and steps between two dots. */
+const PREVIEW_SECONDS = 2;
+const PREVIEW_DT = 1 / 120;
+const STEPS_PER_DOT = 6;
+const DOTS = PREVIEW_SECONDS / PREVIEW_DT / STEPS_PER_DOT;
 
 export interface ShipView {
   readonly container: Container;
-  /** @param place of the ship between two steps: x and y, m */
+  /** @param place interpolated position of the ship: x and y, m */
   update(sim: BlackHoleGame, place: Readonly<Float64Array>, seconds: number): void;
 }
 
@@ -25,7 +25,7 @@ export function createShipView({ hull: hullColor, hullShade }: Palette): ShipVie
   hull.poly([0, -8, 6.4, 6, 0, 3.2]).fill({ color: hullShade, alpha: 0.75 });
   hull.circle(0, -0.5, 1.7).fill(0xcfefff);
   const container = new Container({ children: [flame, hull] });
-  // In a cell: a variable that a function keeps would be a new number on the heap with every frame.
+  // A typed array, because a captured variable would allocate a number on the heap in every frame.
   const time = new Float64Array(1);
   return {
     container,
@@ -36,7 +36,7 @@ export function createShipView({ hull: hullColor, hullShade }: Palette): ShipVie
       const { heading } = rules;
       if (heading !== undefined) {
         const { x: dx, y: dy } = DIRECTIONS[heading];
-        // The shorter way round, most of it in a tenth of a second.
+        // Turns by the smaller angle, most of it within a tenth of a second.
         const wanted = Math.atan2(dx, dy);
         const turn = Math.atan2(Math.sin(wanted - container.rotation), Math.cos(wanted - container.rotation));
         container.rotation += turn * (1 - Math.exp(-18 * Math.max(seconds, 1 / 60)));
@@ -62,7 +62,7 @@ export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fa
     container.addChild(dot);
     return dot;
   });
-  /** Pixi works a colour out anew whenever it is told one, and makes objects of it. */
+  /** Pixi converts a tint whenever it is set, which allocates objects. */
   const tints = dots.map(() => Number.NaN);
   const paint = (index: number, tint: number) => {
     if (tints[index] === tint) return;
@@ -78,23 +78,23 @@ export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fa
       craft.y = Position.y[ship];
       craft.vx = Velocity.x[ship];
       craft.vy = Velocity.y[ship];
-      // Where all holes rest, the time on their circles is nothing to anybody, and a number less.
+      // Where no hole moves, the time has no effect; a constant avoids allocating a number.
       flight.begin(craft, holes, rules.movingHoles > 0 ? scene.holeTime : 0);
       const push = thrustOf(rules.hasFuel ? rules.heading : undefined);
       for (let d = 0; d < dots.length; d++) {
         const dot = dots[d];
-        for (let s = 0; s < STEPS_A_DOT; s++) flight.step(AHEAD_DT, push);
-        dot.visible = flight.fate === 'flying';
+        for (let s = 0; s < STEPS_PER_DOT; s++) flight.step(PREVIEW_DT, push);
+        dot.visible = flight.status === 'flying';
         dot.position.set(flight.x, -flight.y);
         paint(d, path);
       }
-      if (flight.fate === 'flying') return;
-      // The last dot says how it ends: a fall, the goal, or out of the stage.
+      if (flight.status === 'flying') return;
+      // The last dot shows the end of the flight: a fall, the goal, or out of bounds.
       let end = 0;
       while (dots[end].visible) end++;
       const last = dots[end];
-      last.visible = flight.fate !== 'gone';
-      paint(end, flight.fate === 'fallen' ? fall : goal);
+      last.visible = flight.status !== 'gone';
+      paint(end, flight.status === 'fallen' ? fall : goal);
     },
   };
 }

@@ -17,7 +17,7 @@ function run(game: BlackHoleGame, seconds: number): void {
   for (let i = 0; i < steps; i++) step(game.world, game.dt);
 }
 
-/** Takes the ship somewhere, with a speed. */
+/** Places the ship with a velocity. */
 function put(game: BlackHoleGame, x: number, y: number, vx = 0, vy = 0): void {
   const { Velocity } = game.world.components;
   game.scene.placeShip(x, y);
@@ -31,7 +31,7 @@ function ship(game: BlackHoleGame) {
   return { x: Position.x[id], y: Position.y[id], vx: Velocity.x[id], vy: Velocity.y[id] };
 }
 
-/** Takes the first hole to the middle, and tells its radius. */
+/** Moves the first hole to the centre and returns its radius. */
 function centre({ scene }: BlackHoleGame): number {
   const { Position, Collider } = scene.world.components;
   Position.x[scene.holeIds[0]] = 400;
@@ -39,7 +39,7 @@ function centre({ scene }: BlackHoleGame): number {
   return Collider.radius[scene.holeIds[0]];
 }
 
-/** Takes the pull out of all holes of the present layout. */
+/** Switches off the gravity and horizons of all holes. */
 function calm({ scene }: BlackHoleGame): void {
   for (const id of scene.holeIds) {
     scene.world.components.Attractor.mu[id] = 0;
@@ -60,8 +60,8 @@ function fall(game: BlackHoleGame): void {
   step(game.world, game.dt);
 }
 
-/** A random player's inputs: enough to fall, leave, win now and then. */
-function fidget(game: BlackHoleGame, seconds: number): void {
+/** Pseudo-random inputs that cause some falls, exits and wins. */
+function pressRandomly(game: BlackHoleGame, seconds: number): void {
   const inputs: Input[] = ['up', 'left', 'release', 'up', 'right', 'down', 'up', 'release', 'redraw', 'up'];
   for (let i = 0; i < seconds * 2; i++) {
     game.press(inputs[(i * 7 + (i >> 3)) % inputs.length]);
@@ -70,7 +70,7 @@ function fidget(game: BlackHoleGame, seconds: number): void {
 }
 
 describe('the laws', () => {
-  it('an escape from the rim of any hole takes the speed of light', () => {
+  it('the escape velocity at the horizon of any hole is the speed of light', () => {
     const game = play(3);
     game.press('up');
     for (let level = 1; level <= 12; level++) {
@@ -97,15 +97,15 @@ describe('the laws', () => {
       return 0.5 * (vx * vx + vy * vy) - depth;
     };
     expect(own()).toBeCloseTo(start, 6);
-    for (let i = 0; i < 3000 && game.rules.newsCount === 1; i++) {
+    for (let i = 0; i < 3000 && game.rules.eventCount === 1; i++) {
       step(game.world, game.dt);
       const { x, y } = ship(game);
       if (scene.holes.some((h) => Math.hypot(x - h.x, y - h.y) < 2 * h.radius)) break;
-      if (game.rules.newsCount === 1) expect(Math.abs(own() / start - 1)).toBeLessThan(1e-3);
+      if (game.rules.eventCount === 1) expect(Math.abs(own() / start - 1)).toBeLessThan(1e-3);
     }
   });
 
-  it('keeps the energy of an orbit close by', () => {
+  it('conserves the energy of a close orbit', () => {
     const game = play(1);
     game.press('up');
     game.press('release');
@@ -121,7 +121,7 @@ describe('the laws', () => {
     expect(game.rules.lives).toBe(3);
   });
 
-  it('climbs 500 m in 10 s where nothing pulls', () => {
+  it('climbs 500 m in 10 s without gravity', () => {
     const game = play(1);
     calm(game);
     game.press('up');
@@ -132,7 +132,7 @@ describe('the laws', () => {
     expect(game.rules.score).toBe(1);
   });
 
-  it('the copy flies as the world does', () => {
+  it('the predicted flight agrees with the world', () => {
     const game = play(8, { moving: true });
     game.rules.dodged = 6;
     game.rules.redraw();
@@ -157,7 +157,7 @@ describe('the rules', () => {
     expect(game.rules.phase).toBe('ready');
   });
 
-  it('the last key decides, and any key that is let go cuts the thrust', () => {
+  it('the last key pressed counts, and releasing a key stops the engine', () => {
     const game = play(1);
     const { Thrust } = game.world.components;
     const pushed = (input: Input) => {
@@ -229,7 +229,7 @@ describe('the rules', () => {
     }
   });
 
-  it('other holes are free, however often, and start the ship anew; the level gives no bonus then', () => {
+  it('layout changes are free and unlimited, reset the ship, and cancel the bonus of the level', () => {
     const game = play(2, { fuel: true });
     game.press('up');
     step(game.world, game.dt);
@@ -242,13 +242,13 @@ describe('the rules', () => {
       expect(game.scene.holes).toHaveLength(2);
       const { x, y } = ship(game);
       expect(Math.hypot(x - 400, y - 50)).toBeLessThan(0.01);
-      return [game.rules.prize, game.rules.lives, game.rules.score];
+      return [game.rules.goalPoints, game.rules.lives, game.rules.score];
     };
     const { bonus } = game.rules;
     expect(bonus).toBeGreaterThan(0);
     for (let i = 0; i < 5; i++) expect(wish()).toEqual([2, 3, 1]);
     win(game);
-    expect([game.rules.score, game.rules.prize, game.rules.bonus]).toEqual([3, 3, bonus]);
+    expect([game.rules.score, game.rules.goalPoints, game.rules.bonus]).toEqual([3, 3, bonus]);
     win(game);
     expect(game.rules.bonus).toBeGreaterThan(bonus);
   });
@@ -260,7 +260,7 @@ test('who just holds the up key clears 64 first levels in 100, falls in 21, and 
   for (let seed = 1; seed <= games; seed++) {
     const game = play(seed);
     game.press('up');
-    const end = () => game.rules.news.find(({ kind }) => kind === 'goal' || kind === 'fall' || kind === 'left');
+    const end = () => game.rules.events.find(({ kind }) => kind === 'goal' || kind === 'fall' || kind === 'left');
     // Unobstructed it takes 10 s.
     while (end() === undefined && game.world.time < 100) step(game.world, game.dt);
     const kind = end()?.kind ?? 'none';
@@ -278,7 +278,7 @@ test('who just holds the up key clears 64 first levels in 100, falls in 21, and 
 }, 60_000);
 
 describe('fuel, slingshots, moving holes', () => {
-  it('an empty tank pushes nothing', () => {
+  it('an empty tank gives no thrust', () => {
     const game = play(1, { fuel: true });
     calm(game);
     put(game, 400, 50);
@@ -294,7 +294,7 @@ describe('fuel, slingshots, moving holes', () => {
     const { vx } = ship(game);
     run(game, 0.3);
     expect(ship(game).vx).toBe(vx);
-    expect(game.rules.news.filter(({ kind }) => kind === 'empty')).toHaveLength(1);
+    expect(game.rules.events.filter(({ kind }) => kind === 'empty')).toHaveLength(1);
   });
 
   it('counts a slingshot once, and pays at the goal', () => {
@@ -312,7 +312,7 @@ describe('fuel, slingshots, moving holes', () => {
     expect([game.rules.score, game.rules.bonus]).toEqual([1, 1 + 5]);
   });
 
-  it('holes run on their circles from level 5 on', () => {
+  it('holes move on circles from level 5 on', () => {
     const game = play(4, { moving: true });
     game.press('up');
     game.press('release');
@@ -332,15 +332,15 @@ describe('fuel, slingshots, moving holes', () => {
 });
 
 describe('determinism', () => {
-  it('a game played again from its log is the same to the bit', () => {
+  it('a replay from the log is bitwise identical', () => {
     const values = { fuel: true, moving: true, steep: false, autopilot: false };
     const game = createGame({ values, seed: 11 });
     run(game, 0.7);
-    fidget(game, 40);
+    pressRandomly(game, 40);
     const again = createGame({ values, seed: 11, log: game.log.entries });
     run(again, 40.7);
     expect(again.hash()).toBe(game.hash());
-    expect(game.rules.newsCount).toBeGreaterThan(4);
+    expect(game.rules.eventCount).toBeGreaterThan(4);
     const other = createGame({ values, seed: 12, log: game.log.entries });
     run(other, 40.7);
     expect(other.hash()).not.toBe(game.hash());
@@ -348,7 +348,7 @@ describe('determinism', () => {
 });
 
 describe('the autopilot', () => {
-  test('takes over after a while, and the first key gives a fresh game', () => {
+  test('takes over after a while, and the first key starts a new game', () => {
     const game = play(6);
     const fresh = game.scene.holes;
     run(game, IDLE_SECONDS + 8);

@@ -1,21 +1,23 @@
-/** The simulation: the scene, its rules and its inputs. Needs no screen; the same seed and log give the same game. */
+/**
+ * The simulation: the scene, its rules and its inputs. It needs no display; the same seed and log give the same game.
+ */
 import { keepState, markImmutable, stateHash } from '@principia/physics';
 import { type BlackHole, blackHole, InputLog, type LoggedInput } from '@principia/scenes';
 import { Autopilot } from './autopilot.ts';
 import type { Heading } from './heading.ts';
 import { type RuleOptions, Rules } from './rules.ts';
 
-/** What a player can do: push one way, stop pushing, ask for other holes; and the switches that change the game. */
+/** The player's inputs: thrust in a direction, stop, change the layout; and the switches that affect the game. */
 export type Input = Heading | 'release' | 'redraw' | Switch;
 
-/** Switches are inputs too, so that a log plays the whole game again. */
+/** Switches are inputs too, so that a log reproduces the whole game. */
 const SWITCHES = ['autopilot', 'no autopilot', 'fuel', 'no fuel'] as const;
 type Switch = (typeof SWITCHES)[number];
 
 const isSwitch = (input: Input): input is Switch => (SWITCHES as readonly string[]).includes(input);
 
 export interface BlackHoleValues extends RuleOptions {
-  /** The holes pull after Paczyński and Wiita. */
+  /** Uses the Paczyński–Wiita potential. */
   readonly steep: boolean;
   readonly autopilot: boolean;
 }
@@ -23,29 +25,29 @@ export interface BlackHoleValues extends RuleOptions {
 export interface BlackHoleOptions {
   readonly values: BlackHoleValues;
   readonly seed: number;
-  /** Inputs of an earlier game to play again. */
+  /** Inputs of an earlier game to replay. */
   readonly log?: readonly LoggedInput<Input>[];
 }
 
-/** Seconds without any input after which the game plays itself. */
+/** Seconds without any input after which the demo starts. */
 export const IDLE_SECONDS = 12;
 
 export class BlackHoleGame {
   readonly scene: BlackHole;
   readonly rules: Rules;
   readonly log: InputLog<Input>;
-  /** The computer plays: somebody switched it on, or nobody has touched anything for a while. */
+  /** Whether the autopilot flies; a demo, in which it flies too, starts after some time without input. */
   autopilot: boolean;
   isDemo = false;
   readonly #pilot: Autopilot;
-  /** Seconds without input: in a cell, which snapshots copy without garbage. */
+  /** Seconds without input. A typed array, because snapshots copy it without garbage. */
   readonly #idle = new Float64Array(1);
   readonly #seed: number;
   readonly #values: BlackHoleValues;
 
   constructor({ values, seed, log }: BlackHoleOptions) {
     this.#values = { fuel: values.fuel, moving: values.moving, steep: values.steep, autopilot: values.autopilot };
-    // Its own state is kept; the rest of it stays.
+    // The scene registers its own mutable state.
     this.scene = markImmutable(blackHole.create({ seed, steep: values.steep ? 1 : 0 }));
     this.rules = new Rules(this.scene, this.#values);
     this.log = new InputLog(log);
@@ -71,23 +73,23 @@ export class BlackHoleGame {
     return this.scene.dt;
   }
 
-  /** What the player does; the next step takes it. Who takes part in a replay plays on from there. */
+  /** Adds an input for the next step. An input during a replay ends the replay and continues from there. */
   press(input: Input): void {
     this.log.endScript();
     this.log.add(input);
   }
 
-  /** This is an earlier game, played from its log. */
+  /** Whether the inputs come from the log of an earlier game. */
   get isReplay(): boolean {
     return this.log.isScripted;
   }
 
-  /** The same game from its beginning, played from the log so far. */
+  /** Creates the same game from its beginning and replays the log so far. */
   again(): BlackHoleGame {
     return new BlackHoleGame({ values: this.#values, seed: this.#seed, log: this.log.entries });
   }
 
-  /** Two games with equal hashes go on alike. */
+  /** Hash of the state; games with equal hashes evolve equally. */
   hash(): string {
     const { phase, lives, score, bonus, dodged, redraws, fuel, slings } = this.rules;
     return `${stateHash(this.world)} ${phase} ${[lives, score, bonus, dodged, redraws, fuel, slings].join(' ')}`;
@@ -95,7 +97,7 @@ export class BlackHoleGame {
 
   #take(input: Input): void {
     if (isSwitch(input)) {
-      this.#turn(input);
+      this.#applySwitch(input);
       return;
     }
     if (this.isDemo) this.#endDemo();
@@ -106,12 +108,12 @@ export class BlackHoleGame {
       this.rules.heading = undefined;
     } else {
       this.rules.launch();
-      // The last one pressed decides, whatever else is held.
+      // The last key pressed counts, even while others are held.
       if (this.rules.phase === 'flying') this.rules.heading = input;
     }
   }
 
-  #turn(input: Switch): void {
+  #applySwitch(input: Switch): void {
     const { rules } = this;
     if (input === 'fuel' || input === 'no fuel') {
       rules.options = { ...rules.options, fuel: input === 'fuel' };
@@ -134,7 +136,7 @@ export class BlackHoleGame {
     if (rules.phase === 'flying') rules.heading = this.#pilot.steer(dt);
   }
 
-  /** Somebody wants to play: from the beginning. */
+  /** Ends the demo and starts a new game. */
   #endDemo(): void {
     this.isDemo = false;
     this.rules.heading = undefined;
@@ -147,7 +149,7 @@ export function createGame(options: BlackHoleOptions): BlackHoleGame {
   return new BlackHoleGame(options);
 }
 
-/** Gives the running game a changed setting; false where only a new one can have it. */
+/** Applies a changed setting to the running game; false if the setting requires a new game. */
 export function applyValue(sim: BlackHoleGame, name: string, values: BlackHoleValues): boolean {
   if (name === 'autopilot') sim.press(values.autopilot ? 'autopilot' : 'no autopilot');
   else if (name === 'fuel') sim.press(values.fuel ? 'fuel' : 'no fuel');

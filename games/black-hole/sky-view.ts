@@ -1,11 +1,11 @@
-/** The sky and the holes in it: with bent light where the renderer takes the shader, and plain elsewhere. */
+/** The sky and the holes: with gravitational lensing where the renderer supports the shader, plain elsewhere. */
 import 'pixi.js/sprite-tiling';
 import type { Camera2D, ViewportSize } from '@principia/render-core';
 import { Container, Geometry, Graphics, Mesh, Shader, type Texture, TilingSprite, UniformGroup } from 'pixi.js';
-import { lensProgram, MOST_LENSES } from './lens-program.ts';
+import { lensProgram, MAX_LENSES } from './lens-program.ts';
 import { SKY_METRES } from './stars.ts';
 
-/** x, y, radius and nothing of each hole. */
+/** For each hole x, y, radius and one unused value. */
 export interface HoleTable {
   readonly values: Float32Array;
   count: number;
@@ -20,7 +20,7 @@ export interface SkyView {
 
 export function createBentSky(sky: Texture): SkyView {
   const group = new UniformGroup({
-    uHoles: { value: new Float32Array(4 * MOST_LENSES), type: 'vec4<f32>', size: MOST_LENSES },
+    uHoles: { value: new Float32Array(4 * MAX_LENSES), type: 'vec4<f32>', size: MAX_LENSES },
     uCount: { value: 0, type: 'i32' },
     uCamera: { value: new Float32Array(3), type: 'vec3<f32>' },
     uSize: { value: new Float32Array(2), type: 'vec2<f32>' },

@@ -1,26 +1,26 @@
-/** Sparks for the eye alone: nothing in the game depends on them, so they may come from anywhere. */
+/** Decorative sparks, which do not affect the game and may use Math.random. */
 import { Container, Sprite, type Texture } from 'pixi.js';
 
 export interface Sparks {
   readonly container: Container;
-  /** Where the next burst comes from, m, and the velocity of its middle, m/s: x, y, vx, vy. */
+  /** Source of the next burst, m, and its mean velocity, m/s: x, y, vx, vy. */
   readonly source: Float64Array;
-  /** @param spread speed of the fastest, m/s */
+  /** @param spread speed of the fastest spark relative to the source, m/s */
   burst(count: number, spread: number, tint: number): void;
   update(seconds: number): void;
 }
 
-/** @param most sparks at a time; later ones take the place of the first */
-export function createSparks(spot: Texture, most: number): Sparks {
+/** @param capacity sparks at a time; a new spark replaces the oldest */
+export function createSparks(spot: Texture, capacity: number): Sparks {
   const container = new Container();
-  const sparks = Array.from({ length: most }, () => {
+  const sparks = Array.from({ length: capacity }, () => {
     const sprite = new Sprite({ texture: spot, anchor: 0.5, blendMode: 'add', visible: false });
     container.addChild(sprite);
     return { sprite, tint: 0xffffff };
   });
   const source = new Float64Array(4);
-  /** Of each spark its velocity, age and life. */
-  const flights = new Float64Array(4 * most);
+  /** Velocity, age and lifetime of each spark. */
+  const flights = new Float64Array(4 * capacity);
   let next = 0;
   return {
     container,
@@ -29,21 +29,21 @@ export function createSparks(spot: Texture, most: number): Sparks {
       for (let i = 0; i < count; i++) {
         const spark = sparks[next];
         const at = 4 * next;
-        next = (next + 1) % most;
+        next = (next + 1) % capacity;
         const angle = 2 * Math.PI * Math.random();
         const speed = spread * Math.sqrt(Math.random());
         flights[at] = source[2] + speed * Math.cos(angle);
         flights[at + 1] = source[3] + speed * Math.sin(angle);
         flights[at + 2] = 0;
         flights[at + 3] = 0.35 + 0.6 * Math.random();
-        // Pixi works a colour out anew whenever it is told one, and makes objects of it.
+        // Pixi converts a tint whenever it is set, which allocates objects.
         if (spark.tint !== tint) spark.sprite.tint = tint;
         spark.tint = tint;
         spark.sprite.position.set(source[0], -source[1]);
       }
     },
     update(seconds) {
-      for (let i = 0; i < most; i++) {
+      for (let i = 0; i < capacity; i++) {
         const { sprite } = sparks[i];
         const at = 4 * i;
         flights[at + 2] += seconds;

@@ -1,16 +1,16 @@
-/** A sky to bend: stars and faint clouds on a square that joins itself when mirrored. */
+/** Paints the star sky: stars and faint clouds on a square texture that repeats mirrored. */
 import { createRandom } from '@principia/physics';
 import { Texture } from 'pixi.js';
 
-/** Pixels of the square's edge. */
+/** Edge of the square, pixels. */
 const SIZE = 2048;
-/** Metres of the stage that the square covers. */
+/** Edge of the square on the stage, m. */
 export const SKY_METRES = 1300;
 
 const TINTS = ['#ffffff', '#dfe8ff', '#b9cdff', '#ffe9cf', '#ffd0a8', '#ffffff'];
 const CLOUDS = ['58, 70, 160', '112, 52, 140', '30, 96, 132', '150, 70, 80'];
 
-/** Painted by the processor: the graphics card would have to learn to paint gradients first, while the player waits. */
+/** A canvas in main memory: on the GPU, the gradients would have to compile shaders first, which delays the start. */
 function canvasOf(size: number): [HTMLCanvasElement, CanvasRenderingContext2D] {
   const canvas = document.createElement('canvas');
   canvas.width = size;
@@ -34,7 +34,7 @@ export function paintSky(seed: number): Texture {
   }
   context.globalAlpha = 1;
   for (let i = 0; i < 2000; i++) {
-    // Few stars are bright, as in the sky.
+    // Few stars are bright, as in the real sky.
     const light = random.uniform() ** 4;
     const radius = 0.6 + 1.9 * light;
     const [x, y] = [random.uniform(0, SIZE), random.uniform(0, SIZE)];
@@ -55,13 +55,13 @@ export function paintSky(seed: number): Texture {
   const texture = Texture.from(canvas, true);
   texture.source.style.addressMode = 'mirror-repeat';
   texture.source.style.scaleMode = 'linear';
-  // Bent light squeezes the sky: without smaller pictures of it the paint's grain would make moiré.
+  // Lensing compresses the sky; without mipmaps the texture would show moiré.
   texture.source.autoGenerateMipmaps = true;
   texture.source.style.mipmapFilter = 'linear';
   return texture;
 }
 
-/** A soft round spot: dots of the path, sparks. */
+/** A soft round dot for the path and the sparks. */
 export function paintSpot(): Texture {
   const [canvas, context] = canvasOf(32);
   const glow = context.createRadialGradient(16, 16, 0, 16, 16, 16);

@@ -1,20 +1,20 @@
-/** Steers by finger or mouse: the ship is pushed towards the pointer; two quick taps ask for other holes. */
+/** Control by touch or mouse: thrust points towards the pointer; a double tap changes the layout. */
 import type { Heading } from './heading.ts';
 import type { Input } from './sim.ts';
 
-/** A second tap within this time, s, and distance, CSS pixels, makes a double one. */
+/** A second tap within this time, s, and distance, CSS pixels, counts as a double tap. */
 const DOUBLE = { seconds: 0.35, pixels: 30 } as const;
-/** Nearer than this to the ship no way can be told, CSS pixels. */
-const DEAD = 6;
+/** Distance from the ship within which the direction is undefined, CSS pixels. */
+const DEAD_ZONE = 6;
 
 export interface SteeringOptions {
-  /** Where the ship is on the canvas, CSS pixels. */
+  /** Position of the ship on the canvas, CSS pixels. */
   ship(): { x: number; y: number };
   press(input: Input): void;
 }
 
 export interface Steering {
-  /** The ship moves below a resting finger: call it once a frame. */
+  /** Call it once a frame, because the ship moves below a resting pointer. */
   update(): void;
   destroy(): void;
 }
@@ -32,7 +32,7 @@ export function listenToSteering(canvas: HTMLCanvasElement, { ship, press }: Ste
   const update = () => {
     if (pointer === undefined) return;
     const { x, y } = ship();
-    const wanted = towards(place.x - x, place.y - y) ?? heading;
+    const wanted = nearestHeading(place.x - x, place.y - y) ?? heading;
     if (wanted === undefined || wanted === heading) return;
     heading = wanted;
     press(wanted);
@@ -80,8 +80,8 @@ export function listenToSteering(canvas: HTMLCanvasElement, { ship, press }: Ste
 }
 
 /** The direction of the screen that is nearest to an offset, y down. */
-function towards(dx: number, dy: number): Heading | undefined {
-  if (Math.max(Math.abs(dx), Math.abs(dy)) < DEAD) return undefined;
+function nearestHeading(dx: number, dy: number): Heading | undefined {
+  if (Math.max(Math.abs(dx), Math.abs(dy)) < DEAD_ZONE) return undefined;
   if (Math.abs(dx) > Math.abs(dy)) return dx > 0 ? 'right' : 'left';
   return dy > 0 ? 'down' : 'up';
 }

@@ -1,10 +1,10 @@
-/** The view: the picture, what is written over it, and the pointer that steers. */
+/** The view: the picture, the text over it, and pointer control. */
 import { type Camera2D, fit, toScreen, watchViewport } from '@principia/render-core';
 import { openScreen } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
-import type { Stage, View } from '@principia/shell';
-import { Container, RendererType } from 'pixi.js';
-import { createHud } from './hud.ts';
+import type { View, ViewContext } from '@principia/shell';
+import { Container, RendererType, type Texture } from 'pixi.js';
+import { createHud, type Frame, type Hud } from './hud.ts';
 import { paletteOf } from './palette.ts';
 import { createPicture, type Picture } from './picture.ts';
 import type { Settings } from './settings.ts';
@@ -13,35 +13,21 @@ import { paintSky, paintSpot } from './stars.ts';
 import { listenToSteering } from './steering.ts';
 
 const MARGIN = 14;
-/** Of the touch pad and what lies below it, CSS pixels. */
+/** Height of the touch pad and its margin, CSS pixels. */
 const PAD_HEIGHT = 250;
 const COARSE = matchMedia('(pointer: coarse)');
 const { width: STAGE_WIDTH, height: STAGE_HEIGHT } = BLACK_HOLE;
 
-export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<View> {
-  const screen = await openScreen(stage.element, { background: '#04060e', antialias: true });
+export async function openView(context: ViewContext<Settings, BlackHoleGame>): Promise<View> {
+  const screen = await openScreen(context.element, { background: '#04060e', antialias: true });
   const { canvas, renderer } = screen;
   const content = new Container();
   screen.stage.addChild(content);
   const [sky, spot] = [paintSky(5), paintSpot()];
-  const canBend = renderer.type === RendererType.WEBGL;
-  const paint = (): Picture => {
-    const sim = stage.sim();
-    const made = createPicture({
-      sim,
-      parent: content,
-      sky,
-      spot,
-      canBend,
-      isCalm: stage.reducedMotion,
-      palette: paletteOf(stage.safeColors),
-    });
-    made.show(stage.values());
-    return made;
-  };
+  const paint = () => paintGame(context, content, sky, spot, renderer.type === RendererType.WEBGL);
   let picture = paint();
-  let told = 0;
-  const hud = createHud(stage.element, () => paletteOf(stage.safeColors));
+  let shownEvents = 0;
+  const hud = createHud(context.element, () => paletteOf(context.safeColors));
   const camera: Camera2D = { x: STAGE_WIDTH / 2, y: STAGE_HEIGHT / 2, pixelsPerMetre: 1 };
   let zoomed = 1;
   const viewport = watchViewport(canvas, (width, height, resolution) => {
@@ -52,42 +38,27 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
   const frame = { left: 0, top: 0, width: 0, height: 0, room: 0 };
   const steering = listenToSteering(canvas, {
     ship: () => place(picture.ship[0], picture.ship[1]),
-    press: (input) => stage.sim().press(input),
+    press: (input) => context.sim().press(input),
   });
-  const tellNews = (sim: BlackHoleGame) => {
-    const { news, newsCount } = sim.rules;
-    const fresh = Math.max(0, Math.min(news.length, newsCount - told));
-    for (let i = news.length - fresh; i < news.length; i++) {
-      picture.celebrate(news[i]);
-      hud.toast(news[i], sim);
-    }
-    told = newsCount;
-  };
   return {
     canvas,
     refresh(change) {
       if (change === 'setting') {
-        picture.show(stage.values());
+        picture.show(context.values());
         return;
       }
       picture.destroy();
       picture = paint();
-      // What a new game brings is news; other colours are not.
-      told = stage.sim().rules.newsCount;
+      // Events of a new game are new; a palette change repeats none.
+      shownEvents = context.sim().rules.eventCount;
     },
     draw(alpha, seconds) {
-      const sim = stage.sim();
-      look(camera, stage, viewport, zoomed);
-      tellNews(sim);
+      const sim = context.sim();
+      fitCamera(camera, context, viewport, zoomed);
+      shownEvents = showEvents(sim, shownEvents, picture, hud);
       picture.update(alpha, seconds, camera, viewport);
       steering.update();
-      const { x, y } = place(0, STAGE_HEIGHT);
-      const { pixelsPerMetre: scale } = camera;
-      frame.left = x;
-      frame.top = y;
-      frame.width = STAGE_WIDTH * scale;
-      frame.height = STAGE_HEIGHT * scale;
-      frame.room = y - stage.insets().top;
+      setFrame(frame, place(0, STAGE_HEIGHT), camera.pixelsPerMetre, context.insets().top);
       hud.update(sim, frame);
       screen.render();
     },
@@ -110,26 +81,62 @@ export async function openView(stage: Stage<Settings, BlackHoleGame>): Promise<V
   };
 }
 
+function paintGame(
+  context: ViewContext<Settings, BlackHoleGame>,
+  parent: Container,
+  sky: Texture,
+  spot: Texture,
+  canBend: boolean,
+): Picture {
+  const isCalm = context.reducedMotion;
+  const palette = paletteOf(context.safeColors);
+  const picture = createPicture({ sim: context.sim(), parent, sky, spot, canBend, isCalm, palette });
+  picture.show(context.values());
+  return picture;
+}
+
+/** Shows the events since the first `shownCount`. @returns the number of events so far */
+function showEvents(sim: BlackHoleGame, shownCount: number, picture: Picture, hud: Hud): number {
+  const { events, eventCount } = sim.rules;
+  const newCount = Math.max(0, Math.min(events.length, eventCount - shownCount));
+  for (let i = events.length - newCount; i < events.length; i++) {
+    picture.celebrate(events[i]);
+    hud.toast(events[i], sim);
+  }
+  return eventCount;
+}
+
+/** Computes the frame of the stage on the canvas. @param corner its upper left corner @param top inset of the window */
+function setFrame(frame: Mutable<Frame>, corner: { x: number; y: number }, pixelsPerMetre: number, top: number): void {
+  frame.left = corner.x;
+  frame.top = corner.y;
+  frame.width = STAGE_WIDTH * pixelsPerMetre;
+  frame.height = STAGE_HEIGHT * pixelsPerMetre;
+  frame.room = corner.y - top;
+}
+
+type Mutable<T> = { -readonly [Name in keyof T]: T[Name] };
+
 const WHOLE_STAGE = { minX: 0, minY: 0, maxX: STAGE_WIDTH, maxY: STAGE_HEIGHT };
 const free = { width: 0, height: 0 };
 
-/** Shows the whole stage in the part of the window that nothing covers. */
-function look(
+/** Fits the stage into the part of the window that nothing covers. */
+function fitCamera(
   camera: Camera2D,
-  stage: Stage<Settings, BlackHoleGame>,
+  context: ViewContext<Settings, BlackHoleGame>,
   size: { readonly width: number; readonly height: number },
   zoomed: number,
 ): void {
-  const { top, right, bottom, left } = stage.insets();
+  const { top, right, bottom, left } = context.insets();
   free.width = size.width - left - right;
   free.height = size.height - top - bottom;
   if (!(free.width > 0 && free.height > 0)) return;
   fit(camera, WHOLE_STAGE, free, MARGIN);
-  // The touch pad covers the lower right: the stage moves to the upper left.
+  // The touch pad covers the lower right, so the stage moves to the upper left.
   if (COARSE.matches) {
     camera.x += (free.width / 2 - MARGIN) / camera.pixelsPerMetre - STAGE_WIDTH / 2;
     camera.y -= (free.height / 2 - MARGIN) / camera.pixelsPerMetre - STAGE_HEIGHT / 2;
-    // On a phone held upright there is room above the pad: the stage goes to its middle.
+    // On a phone in portrait the stage is centred in the space above the pad.
     const spare = free.height - STAGE_HEIGHT * camera.pixelsPerMetre - PAD_HEIGHT;
     if (free.height > free.width && spare > 0) camera.y += spare / 2 / camera.pixelsPerMetre;
   }

@@ -1,24 +1,24 @@
 /** Bouncing balls: one scene, drawn in 2D by pixi.js and in 3D by three.js. */
 import { startGame } from '@principia/shell';
-import { dress } from './looks.ts';
+import { applyColors } from './colors.ts';
 import { settings } from './settings.ts';
-import { applyValue, countContacts, createBalls, keepInRoom } from './sim.ts';
+import { applyValue, clampToRoom, countContacts, createBalls } from './sim.ts';
 
 await startGame({
   title: 'Bouncing balls',
   settings,
   create: createBalls,
-  dress: (sim, { seed, safeColors }) => dress(sim, seed, safeColors),
+  applyColors: (sim, { seed, safeColors }) => applyColors(sim, seed, safeColors),
   apply: (sim, name, values) => name === 'trails' || applyValue(sim, name, values),
-  holdLimit: keepInRoom,
+  dragLimit: clampToRoom,
   contacts: countContacts,
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view-2d.ts')).openView2D(stage) },
-    three: { label: '3D', dimensions: 3, open: async (stage) => (await import('./view-3d.ts')).openView3D(stage) },
+    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view-2d.ts')).openView2D(context) },
+    three: { label: '3D', dimensions: 3, open: async (context) => (await import('./view-3d.ts')).openView3D(context) },
   },
   help: [
-    ['Drag a ball', 'hold it, let go to throw it; every finger may hold one'],
-    ['Drag beside', 'move the view (in 3D: turn it)'],
-    ['Wheel, pinch', 'closer or farther'],
+    ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],
+    ['Drag elsewhere', 'move the view (in 3D: rotate it)'],
+    ['Wheel, pinch', 'zoom'],
   ],
 });

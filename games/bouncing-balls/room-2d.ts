@@ -1,4 +1,4 @@
-/** The room as a picture: a lighter ground, a grid of metres, walls. */
+/** The room in 2D: a background, a grid of metres, walls. */
 import 'pixi.js/graphics';
 import { createSegmentLayer } from '@principia/render-pixi';
 import type { BouncingBalls } from '@principia/scenes';
@@ -33,7 +33,7 @@ export function createRoom2D({ room }: BouncingBalls): Room2D {
     destroy() {
       grid.destroy();
       walls.destroy();
-      // Told what to destroy, pixi leaves out even the shapes that a Graphics alone has, unless they are named.
+      // With options, pixi destroys even a Graphics' own shapes only if `context` is given.
       ground.destroy({ children: true, context: true });
     },
   };

@@ -18,7 +18,7 @@ export interface Room3D {
   destroy(): void;
 }
 
-/** @param hasShadows whether the lamp throws shadows */
+/** @param hasShadows whether the lamp casts shadows */
 export function createRoom3D({ room }: BouncingBalls, hasShadows: boolean): Room3D {
   const min = new Vector3(room.min.x, room.min.y, room.min.z);
   const max = new Vector3(room.max.x, room.max.y, room.max.z);
@@ -29,7 +29,7 @@ export function createRoom3D({ room }: BouncingBalls, hasShadows: boolean): Room
   const size = new Vector3().subVectors(max, min);
   const floor = new Mesh(new PlaneGeometry(size.x, size.z), new MeshLambertMaterial({ color: 0x39457a }));
   floor.rotation.x = -Math.PI / 2;
-  // Just under the grid, so that the lines are not lost in it.
+  // Slightly below the grid to avoid z-fighting.
   floor.position.set((min.x + max.x) / 2, min.y - 0.004, (min.z + max.z) / 2);
   floor.receiveShadow = hasShadows;
   const lamp = createLamp(min, max, hasShadows);
@@ -47,7 +47,7 @@ export function createRoom3D({ room }: BouncingBalls, hasShadows: boolean): Room
   };
 }
 
-/** A lamp high on the left, in front; its shadows cover just the room. */
+/** A lamp at the upper left in front; its shadow map covers exactly the room. */
 function createLamp(min: Vector3, max: Vector3, hasShadows: boolean): DirectionalLight {
   const lamp = new DirectionalLight(0xfff4e0, 2.6);
   const middle = new Vector3().addVectors(min, max).multiplyScalar(0.5);

@@ -1,4 +1,4 @@
-/** What the panel offers. */
+/** The settings in the panel. */
 import { numberSetting, switchSetting, type ValuesOf } from '@principia/shell';
 import { parameters } from './sim.ts';
 
@@ -9,9 +9,12 @@ export const settings = {
   gravity: numberSetting(gravity, { label: 'Gravity', max: 30 }),
   restitution: numberSetting(restitution, { label: 'Restitution' }),
   friction: numberSetting(friction, { label: 'Friction', max: 1 }),
-  drag: numberSetting(drag, { label: 'Air', max: 100, step: 0.1 }),
-  collisions: switchSetting('Collisions', false, { key: 'c', about: 'Whether balls meet or pass through each other' }),
-  trails: switchSetting('Trails', false, { key: 't', about: 'Shows the way each ball came' }),
+  drag: numberSetting(drag, { label: 'Air density', max: 100, step: 0.1 }),
+  collisions: switchSetting('Collisions', false, {
+    key: 'c',
+    about: 'Whether balls collide or pass through each other',
+  }),
+  trails: switchSetting('Trails', false, { key: 't', about: 'Shows the recent path of each ball' }),
 };
 
 export type Settings = typeof settings;

@@ -1,15 +1,15 @@
-/** Soft shadows under balls and lights on them: two more layers that read the same positions. */
+/** Soft shadows and highlights of balls: two more layers that read the same positions. */
 import { type BodySource, SHAPES, worldSource } from '@principia/render-core';
 import { type BodyLayer, createBodyLayer } from '@principia/render-pixi';
 import type { BouncingBalls } from '@principia/scenes';
 import type { Container } from 'pixi.js';
 
-/** Balls smaller than this on the screen are drawn flat, CSS pixels. */
-const SMALLEST_SHADED = 3;
-/** Most balls that are shaded: with more, each is too small to be seen so closely. */
-const MOST_SHADED = 5000;
+/** Smaller balls are drawn flat, CSS pixels. */
+const MIN_SHADED_PIXELS = 3;
+/** With more balls than this, each is too small for shading. */
+const MAX_SHADED = 5000;
 
-/** Two layers that make flat discs look round. */
+/** Two layers that make flat discs look like spheres. */
 export interface Shading {
   readonly below: Container;
   readonly above: Container;
@@ -18,7 +18,7 @@ export interface Shading {
 }
 
 export function createShading({ world, balls, radius }: BouncingBalls): Shading | undefined {
-  if (balls.length > MOST_SHADED) return undefined;
+  if (balls.length > MAX_SHADED) return undefined;
   const source = worldSource(world);
   const shadow = createBodyLayer({ source: spots(source, balls, 1.5 * radius, 0x8c1a0c05), rotation: false });
   const light = createBodyLayer({ source: spots(source, balls, 0.56 * radius, 0x99ffffff), rotation: false });
@@ -29,7 +29,7 @@ export function createShading({ world, balls, radius }: BouncingBalls): Shading 
     below: shadow.container,
     above: light.container,
     update(alpha, pixelsPerMetre) {
-      const visible = radius * pixelsPerMetre >= SMALLEST_SHADED;
+      const visible = radius * pixelsPerMetre >= MIN_SHADED_PIXELS;
       for (let i = 0; i < layers.length; i++) {
         layers[i].container.visible = visible;
         if (visible) layers[i].update(alpha);
@@ -41,7 +41,7 @@ export function createShading({ world, balls, radius }: BouncingBalls): Shading 
   };
 }
 
-/** The same bodies as spots of one radius and colour. */
+/** A body source in which the same bodies are spots of a given radius and colour. */
 function spots(source: BodySource, balls: Uint32Array, radius: number, color: number): BodySource {
   const size = new Float32Array(source.rows);
   const colors = new Uint32Array(source.rows);

@@ -1,8 +1,8 @@
-/** The simulation: the scene, and how a running world takes a changed setting. Needs no screen. */
+/** The simulation: the scene, and the settings that a running world can apply. It needs no display. */
 import { contacts, replaceForce, uniformGravity } from '@principia/physics';
 import { type BouncingBalls, ballDrag, bouncingBalls } from '@principia/scenes';
 
-/** What the player may change about the balls. */
+/** The settings of the balls. */
 export interface BallValues {
   readonly count: number;
   readonly gravity: number;
@@ -26,7 +26,7 @@ export function createBalls({ values, seed, dimensions }: BallOptions): Bouncing
   return bouncingBalls.create({ seed, dimensions, count, gravity, restitution, drag, friction, collisions });
 }
 
-/** Gives the running world a changed value; false where only a new world can have it. */
+/** Applies a changed setting to the running world; false if the setting requires a new world. */
 export function applyValue(sim: BouncingBalls, name: string, values: BallValues): boolean {
   const { world, radius } = sim;
   const { Collider, QuadraticDrag } = world.components;
@@ -40,13 +40,13 @@ export function applyValue(sim: BouncingBalls, name: string, values: BallValues)
   return true;
 }
 
-/** Contacts between balls in the last step; none where they pass through each other. */
+/** Contacts between balls in the last step; undefined if collisions are off. */
 export function countContacts({ world }: BouncingBalls): number | undefined {
   return world.phases.collide.length === 0 ? undefined : contacts(world).count;
 }
 
-/** Keeps the centre a held ball is wanted at inside the room, in place. */
-export function keepInRoom({ room, radius }: BouncingBalls) {
+/** Returns a function that clamps the target of a dragged ball to the room, in place. */
+export function clampToRoom({ room, radius }: BouncingBalls) {
   return (point: { x: number; y: number; z: number }): void => {
     for (const axis of ['x', 'y', 'z'] as const) {
       const low = Math.min(room.min[axis] + radius, 0.5 * (room.min[axis] + room.max[axis]));

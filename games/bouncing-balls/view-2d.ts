@@ -1,32 +1,32 @@
-/** The picture in 2D, drawn by pixi.js. */
+/** The 2D view, drawn by pixi.js. */
 import type { BodySource } from '@principia/render-core';
 import { type BodyLayer, createBodyLayer, createTrailLayer, type TrailLayer } from '@principia/render-pixi';
 import type { BouncingBalls } from '@principia/scenes';
-import type { Stage, View } from '@principia/shell';
+import type { View, ViewContext } from '@principia/shell';
 import { openPixiView, type Picture } from '@principia/shell/pixi';
 import { Container } from 'pixi.js';
 import { createRoom2D } from './room-2d.ts';
 import type { Settings } from './settings.ts';
 import { createShading } from './shading.ts';
 
-/** Balls with trails; more would hide each other. */
-const MOST_TRAILS = 2000;
+/** Number of balls with trails; more would hide each other. */
+const MAX_TRAILS = 2000;
 
-export function openView2D(stage: Stage<Settings, BouncingBalls>): Promise<View> {
-  return openPixiView(stage, {
+export function openView2D(context: ViewContext<Settings, BouncingBalls>): Promise<View> {
+  return openPixiView(context, {
     bounds: ({ room: { min, max } }) => ({ minX: min.x, minY: min.y, maxX: max.x, maxY: max.y }),
-    paint: (sim, source) => paint(sim, source, () => stage.values().trails),
+    paint: (sim, source) => paint(sim, source, () => context.values().trails),
   });
 }
 
 function paint(sim: BouncingBalls, source: BodySource, wantsTrails: () => boolean): Picture {
   const room = createRoom2D(sim);
   const shading = createShading(sim);
-  // Unmarked balls look the same whichever way they are turned.
+  // Without shading, balls have no mark and rotation is invisible.
   const layer: BodyLayer = createBodyLayer({ source, rotation: shading !== undefined, minimumPixels: 0.8 });
-  const trailPlace = new Container();
+  const trailParent = new Container();
   let trails: TrailLayer | undefined;
-  const parts = [room.ground, trailPlace, shading?.below, layer.container, shading?.above, room.walls];
+  const parts = [room.ground, trailParent, shading?.below, layer.container, shading?.above, room.walls];
   const root = new Container({ children: parts.filter((part) => part !== undefined) });
   const showTrails = (shown: boolean) => {
     if (shown === (trails !== undefined)) return;
@@ -34,14 +34,14 @@ function paint(sim: BouncingBalls, source: BodySource, wantsTrails: () => boolea
     trails = shown
       ? createTrailLayer({
           source,
-          bodies: sim.balls.subarray(0, MOST_TRAILS),
+          bodies: sim.balls.subarray(0, MAX_TRAILS),
           length: 48,
           thickness: Math.min(5, 60 * sim.radius),
           opacity: 0.5,
           blendMode: 'add',
         })
       : undefined;
-    if (trails !== undefined) trailPlace.addChild(trails.container);
+    if (trails !== undefined) trailParent.addChild(trails.container);
   };
   showTrails(wantsTrails());
   return {

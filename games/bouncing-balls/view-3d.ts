@@ -1,4 +1,4 @@
-/** The same balls in a room with depth, drawn by three.js. */
+/** The 3D view, drawn by three.js. */
 import { worldSource } from '@principia/render-core';
 import {
   createBodyMesh,
@@ -9,37 +9,39 @@ import {
   type TrailLines,
 } from '@principia/render-three';
 import type { BouncingBalls } from '@principia/scenes';
-import type { Stage, View } from '@principia/shell';
+import type { View, ViewContext } from '@principia/shell';
 import { Box3, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { createRoom3D } from './room-3d.ts';
 import type { Settings } from './settings.ts';
 
-/** Most balls with real lights and shadows; more are shaded by a light that moves with the camera. */
-const MOST_LIT = 3000;
-const MOST_TRAILS = 2000;
-/** Degrees; a long lens bends a room less than three's default. */
+/**
+ * Number of balls up to which lights and shadows are real; more balls use a cheaper shading that moves with the camera.
+ */
+const MAX_LIT = 3000;
+const MAX_TRAILS = 2000;
+/** Degrees; a long lens distorts the room less than three.js' default. */
 const FIELD_OF_VIEW = 28;
-/** How much of the free part the room fills. */
-const FILLED = 0.95;
+/** Fraction of the free part of the window that the room fills. */
+const FILL_SHARE = 0.95;
 
-export async function openView3D(stage: Stage<Settings, BouncingBalls>): Promise<View> {
+export async function openView3D(context: ViewContext<Settings, BouncingBalls>): Promise<View> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
   const canvas = renderer.domElement;
-  stage.element.append(canvas);
+  context.element.append(canvas);
   renderer.shadowMap.enabled = true;
   const scene = new Scene();
   const orbit = createOrbitCamera({ element: canvas, camera: new PerspectiveCamera(FIELD_OF_VIEW) });
   const camera = orbit.camera as PerspectiveCamera;
   camera.position.set(0.36, 0.2, 1);
-  orbit.controls.enableDamping = !stage.reducedMotion;
-  let picture = createPicture(stage, scene);
+  orbit.controls.enableDamping = !context.reducedMotion;
+  let picture = createPicture(context, scene);
   let isFitted = true;
   orbit.controls.addEventListener('start', () => {
     isFitted = false;
   });
   const show = () => {
     isFitted = true;
-    fitInto(stage, viewport, camera, () => orbit.fit(roomBox(stage.sim())));
+    fitInto(context, viewport, camera, () => orbit.fit(roomBox(context.sim())));
   };
   const viewport = fitRendererToParent(renderer, camera, {
     onResize() {
@@ -47,18 +49,18 @@ export async function openView3D(stage: Stage<Settings, BouncingBalls>): Promise
       else camera.clearViewOffset();
     },
   });
-  let dragging = listenTo(stage, orbit, canvas);
+  let dragging = listenTo(context, orbit, canvas);
   return {
     canvas,
     refresh(change) {
       if (change === 'setting') {
-        picture.showTrails(stage.values().trails);
+        picture.showTrails(context.values().trails);
         return;
       }
       dragging.destroy();
       picture.destroy();
-      picture = createPicture(stage, scene);
-      dragging = listenTo(stage, orbit, canvas);
+      picture = createPicture(context, scene);
+      dragging = listenTo(context, orbit, canvas);
     },
     draw(alpha, seconds) {
       orbit.update(seconds);
@@ -91,14 +93,14 @@ function roomBox({ room: { min, max } }: BouncingBalls): Box3 {
   return new Box3(new Vector3(min.x, min.y, min.z), new Vector3(max.x, max.y, max.z));
 }
 
-/** Shows what `fitAll` shows in the part of the window that nothing covers. */
+/** Fits the room into the part of the window that nothing covers. */
 function fitInto(
-  stage: Stage<Settings, BouncingBalls>,
+  context: ViewContext<Settings, BouncingBalls>,
   { width, height }: { width: number; height: number },
   camera: PerspectiveCamera,
   fitAll: () => void,
 ): void {
-  const { top, right, bottom, left } = stage.insets();
+  const { top, right, bottom, left } = context.insets();
   camera.clearViewOffset();
   const freeWidth = Math.max(width - left - right, 1);
   const freeHeight = Math.max(height - top - bottom, 1);
@@ -106,15 +108,15 @@ function fitInto(
   camera.aspect = freeWidth / freeHeight;
   camera.updateProjectionMatrix();
   fitAll();
-  const { x, y, zoom } = closeUp(camera, roomBox(stage.sim()));
+  const { x, y, zoom } = tightFit(camera, roomBox(context.sim()));
   camera.zoom = zoom;
-  // The free part is what the camera was fitted to; the rest of the window shows what lies around it.
+  // The camera was fitted to the free part; the view offset extends the picture to the rest of the window.
   const [offsetX, offsetY] = [x * zoom * freeWidth * 0.5 - left, -y * zoom * freeHeight * 0.5 - top];
   camera.setViewOffset(freeWidth, freeHeight, offsetX, offsetY, width, height);
 }
 
-/** Where the box is in the picture, from -1 to 1, and how much closer it could be: near corners make it lopsided. */
-function closeUp(camera: PerspectiveCamera, { min, max }: Box3): { x: number; y: number; zoom: number } {
+/** Centre of the box in the picture, from -1 to 1, and the zoom that fits it; perspective makes it asymmetric. */
+function tightFit(camera: PerspectiveCamera, { min, max }: Box3): { x: number; y: number; zoom: number } {
   camera.updateMatrixWorld();
   const seen = new Box3();
   const corner = new Vector3();
@@ -124,30 +126,31 @@ function closeUp(camera: PerspectiveCamera, { min, max }: Box3): { x: number; y:
     }
   }
   const size = seen.getSize(new Vector3());
-  const middle = seen.getCenter(new Vector3());
-  return { x: middle.x, y: middle.y, zoom: (2 * FILLED) / Math.max(size.x, size.y) };
+  const centre = seen.getCenter(new Vector3());
+  return { x: centre.x, y: centre.y, zoom: (2 * FILL_SHARE) / Math.max(size.x, size.y) };
 }
 
 function listenTo(
-  stage: Stage<Settings, BouncingBalls>,
+  context: ViewContext<Settings, BouncingBalls>,
   orbit: ReturnType<typeof createOrbitCamera>,
   canvas: HTMLCanvasElement,
 ) {
   return listenToBodyDragging(canvas, {
-    source: worldSource(stage.sim().world),
+    source: worldSource(context.sim().world),
     camera: orbit.camera,
     controls: orbit.controls,
-    onGrab: (id, point, pointer) => stage.holding().grab(pointer, id, point.x, point.y, point.z),
-    onDrag: (_, point, pointer) => stage.holding().move(pointer, point.x, point.y, point.z),
-    onRelease: (_, _point, velocity, pointer) => stage.holding().release(pointer, velocity.x, velocity.y, velocity.z),
+    onGrab: (id, point, pointer) => context.dragging().grab(pointer, id, point.x, point.y, point.z),
+    onDrag: (_, point, pointer) => context.dragging().move(pointer, point.x, point.y, point.z),
+    onRelease: (_, _point, velocity, pointer) =>
+      context.dragging().release(pointer, velocity.x, velocity.y, velocity.z),
   });
 }
 
-/** Everything drawn of one world. */
-function createPicture(stage: Stage<Settings, BouncingBalls>, scene: Scene) {
-  const sim = stage.sim();
+/** The drawing of one world. */
+function createPicture(context: ViewContext<Settings, BouncingBalls>, scene: Scene) {
+  const sim = context.sim();
   const source = worldSource(sim.world);
-  const isLit = sim.balls.length <= MOST_LIT;
+  const isLit = sim.balls.length <= MAX_LIT;
   const room = createRoom3D(sim, isLit);
   const mesh = createBodyMesh({
     source,
@@ -161,11 +164,11 @@ function createPicture(stage: Stage<Settings, BouncingBalls>, scene: Scene) {
     if (shown === (trails !== undefined)) return;
     if (trails !== undefined) scene.remove(trails.object);
     trails?.destroy();
-    const bodies = sim.balls.subarray(0, MOST_TRAILS);
+    const bodies = sim.balls.subarray(0, MAX_TRAILS);
     trails = shown ? createTrailLines({ source, bodies, length: 48, width: 2.5, opacity: 0.55 }) : undefined;
     if (trails !== undefined) scene.add(trails.object);
   };
-  showTrails(stage.values().trails);
+  showTrails(context.values().trails);
   return {
     showTrails,
     update(alpha: number) {

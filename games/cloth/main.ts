@@ -1,4 +1,4 @@
-/** A cloth to tear, drawn by pixi.js. */
+/** A cloth that tears, drawn by pixi.js. */
 import { startGame } from '@principia/shell';
 import { settings } from './settings.ts';
 import { applyValue, brokenThreads, createSim } from './sim.ts';
@@ -8,9 +8,9 @@ await startGame({
   settings,
   create: createSim,
   apply: applyValue,
-  tell: (sim) => ({ broken: brokenThreads(sim) }),
+  report: (sim) => ({ broken: brokenThreads(sim) }),
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view.ts')).openView(stage) },
+    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },
   },
-  help: [['Drag', 'pull the cloth, and tear it; every finger may hold a piece']],
+  help: [['Drag', 'pull and tear the cloth; every finger can grab it']],
 });

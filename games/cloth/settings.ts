@@ -1,4 +1,4 @@
-/** What the panel offers. */
+/** The settings in the panel. */
 import type { NumberSetting } from '@principia/shell';
 
 const number = { kind: 'number', integer: false, min: 0 } as const;
@@ -14,7 +14,7 @@ export const settings = {
     min: 0.5,
     max: 50,
     scale: 'log',
-    about: 'Pull at which a thread breaks',
+    about: 'Tension at which a thread breaks',
   },
 } as const satisfies Record<string, NumberSetting>;
 

@@ -1,4 +1,4 @@
-/** The simulation: a cloth of threads that break, hung by its upper edge in a wind. Needs no screen. */
+/** The simulation: a cloth of breakable threads that hangs by its upper edge in a wind. It needs no display. */
 import {
   breakSprings,
   brokenSprings,
@@ -14,7 +14,7 @@ import {
   xpbd,
 } from '@principia/physics';
 
-/** What the player may change about the cloth. */
+/** The settings of the cloth. */
 export interface ClothValues {
   readonly gravity: number;
   readonly wind: number;
@@ -29,10 +29,10 @@ export interface ClothRun {
 
 export const CLOTH = { columns: 64, rows: 40, spacing: 0.05, mass: 0.4 } as const;
 
-/** Of a knitted cloth, N/m and N s/m: a thread of 5 cm doubles its length under 3 N. */
-const GIVE = { structural: 60, damping: 0.01 } as const;
+/** Stiffness and damping of a knitted thread, N/m and N s/m: a thread of 5 cm doubles its length under 3 N. */
+const THREAD = { structural: 60, damping: 0.01 } as const;
 
-/** Drag of the air on a node, N s/m: a loose thread falls at 2.5 m/s. */
+/** Air drag on a node, N s/m: a loose thread falls at 2.5 m/s. */
 const NODE_DRAG = (CLOTH.mass / (CLOTH.columns * CLOTH.rows)) * 4;
 
 export function createSim({ values, seed }: { values: ClothValues; seed: number }): ClothRun {
@@ -41,13 +41,13 @@ export function createSim({ values, seed }: { values: ClothValues; seed: number 
     capacity: 5 * columns * rows,
     seed,
     integrator: xpbd({ substeps: 8, iterations: 1 }),
-    forces: [uniformGravity({ y: -values.gravity }), linearDrag(breeze(values.wind, seed)), springs()],
+    forces: [uniformGravity({ y: -values.gravity }), linearDrag(windGusts(values.wind, seed)), springs()],
   });
-  // Threads that broke are taken out when the step is over.
+  // Broken threads are removed at the end of the step.
   world.phases.finish.push(breakSprings);
   const cloth = createCloth(world, {
     ...CLOTH,
-    ...GIVE,
+    ...THREAD,
     corner: { x: (-spacing * (columns - 1)) / 2, y: (spacing * (rows - 1)) / 2 },
     breakForce: values.strength,
     components: { linearDrag: NODE_DRAG, collider: { radius: 0.3 * spacing } },
@@ -55,20 +55,20 @@ export function createSim({ values, seed }: { values: ClothValues; seed: number 
   return { world, dt: 1 / 60, cloth };
 }
 
-/** Gives the running world a changed value; false where only a new world can have it. */
+/** Applies a changed setting to the running world; false if the setting requires a new world. */
 export function applyValue({ world }: ClothRun, name: string, values: ClothValues): boolean {
   if (name === 'gravity') replaceForce(world, uniformGravity({ y: -values.gravity }));
-  else if (name === 'wind') replaceForce(world, linearDrag(breeze(values.wind, world.seed)));
+  else if (name === 'wind') replaceForce(world, linearDrag(windGusts(values.wind, world.seed)));
   else if (name === 'strength') world.components.Spring.breakForce.fill(values.strength, 1, world.lastId + 1);
   else return false;
   return true;
 }
 
-/** Threads that broke since the world was made. */
+/** Number of threads that broke since the world was created. */
 export function brokenThreads({ world }: ClothRun): number {
   return brokenSprings(world).total;
 }
 
-function breeze(speed: number, seed: number) {
+function windGusts(speed: number, seed: number) {
   return gusts({ mean: { x: speed }, spread: { x: 0.6 * speed, y: 0.3 * speed }, interval: 0.4, seed });
 }

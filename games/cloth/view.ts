@@ -1,17 +1,19 @@
-/** The picture: a line for every thread. The lines follow the bodies by themselves, and change only where threads break. */
+/**
+ * The view: a line for every thread. The lines follow the bodies; the list of lines changes only when threads break.
+ */
 import { rgba } from '@principia/physics';
 import type { BodySource } from '@principia/render-core';
 import { createLinkLayer } from '@principia/render-pixi';
-import type { Stage, View } from '@principia/shell';
+import type { View, ViewContext } from '@principia/shell';
 import { openPixiView, type Picture } from '@principia/shell/pixi';
 import { query } from 'bitecs';
 import type { Settings } from './settings.ts';
 import { brokenThreads, CLOTH, type ClothRun } from './sim.ts';
 
-export function openView(stage: Stage<Settings, ClothRun>): Promise<View> {
+export function openView(context: ViewContext<Settings, ClothRun>): Promise<View> {
   const reach = { x: 0.6 * CLOTH.columns * CLOTH.spacing, y: 0.75 * CLOTH.rows * CLOTH.spacing };
   const bounds = { minX: -reach.x, minY: -reach.y, maxX: reach.x, maxY: 0.7 * reach.y };
-  return openPixiView(stage, { bounds: () => bounds, paint, hand: 3 * CLOTH.spacing });
+  return openPixiView(context, { bounds: () => bounds, paint, grabRadius: 3 * CLOTH.spacing });
 }
 
 function paint(sim: ClothRun, source: BodySource): Picture {
@@ -31,7 +33,7 @@ function paint(sim: ClothRun, source: BodySource): Picture {
   };
 }
 
-/** The two bodies of every thread that is whole, and its colour. */
+/** The two bodies of every intact thread, and its colour. */
 function threadsOf({ world, cloth }: ClothRun) {
   const { Spring } = world.components;
   const threads = [...query(world, [Spring])];
@@ -41,7 +43,7 @@ function threadsOf({ world, cloth }: ClothRun) {
   };
 }
 
-/** From amber at the top (0) to rose at the hem (1). */
-function colorOf(down: number): number {
-  return rgba(1, 0.75 - 0.43 * down, 0.35 + 0.27 * down, 0.9);
+/** Colour from amber at the top (0) to rose at the bottom (1). */
+function colorOf(depth: number): number {
+  return rgba(1, 0.75 - 0.43 * depth, 0.35 + 0.27 * depth, 0.9);
 }

@@ -1,4 +1,4 @@
-/** The show that plays until somebody fires. */
+/** The show that plays until the player fires. */
 import type { Cue } from './sim.ts';
 
 const [PEONY, WILLOW, RING, CRACKLE, PALM, CHARGED, CHAIN, LANTERN] = [0, 1, 2, 3, 4, 5, 6, 7];
@@ -6,7 +6,7 @@ const [RED, ORANGE, YELLOW, GREEN, BLUE, VIOLET, SILVER, GOLD] = [0, 1, 2, 3, 4,
 
 /** Seconds, x, y, z, kind, colour, power. */
 const rows: readonly (readonly number[])[] = [
-  // The first ones go low: who opens the page sees light within two seconds.
+  // The first shells burst low, so that the page shows light within two seconds.
   [0, -13, 15, 3, RING, GOLD, 0.2],
   [0, 13, 15, -3, RING, SILVER, 0.2],
   [0, 0, 38, 0, PEONY, RED, 0.8],

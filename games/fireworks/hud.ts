@@ -1,64 +1,64 @@
-/** The desk on the screen: shells and colours to choose, and the timeline of a show. */
+/** The controls on the page: shells and colours to choose from, and the timeline of a show. */
 import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
-import type { Stage } from '@principia/shell';
-import type { Desk } from './desk.ts';
-import { DESK_STYLE } from './desk-style.ts';
+import type { ViewContext } from '@principia/shell';
+import type { PlayerControls } from './controls.ts';
+import { CONTROLS_STYLE } from './controls-style.ts';
 import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
-import { type FireworksGame, SURPRISE, SWARM } from './sim.ts';
+import { type FireworksGame, RANDOM, SWARM } from './sim.ts';
 import { createTimeline } from './timeline.ts';
 
 export interface Hud {
-  /** Once a frame. @param screen where a place of the sky is on the canvas */
+  /** Call it once a frame. @param screen maps a point of the sky to the canvas */
   update(seconds: number, screen: (x: number, y: number, z: number) => { x: number; y: number }): void;
   destroy(): void;
 }
 
 const sparks = new Intl.NumberFormat('en', { useGrouping: true });
 
-/** Seconds between two looks at what covers the stage. */
-const LOOK_INTERVAL = 0.25;
+/** Seconds between two updates of the layout and the hint. */
+const UPDATE_INTERVAL = 0.25;
 
-export function createHud(stage: Stage<Settings, FireworksGame>, desk: Desk): Hud {
+export function createHud(context: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Hud {
   const root = document.createElement('div');
   root.className = 'fw-desk';
-  root.innerHTML = `<style>${DESK_STYLE}</style><div class="fw-hint" role="status"></div>`;
+  root.innerHTML = `<style>${CONTROLS_STYLE}</style><div class="fw-hint" role="status"></div>`;
   const hint = root.querySelector('.fw-hint') as HTMLElement;
-  const timeline = createTimeline(stage, desk);
-  const tray = createTray(desk, () => stage.toggle('barrage'));
-  const sight = document.createElement('div');
-  sight.className = 'fw-sight';
+  const timeline = createTimeline(context, controls);
+  const tray = createTray(controls, () => context.toggle('barrage'));
+  const crosshair = document.createElement('div');
+  crosshair.className = 'fw-sight';
   root.append(timeline.element, tray.element);
-  stage.element.append(root, sight);
-  const unlock = () => desk.sound.unlock();
+  context.element.append(root, crosshair);
+  const unlock = () => controls.sound.unlock();
   const gestures = ['pointerdown', 'keydown', 'touchend'] as const;
   for (const gesture of gestures) globalThis.addEventListener(gesture, unlock, true);
-  const stopKeys = listenToDeskKeys(stage, desk);
-  desk.listen(stage.say);
+  const stopKeys = listenToControlKeys(context, controls);
+  controls.setMessageHandler(context.showMessage);
   let shown = '';
   let covered = Number.NaN;
-  let sinceLook = LOOK_INTERVAL;
+  let sinceUpdate = UPDATE_INTERVAL;
   return {
     update(seconds, screen) {
-      const sim = stage.sim();
-      desk.sound.set(stage.values().sound);
-      desk.sound.hear(sim.scene.news);
+      const sim = context.sim();
+      controls.sound.set(context.values().sound);
+      controls.sound.playNew(sim.scene.events);
       timeline.update();
-      sight.hidden = !sim.sight.isShown;
-      if (sim.sight.isShown) {
-        const { x, y } = screen(sim.sight.x, sim.sight.y, sim.sight.z);
-        sight.style.translate = `${x}px ${y}px`;
+      crosshair.hidden = !sim.crosshair.isShown;
+      if (sim.crosshair.isShown) {
+        const { x, y } = screen(sim.crosshair.x, sim.crosshair.y, sim.crosshair.z);
+        crosshair.style.translate = `${x}px ${y}px`;
       }
-      sinceLook += seconds;
-      if (sinceLook < LOOK_INTERVAL) return;
-      sinceLook = 0;
-      const { right } = stage.insets();
+      sinceUpdate += seconds;
+      if (sinceUpdate < UPDATE_INTERVAL) return;
+      sinceUpdate = 0;
+      const { right } = context.insets();
       if (right !== covered) root.style.right = `${right}px`;
       covered = right;
-      const { barrage } = stage.values();
-      tray.show(stage.safeColors, barrage);
-      const text = barrage ? `${sparks.format(sim.scene.alive)} sparks alight` : hintOf(sim, desk);
+      const { barrage } = context.values();
+      tray.show(context.safeColors, barrage);
+      const text = barrage ? `${sparks.format(sim.scene.alive)} sparks alight` : hintOf(sim, controls);
       if (text !== shown) hint.textContent = text;
       shown = text;
     },
@@ -66,22 +66,22 @@ export function createHud(stage: Stage<Settings, FireworksGame>, desk: Desk): Hu
       stopKeys();
       for (const gesture of gestures) globalThis.removeEventListener(gesture, unlock, true);
       root.remove();
-      sight.remove();
+      crosshair.remove();
     },
   };
 }
 
-function hintOf(sim: FireworksGame, desk: Desk): string {
-  if (desk.kind === SWARM) return swarmHint(sim);
-  if (desk.isEditing) return '';
-  if (sim.isDemo) return 'Click or tap the sky to send up a shell; hold for a larger one';
-  if (sim.isShowing) return desk.isDemo ? '' : 'A show: yours, or one that was shared with you';
-  return sim.fired > 0 && sim.fired < 4 ? 'T opens the timeline: compose a show and share it' : '';
+function hintOf(sim: FireworksGame, controls: PlayerControls): string {
+  if (controls.kind === SWARM) return swarmHint(sim);
+  if (controls.isEditing) return '';
+  if (sim.isDemo) return 'Click or tap the sky to launch a shell. Hold for a larger one';
+  if (sim.isShowing) return controls.isDemo ? '' : 'Playing a show';
+  return sim.fired > 0 && sim.fired < 4 ? 'Press T to compose a show and share it' : '';
 }
 
 function swarmHint({ held, swarmStars }: FireworksGame): string {
-  if (held.size > 0 && swarmStars > 0) return `${swarmStars} stars, each of which bursts into ${swarmStars}`;
-  return 'Hold for seconds and let go: two stars for each whole second, and each bursts into as many';
+  if (held.size > 0 && swarmStars > 0) return `${swarmStars} stars; each bursts into ${swarmStars} more`;
+  return 'Hold for a few seconds, then release: two stars per second, and each bursts into as many';
 }
 
 function button(label: string, content: string, action: () => void, className = ''): HTMLButtonElement {
@@ -95,24 +95,24 @@ function button(label: string, content: string, action: () => void, className = 
   return made;
 }
 
-function createTray(desk: Desk, toggleBarrage: () => void) {
+function createTray(controls: PlayerControls, toggleBarrage: () => void) {
   const element = document.createElement('div');
   element.className = 'fw-tray';
   element.setAttribute('role', 'group');
   element.setAttribute('aria-label', 'Shells and colours');
-  const edit = button('Compose a show (T)', 'Show', () => desk.edit());
-  const barrage = button('Barrage: a hundred thousand sparks at once (G)', icon(BARRAGE_ICON), toggleBarrage);
-  const kinds = [SURPRISE, ...SHELL_NAMES.keys()].map((kind) => {
-    const name = kind === SWARM ? 'swarm: hold for seconds' : SHELL_NAMES[kind];
-    const label = kind === SURPRISE ? 'any shell (K)' : `${name} (K)`;
-    const path = kind === SURPRISE ? SURPRISE_ICON : SHELL_ICONS[kind];
-    return { kind, made: button(label, icon(path), () => desk.choose(kind, desk.color)) };
+  const edit = button('Compose a show (T)', 'Show', () => controls.setEditing());
+  const barrage = button('Barrage: 100,000 sparks at once (G)', icon(BARRAGE_ICON), toggleBarrage);
+  const kinds = [RANDOM, ...SHELL_NAMES.keys()].map((kind) => {
+    const name = kind === SWARM ? 'swarm: hold for a few seconds' : SHELL_NAMES[kind];
+    const label = kind === RANDOM ? 'random shell (K)' : `${name} (K)`;
+    const path = kind === RANDOM ? SURPRISE_ICON : SHELL_ICONS[kind];
+    return { kind, made: button(label, icon(path), () => controls.choose(kind, controls.color)) };
   });
-  const colors = [SURPRISE, ...STAR_COLORS.keys()].map((color) => {
-    const className = color === SURPRISE ? 'fw-color fw-any' : 'fw-color';
-    return { color, made: button('', '<i></i>', () => desk.choose(desk.kind, color), className) };
+  const colors = [RANDOM, ...STAR_COLORS.keys()].map((color) => {
+    const className = color === RANDOM ? 'fw-color fw-any' : 'fw-color';
+    return { color, made: button('', '<i></i>', () => controls.choose(controls.kind, color), className) };
   });
-  // Where there is too little room for all, the colours go to a line of their own.
+  // Narrow windows put the colours on a second line.
   const group = (...parts: HTMLElement[]) => {
     const made = document.createElement('div');
     made.append(...parts);
@@ -126,20 +126,20 @@ function createTray(desk: Desk, toggleBarrage: () => void) {
   );
   let shown = -1;
   let isSafe = false;
-  let isStorm = false;
+  let hasBarrage = false;
   return {
     element,
     show(safe: boolean, isBarrage: boolean) {
-      if (desk.version === shown && safe === isSafe && isBarrage === isStorm) return;
-      shown = desk.version;
+      if (controls.version === shown && safe === isSafe && isBarrage === hasBarrage) return;
+      shown = controls.version;
       isSafe = safe;
-      isStorm = isBarrage;
-      edit.setAttribute('aria-pressed', String(desk.isEditing));
+      hasBarrage = isBarrage;
+      edit.setAttribute('aria-pressed', String(controls.isEditing));
       barrage.setAttribute('aria-pressed', String(isBarrage));
-      for (const { kind, made } of kinds) made.setAttribute('aria-pressed', String(kind === desk.kind));
+      for (const { kind, made } of kinds) made.setAttribute('aria-pressed', String(kind === controls.kind));
       for (const { color, made } of colors) {
-        const chosen = paletteOf(safe)[color] ?? { name: 'any colour', rgb: 0 };
-        made.setAttribute('aria-pressed', String(color === desk.color));
+        const chosen = paletteOf(safe)[color] ?? { name: 'random colour', rgb: 0 };
+        made.setAttribute('aria-pressed', String(color === controls.color));
         made.title = `${chosen.name} (C)`;
         made.setAttribute('aria-label', chosen.name);
         made.style.setProperty('--c', css(chosen));
@@ -148,15 +148,15 @@ function createTray(desk: Desk, toggleBarrage: () => void) {
   };
 }
 
-/** Keys of the desk, wherever the focus is but in a field. Returns how to stop. */
-function listenToDeskKeys(stage: Stage<Settings, FireworksGame>, desk: Desk): () => void {
+/** Listens to the game's keys, except in input fields. Returns a function that stops listening. */
+function listenToControlKeys(context: ViewContext<Settings, FireworksGame>, controls: PlayerControls): () => void {
   const keys: Record<string, () => void> = {
-    k: () => desk.next('kind'),
-    c: () => desk.next('color'),
-    t: () => desk.edit(),
-    l: () => desk.play(stage.sim()),
-    backspace: () => desk.isEditing && desk.editor.undo(),
-    delete: () => desk.isEditing && desk.editor.remove(desk.editor.chosen),
+    k: () => controls.next('kind'),
+    c: () => controls.next('color'),
+    t: () => controls.setEditing(),
+    l: () => controls.play(context.sim()),
+    backspace: () => controls.isEditing && controls.editor.undo(),
+    delete: () => controls.isEditing && controls.editor.remove(controls.editor.chosen),
   };
   const press = (event: KeyboardEvent) => {
     const target = event.target as Element | null;

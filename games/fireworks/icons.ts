@@ -1,4 +1,4 @@
-/** Small pictures of the shells, drawn as outlines. */
+/** Icons of the shells, drawn as outlines. */
 
 const turn = (angle: number, r: number): [number, number] => [12 + r * Math.cos(angle), 12 + r * Math.sin(angle)];
 const at = ([x, y]: [number, number]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
@@ -8,7 +8,7 @@ const dot = ([x, y]: [number, number], r: number) =>
   `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
 const ray = (angle: number, from: number, to: number) => `M${at(turn(angle, from))}L${at(turn(angle, to))}`;
 
-/** Path data by the number of the kind; lines to be stroked. */
+/** SVG path data by the index of the kind, to be stroked. */
 export const SHELL_ICONS: readonly string[] = [
   around(12, (angle) => ray(angle, 4, 9.5)),
   [-7, -4.5, -1.5, 1.5, 4.5, 7].map((x) => `M12 6Q${12 + x} ${4 + Math.abs(x) / 3} ${12 + x} 20`).join(''),
@@ -30,10 +30,10 @@ export const SHELL_ICONS: readonly string[] = [
   dot([12, 12], 2) + around(5, (angle) => dot(turn(angle, 5), 0.9) + dot(turn(angle + 0.6, 9), 0.6)),
 ];
 
-/** A kind that is drawn anew for each shell. */
+/** Icon of a random kind. */
 export const SURPRISE_ICON = 'M8.5 9a3.5 3.5 0 1 1 5.2 3c-1.2.7-1.7 1.3-1.7 2.6M12 18.4v.4';
 
-/** More sparks than one can count. */
+/** Icon of the barrage. */
 export const BARRAGE_ICON =
   around(5, (angle) => dot(turn(angle, 3.5), 0.7)) +
   around(9, (angle) => dot(turn(angle + 0.3, 6.8), 0.7)) +

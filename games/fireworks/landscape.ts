@@ -1,7 +1,7 @@
-/** The night behind the fireworks, painted once: sky and stars, hills, a town with lit windows, a lake. */
+/** The static landscape behind the fireworks: sky and stars, hills, a town with lit windows, a lake. */
 
-/** Numbers that look random and are the same every night. */
-function chance(seed: number): () => number {
+/** A pseudo-random sequence, so that the landscape is the same every time. */
+function randomSequence(seed: number): () => number {
   let state = seed >>> 0;
   return () => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
@@ -9,12 +9,12 @@ function chance(seed: number): () => number {
   };
 }
 
-/** Size of what is painted, pixels, and how far from its top the water begins. */
-export interface Canvas2DPlan {
+/** Size of the painting, pixels, and distance of the waterline from its top. */
+export interface LandscapeLayout {
   readonly width: number;
   readonly height: number;
   readonly horizon: number;
-  /** Pixels a metre takes. */
+  /** Pixels per metre. */
   readonly scale: number;
 }
 
@@ -22,14 +22,14 @@ function canvasOf(width: number, height: number): [HTMLCanvasElement, CanvasRend
   const canvas = document.createElement('canvas');
   canvas.width = Math.max(1, Math.round(width));
   canvas.height = Math.max(1, Math.round(height));
-  // Painted by the processor: the graphics card would have to learn to paint gradients first, while the player waits.
+  // A canvas in main memory: on the GPU, the gradients would have to compile shaders first, which delays the start.
   const context = canvas.getContext('2d', { willReadFrequently: true });
   if (context === null) throw new Error('This browser offers no 2D canvas.');
   return [canvas, context];
 }
 
-/** What is behind the fireworks: the sky above the horizon, the water below. */
-export function paintSky({ width, height, horizon, scale }: Canvas2DPlan): HTMLCanvasElement {
+/** Paints the background: the sky above the horizon, the water below. */
+export function paintSky({ width, height, horizon, scale }: LandscapeLayout): HTMLCanvasElement {
   const [canvas, context] = canvasOf(width, height);
   const sky = context.createLinearGradient(0, 0, 0, horizon);
   for (const [at, color] of [
@@ -50,8 +50,8 @@ export function paintSky({ width, height, horizon, scale }: Canvas2DPlan): HTMLC
   water.addColorStop(1, '#04060f');
   context.fillStyle = water;
   context.fillRect(0, horizon, width, height - horizon);
-  // The towns' lights on the water.
-  const random = chance(11);
+  // Reflections of the town's lights on the water.
+  const random = randomSequence(11);
   for (let i = 0; i < width / 26; i++) {
     const [x, length] = [random() * width, (0.15 + 0.5 * random()) * (height - horizon)];
     const streak = context.createLinearGradient(0, horizon, 0, horizon + length);
@@ -64,7 +64,7 @@ export function paintSky({ width, height, horizon, scale }: Canvas2DPlan): HTMLC
 }
 
 function paintStars(context: CanvasRenderingContext2D, width: number, horizon: number): void {
-  const random = chance(7);
+  const random = randomSequence(7);
   for (let i = 0; i < (width * horizon) / 1900; i++) {
     const [x, y] = [random() * width, random() * horizon];
     const size = 0.35 + 0.9 * random() ** 6;
@@ -76,15 +76,15 @@ function paintStars(context: CanvasRenderingContext2D, width: number, horizon: n
   }
 }
 
-/** What stands before the fireworks: two rows of hills and the town between them. Transparent elsewhere. */
-export function paintShore({ width, horizon, scale }: Canvas2DPlan): HTMLCanvasElement {
+/** Paints the foreground on transparency: two rows of hills and the town between them. */
+export function paintShore({ width, horizon, scale }: LandscapeLayout): HTMLCanvasElement {
   const [canvas, context] = canvasOf(width, horizon + 1);
-  const random = chance(23);
+  const random = randomSequence(23);
   paintHills(context, width, horizon, 9 * scale, 0.0105 / scale, 2, '#0c1030');
   const wide = 3.4 * scale;
   for (let x = -random() * wide; x < width; ) {
     const w = (0.35 + 0.75 * random()) * wide;
-    // Tall in two clusters, low elsewhere.
+    // Buildings are tall in two clusters, low elsewhere.
     const place = x / width;
     const cluster = Math.exp(-(((place - 0.2) / 0.09) ** 2)) + Math.exp(-(((place - 0.82) / 0.07) ** 2));
     const h = (1.1 + 2 * random() + 6.5 * cluster * (0.35 + 0.65 * random())) * scale;

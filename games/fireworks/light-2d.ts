@@ -1,4 +1,6 @@
-/** The afterglow in pixi: what shines is drawn into a picture that fades, which is blurred, mirrored and shown. */
+/**
+ * The afterglow in pixi: glowing bodies are drawn into a texture that fades, which is then blurred, mirrored and shown.
+ */
 import {
   type Container,
   Geometry,
@@ -30,7 +32,7 @@ out vec4 finalColor;
 void paint(vec4 color) { finalColor = color; }
 `;
 
-/** Bloom is worked out on pictures of a quarter and a sixteenth of the width. */
+/** Bloom is computed at a quarter and a twelfth of the width. */
 const NEAR = 4;
 const FAR = 12;
 
@@ -38,11 +40,14 @@ export interface Light2D {
   /** Shows all light; add it over the sky. */
   readonly container: Container;
   resize(width: number, height: number, resolution: number): void;
-  /** Lets the light fade by `fade` and adds what shines now. */
+  /** Fades the light by the factor `fade` and adds the light of `shining`. */
   add(shining: Container, fade: number): void;
-  /** Brings the shown picture up to date. @param horizon height of the water's edge, 0 to 1 @param time of its waves, s */
+  /**
+   * Sets the parameters of the displayed light. @param horizon height of the waterline, 0 to 1 @param time of its
+   * waves, s
+   */
   show(horizon: number, time: number): void;
-  /** Forgets all light. */
+  /** Removes all light. */
   clear(): void;
   destroy(): void;
 }
@@ -51,88 +56,40 @@ type Uniforms = Record<string, { value: number | Float32Array; type: 'f32' | 've
 
 export function createLight2D(renderer: WebGLRenderer): Light2D {
   const hasFloats = renderer.gl.getExtension('EXT_color_buffer_float') !== null;
-  const format = hasFloats ? 'rgba16float' : 'rgba8unorm';
-  const target = () =>
-    RenderTexture.create({
-      width: 8,
-      height: 8,
-      dynamic: true,
-      format,
-      scaleMode: 'linear',
-      autoGarbageCollect: false,
-    });
-  const [one, other, half, near, narrow, far] = Array.from({ length: 6 }, target);
-  const least = hasFloats ? 0.0004 : 1 / 255;
-  const fades = [one, other].map((last) => pass(FADE, { uLast: last }, { uFade: f32(1), uLeast: f32(least) }));
-  const shows = [other, one].map((light) =>
-    pass(SHOW, { uLight: light, uNear: near, uFar: far }, { uHorizon: f32(0), uTime: f32(0) }),
-  );
-  const blurs = [one, other].map((light) => [
-    { made: pass(BLUR, { uLight: light }, stride()), to: half, across: true, by: NEAR },
-    { made: pass(BLUR, { uLight: half }, stride()), to: near, across: false, by: NEAR },
-    { made: pass(BLUR, { uLight: near }, stride()), to: narrow, across: true, by: FAR },
-    { made: pass(BLUR, { uLight: narrow }, stride()), to: far, across: false, by: FAR },
-    // Once more: a single bell is cut off where it is still bright enough to show a square.
-    { made: pass(BLUR, { uLight: far }, stride()), to: narrow, across: true, by: FAR },
-    { made: pass(BLUR, { uLight: narrow }, stride()), to: far, across: false, by: FAR },
-  ]);
-  const nothing = new Group();
+  const textures = createTextures(hasFloats);
+  const { lights } = textures;
+  const { fades, shows, blurs } = createPasses(textures, hasFloats ? 0.0004 : 1 / 255);
+  const empty = new Group();
   const container = new Group();
   for (const { mesh } of shows) container.addChild(mesh);
-  const passes = [...fades, ...shows, ...blurs.flatMap((chain) => chain.map(({ made }) => made))];
+  const draw = createDraw(renderer);
   let now = 0;
-  const order: { container: Container; target: RenderTexture; clear: boolean; transform?: Matrix | undefined } = {
-    container,
-    target: one,
-    clear: true,
-  };
-  const draw = (what: Container, onto: RenderTexture, clear: boolean) => {
-    order.container = what;
-    order.target = onto;
-    order.clear = clear;
-    // Pixi writes the container's own transform there, and would use it for the next one.
-    order.transform = undefined;
-    renderer.render(order as RenderOptions);
-  };
   const clear = () => {
-    // No program is needed to draw nothing.
-    for (const light of [one, other]) draw(nothing, light, true);
+    // Clearing by drawing an empty container needs no shader program.
+    for (const light of lights) draw(empty, light, true);
     container.visible = false;
   };
   return {
     container,
     resize(width, height, resolution) {
-      for (const light of [one, other]) light.resize(width, height, resolution);
-      for (const [by, pair] of [
-        [NEAR, [half, near]],
-        [FAR, [narrow, far]],
-      ] as const) {
-        for (const small of pair)
-          small.resize(Math.max(1, Math.ceil(width / by)), Math.max(1, Math.ceil(height / by)), 1);
-      }
-      for (const chain of blurs) {
-        for (const { made, across, by } of chain) {
-          const texel = 0.5 * by;
-          made.group.uniforms.uStride = new Float32Array(across ? [texel / width, 0] : [0, texel / height]);
-        }
-      }
+      resizeTextures(textures, width, height, resolution);
+      setStrides(blurs, width, height);
       clear();
     },
     add(shining, fade) {
       container.visible = true;
       const { mesh, group } = fades[now];
       now = 1 - now;
-      const onto = now === 1 ? other : one;
       group.uniforms.uFade = fade;
-      draw(mesh, onto, true);
-      draw(shining, onto, false);
+      draw(mesh, lights[now], true);
+      draw(shining, lights[now], false);
       const chain = blurs[now];
-      for (let i = 0; i < chain.length; i++) draw(chain[i].made.mesh, chain[i].to, true);
+      for (let i = 0; i < chain.length; i++) draw(chain[i].pass.mesh, chain[i].target, true);
     },
     show(horizon, time) {
       for (let i = 0; i < shows.length; i++) {
         const { mesh, group } = shows[i];
-        // The picture drawn last.
+        // The texture drawn last.
         mesh.visible = i === 1 - now;
         group.uniforms.uHorizon = horizon;
         group.uniforms.uTime = time;
@@ -141,14 +98,97 @@ export function createLight2D(renderer: WebGLRenderer): Light2D {
     clear,
     destroy() {
       container.destroy();
-      nothing.destroy();
-      for (const { mesh, geometry, shader } of passes) {
+      empty.destroy();
+      for (const { mesh, geometry, shader } of [...fades, ...shows, ...blurs.flat().map(({ pass }) => pass)]) {
         mesh.destroy();
         geometry.destroy(true);
         shader.destroy();
       }
-      for (const texture of [one, other, half, near, narrow, far]) texture.destroy(true);
+      for (const texture of [...lights, ...textures.near, ...textures.far]) texture.destroy(true);
     },
+  };
+}
+
+/** The two light textures that alternate, and for each blur the results of its horizontal and vertical pass. */
+interface Textures {
+  readonly lights: readonly [RenderTexture, RenderTexture];
+  readonly near: readonly [RenderTexture, RenderTexture];
+  readonly far: readonly [RenderTexture, RenderTexture];
+}
+
+function createTextures(hasFloats: boolean): Textures {
+  const format = hasFloats ? 'rgba16float' : 'rgba8unorm';
+  const make = () =>
+    RenderTexture.create({
+      width: 8,
+      height: 8,
+      dynamic: true,
+      format,
+      scaleMode: 'linear',
+      autoGarbageCollect: false,
+    });
+  const pair = () => [make(), make()] as const;
+  return { lights: pair(), near: pair(), far: pair() };
+}
+
+function resizeTextures({ lights, near, far }: Textures, width: number, height: number, resolution: number): void {
+  for (const light of lights) light.resize(width, height, resolution);
+  const shrink = (texture: RenderTexture, factor: number) =>
+    texture.resize(Math.max(1, Math.ceil(width / factor)), Math.max(1, Math.ceil(height / factor)), 1);
+  for (const texture of near) shrink(texture, NEAR);
+  for (const texture of far) shrink(texture, FAR);
+}
+
+interface BlurStep {
+  readonly pass: Pass;
+  readonly target: RenderTexture;
+  readonly isHorizontal: boolean;
+  /** Factor by which the target is smaller than the window. */
+  readonly factor: number;
+}
+
+/** `fades[i]` and `blurs[i]` read `lights[i]`; `shows[i]` reads the other one. */
+function createPasses({ lights, near, far }: Textures, threshold: number) {
+  const [first, second] = lights;
+  const fades = lights.map((last) => createPass(FADE, { uLast: last }, { uFade: f32(1), uThreshold: f32(threshold) }));
+  const shows = [second, first].map((light) =>
+    createPass(SHOW, { uLight: light, uNear: near[1], uFar: far[1] }, { uHorizon: f32(0), uTime: f32(0) }),
+  );
+  const blur = (source: RenderTexture, target: RenderTexture, isHorizontal: boolean, factor: number): BlurStep => {
+    return { pass: createPass(BLUR, { uLight: source }, stride()), target, isHorizontal, factor };
+  };
+  const blurs = lights.map((light) => [
+    blur(light, near[0], true, NEAR),
+    blur(near[0], near[1], false, NEAR),
+    blur(near[1], far[0], true, FAR),
+    blur(far[0], far[1], false, FAR),
+    // A second pass: a single Gaussian is cut off where it is bright enough to show a square.
+    blur(far[1], far[0], true, FAR),
+    blur(far[0], far[1], false, FAR),
+  ]);
+  return { fades, shows, blurs };
+}
+
+function setStrides(blurs: readonly (readonly BlurStep[])[], width: number, height: number): void {
+  for (const { pass, isHorizontal, factor } of blurs.flat()) {
+    const texel = 0.5 * factor;
+    pass.group.uniforms.uStride = new Float32Array(isHorizontal ? [texel / width, 0] : [0, texel / height]);
+  }
+}
+
+type Draw = (content: Container, target: RenderTexture, clear: boolean) => void;
+
+/** Returns a function that renders a container to a texture without allocating. */
+function createDraw(renderer: WebGLRenderer): Draw {
+  const options: { container?: Container; target?: RenderTexture; clear?: boolean; transform?: Matrix | undefined } =
+    {};
+  return (content, target, clear) => {
+    options.container = content;
+    options.target = target;
+    options.clear = clear;
+    // Pixi stores the container's transform here and would apply it to the next one.
+    options.transform = undefined;
+    renderer.render(options as RenderOptions);
   };
 }
 
@@ -161,7 +201,7 @@ function stride(): Uniforms {
 }
 
 /** A rectangle over the whole target that runs `fragment`. */
-function pass(fragment: string, textures: Record<string, RenderTexture>, uniforms: Uniforms) {
+function createPass(fragment: string, textures: Record<string, RenderTexture>, uniforms: Uniforms) {
   const group = new UniformGroup(uniforms);
   const sources = Object.fromEntries(Object.entries(textures).map(([name, { source }]) => [name, source]));
   const shader = new Shader({
@@ -175,3 +215,5 @@ function pass(fragment: string, textures: Record<string, RenderTexture>, uniform
   const mesh = new Mesh({ geometry, shader });
   return { mesh, group, geometry, shader };
 }
+
+type Pass = ReturnType<typeof createPass>;

@@ -1,17 +1,17 @@
 import type { FireworksGame } from './sim.ts';
 
-/** Length of a frame in which a spark leaves all its light, s. */
-const FRAME = 1 / 60;
-/** Light of a spark in such a frame: what is drawn adds up while it fades. */
+/** Reference length of a frame, s. */
+const REFERENCE_FRAME = 1 / 60;
+/** Light of a spark in such a frame; light accumulates while it fades. */
 const EXPOSURE = 0.5;
-/** Sparks from which on the eye narrows: a sky full of light is not seen as white. */
-const DAZZLING = 5000;
+/** Number of sparks at which exposure is halved, so that a sky full of light does not saturate to white. */
+const GLARE_COUNT = 5000;
 
-/** How light fades and is added: by the world's time, so that a pause keeps it and slow motion slows it. */
+/** Computes how light fades and accumulates in simulated time, so that a pause keeps it and slow motion slows it. */
 export class LightClock {
-  /** The share of the former light that is left. */
+  /** Fraction of the previous light that remains. */
   fade = 0;
-  /** Factor of the light that is added, so that sparks are as bright whatever the length of a frame. */
+  /** Factor of new light, chosen so that the brightness of sparks does not depend on the frame rate. */
   gain = EXPOSURE;
   #last = Number.NaN;
 
@@ -20,18 +20,18 @@ export class LightClock {
   }
 
   /**
-   * @param glow time in which light falls to 1/e, s
-   * @returns whether time went by; if not, no light is to be added
+   * @param glow decay time of light to 1/e, s
+   * @returns whether time has passed; if not, no light is to be added
    */
   advance({ scene, world, dt }: FireworksGame, alpha: number, glow: number): boolean {
     const now = world.time + (alpha - 1) * dt;
     const passed = now - this.#last;
     if (passed === 0) return false;
     this.#last = now;
-    const dazzled = 1 / (1 + scene.alive / DAZZLING);
+    const dazzled = 1 / (1 + scene.alive / GLARE_COUNT);
     const hasTrail = passed > 0 && glow > 0;
     this.fade = hasTrail ? Math.exp(-passed / glow) : 0;
-    this.gain = EXPOSURE * dazzled * (hasTrail ? (1 - this.fade) / (1 - Math.exp(-FRAME / glow)) : 2);
+    this.gain = EXPOSURE * dazzled * (hasTrail ? (1 - this.fade) / (1 - Math.exp(-REFERENCE_FRAME / glow)) : 2);
     return true;
   }
 }

@@ -1,19 +1,19 @@
 /**
- * Light that lingers, spreads and is mirrored: fragment code for both renderers. `vPlace` runs from (0, 0) to (1, 1) over
- * the target, from the lower left; `UP` is where a target keeps what is seen there, as pixi keeps pictures upside down.
+ * Light that fades, spreads and is mirrored: fragment shaders for both renderers. `vPlace` runs from (0, 0) to (1, 1)
+ * over the target from the lower left; `UP` converts it to texture coordinates, as pixi stores textures upside down.
  */
 
-/** The picture before, fading: light is lost in the same share every second, as in an eye's retina. */
+/** Exponential decay of the previous frame, as on a retina. */
 export const FADE = /* glsl */ `
 uniform sampler2D uLast;
 uniform float uFade;
-uniform float uLeast;
+uniform float uThreshold;
 void main() {
-  // Targets of 8 bits would keep a dark rest for ever.
-  paint(vec4(max(texture(uLast, vPlace).rgb * uFade - uLeast, 0.0), 1.0));
+  // Without the subtraction, targets of 8 bits would keep a dark residue.
+  paint(vec4(max(texture(uLast, vPlace).rgb * uFade - uThreshold, 0.0), 1.0));
 }`;
 
-/** Gauss's bell along one direction, nine samples. */
+/** A Gaussian blur along one direction, nine samples. */
 export const BLUR = /* glsl */ `
 uniform sampler2D uLight;
 uniform vec2 uStride;
@@ -29,8 +29,8 @@ void main() {
 }`;
 
 /**
- * All light as a display can show it, to be added to what is behind. \`uHorizon\` is the height of the water's far edge
- * from the bottom, 0 to 1; below it lies the mirror image, which ripples break up.
+ * Tone-maps the light for the display, to be added to the background. \`uHorizon\` is the height of the waterline from
+ * the bottom, 0 to 1; below it lies the rippled mirror image.
  */
 export const SHOW = /* glsl */ `
 uniform sampler2D uLight;
@@ -39,11 +39,11 @@ uniform sampler2D uFar;
 uniform float uHorizon;
 uniform float uTime;
 
-/** What is too bright for the display keeps its hue, and only then turns white, as on film. */
+/** Overexposed light keeps its hue at first and turns white only when much brighter, as on film. */
 vec3 exposed(vec3 light) {
-  float most = max(max(light.r, light.g), max(light.b, 1e-5));
-  vec3 hue = light / most;
-  return mix(hue, vec3(1.0), 0.85 * smoothstep(1.2, 9.0, most)) * (1.0 - exp(-1.5 * most));
+  float brightest = max(max(light.r, light.g), max(light.b, 1e-5));
+  vec3 hue = light / brightest;
+  return mix(hue, vec3(1.0), 0.85 * smoothstep(1.2, 9.0, brightest)) * (1.0 - exp(-1.5 * brightest));
 }
 
 void main() {

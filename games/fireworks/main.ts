@@ -1,41 +1,49 @@
 /** Fireworks: one scene, drawn in 2D by pixi.js and in 3D by three.js. */
 import { FOUR_WAYS, startGame } from '@principia/shell';
-import { Desk, KEYS } from './desk.ts';
-import { dress, tell } from './report.ts';
+import { KEYBOARD_POINTER, PlayerControls } from './controls.ts';
+import { applyColors, reportState } from './report.ts';
 import { settings } from './settings.ts';
-import { applyValue, createGame, type Way } from './sim.ts';
+import { applyValue, createGame, type Direction } from './sim.ts';
 
-const desk = new Desk(location.hash);
+const controls = new PlayerControls(location.hash);
 
 await startGame({
   title: 'Fireworks',
   settings,
-  create: (options) => createGame({ ...options, opening: desk.opening, isDemo: desk.isDemo }),
+  create: (options) => createGame({ ...options, opening: controls.opening, isDemo: controls.isDemo }),
   apply: applyValue,
-  dress: (sim, { safeColors }) => dress(sim, safeColors),
-  tell: (sim) => tell(sim, desk),
+  applyColors: (sim, { safeColors }) => applyColors(sim, safeColors),
+  report: (sim) => reportState(sim, controls),
   controls: {
     buttons: { ...FOUR_WAYS, action: { label: '✦', keys: ['enter'], pad: [0] } },
     press: (sim, name) =>
-      name === 'action' ? desk.hold(sim, KEYS) : sim.press({ do: 'steer', way: name as Way, on: true }),
+      name === 'action'
+        ? controls.startHold(sim, KEYBOARD_POINTER)
+        : sim.press({ do: 'steer', way: name as Direction, on: true }),
     release: (sim, name) =>
-      name === 'action' ? desk.fire(sim, KEYS, sim.sight) : sim.press({ do: 'steer', way: name as Way, on: false }),
+      name === 'action'
+        ? controls.fire(sim, KEYBOARD_POINTER, sim.crosshair)
+        : sim.press({ do: 'steer', way: name as Direction, on: false }),
   },
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (stage) => (await import('./view-2d.ts')).openView2D(stage, desk) },
+    pixi: {
+      label: '2D',
+      dimensions: 2,
+      open: async (context) => (await import('./view-2d.ts')).openView2D(context, controls),
+    },
     three: {
       label: '3D',
       dimensions: 3,
-      open: async (stage) => (await import('./view-3d.ts')).openView3D(stage, desk),
+      open: async (context) => (await import('./view-3d.ts')).openView3D(context, controls),
     },
   },
   help: [
-    ['Press, touch', 'sends a shell up to there; hold longer for a larger one; every finger may hold one'],
-    ['Arrow keys, Enter', 'aim, and fire; the stick and the first button of a gamepad do the same'],
+    ['Click, tap', 'launch a shell to this point. Hold for a larger one; every finger launches its own'],
+    ['Arrow keys, Enter', 'aim and fire; so do the stick and the first button of a gamepad'],
     ['K, C', 'next kind of shell, next colour'],
-    ['A swarm', 'is lit where you let go: two stars for every whole second that you hold, each bursts into as many'],
-    ['T', 'the timeline: every click adds a shell to your show; drag marks, Backspace takes back, Delete takes out'],
-    ['L', 'play your show, or end it'],
-    ['Drag, in 3D', 'turn the view; wheel and pinch come closer'],
+    ['Swarm', 'ignites where you release: two stars per second of holding, and each bursts into as many'],
+    ['T', 'timeline: clicks add shells to your show. Drag marks to move them; Backspace undoes, Delete removes'],
+    ['L', 'play or stop your show'],
+    ['Drag, in 3D', 'rotate the view; wheel or pinch to zoom'],
   ],
 });

@@ -1,22 +1,22 @@
-import type { Desk } from './desk.ts';
+import type { PlayerControls } from './controls.ts';
 import { paletteOf } from './palette.ts';
 import type { FireworksGame } from './sim.ts';
 
-/** What tests see. */
-export function tell(sim: FireworksGame, desk: Desk) {
-  const { scene, log, fired, refused, isShowing, isDemo, sight, held } = sim;
-  const { editor, sound, isEditing, kind, color } = desk;
+/** The state that tests read. */
+export function reportState(sim: FireworksGame, controls: PlayerControls) {
+  const { scene, log, fired, refused, isShowing, isDemo, crosshair, held } = sim;
+  const { editor, sound, isEditing, kind, color } = controls;
   return {
     hash: sim.hash(),
     log: [...log.entries],
     alive: scene.alive,
     flying: scene.flying,
-    news: scene.news.count,
+    news: scene.events.count,
     fired,
     refused,
     isShowing,
     isDemo,
-    sight: { ...sight },
+    crosshair: { ...crosshair },
     held: [...held.keys()],
     isEditing,
     kind,
@@ -24,13 +24,13 @@ export function tell(sim: FireworksGame, desk: Desk) {
     cues: editor.cues,
     cursor: editor.cursor,
     chosen: editor.chosen,
-    sound: { state: sound.state, heard: sound.heard, lastDelay: sound.lastDelay },
+    sound: { state: sound.state, heard: sound.soundCount, lastDelay: sound.lastDelay },
   };
 }
 
-/** Gives the shells their colours; a world that has them already is left alone. */
-export function dress(sim: FireworksGame, isSafe: boolean): void {
-  if (isSafe === sim.isSafe) return;
-  sim.isSafe = isSafe;
+/** Sets the palette of the shells, unless the world uses it already. */
+export function applyColors(sim: FireworksGame, isSafe: boolean): void {
+  if (isSafe === sim.usesSafeColors) return;
+  sim.usesSafeColors = isSafe;
   sim.press({ do: 'colors', colors: paletteOf(isSafe).map(({ rgb }) => rgb) });
 }

@@ -1,18 +1,18 @@
-/** A show in the making: shells on a timeline. Knows nothing of pages. */
-import { LAST_TICK, MOST_CUES, tidy } from './show.ts';
+/** The editor of a show: shells on a timeline. It does not depend on the page. */
+import { LAST_TICK, MAX_CUES, quantize } from './show.ts';
 import type { Cue } from './sim.ts';
 
-/** Steps from one click to the next place on the timeline. */
+/** Steps by which the cursor advances after a click. */
 export const BEAT = 36;
 
 export class ShowEditor {
-  /** In the order of their times. */
+  /** Sorted by time. */
   cues: readonly Cue[];
-  /** Where the next shell goes, steps. */
+  /** Time of the next shell, steps. */
   cursor: number;
-  /** Place of the chosen shell in `cues`; -1 for none. */
+  /** Index of the selected shell in `cues`; -1 for none. */
   chosen = -1;
-  /** Grows with every change. */
+  /** Incremented by every change. */
   version = 0;
   readonly #past: (readonly Cue[])[] = [];
 
@@ -21,10 +21,10 @@ export class ShowEditor {
     this.cursor = cues.length === 0 ? 0 : Math.min(LAST_TICK, cues[cues.length - 1].tick + BEAT);
   }
 
-  /** A shell at the cursor, which goes on by a beat. @returns false when the show is full */
+  /** Adds a shell at the cursor, which advances by a beat. @returns false when the show is full */
   add(shell: Omit<Cue, 'tick'>): boolean {
-    if (this.cues.length >= MOST_CUES) return false;
-    this.#insert(tidy({ ...shell, tick: this.cursor }), this.cues);
+    if (this.cues.length >= MAX_CUES) return false;
+    this.#insert(quantize({ ...shell, tick: this.cursor }), this.cues);
     this.cursor = Math.min(LAST_TICK, this.cursor + BEAT);
     return true;
   }
@@ -35,11 +35,11 @@ export class ShowEditor {
     this.chosen = -1;
   }
 
-  /** Another time for a shell; it stays the chosen one. */
+  /** Changes the time of a shell, which stays selected. */
   move(index: number, tick: number): void {
     const cue = this.cues[index];
     if (cue === undefined) return;
-    const moved = tidy({ ...cue, tick: Math.min(LAST_TICK, Math.max(0, tick)) });
+    const moved = quantize({ ...cue, tick: Math.min(LAST_TICK, Math.max(0, tick)) });
     if (moved.tick === cue.tick) return;
     this.#insert(
       moved,
@@ -53,7 +53,7 @@ export class ShowEditor {
     this.chosen = -1;
   }
 
-  /** Takes back the last change. */
+  /** Undoes the last change. */
   undo(): void {
     const before = this.#past.pop();
     if (before === undefined) return;

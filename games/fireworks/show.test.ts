@@ -2,7 +2,7 @@ import { FIREWORKS_SKY, SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
 import * as fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { DEMO_SHOW } from './demo-show.ts';
-import { LAST_TICK, MOST_CUES, readShow, tidy, writeShow } from './show.ts';
+import { LAST_TICK, MAX_CUES, quantize, readShow, writeShow } from './show.ts';
 import { BEAT, ShowEditor } from './show-editor.ts';
 import type { Cue } from './sim.ts';
 
@@ -17,7 +17,7 @@ const cue = fc.record({
   color: fc.integer({ min: 0, max: 7 }),
   power: fc.double({ min: 0, max: 1, noNaN: true }),
 });
-const show = fc.array(cue, { maxLength: MOST_CUES }).map((cues) => cues.map(tidy).sort((a, b) => a.tick - b.tick));
+const show = fc.array(cue, { maxLength: MAX_CUES }).map((cues) => cues.map(quantize).sort((a, b) => a.tick - b.tick));
 
 const problem = (text: string) => {
   try {
@@ -29,41 +29,41 @@ const problem = (text: string) => {
 };
 
 describe('a show as text', () => {
-  it('comes back as it was, in few characters that addresses take as they are', () => {
+  it('survives encoding, in few characters that need no escaping in a URL', () => {
     fc.assert(
       fc.property(show, (cues) => {
         const text = writeShow(cues);
         expect(readShow(text)).toEqual(cues);
         expect(text).toMatch(/^2\.[\w-]+$/);
-        // 4/3 characters a byte, five bytes a shell, and a check byte.
+        // 4/3 characters per byte, five bytes per shell, and a check byte.
         expect(text.length).toBe(2 + Math.ceil((4 * (1 + 5 * cues.length)) / 3));
       }),
     );
   });
 
-  it('puts a shell no farther away than half a step of each of its numbers', () => {
+  it('rounds each number of a shell by at most half its resolution', () => {
     fc.assert(
       fc.property(cue, (wanted) => {
-        const kept = tidy(wanted);
+        const kept = quantize(wanted);
         expect(Math.abs(kept.tick - wanted.tick)).toBeLessThanOrEqual(3);
         expect(Math.abs(kept.x - wanted.x)).toBeLessThan(0.2001);
-        // The uppermost place is 0.2 m below the sky's end; z ends 1 m before it.
+        // The largest height is 0.2 m below the top of the sky; z ends 1 m before it.
         expect(Math.abs(kept.y - wanted.y)).toBeLessThan(0.2001);
         expect(Math.abs(kept.z - wanted.z)).toBeLessThan(1.0001);
         expect(Math.abs(kept.power - wanted.power)).toBeLessThan(0.5 / 15 + 1e-9);
-        expect(tidy(kept)).toEqual(kept);
+        expect(quantize(kept)).toEqual(kept);
       }),
     );
   });
 
-  it('that was changed in one character is hardly ever taken for another show, and never throws anything else', () => {
-    const text = writeShow(DEMO_SHOW.map(tidy));
+  it('with one changed character is almost always rejected, always with the same kind of error', () => {
+    const text = writeShow(DEMO_SHOW.map(quantize));
     let taken = 0;
     for (let i = 2; i < text.length; i++) {
       const other = `${text.slice(0, i)}${text[i] === 'A' ? 'B' : 'A'}${text.slice(i + 1)}`;
       if (problem(other) === '') taken++;
     }
-    // One check byte: one in 256 passes by chance; 31 is odd, so a change of one byte never does.
+    // With one check byte, one in 256 passes by chance; as 31 is odd, a change of one byte never passes.
     expect(taken / text.length).toBeLessThan(0.03);
     fc.assert(fc.property(fc.string(), (any) => typeof problem(any) === 'string'));
   });
@@ -71,25 +71,25 @@ describe('a show as text', () => {
   it.each([
     ['', 'does not begin with a version'],
     ['AAAA', 'does not begin with a version'],
-    ['3.AAAA', 'version “3”: this game reads 1 and 2'],
+    ['3.AAAA', 'version “3”, but this game reads versions 1 and 2'],
     ['toString.AAAA', 'version “toString”'],
-    ['2.', 'characters that no show has'],
-    ['1.A!A', 'characters that no show has'],
+    ['2.', 'invalid characters'],
+    ['1.A!A', 'invalid characters'],
     ['1.A', 'cut off'],
-    ['1.AAAA', 'not that of whole shells'],
+    ['1.AAAA', 'its length is wrong'],
     [`${writeShow(DEMO_SHOW).slice(0, -7)}`, ''],
-  ])('“%s” gets a sentence that says why', (text, why) => {
+  ])('“%s” is rejected with a reason', (text, why) => {
     expect(problem(text)).toContain(why);
     expect(problem(text)).toMatch(/^The show in the address .*\.$/);
   });
 
-  it('has a number for every kind of shell and every colour', () => {
+  it('encodes every kind of shell and every colour', () => {
     expect(SHELL_NAMES).toHaveLength(9);
     expect(STAR_COLORS).toHaveLength(8);
   });
 
-  it('of version 1, which knew eight kinds, plays as it did', () => {
-    // A willow, 3 s after the beginning, and a chain after 102.3 s, which is later than version 2 can say.
+  it('of version 1, which has eight kinds, is still decoded', () => {
+    // A willow after 3 s, and a chain after 102.3 s, which exceeds the range of version 2.
     const old = readShow('1.xAelnkS2_8CBB0M');
     expect(old).toEqual([
       { tick: 180, x: 12, y: 30, z: 2, kind: 1, color: 3, power: 0.4 },
@@ -98,22 +98,24 @@ describe('a show as text', () => {
     expect(readShow(writeShow(old))).toEqual(old);
   });
 
-  it('with a number that no shell has is refused', () => {
-    // Five bytes of 255, which is 2^40 - 1 and above the largest number of a shell, and their check.
-    expect(problem('2.bP______')).toContain('a time that no show has');
+  it('with an invalid number is rejected', () => {
+    // Five bytes of 255 are 2^40 - 1, which exceeds the largest encoded shell; their checksum is right.
+    expect(problem('2.bP______')).toContain('an invalid time');
   });
 
-  it('with too many shells or a wrong order is refused', () => {
-    const one = tidy({ ...DEMO_SHOW[0], tick: 600 });
-    expect(problem(writeShow(Array.from({ length: 201 }, () => one)))).toContain('has 201 shells; 200 are the most');
-    expect(problem(writeShow([one, { ...one, tick: 0 }]))).toContain('order of their times');
+  it('with too many shells or in the wrong order is rejected', () => {
+    const one = quantize({ ...DEMO_SHOW[0], tick: 600 });
+    expect(problem(writeShow(Array.from({ length: 201 }, () => one)))).toContain(
+      'has 201 shells, but at most 200 are allowed',
+    );
+    expect(problem(writeShow([one, { ...one, tick: 0 }]))).toContain('not sorted by time');
   });
 });
 
 describe('the editor', () => {
   const shell: Omit<Cue, 'tick'> = { x: 0, y: 30, z: 0, kind: 1, color: 2, power: 0.4 };
 
-  it('puts every click a beat after the last, or where the cursor was put', () => {
+  it('adds every click a beat after the last, or at the cursor', () => {
     const editor = new ShowEditor();
     editor.add(shell);
     editor.add(shell);
@@ -126,7 +128,7 @@ describe('the editor', () => {
     expect(editor.chosen).toBe(1);
   });
 
-  it('moves, removes, clears, and takes each of them back', () => {
+  it('moves, removes, clears, and undoes each of them', () => {
     const editor = new ShowEditor();
     for (let i = 0; i < 3; i++) editor.add({ ...shell, kind: i });
     editor.move(0, 10 * BEAT);
@@ -147,9 +149,9 @@ describe('the editor', () => {
     ]);
   });
 
-  it('keeps what an address can hold, and never more', () => {
+  it('keeps only values that the encoding can represent', () => {
     const editor = new ShowEditor();
-    for (let i = 0; i < MOST_CUES; i++) expect(editor.add(shell)).toBe(true);
+    for (let i = 0; i < MAX_CUES; i++) expect(editor.add(shell)).toBe(true);
     expect(editor.add(shell)).toBe(false);
     expect(Math.max(...editor.cues.map(({ tick }) => tick))).toBe(LAST_TICK);
     expect(readShow(writeShow(editor.cues))).toEqual(editor.cues);

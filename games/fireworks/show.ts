@@ -1,16 +1,16 @@
 /**
- * Shows as text, short enough for an address: `2.` and, in base64 as addresses take it, a check byte and five bytes a
- * shell. The five bytes are one number of mixed radix; its places are, largest first: time in tenths of a second, x, y,
- * z, kind, colour, power. Version 1, which knew eight kinds, is read as well.
+ * Shows encoded as text for a URL: `2.` followed, in URL-safe base64, by a check byte and five bytes per shell. The
+ * five bytes are a number of mixed radix with the digits, most significant first: time in tenths of a second, x, y, z,
+ * kind, colour, power. Version 1, which had eight kinds, is read as well.
  */
 import { FIREWORKS_SKY } from '@principia/scenes';
 import type { Cue } from './sim.ts';
 
-/** Most shells of a show, and its last moment, steps. */
-export const MOST_CUES = 200;
+/** Largest number of shells of a show, and its last time, steps. */
+export const MAX_CUES = 200;
 export const LAST_TICK = 6 * 999;
 
-/** How many values each place has. All together are below 2^40. */
+/** Radix of each digit. Their product is below 2^40. */
 const RADICES: Readonly<Record<string, readonly number[]>> = {
   1: [1024, 256, 128, 32, 8, 8, 16],
   2: [1000, 241, 127, 31, 9, 8, 16],
@@ -20,22 +20,22 @@ const BYTES = 5;
 const TENTH = 6;
 const STEP_X = 0.4;
 const STEP_Y = 0.3;
-const MOST_Z = 15;
+const MAX_Z = 15;
 const POWERS = 15;
 
-const whole = (value: number, low: number, high: number) => Math.min(high, Math.max(low, Math.round(value)));
+const roundClamped = (value: number, low: number, high: number) => Math.min(high, Math.max(low, Math.round(value)));
 
-/** The numbers of a shell, in the order of the places. */
-function placesOf({ tick, x, y, z, kind, color, power }: Cue): number[] {
+/** The digits of a shell, most significant first. */
+function digitsOf({ tick, x, y, z, kind, color, power }: Cue): number[] {
   const { halfWidth, lowest, highest } = FIREWORKS_SKY;
   return [
-    whole(tick / TENTH, 0, LAST_TICK / TENTH),
-    whole((x + halfWidth) / STEP_X, 0, (2 * halfWidth) / STEP_X),
-    whole((y - lowest) / STEP_Y, 0, Math.floor((highest - lowest) / STEP_Y)),
-    whole(z, -MOST_Z, MOST_Z) + MOST_Z,
+    roundClamped(tick / TENTH, 0, LAST_TICK / TENTH),
+    roundClamped((x + halfWidth) / STEP_X, 0, (2 * halfWidth) / STEP_X),
+    roundClamped((y - lowest) / STEP_Y, 0, Math.floor((highest - lowest) / STEP_Y)),
+    roundClamped(z, -MAX_Z, MAX_Z) + MAX_Z,
     kind,
     color,
-    whole(power * POWERS, 0, POWERS),
+    roundClamped(power * POWERS, 0, POWERS),
   ];
 }
 
@@ -45,16 +45,16 @@ function cueOf([tick, x, y, z, kind, color, power]: number[]): Cue {
     tick: tick * TENTH,
     x: x * STEP_X - halfWidth,
     y: y * STEP_Y + lowest,
-    z: z - MOST_Z,
+    z: z - MAX_Z,
     kind,
     color,
     power: power / POWERS,
   };
 }
 
-/** The nearest shell that an address can hold. */
-export function tidy(cue: Cue): Cue {
-  return cueOf(placesOf(cue));
+/** Rounds a shell to the resolution of the encoding. */
+export function quantize(cue: Cue): Cue {
+  return cueOf(digitsOf(cue));
 }
 
 function checkByte(bytes: Uint8Array, from: number): number {
@@ -63,11 +63,11 @@ function checkByte(bytes: Uint8Array, from: number): number {
   return check;
 }
 
-/** The show as text: at most 1 340 characters. */
+/** Encodes a show, in at most 1 340 characters. */
 export function writeShow(cues: readonly Cue[]): string {
   const bytes = new Uint8Array(1 + BYTES * cues.length);
   for (const [i, cue] of cues.entries()) {
-    let bits = placesOf(cue).reduce((sum, value, place) => sum * RADICES[VERSION][place] + value, 0);
+    let bits = digitsOf(cue).reduce((sum, value, digit) => sum * RADICES[VERSION][digit] + value, 0);
     for (let b = BYTES; b > 0; b--) {
       bytes[BYTES * i + b] = bits % 256;
       bits = Math.floor(bits / 256);
@@ -78,21 +78,24 @@ export function writeShow(cues: readonly Cue[]): string {
   return `${VERSION}.${text.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
 }
 
-/** @throws Error with a sentence that says what is wrong with the text and what to do */
+/** Decodes a show. @throws Error with a sentence that says what is wrong with the text and what to do */
 export function readShow(text: string): Cue[] {
   const [, version, body] = /^([^.]*)\.(.*)$/s.exec(text) ?? [];
   if (version === undefined || body === undefined) throw broken('it does not begin with a version, such as “2.”');
   if (!Object.hasOwn(RADICES, version)) {
-    throw new Error(`The show in the address is of version “${version.slice(0, 12)}”: this game reads 1 and 2.`);
+    throw new Error(
+      `The show in the address has version “${version.slice(0, 12)}”, but this game reads versions 1 and 2.`,
+    );
   }
   const bytes = bytesOf(body);
-  if ((bytes.length - 1) % BYTES !== 0) throw broken('its length is not that of whole shells');
-  if (checkByte(bytes, 1) !== bytes[0]) throw broken('its check does not fit');
+  if ((bytes.length - 1) % BYTES !== 0) throw broken('its length is wrong');
+  if (checkByte(bytes, 1) !== bytes[0]) throw broken('its checksum is wrong');
   const count = (bytes.length - 1) / BYTES;
-  if (count > MOST_CUES) throw new Error(`The show in the address has ${count} shells; ${MOST_CUES} are the most.`);
+  if (count > MAX_CUES)
+    throw new Error(`The show in the address has ${count} shells, but at most ${MAX_CUES} are allowed.`);
   const cues = Array.from({ length: count }, (_, i) => unpack(bytes, 1 + BYTES * i, RADICES[version]));
   for (const [i, { tick }] of cues.entries()) {
-    if (i > 0 && tick < cues[i - 1].tick) throw broken('its shells are not in the order of their times');
+    if (i > 0 && tick < cues[i - 1].tick) throw broken('its shells are not sorted by time');
   }
   return cues;
 }
@@ -105,13 +108,13 @@ function unpack(bytes: Uint8Array, at: number, radices: readonly number[]): Cue 
     values.unshift(bits % radix);
     bits = Math.floor(bits / radix);
   }
-  // Bits beyond the first place are what nobody has written.
-  if (bits > 0) throw broken('it has a time that no show has');
-  return tidy(cueOf(values));
+  // A remainder cannot come from the encoder.
+  if (bits > 0) throw broken('it contains an invalid time');
+  return quantize(cueOf(values));
 }
 
 function bytesOf(body: string): Uint8Array {
-  if (!/^[\w-]+$/.test(body)) throw broken('it has characters that no show has');
+  if (!/^[\w-]+$/.test(body)) throw broken('it contains invalid characters');
   try {
     const text = atob(body.replaceAll('-', '+').replaceAll('_', '/'));
     return Uint8Array.from(text, (character) => character.charCodeAt(0));
@@ -121,5 +124,5 @@ function bytesOf(body: string): Uint8Array {
 }
 
 function broken(why: string): Error {
-  return new Error(`The show in the address cannot be read, as ${why}: copy the whole link once more.`);
+  return new Error(`The show in the address cannot be read because ${why}. Copy the whole link again.`);
 }

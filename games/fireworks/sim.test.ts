@@ -1,9 +1,9 @@
 import { restore, snapshot, step } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
+import { PlayerControls } from './controls.ts';
 import { DEMO_SHOW } from './demo-show.ts';
-import { Desk } from './desk.ts';
-import { tidy } from './show.ts';
-import { createGame, type FireworksGame, type Input, LONGEST_HOLD, SURPRISE, SWARM } from './sim.ts';
+import { quantize } from './show.ts';
+import { createGame, type FireworksGame, type Input, MAX_HOLD_SECONDS, RANDOM, SWARM } from './sim.ts';
 
 const VALUES = { wind: 0, barrage: false, sparks: 1000 };
 
@@ -19,13 +19,13 @@ const fire = (finger: number, x = 10, y = 30): Input => ({ do: 'fire', finger, x
 
 describe('a hand', () => {
   it('makes a shell the larger the longer it holds, up to a limit', () => {
-    const powers = [0, 0.5 * LONGEST_HOLD, LONGEST_HOLD, 3 * LONGEST_HOLD].map((seconds) => {
+    const powers = [0, 0.5 * MAX_HOLD_SECONDS, MAX_HOLD_SECONDS, 3 * MAX_HOLD_SECONDS].map((seconds) => {
       const game = night();
       game.press({ do: 'hold', finger: 1 });
       run(game, game.dt + seconds);
       game.press(fire(1));
       run(game, game.dt);
-      return game.scene.news.at(0).power;
+      return game.scene.events.at(0).power;
     });
     expect(powers[0]).toBeLessThan(0.4);
     expect(powers[1]).toBeCloseTo((powers[0] + 1) / 2, 1);
@@ -34,20 +34,20 @@ describe('a hand', () => {
 
   it('that lets go and presses again within a step begins anew, in the sky and in the show being made', () => {
     const game = night();
-    const desk = new Desk('');
-    desk.edit(true);
-    desk.choose(0, 1);
-    desk.hold(game, 1);
-    run(game, 2 * LONGEST_HOLD);
-    desk.fire(game, 1, { x: 10, y: 30, z: 0 });
-    desk.hold(game, 1);
-    desk.fire(game, 1, { x: -10, y: 30, z: 0 });
+    const controls = new PlayerControls('');
+    controls.setEditing(true);
+    controls.choose(0, 1);
+    controls.startHold(game, 1);
+    run(game, 2 * MAX_HOLD_SECONDS);
+    controls.fire(game, 1, { x: 10, y: 30, z: 0 });
+    controls.startHold(game, 1);
+    controls.fire(game, 1, { x: -10, y: 30, z: 0 });
     run(game, game.dt);
-    const sent = [0, 1].map((i) => game.scene.news.at(i));
+    const sent = [0, 1].map((i) => game.scene.events.at(i));
     expect(sent[0].power).toBe(1);
     expect(sent[1].power).toBeLessThan(0.4);
-    expect(desk.editor.cues.map(({ power }) => power)).toEqual(
-      sent.map(({ x, y, z, kind, color, power }) => tidy({ x, y, z, kind, color, power, tick: 0 }).power),
+    expect(controls.editor.cues.map(({ power }) => power)).toEqual(
+      sent.map(({ x, y, z, kind, color, power }) => quantize({ x, y, z, kind, color, power, tick: 0 }).power),
     );
   });
 
@@ -71,8 +71,8 @@ describe('a hand', () => {
       game.press(fire(1, x, y));
     run(game, 6);
     expect(game.world.faults.faults).toEqual([]);
-    const bursts = Array.from({ length: game.scene.news.count }, (_, i) => game.scene.news.at(i));
-    const places = bursts.filter(({ what }) => what === 'burst').map(({ x, y }) => [Math.round(x), Math.round(y)]);
+    const bursts = Array.from({ length: game.scene.events.count }, (_, i) => game.scene.events.at(i));
+    const places = bursts.filter(({ type }) => type === 'burst').map(({ x, y }) => [Math.round(x), Math.round(y)]);
     expect(places.sort(([a], [b]) => a - b)).toEqual([
       [-48, 50],
       [0, 12],
@@ -97,10 +97,10 @@ describe('a hand', () => {
     run(game, 1);
     game.press({ do: 'steer', way: 'left', on: false });
     run(game, 1);
-    expect(game.sight.x).toBeCloseTo(-30, 9);
+    expect(game.crosshair.x).toBeCloseTo(-30, 9);
     game.press({ do: 'steer', way: 'up', on: true });
     run(game, 2);
-    expect(game.sight.y).toBe(50);
+    expect(game.crosshair.y).toBe(50);
   });
 });
 
@@ -129,9 +129,9 @@ describe('a swarm', () => {
     run(game, game.dt);
     expect([game.scene.alive, game.scene.flying, game.refused]).toEqual([stars, 0, 0]);
     expect(game.fired).toBe(stars > 0 ? 1 : 0);
-    const { count } = game.scene.news;
+    const { count } = game.scene.events;
     expect(count).toBe(stars > 0 ? 1 : 0);
-    if (count > 0) expect(game.scene.news.at(0)).toMatchObject({ what: 'burst', x: -12, y: 28, kind: SWARM });
+    if (count > 0) expect(game.scene.events.at(0)).toMatchObject({ type: 'burst', x: -12, y: 28, kind: SWARM });
   });
 
   it('bursts for six seconds from the moment it is let go, however long the night has lasted', () => {
@@ -152,7 +152,7 @@ describe('a swarm', () => {
   it('is no surprise: a click that draws its shell always sends one up', () => {
     for (let seed = 1; seed <= 3; seed++) {
       const game = night({ seed });
-      for (let i = 0; i < 28; i++) game.press({ ...letGo, kind: SURPRISE });
+      for (let i = 0; i < 28; i++) game.press({ ...letGo, kind: RANDOM });
       run(game, game.dt);
       expect(game.scene.flying).toBe(28);
     }
@@ -166,9 +166,9 @@ describe('a show', () => {
     const game = night();
     game.press({ do: 'play', cues });
     run(game, 3);
-    const { news } = game.scene;
-    const launches = Array.from({ length: news.count }, (_, i) => ({ ...news.at(i) })).filter(
-      (n) => n.what === 'launch',
+    const { events } = game.scene;
+    const launches = Array.from({ length: events.count }, (_, i) => ({ ...events.at(i) })).filter(
+      (n) => n.type === 'launch',
     );
     expect(launches.map(({ time }) => Math.round(60 * time))).toEqual(cues.map(({ tick }) => tick));
     expect(launches.map(({ kind }) => kind)).toEqual([0, 1, 2, 3]);
@@ -195,7 +195,7 @@ describe('a show', () => {
 });
 
 describe('a night', () => {
-  const surprise: Input = { do: 'fire', finger: 2, x: -20, y: 35, z: 4, kind: SURPRISE, color: SURPRISE };
+  const surprise: Input = { do: 'fire', finger: 2, x: -20, y: 35, z: 4, kind: RANDOM, color: RANDOM };
   const inputs: [number, Input][] = [
     [5, { do: 'hold', finger: 2 }],
     [40, surprise],

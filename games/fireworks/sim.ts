@@ -1,4 +1,7 @@
-/** The simulation: the scene, what players do to it, and shows. Needs no screen; seed and log give the same night. */
+/**
+ * The simulation: the scene, the player's inputs, and shows. It needs no display; the same seed and log give the same
+ * game.
+ */
 import { createRandom, keepState, markImmutable, stateHash } from '@principia/physics';
 import {
   FIREWORKS_SKY,
@@ -7,31 +10,31 @@ import {
   heldStars,
   InputLog,
   type LoggedInput,
-  mostSeconds,
+  maxHoldSeconds,
   SHELL_NAMES,
   SHELLS,
   type ShellOrder,
   STAR_COLORS,
 } from '@principia/scenes';
 
-/** A kind or colour that is drawn when the shell goes up. */
-export const SURPRISE = -1;
+/** Index of a kind or colour that is chosen at random at launch. */
+export const RANDOM = -1;
 
-/** The kind that is not thrown but lit where one points, after whole seconds of holding. */
+/** The kind that is not launched but ignited at the pointer, after whole seconds of holding. */
 export const SWARM = SHELLS.findIndex(({ isHeld }) => isHeld);
-/** Kinds that a surprise is drawn from: those that a mere click sends up. */
-export const THROWN = SHELL_NAMES.length - 1;
+/** Number of kinds from which a random one is chosen: those that a click launches. */
+export const RANDOM_KINDS = SHELL_NAMES.length - 1;
 
-/** The ways keys push the sight. */
-export type Way = 'up' | 'left' | 'down' | 'right';
+/** Directions in which keys move the crosshair. */
+export type Direction = 'up' | 'left' | 'down' | 'right';
 
-/** A shell of a show: what goes up when. */
+/** A shell of a show with its time. */
 export interface Cue extends ShellOrder {
-  /** When it goes up, steps after the show began. */
+  /** Time of launch, steps after the start of the show. */
   readonly tick: number;
 }
 
-/** A shell as a hand orders it: kind and colour may be `SURPRISE`. */
+/** The player's inputs; kind and colour may be `RANDOM`. */
 export type Input =
   | { readonly do: 'hold'; readonly finger: number }
   | ({ readonly do: 'fire'; readonly finger: number; readonly x: number; readonly y: number; readonly z: number } & {
@@ -39,7 +42,7 @@ export type Input =
       readonly color: number;
     })
   | { readonly do: 'forget'; readonly finger: number }
-  | { readonly do: 'steer'; readonly way: Way; readonly on: boolean }
+  | { readonly do: 'steer'; readonly way: Direction; readonly on: boolean }
   | { readonly do: 'play'; readonly cues: readonly Cue[] }
   | { readonly do: 'stop' }
   | { readonly do: 'wind'; readonly speed: number }
@@ -55,49 +58,49 @@ export interface FireworksOptions {
   readonly values: FireworksValues;
   readonly seed: number;
   readonly dimensions: 2 | 3;
-  /** Played from the first step on. */
+  /** The show that plays from the first step. */
   readonly opening?: readonly Cue[];
-  /** The opening ends as soon as somebody fires, and begins anew when it is over. */
+  /** A demo ends when the player fires, and repeats when it is over. */
   readonly isDemo?: boolean;
-  /** Inputs of an earlier night to play again. */
+  /** Inputs of an earlier game to replay. */
   readonly log?: readonly LoggedInput<Input>[];
 }
 
-/** Shells in the air at most. */
+/** Largest number of shells in the air. */
 const SHELLS_IN_AIR = 28;
-/** Seconds of holding that make the largest shell, and of a mere click. */
-export const LONGEST_HOLD = 1.6;
+/** Seconds of holding for the largest shell, and the power of a click. */
+export const MAX_HOLD_SECONDS = 1.6;
 const CLICK_POWER = 0.35;
 
-/** How fast keys push the sight, m/s. */
-const SIGHT_SPEED = 30;
-/** Steps from the end of the demonstration to its next beginning. */
+/** Speed of the crosshair, m/s. */
+const CROSSHAIR_SPEED = 30;
+/** Steps from the end of the demo to its next start. */
 const DEMO_PAUSE = 300;
 
 export class FireworksGame {
   readonly scene: Fireworks;
   readonly log: InputLog<Input>;
-  /** World time at which each finger began to hold. */
+  /** World time at which each pointer was pressed. */
   readonly held = new Map<number, number>();
-  /** The show that is being played. */
+  /** The show being played. */
   show: readonly Cue[] = [];
   showStart = 0;
-  /** Shells that found all mortars empty. */
+  /** Shells that were not launched because no mortar was free. */
   refused = 0;
   fired = 0;
   isDemo: boolean;
-  /** Shells wear colours that everybody tells apart. */
-  isSafe = false;
-  /** Where keys aim, m; shown once a key has pushed it. */
-  readonly sight = { x: 0, y: 32, z: 0, isShown: false };
-  readonly #pushed: Record<Way, boolean> = { up: false, left: false, down: false, right: false };
-  /** The cue that comes next. */
+  /** Whether shells use the colour-blind palette. */
+  usesSafeColors = false;
+  /** Target of keyboard and gamepad, m; visible once it was moved. */
+  readonly crosshair = { x: 0, y: 32, z: 0, isShown: false };
+  readonly #pressedKeys: Record<Direction, boolean> = { up: false, left: false, down: false, right: false };
+  /** Index of the next cue. */
   readonly #progress = { next: 0 };
   readonly #random;
 
   constructor({ values, seed, dimensions, opening = [], isDemo = false, log }: FireworksOptions) {
     const { wind, barrage, sparks } = values;
-    // Its own state is kept; the rest of it stays.
+    // The scene registers its own mutable state.
     this.scene = markImmutable(
       fireworks.create({ seed, dimensions, wind, shells: SHELLS_IN_AIR, count: barrage ? sparks : 0 }),
     );
@@ -105,11 +108,11 @@ export class FireworksGame {
     this.#random = createRandom(seed, 2);
     this.show = markImmutable(opening);
     this.isDemo = isDemo;
-    keepState(this.world, this, this.#pushed, this.#progress, this.#random.state, this.log.state);
+    keepState(this.world, this, this.#pressedKeys, this.#progress, this.#random.state, this.log.state);
     const take = (input: Input) => this.#take(input);
     this.world.phases.input.unshift((world) => {
       this.log.take(world.tick, take);
-      this.#push();
+      this.#moveCrosshair();
       this.#playShow();
     });
   }
@@ -122,33 +125,33 @@ export class FireworksGame {
     return this.scene.dt;
   }
 
-  /** Whether cues of a show still wait. */
+  /** Whether the show has remaining cues. */
   get isShowing(): boolean {
     return this.#progress.next < this.show.length;
   }
 
-  /** What the player does; the next step takes it. */
+  /** Adds an input for the next step. */
   press(input: Input): void {
     this.log.add(input);
   }
 
-  /** How large a shell gets that is held since then, 0 to 1. @param kind number of the chosen kind */
+  /** Power of the shell that a pointer holds, 0 to 1. @param kind index of the chosen kind */
   powerOf(finger: number, kind: number): number {
     const since = this.#heldSince(finger);
-    if (kind === SWARM) return this.#wholeSeconds(since) / mostSeconds(SHELLS[SWARM]);
+    if (kind === SWARM) return this.#wholeSeconds(since) / maxHoldSeconds(SHELLS[SWARM]);
     if (since === undefined) return CLICK_POWER;
-    const share = Math.min(1, (this.world.time - since) / LONGEST_HOLD);
+    const share = Math.min(1, (this.world.time - since) / MAX_HOLD_SECONDS);
     return CLICK_POWER + (1 - CLICK_POWER) * share;
   }
 
-  /** Stars that a swarm would have that is let go now; what is held longest counts. */
+  /** Number of stars of a swarm released now; the longest hold counts. */
   get swarmStars(): number {
-    let most = 0;
-    for (const finger of this.held.keys()) most = Math.max(most, this.powerOf(finger, SWARM));
-    return heldStars(SHELLS[SWARM], most);
+    let power = 0;
+    for (const finger of this.held.keys()) power = Math.max(power, this.powerOf(finger, SWARM));
+    return heldStars(SHELLS[SWARM], power);
   }
 
-  /** World time at which a finger began to hold, also where the next step is yet to take what it did last. */
+  /** World time at which a pointer was pressed, including inputs that the next step has yet to process. */
   #heldSince(finger: number): number | undefined {
     const { waiting } = this.log.state;
     for (let i = waiting.length - 1; i >= 0; i--) {
@@ -159,12 +162,12 @@ export class FireworksGame {
   }
 
   #wholeSeconds(since = this.world.time): number {
-    // Half a step more: times are sums of steps.
+    // Half a step absorbs the rounding of summed steps.
     const seconds = Math.floor(this.world.time - since + 0.5 * this.dt);
-    return Math.min(mostSeconds(SHELLS[SWARM]), seconds);
+    return Math.min(maxHoldSeconds(SHELLS[SWARM]), seconds);
   }
 
-  /** Two games with equal hashes go on alike. */
+  /** Hash of the state; games with equal hashes evolve equally. */
   hash(): string {
     const { held, refused, fired, showStart } = this;
     return [stateHash(this.world), this.#progress.next, showStart, refused, fired, ...held.keys()].join(' ');
@@ -174,7 +177,7 @@ export class FireworksGame {
     if (input.do === 'hold') this.held.set(input.finger, this.world.time);
     else if (input.do === 'forget') this.held.delete(input.finger);
     else if (input.do === 'fire') this.#fire(input);
-    else if (input.do === 'steer') this.#pushed[input.way] = input.on;
+    else if (input.do === 'steer') this.#pressedKeys[input.way] = input.on;
     else if (input.do === 'play') this.#play(input.cues);
     else if (input.do === 'stop') this.#play([]);
     else if (input.do === 'wind') this.scene.setWind(input.speed);
@@ -197,14 +200,17 @@ export class FireworksGame {
     this.#progress.next = 0;
   }
 
-  #push(): void {
-    const { up, down, left, right } = this.#pushed;
+  #moveCrosshair(): void {
+    const { up, down, left, right } = this.#pressedKeys;
     if (!(up || down || left || right)) return;
-    const { sight, dt } = this;
+    const { crosshair, dt } = this;
     const across = Number(right) - Number(left);
     const upwards = Number(up) - Number(down);
-    Object.assign(sight, clampToSky(sight.x + SIGHT_SPEED * dt * across, sight.y + SIGHT_SPEED * dt * upwards, 0));
-    sight.isShown = true;
+    Object.assign(
+      crosshair,
+      clampToSky(crosshair.x + CROSSHAIR_SPEED * dt * across, crosshair.y + CROSSHAIR_SPEED * dt * upwards, 0),
+    );
+    crosshair.isShown = true;
   }
 
   #playShow(): void {
@@ -221,15 +227,15 @@ export class FireworksGame {
     const random = this.#random;
     const order = {
       ...clampToSky(x, y, this.world.dimensions === 3 ? z : 0),
-      kind: kind === SURPRISE ? random.integer(0, THROWN - 1) : kind,
-      color: color === SURPRISE ? random.integer(0, STAR_COLORS.length - 1) : color,
+      kind: kind === RANDOM ? random.integer(0, RANDOM_KINDS - 1) : kind,
+      color: color === RANDOM ? random.integer(0, STAR_COLORS.length - 1) : color,
       power,
     };
     if (!this.scene.launch(order)) this.refused++;
   }
 }
 
-/** The place in the part of the sky that shells reach which is nearest. */
+/** Clamps a point to the part of the sky that shells reach. */
 export function clampToSky(x: number, y: number, z: number) {
   const { halfWidth, halfDepth, lowest, highest } = FIREWORKS_SKY;
   const within = (value: number, low: number, high: number) => Math.min(high, Math.max(low, value));
@@ -240,7 +246,7 @@ export function createGame(options: FireworksOptions): FireworksGame {
   return new FireworksGame(options);
 }
 
-/** Gives the running game a changed setting; false where only a new one can have it. */
+/** Applies a changed setting to the running game; false if the setting requires a new game. */
 export function applyValue(sim: FireworksGame, name: string, values: FireworksValues): boolean {
   if (name === 'wind') sim.press({ do: 'wind', speed: values.wind });
   else if (name === 'sparks') return !values.barrage;

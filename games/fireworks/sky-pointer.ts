@@ -1,108 +1,120 @@
-/** Mouse and fingers: press, hold for a larger shell, let go; every finger may hold one. */
+/** Mouse and touch: press, hold for a larger shell, release to launch. Every pointer launches its own shell. */
 import { heldStars, SHELLS } from '@principia/scenes';
-import type { Stage } from '@principia/shell';
-import type { Desk } from './desk.ts';
+import type { ViewContext } from '@principia/shell';
+import type { PlayerControls } from './controls.ts';
 import type { Settings } from './settings.ts';
 import { clampToSky, type FireworksGame, SWARM } from './sim.ts';
 
-type Place = { readonly x: number; readonly y: number; readonly z: number };
+type SkyPoint = { readonly x: number; readonly y: number; readonly z: number };
 
-export interface SkyPlaces {
-  /** The place in the sky under a point of the canvas, CSS pixels. */
-  world(x: number, y: number): Place;
+export interface SkyMapping {
+  /** The point of the sky under a point of the canvas, CSS pixels. */
+  world(x: number, y: number): SkyPoint;
   screen(x: number, y: number, z: number): { x: number; y: number };
-  /** A pointer that moves turns the view instead of sending up a shell. */
-  readonly turns?: boolean;
+  /** Whether dragging rotates the view instead of launching a shell. */
+  readonly rotatesView?: boolean;
 }
 
-/** A finger that went farther than this is turning the view, CSS pixels. */
-const SLACK = 12;
+/** Distance beyond which a pointer rotates the view, CSS pixels. */
+const DRAG_THRESHOLD = 12;
 
 export interface SkyPointer {
-  /** Shows how large the held shells are; call it once a frame. */
+  /** Shows the size of the held shells; call it once a frame. */
   update(): void;
   destroy(): void;
 }
 
 export function listenToSky(
-  stage: Stage<Settings, FireworksGame>,
-  desk: Desk,
+  context: ViewContext<Settings, FireworksGame>,
+  controls: PlayerControls,
   canvas: HTMLCanvasElement,
-  places: SkyPlaces,
+  mapping: SkyMapping,
 ): SkyPointer {
-  const rings = new Map<number, HTMLElement>();
-  const starts = new Map<number, { x: number; y: number }>();
-  const at = (event: PointerEvent) => {
+  const rings = new Map<number, Ring>();
+  const pointAt = (event: PointerEvent) => {
     const { left, top } = canvas.getBoundingClientRect();
-    const { x, y, z } = places.world(event.clientX - left, event.clientY - top);
+    const { x, y, z } = mapping.world(event.clientX - left, event.clientY - top);
     return clampToSky(x, y, z);
   };
   const forget = (finger: number) => {
-    rings.get(finger)?.remove();
+    rings.get(finger)?.element.remove();
     rings.delete(finger);
-    starts.delete(finger);
   };
   const move = (event: PointerEvent) => {
     const ring = rings.get(event.pointerId);
     if (ring === undefined) return;
-    const start = starts.get(event.pointerId) ?? { x: 0, y: 0 };
-    if (places.turns === true && Math.hypot(event.clientX - start.x, event.clientY - start.y) > SLACK) {
+    const distance = Math.hypot(event.clientX - ring.startX, event.clientY - ring.startY);
+    if (mapping.rotatesView === true && distance > DRAG_THRESHOLD) {
       cancel(event);
       return;
     }
-    const { x, y, z } = at(event);
-    const place = places.screen(x, y, z);
-    ring.style.translate = `${place.x}px ${place.y}px`;
+    const { x, y, z } = pointAt(event);
+    const place = mapping.screen(x, y, z);
+    ring.element.style.translate = `${place.x}px ${place.y}px`;
   };
   const press = (event: PointerEvent) => {
     if (event.button !== 0) return;
     canvas.focus({ preventScroll: true });
-    // A finger that was let go outside the window may come down twice.
+    // A pointer released outside the window may be pressed twice.
     forget(event.pointerId);
     capture(canvas, event.pointerId);
-    const ring = document.createElement('div');
-    ring.className = 'fw-ring';
-    stage.element.append(ring);
-    rings.set(event.pointerId, ring);
-    starts.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const element = document.createElement('div');
+    element.className = 'fw-ring';
+    context.element.append(element);
+    rings.set(event.pointerId, { element, startX: event.clientX, startY: event.clientY });
     move(event);
-    desk.hold(stage.sim(), event.pointerId);
+    controls.startHold(context.sim(), event.pointerId);
   };
   const release = (event: PointerEvent) => {
     if (!rings.has(event.pointerId)) return;
     forget(event.pointerId);
-    desk.fire(stage.sim(), event.pointerId, at(event));
+    controls.fire(context.sim(), event.pointerId, pointAt(event));
   };
   const cancel = (event: PointerEvent) => {
     if (!rings.has(event.pointerId)) return;
     forget(event.pointerId);
-    stage.sim().press({ do: 'forget', finger: event.pointerId });
+    context.sim().press({ do: 'forget', finger: event.pointerId });
   };
-  const listeners = { pointerdown: press, pointermove: move, pointerup: release, pointercancel: cancel };
-  for (const [type, listener] of Object.entries(listeners)) canvas.addEventListener(type as 'pointerdown', listener);
-  canvas.style.touchAction = 'none';
-  canvas.style.cursor = 'crosshair';
+  const stop = listen(canvas, { pointerdown: press, pointermove: move, pointerup: release, pointercancel: cancel });
   return {
     update() {
       if (rings.size === 0) return;
-      for (const [finger, ring] of rings) {
-        const power = stage.sim().powerOf(finger, desk.kind);
-        const isSwarm = desk.kind === SWARM;
-        // The number in the ring of a swarm is to be read from the first second on.
-        ring.style.setProperty('--power', String(isSwarm ? 0.6 + 0.4 * power : power));
-        const stars = isSwarm ? String(heldStars(SHELLS[SWARM], power)) : '';
-        if (ring.textContent !== stars) ring.textContent = stars;
-      }
+      for (const [finger, { element }] of rings)
+        showPower(element, context.sim().powerOf(finger, controls.kind), controls);
     },
     destroy() {
-      for (const [type, listener] of Object.entries(listeners))
-        canvas.removeEventListener(type as 'pointerdown', listener);
+      stop();
       for (const finger of [...rings.keys()]) forget(finger);
     },
   };
 }
 
-/** A pointer that was made by a script cannot be captured. */
+/** The ring around a held pointer, and where the pointer was pressed, CSS pixels. */
+interface Ring {
+  readonly element: HTMLElement;
+  readonly startX: number;
+  readonly startY: number;
+}
+
+function listen(canvas: HTMLCanvasElement, listeners: Record<string, (event: PointerEvent) => void>): () => void {
+  for (const [type, listener] of Object.entries(listeners)) canvas.addEventListener(type as 'pointerdown', listener);
+  canvas.style.touchAction = 'none';
+  canvas.style.cursor = 'crosshair';
+  return () => {
+    for (const [type, listener] of Object.entries(listeners))
+      canvas.removeEventListener(type as 'pointerdown', listener);
+  };
+}
+
+function showPower(element: HTMLElement, power: number, { kind }: PlayerControls): void {
+  const isSwarm = kind === SWARM;
+  // A swarm's ring is large from the first second, so that the number in it is readable.
+  element.style.setProperty('--power', String(isSwarm ? 0.6 + 0.4 * power : power));
+  const stars = isSwarm ? String(heldStars(SHELLS[SWARM], power)) : '';
+  if (element.textContent !== stars) element.textContent = stars;
+}
+
+/** A pointer from a synthetic event cannot be captured. */
 function capture(canvas: HTMLCanvasElement, pointer: number): void {
   try {
     canvas.setPointerCapture(pointer);

@@ -1,39 +1,39 @@
-/** What is heard: all of it synthesised, and as late as sound takes to the audience. */
-import type { NewsRing, SkyNews } from '@principia/scenes';
+/** Synthesised sound, delayed by the travel time to the listener. */
+import type { EventRing, FireworksEvent } from '@principia/scenes';
 import { burstVoice, crackleVoice, launchVoice, type Mixer, openMixer } from './voices.ts';
 
 /** Speed of sound in air of 20 °C, m/s. */
 export const SPEED_OF_SOUND = 343;
-/** Where the audience stands, m. */
-const EAR = { x: 0, y: 2, z: 140 };
-/** Voices at once; a crowd of more is not heard apart. */
-const MOST_VOICES = 28;
+/** Position of the listener, m. */
+const LISTENER = { x: 0, y: 2, z: 140 };
+/** Largest number of simultaneous voices; more cannot be distinguished by ear. */
+const MAX_VOICES = 28;
 
-/** Seconds from what happens to its sound. */
+/** Seconds from an event to its sound. */
 export function soundDelay({ x, y, z }: { readonly x: number; readonly y: number; readonly z: number }): number {
-  return Math.hypot(x - EAR.x, y - EAR.y, z - EAR.z) / SPEED_OF_SOUND;
+  return Math.hypot(x - LISTENER.x, y - LISTENER.y, z - LISTENER.z) / SPEED_OF_SOUND;
 }
 
-/** `waiting` for the first gesture, `on`, or `blocked` for good. */
+/** `waiting` for the first gesture, `on`, or `blocked` permanently. */
 export type SoundState = 'waiting' | 'on' | 'blocked';
 
 export class Sound {
   state: SoundState = 'waiting';
-  /** Sounds made so far, and how late the last one was, s. */
-  heard = 0;
+  /** Number of sounds so far, and the delay of the last one, s. */
+  soundCount = 0;
   lastDelay = 0;
   #mixer: Mixer | undefined;
   #isOn = true;
-  #news: NewsRing | undefined;
-  #told = 0;
-  readonly #say: (sentence: string) => void;
+  #news: EventRing | undefined;
+  #playedCount = 0;
+  readonly #showMessage: (sentence: string) => void;
 
-  /** @param say gets a sentence when there is no sound */
-  constructor(say: (sentence: string) => void) {
-    this.#say = say;
+  /** @param showMessage receives a sentence when sound is unavailable */
+  constructor(showMessage: (sentence: string) => void) {
+    this.#showMessage = showMessage;
   }
 
-  /** Browsers allow sound once somebody has touched the page. */
+  /** Enables sound; browsers allow it after the first gesture. */
   unlock(): void {
     if (this.state === 'blocked' || !this.#isOn) return;
     try {
@@ -50,26 +50,26 @@ export class Sound {
     if (this.#mixer !== undefined) this.#mixer.master.gain.value = on ? 1 : 0;
   }
 
-  /** Makes the sounds of what is new. */
-  hear(news: NewsRing): void {
-    if (news !== this.#news) this.#told = 0;
+  /** Plays the sounds of new events. */
+  playNew(news: EventRing): void {
+    if (news !== this.#news) this.#playedCount = 0;
     this.#news = news;
-    // What nobody could hear then is not made up for.
-    const first = Math.max(this.#told, news.count - MOST_VOICES);
-    this.#told = news.count;
+    // Events during silence are skipped.
+    const first = Math.max(this.#playedCount, news.count - MAX_VOICES);
+    this.#playedCount = news.count;
     if (this.state !== 'on' || !this.#isOn || this.#mixer === undefined) return;
     for (let i = first; i < news.count; i++) this.#make(this.#mixer, news.at(i));
   }
 
-  #make(mixer: Mixer, news: SkyNews): void {
-    if (mixer.voices >= MOST_VOICES) return;
+  #make(mixer: Mixer, news: FireworksEvent): void {
+    if (mixer.voices >= MAX_VOICES) return;
     const delay = soundDelay(news);
     const at = mixer.context.currentTime + delay;
     const pan = Math.max(-1, Math.min(1, news.x / 60));
-    if (news.what === 'launch') launchVoice(mixer, at, pan);
-    else if (news.what === 'burst') burstVoice(mixer, at, pan, news.power);
+    if (news.type === 'launch') launchVoice(mixer, at, pan);
+    else if (news.type === 'burst') burstVoice(mixer, at, pan, news.power);
     else crackleVoice(mixer, at, pan);
-    this.heard++;
+    this.soundCount++;
     this.lastDelay = delay;
   }
 
@@ -77,6 +77,6 @@ export class Sound {
     if (this.state === 'blocked') return;
     this.state = 'blocked';
     this.#mixer = undefined;
-    this.#say('This browser gives no sound, as Web Audio is missing or blocked; the fireworks go on in silence.');
+    this.#showMessage('No sound: Web Audio is missing or blocked in this browser. The fireworks continue silently.');
   }
 }

@@ -1,122 +1,156 @@
-/** The timeline of the show in the making. */
-import { SHELL_NAMES } from '@principia/scenes';
-import type { Stage } from '@principia/shell';
-import type { Desk } from './desk.ts';
+/** The timeline of the edited show. */
+import { SHELL_NAMES, type StarColor } from '@principia/scenes';
+import type { ViewContext } from '@principia/shell';
+import type { PlayerControls } from './controls.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
-import type { FireworksGame } from './sim.ts';
+import type { ShowEditor } from './show-editor.ts';
+import type { Cue, FireworksGame } from './sim.ts';
 
-/** Steps a second. */
-const RATE = 60;
-/** The line is never shorter than this, s, and leaves this much behind the last shell. */
-const SHORTEST = 15;
-const SPARE = 3;
-/** A marker that is moved by less was only clicked, CSS pixels. */
-const SLACK = 4;
+const STEPS_PER_SECOND = 60;
+/** Shortest length of the timeline, s, and margin after the last shell, s. */
+const MIN_SECONDS = 15;
+const MARGIN_SECONDS = 3;
+/** Distance that distinguishes a drag from a click, CSS pixels. */
+const DRAG_THRESHOLD = 4;
 
 export interface Timeline {
   readonly element: HTMLElement;
-  /** Once a frame. */
+  /** Call it once a frame. */
   update(): void;
 }
 
-export function createTimeline(stage: Stage<Settings, FireworksGame>, desk: Desk): Timeline {
-  const { editor } = desk;
+export function createTimeline(context: ViewContext<Settings, FireworksGame>, controls: PlayerControls): Timeline {
+  const { editor } = controls;
+  const { element, buttonOf, line, cursor, text } = createElements();
+  listenToButtons(context, controls, buttonOf);
+  let length = MIN_SECONDS * STEPS_PER_SECOND;
+  const onPress = listenToLine(line, editor, () => length);
+  const marks: HTMLElement[] = [];
+  const showMarks = () => {
+    const last = editor.cues.at(-1)?.tick ?? 0;
+    length = Math.max(MIN_SECONDS * STEPS_PER_SECOND, last + MARGIN_SECONDS * STEPS_PER_SECOND);
+    for (const mark of marks.splice(0)) mark.remove();
+    const palette = paletteOf(context.safeColors);
+    for (const [i, cue] of editor.cues.entries()) {
+      const mark = createMark(cue, palette, length, i === editor.chosen);
+      mark.addEventListener('pointerdown', (event) => onPress(event, i));
+      mark.addEventListener('click', () => choose(editor, i));
+      marks.push(mark);
+    }
+    line.append(...marks);
+  };
+  const showState = (isPlaying: boolean) => {
+    const count = editor.cues.length;
+    for (const name of ['play', 'clear', 'share']) buttonOf(name).disabled = count === 0;
+    buttonOf('remove').disabled = editor.chosen < 0;
+    buttonOf('play').textContent = isPlaying ? 'Stop' : 'Play';
+    text.textContent = statusOf(count, editor.cursor);
+  };
+  let [shownVersion, shownTick, isPlaying] = [-1, -1, false];
+  return {
+    element,
+    update() {
+      element.hidden = !controls.isEditing;
+      if (!controls.isEditing) return;
+      const sim = context.sim();
+      if (editor.version !== shownVersion || isPlaying !== (sim.isShowing && !sim.isDemo)) {
+        shownVersion = editor.version;
+        isPlaying = sim.isShowing && !sim.isDemo;
+        showMarks();
+        showState(isPlaying);
+        shownTick = -1;
+      }
+      const tick = isPlaying ? sim.world.tick - sim.showStart : editor.cursor;
+      if (tick === shownTick) return;
+      shownTick = tick;
+      cursor.style.left = `${Math.min(100, (100 * tick) / length)}%`;
+    },
+  };
+}
+
+function createElements() {
   const element = document.createElement('section');
   element.className = 'fw-show';
   element.setAttribute('aria-label', 'Show editor');
   element.innerHTML = `<div><button type="button" data-do="play">Play</button><p role="status"></p>
 <button type="button" data-do="undo" title="Undo (Backspace)">Undo</button>
-<button type="button" data-do="remove" title="Take the chosen shell out (Delete)">Remove</button>
+<button type="button" data-do="remove" title="Remove the selected shell (Delete)">Remove</button>
 <button type="button" data-do="clear">Clear</button><button type="button" data-do="share">Share</button></div>
 <div class="fw-line"><div class="fw-cursor"></div></div>`;
   const find = (selector: string) => element.querySelector(selector) as HTMLElement;
   const buttonOf = (name: string) => find(`[data-do=${name}]`) as HTMLButtonElement;
-  const [line, cursor, text] = [find('.fw-line'), find('.fw-cursor'), find('p')];
+  return { element, buttonOf, line: find('.fw-line'), cursor: find('.fw-cursor'), text: find('p') };
+}
+
+function listenToButtons(
+  context: ViewContext<Settings, FireworksGame>,
+  controls: PlayerControls,
+  buttonOf: (name: string) => HTMLButtonElement,
+): void {
+  const { editor } = controls;
   const actions: Record<string, () => void> = {
-    play: () => desk.play(stage.sim()),
+    play: () => controls.play(context.sim()),
     undo: () => editor.undo(),
     remove: () => editor.remove(editor.chosen),
     clear: () => editor.clear(),
-    share: () => void desk.share(),
+    share: () => void controls.share(),
   };
   for (const [name, action] of Object.entries(actions)) buttonOf(name).addEventListener('click', action);
-  let length = SHORTEST * RATE;
+}
+
+function choose(editor: ShowEditor, index: number): void {
+  editor.chosen = index;
+  editor.version++;
+}
+
+/**
+ * Handles clicks and drags on the line. Marks are recreated during a drag, so the line captures the pointer.
+ * @param length steps that the line shows
+ * @returns the handler of a press on the mark of a cue
+ */
+function listenToLine(line: HTMLElement, editor: ShowEditor, length: () => number) {
   const tickAt = (event: PointerEvent) => {
     const { left, width } = line.getBoundingClientRect();
-    return ((event.clientX - left) / Math.max(1, width)) * length;
+    return ((event.clientX - left) / Math.max(1, width)) * length();
   };
+  let drag: { pointer: number; x: number; isMoved: boolean } | undefined;
   line.addEventListener('pointerdown', (event) => {
     if (event.target !== line) return;
     editor.chosen = -1;
     editor.seek(tickAt(event));
   });
-  const marks: HTMLElement[] = [];
-  const showMarks = () => {
-    length = Math.max(SHORTEST * RATE, (editor.cues.at(-1)?.tick ?? 0) + SPARE * RATE);
-    for (const mark of marks.splice(0)) mark.remove();
-    const palette = paletteOf(stage.safeColors);
-    for (const [i, { tick, kind, color }] of editor.cues.entries()) {
-      const mark = document.createElement('button');
-      mark.type = 'button';
-      mark.className = 'fw-mark';
-      mark.title = `${SHELL_NAMES[kind]}, ${palette[color].name}, at ${(tick / RATE).toFixed(1)} s`;
-      mark.setAttribute('aria-label', mark.title);
-      mark.setAttribute('aria-pressed', String(i === editor.chosen));
-      mark.style.cssText = `left:${(100 * tick) / length}%;--c:${css(palette[color])}`;
-      mark.addEventListener('pointerdown', (event) => drag(event, i));
-      mark.addEventListener('click', () => choose(i));
-      marks.push(mark);
-    }
-    line.append(...marks);
+  line.addEventListener('pointermove', (event) => {
+    if (drag?.pointer !== event.pointerId) return;
+    drag.isMoved ||= Math.abs(event.clientX - drag.x) > DRAG_THRESHOLD;
+    if (drag.isMoved) editor.move(editor.chosen, tickAt(event));
+  });
+  const endDrag = () => {
+    drag = undefined;
   };
-  const choose = (index: number) => {
-    editor.chosen = index;
-    editor.version++;
-  };
-  // The marks are made anew while one is dragged: the line keeps the pointer.
-  let dragged: { pointer: number; x: number; isMoved: boolean } | undefined;
-  const drag = (event: PointerEvent, index: number) => {
+  line.addEventListener('pointerup', endDrag);
+  line.addEventListener('pointercancel', endDrag);
+  return (event: PointerEvent, index: number) => {
     event.preventDefault();
-    choose(index);
-    dragged = { pointer: event.pointerId, x: event.clientX, isMoved: false };
+    choose(editor, index);
+    drag = { pointer: event.pointerId, x: event.clientX, isMoved: false };
     line.setPointerCapture(event.pointerId);
   };
-  line.addEventListener('pointermove', (event) => {
-    if (dragged?.pointer !== event.pointerId) return;
-    dragged.isMoved ||= Math.abs(event.clientX - dragged.x) > SLACK;
-    if (dragged.isMoved) editor.move(editor.chosen, tickAt(event));
-  });
-  const drop = () => {
-    dragged = undefined;
-  };
-  line.addEventListener('pointerup', drop);
-  line.addEventListener('pointercancel', drop);
-  let [shown, place, isPlaying] = [-1, -1, false];
-  return {
-    element,
-    update() {
-      element.hidden = !desk.isEditing;
-      if (!desk.isEditing) return;
-      const sim = stage.sim();
-      if (editor.version !== shown || isPlaying !== (sim.isShowing && !sim.isDemo)) {
-        shown = editor.version;
-        isPlaying = sim.isShowing && !sim.isDemo;
-        showMarks();
-        const count = editor.cues.length;
-        for (const name of ['play', 'clear', 'share']) buttonOf(name).disabled = count === 0;
-        buttonOf('remove').disabled = editor.chosen < 0;
-        buttonOf('play').textContent = isPlaying ? 'Stop' : 'Play';
-        text.textContent =
-          count === 0
-            ? 'Click the sky: every shell goes onto the line, one after the other'
-            : `${count} ${count === 1 ? 'shell' : 'shells'}; the next goes up at ${(editor.cursor / RATE).toFixed(1)} s`;
-        place = -1;
-      }
-      const at = isPlaying ? sim.world.tick - sim.showStart : editor.cursor;
-      if (at === place) return;
-      place = at;
-      cursor.style.left = `${Math.min(100, (100 * at) / length)}%`;
-    },
-  };
+}
+
+function createMark({ tick, kind, color }: Cue, palette: readonly StarColor[], length: number, isChosen: boolean) {
+  const mark = document.createElement('button');
+  mark.type = 'button';
+  mark.className = 'fw-mark';
+  mark.title = `${SHELL_NAMES[kind]}, ${palette[color].name}, at ${(tick / STEPS_PER_SECOND).toFixed(1)} s`;
+  mark.setAttribute('aria-label', mark.title);
+  mark.setAttribute('aria-pressed', String(isChosen));
+  mark.style.cssText = `left:${(100 * tick) / length}%;--c:${css(palette[color])}`;
+  return mark;
+}
+
+function statusOf(count: number, cursor: number): string {
+  if (count === 0) return 'Click the sky to add shells to the show';
+  const shells = `${count} ${count === 1 ? 'shell' : 'shells'}`;
+  return `${shells}; the next is added at ${(cursor / STEPS_PER_SECOND).toFixed(1)} s`;
 }

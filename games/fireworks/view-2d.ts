@@ -1,4 +1,4 @@
-/** The picture in 2D, drawn by pixi.js. */
+/** The 2D view, drawn by pixi.js. */
 import {
   type Camera2D,
   fit,
@@ -9,9 +9,9 @@ import {
   worldSource,
 } from '@principia/render-core';
 import { applyCamera, type BodyLayer, createBodyLayer, openScreen } from '@principia/render-pixi';
-import type { Stage, View } from '@principia/shell';
+import type { View, ViewContext } from '@principia/shell';
 import { Container, RendererType, Sprite, Texture, type WebGLRenderer } from 'pixi.js';
-import type { Desk } from './desk.ts';
+import type { PlayerControls } from './controls.ts';
 import { createHud } from './hud.ts';
 import { paintShore, paintSky } from './landscape.ts';
 import { createLight2D } from './light-2d.ts';
@@ -20,15 +20,18 @@ import type { Settings } from './settings.ts';
 import type { FireworksGame } from './sim.ts';
 import { listenToSky } from './sky-pointer.ts';
 
-/** What is to be seen, m: the sky that shells reach, and some water. */
-const SEEN = { minX: -50, minY: -8, maxX: 50, maxY: 58 };
-const SEEN_HEIGHT = SEEN.maxY - SEEN.minY;
-/** A tall window comes closer, as long as it shows this width, m, and `SEEN` leaves this part of its height free. */
-const LEAST_WIDTH = 72;
-const LEAST_FREE = 0.38;
+/** Visible region, m: the sky that shells reach, and some water. */
+const VISIBLE = { minX: -50, minY: -8, maxX: 50, maxY: 58 };
+const VISIBLE_HEIGHT = VISIBLE.maxY - VISIBLE.minY;
+/** A tall window zooms in as long as it shows this width, m, and this fraction of its height stays free. */
+const MIN_WIDTH = 72;
+const MIN_FREE_SHARE = 0.38;
 
-export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: Desk): Promise<View> {
-  const screen = await openScreen(stage.element, { background: '#03040d' });
+export async function openView2D(
+  context: ViewContext<Settings, FireworksGame>,
+  controls: PlayerControls,
+): Promise<View> {
+  const screen = await openScreen(context.element, { background: '#03040d' });
   const { canvas, renderer } = screen;
   const light = renderer.type === RendererType.WEBGL ? createLight2D(renderer as WebGLRenderer) : undefined;
   const shining = new Container();
@@ -36,39 +39,29 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
   screen.stage.addChild(backdrop.sky, light?.container ?? shining, backdrop.shore);
   const camera: Camera2D = { x: 0, y: 20, pixelsPerMetre: 10 };
   const clock = new LightClock();
-  let layer = createSparks(stage.sim(), shining);
+  let layer = createSparks(context.sim(), shining);
   let zoomed = 1;
-  const look = () => {
-    // Shells burst where the panel does not hide them; the landscape is as wide as the window.
-    const { right } = stage.insets();
-    const { height } = viewport;
-    const width = Math.max(1, viewport.width - right);
-    fit(camera, SEEN, { width, height }, 0);
-    const closer = Math.min(width / LEAST_WIDTH, ((1 - LEAST_FREE) * height) / SEEN_HEIGHT);
-    camera.pixelsPerMetre = Math.max(camera.pixelsPerMetre, closer);
-    // What stays free goes above and below, so that shells burst before the eyes and not at the feet.
-    const free = Math.max(0, height - SEEN_HEIGHT * camera.pixelsPerMetre);
-    const lift = Math.min(0.26 * height, 0.8 * Math.max(0, free - 0.25 * height));
-    const ground = lift - SEEN.minY * camera.pixelsPerMetre;
-    camera.pixelsPerMetre *= zoomed;
-    camera.x = right / 2 / camera.pixelsPerMetre;
-    // The ground stays where it is, however close.
-    camera.y = (height / 2 - ground) / camera.pixelsPerMetre;
+  const fitAll = () => {
+    const ground = fitCamera(camera, viewport, context.insets().right, zoomed);
     backdrop.paint(viewport, ground, camera.pixelsPerMetre);
     light?.clear();
+  };
+  const setZoom = (factor: number) => {
+    zoomed = factor;
+    fitAll();
   };
   const viewport = watchViewport(canvas, (width, height, resolution) => {
     renderer.resize(width, height, resolution);
     light?.resize(width, height, resolution);
-    queueMicrotask(look);
+    queueMicrotask(fitAll);
   });
   const shown = { x: 0, y: 0 };
   const place = (x: number, y: number) => toScreen(camera, viewport, x, y, shown);
-  const pointer = listenToSky(stage, desk, canvas, {
+  const pointer = listenToSky(context, controls, canvas, {
     world: (x, y) => ({ ...toWorld(camera, viewport, x, y, { x: 0, y: 0 }), z: 0 }),
     screen: place,
   });
-  const hud = createHud(stage, desk);
+  const hud = createHud(context, controls);
   let time = 0;
   let hasShone = false;
   return {
@@ -76,18 +69,18 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
     refresh(change) {
       if (change === 'setting') return;
       layer.destroy();
-      layer = createSparks(stage.sim(), shining);
+      layer = createSparks(context.sim(), shining);
       clock.reset();
       light?.clear();
     },
     draw(alpha, seconds) {
-      const sim = stage.sim();
-      if (!stage.reducedMotion) time += seconds;
+      const sim = context.sim();
+      if (!context.reducedMotion) time += seconds;
       applyCamera(shining, camera, viewport);
       layer.update(alpha);
-      // As long as nothing has shone there is no light to fade: the first frame waits for no program of it.
+      // Before the first light nothing fades, so the first frame does not wait for the shader programs.
       hasShone ||= sim.scene.alive + sim.scene.flying > 0;
-      if (light !== undefined && hasShone && clock.advance(sim, alpha, stage.values().glow)) {
+      if (light !== undefined && hasShone && clock.advance(sim, alpha, context.values().glow)) {
         shining.alpha = clock.gain;
         light.add(shining, clock.fade);
       }
@@ -96,25 +89,35 @@ export async function openView2D(stage: Stage<Settings, FireworksGame>, desk: De
       hud.update(seconds, place);
       screen.render();
     },
-    fit() {
-      zoomed = 1;
-      look();
-    },
-    zoom(factor) {
-      zoomed = Math.min(4, Math.max(0.4, zoomed * factor));
-      look();
-    },
+    fit: () => setZoom(1),
+    zoom: (factor) => setZoom(Math.min(4, Math.max(0.4, zoomed * factor))),
     toScreen: place,
     destroy() {
-      pointer.destroy();
-      hud.destroy();
-      viewport.destroy();
-      layer.destroy();
-      light?.destroy();
-      backdrop.destroy();
-      screen.destroy();
+      for (const part of [pointer, hud, viewport, layer, light, backdrop, screen]) part?.destroy();
     },
   };
+}
+
+/**
+ * Fits the camera to the window.
+ * @param right width of the panel, CSS pixels @returns height of the waterline above the bottom of the window, CSS pixels
+ */
+function fitCamera(camera: Camera2D, viewport: Viewport, right: number, zoomed: number): number {
+  // Shells burst where the panel does not hide them; the landscape fills the window.
+  const { height } = viewport;
+  const width = Math.max(1, viewport.width - right);
+  fit(camera, VISIBLE, { width, height }, 0);
+  const closer = Math.min(width / MIN_WIDTH, ((1 - MIN_FREE_SHARE) * height) / VISIBLE_HEIGHT);
+  camera.pixelsPerMetre = Math.max(camera.pixelsPerMetre, closer);
+  // Free height is shared between above and below, so that shells burst near the centre of the window.
+  const free = Math.max(0, height - VISIBLE_HEIGHT * camera.pixelsPerMetre);
+  const lift = Math.min(0.26 * height, 0.8 * Math.max(0, free - 0.25 * height));
+  const ground = lift - VISIBLE.minY * camera.pixelsPerMetre;
+  camera.pixelsPerMetre *= zoomed;
+  camera.x = right / 2 / camera.pixelsPerMetre;
+  // The waterline keeps its height under zoom.
+  camera.y = (height / 2 - ground) / camera.pixelsPerMetre;
+  return ground;
 }
 
 function createSparks({ world }: FireworksGame, parent: Container): BodyLayer {
@@ -128,7 +131,7 @@ function createSparks({ world }: FireworksGame, parent: Container): BodyLayer {
   return layer;
 }
 
-/** Sky and shore, painted anew for every size of the window. */
+/** Sky and shore, repainted for every window size. */
 function createBackdrop() {
   const sky = new Sprite();
   const shore = new Sprite();
@@ -140,7 +143,7 @@ function createBackdrop() {
   return {
     sky,
     shore,
-    /** @param ground height of the water's edge above the lower end of the window, CSS pixels */
+    /** @param ground height of the waterline above the bottom of the window, CSS pixels */
     paint({ width, height, resolution }: Viewport, ground: number, pixelsPerMetre: number) {
       const scale = pixelsPerMetre * resolution;
       const horizon = Math.round((height - ground) * resolution);

@@ -1,7 +1,13 @@
-/** The same night in 3D, drawn by three.js. */
+/** The 3D view, drawn by three.js. */
 import { worldSource } from '@principia/render-core';
-import { type BodyMesh, createBodyMesh, createOrbitCamera, fitRendererToParent } from '@principia/render-three';
-import type { Stage, View } from '@principia/shell';
+import {
+  type BodyMesh,
+  createBodyMesh,
+  createOrbitCamera,
+  fitRendererToParent,
+  type OrbitCamera,
+} from '@principia/render-three';
+import type { View, ViewContext } from '@principia/shell';
 import {
   Color,
   ConstantColorFactor,
@@ -16,7 +22,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from 'three';
-import type { Desk } from './desk.ts';
+import type { PlayerControls } from './controls.ts';
 import { createHud } from './hud.ts';
 import { createLight3D } from './light-3d.ts';
 import { LightClock } from './light-clock.ts';
@@ -25,37 +31,29 @@ import type { FireworksGame } from './sim.ts';
 import { listenToSky } from './sky-pointer.ts';
 import { createWorld3D } from './world-3d.ts';
 
-/** Where the camera looks, and from where: over the water, from the shore, m. */
-const MIDDLE = new Vector3(0, 27, 0);
+/** Target and position of the camera on the shore, m. */
+const CENTRE = new Vector3(0, 27, 0);
 const EYE = new Vector3(18, 9, 84);
-/** Part of the light that water throws back. */
-const MIRRORED = 0.45;
+/** Reflectance of the water. */
+const REFLECTANCE = 0.45;
 
-export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: Desk): Promise<View> {
+export async function openView3D(
+  context: ViewContext<Settings, FireworksGame>,
+  controls: PlayerControls,
+): Promise<View> {
   const renderer = new WebGLRenderer({ antialias: false });
   renderer.autoClear = false;
   const canvas = renderer.domElement;
-  stage.element.append(canvas);
-  const orbit = createOrbitCamera({ element: canvas, camera: new PerspectiveCamera(48, 1, 1, 2000) });
+  context.element.append(canvas);
+  const orbit = createOrbit(canvas, !context.reducedMotion);
   const camera = orbit.camera as PerspectiveCamera;
-  Object.assign(orbit.controls, { minDistance: 35, maxDistance: 125, maxPolarAngle: 1.75, enablePan: false });
-  orbit.controls.enableDamping = !stage.reducedMotion;
   const scenery = createWorld3D();
   const backdrop = new Scene().add(scenery.object);
   const shining = new Scene();
   const light = createLight3D(renderer, camera);
   const clock = new LightClock();
-  let sparks = createSparks(stage.sim(), shining);
-  const look = () => {
-    orbit.controls.target.copy(MIDDLE);
-    camera.position.copy(EYE);
-    // A narrow window needs more distance.
-    camera.position
-      .sub(MIDDLE)
-      .multiplyScalar(Math.min(1.25, Math.max(1, 1.5 / camera.aspect)))
-      .add(MIDDLE);
-    orbit.update(0);
-  };
+  let sparks = createSparks(context.sim(), shining);
+  const resetCamera = () => placeCamera(orbit);
   const size = new Vector2();
   const viewport = fitRendererToParent(renderer, camera, {
     onResize() {
@@ -63,49 +61,43 @@ export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: De
       light.resize(size.x, size.y);
     },
   });
-  look();
+  resetCamera();
   const screen = (x: number, y: number, z: number) => {
     camera.updateMatrixWorld();
     const place = new Vector3(x, y, z).project(camera);
     return { x: ((place.x + 1) / 2) * viewport.width, y: ((1 - place.y) / 2) * viewport.height };
   };
-  const world = placeUnder(camera, viewport);
-  const pointer = listenToSky(stage, desk, canvas, { world, screen, turns: true });
-  const hud = createHud(stage, desk);
+  const world = skyPointUnder(camera, viewport);
+  const pointer = listenToSky(context, controls, canvas, { world, screen, rotatesView: true });
+  const hud = createHud(context, controls);
   const shine = () => sparks.draw(renderer, camera, clock.gain);
   return {
     canvas,
     refresh(change) {
       if (change === 'setting') return;
       sparks.destroy();
-      sparks = createSparks(stage.sim(), shining);
+      sparks = createSparks(context.sim(), shining);
       clock.reset();
       light.clear();
     },
     draw(alpha, seconds) {
-      const sim = stage.sim();
+      const sim = context.sim();
       orbit.update(seconds);
       sparks.mesh.update(alpha);
-      if (clock.advance(sim, alpha, stage.values().glow)) light.add(clock.fade, shine);
+      if (clock.advance(sim, alpha, context.values().glow)) light.add(clock.fade, shine);
       renderer.clear();
       renderer.render(backdrop, camera);
       light.show();
       pointer.update();
       hud.update(seconds, screen);
     },
-    fit: look,
+    fit: resetCamera,
     zoom(factor) {
       camera.position.sub(orbit.controls.target).divideScalar(factor).add(orbit.controls.target);
     },
     toScreen: screen,
     destroy() {
-      pointer.destroy();
-      hud.destroy();
-      sparks.destroy();
-      light.destroy();
-      scenery.destroy();
-      orbit.destroy();
-      viewport.destroy();
+      for (const part of [pointer, hud, sparks, light, scenery, orbit, viewport]) part.destroy();
       renderer.dispose();
       renderer.forceContextLoss();
       canvas.remove();
@@ -113,13 +105,33 @@ export async function openView3D(stage: Stage<Settings, FireworksGame>, desk: De
   };
 }
 
-/** All sparks, drawn as they are and as the water mirrors them. */
+function createOrbit(element: HTMLElement, hasDamping: boolean): OrbitCamera {
+  const orbit = createOrbitCamera({ element, camera: new PerspectiveCamera(48, 1, 1, 2000) });
+  Object.assign(orbit.controls, { minDistance: 35, maxDistance: 125, maxPolarAngle: 1.75, enablePan: false });
+  orbit.controls.enableDamping = hasDamping;
+  return orbit;
+}
+
+/** Moves the camera to its initial position. */
+function placeCamera(orbit: OrbitCamera): void {
+  const camera = orbit.camera as PerspectiveCamera;
+  orbit.controls.target.copy(CENTRE);
+  camera.position.copy(EYE);
+  // A narrow window needs a larger distance.
+  camera.position
+    .sub(CENTRE)
+    .multiplyScalar(Math.min(1.25, Math.max(1, 1.5 / camera.aspect)))
+    .add(CENTRE);
+  orbit.update(0);
+}
+
+/** All sparks, drawn directly and as their mirror image in the water. */
 function createSparks({ world }: FireworksGame, shining: Scene) {
   const mesh: BodyMesh = createBodyMesh({ source: worldSource(world), minPixelRadius: 1.1 });
   const gain = new Color();
   mesh.object.traverse((part) => {
     if (!(part instanceof Mesh)) return;
-    // The gain of a frame multiplies all that is drawn; a mirror image is seen from its back.
+    // The gain of a frame multiplies all light; the mirror image is seen from the back.
     Object.assign(part.material as Material, { blendSrc: ConstantColorFactor, blendColor: gain, side: DoubleSide });
   });
   shining.add(mesh.object);
@@ -129,7 +141,7 @@ function createSparks({ world }: FireworksGame, shining: Scene) {
       gain.setScalar(strength);
       renderer.render(shining, camera);
       mesh.object.scale.y = -1;
-      gain.setScalar(MIRRORED * strength);
+      gain.setScalar(REFLECTANCE * strength);
       renderer.render(shining, camera);
       mesh.object.scale.y = 1;
     },
@@ -140,8 +152,11 @@ function createSparks({ world }: FireworksGame, shining: Scene) {
   };
 }
 
-/** Finds the place under a point of the canvas in the upright plane through the middle that faces the camera. */
-function placeUnder(camera: PerspectiveCamera, size: { readonly width: number; readonly height: number }) {
+/**
+ * Returns a function that intersects the ray through a point of the canvas with the vertical plane through the centre
+ * that faces the camera.
+ */
+function skyPointUnder(camera: PerspectiveCamera, size: { readonly width: number; readonly height: number }) {
   const ray = new Raycaster();
   const plane = new Plane();
   const facing = new Vector3();
@@ -149,8 +164,8 @@ function placeUnder(camera: PerspectiveCamera, size: { readonly width: number; r
     camera.updateMatrixWorld();
     ray.setFromCamera(new Vector2((2 * x) / size.width - 1, 1 - (2 * y) / size.height), camera);
     camera.getWorldDirection(facing).setY(0).normalize();
-    plane.setFromNormalAndCoplanarPoint(facing, MIDDLE);
-    const { x: px, y: py, z: pz } = ray.ray.intersectPlane(plane, new Vector3()) ?? MIDDLE;
+    plane.setFromNormalAndCoplanarPoint(facing, CENTRE);
+    const { x: px, y: py, z: pz } = ray.ray.intersectPlane(plane, new Vector3()) ?? CENTRE;
     return { x: px, y: py, z: pz };
   };
 }

@@ -1,12 +1,12 @@
-/** The voices of fireworks, made of oscillators and noise. */
+/** The sounds of fireworks, synthesised from oscillators and noise. */
 
-/** Where voices end. */
+/** The output chain of all voices. */
 export interface Mixer {
   readonly context: AudioContext;
   readonly master: GainNode;
   readonly bus: AudioNode;
   readonly noise: AudioBuffer;
-  /** Voices that sound or wait to. */
+  /** Number of voices that sound or are scheduled. */
   voices: number;
 }
 
@@ -16,7 +16,7 @@ export function openMixer(): Mixer {
   const master = new GainNode(context, { gain: 1 });
   const limiter = new DynamicsCompressorNode(context, { threshold: -14, ratio: 12, attack: 0.002, release: 0.2 });
   const bus = new GainNode(context, { gain: 0.8 });
-  // The hills throw a dull echo back, twice.
+  // Two muffled echoes from the hills.
   const echo = new DelayNode(context, { delayTime: 0.83, maxDelayTime: 1 });
   const dull = new BiquadFilterNode(context, { type: 'lowpass', frequency: 420 });
   const again = new GainNode(context, { gain: 0.3 });
@@ -34,7 +34,7 @@ function whiteNoise(context: AudioContext): AudioBuffer {
   return buffer;
 }
 
-/** A way from a voice to the ear: how loud over time, and from which side. Counts the voice until its source ends. */
+/** Connects a source to the mixer and schedules it. Counts the voice until the source ends. */
 function play(mixer: Mixer, source: AudioScheduledSourceNode, through: AudioNode[], at: number, length: number): void {
   let last: AudioNode = source;
   for (const node of [...through, mixer.bus]) last = last.connect(node);
@@ -51,8 +51,8 @@ function noiseOf({ context, noise }: Mixer): AudioBufferSourceNode {
   return new AudioBufferSourceNode(context, { buffer: noise, loop: true, loopStart: 0, loopEnd: 2 });
 }
 
-/** Loud at once, then falling to a thousandth. */
-function falling(context: AudioContext, at: number, loudness: number, attack: number, length: number): GainNode {
+/** An envelope with exponential attack and decay to a thousandth. */
+function decayEnvelope(context: AudioContext, at: number, loudness: number, attack: number, length: number): GainNode {
   const gain = new GainNode(context, { gain: 0 });
   gain.gain.setValueAtTime(0.0001, at);
   gain.gain.exponentialRampToValueAtTime(loudness, at + attack);
@@ -60,43 +60,49 @@ function falling(context: AudioContext, at: number, loudness: number, attack: nu
   return gain;
 }
 
-/** A dull thump out of the mortar, and a whistle that climbs and dies away. */
+/** A thump from the mortar and a whistle that rises and fades. */
 export function launchVoice(mixer: Mixer, at: number, pan: number): void {
   const { context } = mixer;
   const thump = new OscillatorNode(context, { frequency: 90 });
   thump.frequency.setValueAtTime(90, at);
   thump.frequency.exponentialRampToValueAtTime(38, at + 0.18);
-  play(mixer, thump, [falling(context, at, 0.5, 0.004, 0.25), new StereoPannerNode(context, { pan })], at, 0.26);
+  play(mixer, thump, [decayEnvelope(context, at, 0.5, 0.004, 0.25), new StereoPannerNode(context, { pan })], at, 0.26);
   const length = 1 + 0.5 * Math.random();
   const top = 1500 + 900 * Math.random();
   const whistle = new OscillatorNode(context, { type: 'sine', frequency: 700 });
   whistle.frequency.setValueAtTime(0.45 * top, at + 0.1);
   whistle.frequency.exponentialRampToValueAtTime(top, at + 0.1 + 0.6 * length);
   whistle.frequency.exponentialRampToValueAtTime(0.8 * top, at + 0.1 + length);
-  const gain = falling(context, at + 0.1, 0.035, 0.25, length);
+  const gain = decayEnvelope(context, at + 0.1, 0.035, 0.25, length);
   play(mixer, whistle, [gain, new StereoPannerNode(context, { pan })], at + 0.1, length);
 }
 
-/** A blow one feels, and the roar after it. */
+/** A low blow followed by a roar. */
 export function burstVoice(mixer: Mixer, at: number, pan: number, power: number): void {
   const { context } = mixer;
   const loudness = 0.55 + 0.45 * power;
   const blow = new OscillatorNode(context, { frequency: 80 });
   blow.frequency.setValueAtTime(82 - 20 * power, at);
   blow.frequency.exponentialRampToValueAtTime(30, at + 0.35);
-  play(mixer, blow, [falling(context, at, loudness, 0.003, 0.6), new StereoPannerNode(context, { pan })], at, 0.62);
+  play(
+    mixer,
+    blow,
+    [decayEnvelope(context, at, loudness, 0.003, 0.6), new StereoPannerNode(context, { pan })],
+    at,
+    0.62,
+  );
   const filter = new BiquadFilterNode(context, { type: 'lowpass', frequency: 1600, Q: 0.4 });
   filter.frequency.setValueAtTime(1900, at);
   filter.frequency.exponentialRampToValueAtTime(110, at + 1.1);
-  const roar = [filter, falling(context, at, 0.7 * loudness, 0.002, 1.3), new StereoPannerNode(context, { pan })];
+  const roar = [filter, decayEnvelope(context, at, 0.7 * loudness, 0.002, 1.3), new StereoPannerNode(context, { pan })];
   play(mixer, noiseOf(mixer), roar, at, 1.35);
 }
 
-/** One snap. */
+/** A single snap. */
 export function crackleVoice(mixer: Mixer, at: number, pan: number): void {
   const { context } = mixer;
   const frequency = 1800 + 3000 * Math.random();
   const filter = new BiquadFilterNode(context, { type: 'bandpass', frequency, Q: 1.2 });
-  const snap = [filter, falling(context, at, 0.16, 0.001, 0.06), new StereoPannerNode(context, { pan })];
+  const snap = [filter, decayEnvelope(context, at, 0.16, 0.001, 0.06), new StereoPannerNode(context, { pan })];
   play(mixer, noiseOf(mixer), snap, at + 0.05 * Math.random(), 0.12);
 }

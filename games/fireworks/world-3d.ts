@@ -1,4 +1,4 @@
-/** The night around the fireworks in 3D: a dome of sky, a ring of hills and town, and a lake. */
+/** The 3D landscape: a dome of sky, a ring of hills and town, and a lake. */
 import {
   BackSide,
   CanvasTexture,
@@ -14,10 +14,10 @@ import {
 } from 'three';
 import { paintShore, paintSky } from './landscape.ts';
 
-/** Distance of the shore, m, and how high the painted part of it reaches. */
+/** Distance of the shore and height of its painting, m. */
 const SHORE = 150;
 const SHORE_HEIGHT = 30;
-/** Distance of the sky, m. */
+/** Radius of the sky dome, m. */
 const SKY = 900;
 
 export interface World3D {
@@ -30,7 +30,7 @@ export function createWorld3D(): World3D {
   const scale = 4096 / (2 * Math.PI * SHORE);
   const height = Math.round(SHORE_HEIGHT * scale);
   const shore = textureOf(paintShore({ width: 4096, height, horizon: height, scale: 1.7 * scale }));
-  // The sky's picture ends at the horizon: half a sphere.
+  // The sky texture ends at the horizon, so the dome is a hemisphere.
   const dome = new Mesh(new SphereGeometry(SKY, 48, 24, 0, 2 * Math.PI, 0, Math.PI / 2), plain({ map: sky }));
   const ring = new Mesh(
     new CylinderGeometry(SHORE, SHORE, SHORE_HEIGHT, 96, 1, true),
@@ -38,7 +38,7 @@ export function createWorld3D(): World3D {
   );
   ring.position.y = SHORE_HEIGHT / 2;
   const lake = new Mesh(new CircleGeometry(SHORE, 96), new MeshBasicMaterial({ color: 0x0a0f2a }));
-  // Behind the town lies the plain that its hills stand on.
+  // The land behind the town.
   const land = new Mesh(new RingGeometry(SHORE, SKY, 96), new MeshBasicMaterial({ color: 0x0c1030 }));
   for (const flat of [lake, land]) flat.rotation.x = -Math.PI / 2;
   const parts = [dome, ring, lake, land];

@@ -107,7 +107,7 @@ describe.each(games)('%s in %s', (game, renderer) => {
     await touch('touchEnd');
     await page.evaluate(() => __game.step(1));
     const after = await state(page);
-    expect(after.held).toEqual([]);
+    expect(after.dragged).toEqual([]);
     expect(after.game.held ?? []).toEqual([]);
     expect(after.game.heading ?? '').toBe('');
     expect(after.banner).toBe('');

@@ -15,7 +15,7 @@ interface Told {
   readonly score: number;
   readonly dodged: number;
   readonly heading: string;
-  readonly prize: number;
+  readonly goalPoints: number;
   readonly isDemo: boolean;
   readonly isReplay: boolean;
   readonly hash: string;
@@ -42,7 +42,7 @@ describe('playing', () => {
     expect(await told(page)).toMatchObject({ phase: 'ready', lives: 3, score: 0 });
     await perform(page, await take(page), plan);
     const won = await told(page);
-    expect(won).toMatchObject({ dodged: 1, score: 1, prize: 2, lives: 3 });
+    expect(won).toMatchObject({ dodged: 1, score: 1, goalPoints: 2, lives: 3 });
     expect(won.holes).toHaveLength(2);
     await frames(page);
     expect(await page.locator('.bh-score').textContent()).toBe('1 hole dodged');
@@ -81,12 +81,12 @@ describe('playing', () => {
     const { tick } = await state(page);
     const end = await told(page);
     expect(end.phase).toBe('over');
-    await page.locator('.game-outcome button', { hasText: 'Watch it' }).click();
+    await page.locator('.game-outcome button', { hasText: 'Watch replay' }).click();
     expect(await state(page)).toMatchObject({ tick: 0, rewound: true });
     await steps(page, tick);
     expect((await told(page)).hash).toBe(end.hash);
     await frames(page);
-    expect(await page.locator('.game-outcome').textContent()).toContain('Not counted');
+    expect(await page.locator('.game-outcome').textContent()).toContain('Not ranked');
     // By key, from the beginning again; and whoever pushes an arrow plays on.
     await page.keyboard.press('z');
     await steps(page, 1);
@@ -160,7 +160,7 @@ describe('other hands', () => {
     await page.mouse.dblclick(300, 200);
     await steps(page, 1);
     const after = await told(page);
-    expect(after.prize).toBe(1);
+    expect(after.goalPoints).toBe(1);
     expect(after.holes).not.toEqual(before.holes);
   });
 

@@ -2,7 +2,7 @@
 import { stateHash, step } from '@principia/physics';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { dress } from '../../games/bouncing-balls/looks.ts';
+import { applyColors } from '../../games/bouncing-balls/colors.ts';
 import { createBalls, parameters } from '../../games/bouncing-balls/sim.ts';
 import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state, steps } from '../support/game-page.ts';
 
@@ -67,7 +67,7 @@ describe('the page', () => {
       collisions: false,
     };
     const sim = createBalls({ values, seed: 7, dimensions });
-    dress(sim, 7);
+    applyColors(sim, 7);
     for (let i = 0; i < 200; i++) step(sim.world, sim.dt);
     expect((await state(page)).hash).toBe(stateHash(sim.world));
   });
@@ -95,9 +95,9 @@ describe('the page', () => {
     const page = await play('manual&count=abc&seed=-1&colour=red&renderer=four&gravity=1000');
     const { banner, values, seed, renderer } = await state(page);
     expect(await page.locator('.game-banner').isVisible()).toBe(true);
-    expect(banner).toContain('count must be a whole number from 1 to 100000, but it was “abc”. It stays 5.');
+    expect(banner).toContain('count must be a whole number from 1 to 100000, but it was “abc”. Using 5 instead.');
     expect(banner).toContain('seed must be a whole number from 0 to 4294967295');
-    expect(banner).toContain('“colour”, which this game does not have');
+    expect(banner).toContain('“colour”, which is not a setting of this game');
     expect(banner).toContain('renderer must be pixi or three');
     expect(banner).toContain('gravity must be a number from 0 to 30 m/s²');
     expect({ count: values.count, seed, renderer }).toEqual({ count: 5, seed: 1, renderer: 'pixi' });
@@ -106,7 +106,7 @@ describe('the page', () => {
   it('waits where the system asks for little motion', async () => {
     const page = await play('', { reducedMotion: 'reduce' });
     expect(await state(page)).toMatchObject({ paused: true, tick: 0 });
-    expect((await state(page)).banner).toContain('little motion');
+    expect((await state(page)).banner).toContain('reduced motion');
   });
 });
 
@@ -190,7 +190,7 @@ describe('holding and throwing', () => {
     const from = ball.screen as { x: number; y: number };
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
-    expect((await state(page)).held).toEqual([ball.id]);
+    expect((await state(page)).dragged).toEqual([ball.id]);
     await page.mouse.move(from.x + 72, from.y + 48, { steps: 6 });
     // A hand moves a ball at 50 m/s at most: it takes a few steps to get there.
     await steps(page, 4);
@@ -200,7 +200,7 @@ describe('holding and throwing', () => {
     await page.waitForTimeout(150);
     await page.mouse.up();
     // The mouse rested before it let go: the ball is dropped, not thrown.
-    expect((await state(page)).held).toEqual([]);
+    expect((await state(page)).dragged).toEqual([]);
     expect(await body(page, 2)).toMatchObject({ vx: 0, vy: 0 });
   });
 
@@ -276,8 +276,8 @@ describe('holding and throwing', () => {
     const fingers = before.map(({ screen }, id) => ({ x: screen?.x ?? 0, y: screen?.y ?? 0, id }));
     await touch('touchStart', fingers.slice(0, 1));
     await touch('touchStart', fingers);
-    await page.waitForFunction(() => __game.state().held.length === 2);
-    expect((await state(page)).held).toEqual(before.map(({ id }) => id));
+    await page.waitForFunction(() => __game.state().dragged.length === 2);
+    expect((await state(page)).dragged).toEqual(before.map(({ id }) => id));
     const moved = fingers.map(({ x, y, id }) => ({ x: x + 30, y: y + (id === 0 ? 40 : 25), id }));
     await touch('touchMove', moved);
     await page.waitForTimeout(100);
@@ -291,10 +291,10 @@ describe('holding and throwing', () => {
       expect(screen?.y).toBeCloseTo(moved[i].y, -0.5);
     }
     await touch('touchEnd', moved.slice(1));
-    await page.waitForFunction(() => __game.state().held.length === 1);
-    expect((await state(page)).held).toEqual([before[0].id]);
+    await page.waitForFunction(() => __game.state().dragged.length === 1);
+    expect((await state(page)).dragged).toEqual([before[0].id]);
     await touch('touchEnd', moved.slice(0, 1));
-    await page.waitForFunction(() => __game.state().held.length === 0);
+    await page.waitForFunction(() => __game.state().dragged.length === 0);
   });
 
   it('moves and scales the view beside the balls', async () => {

@@ -34,14 +34,14 @@ describe('the cloth', () => {
     const { x, y } = await nodePlace(page, 32, 20);
     await page.mouse.move(x, y);
     await page.mouse.down();
-    expect((await state(page)).held.length).toBeGreaterThan(10);
+    expect((await state(page)).dragged.length).toBeGreaterThan(10);
     for (let i = 1; i <= 20; i++) {
       await page.mouse.move(x, y + 10 * i);
       await frames(page);
     }
     await page.mouse.up();
     expect(await broken(page)).toBeGreaterThan(10);
-    expect((await state(page)).held).toEqual([]);
+    expect((await state(page)).dragged).toEqual([]);
     await page.keyboard.press('r');
     await frames(page);
     expect(await broken(page)).toBe(0);
@@ -53,13 +53,13 @@ describe('the cloth', () => {
     const fingers = [await nodePlace(page, 12, 30), await nodePlace(page, 52, 30)].map((at, id) => ({ ...at, id }));
     await touch('touchStart', fingers.slice(0, 1));
     await frames(page);
-    const one = (await state(page)).held.length;
+    const one = (await state(page)).dragged.length;
     await touch('touchStart', fingers);
     await frames(page);
     expect(one).toBeGreaterThan(10);
-    expect((await state(page)).held.length).toBeGreaterThan(one + 10);
+    expect((await state(page)).dragged.length).toBeGreaterThan(one + 10);
     await touch('touchEnd');
     await frames(page);
-    expect((await state(page)).held).toEqual([]);
+    expect((await state(page)).dragged).toEqual([]);
   });
 });

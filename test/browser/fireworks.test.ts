@@ -20,7 +20,7 @@ interface Told {
   readonly isShowing: boolean;
   readonly isDemo: boolean;
   readonly held: readonly number[];
-  readonly sight: { readonly x: number; readonly y: number };
+  readonly crosshair: { readonly x: number; readonly y: number };
   readonly cues: readonly Cue[];
   readonly sound: { readonly state: string; readonly heard: number; readonly lastDelay: number };
 }
@@ -88,10 +88,10 @@ describe('hands', () => {
     await steps(page, 90);
     await page.keyboard.up('Enter');
     await steps(page, 1);
-    const { sight, fired, log } = await told(page);
-    expect(sight.x).toBeCloseTo(30, 6);
+    const { crosshair, fired, log } = await told(page);
+    expect(crosshair.x).toBeCloseTo(30, 6);
     expect(fired).toBe(1);
-    expect(log.at(-1)?.input).toMatchObject({ do: 'fire', x: sight.x, y: sight.y, kind: 1 });
+    expect(log.at(-1)?.input).toMatchObject({ do: 'fire', x: crosshair.x, y: crosshair.y, kind: 1 });
     // The arrow steers here: it is not the key for one step.
     expect((await state(page)).tick).toBe(151);
   });
@@ -116,7 +116,7 @@ describe('hands', () => {
       );
     await frames(page);
     await steps(page, 30);
-    expect((await told(page)).sight.x).toBeCloseTo(-15, 6);
+    expect((await told(page)).crosshair.x).toBeCloseTo(-15, 6);
     await push(0, true);
     await frames(page);
     await steps(page, 60);
@@ -124,10 +124,10 @@ describe('hands', () => {
     await push(0, false);
     await frames(page);
     await steps(page, 1);
-    const { sight, fired, log } = await told(page);
-    expect(sight.x).toBeCloseTo(-15, 6);
+    const { crosshair, fired, log } = await told(page);
+    expect(crosshair.x).toBeCloseTo(-15, 6);
     expect(fired).toBe(1);
-    expect(log.at(-1)?.input).toMatchObject({ do: 'fire', x: sight.x, y: sight.y });
+    expect(log.at(-1)?.input).toMatchObject({ do: 'fire', x: crosshair.x, y: crosshair.y });
   });
 
   it('of two fingers hold two shells at once; one that is taken away is forgotten', async () => {
@@ -232,7 +232,7 @@ describe('a show', () => {
     async (text) => {
       const page = await play(`manual#show=${text}`);
       await page.waitForFunction(() => __game.state().banner !== '');
-      expect((await state(page)).banner).toMatch(/^The show in the address .*Meanwhile the game plays its own\.$/);
+      expect((await state(page)).banner).toMatch(/^The show in the address .*The demo show plays instead\.$/);
       await steps(page, 2);
       expect(await told(page)).toMatchObject({ isDemo: true, isShowing: true, flying: 3 });
     },
@@ -264,7 +264,7 @@ describe('sound', () => {
   it.each(['missing', 'blocked'])('that is %s is said once, and the game plays on', async (how) => {
     const page = await play('manual', { prepare: how === 'missing' ? hideAudio : blockAudio });
     await page.mouse.click(400, 100);
-    await page.waitForFunction(() => __game.state().banner.includes('no sound'));
+    await page.waitForFunction(() => __game.state().banner.includes('No sound'));
     await page.mouse.click(300, 150);
     await steps(page, 1);
     expect(await told(page)).toMatchObject({ fired: 2, sound: { state: 'blocked' } });

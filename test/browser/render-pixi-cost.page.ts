@@ -1,7 +1,7 @@
 /** The page of `render-pixi-cost.test.ts`: times frames of JavaScript, ours and those of pixi's `ParticleContainer`. */
 import { createBodyLayer } from '@principia/render-pixi';
 import { Application, Container, Particle, ParticleContainer, Texture } from 'pixi.js';
-import { createFakeSource, type FakeSource } from '../../packages/render-core/src/fake-source.ts';
+import { createTestBodySource, type TestBodySource } from '../support/body-source.ts';
 
 /** Medians of milliseconds of JavaScript per frame: bringing the picture up to date, and `render()`. */
 export interface FrameCost {
@@ -16,8 +16,8 @@ async function openApp(): Promise<Application> {
   return app;
 }
 
-function crowd(count: number): FakeSource {
-  const source = createFakeSource(Math.ceil(count / 1024) * 1024);
+function crowd(count: number): TestBodySource {
+  const source = createTestBodySource(Math.ceil(count / 1024) * 1024);
   for (let id = 0; id < count; id++) {
     source.position.x[id] = source.previousPosition.x[id] = (id * 7919) % 128;
     source.position.y[id] = source.previousPosition.y[id] = -((id * 104729) % 128);

@@ -2,7 +2,7 @@
 import { fit as fitCamera, listenToPointers, watchViewport } from '@principia/render-core';
 import { applyCamera, createBodyLayer } from '@principia/render-pixi';
 import { Application, Container } from 'pixi.js';
-import { createFakeSource } from '../../packages/render-core/src/fake-source.ts';
+import { createTestBodySource } from '../support/body-source.ts';
 
 const box = document.createElement('div');
 box.style.cssText = 'width:400px;height:300px';
@@ -12,7 +12,7 @@ const app = new Application();
 await app.init({ background: 0x000000, preference: 'webgl', autoDensity: true });
 box.append(app.canvas);
 
-const source = createFakeSource(1024);
+const source = createTestBodySource(1024);
 source.size[1] = 2;
 source.show([1]);
 const layer = createBodyLayer({ source });

@@ -8,7 +8,7 @@ import {
   createTrailLayer,
 } from '@principia/render-pixi';
 import { Application, Container } from 'pixi.js';
-import { createFakeSource, type FakeSource } from '../../packages/render-core/src/fake-source.ts';
+import { createTestBodySource, type TestBodySource } from '../support/body-source.ts';
 
 export type Backend = 'webgl' | 'webgpu';
 
@@ -87,7 +87,7 @@ export function differing(a: Picture, b: Picture, tolerance = 0): number {
 
 const WHITE = 0xffffffff;
 
-function place(source: FakeSource, id: number, x: number, y: number, size: number, color = WHITE, angle = 0): void {
+function place(source: TestBodySource, id: number, x: number, y: number, size: number, color = WHITE, angle = 0): void {
   for (const position of [source.position, source.previousPosition]) {
     position.x[id] = x;
     position.y[id] = y;
@@ -99,8 +99,8 @@ function place(source: FakeSource, id: number, x: number, y: number, size: numbe
 }
 
 /** All five shapes, some turned, some translucent: a picture worth comparing between back ends. */
-function shapeShow(): FakeSource {
-  const source = createFakeSource(1024);
+function shapeShow(): TestBodySource {
+  const source = createTestBodySource(1024);
   const colors = [0xff5ec8ff, 0xff7de08a, 0xffff9f5e, 0xffd98cff, 0xff6ee7ff];
   const kinds = Object.values(SHAPES);
   const ids: number[] = [];
@@ -125,7 +125,7 @@ export const lab = {
   /** A white disc of radius 40 pixels whose centre is off the pixel grid. */
   async disc(backend: Backend, precision: 'f32' | 'f64', far = 0) {
     const stage = await Stage.open(backend);
-    const source = createFakeSource(1024, 2, precision);
+    const source = createTestBodySource(1024, 2, precision);
     place(source, 5, far + 3.15, -2.6, 20);
     source.show([5]);
     const layer = createBodyLayer({ source });
@@ -142,7 +142,7 @@ export const lab = {
   /** Where a moving body is drawn, and which way its mark points, for several alphas. */
   async interpolation(backend: Backend, alphas: number[]) {
     const stage = await Stage.open(backend);
-    const source = createFakeSource(1024);
+    const source = createTestBodySource(1024);
     place(source, 1, 30, 10, 20, 0xffffffff);
     source.previousPosition.x[1] = -30;
     source.previousPosition.y[1] = -50;
@@ -172,7 +172,7 @@ export const lab = {
   /** Areas in red, green and blue light for bodies that use each rule for colour and radius. */
   async styles(backend: Backend) {
     const stage = await Stage.open(backend);
-    const source = createFakeSource(1024);
+    const source = createTestBodySource(1024);
     place(source, 1, -60, 0, 10, 0xff0000ff);
     place(source, 2, 0, 0, 0, 0xff00ff00);
     source.radius[2] = 15;
@@ -194,7 +194,7 @@ export const lab = {
   /** Light of every second body of a population that grows and shrinks, as seen by two renderers at once. */
   async population(backend: Backend, counts: number[]) {
     const stage = await Stage.open(backend);
-    const source = createFakeSource(8192);
+    const source = createTestBodySource(8192);
     const layer = createBodyLayer({ source, rotation: false });
     // A second renderer of the other kind shows the same source and must not get in the way.
     const other = await Stage.open(backend === 'webgl' ? 'webgpu' : 'webgl');
@@ -297,7 +297,7 @@ export const lab = {
   async trail(backend: Backend, options: { bodies?: number[]; steps: number; far?: number }) {
     const { bodies, steps, far = 0 } = options;
     const stage = await Stage.open(backend);
-    const source = createFakeSource(2048, 2, far === 0 ? 'f32' : 'f64');
+    const source = createTestBodySource(2048, 2, far === 0 ? 'f32' : 'f64');
     source.show([7, 1500]);
     const chosen = bodies === undefined ? {} : { bodies };
     const layer = createTrailLayer({ source, length: 33, thickness: 3, opacity: 1, ...chosen });
@@ -347,7 +347,7 @@ export const lab = {
     segments.set(many);
     const dots = light(stage.shoot()).area;
     segments.destroy();
-    const source = createFakeSource(1024);
+    const source = createTestBodySource(1024);
     place(source, 3, -40, 0, 1);
     place(source, 900, 40, 0, 1);
     source.position.y[3] = source.position.y[900] = 60;
@@ -366,7 +366,7 @@ export const lab = {
   /** Leaves a picture with every kind of layer on the page, for a look and for comparing back ends. */
   async showAll(backend: Backend) {
     const stage = await Stage.open(backend);
-    const source = createFakeSource(1024);
+    const source = createTestBodySource(1024);
     const ids = Array.from({ length: 24 }, (_, i) => i + 1);
     source.show(ids);
     const trails = createTrailLayer({ source, length: 40, thickness: 4, blendMode: 'add' });

@@ -93,12 +93,12 @@ describe('figures', () => {
       await page.keyboard.press('e');
       seen.push(await choice.inputValue());
     }
-    expect(seen).toEqual(['Energy', 'Momentum', 'Angular momentum', 'Column']);
+    expect(seen).toEqual(['Energy', 'Momentum', 'Angular momentum', 'Any value']);
     const columns = card(page, 'Plot').locator('select').nth(1);
     await columns.selectOption('Velocity.y');
     await steps(page, 30);
     await frames(page);
-    expect(await card(page, 'Plot').locator('h2 i').allTextContents()).toEqual(['lowest', 'mean', 'highest']);
+    expect(await card(page, 'Plot').locator('h2 i').allTextContents()).toEqual(['minimum', 'mean', 'maximum']);
     await card(page, 'Plot').locator('input').fill('2');
     await card(page, 'Plot').locator('input').blur();
     expect(await card(page, 'Plot').locator('h2 i').allTextContents()).toEqual(['body 2']);
@@ -143,7 +143,7 @@ describe('pictures', () => {
   it('M films until it is pressed again', async () => {
     const page = await open('seed=3');
     await page.keyboard.press('m');
-    expect((await state(page)).filming).toBe(true);
+    expect((await state(page)).recording).toBe(true);
     expect(await page.locator('.game-tools button').nth(1).textContent()).toBe('● Stop');
     await page.waitForTimeout(1200);
     const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('m')]);
@@ -158,13 +158,13 @@ describe('pictures', () => {
       return [video.videoWidth, video.videoHeight];
     }, film.toString('base64'));
     expect(plays).toEqual([900, 700]);
-    expect((await state(page)).filming).toBe(false);
+    expect((await state(page)).recording).toBe(false);
   });
 
   it('says so where the browser cannot film', async () => {
     const page = await open('manual', { prepare: () => Object.assign(globalThis, { MediaRecorder: undefined }) });
     await page.keyboard.press('m');
-    expect((await state(page)).banner).toMatch(/cannot film.*screen recorder/);
+    expect((await state(page)).banner).toMatch(/cannot record video.*screen recorder/);
   });
 
   it('W fills the screen and gives it back, or says that it cannot', async () => {
@@ -177,7 +177,7 @@ describe('pictures', () => {
       Object.defineProperty(Element.prototype, 'requestFullscreen', { value: undefined });
     });
     await page.keyboard.press('w');
-    await page.waitForFunction(() => __game.state().banner.includes('whole screen'));
+    await page.waitForFunction(() => __game.state().banner.includes('full screen'));
   });
 });
 
@@ -199,8 +199,8 @@ describe('looks', () => {
   it('X stops what moves for show', async () => {
     const page = await open('manual&seed=3');
     await page.keyboard.press('x');
-    expect((await state(page)).calm).toBe(true);
-    expect(await page.locator('.game').evaluate((game) => game.hasAttribute('data-calm'))).toBe(true);
+    expect((await state(page)).reducedMotion).toBe(true);
+    expect(await page.locator('.game').evaluate((game) => game.hasAttribute('data-reduced-motion'))).toBe(true);
   });
 });
 
@@ -213,7 +213,7 @@ describe('help', () => {
       'Space',
       '. or →',
       ',',
-      'B, held',
+      'Hold B',
       'S',
       'R',
       'F',

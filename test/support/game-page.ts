@@ -111,7 +111,7 @@ export async function loseGraphicsCard(page: Page): Promise<() => Promise<void>>
     found.loseContext();
     return found;
   });
-  await page.waitForFunction(() => __game.state().banner.includes('graphics card'));
+  await page.waitForFunction(() => __game.state().banner.includes('Graphics interrupted'));
   return async () => {
     await card.evaluate((found) => found.restoreContext());
     await page.waitForFunction(() => __game.state().banner === '');

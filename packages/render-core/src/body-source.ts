@@ -2,9 +2,9 @@
 export type RealColumn = Float32Array | Float64Array;
 
 /**
- * What a renderer reads of a world: plain columns indexed by entity id, a dense list of the ids to draw, and three
- * version counters that say when a column must be uploaded again. Lengths are `rows`, a multiple of 1024, so a column
- * is a 1024-wide texture as it stands.
+ * The data that a renderer reads from a world: columns indexed by entity id, a dense list of the ids to draw, and
+ * version counters that say when a column must be uploaded again. Columns have `rows` values, a multiple of 1024, so a
+ * column is a texture 1024 texels wide.
  */
 export interface BodySource {
   readonly dimensions: 2 | 3;
@@ -16,7 +16,7 @@ export interface BodySource {
   /** 2D: angle in radians, anticlockwise, now and one step ago. */
   readonly angle: RealColumn;
   readonly previousAngle: RealColumn;
-  /** 3D: unit quaternion now and one step ago; (0, 0, 0, 0) in a row means "not rotated". */
+  /** 3D: unit quaternion now and one step ago; (0, 0, 0, 0) means "not rotated". */
   readonly orientation: {
     readonly x: RealColumn;
     readonly y: RealColumn;
@@ -29,29 +29,31 @@ export interface BodySource {
     readonly z: RealColumn;
     readonly w: RealColumn;
   };
-  /** Radius of the collider, metres; drawn where `size` is zero. */
+  /** Radius of the collider, metres; drawn if `size` is zero. */
   readonly radius: RealColumn;
-  /** Drawn radius, metres; zero means "as large as the collider". */
+  /** Drawn radius, metres; zero means the radius of the collider. */
   readonly size: RealColumn;
   /** Colour as RGBA bytes in memory order (`0xAABBGGRR` as a little-endian number); zero means the renderer's default. */
   readonly color: Uint32Array;
   /** Shape kind, see `SHAPES`. */
   readonly shape: Uint32Array;
-  /** The ids to draw, ascending: `ids[0 … count)`. The array may be replaced; read it again when `membership` moved. */
+  /**
+   * The ids to draw, ascending: `ids[0 … count)`. The array may be replaced; read it again when `membership` changed.
+   */
   readonly ids: Uint32Array;
   readonly count: number;
   /** Highest id in `ids` (zero when empty): rows above it need no upload. */
   readonly lastId: number;
   readonly versions: {
-    /** Grows when any position, angle or orientation may have changed. */
+    /** Incremented when any position, angle or orientation may have changed. */
     readonly pose: number;
-    /** Grows when any radius, size, colour or shape may have changed. */
+    /** Incremented when any radius, size, colour or shape may have changed. */
     readonly style: number;
-    /** Grows when `ids` changed. */
+    /** Incremented when `ids` changed. */
     readonly membership: number;
     /**
-     * Steps taken. Where this, and `pose`, grew by one and `membership` not at all, the previous poses are those that
-     * were the present ones, and are not sent again. Left out, both always are.
+     * Number of steps. If `steps` and `pose` grew by one and `membership` did not change, the new previous poses equal
+     * the old present ones and are not uploaded again. If omitted, both are always uploaded.
      */
     readonly steps?: number;
   };

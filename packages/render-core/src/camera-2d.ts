@@ -19,14 +19,14 @@ export interface Bounds2 {
 }
 
 /**
- * Where a 2D view looks: the world point at the centre of the viewport, and the scale. The world's y axis points up,
- * the screen's y axis points down from the top-left corner.
+ * The position and scale of a 2D view. The world's y axis points up, the screen's y axis points down from the top-left
+ * corner.
  */
 export interface Camera2D {
   /** World point at the centre of the viewport, metres. */
   x: number;
   y: number;
-  /** CSS pixels a metre takes on the screen. */
+  /** CSS pixels per metre. */
   pixelsPerMetre: number;
 }
 
@@ -56,7 +56,7 @@ export function toScreen(camera: Camera2D, viewport: ViewportSize, x: number, y:
   return out;
 }
 
-/** Moves the view so that what was under the pointer follows it by (`dx`, `dy`) CSS pixels. */
+/** Moves the view by (`dx`, `dy`) CSS pixels, so that the world follows the pointer. */
 export function panBy(camera: Camera2D, dx: number, dy: number): void {
   camera.x -= dx / camera.pixelsPerMetre;
   camera.y += dy / camera.pixelsPerMetre;
@@ -86,8 +86,8 @@ export function zoomAt(
 }
 
 /**
- * Places the camera so that `bounds` lies centred in the viewport with `margin` CSS pixels free on every side. A
- * viewport of size zero leaves the scale alone; bounds without extent leave it alone too.
+ * Centres `bounds` in the viewport with a margin of `margin` CSS pixels on every side. The scale does not change if the
+ * viewport or the bounds have zero size.
  */
 export function fit(camera: Camera2D, bounds: Bounds2, viewport: ViewportSize, margin = 0): void {
   camera.x = (bounds.minX + bounds.maxX) / 2;
@@ -102,10 +102,10 @@ export function fit(camera: Camera2D, bounds: Bounds2, viewport: ViewportSize, m
 }
 
 /**
- * Lets the camera follow a target as a critically damped spring: it never overshoots a target at rest, and the result
- * does not depend on how render time is cut into frames.
+ * Moves the camera towards a target as a critically damped spring: it never overshoots a target at rest, and the result
+ * does not depend on the frame rate.
  *
- * @param velocity the camera's own velocity, metres per second: state kept by the caller, starts at zero
+ * @param velocity the camera's velocity, metres per second: state kept by the caller, starts at zero
  * @param smoothTime time constant 1/ω, seconds; 0.15 is brisk, zero jumps to the target
  * @param dt render time since the last call, seconds
  */

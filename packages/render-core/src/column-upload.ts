@@ -1,14 +1,13 @@
 import type { RealColumn } from './body-source.ts';
 
-/** Texels in one row of every data texture; a column's length is a multiple of it. */
+/** Texels in a row of a data texture; a column's length is a multiple of it. */
 export const TEXTURE_WIDTH = 1024;
 
 /**
- * Turns a column of a world into the `Float32Array` that a graphics API takes.
+ * Converts a column of a world into the `Float32Array` that a graphics API accepts.
  *
- * An f32 column *is* that array, so nothing is copied. An f64 column gets an f32 shadow, which may be taken relative to
- * an origin: a body 10⁹ m from zero keeps its millimetres when the origin is near it, because the subtraction happens
- * in f64.
+ * An f32 column is used directly, without a copy. An f64 column gets an f32 copy, optionally relative to an origin: a
+ * body 10⁹ m from zero keeps millimetre precision if the origin is near it, because the subtraction is done in f64.
  */
 export class ColumnUpload {
   #shadow: Float32Array | undefined;
@@ -20,18 +19,18 @@ export class ColumnUpload {
     return this.#data;
   }
 
-  /** What has to be added to `data` to get world coordinates, metres; always zero for an f32 column. */
+  /** The offset to add to `data` to get world coordinates, metres; always zero for an f32 column. */
   get origin(): number {
     return this.#origin;
   }
 
   /**
-   * Brings `data` up to date. Costs nothing for an f32 column and 0.8 ns a value for an f64 one.
+   * Updates `data`. Free for an f32 column; 0.8 ns per value for an f64 column.
    *
    * @param column the world's column, any length
-   * @param length how many leading values matter; the rest of `data` may be stale
+   * @param length number of leading values that are needed; the rest of `data` may be stale
    * @param origin subtracted from an f64 column before rounding, in the column's unit; ignored for f32 columns, whose
-   * precision is already gone
+   * precision is already lost
    * @returns `data`
    */
   refresh(column: RealColumn, length: number, origin = 0): Float32Array {
@@ -52,8 +51,8 @@ export class ColumnUpload {
     return shadow;
   }
 
-  /** Says that another column has the values of the last `refresh`, which `data` is to have from then on. */
-  rename(column: RealColumn): Float32Array {
+  /** Replaces the column by another one with the values of the last `refresh`. */
+  replaceColumn(column: RealColumn): Float32Array {
     if (column instanceof Float32Array) this.#data = column;
     return this.#data;
   }
@@ -61,16 +60,16 @@ export class ColumnUpload {
 
 const EMPTY = new Float32Array(0);
 
-/** Rows that are sent for nothing: every upload pays for them. */
-const MOST_SLACK = 8;
+/** Limit of unused rows, because every upload includes them. */
+const MAX_SPARE_ROWS = 8;
 
 /**
- * How many rows a data texture should have, so that uploads stay close to what is used while a population that grows
- * or breathes does not re-create the texture every frame: grows by a quarter more than needed but by no more than 8 rows,
- * shrinks only when less than a quarter is used.
+ * Computes the number of rows of a data texture. It keeps uploads close to the used size while a fluctuating population
+ * does not re-create the texture every frame: it grows by a quarter more than needed, at most 8 rows, and shrinks only
+ * when less than a quarter is used.
  *
  * @param used number of values in use, from the start of the array
- * @param current rows the texture has now; zero before the first call
+ * @param current present rows of the texture; zero before the first call
  * @param length length of the array behind the texture, a multiple of `TEXTURE_WIDTH`
  * @returns rows, at least one and never more than the array fills
  * @throws Error when the array is not a whole number of rows
@@ -83,5 +82,5 @@ export function textureRows(used: number, current: number, length: number): numb
   }
   const needed = Math.max(1, Math.ceil(used / TEXTURE_WIDTH));
   if (needed <= current && needed * 4 >= current) return current;
-  return Math.min(length / TEXTURE_WIDTH, needed + Math.min(needed >> 2, MOST_SLACK));
+  return Math.min(length / TEXTURE_WIDTH, needed + Math.min(needed >> 2, MAX_SPARE_ROWS));
 }

@@ -14,7 +14,7 @@ export {
 } from './camera-2d.ts';
 export { ColumnUpload, TEXTURE_WIDTH, textureRows } from './column-upload.ts';
 export { listenToPointers, type PointerControl, type PointerOptions } from './pointer.ts';
-export { PosePair, PosesSent } from './pose-pair.ts';
+export { PosePair, UploadedPoses } from './pose-pair.ts';
 export { ReleaseVelocity } from './release-velocity.ts';
 export { SHAPES, type ShapeKind, type ShapeName } from './shapes.ts';
 export { TrailHistory, type TrailOptions } from './trails.ts';

@@ -1,16 +1,16 @@
 import { type Camera2D, panBy, toWorld, type Vector2, type ZoomLimits, zoomAt } from './camera-2d.ts';
 import { ReleaseVelocity } from './release-velocity.ts';
 
-/** What a pointer on the canvas can do. All coordinates are world metres, all velocities metres per second. */
+/** Handlers of pointer input on a canvas. Coordinates are world metres, velocities metres per second. */
 export interface PointerOptions {
   camera: Camera2D;
-  /** Which body lies under a world point: its id, or 0 for none. Left out, nothing can be grabbed. */
+  /** Returns the body under a world point, or 0 for none. If omitted, nothing can be grabbed. */
   pick?(x: number, y: number): number;
   /** A pointer went down on body `id`. */
   onGrab?(id: number, x: number, y: number, pointerId: number): void;
-  /** A pointer that holds `id` moved. */
+  /** A pointer that drags `id` moved. */
   onDrag?(id: number, x: number, y: number, pointerId: number): void;
-  /** A pointer let go of `id`; (`vx`, `vy`) is how fast it moved, for throwing. */
+  /** A pointer released `id`; (`vx`, `vy`) is its velocity, for throwing. */
   onRelease?(id: number, x: number, y: number, vx: number, vy: number, pointerId: number): void;
   /** A pointer went down on empty space. Return true to keep it from panning, as when a click adds a body. */
   onPress?(x: number, y: number, pointerId: number): boolean;
@@ -18,7 +18,7 @@ export interface PointerOptions {
   onHover?(x: number, y: number): void;
   /** The camera was moved or scaled by pan, wheel or pinch. */
   onNavigate?(): void;
-  /** False switches panning and zooming off; default true. */
+  /** False disables panning and zooming; default true. */
   navigate?: boolean;
   /** Limits of the scale, pixels per metre. */
   zoomLimits?: ZoomLimits;
@@ -30,9 +30,9 @@ export interface PointerControl {
 }
 
 interface Pointer {
-  /** Body held, 0 for none. */
+  /** The dragged body, 0 for none. */
   body: number;
-  /** Whether it moves the view. */
+  /** Whether the pointer pans the view. */
   pans: boolean;
   x: number;
   y: number;
@@ -42,14 +42,14 @@ interface Pointer {
 /** Scale change per wheel pixel: one notch of 100 pixels zooms by a factor of about 1.16. */
 const WHEEL_RATE = 0.0015;
 
-/** CSS pixels a wheel "line" stands for. */
+/** CSS pixels per wheel "line". */
 const WHEEL_LINE = 16;
 
 /**
- * Listens to mouse, pen and touch on a canvas. A pointer that goes down on a body grabs it; any other pans the view,
- * the wheel zooms about the pointer, and two panning fingers pinch. Several pointers work at once.
+ * Listens to mouse, pen and touch on a canvas. A pointer pressed on a body grabs it; otherwise it pans the view. The
+ * wheel zooms about the pointer, and two panning fingers pinch. Several pointers work at once.
  *
- * Sets `touch-action: none` on the canvas, so that the browser does not scroll the page instead, and restores it on
+ * Sets `touch-action: none` on the canvas, so that the browser does not scroll the page, and restores it on
  * `destroy()`.
  */
 export function listenToPointers(canvas: HTMLCanvasElement, options: PointerOptions): PointerControl {
@@ -139,7 +139,7 @@ class PointerListener {
     this.options.onNavigate?.();
   };
 
-  /** Lets go of every body at rest, as when the canvas goes away under the pointers. */
+  /** Releases every body at rest, for example when the canvas is removed. */
   releaseAll(): void {
     for (const [pointerId, pointer] of this.#pointers) {
       if (pointer.body === 0) continue;
@@ -149,7 +149,7 @@ class PointerListener {
     this.#pointers.clear();
   }
 
-  /** One panning pointer moves the view; two scale it about the one that stays. */
+  /** One panning pointer moves the view; two scale it about the one at rest. */
   #navigate(pointer: Pointer, pointerId: number): void {
     const other = this.#otherPanning(pointerId);
     if (other === undefined) {
@@ -157,7 +157,7 @@ class PointerListener {
     } else {
       const before = Math.hypot(pointer.x - other.x, pointer.y - other.y);
       const after = Math.hypot(this.#screen.x - other.x, this.#screen.y - other.y);
-      // The midpoint moves half as far as the finger that moved.
+      // The midpoint moves half as far as the moving finger.
       panBy(this.options.camera, (this.#screen.x - pointer.x) / 2, (this.#screen.y - pointer.y) / 2);
       const middleX = (this.#screen.x + other.x) / 2;
       const middleY = (this.#screen.y + other.y) / 2;
@@ -175,7 +175,7 @@ class PointerListener {
     zoomAt(this.options.camera, this.#size, x, y, factor, this.options.zoomLimits);
   }
 
-  /** Writes the event's place into `#screen` (CSS pixels in the canvas) and returns it in world metres. */
+  /** Writes the event's position into `#screen` (CSS pixels in the canvas) and returns it in world metres. */
   #locate(event: MouseEvent): Vector2 {
     const box = this.canvas.getBoundingClientRect();
     this.#screen.x = event.clientX - box.left;

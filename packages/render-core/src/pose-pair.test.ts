@@ -1,7 +1,7 @@
 import { burst, createEmitter, createPhysicsWorld, despawn, restore, snapshot, spawn, step } from '@principia/physics';
 import { expect, test } from 'vitest';
 import { ColumnUpload } from './column-upload.ts';
-import { PosePair, PosesSent } from './pose-pair.ts';
+import { PosePair, UploadedPoses } from './pose-pair.ts';
 import { worldSource } from './world-source.ts';
 
 /** A world whose poses are sent as renderers do, to two arrays in place of two textures. */
@@ -9,7 +9,7 @@ function sender(precision: 'f32' | 'f64') {
   const world = createPhysicsWorld({ precision, capacity: 100 });
   const source = worldSource(world);
   const pair = new PosePair();
-  const sent = new PosesSent();
+  const sent = new UploadedPoses();
   const uploads = [new ColumnUpload(), new ColumnUpload()];
   const halves = [new Float32Array(source.rows), new Float32Array(source.rows)];
   const send = () => {

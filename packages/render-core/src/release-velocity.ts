@@ -1,12 +1,12 @@
-/** Samples kept; at 120 pointer events a second this reaches back further than `WINDOW`. */
+/** Number of samples; at 120 pointer events a second they cover more than `WINDOW_SECONDS`. */
 const SAMPLES = 16;
 
-/** How far back the estimate looks, seconds: long enough to average out jitter, short enough to feel immediate. */
-const WINDOW = 0.08;
+/** Time window of the estimate, s: long enough to average out jitter, short enough to feel immediate. */
+const WINDOW_SECONDS = 0.08;
 
 /**
- * Estimates how fast a pointer moved just before it let go, from its latest positions. A pointer that rested before
- * the release throws with no speed.
+ * Estimates the velocity of a pointer just before its release from its latest positions. A pointer at rest before the
+ * release has zero velocity.
  */
 export class ReleaseVelocity {
   readonly #t = new Float64Array(SAMPLES);
@@ -17,14 +17,14 @@ export class ReleaseVelocity {
   x = 0;
   y = 0;
 
-  /** Forgets all samples. */
+  /** Discards all samples. */
   reset(): void {
     this.#count = 0;
     this.x = 0;
     this.y = 0;
   }
 
-  /** Notes a position. @param time seconds, not decreasing */
+  /** Adds a position. @param time seconds, not decreasing */
   add(time: number, x: number, y: number): void {
     const i = this.#count++ % SAMPLES;
     this.#t[i] = time;
@@ -38,12 +38,12 @@ export class ReleaseVelocity {
     this.y = 0;
     if (this.#count < 2) return;
     const newest = (this.#count - 1) % SAMPLES;
-    if (time - this.#t[newest] > WINDOW) return;
+    if (time - this.#t[newest] > WINDOW_SECONDS) return;
     let oldest = newest;
     const reach = Math.min(this.#count, SAMPLES);
     for (let back = 1; back < reach; back++) {
       const i = (this.#count - 1 - back) % SAMPLES;
-      if (time - this.#t[i] > WINDOW) break;
+      if (time - this.#t[i] > WINDOW_SECONDS) break;
       oldest = i;
     }
     const dt = this.#t[newest] - this.#t[oldest];

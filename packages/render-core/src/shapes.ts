@@ -3,13 +3,13 @@
  * radius: a disc of that radius, or a square of that half-width.
  */
 export const SHAPES = {
-  /** Filled disc; what a body is drawn as when nobody says otherwise. */
+  /** Filled disc; the default. */
   disc: 0,
   /** Circle outline. */
   ring: 1,
-  /** Filled square with half-width `size`, turned by the body's angle. */
+  /** Filled square with half-width `size`, rotated by the body's angle. */
   box: 2,
-  /** Filled disc with one radius drawn on it, so that rotation can be seen. */
+  /** Filled disc with a radius drawn on it, which makes rotation visible. */
   markedDisc: 3,
   /** Soft round spot, brightest at the centre and zero at the rim; meant for additive blending. */
   glow: 4,

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { createTestBodySource } from '../../../test/support/body-source.ts';
 import { TEXTURE_WIDTH } from './column-upload.ts';
-import { createFakeSource } from './fake-source.ts';
 import { TrailHistory } from './trails.ts';
 
 function sourceWith(ids: number[], dimensions: 2 | 3 = 2) {
-  const source = createFakeSource(2048, dimensions, 'f64');
+  const source = createTestBodySource(2048, dimensions, 'f64');
   source.show(ids);
   return source;
 }

@@ -1,13 +1,13 @@
 import type { BodySource, RealColumn } from './body-source.ts';
 import { TEXTURE_WIDTH } from './column-upload.ts';
 
-/** Where a trail history gets its points and how many it keeps. */
+/** The source and size of a trail history. */
 export interface TrailOptions {
   source: BodySource;
   /** Points kept per body, at least 2. */
   length: number;
   /**
-   * Ids of the bodies that leave trails, fixed for the life of the history. Left out, every body of the source has a
+   * Ids of the bodies with trails, fixed for the lifetime of the history. If omitted, every body of the source has a
    * trail, which takes `length * source.rows` points of memory.
    */
   bodies?: ArrayLike<number>;
@@ -19,10 +19,10 @@ export interface TrailOptions {
 
 /**
  * Ring of the last `length` positions of each body, laid out as data textures: `length` slices one below the other,
- * each `rowsPerSlice` rows of `TEXTURE_WIDTH` texels, so the point of slot `s` in slice `k` is texel
- * `k * rowsPerSlice * TEXTURE_WIDTH + s`. A step writes one slice, so it uploads one range of rows.
+ * each `rowsPerSlice` rows of `TEXTURE_WIDTH` texels, so the point of slot `s` in slice `k` is texel `k * rowsPerSlice
+ * * TEXTURE_WIDTH + s`. A step writes one slice, so it uploads one range of rows.
  *
- * A slot is the body's id, or its place in `bodies` when such a list was given.
+ * A slot is the body's id, or its index in `bodies` if that list was given.
  */
 export class TrailHistory {
   readonly source: BodySource;
@@ -35,18 +35,18 @@ export class TrailHistory {
   readonly x: Float32Array;
   readonly y: Float32Array;
   readonly z: Float32Array;
-  /** Number of the first recording that belongs to the body now in each slot; older points are somebody else's. */
+  /** Index of the first recording of the body that now has each slot; older points belong to another body. */
   readonly birth: Uint32Array;
   /** Point the recorded coordinates are relative to, metres. Change it with `setOrigin`. */
   readonly origin: { x: number; y: number; z: number };
-  /** Recordings made so far; the newest has number `recordings - 1` and lies in slice `newestSlice`. */
+  /** Number of recordings so far; the newest has index `recordings - 1` and lies in slice `newestSlice`. */
   recordings = 0;
   newestSlice = 0;
   /** True when the newest recording is the source's current pose, false when the interval skipped it. */
   newestIsCurrent = false;
-  /** Grows when `birth` changed. */
+  /** Incremented when `birth` changed. */
   birthVersion = 0;
-  /** Grows when all slices changed at once and have to be uploaded again. */
+  /** Incremented when all slices changed and must be uploaded again. */
   resetVersion = 0;
   readonly #seen: Uint32Array;
   #posesSinceRecording: number;
@@ -75,7 +75,7 @@ export class TrailHistory {
   }
 
   /**
-   * Notes the source's current pose. Call it once for every value of `source.versions.pose`.
+   * Records the source's current pose. Call it once for every value of `source.versions.pose`.
    *
    * @returns true when a slice was written, false when the interval skips this pose
    */
@@ -91,18 +91,18 @@ export class TrailHistory {
     this.#copy(this.y, start, position.y, this.origin.y);
     if (dimensions === 3) this.#copy(this.z, start, position.z, this.origin.z);
     this.recordings++;
-    this.#noteBirths();
+    this.#recordBirths();
     return true;
   }
 
-  /** Starts the trail of body `id` afresh, as after a teleport. Does nothing for a body without a trail. */
+  /** Restarts the trail of body `id`, for example after a teleport. Does nothing for a body without a trail. */
   restart(id: number): void {
     const slot = this.bodies === undefined ? id : this.bodies.indexOf(id);
     if (slot < 0 || slot >= this.#seen.length) return;
     this.#seen[slot] = 0;
   }
 
-  /** Forgets every point. */
+  /** Discards all points. */
   clear(): void {
     this.#seen.fill(0);
     this.birth.fill(this.recordings);
@@ -121,7 +121,7 @@ export class TrailHistory {
     this.resetVersion++;
   }
 
-  /** Number of bodies whose trails are to be drawn now. */
+  /** Number of bodies whose trails are drawn. */
   get count(): number {
     return this.bodies === undefined ? this.source.count : this.bodies.length;
   }
@@ -137,7 +137,7 @@ export class TrailHistory {
   }
 
   /** A slot that was not recorded last time holds a new body: its trail begins at this recording. */
-  #noteBirths(): void {
+  #recordBirths(): void {
     const ids = this.bodies === undefined ? this.source.ids : undefined;
     const count = this.count;
     const now = this.recordings;

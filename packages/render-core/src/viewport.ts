@@ -1,6 +1,6 @@
 import type { ViewportSize } from './camera-2d.ts';
 
-/** A canvas kept as large as its parent element. */
+/** A canvas that follows the size of its parent element. */
 export interface Viewport extends ViewportSize {
   /** Device pixels per CSS pixel used for drawing: the display's own, at most `maxResolution`. */
   readonly resolution: number;
@@ -8,14 +8,14 @@ export interface Viewport extends ViewportSize {
   destroy(): void;
 }
 
-/** What `watchViewport` may be told. */
+/** Options of `watchViewport`. */
 export interface ViewportOptions {
-  /** Upper bound of `resolution`; default 2, because four times the pixels of that are seldom seen and always paid. */
+  /** Upper bound of `resolution`; default 2, because higher resolutions cost more than they show. */
   maxResolution?: number;
 }
 
 /**
- * Size in CSS pixels and resolution of what fills `parent`; zero where that is hidden.
+ * Size in CSS pixels and resolution that fill `parent`; zero if it is hidden.
  *
  * @param maxResolution as in `ViewportOptions`
  */

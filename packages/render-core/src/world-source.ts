@@ -1,10 +1,10 @@
 import { bodies, type PhysicsWorld } from '@principia/physics';
 import type { BodySource } from './body-source.ts';
 
-/** A world brought back to an earlier state counts again from there: what it shows then is still new to a renderer. */
-const TIMELINE = 2 ** 32;
+/** Restoring a snapshot resets the version counters; this offset keeps them unique for renderers. */
+const RESTORE_OFFSET = 2 ** 32;
 
-/** The columns of a world as renderers take them. Nothing is copied: the source is a view that follows the world. */
+/** The columns of a world for renderers. Nothing is copied: the source is a live view of the world. */
 export function worldSource(world: PhysicsWorld): BodySource {
   const { components, previous, versions } = world;
   const { Position, Rotation, Orientation, Collider, Appearance } = components;
@@ -32,13 +32,13 @@ export function worldSource(world: PhysicsWorld): BodySource {
     },
     versions: {
       get pose() {
-        return versions.pose + versions.restored * TIMELINE;
+        return versions.pose + versions.restored * RESTORE_OFFSET;
       },
       get style() {
-        return versions.style + versions.restored * TIMELINE;
+        return versions.style + versions.restored * RESTORE_OFFSET;
       },
       get membership() {
-        return versions.membership + versions.restored * TIMELINE;
+        return versions.membership + versions.restored * RESTORE_OFFSET;
       },
       get steps() {
         return world.tick;

@@ -5,7 +5,7 @@ import { PullMesh } from './pull-mesh.ts';
 import { BODY_PROGRAM } from './shaders/body-program.ts';
 import { SourceTextures } from './source-textures.ts';
 
-/** How a body layer draws. */
+/** Options of a body layer. */
 export interface BodyLayerOptions {
   source: BodySource;
   /** Pixels of the layer's own coordinates per metre; default 1, which is what `applyCamera` expects. */
@@ -14,35 +14,35 @@ export interface BodyLayerOptions {
   defaultColor?: number;
   /** `add` lets overlapping bodies brighten each other, as fire and stars do; default `normal`. */
   blendMode?: 'normal' | 'add';
-  /** Radius below which no body is drawn however small it is, physical pixels; default 0.5. */
+  /** Smallest drawn radius, physical pixels; default 0.5. */
   minimumPixels?: number;
-  /** False leaves the angles of boxes and marked discs out. Default true. */
+  /** False ignores the angles of boxes and marked discs. Default true. */
   rotation?: boolean;
 }
 
 /** Bodies of a world, to be added to a pixi stage. */
 export interface BodyLayer {
-  /** Add it where you like. Its coordinates are metres times `pixelsPerMetre`, with y up. */
+  /** Add it anywhere. Its coordinates are metres times `pixelsPerMetre`, with y up. */
   readonly container: Container;
   /**
-   * Brings the picture up to date; call it once a frame before rendering. Uploads what changed since the last call and
-   * leaves no garbage behind.
+   * Updates the picture; call it once a frame before rendering. Uploads the data that changed since the last call,
+   * without garbage.
    *
-   * @param alpha where between the previous (0) and the present pose (1) to draw
+   * @param alpha position between the previous (0) and the present pose (1)
    */
   update(alpha: number): void;
   /**
-   * Sets the world point, metres, near which an f64 source is drawn precisely; move it along with the camera in a world
-   * too large for f32. Without effect for an f32 source. Applies to every layer of the same source.
+   * Sets the world point, metres, near which an f64 source is drawn precisely; move it with the camera in a world too
+   * large for f32. No effect for an f32 source. Applies to every layer of the same source.
    */
   setOrigin(x: number, y: number): void;
-  /** Frees the layer's own resources and takes it off its parent. */
+  /** Frees the layer's resources and removes it from its parent. */
   destroy(): void;
 }
 
 /**
- * Draws every body of a source as a disc, ring, box, marked disc or glow. The GPU reads the world's own columns by
- * entity id, so the cost in JavaScript is one upload per changed column, whatever the number of bodies.
+ * Draws every body of a source as a disc, ring, box, marked disc or glow. The GPU reads the world's columns by entity
+ * id, so the cost in JavaScript is one upload per changed column, independent of the number of bodies.
  *
  * @throws Error when an option is out of range or the source's rows are not a multiple of 1024
  */

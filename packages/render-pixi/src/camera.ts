@@ -7,11 +7,11 @@ export interface CameraTarget {
 }
 
 /**
- * Makes a container show what the camera sees. Layers in it must have the default `pixelsPerMetre: 1`; sprites and text
- * in it are placed at (x, −y) in metres and stay upright.
+ * Sets a container's transform to the camera's view. Layers in it must have the default `pixelsPerMetre: 1`; sprites
+ * and text in it are placed at (x, −y) in metres and stay upright.
  *
- * Call it each frame: it sets one transform, and nothing when the camera stood still. In a world so large that f32 is
- * too coarse, do not make the container a render group: pixi would then send origin and camera to the GPU apart.
+ * Call it each frame: it sets one transform, and nothing if the camera did not move. In a world too large for f32, do
+ * not make the container a render group: pixi would then send origin and camera to the GPU separately.
  *
  * @param viewport size of the renderer's screen, CSS pixels
  */

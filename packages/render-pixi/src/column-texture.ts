@@ -4,15 +4,17 @@ import { BufferImageSource } from 'pixi.js';
 type ColumnData = Float32Array | Uint32Array;
 
 /**
- * A column of numbers as a data texture `TEXTURE_WIDTH` texels wide. Its memory is the column's own: nothing is copied
- * on the way to the graphics API. It is as high as the rows in use need, so an upload moves no more than that.
+ * A column of numbers as a data texture `TEXTURE_WIDTH` texels wide. It uses the column's memory without a copy. Its
+ * height fits the rows in use, which limits the size of uploads.
  */
 export class ColumnTexture {
-  /** What a shader binds. */
+  /** The source that a shader binds. */
   readonly source: BufferImageSource;
   readonly #channels: 1 | 4;
   #rows = 1;
-  /** The used part of the array, and of the one before it: where two take turns, no view is made. */
+  /**
+   * Views of the used part of this array and of the previous one: where two arrays alternate, no new view is allocated.
+   */
   #view: ColumnData;
   #otherView: ColumnData;
 
@@ -39,8 +41,8 @@ export class ColumnTexture {
   }
 
   /**
-   * Uploads the first `used` texels of `data`, to every renderer that already draws with this texture; others take the
-   * whole array when they first do.
+   * Uploads the first `used` texels of `data` to every renderer that already uses this texture; other renderers upload
+   * the whole array on first use.
    *
    * @param data the column; its length is a multiple of the texture's width
    */
@@ -55,8 +57,10 @@ export class ColumnTexture {
     this.source.update();
   }
 
-  /** Says that another array has the values of the last `upload`; it is what a renderer that comes anew is sent. */
-  rename(data: ColumnData): void {
+  /**
+   * Replaces the array by another one with the values of the last `upload`, for renderers that use the texture later.
+   */
+  replaceColumn(data: ColumnData): void {
     this.#show(data, this.#rows);
   }
 

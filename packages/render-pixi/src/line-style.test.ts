@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { bufferLength } from './buffer-capacity.ts';
 import { writeColor } from './color.ts';
 import { applyLineStyle, checkLength } from './line-style.ts';
-import { roomFor } from './room.ts';
 
 describe('line style', () => {
   it('writes thickness and colour, with defaults', () => {
@@ -22,14 +22,14 @@ describe('line style', () => {
 
 describe('roomFor', () => {
   it('fills whole texture rows, at least one, and doubles', () => {
-    expect(roomFor(0, 0, 4)).toBe(4096);
-    expect(roomFor(1024, 4096, 4)).toBe(4096);
-    expect(roomFor(1025, 4096, 4)).toBe(8192);
-    expect(roomFor(3, 4096, 4)).toBe(4096);
+    expect(bufferLength(0, 0, 4)).toBe(4096);
+    expect(bufferLength(1024, 4096, 4)).toBe(4096);
+    expect(bufferLength(1025, 4096, 4)).toBe(8192);
+    expect(bufferLength(3, 4096, 4)).toBe(4096);
   });
 
   it('refuses a count that is none', () => {
-    expect(() => roomFor(-1, 0, 4)).toThrow(/got -1/);
-    expect(() => roomFor(Number.NaN, 0, 4)).toThrow(/got NaN/);
+    expect(() => bufferLength(-1, 0, 4)).toThrow(/got -1/);
+    expect(() => bufferLength(Number.NaN, 0, 4)).toThrow(/got NaN/);
   });
 });

@@ -1,24 +1,24 @@
 import { writeColor } from './color.ts';
 
-/** How a layer of lines draws. */
+/** Options of a layer of lines. */
 export interface LineStyle {
-  /** CSS pixels, whatever the zoom; default 2. */
+  /** CSS pixels at any zoom; default 2. */
   thickness?: number;
-  /** Colour of lines without one of their own, as 0xRRGGBB; default 0xc8d0d8. */
+  /** Default colour of lines, as 0xRRGGBB; default 0xc8d0d8. */
   color?: number;
-  /** Opacity of those lines; default 1. */
+  /** Opacity of lines in the default colour; default 1. */
   opacity?: number;
   blendMode?: 'normal' | 'add';
   /** Pixels of the layer's own coordinates per metre; default 1, which is what `applyCamera` expects. */
   pixelsPerMetre?: number;
 }
 
-/** Somewhere to put a program's uniforms. */
+/** An object with a program's uniforms. */
 interface UniformTarget {
   readonly uniforms: Record<string, number | Float32Array>;
 }
 
-/** Sets the uniforms that segments and links have in common. */
+/** Sets the uniforms that segments and links share. */
 export function applyLineStyle(mesh: UniformTarget, style: LineStyle): void {
   const { thickness = 2, color = 0xc8d0d8, opacity = 1 } = style;
   checkThickness(thickness);
@@ -31,7 +31,7 @@ export function applyLineStyle(mesh: UniformTarget, style: LineStyle): void {
 /** @throws Error when an array has fewer than `needed` numbers */
 export function checkLength(name: string, values: ArrayLike<number>, needed: number): void {
   if (values.length >= needed) return;
-  throw new Error(`${name} must hold at least ${needed} numbers for that many lines, got ${values.length}`);
+  throw new Error(`${name} must hold at least ${needed} numbers for this number of lines, got ${values.length}`);
 }
 
 /** @throws Error when a line's thickness, CSS pixels, is not a positive number */

@@ -1,14 +1,14 @@
 import type { BodySource } from '@principia/render-core';
 import type { Container } from 'pixi.js';
+import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
 import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
 import { PullMesh } from './pull-mesh.ts';
-import { roomFor } from './room.ts';
 import { LINK_PROGRAM } from './shaders/link-program.ts';
 import { SourceTextures } from './source-textures.ts';
 
-/** How a link layer draws. */
+/** Options of a link layer. */
 export interface LinkLayerOptions extends LineStyle {
   source: BodySource;
 }
@@ -17,7 +17,7 @@ export interface LinkLayerOptions extends LineStyle {
 export interface LinkLayer {
   readonly container: Container;
   /**
-   * Replaces the links; needed only when they change, since the lines follow the bodies by themselves.
+   * Replaces the links; needed only when they change, since the lines follow the bodies.
    *
    * @param pairs ids of the two bodies of each link, one pair after the other
    * @param count number of links; default: all in the array
@@ -25,12 +25,12 @@ export interface LinkLayer {
    * @throws Error when an array is shorter than `count` links need
    */
   set(pairs: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
-  /** Brings the picture up to date; call it once a frame, as for bodies. */
+  /** Updates the picture; call it once a frame, as for bodies. */
   update(alpha: number): void;
   destroy(): void;
 }
 
-/** Makes an empty layer of links between bodies of `source`. @throws Error when an option is out of range */
+/** Creates an empty layer of links between bodies of `source`. @throws Error when an option is out of range */
 export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
   const { source, pixelsPerMetre = 1, blendMode = 'normal' } = options;
   const textures = SourceTextures.acquire(source);
@@ -54,7 +54,7 @@ export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
     set(pairs, count = Math.floor(pairs.length / 2), linkColors) {
       checkLength('pairs', pairs, 2 * count);
       if (linkColors !== undefined) checkLength('colors', linkColors, count);
-      const length = roomFor(2 * count, ids.length, 1);
+      const length = bufferLength(2 * count, ids.length, 1);
       if (length !== ids.length) ids = new Uint32Array(length);
       for (let i = 0; i < 2 * count; i++) ids[i] = pairs[i];
       pairsTexture.upload(ids, 2 * count);

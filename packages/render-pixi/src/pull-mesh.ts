@@ -16,11 +16,11 @@ import { glslHeader, gpuLayout, type PullProgram, type UniformType, wgslHeader }
 
 type UniformValue = number | Float32Array;
 
-/** A mesh without vertex attributes: its shader pulls everything from data textures. */
+/** A mesh without vertex attributes: its shader reads all data from textures (vertex pulling). */
 export class PullMesh {
-  /** For the application to place; it holds the mesh, whose own transform turns metres into pixels. */
+  /** The container for the application; it holds the mesh, whose transform converts metres to pixels. */
   readonly container: Container;
-  /** Values of the program's own uniforms, by name. */
+  /** Values of the program's uniforms, by name. */
   readonly uniforms: Record<string, UniformValue>;
   readonly #mesh: Mesh<Geometry, Shader>;
   readonly #quads = new QuadGeometry();
@@ -56,8 +56,8 @@ export class PullMesh {
   }
 
   /**
-   * Puts world point (x, y), metres, where the shader's zero is. The sum with the camera's offset is done in f64 by
-   * pixi, so a far origin costs no precision.
+   * Sets the world point (x, y), metres, of the shader's origin. Pixi adds it to the camera's offset in f64, so a
+   * distant origin costs no precision.
    */
   place(originX: number, originY: number): void {
     const scale = this.#pixelsPerMetre;

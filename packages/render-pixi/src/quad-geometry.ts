@@ -1,21 +1,21 @@
 import { Buffer, BufferUsage, Geometry } from 'pixi.js';
 
-/** Corners of a quad in the order its two triangles use them. */
+/** Corners of a quad in the order of its two triangles. */
 const CORNERS = [0, 1, 2, 2, 1, 3];
 
-/** An index buffer in which quad `i` uses vertices `4 i … 4 i + 3`, shared by every geometry that needs no more. */
+/** An index buffer in which quad `i` uses vertices `4 i … 4 i + 3`, shared by all geometries that are small enough. */
 interface QuadIndex {
   readonly quads: number;
   readonly buffer: Buffer;
   users: number;
 }
 
-/** The largest index made so far, while anyone uses it. */
+/** The largest index so far, while it is in use. */
 let largest: QuadIndex | undefined;
 
 /**
- * An index for at least `quads` quads. A larger need gets a new buffer rather than more data in the old one: pixi keeps
- * one update counter per buffer, which a WebGPU renderer resets under a WebGL renderer that shares it.
+ * Returns an index for at least `quads` quads. More quads get a new buffer instead of more data in the old one: pixi
+ * keeps one update counter per buffer, which a WebGPU renderer resets under a WebGL renderer that shares it.
  */
 function acquire(quads: number): QuadIndex {
   if (largest === undefined || largest.quads < quads) {
@@ -43,12 +43,12 @@ function quadIndices(quads: number): Uint32Array {
   return indices;
 }
 
-/** Geometry of quads whose corners the vertex shader works out from the vertex number: there are no attributes. */
+/** Geometry of quads whose corners the vertex shader computes from the vertex index, without attributes. */
 export class QuadGeometry {
   #index = acquire(1);
   #geometry = geometryOf(this.#index);
 
-  /** What a mesh shows now; another object after `draw` had to make room. */
+  /** The present geometry; replaced when `draw` needs a larger index. */
   get geometry(): Geometry {
     return this.#geometry;
   }

@@ -1,4 +1,4 @@
-// Layers are meshes; of pixi's other parts each page names those that it uses.
+// Layers are meshes; a page imports the other parts of pixi that it uses.
 import 'pixi.js/mesh';
 import { sizeToFill } from '@principia/render-core';
 import {
@@ -13,26 +13,26 @@ import {
 } from 'pixi.js';
 import { requirePixi } from './pixi-version.ts';
 
-/** A canvas that pixi draws on. */
+/** A canvas with a pixi renderer. */
 export interface Screen {
   readonly renderer: Renderer;
   readonly canvas: HTMLCanvasElement;
-  /** What is drawn. */
+  /** The root of the drawn objects. */
   readonly stage: Container;
-  /** Draws the stage; makes no objects. */
+  /** Renders the stage without allocating. */
   render(): void;
-  /** Frees everything on the stage and takes the canvas away. */
+  /** Frees everything on the stage and removes the canvas. */
   destroy(): void;
 }
 
-/** What pixi's renderers take. */
+/** Options of pixi's renderers. */
 export type ScreenOptions = Partial<WebGLOptions & AutoDetectOptions>;
 
 /**
- * Opens a canvas in `parent`, as large as it, with WebGL 2, or with WebGPU where there is none; follow `parent` with
- * `watchViewport`. An `Application` of pixi's also makes a canvas, but tries WebGL on one that it throws away, makes
- * another that it has to enlarge, and loads pixi's events, filters and other parts before the first picture: here
- * `pixi.js/graphics` and the like are to be imported by who uses them.
+ * Opens a canvas of the size of `parent` with WebGL 2, or with WebGPU if there is none; follow `parent` with
+ * `watchViewport`. Pixi's `Application` also creates a canvas, but tests WebGL on a second one, resizes the canvas, and
+ * loads events, filters and other parts before the first picture. Here a page imports `pixi.js/graphics` and so on
+ * itself.
  *
  * @throws Error when the browser has neither, or pixi.js is too old
  */
@@ -50,7 +50,7 @@ export async function openScreen(parent: HTMLElement, options: ScreenOptions = {
     canvas: renderer.canvas,
     stage,
     render() {
-      // Pixi fills these in, and would take them for wishes the next time.
+      // Pixi writes these fields and would read them as options the next time.
       order.transform = undefined;
       order.clearColor = undefined;
       renderer.render(order as RenderOptions);
@@ -70,7 +70,7 @@ interface Size {
 
 async function openWebGL(options: ScreenOptions & Size): Promise<Renderer | undefined> {
   const canvas = document.createElement('canvas');
-  // In this order: a context whose canvas changes its size makes all its buffers anew.
+  // The size is set first: resizing the canvas of a context re-creates all its buffers.
   canvas.width = Math.round(options.width * options.resolution);
   canvas.height = Math.round(options.height * options.resolution);
   const context = canvas.getContext('webgl2', {

@@ -1,16 +1,16 @@
 import type { Container } from 'pixi.js';
+import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
 import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
 import { PullMesh } from './pull-mesh.ts';
-import { roomFor } from './room.ts';
 import { SEGMENT_PROGRAM } from './shaders/segment-program.ts';
 
-/** Straight lines with round ends, given as numbers: walls, force arrows, debug geometry. */
+/** Straight lines with round ends from numbers: walls, force arrows, debug geometry. */
 export interface SegmentLayer {
   readonly container: Container;
   /**
-   * Replaces the lines. The numbers are copied, so the array may be reused at once; no garbage is left behind.
+   * Replaces the lines. The numbers are copied, so the array may be reused immediately; no garbage is created.
    *
    * @param segments x1, y1, x2, y2 of each line, metres
    * @param count number of lines; default: all in the array
@@ -18,12 +18,12 @@ export interface SegmentLayer {
    * @throws Error when an array is shorter than `count` lines need
    */
   set(segments: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
-  /** World point, metres, that the next `set` takes lines relative to; see `BodyLayer.setOrigin`. */
+  /** World point, metres, to which the next `set` makes lines relative; see `BodyLayer.setOrigin`. */
   setOrigin(x: number, y: number): void;
   destroy(): void;
 }
 
-/** Makes an empty layer of lines. @throws Error when an option is out of range */
+/** Creates an empty layer of lines. @throws Error when an option is out of range */
 export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
   const segmentsTexture = new ColumnTexture('real', 4);
   const colors = new LineColors();
@@ -40,7 +40,7 @@ export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
     set(segments, count = Math.floor(segments.length / 4), lineColors) {
       checkLength('segments', segments, count * 4);
       if (lineColors !== undefined) checkLength('colors', lineColors, count);
-      const length = roomFor(count, data.length, 4);
+      const length = bufferLength(count, data.length, 4);
       if (length !== data.length) data = new Float32Array(length);
       for (let i = 0; i < 4 * count; i += 2) {
         data[i] = segments[i] - originX;

@@ -2,10 +2,10 @@ import {
   type BodySource,
   ColumnUpload,
   PosePair,
-  PosesSent,
   type RealColumn,
   SHAPES,
   TEXTURE_WIDTH,
+  UploadedPoses,
 } from '@principia/render-core';
 import { ColumnTexture } from './column-texture.ts';
 
@@ -25,7 +25,7 @@ class RealTexture {
 
   /** Says that another column has the values of the last `upload`. */
   rename(column: RealColumn): void {
-    this.texture.rename(this.#upload.rename(column));
+    this.texture.replaceColumn(this.#upload.replaceColumn(column));
   }
 }
 
@@ -54,8 +54,8 @@ export class SourceTextures {
   readonly shape = new ColumnTexture('whole');
   readonly #source: BodySource;
   readonly #poses = new PosePair();
-  readonly #positionSent = new PosesSent();
-  readonly #angleSent = new PosesSent();
+  readonly #positionSent = new UploadedPoses();
+  readonly #angleSent = new UploadedPoses();
   readonly #style: Uploaded = { version: Number.NaN, membership: Number.NaN };
   #membership = Number.NaN;
   #hasTurning = false;
@@ -107,7 +107,7 @@ export class SourceTextures {
     if (x === this.#originX && y === this.#originY) return;
     this.#originX = x;
     this.#originY = y;
-    this.#positionSent.forget();
+    this.#positionSent.invalidate();
   }
 
   syncIds(): void {

@@ -2,35 +2,35 @@ import { type BodySource, ReleaseVelocity } from '@principia/render-core';
 import { type Camera, Plane, Raycaster, Vector2, Vector3 } from 'three';
 import { pickBody } from './body-picker.ts';
 
-/** What dragging needs and reports. Points are metres and velocities metres per second; copy them to keep them. */
+/** Options and events of dragging. Points are in m and velocities in m/s; copy them to keep them. */
 export interface BodyDraggingOptions {
   source: BodySource;
   camera: Camera;
-  /** Which bodies may be grabbed; default all. */
+  /** Whether a body may be grabbed; default all. */
   mayGrab?(id: number): boolean;
-  /** A pointer went down on body `id`, at `point` of its surface. */
+  /** A pointer was pressed on body `id`, at `point` of its surface. */
   onGrab?(id: number, point: Vector3, pointerId: number): void;
-  /** A pointer that holds `id` moved: the grabbed point belongs at `point`. */
+  /** A pointer that drags `id` moved: the grabbed point belongs at `point`. */
   onDrag?(id: number, point: Vector3, pointerId: number): void;
-  /** A pointer let go of `id`, moving with `velocity`, for throwing. */
+  /** A pointer released `id` with `velocity`, for throwing. */
   onRelease?(id: number, point: Vector3, velocity: Vector3, pointerId: number): void;
-  /** Controls to switch off while a body is held, such as `OrbitControls`. */
+  /** Controls to disable while a body is dragged, such as `OrbitControls`. */
   controls?: { enabled: boolean };
-  /** A body this many CSS pixels from the pointer still counts; default 6. */
+  /** Distance by which the pointer may miss a body, CSS pixels; default 6. */
   tolerance?: number;
 }
 
-/** Pointers that can grab bodies until `destroy()`. */
+/** Pointers that can drag bodies until `destroy()`. */
 export interface BodyDragging {
-  /** The body under a place of the window, CSS pixels as in a pointer event; 0 for none. */
+  /** The body under a point of the window, CSS pixels as in a pointer event; 0 for none. */
   pick(clientX: number, clientY: number): number;
   destroy(): void;
 }
 
-/** One pointer that holds a body. */
+/** A pointer that drags a body. */
 interface Grip {
   readonly id: number;
-  /** The pointer moves the body in this plane: facing the camera, or that of a 2D world. */
+  /** The plane in which the pointer moves the body: facing the camera, or that of a 2D world. */
   readonly plane: Plane;
   readonly point: Vector3;
   readonly velocityXY: ReleaseVelocity;
@@ -40,7 +40,7 @@ interface Grip {
 /** Lets mouse, pen and touch drag bodies in 3D; several pointers work at once. */
 export function listenToBodyDragging(element: HTMLElement, options: BodyDraggingOptions): BodyDragging {
   const dragging = new Dragging(element, options);
-  // In the capture phase, so that the controls on the same element are off before they hear of the pointer.
+  // The capture phase disables controls on the same element before they receive the event.
   element.addEventListener('pointerdown', dragging.down, { capture: true });
   element.addEventListener('pointermove', dragging.move);
   element.addEventListener('pointerup', dragging.up);
@@ -93,7 +93,7 @@ class Dragging {
     const grip = this.#grips.get(event.pointerId);
     if (grip === undefined) return;
     this.#aim(event.clientX, event.clientY);
-    // A plane seen edge-on is missed: the body stays where it was.
+    // If the plane is seen edge-on, there is no intersection and the body stays.
     if (this.#raycaster.ray.intersectPlane(grip.plane, grip.point) === null) return;
     this.#note(grip, event);
     this.#options.onDrag?.(grip.id, grip.point, event.pointerId);
@@ -113,13 +113,13 @@ class Dragging {
     const { source, camera, tolerance = 6 } = this.#options;
     this.#aim(clientX, clientY);
     const { ray } = this.#raycaster;
-    // What is exactly under the pointer goes before what is only close to it.
+    // A body exactly under the pointer has priority over one that is merely close.
     if (pickBody(source, ray, { result: this.#pick }) !== 0) return this.#pick.id;
     const pixel = 2 / (camera.projectionMatrix.elements[5] * this.#element.clientHeight);
     return pickBody(source, ray, { slack: tolerance * pixel, result: this.#pick });
   }
 
-  /** Lets go of every body at rest, as when the element goes away under the pointers. */
+  /** Releases every body at rest, for example when the element is removed. */
   releaseAll(): void {
     this.#velocity.set(0, 0, 0);
     for (const [pointerId, grip] of this.#grips) this.#release(pointerId, grip);

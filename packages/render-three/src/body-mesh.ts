@@ -76,7 +76,7 @@ export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
   };
 }
 
-/** A pass that nobody needs is not even told how many bodies there are: its index buffer may never be made. */
+/** A pass without bodies is not told their number, so its index buffer may never be created. */
 function showPass(pass: BodyPass, count: number, textures: BodyTextures): void {
   pass.mesh.visible = count > 0 && pass.isNeeded();
   if (!pass.mesh.visible || pass.membership === textures.membershipVersion) return;
@@ -117,7 +117,7 @@ function createImpostorPass(options: BodyMeshOptions, textures: BodyTextures): B
   };
 }
 
-/** Outlines and spots of light: blended over the solids, never lit and never casting shadows. */
+/** Outlines and glows: blended over the solids, never lit, without shadows. */
 function createFlatPass(source: BodySource, textures: BodyTextures): BodyPass {
   const geometry = new QuadGeometry();
   const material = createFlatMaterial(textures.uniforms, source.dimensions);

@@ -1,7 +1,7 @@
 import type { BodySource } from '@principia/render-core';
 import type { BufferGeometry, ColorRepresentation, Material, Mesh } from 'three';
 
-/** What `createBodyMesh` may be told. */
+/** Options of `createBodyMesh`. */
 export interface BodyMeshOptions {
   source: BodySource;
   /** Colour of bodies whose colour is zero; default a light blue. */
@@ -19,18 +19,21 @@ export interface BodyMeshOptions {
   form?: 'impostor' | 'mesh';
   /** Segments around a ball in `mesh` form, at least 3; default 16. */
   segments?: number;
-  /** Geometry that all bodies have instead of balls and boxes, in units of the drawn radius; makes the form `mesh`. */
+  /** Geometry of all bodies instead of balls and boxes, in units of the drawn radius; implies the form `mesh`. */
   geometry?: BufferGeometry;
-  /** Smallest drawn radius in device pixels, so that far bodies neither vanish nor flicker; default 0.75. Impostors only. */
+  /**
+   * Smallest drawn radius in device pixels, so that distant bodies neither vanish nor flicker; default 0.75. Impostors
+   * only.
+   */
   minPixelRadius?: number;
   castShadow?: boolean;
   receiveShadow?: boolean;
 }
 
-/** One mesh and whether any body needs it. */
+/** A mesh and whether any body needs it. */
 export interface BodyPass {
   readonly mesh: Mesh;
-  /** Version of the membership it was last told about. */
+  /** Version of the membership of its last update. */
   membership: number;
   isNeeded(): boolean;
   setCount(count: number): void;

@@ -1,13 +1,13 @@
 import { SHAPES } from '@principia/render-core';
 import { Ray, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { createFakeSource, type FakeSource } from '../../render-core/src/fake-source.ts';
+import { createTestBodySource, type TestBodySource } from '../../../test/support/body-source.ts';
 import { pickBody } from './body-picker.ts';
 
 const towards = (x: number, y: number, z = 10) => new Ray(new Vector3(x, y, z), new Vector3(0, 0, -1));
 
-function balls(places: [id: number, x: number, y: number, z: number][], dimensions: 2 | 3 = 3): FakeSource {
-  const source = createFakeSource(1024, dimensions);
+function balls(places: [id: number, x: number, y: number, z: number][], dimensions: 2 | 3 = 3): TestBodySource {
+  const source = createTestBodySource(1024, dimensions);
   for (const [id, x, y, z] of places) {
     for (const { x: px, y: py, z: pz } of [source.position, source.previousPosition]) {
       px[id] = x;

@@ -1,17 +1,17 @@
 import { type BodySource, SHAPES } from '@principia/render-core';
 import type { Ray } from 'three';
 
-/** How to look for a body. */
+/** Options of a pick. */
 export interface PickOptions {
-  /** The blend of previous and present step that is on the screen; default 1, the present step. */
+  /** The displayed position between the previous and the present step; default 1, the present step. */
   alpha?: number;
-  /** A body this many metres from the ray still counts, per metre of distance; default 0. Fingers need some. */
+  /** Tolerance in metres per metre of distance; default 0. Touch input needs some. */
   slack?: number;
   /** Receives the body (0 for none) and its distance along the ray, metres. */
   result?: { id: number; distance: number };
 }
 
-/** Scratch of one pick; a pick is synchronous, so one is enough. */
+/** Scratch data; a pick is synchronous, so one set is enough. */
 const local = { ox: 0, oy: 0, oz: 0, dx: 0, dy: 0, dz: 0 };
 
 /**
@@ -86,7 +86,7 @@ function boxDistance(
   return enter <= leave ? enter : Number.POSITIVE_INFINITY;
 }
 
-/** Writes the ray as seen from the axes of body `id` into `local`. */
+/** Transforms the ray to the axes of body `id` and writes it to `local`. */
 function turnIntoBody(
   source: BodySource,
   id: number,

@@ -1,6 +1,6 @@
 import { type BodySource, SHAPES } from '@principia/render-core';
 
-/** Numbers a body takes in the packed style: radius, colour, shape, unused. */
+/** 32-bit lanes per body in the packed style: radius, colour, shape, unused. */
 const LANES = 4;
 
 /** Bits of the shapes without a surface. */
@@ -34,7 +34,7 @@ export class BodyStyle {
     return (this.#shapes & (1 << kind)) !== 0;
   }
 
-  /** Whether any row has a shape whose rotation can be seen. */
+  /** Whether any row has a shape whose rotation is visible. */
   get hasTurning(): boolean {
     return this.hasShape(SHAPES.box) || this.hasShape(SHAPES.markedDisc);
   }
@@ -76,7 +76,7 @@ function packLooks(
     if (!(extent > 0)) continue;
     const bytes = color[id];
     out[at + 1] = bytes;
-    // Apart: compilers would make an object of a number that may be the one or the other, for every body.
+    // Separate stores: V8 would allocate an object for a value of mixed type, for every body.
     if (bytes === 0) out[at + 1] = defaultColor;
     out[at + 2] = shape[id];
     shapes |= 1 << shape[id];

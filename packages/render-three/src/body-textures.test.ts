@@ -1,11 +1,11 @@
 import { SHAPES } from '@principia/render-core';
 import { expect, test } from 'vitest';
-import { createFakeSource, type FakeSource } from '../../render-core/src/fake-source.ts';
+import { createTestBodySource, type TestBodySource } from '../../../test/support/body-source.ts';
 import { colorBytes } from './body-color.ts';
 import { BodyTextures } from './body-textures.ts';
 import type { ColumnTexture } from './column-texture.ts';
 
-function textures(source: FakeSource) {
+function textures(source: TestBodySource) {
   const held = new BodyTextures(source, colorBytes(0x102030), false);
   const of = (name: string) => held.uniforms[name].value as ColumnTexture;
   return { held, of, versions: (...names: string[]) => names.map((name) => of(name).uploads) };
@@ -17,7 +17,7 @@ test('colours of three become bytes in memory order', () => {
 });
 
 test('the columns of an f32 world are the textures themselves', () => {
-  const source = createFakeSource(2048, 3);
+  const source = createTestBodySource(2048, 3);
   source.show([5, 1500]);
   const { held, of } = textures(source);
   held.refresh(1);
@@ -27,7 +27,7 @@ test('the columns of an f32 world are the textures themselves', () => {
 });
 
 test('only what the source says has changed is sent', () => {
-  const source = createFakeSource(1024, 3);
+  const source = createTestBodySource(1024, 3);
   source.show([1, 2]);
   const { held, versions } = textures(source);
   held.refresh(1);
@@ -44,7 +44,7 @@ test('only what the source says has changed is sent', () => {
 });
 
 test('a step sends the new poses alone, and what was new becomes what was before', () => {
-  const source = createFakeSource(1024, 3);
+  const source = createTestBodySource(1024, 3);
   source.versions.steps = 0;
   source.show([1, 2]);
   const { held, of, versions } = textures(source);
@@ -66,7 +66,7 @@ test('a step sends the new poses alone, and what was new becomes what was before
 });
 
 test('rotations are sent once a body shows them', () => {
-  const source = createFakeSource(1024, 3);
+  const source = createTestBodySource(1024, 3);
   source.radius[1] = 1;
   source.show([1]);
   const { held, of } = textures(source);
@@ -79,7 +79,7 @@ test('rotations are sent once a body shows them', () => {
 });
 
 test('an id beyond those sent before is sent even if no version of its columns moved', () => {
-  const source = createFakeSource(4096, 2, 'f64');
+  const source = createTestBodySource(4096, 2, 'f64');
   source.position.x[3000] = 8;
   source.show([1]);
   const { held, of } = textures(source);
@@ -94,7 +94,7 @@ test('an id beyond those sent before is sent even if no version of its columns m
 });
 
 test('the style holds drawn radius, colour and shape, with the defaults filled in', () => {
-  const source = createFakeSource(1024, 2, 'f64');
+  const source = createTestBodySource(1024, 2, 'f64');
   source.radius.set([1, 2], 1);
   source.size[2] = 0.25;
   source.color[2] = 0xff00ff00;
@@ -111,7 +111,7 @@ test('the style holds drawn radius, colour and shape, with the defaults filled i
 
 test('an origin is subtracted before f64 is rounded, and ignored for f32', () => {
   for (const precision of ['f64', 'f32'] as const) {
-    const source = createFakeSource(1024, 3, precision);
+    const source = createTestBodySource(1024, 3, precision);
     source.position.x[1] = 1e9 + 0.125;
     source.show([1]);
     const { held, of } = textures(source);
@@ -123,13 +123,13 @@ test('an origin is subtracted before f64 is rounded, and ignored for f32', () =>
 });
 
 test('a column of another length is refused', () => {
-  const source = createFakeSource(1024, 2);
+  const source = createTestBodySource(1024, 2);
   source.angle = new Float32Array(1000);
   expect(() => textures(source)).toThrow(/1024 rows, got one of 1000/);
 });
 
 test('a world with few enough textures for every WebGL 2: sixteen in a vertex shader', () => {
-  const { held } = textures(createFakeSource(1024, 3));
+  const { held } = textures(createTestBodySource(1024, 3));
   const samplers = Object.values(held.uniforms).filter(({ value }) => typeof value === 'object');
   expect(samplers.length).toBeLessThanOrEqual(16);
 });

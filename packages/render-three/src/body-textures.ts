@@ -19,7 +19,7 @@ export class BodyTextures {
   readonly #source: BodySource;
   readonly #poses = new PosePair();
   readonly #turns: PoseColumns;
-  /** Send rotations even where every body is a ball, as for a custom geometry. */
+  /** Uploads rotations even if every body is a ball, for a custom geometry. */
   readonly #alwaysTurns: boolean;
   readonly #idTexture = new ColumnTexture('uint');
   readonly #styleTexture = new ColumnTexture('uint4');
@@ -42,7 +42,7 @@ export class BodyTextures {
     };
   }
 
-  /** Moves with every change of `ids`. */
+  /** Incremented with every change of `ids`. */
   get membershipVersion(): number {
     return this.#membershipVersion;
   }
@@ -64,11 +64,11 @@ export class BodyTextures {
     this.#poses.refresh(this.#source);
     this.uniforms.poseAlpha.value = this.#poses.alphaOf(alpha);
     this.centres.refresh();
-    // Balls look the same however they are turned: most particle worlds never send a rotation.
+    // The rotation of balls is invisible, so most particle worlds never upload it.
     if (this.#alwaysTurns || this.style.hasTurning) this.#turns.refresh();
   }
 
-  /** Sends what is marked. Call before each drawing, of shadows too. */
+  /** Uploads the marked columns. Call before each drawing, of shadows too. */
   send(renderer: WebGLRenderer): void {
     this.#idTexture.send(renderer);
     this.#styleTexture.send(renderer);

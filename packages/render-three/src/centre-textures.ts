@@ -10,7 +10,7 @@ export interface Point3 {
   z: number;
 }
 
-/** Where the bodies are and were a step ago, as textures; sent to the GPU once a step. */
+/** Present and previous positions as textures; uploaded once per step. */
 export class CentreTextures {
   readonly uniforms: Record<string, IUniform>;
   readonly #columns: PoseColumns;
@@ -27,12 +27,12 @@ export class CentreTextures {
     this.uniforms = this.#columns.uniforms;
   }
 
-  /** Point the sent positions are relative to, metres. */
+  /** Origin of the uploaded positions, metres. */
   get origin(): Readonly<Point3> {
     return this.#origin;
   }
 
-  /** Has f64 positions rounded to f32 relative to another point, metres; f32 ones have lost their digits already. */
+  /** Sets the origin relative to which f64 positions are rounded to f32; f32 positions have no extra digits. */
   setOrigin(x: number, y: number, z: number): void {
     const origin = this.#origin;
     if (!this.#columns.isPrecise) return;
@@ -43,7 +43,7 @@ export class CentreTextures {
     this.#columns.forget();
   }
 
-  /** Marks the positions for upload if the source has stepped, after the pair was refreshed. */
+  /** Marks the positions for upload if the source has stepped since the pair was refreshed. */
   refresh(): void {
     this.#columns.refresh(this.#origins);
   }

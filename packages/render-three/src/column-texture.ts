@@ -2,19 +2,19 @@ import { TEXTURE_WIDTH, textureRows } from '@principia/render-core';
 import type { WebGLRenderer } from 'three';
 import { ExternalTexture, requireThree } from './three-version.ts';
 
-/** What a texel of a column texture holds. */
+/** The content of a texel of a column texture. */
 export type TexelKind = 'real' | 'uint' | 'uint4';
 
 const lanesOf: Record<TexelKind, number> = { real: 1, uint: 1, uint4: 4 };
 
-/** What one renderer has of a column, and how WebGL calls it. */
+/** The GPU copy of a column for one renderer. */
 interface GpuCopy {
-  /** A renderer whose context was lost and restored has others: what it had before is gone. */
+  /** A restored context has another GL object, and its former textures are lost. */
   readonly properties: WebGLRenderer['properties'];
   readonly gl: WebGL2RenderingContext;
-  /** Of the storage. */
+  /** Internal format of the storage. */
   readonly sizedFormat: number;
-  /** Of what is sent. */
+  /** Format of the uploaded data. */
   readonly format: number;
   readonly type: number;
   handle: WebGLTexture;
@@ -42,7 +42,7 @@ export class ColumnTexture extends ExternalTexture {
     this.#kind = kind;
   }
 
-  /** Number of leading texels the GPU is up to date with after the next frame. */
+  /** Number of leading texels that are up to date after the next upload. */
   get used(): number {
     return this.#used;
   }
@@ -57,7 +57,7 @@ export class ColumnTexture extends ExternalTexture {
     return this.#rows;
   }
 
-  /** Grows with every `upload`. */
+  /** Incremented with every `upload`. */
   get uploads(): number {
     return this.#uploads;
   }
@@ -76,12 +76,14 @@ export class ColumnTexture extends ExternalTexture {
     this.#uploads++;
   }
 
-  /** Says that another array has the values of the last `upload`; it is what a renderer that comes anew is sent. */
+  /**
+   * Replaces the array by another one with the values of the last `upload`, for renderers that use the texture later.
+   */
   rename(data: Float32Array | Uint32Array): void {
     this.#data = data;
   }
 
-  /** Sends what this renderer has not got yet. Call it before each drawing, shadows too. */
+  /** Uploads the data that this renderer lacks. Call it before each drawing, of shadows too. */
   send(renderer: WebGLRenderer): void {
     const copy = this.#copyOf(renderer);
     this.sourceTexture = copy.handle;
@@ -110,7 +112,7 @@ export class ColumnTexture extends ExternalTexture {
     return this.#makeCopy(renderer);
   }
 
-  /** Apart from the search: a function that makes another one makes an object for its variables at every call. */
+  /** Separate from the search, because a function that contains a closure allocates in every call. */
   #makeCopy(renderer: WebGLRenderer): GpuCopy {
     const { properties } = renderer;
     const gl = renderer.getContext() as WebGL2RenderingContext;
@@ -121,7 +123,7 @@ export class ColumnTexture extends ExternalTexture {
     return copy;
   }
 
-  /** The storage of a texture cannot change its size: there is a new one. */
+  /** Immutable storage cannot be resized, so a new one is created. */
   #replaceStorage(renderer: WebGLRenderer, copy: GpuCopy): void {
     const { gl } = copy;
     if (copy.rows > 0) {
@@ -132,13 +134,13 @@ export class ColumnTexture extends ExternalTexture {
     }
     copy.rows = this.#rows;
     gl.texStorage2D(gl.TEXTURE_2D, 1, copy.sizedFormat, TEXTURE_WIDTH, copy.rows);
-    // Without mipmaps a texture is complete only with such a filter.
+    // Without mipmaps a texture is complete only with this filter.
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   }
 }
 
-/** Through three's own record of the state, on a unit that no drawing uses. */
+/** Uses three.js' state cache, on a texture unit that no drawing uses. */
 function bindForUpload({ state, capabilities }: WebGLRenderer, { gl, handle }: GpuCopy): void {
   const unit = gl.TEXTURE0 + capabilities.maxTextures - 1;
   state.activeTexture(unit);

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { createFakeSource } from '../../render-core/src/fake-source.ts';
+import { createTestBodySource } from '../../../test/support/body-source.ts';
 import { createBodyMesh } from './body-mesh.ts';
 import { createSegmentLines } from './segment-lines.ts';
 
@@ -18,7 +18,7 @@ function bytesPerCall(frame: () => void): number {
 }
 
 test.each(['f32', 'f64'] as const)('a frame after a step makes no garbage (%s)', (precision) => {
-  const source = createFakeSource(1024, 3, precision);
+  const source = createTestBodySource(1024, 3, precision);
   source.radius.fill(1);
   source.shape[2] = 2;
   source.show([1, 2, 3]);

@@ -1,6 +1,6 @@
 import { Box3, BoxGeometry, MeshLambertMaterial, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { createFakeSource } from '../../render-core/src/fake-source.ts';
+import { createTestBodySource } from '../../../test/support/body-source.ts';
 import { createBodyMesh } from './body-mesh.ts';
 import { createBoxFrame } from './box-frame.ts';
 import { createSegmentLines } from './segment-lines.ts';
@@ -15,7 +15,7 @@ test('segments are counted, grow past their first memory and are cleared', () =>
 });
 
 test('bad options say what to do', () => {
-  const source = createFakeSource(1024, 3);
+  const source = createTestBodySource(1024, 3);
   expect(() => createSegmentLines({ width: 0 })).toThrow(/width of lines must be a positive number/);
   expect(() => createBoxFrame(new Box3())).toThrow(/min below max/);
   expect(() => createTrailLines({ source, length: 5000 })).toThrow(/at most 2048/);
@@ -29,7 +29,7 @@ test('bad options say what to do', () => {
 });
 
 test('a trail draws a segment less than it has points, for each body', () => {
-  const source = createFakeSource(1024, 2);
+  const source = createTestBodySource(1024, 2);
   source.show([1, 2, 3]);
   const trails = createTrailLines({ source, length: 10 });
   trails.update(1);

@@ -1,16 +1,16 @@
 import { type Box3, type OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
-/** Distance of the camera in terms of that from which the bounds just fit. */
+/** Distance of the camera relative to that at which the bounds just fit. */
 const MARGIN = 1.04;
 
-/** What `createOrbitCamera` may be told. */
+/** Options of `createOrbitCamera`. */
 export interface OrbitCameraOptions {
-  /** The canvas, or whatever element the pointers are on. */
+  /** The canvas, or another element that receives the pointer events. */
   element: HTMLElement;
   /** Default: a perspective camera with a vertical angle of 45°, which looks along −z and a little down. */
   camera?: PerspectiveCamera | OrthographicCamera;
-  /** How fast the view catches up with a followed body, 1/s; default 8: two thirds of the way in an eighth of a second. */
+  /** Rate at which the view follows a body, 1/s; default 8: two thirds of the distance in an eighth of a second. */
   followRate?: number;
 }
 
@@ -19,7 +19,7 @@ export interface OrbitCamera {
   readonly camera: PerspectiveCamera | OrthographicCamera;
   /** three's own controls, for all of their settings. */
   readonly controls: OrbitControls;
-  /** Looks at the middle of `bounds` from the present direction, just far enough away to see all of it. */
+  /** Targets the centre of `bounds` from the present direction, at the smallest distance that shows all of it. */
   fit(bounds: Box3): void;
   /**
    * Keeps a point in the middle while the application goes on moving it; `undefined` stops that. The object is read
@@ -31,7 +31,7 @@ export interface OrbitCamera {
   destroy(): void;
 }
 
-/** Makes a camera with three's `OrbitControls` on `element`. */
+/** Creates a camera with three.js' `OrbitControls` on `element`. */
 export function createOrbitCamera(options: OrbitCameraOptions): OrbitCamera {
   const { element, followRate = 8 } = options;
   const camera = options.camera ?? defaultCamera();
@@ -70,7 +70,7 @@ function defaultCamera(): PerspectiveCamera {
   return camera;
 }
 
-/** Moves along the present line of sight until the box just fits, and puts the clip planes about it. */
+/** Moves the camera along the present line of sight until the box just fits, and sets the clip planes. */
 function lookAtBox(camera: PerspectiveCamera | OrthographicCamera, controls: OrbitControls, box: Box3): void {
   const back = new Vector3().subVectors(camera.position, controls.target);
   if (back.lengthSq() === 0) back.set(0, 0, 1);
@@ -102,7 +102,7 @@ function lookAtBox(camera: PerspectiveCamera | OrthographicCamera, controls: Orb
   controls.update();
 }
 
-/** Largest value of `measure` over the corners of the box, seen from its middle along three axes. */
+/** Largest value of `measure` over the corners of the box, relative to its centre along three axes. */
 function furthestCorner(
   box: Box3,
   middle: Vector3,

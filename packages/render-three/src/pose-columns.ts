@@ -1,4 +1,4 @@
-import { type BodySource, ColumnUpload, type PosePair, PosesSent, type RealColumn } from '@principia/render-core';
+import { type BodySource, ColumnUpload, type PosePair, type RealColumn, UploadedPoses } from '@principia/render-core';
 import type { IUniform, WebGLRenderer } from 'three';
 import { ColumnTexture } from './column-texture.ts';
 import type { Uniforms } from './material-patch.ts';
@@ -13,7 +13,7 @@ class Half {
   }
 
   rename(column: RealColumn): void {
-    this.texture.rename(this.#upload.rename(column));
+    this.texture.rename(this.#upload.replaceColumn(column));
   }
 }
 
@@ -29,7 +29,7 @@ export class PoseColumns {
   readonly #source: BodySource;
   readonly #pair: PosePair;
   readonly #columns: readonly PoseColumn[];
-  readonly #sent = new PosesSent();
+  readonly #sent = new UploadedPoses();
 
   /**
    * @param names of the uniforms: the halves that are present at first, then the others
@@ -57,14 +57,14 @@ export class PoseColumns {
     this.uniforms = uniforms;
   }
 
-  /** Whether the columns are f64: f32 ones have lost the digits that an origin could save. */
+  /** Whether the columns are f64; f32 columns have no digits that an origin could preserve. */
   get isPrecise(): boolean {
     return this.#columns[0].now instanceof Float64Array;
   }
 
-  /** Has everything sent the next time. */
+  /** Forces an upload of all columns the next time. */
   forget(): void {
-    this.#sent.forget();
+    this.#sent.invalidate();
   }
 
   /**

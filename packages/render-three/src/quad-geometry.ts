@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
 
-/** Vertices a quad takes in the index: two triangles. */
+/** Indices per quad: two triangles. */
 const INDICES = 6;
 
 /**
@@ -15,7 +15,10 @@ export class QuadGeometry extends BufferGeometry {
     this.setDrawRange(0, 0);
   }
 
-  /** Draws the first `count` quads. The index buffer grows by halves, so that a growing population seldom makes one. */
+  /**
+   * Draws the first `count` quads. The index buffer grows by half its size, so that a growing population seldom
+   * reallocates it.
+   */
   setCount(count: number): void {
     if (count * INDICES > (this.index?.count ?? 0)) this.#grow(Math.ceil(count * 1.5) + 64);
     this.drawRange.count = count * INDICES;

@@ -4,9 +4,9 @@ import { colorBytes } from './body-color.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { createWideLineMesh } from './wide-line-mesh.ts';
 
-/** What `createSegmentLines` may be told. */
+/** Options of `createSegmentLines`. */
 export interface SegmentLinesOptions {
-  /** Colour of segments that are added without one; default light grey. */
+  /** Default colour of segments; light grey if omitted. */
   color?: ColorRepresentation;
   /** Width in CSS pixels; default 1.5. */
   width?: number;
@@ -17,7 +17,7 @@ export interface SegmentLines {
   /** Add it to the scene. */
   readonly object: Object3D;
   readonly count: number;
-  /** Forgets all segments; the memory stays for those of the next frame. */
+  /** Removes all segments; the memory is kept. */
   clear(): void;
   /**
    * Adds a segment from `a` to `b`, metres. No garbage, except when the list grows.
@@ -29,7 +29,7 @@ export interface SegmentLines {
   destroy(): void;
 }
 
-/** Two texels a segment: the coordinates of an end as float bits, and its colour. */
+/** Two texels per segment: the coordinates of an end as float bits, and its colour. */
 const segmentEnds = /* glsl */ `
 uniform highp usampler2D segments;
 const float endReach = 0.25; // the corners of a wall then have no notch
@@ -51,7 +51,7 @@ bool segmentEnds(int i, out vec3 a, out vec3 b, out vec4 colorA, out vec4 colorB
 const LANES = 4;
 const ENDS = 2;
 
-/** Makes an empty list of lines. */
+/** Creates an empty list of lines. */
 export function createSegmentLines(options: SegmentLinesOptions = {}): SegmentLines {
   const defaultColor = colorBytes(options.color ?? 0xc0c8d4);
   const texture = new ColumnTexture('uint4');

@@ -1,8 +1,8 @@
 import { Vector2, type WebGLRenderer } from 'three';
 
-/** What the shaders must know of the target they draw to: its height and whether its edges are multisampled. */
+/** Properties of the render target for the shaders: its size and whether it is multisampled. */
 export class TargetPixels {
-  /** Width and height, device pixels. Large until the first frame, so that nothing is taken for tiny. */
+  /** Width and height, device pixels. Large until the first frame, so that nothing counts as tiny. */
   readonly size = { value: new Vector2(1e9, 1e9) };
   readonly height = { value: 1e9 };
   /** 1 or 0. */
@@ -10,7 +10,7 @@ export class TargetPixels {
   #renderer: WebGLRenderer | undefined;
   #canvasIsMultisampled = false;
 
-  /** Reads the renderer's present target. Makes no garbage once a renderer is known. */
+  /** Reads the renderer's present target. It allocates nothing for a known renderer. */
   read(renderer: WebGLRenderer): void {
     if (renderer !== this.#renderer) {
       this.#renderer = renderer;

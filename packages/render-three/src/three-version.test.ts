@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { OLDEST_THREE, requireThree } from './three-version.ts';
+import { MIN_THREE, requireThree } from './three-version.ts';
 
 it.each(['184', '187', '190dev', '200'])('takes revision %s of three', (revision) => {
   expect(() => requireThree(revision)).not.toThrow();
@@ -16,5 +16,5 @@ it('takes the installed revision', () => expect(() => requireThree()).not.toThro
 
 it('asks for the revision that the manifest asks for', () => {
   const { peerDependencies } = JSON.parse(readFileSync('packages/render-three/package.json', 'utf8'));
-  expect(peerDependencies.three).toBe(`>=0.${OLDEST_THREE}.0`);
+  expect(peerDependencies.three).toBe(`>=0.${MIN_THREE}.0`);
 });

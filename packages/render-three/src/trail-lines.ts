@@ -4,11 +4,11 @@ import { trailSegments } from './shaders/trail-segments.ts';
 import { type TrailColors, TrailTextures } from './trail-textures.ts';
 import { createWideLineMesh } from './wide-line-mesh.ts';
 
-/** What `createTrailLines` may be told. */
+/** Options of `createTrailLines`. */
 export interface TrailLinesOptions extends TrailOptions, TrailColors {
   /** Width in CSS pixels; default 1.5. */
   width?: number;
-  /** Opacity where the trail leaves the body, 0 to 1, fading to nothing at its end; default 0.8. */
+  /** Opacity of a trail at the body, 0 to 1, fading to zero at its end; default 0.8. */
   opacity?: number;
 }
 
@@ -16,7 +16,7 @@ export interface TrailLinesOptions extends TrailOptions, TrailColors {
 export interface TrailLines {
   /** Add it to the scene. */
   readonly object: Object3D;
-  /** The points; `history.restart(id)` begins a trail afresh after a teleport. */
+  /** The points; `history.restart(id)` restarts a trail after a teleport. */
   readonly history: TrailHistory;
   /**
    * Call after every step, or once a frame where a frame has at most one step: notes the source's pose if it moved.
@@ -27,7 +27,7 @@ export interface TrailLines {
   destroy(): void;
 }
 
-/** Array textures may have this many layers nearly everywhere (WebGL 2 itself promises 256). */
+/** Most devices support this many layers of an array texture (WebGL 2 guarantees 256). */
 const MAX_LENGTH = 2048;
 
 /**

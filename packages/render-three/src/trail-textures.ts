@@ -12,15 +12,15 @@ import { colorBytes } from './body-color.ts';
 import { CentreTextures } from './centre-textures.ts';
 import { ColumnTexture } from './column-texture.ts';
 
-/** How trails are coloured. */
+/** Colours of trails. */
 export interface TrailColors {
-  /** One colour for all trails; left out, each has its body's. */
+  /** One colour for all trails; if omitted, each has the colour of its body. */
   color?: ColorRepresentation;
-  /** Colour of trails whose body has none; default a light blue, as that of bodies. */
+  /** Colour of trails whose body has no colour; default a light blue, as for bodies. */
   defaultColor?: ColorRepresentation;
 }
 
-/** What the shader of the trails reads. */
+/** The data of the trail shader. */
 export class TrailTextures {
   readonly uniforms: Record<string, IUniform>;
   readonly #source: BodySource;
@@ -30,12 +30,12 @@ export class TrailTextures {
   readonly #slots = new ColumnTexture('uint');
   readonly #colors = new ColumnTexture('uint');
   readonly #slotList: Uint32Array;
-  /** Where the bodies are now; needed only where the newest recording may be some steps old. */
+  /** Present positions of the bodies; needed only where the newest recording may be several steps old. */
   readonly #centres: CentreTextures | undefined;
   readonly #poses = new PosePair();
   readonly #centreOffset = new Vector3();
   #recordings = 0;
-  /** All slices are to be sent, not just the latest. */
+  /** Whether all slices must be uploaded, not just the latest. */
   #sendsAll = true;
   #birthVersion = Number.NaN;
   #resetVersion = 0;
@@ -94,7 +94,7 @@ export class TrailTextures {
     this.#centreOffset.set(origin.x - x, origin.y - y, origin.z - z);
   }
 
-  /** Storage that is new (at first, or after a lost context) needs every slice. The upload comes next. */
+  /** New storage (initially, or after a lost context) needs every slice. The upload follows. */
   beforeDrawing(renderer: WebGLRenderer): void {
     for (let i = 0; i < this.#slices.length; i++) {
       const known = renderer.properties.get(this.#slices[i]) as { __webglTexture?: WebGLTexture };
@@ -133,7 +133,7 @@ export class TrailTextures {
     const version = bodies === undefined ? versions.membership : 0;
     if (version === this.#membershipVersion) return;
     this.#membershipVersion = version;
-    // What slot `i` shows: the id itself, or its place in the fixed list and the id beside it.
+    // Maps slot `i` to its id: the id itself, or the index in the fixed list with the id beside it.
     const list = this.#slotList;
     const shown = bodies ?? ids;
     for (let i = 0; i < count; i++) list[i] = shown[i];
@@ -141,7 +141,7 @@ export class TrailTextures {
   }
 }
 
-/** The slices of one axis as layers of an array texture over the history's own array. */
+/** The slices of one axis as layers of an array texture over the array of the history. */
 function sliceTexture(points: Float32Array, history: TrailHistory): DataArrayTexture {
   const texture = new DataArrayTexture(points, TEXTURE_WIDTH, history.rowsPerSlice, history.length);
   texture.format = RedFormat;

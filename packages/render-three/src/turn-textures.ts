@@ -2,7 +2,7 @@ import type { BodySource, PosePair } from '@principia/render-core';
 import { PoseColumns } from './pose-columns.ts';
 import { turnUniforms } from './shaders/body-pull.ts';
 
-/** How the bodies are turned and were a step ago, as textures: angles in 2D, quaternions in 3D. */
+/** Present and previous rotations as textures: angles in 2D, quaternions in 3D. */
 export function createTurnTextures(source: BodySource, pair: PosePair): PoseColumns {
   const { angle, previousAngle, orientation: q, previousOrientation: before } = source;
   const names = turnUniforms[source.dimensions];

@@ -11,10 +11,10 @@ import {
 import { wideLineFragment, wideLineMain, wideLinePars } from './shaders/wide-line.ts';
 import { TargetPixels } from './target-pixels.ts';
 
-/** Vertices of a segment: two triangles that share nothing, so that no index buffer is needed. */
+/** Vertices per segment: two triangles without shared vertices, so that no index buffer is needed. */
 const VERTICES = 6;
 
-/** A mesh whose shader makes segments of lines out of data textures. */
+/** A mesh whose shader builds line segments from data textures. */
 export interface WideLineMesh {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   /** Draws segments `0 … count - 1`. */

@@ -1,5 +1,5 @@
-// Test particles that circle several fixed centres of attraction and do not feel each other: every particle visits
-// every centre each step, the heaviest of local forces.
+// Test particles that orbit several fixed attractors and do not interact. Every particle evaluates every attractor in
+// each step, which makes this the costliest of local forces.
 import {
   attractors as attraction,
   createPhysicsWorld,
@@ -11,9 +11,9 @@ import {
 import { countOf, defineScene } from './scene.ts';
 import { seededUniforms } from './seeded.ts';
 
-/** Half the edge of the square or cube that particles start in, m. */
-const REACH = 100;
-/** Centres lie within this distance of the origin along each axis, m. */
+/** Half the edge of the square or cube of initial positions, m. */
+const HALF_EXTENT = 100;
+/** Attractors lie within this distance of the origin along each axis, m. */
 const CLUSTER = 50;
 
 export const attractors = defineScene({
@@ -44,18 +44,18 @@ export const attractors = defineScene({
     }
     const uniform = seededUniforms(seed, count);
     const position = {
-      x: uniform(-REACH, REACH),
-      y: uniform(-REACH, REACH),
-      ...(dimensions === 3 ? { z: uniform(-REACH, REACH) } : {}),
+      x: uniform(-HALF_EXTENT, HALF_EXTENT),
+      y: uniform(-HALF_EXTENT, HALF_EXTENT),
+      ...(dimensions === 3 ? { z: uniform(-HALF_EXTENT, HALF_EXTENT) } : {}),
     };
-    const velocity = circling(position.x, position.y, mu);
+    const velocity = circularVelocities(position.x, position.y, mu);
     spawnMany(world, count, { position, velocity, mass: 1 }, progress);
     return { world, dt: 1 / 60 };
   },
 });
 
-/** Speeds of circles round the origin, as if everything that attracts were there and spread over the cluster. */
-function circling(x: Float64Array, y: Float64Array, mu: number) {
+/** Velocities of circular orbits about the origin, as if all attractors were spread over the cluster. */
+function circularVelocities(x: Float64Array, y: Float64Array, mu: number) {
   const velocity = { x: new Float64Array(x.length), y: new Float64Array(x.length) };
   for (let i = 0; i < x.length; i++) {
     const square = x[i] * x[i] + y[i] * y[i];

@@ -1,18 +1,18 @@
 import type { Hole } from './black-hole-types.ts';
 
-// Whether a layout of holes can be flown through, judged on a grid.
-//
-// A cell is open if it keeps clear of every hole by most of the hole's radius, so that the escape speed from any one
-// hole is below three quarters of that at its rim. From the start the search goes from open cell to open cell along the
-// axes, as the thrust does, and keeps the energy of a ship on that way at full thrust:
-//
-//   ½ v² = Φ(start) - Φ(cell) + a L        Φ = -Σ μ / d, or -Σ μ / (d - r) for a pull after Paczyński and Wiita
-//   a  thrust, m/s²        L  length of the way, m
-//
-// A cell where that would be negative is beyond the ship's strength. The shortest way has the least thrust to spend, so
-// the judgement errs on the safe side.
+// Decides on a grid whether a ship can fly through a layout of holes.
+// |
+// A cell is open if its distance from every hole exceeds the hole's radius by `CLEARANCE` radii, so that the escape
+// speed from a single hole is below three quarters of that at its horizon. A breadth-first search visits open cells
+// along the axes, as the thrust does, and computes the energy of a ship at full thrust:
+// |
+// | ½ v² = Φ(start) - Φ(cell) + a L Φ = -Σ μ / d, or -Σ μ / (d - r) in the Paczyński–Wiita potential
+// | a thrust, m/s² L length of the path, m
+// |
+// A cell with negative energy is out of reach. The shortest path has the least thrust to spend, so the result is
+// conservative.
 
-/** What the search has to know of the stage. */
+/** The properties of the stage that the search needs. */
 export interface CorridorStage {
   readonly width: number;
   readonly height: number;
@@ -23,13 +23,13 @@ export interface CorridorStage {
 }
 
 const CELL = 10;
-/** Clear distance from the rim, in radii, and the least of it, m: a ship's length. */
+/** Clear distance from the horizon in radii, and its minimum, m: the length of a ship. */
 const CLEARANCE = 0.8;
-const LEAST_CLEARANCE = 14;
+const MIN_CLEARANCE = 14;
 
 /**
- * Cells from the start to the goal, as centres x, y, x, y…; undefined where there is no way.
- * @param isSteep the holes pull after Paczyński and Wiita
+ * Finds the cells from the start to the goal, as centres x, y, x, y…; undefined if there is no path.
+ * @param isSteep uses the Paczyński–Wiita potential
  */
 export function findCorridor(holes: readonly Hole[], stage: CorridorStage, isSteep = false): Float64Array | undefined {
   const columns = Math.floor(stage.width / CELL);
@@ -45,7 +45,7 @@ export function findCorridor(holes: readonly Hole[], stage: CorridorStage, isSte
     const cell = queue[next];
     const column = cell % columns;
     const row = (cell - column) / columns;
-    if ((row + 0.5) * CELL > stage.goal) return wayTo(cell, from, columns);
+    if ((row + 0.5) * CELL > stage.goal) return pathTo(cell, from, columns);
     for (let side = 0; side < 4; side++) {
       const c = column + (side === 0 ? 1 : side === 1 ? -1 : 0);
       const r = row + (side === 2 ? 1 : side === 3 ? -1 : 0);
@@ -63,10 +63,10 @@ export function findCorridor(holes: readonly Hole[], stage: CorridorStage, isSte
   return undefined;
 }
 
-/** Whether a point keeps clear of every hole, wherever on its circle that is. */
+/** Whether a point keeps its clearance from every hole, wherever the hole is on its orbit. */
 export function isClear(holes: readonly Hole[], x: number, y: number): boolean {
   for (const hole of holes) {
-    const reach = hole.orbit + hole.radius + Math.max(LEAST_CLEARANCE, CLEARANCE * hole.radius);
+    const reach = hole.orbit + hole.radius + Math.max(MIN_CLEARANCE, CLEARANCE * hole.radius);
     const dx = x - hole.x;
     const dy = y - hole.y;
     if (dx * dx + dy * dy < reach * reach) return false;
@@ -87,13 +87,13 @@ function potential(
     const dx = x - hole.x;
     const dy = y - hole.y;
     const d = Math.sqrt(dx * dx + dy * dy + 1);
-    // Open cells are farther from a hole than its radius; the others are not asked for.
+    // Open cells are farther from a hole than its radius; other cells are not evaluated.
     sum -= (0.5 * lightSpeed * lightSpeed * hole.radius) / (isSteep ? Math.max(1, d - hole.radius) : d);
   }
   return sum;
 }
 
-function wayTo(goal: number, from: Int32Array, columns: number): Float64Array {
+function pathTo(goal: number, from: Int32Array, columns: number): Float64Array {
   const cells: number[] = [];
   for (let cell = goal; ; cell = from[cell]) {
     cells.push(cell);

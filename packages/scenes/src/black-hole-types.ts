@@ -1,14 +1,14 @@
-/** A hole, and the circle its centre runs on if it moves. */
+/** A hole and its orbit. */
 export interface Hole {
-  /** Centre of the hole, or of its circle. */
+  /** Centre of the hole, or of its orbit. */
   readonly x: number;
   readonly y: number;
   /** Radius of the horizon. */
   readonly radius: number;
-  /** Radius of the circle; zero for a hole that rests. */
+  /** Radius of the orbit; zero for a fixed hole. */
   readonly orbit: number;
-  /** Angular velocity on the circle, rad/s; positive turns left. */
+  /** Angular velocity on the orbit, rad/s; positive is anticlockwise. */
   readonly rate: number;
-  /** Angle on the circle at time zero. */
+  /** Angle on the orbit at time zero. */
   readonly phase: number;
 }

@@ -1,5 +1,5 @@
-// A ship of mass 1 among black holes that are fixed, or run on circles of their own. In stage units, a metre each; y
-// points up. The rules of the game are not here: this is the world they are played in.
+// A ship of mass 1 among black holes that are fixed or move on circles. Units are metres; y points up. This is the
+// world of the game without its rules.
 import {
   attractors,
   createPhysicsWorld,
@@ -13,7 +13,7 @@ import {
   thrust,
   velocityVerlet,
 } from '@principia/physics';
-import { BLACK_HOLE, drawHoles, holeMu, holePlace } from './black-hole-layout.ts';
+import { BLACK_HOLE, drawHoles, holeMu, holePosition } from './black-hole-layout.ts';
 import type { Hole } from './black-hole-types.ts';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
 
@@ -25,15 +25,15 @@ export interface BlackHole extends SceneRun {
   readonly holes: readonly Hole[];
   /** Ids of the holes, in the order of the layout. */
   readonly holeIds: readonly number[];
-  /** The holes pull after Paczyński and Wiita: μ/(d - r)² instead of μ/d². */
+  /** Whether gravity follows Paczyński and Wiita: μ/(d - r)² instead of μ/d². */
   readonly isSteep: boolean;
-  /** Time on the holes' circles, s. */
+  /** Time of the moving holes on their orbits, s. */
   readonly holeTime: number;
-  /** Draws another layout, and moves, makes and removes holes to fit it. @param moving how many run on circles */
+  /** Draws another layout, and moves, creates and removes holes accordingly. @param moving number of holes that move */
   redraw(count: number, moving: number): void;
-  /** Forgets the draws there were: the next ones are again the first of the seed. */
+  /** Resets the random sequence: the next layouts are the first of the seed. */
   rewind(): void;
-  /** Puts the ship somewhere at rest, without a streak in the picture. */
+  /** Teleports the ship, at rest and without interpolation. */
   placeShip(x: number, y: number): void;
 }
 
@@ -65,7 +65,7 @@ export const blackHole = defineScene({
       appearance: {},
     });
     const dt = 1 / 120;
-    const sky = new Sky(world, seed, dt, isSteep);
+    const sky = new MovingHoles(world, seed, dt, isSteep);
     world.phases.input.push(() => sky.drive());
     sky.redraw(count, moving);
     const placeShip = (x: number, y: number) => teleport(world, ship, x, y);
@@ -91,12 +91,12 @@ export const blackHole = defineScene({
   },
 });
 
-/** The holes of a world, and how they move. */
-class Sky {
+/** The holes of a world and their motion. */
+class MovingHoles {
   holes: readonly Hole[] = [];
   readonly ids: number[] = [];
   readonly #dt: number;
-  /** Time on the holes' circles, s: in a cell, which snapshots copy without garbage. */
+  /** Time on the orbits, s. A typed array, because snapshots copy it without garbage. */
   readonly #time = new Float64Array(1);
   readonly #world: PhysicsWorld;
   readonly #seed: number;
@@ -128,21 +128,21 @@ class Sky {
     for (const [i, hole] of this.holes.entries()) this.#put(i, hole);
   }
 
-  /** Gives every moving hole the velocity that takes it to its next place, so that the forces know it too. */
+  /** Gives every moving hole the velocity that leads to its next position, so that forces see it. */
   drive(): void {
     const { Position, Velocity } = this.#world.components;
     const dt = this.#dt;
     this.#time[0] += dt;
     for (let i = 0; i < this.holes.length; i++) {
       if (this.holes[i].orbit === 0) continue;
-      const next = holePlace(this.holes[i], this.#time[0], this.#place);
+      const next = holePosition(this.holes[i], this.#time[0], this.#place);
       Velocity.x[this.ids[i]] = (next.x - Position.x[this.ids[i]]) / dt;
       Velocity.y[this.ids[i]] = (next.y - Position.y[this.ids[i]]) / dt;
     }
   }
 
   #put(index: number, hole: Hole): void {
-    const { x, y } = holePlace(hole, 0, this.#place);
+    const { x, y } = holePosition(hole, 0, this.#place);
     const mu = holeMu(hole.radius);
     const id = this.ids[index];
     if (id === undefined) {
@@ -157,21 +157,24 @@ class Sky {
   }
 }
 
-/** The first words of a generator hardly depend on a small seed: every first hole would lie at the same place. */
+/**
+ * The first outputs of the generator depend weakly on small seeds; without skipping them, the first hole would be
+ * nearly at the same place for every seed.
+ */
 function layoutRandom(seed: number): Random {
   const random = createRandom(seed, 1);
   for (let i = 0; i < 8; i++) random.word();
   return random;
 }
 
-/** Moves a body at once, and leaves it at rest. */
+/** Teleports a body and leaves it at rest. */
 function teleport({ components, previous, versions }: PhysicsWorld, id: number, x: number, y: number): void {
   const { Position, Velocity } = components;
   Position.x[id] = x;
   Position.y[id] = y;
   Velocity.x[id] = 0;
   Velocity.y[id] = 0;
-  // Pictures between two steps would else show it on the way.
+  // Prevents interpolation between the old and the new position.
   previous.Position.x[id] = x;
   previous.Position.y[id] = y;
   versions.pose++;

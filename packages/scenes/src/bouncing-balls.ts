@@ -1,5 +1,5 @@
-// Balls launched together that bounce in a closed room. Few balls are as large as beach balls; with many, the radius
-// shrinks so that they never fill more than a fixed part of the room. Balls may meet each other or pass through.
+// Balls that bounce in a closed room. A few balls have the size of beach balls; with many, the radius shrinks so that
+// they fill at most a fixed fraction of the room. Collisions are optional.
 import {
   boxWalls,
   createPhysicsWorld,
@@ -21,7 +21,7 @@ export interface BouncingBalls extends SceneRun {
   readonly radius: number;
   /** Ids of the balls, ascending. */
   readonly balls: Uint32Array;
-  /** Whether balls meet each other from the next step on, or pass through. */
+  /** Switches collisions between balls on or off from the next step. */
   setCollisions(on: boolean): void;
 }
 
@@ -34,17 +34,17 @@ interface Point {
 const WIDTH = 8;
 const HEIGHT = 5;
 const DEPTH = 5;
-const LARGEST_RADIUS = 0.25;
-/** Most of the room that balls may fill: of its area in 2D, of its volume in 3D. */
-const MOST_FILLED = { 2: 0.22, 3: 0.1 } as const;
-/** Centres at the launch are this many radii apart, so that balls that may not overlap do not. */
+const MAX_RADIUS = 0.25;
+/** Largest fraction of the room that balls fill: of its area in 2D, of its volume in 3D. */
+const MAX_FILL = { 2: 0.22, 3: 0.1 } as const;
+/** Distance of neighbouring centres at the start, in radii, so that balls do not overlap. */
 const SPACING = 2.2;
 /** Density of a ball, kg/m³: that of a table-tennis ball. */
 const DENSITY = 84;
 /** Drag coefficient of a sphere at Reynolds numbers from 10³ to 10⁵. */
 const SPHERE_DRAG = 0.47;
 
-/** Coefficient k = ρ C_d A / 2 of the drag of a ball in a medium of density ρ, kg/m. */
+/** Coefficient k = ρ C_d A / 2 of a ball's quadratic drag in a medium of density ρ, kg/m. */
 export function ballDrag(mediumDensity: number, radius: number): number {
   return 0.5 * mediumDensity * SPHERE_DRAG * Math.PI * radius * radius;
 }
@@ -74,7 +74,7 @@ export const bouncingBalls = defineScene({
       capacity: count,
       preset: particleContacts,
       forces: [uniformGravity({ y: -gravity }), quadraticDrag()],
-      walls: [boxWalls(dimensions === 3 ? room : { min: flat(room.min), max: flat(room.max) })],
+      walls: [boxWalls(dimensions === 3 ? room : { min: inPlane(room.min), max: inPlane(room.max) })],
     });
     const uniform = seededUniforms(seed, count);
     const velocity = { x: uniform(0, 5), y: uniform(-1, 3), ...(dimensions === 3 ? { z: uniform(-2, 2) } : {}) };
@@ -97,7 +97,7 @@ export const bouncingBalls = defineScene({
   },
 });
 
-/** Takes the systems of the `collide` phase out and puts them back. */
+/** Removes the systems of the `collide` phase and puts them back. */
 function collisionSwitch({ phases }: PhysicsWorld): (on: boolean) => void {
   const systems = [...phases.collide];
   return (on) => {
@@ -105,20 +105,20 @@ function collisionSwitch({ phases }: PhysicsWorld): (on: boolean) => void {
   };
 }
 
-function flat({ x, y }: Point) {
+function inPlane({ x, y }: Point) {
   return { x, y };
 }
 
 function radiusFor(count: number, dimensions: 2 | 3): number {
-  const share = MOST_FILLED[dimensions] / count;
+  const share = MAX_FILL[dimensions] / count;
   const fitting =
     dimensions === 2
       ? Math.sqrt((share * WIDTH * HEIGHT) / Math.PI)
       : cubeRoot((share * WIDTH * HEIGHT * DEPTH) / ((4 / 3) * Math.PI));
-  return Math.min(LARGEST_RADIUS, fitting);
+  return Math.min(MAX_RADIUS, fitting);
 }
 
-/** A square or cube of balls in the upper left of the room, halfway between its front and its back. */
+/** A square or cube of balls in the upper left of the room, centred in depth. */
 function launchPositions(count: number, radius: number, dimensions: 2 | 3) {
   const spacing = SPACING * radius;
   const layers = dimensions === 3 ? Math.ceil(cubeRoot(count)) : 1;
@@ -128,7 +128,7 @@ function launchPositions(count: number, radius: number, dimensions: 2 | 3) {
   for (let i = 0; i < count; i++) {
     const layer = i % layers;
     const place = Math.floor(i / layers);
-    // Every other row is half a place further, as balls in a box lie: rows do not fall straight onto each other.
+    // Every other row is shifted by half a spacing, so that rows do not fall straight onto each other.
     const row = Math.floor(place / columns);
     position.x[i] = 2 * radius + ((place % columns) + 0.5 * (row % 2)) * spacing;
     position.y[i] = HEIGHT - 2 * radius - row * spacing;
@@ -137,7 +137,7 @@ function launchPositions(count: number, radius: number, dimensions: 2 | 3) {
   return position;
 }
 
-/** By Newton's method, in arithmetic that is the same on every engine. */
+/** Newton's method, in arithmetic that is bitwise equal on every engine. */
 function cubeRoot(value: number): number {
   let root = Math.max(1, value);
   for (let i = 0; i < 60; i++) root -= (root * root * root - value) / (3 * root * root);

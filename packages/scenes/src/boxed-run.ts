@@ -1,8 +1,8 @@
 import type { SceneRun } from './scene.ts';
 
-/** Round bodies in a box, made; peers need to know the box. */
+/** A run with round bodies in a box, with the properties of the box that peers need. */
 export interface BoxedRun extends SceneRun {
-  /** The box reaches from the origin to here, m; z is 0 in 2D. */
+  /** Corner of the box opposite to the origin, m; z is 0 in 2D. */
   readonly far: { readonly x: number; readonly y: number; readonly z: number };
   /** Acceleration of free fall along -y, m/s². */
   readonly gravity: number;

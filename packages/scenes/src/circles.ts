@@ -1,21 +1,22 @@
-// Discs or balls of several sizes in a box they fill to two fifths, falling onto each other: collisions by the hundred
-// thousand, from a gas to a heap.
+// Discs or balls of several sizes that fall in a box and fill two fifths of it: many collisions at first, a heap at the
+// end.
 import { boxWalls, createPhysicsWorld, particleContacts, pow, spawnMany, uniformGravity } from '@principia/physics';
 import type { BoxedRun } from './boxed-run.ts';
 import { countOf, defineScene } from './scene.ts';
 import { seededUniforms } from './seeded.ts';
 
-/** Smallest radius by the largest. */
-const SMALLEST = 0.7;
-/** Part of the box that the bodies fill: of its area in 2D, of its volume in 3D. */
-const FILLED = { 2: 0.4, 3: 0.3 } as const;
-/** Mean of r² and of r³ for radii uniform from `SMALLEST` to 1. */
-const MEAN_SQUARE = (1 - SMALLEST * SMALLEST * SMALLEST) / (3 * (1 - SMALLEST));
-const MEAN_CUBE = (1 - SMALLEST * SMALLEST * SMALLEST * SMALLEST) / (4 * (1 - SMALLEST));
+/** Ratio of the smallest to the largest radius. */
+const MIN_RADIUS_RATIO = 0.7;
+/** Fraction of the box that bodies fill: of its area in 2D, of its volume in 3D. */
+const FILL_SHARE = { 2: 0.4, 3: 0.3 } as const;
+/** Means of r² and r³ for radii uniform from `MIN_RADIUS_RATIO` to 1. */
+const MEAN_SQUARE = (1 - MIN_RADIUS_RATIO * MIN_RADIUS_RATIO * MIN_RADIUS_RATIO) / (3 * (1 - MIN_RADIUS_RATIO));
+const MEAN_CUBE =
+  (1 - MIN_RADIUS_RATIO * MIN_RADIUS_RATIO * MIN_RADIUS_RATIO * MIN_RADIUS_RATIO) / (4 * (1 - MIN_RADIUS_RATIO));
 /** Density of water, kg/m³; in 2D the discs are a metre thick. */
 const DENSITY = 1000;
-/** Room for contacts and what finds them. */
-const BYTES_A_BODY = 600;
+/** Memory for contacts and the broad phase. */
+const BYTES_PER_BODY = 600;
 
 export const circles = defineScene({
   name: 'circles',
@@ -39,14 +40,14 @@ export const circles = defineScene({
       precision,
       seed,
       capacity: count,
-      arenaBytes: 2 ** 22 + BYTES_A_BODY * count,
+      arenaBytes: 2 ** 22 + BYTES_PER_BODY * count,
       preset: particleContacts,
       forces: [uniformGravity({ y: -gravity })],
       walls: [boxWalls({ min, max, restitution, friction })],
     });
     const uniform = seededUniforms(seed, count);
     const push = () => uniform(-speed, speed);
-    const radii = uniform(SMALLEST * radius, radius);
+    const radii = uniform(MIN_RADIUS_RATIO * radius, radius);
     const centre = (place: (i: number) => number) =>
       Float64Array.from({ length: count }, (_, i) => (place(i) + 0.5) * cell);
     const layer = columns * layers;
@@ -72,14 +73,14 @@ export const circles = defineScene({
   },
 });
 
-/** Places for `count` bodies that do not touch, in a box twice as wide as high or in a cube. */
+/** A lattice for `count` bodies that do not touch, in a box twice as wide as high or in a cube. */
 function lattice(count: number, dimensions: 2 | 3, radius: number) {
   if (dimensions === 2) {
-    const cell = radius * Math.max(2, Math.sqrt((Math.PI * MEAN_SQUARE) / FILLED[2]));
+    const cell = radius * Math.max(2, Math.sqrt((Math.PI * MEAN_SQUARE) / FILL_SHARE[2]));
     const columns = Math.ceil(Math.sqrt(2 * count));
     return { columns, rows: Math.ceil(count / columns), layers: 1, cell };
   }
-  const cell = radius * Math.max(2, pow(((4 / 3) * Math.PI * MEAN_CUBE) / FILLED[3], 1 / 3));
+  const cell = radius * Math.max(2, pow(((4 / 3) * Math.PI * MEAN_CUBE) / FILL_SHARE[3], 1 / 3));
   const columns = Math.ceil(pow(count, 1 / 3) - 1e-9);
   return { columns, rows: Math.ceil(count / (columns * columns)), layers: columns, cell };
 }

@@ -66,7 +66,7 @@ export const cloth = defineScene({
       world,
       dt: 1 / 60,
       stretch: threadStretch,
-      losesEnergy: 'air drags on the cloth, and what becomes taut does not bounce',
+      losesEnergy: 'air drag and inelastic tightening of threads dissipate energy',
     };
   },
 });

@@ -1,5 +1,5 @@
-// Fountains of sparks: particles are born and end all the time, as in fireworks, without an entity made or removed. The
-// population is steady from the first step: the first sparks live for the rest of a life, drawn uniformly.
+// Fountains of sparks: particles are born and expire continuously without creating or removing entities. The population
+// is steady from the first step, because the first sparks have uniformly drawn remaining lifetimes.
 import {
   burst,
   createEmitter,
@@ -13,7 +13,7 @@ import {
 } from '@principia/physics';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
 
-/** Sparks and what bears them. */
+/** A run with its emitters. */
 export interface Sparks extends SceneRun {
   readonly emitters: readonly Emitter[];
 }
@@ -38,7 +38,8 @@ export const emitters = defineScene({
     const { count, lifetime, speed, drag } = parameters;
     const fountains = Math.min(parameters.fountains, count);
     const each = Math.ceil(count / fountains);
-    // The first sparks end at random moments, so their number wanders by its square root: room for that.
+    // The first sparks expire at random times, so their number fluctuates by its square root, which needs spare
+    // capacity.
     const capacity = each + Math.ceil(4 * Math.sqrt(each) + (2 * DT * each) / lifetime);
     const world = createPhysicsWorld({
       dimensions,
@@ -60,6 +61,6 @@ export const emitters = defineScene({
     });
     step(world, DT);
     for (const { emitter, sparks } of made) setEmitter(emitter, { lifetime, rate: sparks / lifetime });
-    return { world, dt: DT, emitters: made.map(({ emitter }) => emitter), losesEnergy: 'sparks are born and end' };
+    return { world, dt: DT, emitters: made.map(({ emitter }) => emitter), losesEnergy: 'sparks are born and expire' };
   },
 });

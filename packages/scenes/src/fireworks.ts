@@ -1,5 +1,6 @@
-// Fireworks: shells thrown from mortars burst into stars that glow, fall, drift with the wind and turn in a magnetic
-// field; and a barrage that keeps any number of sparks alive. Nothing is made or removed while it runs.
+// Fireworks: shells launched from mortars burst into stars that glow, fall, drift with the wind and gyrate in a
+// magnetic field; and a barrage that keeps a given number of sparks alive. No entity is created or removed while it
+// runs.
 import {
   aliveCount,
   boris,
@@ -22,20 +23,20 @@ import type { Air } from './fireworks/aim.ts';
 import { STAR_COLORS, STAR_RGB } from './fireworks/colors.ts';
 import { FAMILY_BODIES } from './fireworks/families.ts';
 import { formVelocities } from './fireworks/forms.ts';
-import { NewsRing, type SkyNews } from './fireworks/news.ts';
-import { type Place, STILL } from './fireworks/place.ts';
+import { EventRing, type FireworksEvent } from './fireworks/news.ts';
+import { ORIGIN, type Point3 } from './fireworks/place.ts';
 import { Rockets, SHELL_DRAG, type ShellOrder } from './fireworks/rockets.ts';
 import { heldStars, SHELLS } from './fireworks/shells.ts';
 import { AIR_DENSITY, GLOW, rampsOf, STAR_MASS, StarPools } from './fireworks/stars.ts';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
 
-/** The part of the sky that shells burst in, m: half its width and depth, and its lowest and highest place. */
+/** The part of the sky in which shells burst, m: half its width and depth, and its lowest and highest point. */
 export const FIREWORKS_SKY = { halfWidth: 48, halfDepth: 16, lowest: 12, highest: 50 } as const;
 
-/** A night with fireworks. */
+/** A running fireworks scene. */
 export interface Fireworks extends SceneRun {
-  /** What can be heard and seen to happen. */
-  readonly news: NewsRing;
+  /** Audible and visible events. */
+  readonly events: EventRing;
   /** Sparks and stars alive now. */
   readonly alive: number;
   /** Stars of shells and swarms born so far. */
@@ -43,21 +44,21 @@ export interface Fireworks extends SceneRun {
   /** Shells in the air. */
   readonly flying: number;
   /**
-   * Throws a shell at the next step, or lights a kind that is held where it is to burst; false where no shell is left on
-   * the ground, or none was held for a second.
+   * Launches a shell in the next step, or ignites a swarm at its target; false if no shell is left on the ground or the
+   * swarm was held for less than a second.
    */
   launch(order: ShellOrder): boolean;
-  /** Wind along x, m/s. */
+  /** Sets the wind along x, m/s. */
   setWind(speed: number): void;
-  /** @param colors eight, as 0xRRGGBB; stars alive change too */
+  /** @param colors eight, as 0xRRGGBB; living stars change too */
   setColors(colors: readonly number[]): void;
-  /** Lets the barrage go on or run out. */
+  /** Continues the barrage or lets it run out. */
   setBarrage(on: boolean): void;
 }
 
 const DT = 1 / 60;
 const GRAVITY = 9.80665;
-/** Magnetic flux density along z, T: no place on Earth; charged stars are this scene's own. */
+/** Magnetic flux density along z, T; fictitious, for the charged stars. */
 const FIELD = 1;
 
 export const fireworks = defineScene({
@@ -71,7 +72,7 @@ export const fireworks = defineScene({
   },
   build({ dimensions, precision, seed, parameters }): Fireworks {
     const { count, shells } = parameters;
-    const room = roomFor(count, shells);
+    const room = memoryFor(count, shells);
     const world = createPhysicsWorld({
       dimensions,
       precision,
@@ -86,23 +87,23 @@ export const fireworks = defineScene({
       ],
     });
     const random = createRandom(seed, 1);
-    const news = new NewsRing();
-    // In a cell, which snapshots copy without garbage.
-    const blowing = new Float64Array([parameters.wind]);
+    const events = new EventRing();
+    // A typed array, because snapshots copy it without garbage.
+    const wind = new Float64Array([parameters.wind]);
     const air = {
       drag: SHELL_DRAG,
       gravity: GRAVITY,
       get wind() {
-        return blowing[0];
+        return wind[0];
       },
     };
     const setWind = (speed: number) => {
-      if (speed !== blowing[0]) replaceForce(world, quadraticDrag({ x: speed }));
-      blowing[0] = speed;
+      if (speed !== wind[0]) replaceForce(world, quadraticDrag({ x: speed }));
+      wind[0] = speed;
     };
-    const show = shells > 0 ? createShow(world, random, news, shells, air) : undefined;
+    const show = shells > 0 ? createShow(world, random, events, shells, air) : undefined;
     const barrage = count > 0 ? new Barrage(world, random, count) : undefined;
-    keepState(world, random.state, news, blowing);
+    keepState(world, random.state, events, wind);
     world.phases.input.push(() => {
       show?.run();
       barrage?.run();
@@ -110,8 +111,8 @@ export const fireworks = defineScene({
     return {
       world,
       dt: DT,
-      news,
-      losesEnergy: 'sparks are born and end',
+      events,
+      losesEnergy: 'sparks are born and expire',
       get alive() {
         return (show?.stars.alive ?? 0) + (barrage?.alive ?? 0);
       },
@@ -128,25 +129,25 @@ export const fireworks = defineScene({
         barrage?.setColors(colors);
       },
       setBarrage(on) {
-        barrage?.turn(on);
+        barrage?.setOn(on);
       },
     };
   },
 });
 
-/** Bodies and bytes of all pools: a pool takes up to 92 bytes a star, and an emitter 40 KB of its own. */
-function roomFor(count: number, shells: number): { bodies: number; bytes: number } {
+/** Bodies and bytes of all pools: a pool takes up to 92 bytes per star, and an emitter 40 KB. */
+function memoryFor(count: number, shells: number): { bodies: number; bytes: number } {
   const stars = shells > 0 ? SHELLS.reduce((sum, { capacity }) => sum + capacity, FAMILY_BODIES) : 0;
   const bodies = barrageCapacity(count) + stars + shells * Rockets.entities + 1;
   return { bodies, bytes: 2 ** 21 + 512 * bodies + 49_152 * (shells + SHELLS.length + 1) };
 }
 
-function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells: number, air: Air) {
+function createShow(world: PhysicsWorld, random: Random, events: EventRing, shells: number, air: Air) {
   const stars = new StarPools(world, random);
   const rockets = new Rockets(world, shells, DT, air);
-  const tell = (what: SkyNews['what'], { x, y, z }: Place, kind = 0, color = 0, power = 0) => {
-    const record = news.next();
-    record.what = what;
+  const emit = (type: FireworksEvent['type'], { x, y, z }: Point3, kind = 0, color = 0, power = 0) => {
+    const record = events.next();
+    record.type = type;
     record.x = x;
     record.y = y;
     record.z = z;
@@ -155,10 +156,10 @@ function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells:
     record.color = color;
     record.power = power;
   };
-  const crackled = (place: Place) => tell('crackle', place);
-  const burst = (order: ShellOrder, position: Place, velocity: Place) => {
+  const onCrackle = (place: Point3) => emit('crackle', place);
+  const burst = (order: ShellOrder, position: Point3, velocity: Point3) => {
     stars.break(order.kind, order.color, order.power, position, velocity);
-    tell('burst', position, order.kind, order.color, order.power);
+    emit('burst', position, order.kind, order.color, order.power);
   };
   return {
     stars,
@@ -167,15 +168,15 @@ function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells:
       const kind = SHELLS[order.kind];
       if (kind.isHeld) {
         if (heldStars(kind, order.power) === 0) return false;
-        burst(order, { x: order.x, y: order.y, z: order.z }, STILL);
+        burst(order, { x: order.x, y: order.y, z: order.z }, ORIGIN);
         return true;
       }
       const from = rockets.launch(order);
-      if (from !== undefined) tell('launch', from, order.kind, order.color, order.power);
+      if (from !== undefined) emit('launch', from, order.kind, order.color, order.power);
       return from !== undefined;
     },
     run() {
-      stars.follow(crackled);
+      stars.follow(onCrackle);
       rockets.burn(burst);
     },
   };
@@ -184,30 +185,30 @@ function createShow(world: PhysicsWorld, random: Random, news: NewsRing, shells:
 const BARRAGE_LIFE = 2.4;
 const BARRAGE_SPEED = 24;
 
-/** Room for the number that chance adds, and for the burst of a step. */
+/** Capacity for random fluctuations and for the burst of a step. */
 function barrageCapacity(count: number): number {
   return count === 0 ? 0 : count + Math.ceil(4 * Math.sqrt(count)) + burstSize(count);
 }
 
-/** Sparks of one burst: more where there would be more than a hundred bursts at once. */
+/** Sparks per burst: more if there would be more than a hundred bursts at a time. */
 function burstSize(count: number): number {
   return Math.max(Math.min(count, 400), Math.ceil(count / 100));
 }
 
-/** Bursts without shells, at random places, as often as it takes. */
+/** Random bursts without shells, at the rate that keeps the number of sparks. */
 class Barrage {
-  /** Whether it goes on, and steps done. */
+  /** Whether the barrage continues, and the number of steps so far. */
   readonly #state = { isOn: true, steps: 0 };
-  /** Sparks due: in a cell, which snapshots copy without garbage. */
+  /** Accumulated number of sparks to emit. A typed array, because snapshots copy it without garbage. */
   readonly #due = new Float64Array(1);
   readonly #emitter: Emitter;
   readonly #random: Random;
   readonly #patterns;
   readonly #size: number;
-  /** Sparks born a step. */
+  /** Sparks born per step. */
   readonly #rate: number;
   readonly #place = { x: 0, y: 0, z: 0 };
-  /** What a burst is asked with, written anew for each. */
+  /** The parameters of a burst, reused. */
   readonly #order;
   readonly #depth: number;
 
@@ -220,7 +221,7 @@ class Barrage {
     this.#patterns = Array.from({ length: 8 }, () =>
       createPattern(world, formVelocities(kind, world.dimensions, random)),
     );
-    // The first sparks are as if they had been born over a whole life: the number is steady from the first step.
+    // The first sparks have random remaining lifetimes, so the number is steady from the first step.
     this.#emitter = createEmitter(world, {
       capacity: barrageCapacity(count),
       lifetime: [1e-6, BARRAGE_LIFE],
@@ -245,13 +246,13 @@ class Barrage {
     setEmitter(this.#emitter, { color: rampsOf(colors) });
   }
 
-  turn(on: boolean): void {
+  setOn(on: boolean): void {
     this.#state.isOn = on;
   }
 
   run(): void {
     const state = this.#state;
-    // The first step bears the first sparks; all others live as long as each other.
+    // The first step emits the first sparks; all later sparks have the full lifetime.
     if (state.steps++ === 0) return;
     if (state.steps === 2) setEmitter(this.#emitter, { lifetime: BARRAGE_LIFE });
     if (!state.isOn) return;

@@ -1,5 +1,4 @@
-// An elastic gas of discs or balls in a box: bodies that meet and nothing else. Energy is what it was at the start, and
-// no momentum is lost but to the walls.
+// An elastic gas of discs or balls in a box, without other forces. Energy is conserved; only walls change the momentum.
 import { boxWalls, createPhysicsWorld, particleContacts, pow, spawnMany } from '@principia/physics';
 import type { BoxedRun } from './boxed-run.ts';
 import { countOf, defineScene } from './scene.ts';
@@ -51,7 +50,7 @@ export const gas = defineScene({
   },
 });
 
-/** The numbers below `count` in an order the uniforms choose: neighbours in the gas are no neighbours in memory. */
+/** A random permutation of the numbers below `count`, so that neighbours in the gas are not neighbours in memory. */
 function shuffled(count: number, uniforms: Float64Array): Float64Array {
   const order = Float64Array.from({ length: count }, (_, i) => i);
   for (let i = count - 1; i > 0; i--) {

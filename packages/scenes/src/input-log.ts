@@ -1,38 +1,38 @@
-/** What a player did at which step: with the seed of a world, all that is needed to play a game again. */
+/** An input and its step. With the seed of the world, a log of inputs suffices to replay a game. */
 export interface LoggedInput<Input> {
-  /** `world.tick` of the step that took it. */
+  /** `world.tick` of the step that processed the input. */
   readonly tick: number;
   readonly input: Input;
 }
 
 /**
- * The inputs of a game. Whatever comes from keys, fingers or a log waits here until the next step takes it, so that a
- * game played from its log is the same to the bit.
+ * The inputs of a game. Live and replayed inputs wait here until the next step processes them, so that a replay is
+ * bitwise identical.
  */
 export class InputLog<Input> {
-  /** How far it is: name it to `keepState`, and a world that goes back in time forgets what was done since. */
+  /** Mutable state; pass it to `keepState`, so that restoring the world also discards later inputs. */
   readonly state = { taken: 0, next: 0, waiting: [] as Input[] };
-  /** The first `state.taken` count; the others were given up. */
+  /** Only the first `state.taken` entries are valid; later ones were discarded by a restore. */
   readonly #taken: LoggedInput<Input>[] = [];
   readonly #script: readonly LoggedInput<Input>[];
 
-  /** @param script inputs of an earlier game, played as if they came now */
+  /** @param script inputs of an earlier game to replay */
   constructor(script: readonly LoggedInput<Input>[] = []) {
     this.#script = [...script];
   }
 
-  /** Everything steps have taken so far, oldest first. */
+  /** All processed inputs, oldest first. */
   get entries(): readonly LoggedInput<Input>[] {
     this.#taken.length = this.state.taken;
     return this.#taken;
   }
 
-  /** An input for the next step. */
+  /** Adds an input for the next step. */
   add(input: Input): void {
     this.state.waiting.push(input);
   }
 
-  /** Hands the inputs of the step that begins at `tick` to `use`, in the order they came. */
+  /** Passes the inputs of the step that begins at `tick` to `use`, in order of arrival. */
   take(tick: number, use: (input: Input) => void): void {
     const { state } = this;
     while (state.next < this.#script.length && this.#script[state.next].tick <= tick) {
@@ -42,12 +42,12 @@ export class InputLog<Input> {
     for (const input of state.waiting.splice(0)) this.#use(tick, input, use);
   }
 
-  /** Whether inputs of an earlier game are still to come. */
+  /** Whether inputs of the earlier game remain. */
   get isScripted(): boolean {
     return this.state.next < this.#script.length;
   }
 
-  /** Leaves out the rest of the earlier game. */
+  /** Discards the rest of the earlier game. */
   endScript(): void {
     this.state.next = this.#script.length;
   }

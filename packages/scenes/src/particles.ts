@@ -1,6 +1,6 @@
-// Particles that fall through a still medium in a closed box and do not meet each other: the plainest of worlds, made
-// of four local systems (gravity, quadratic drag, semi-implicit Euler, box walls). What composing costs is measured
-// here against one loop written by hand.
+// Particles that fall through a still medium in a closed box without collisions: the simplest world, made of four local
+// systems (gravity, quadratic drag, semi-implicit Euler, box walls). It measures the cost of composition against a
+// hand-written loop.
 import {
   boxWalls,
   createPhysicsWorld,
@@ -12,13 +12,13 @@ import {
 import { countOf, defineScene, type SceneRun } from './scene.ts';
 import { seededUniforms } from './seeded.ts';
 
-/** Particles and the constants of their box. */
+/** A run with the constants of its box. */
 export interface Particles extends SceneRun {
   /** Acceleration downwards, m/s². */
   readonly gravity: number;
   /** Edge of the box, m. */
   readonly side: number;
-  /** Restitution of its walls. */
+  /** Restitution of the walls. */
   readonly restitution: number;
 }
 
@@ -62,6 +62,6 @@ export const particles = defineScene({
       },
       progress,
     );
-    return { world, dt: 1 / 60, losesEnergy: 'drag and the walls take energy out', gravity, side, restitution };
+    return { world, dt: 1 / 60, losesEnergy: 'drag and inelastic walls dissipate energy', gravity, side, restitution };
   },
 });

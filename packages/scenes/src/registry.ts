@@ -15,7 +15,7 @@ import type { Scene } from './scene.ts';
 import { solarSystem } from './solar-system.ts';
 import { springs } from './springs.ts';
 
-/** Every scene, in the order they are listed. */
+/** All scenes, in the order in which they are listed. */
 export const SCENES: readonly Scene[] = [
   particles,
   emitters,
@@ -35,7 +35,7 @@ export const SCENES: readonly Scene[] = [
   solarSystem,
 ];
 
-/** The scene of a name, if there is one. */
+/** The scene with this name, if there is one. */
 export function findScene(name: string): Scene | undefined {
   return SCENES.find((scene) => scene.name === name);
 }

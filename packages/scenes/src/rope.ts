@@ -1,14 +1,14 @@
-// A rope hung between two points, longer than the gap, and drawn down in the middle: let go, it swings and settles as a
-// catenary.
+// A rope hung between two points, longer than the gap, with its middle pulled down: when released, it swings and
+// settles into a catenary.
 import { createPhysicsWorld, createRope, linearDrag, springs, uniformGravity, xpbd } from '@principia/physics';
 import { countOf, defineScene } from './scene.ts';
 import { shake } from './shake.ts';
 import { threadStretch } from './stretch.ts';
 
-/** Length of the rope, m, and distance of its ends. */
+/** Length of the rope and distance of its ends, m. */
 const LENGTH = 10;
 const GAP = 8;
-/** How far down its middle is drawn, m: both halves are straight. */
+/** Initial depth of its middle, m: both halves are straight. */
 const DEPTH = Math.sqrt(LENGTH * LENGTH - GAP * GAP) / 2;
 
 export const rope = defineScene({
@@ -52,7 +52,7 @@ export const rope = defineScene({
       world,
       dt: 1 / 60,
       stretch: threadStretch,
-      losesEnergy: 'air drags on the rope, and what becomes taut does not bounce',
+      losesEnergy: 'air drag and inelastic tightening of the rope dissipate energy',
     };
   },
 });

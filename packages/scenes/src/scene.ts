@@ -1,88 +1,88 @@
 import { type Integrator, PhysicsError, type PhysicsWorld, type Precision, type Progress } from '@principia/physics';
 
-/** A number a scene is made with. */
+/** A numeric parameter of a scene. */
 export interface SceneParameter {
   readonly about: string;
-  /** SI unit; empty for a pure number. */
+  /** SI unit; empty for a dimensionless number. */
   readonly unit: string;
-  /** The value when none is given. */
+  /** The default value. */
   readonly initial: number;
   readonly min: number;
   readonly max: number;
   readonly integer?: boolean;
 }
 
-/** What every scene takes besides its own parameters. */
+/** Options that all scenes share. */
 export interface SceneOptions {
-  /** How many; what is counted the scene's parameter `count` says. */
+  /** Number of bodies; the scene's parameter `count` says which bodies. */
   readonly count?: number;
   readonly dimensions?: 2 | 3;
   readonly precision?: Precision;
   /** Equal seeds and parameters give equal worlds. */
   readonly seed?: number;
-  /** The scheme it moves by; default the scene's own choice. */
+  /** Replaces the scene's default integrator. */
   readonly integrator?: Integrator;
-  /** Called as bodies are made. */
+  /** Called while bodies are created. */
   readonly progress?: Progress;
 }
 
-/** The worst of all and the root of their mean square. */
+/** Maximum and root mean square of the relative stretch. */
 export interface Stretch {
   readonly worst: number;
   readonly rms: number;
 }
 
-/** Two fresh worlds of the same bodies, one by the scheme of the scene and one by the reference. */
+/** Two new worlds with the same bodies, one with the scene's integrator and one with the reference. */
 export interface ReferenceRuns {
-  /** The scheme that is next to exact. */
+  /** Name of the reference integrator, which is nearly exact. */
   readonly name: string;
-  /** Times to go to one after the other, s. */
+  /** Times to compare, ascending, s. */
   readonly times: readonly number[];
   /** Names of some of these times. */
   readonly labels: ReadonlyMap<number, string>;
-  /** Moves one of the two to a time. */
+  /** Advances one of the two worlds to a time. */
   readonly ours: (time: number) => void;
   readonly theirs: (time: number) => void;
-  /** How far apart they have each body, km, at the time both have come to. */
+  /** Distance between the two solutions for each body, km, at the time both have reached. */
   readonly apartKm: () => Readonly<Record<string, number>>;
 }
 
-/** A scene made: a world and how to move it on. */
+/** A scene that was built: a world and its time step. */
 export interface SceneRun {
   readonly world: PhysicsWorld;
-  /** Length of a step the scene is meant for, s. */
+  /** The time step for which the scene was designed, s. */
   readonly dt: number;
-  /** Moves the scene by one step; absent where that is `step(world, dt)`. */
+  /** Advances the scene by one step; absent if that is `step(world, dt)`. */
   readonly advance?: (world: PhysicsWorld) => void;
-  /** RMS relative error of forces that are approximated, as they are now; absent where they are exact. */
+  /** RMS relative error of approximated forces in the present state; absent if forces are exact. */
   readonly forceError?: (world: PhysicsWorld) => number;
-  /** How far what should keep its length is from it as it is now, by that length; absent where nothing has to. */
+  /** Relative deviation of inextensible threads from their length; absent if there are none. */
   readonly stretch?: (world: PhysicsWorld) => Stretch;
-  /** Distance of each body from where it should be, km, by body and time, of a run of its own; absent where unknown. */
+  /** Distance of each body from its true position, km, by body and time, in a separate run; absent if unknown. */
   readonly errorKm?: () => Readonly<Record<string, Readonly<Record<string, number>>>>;
-  /** The same by a scheme that is next to exact, from the start anew; absent where there is none to compare with. */
+  /** A comparison with a nearly exact integrator from the initial state; absent if there is none. */
   readonly reference?: () => ReferenceRuns;
-  /** Why the energy of this scene is not constant; absent where it is. */
+  /** Why the energy of this scene is not conserved; absent if it is. */
   readonly losesEnergy?: string;
 }
 
-/** The checked numbers a scene is built from. */
+/** The validated parameters from which a scene is built. */
 export interface Setup<Name extends string> {
   readonly dimensions: 2 | 3;
   readonly precision: Precision;
   readonly seed: number;
-  /** The scheme asked for. A scene that does not look at it is given it afterwards. */
+  /** The requested integrator. If the scene ignores it, `defineScene` sets it afterwards. */
   readonly integrator: Integrator | undefined;
   readonly progress: Progress | undefined;
   readonly parameters: Readonly<Record<Name | 'count', number>>;
 }
 
-/** What a scene's file says of it. */
+/** The definition of a scene. */
 export interface SceneSpec<Name extends string, Run extends SceneRun = SceneRun> {
   readonly name: string;
   /** One line. */
   readonly description: string;
-  /** The precision when none is given; default f64. */
+  /** Default precision; f64 if omitted. */
   readonly precision?: Precision;
   readonly parameters: Readonly<Record<Name | 'count', SceneParameter>>;
   build(setup: Setup<Name>): Run;
@@ -91,7 +91,7 @@ export interface SceneSpec<Name extends string, Run extends SceneRun = SceneRun>
 export interface Scene<Name extends string = never, Run extends SceneRun = SceneRun> {
   readonly name: string;
   readonly description: string;
-  /** The precision it is made in when none is given. */
+  /** Default precision. */
   readonly precision: Precision;
   readonly parameters: Readonly<Record<Name | 'count', SceneParameter>>;
   /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
@@ -100,7 +100,7 @@ export interface Scene<Name extends string = never, Run extends SceneRun = Scene
 
 const COMMON = ['dimensions', 'precision', 'seed', 'integrator', 'progress'];
 
-/** A scene from its description: checks what it is made with, so that `build` need not. */
+/** Makes a scene from its definition: validates the options, so that `build` need not. */
 export function defineScene<Name extends string, Run extends SceneRun>(spec: SceneSpec<Name, Run>): Scene<Name, Run> {
   const names = Object.keys(spec.parameters) as (Name | 'count')[];
   return {
@@ -128,7 +128,7 @@ export function defineScene<Name extends string, Run extends SceneRun>(spec: Sce
 }
 
 /**
- * The value of a parameter: the given one where it is valid, the initial one where none is given.
+ * Validates a parameter; returns its default if no value is given.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
 export function checkParameter(name: string, parameter: SceneParameter, value: unknown): number {
@@ -146,7 +146,7 @@ export function checkParameter(name: string, parameter: SceneParameter, value: u
   return value;
 }
 
-/** How many there are of what a scene is made of. */
+/** A parameter that counts bodies or other objects. */
 export function countOf(about: string, initial: number, max: number, min = 1): SceneParameter {
   return { about, unit: '', initial, min, max, integer: true };
 }

@@ -1,6 +1,6 @@
 import { createRandom } from '@principia/physics';
 
-/** Draws arrays of `count` numbers uniform in [low, high); the same seed gives the same arrays in the same order. */
+/** Draws arrays of `count` uniform numbers in [low, high); equal seeds give equal sequences of arrays. */
 export function seededUniforms(seed: number, count: number): (low: number, high: number) => Float64Array {
   const random = createRandom(seed);
   return (low, high) => {

@@ -1,7 +1,7 @@
 import type { PhysicsWorld } from '@principia/physics';
 import { seededUniforms } from './seeded.ts';
 
-/** Gives the bodies that can move random velocities, uniform along each axis. */
+/** Gives movable bodies random velocities, uniform along each axis. */
 export function shake(world: PhysicsWorld, ids: ArrayLike<number>, speed: number, seed: number): void {
   const { Velocity, Mass } = world.components;
   const uniform = seededUniforms(seed, ids.length);

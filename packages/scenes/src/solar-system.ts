@@ -7,10 +7,10 @@ import { buildSolarSystem, type SolarSystem } from './solar-system/build.ts';
 import { againstGaussRadau, DAY, errorsOf } from './solar-system/errors.ts';
 import { ASTRONOMICAL_UNIT, STATES } from './solar-system/states.ts';
 
-/** A scene that knows its planets. */
+/** The run of a solar system, with the ids of its bodies. */
 export type SolarSystemRun = SceneRun & SolarSystem;
 
-/** Mass of an asteroid, km³/s²: a few kilometres of rock. */
+/** GM of an asteroid, km³/s²: a few kilometres of rock. */
 const ASTEROID = 1e-6;
 
 export const solarSystem = defineScene({
@@ -42,7 +42,7 @@ export const solarSystem = defineScene({
   },
 });
 
-/** Circles in the ecliptic, 2.1 to 3.3 astronomical units from the Sun. */
+/** Circular orbits in the ecliptic, 2.1 to 3.3 astronomical units from the Sun. */
 function asteroids(count: number, seed: number) {
   const random = createRandom(seed, 2);
   const axis = () => new Float64Array(count);

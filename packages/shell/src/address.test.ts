@@ -32,10 +32,10 @@ it('has a sentence for everything else, and keeps what there was', () => {
   const { values, seed, renderer, problems } = read('?count=0&seed=x&renderer=toString&toString=1&trails=maybe');
   expect({ values, seed, renderer }).toEqual({ values: { count: 5, trails: false }, seed: 1, renderer: 'pixi' });
   expect(problems).toEqual([
-    'In the address, count must be a whole number from 1 to 100, but it was 0. It stays 5.',
-    'In the address, seed must be a whole number from 0 to 4294967295, but it was “x”. It stays 1.',
-    'In the address, renderer must be pixi or three, but it was “toString”. It stays pixi.',
-    'The address names “toString”, which this game does not have. It has count, trails, seed, renderer, manual.',
-    'In the address, trails must be on or off, but it was “maybe”. It stays off.',
+    'In the address, count must be a whole number from 1 to 100, but it was 0. Using 5 instead.',
+    'In the address, seed must be a whole number from 0 to 4294967295, but it was “x”. Using 1 instead.',
+    'In the address, renderer must be pixi or three, but it was “toString”. Using 2D instead.',
+    'The address names “toString”, which is not a setting of this game. The settings are count, trails, seed, renderer, manual.',
+    'In the address, trails must be on or off, but it was “maybe”. Using off instead.',
   ]);
 });

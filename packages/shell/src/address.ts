@@ -1,14 +1,14 @@
 import { checkValue, initialValues, type NumberSetting, parseValue, type Settings, type ValuesOf } from './settings.ts';
 
-/** What the address of a game's page asks for. */
+/** The settings that a game's page reads from its URL. */
 export interface Address<S extends Settings> {
   readonly values: ValuesOf<S>;
   readonly seed: number;
-  /** One of the game's renderers. */
+  /** Name of one of the game's renderers. */
   readonly renderer: string;
-  /** No clock: only `__game.step(n)` moves the world. */
+  /** Turns the clock off: only `__game.step(n)` advances the world. */
   readonly manual: boolean;
-  /** A sentence for everything in the address that could not be taken. */
+  /** One sentence for each part of the URL that was rejected. */
   readonly problems: readonly string[];
 }
 
@@ -23,9 +23,10 @@ const SEED: NumberSetting = {
 };
 
 /**
- * Reads `?seed=7&count=2000&renderer=three&manual`. A value that cannot be taken leaves the initial one and a sentence.
+ * Reads `?seed=7&count=2000&renderer=three&manual`. A rejected value keeps its default and adds a sentence to
+ * `problems`.
  * @param query as in `location.search`
- * @param renderers names of the game's renderers, the first being the default
+ * @param renderers names of the game's renderers; the first is the default
  */
 export function readAddress<S extends Settings>(query: string, settings: S, renderers: readonly string[]): Address<S> {
   const values: Record<string, unknown> = initialValues(settings);
@@ -34,9 +35,7 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
     try {
       return read();
     } catch (error) {
-      problems.push(
-        `In the address, ${(error as Error).message} It stays ${typeof fallback === 'boolean' ? (fallback ? 'on' : 'off') : fallback}.`,
-      );
+      problems.push(`In the address, ${(error as Error).message} ${fallbackSentence(fallback)}`);
       return fallback;
     }
   };
@@ -51,10 +50,16 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
       values[name] = attempt(() => parseValue(name, settings[name], text), values[name] as never);
     } else {
       const known = [...Object.keys(settings), 'seed', 'renderer', 'manual'].join(', ');
-      problems.push(`The address names “${name}”, which this game does not have. It has ${known}.`);
+      problems.push(`The address names “${name}”, which is not a setting of this game. The settings are ${known}.`);
     }
   }
   return { values: values as ValuesOf<S>, seed, renderer, manual, problems };
+}
+
+function fallbackSentence(fallback: unknown): string {
+  const rendererName = { pixi: '2D', three: '3D' }[String(fallback)];
+  const value = typeof fallback === 'boolean' ? (fallback ? 'on' : 'off') : (rendererName ?? fallback);
+  return `Using ${value} instead.`;
 }
 
 function checkRenderer(name: string, renderers: readonly string[]): string {

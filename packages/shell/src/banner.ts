@@ -1,10 +1,10 @@
 import { element } from './element.ts';
 
-/** A line at the foot of the page for what the player has to know. */
+/** A message at the bottom of the page. */
 export interface Banner {
-  /** What it says now; empty when hidden. */
+  /** The text on display; empty when the banner is hidden. */
   readonly text: string;
-  /** @param action a button with its word and what it does; the other button always hides the banner */
+  /** @param action label and handler of an extra button; the close button always hides the banner */
   show(text: string, kind: 'error' | 'note', action?: readonly [string, () => void]): void;
   hide(): void;
 }

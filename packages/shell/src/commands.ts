@@ -2,49 +2,51 @@ import type { GameDefinition, Simulation } from './game.ts';
 import type { Keys } from './keyboard.ts';
 import type { Settings } from './settings.ts';
 
-/** What the player can do in every game. */
+/** The actions that the player has in every game. */
 export interface Actions {
   pause(): void;
   step(): void;
   reset(): void;
-  /** Plays the game again from its beginning. */
+  /** Replays the game from its beginning. */
   replay(): void;
   slow(): void;
-  /** Goes back in time as long as it is on. */
+  /** Rewinds time while `on` is true. */
   rewind(on: boolean): void;
-  /** Goes back to the moment kept before this one. */
+  /** Restores the snapshot before the present one. */
   stepBack(): void;
   fit(): void;
   zoom(factor: number): void;
   help(): void;
-  side(): void;
+  sidebar(): void;
   plot(): void;
   profile(): void;
-  picture(): void;
-  film(): void;
+  screenshot(): void;
+  recordVideo(): void;
   fullScreen(): void;
-  calm(): void;
+  reducedMotion(): void;
   safeColors(): void;
   renderer(name: string): void;
   toggle(setting: string): void;
 }
 
-/** Something a key does, and the line that says so. */
+/** A keyboard action and its line in the help. */
 interface Command {
-  /** Names as in `KeyboardEvent.key`, in lower case. */
+  /** Values of `KeyboardEvent.key`, in lower case. */
   readonly keys: readonly string[];
-  /** As the help shows the keys. */
+  /** How the help spells the keys. */
   readonly shown: string;
-  readonly what: string;
+  readonly description: string;
   readonly press: (key: string) => void;
   readonly release?: () => void;
 }
 
-/** The keys of a game: the player's own controls come first, then the game's settings, then what every game has. */
+/**
+ * The key bindings of a game. The game's own controls come first, then its settings, then the commands of all games.
+ */
 export interface Commands {
   readonly pressed: Keys;
   readonly released: Keys;
-  /** Keys or gestures, and what they do. */
+  /** Pairs of keys or gestures and their descriptions. */
   readonly help: readonly (readonly [string, string])[];
 }
 
@@ -57,14 +59,19 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
   const pressed: Record<string, () => void> = {};
   const released: Record<string, () => void> = {};
   const help: (readonly [string, string])[] = [];
-  const again: Command = { keys: ['z'], shown: 'Z', what: 'watch this game from its beginning', press: actions.replay };
+  const again: Command = {
+    keys: ['z'],
+    shown: 'Z',
+    description: 'replay this game from its beginning',
+    press: actions.replay,
+  };
   const all = [
     ...settingCommands(game.settings, actions),
     ...rendererCommands(game, actions),
     ...(game.replay === undefined ? [] : [again]),
     ...common(actions),
   ];
-  for (const { keys, shown, what, press, release } of all) {
+  for (const { keys, shown, description, press, release } of all) {
     const free = keys.filter((key) => !taken.has(key));
     if (free.length === 0) continue;
     for (const key of free) {
@@ -72,8 +79,8 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
       pressed[key] = () => press(key);
       if (release !== undefined) released[key] = release;
     }
-    // A key that a game uses for itself is left out of the line.
-    help.push([free.length === keys.length ? shown : free.map((key) => key.toUpperCase()).join(' '), what]);
+    // The help leaves out a key that the game uses for itself.
+    help.push([free.length === keys.length ? shown : free.map((key) => key.toUpperCase()).join(' '), description]);
   }
   return { pressed, released, help: [...(game.help ?? []), ...help] };
 }
@@ -82,7 +89,7 @@ function settingCommands(settings: Settings, { toggle }: Actions): Command[] {
   return Object.entries(settings).flatMap(([name, setting]) => {
     if (setting.kind !== 'switch' || setting.key === undefined) return [];
     const { key, label } = setting;
-    return [{ keys: [key], shown: key.toUpperCase(), what: `${label} on or off`, press: () => toggle(name) }];
+    return [{ keys: [key], shown: key.toUpperCase(), description: `${label} on or off`, press: () => toggle(name) }];
   });
 }
 
@@ -97,7 +104,7 @@ function rendererCommands<S extends Settings, Sim extends Simulation>(
     {
       keys: [...byKey.keys()],
       shown: [...byKey.keys()].join(' '),
-      what: `draw in ${list.map(([, { label }]) => label).join(' or ')}`,
+      description: `draw in ${list.map(([, { label }]) => label).join(' or ')}`,
       press: (key) => actions.renderer(byKey.get(key) as string),
     },
   ];
@@ -105,30 +112,35 @@ function rendererCommands<S extends Settings, Sim extends Simulation>(
 
 function common(actions: Actions): Command[] {
   const { pause, step, reset, slow, rewind, stepBack, fit, zoom } = actions;
-  const { help, side, plot, profile, picture, film, fullScreen, calm, safeColors } = actions;
+  const { help, sidebar, plot, profile, screenshot, recordVideo, fullScreen, reducedMotion, safeColors } = actions;
   return [
-    { keys: [' '], shown: 'Space', what: 'pause and go on', press: pause },
-    { keys: ['.', 'arrowright'], shown: '. or →', what: 'one step', press: step },
-    { keys: [','], shown: ',', what: 'one moment back', press: stepBack },
+    { keys: [' '], shown: 'Space', description: 'pause and resume', press: pause },
+    { keys: ['.', 'arrowright'], shown: '. or →', description: 'one step', press: step },
+    { keys: [','], shown: ',', description: 'step back', press: stepBack },
     {
       keys: ['backspace', 'b'],
-      shown: 'B, held',
-      what: 'back in time, the last twenty seconds',
+      shown: 'Hold B',
+      description: 'rewind, up to twenty seconds',
       press: () => rewind(true),
       release: () => rewind(false),
     },
-    { keys: ['s'], shown: 'S', what: 'slow motion', press: slow },
-    { keys: ['r'], shown: 'R', what: 'start again', press: reset },
-    { keys: ['f'], shown: 'F', what: 'see everything', press: fit },
-    { keys: ['+', '=', '-'], shown: '+ −', what: 'closer, farther', press: (key) => zoom(key === '-' ? 0.8 : 1.25) },
-    { keys: ['e'], shown: 'E', what: 'next plot: energy, momentum, any column', press: plot },
-    { keys: ['o'], shown: 'O', what: 'time of a step by phase', press: profile },
-    { keys: ['i'], shown: 'I', what: 'the picture as a file', press: picture },
-    { keys: ['m'], shown: 'M', what: 'film, from now until pressed again', press: film },
-    { keys: ['w'], shown: 'W', what: 'whole screen', press: fullScreen },
-    { keys: ['x'], shown: 'X', what: 'less motion', press: calm },
-    { keys: ['y'], shown: 'Y', what: 'colours that everybody tells apart', press: safeColors },
-    { keys: ['p'], shown: 'P', what: 'panel', press: side },
-    { keys: ['h', '?'], shown: 'H', what: 'this help', press: help },
+    { keys: ['s'], shown: 'S', description: 'slow motion', press: slow },
+    { keys: ['r'], shown: 'R', description: 'restart', press: reset },
+    { keys: ['f'], shown: 'F', description: 'fit everything on the screen', press: fit },
+    {
+      keys: ['+', '=', '-'],
+      shown: '+ −',
+      description: 'zoom in, zoom out',
+      press: (key) => zoom(key === '-' ? 0.8 : 1.25),
+    },
+    { keys: ['e'], shown: 'E', description: 'next plot: energy, momentum, any value', press: plot },
+    { keys: ['o'], shown: 'O', description: 'time of a step, phase by phase', press: profile },
+    { keys: ['i'], shown: 'I', description: 'save a screenshot', press: screenshot },
+    { keys: ['m'], shown: 'M', description: 'record video; press again to stop', press: recordVideo },
+    { keys: ['w'], shown: 'W', description: 'full screen', press: fullScreen },
+    { keys: ['x'], shown: 'X', description: 'reduced motion', press: reducedMotion },
+    { keys: ['y'], shown: 'Y', description: 'colour-blind palette', press: safeColors },
+    { keys: ['p'], shown: 'P', description: 'settings panel', press: sidebar },
+    { keys: ['h', '?'], shown: 'H', description: 'this help', press: help },
   ];
 }

@@ -1,45 +1,45 @@
 import { element } from './element.ts';
 
-/** Something the player holds down: the same by key, by finger and by gamepad. */
+/** A button that the player holds down by key, touch or gamepad. */
 export interface ControlButton {
-  /** What it is called on the touch pad: one sign or a short word. */
+  /** Label on the touch pad: a symbol or a short word. */
   readonly label: string;
-  /** Names as in `KeyboardEvent.key`, in lower case; they do nothing else in this game. */
+  /** Values of `KeyboardEvent.key`, in lower case. These keys have no other function in the game. */
   readonly keys: readonly string[];
-  /** Buttons of a standard gamepad. */
+  /** Button indices of a standard gamepad. */
   readonly pad?: readonly number[];
-  /** Axis of a gamepad and the side of it that counts as pressed. */
+  /** Axis of a gamepad and the direction that counts as pressed. */
   readonly axis?: readonly [index: number, sign: 1 | -1];
 }
 
-/** How a game is steered. Names of buttons place them on the touch pad: `up`, `left`, `right`, `down`, `action`. */
+/** How a game is controlled. Button names give the layout of the touch pad: `up`, `left`, `right`, `down`, `action`. */
 export interface Controls<Sim> {
   readonly buttons: Readonly<Record<string, ControlButton>>;
   press(sim: Sim, name: string): void;
   release(sim: Sim, name: string): void;
 }
 
-/** Listens to the player's hands. */
+/** The listener for keyboard, touch and gamepad input. */
 export interface ControlListener {
-  /** Looks at the gamepads; call it once a frame. */
+  /** Reads the gamepads; call it once a frame. */
   poll(): void;
-  /** Lets go of everything, as when the window loses the keyboard. */
+  /** Releases all buttons, as when the window loses the focus. */
   releaseAll(): void;
   destroy(): void;
 }
 
-/** An axis pushed farther than this counts as pressed. */
+/** Deflection of an axis beyond which it counts as pressed. */
 const AXIS_THRESHOLD = 0.5;
 
 let hasGamepad = false;
 const NO_GAMEPADS: readonly Gamepad[] = [];
 
-/** Every look at the gamepads is a new list of the browser's: none is taken before there is one. */
+/** Each call of `getGamepads` allocates a list, so it is not called before a gamepad is connected. */
 function connectedGamepads(): readonly (Gamepad | null)[] {
   return hasGamepad ? (navigator.getGamepads?.() ?? NO_GAMEPADS) : NO_GAMEPADS;
 }
 
-/** Counts who holds each button, so that two ways to press one are one press. */
+/** Counts the inputs that hold each button, so that two inputs on one button cause one press. */
 class HeldButtons {
   readonly #holders = new Map<string, Set<string>>();
   readonly #press: (name: string) => void;
@@ -50,7 +50,7 @@ class HeldButtons {
     this.#release = release;
   }
 
-  /** @param holder who holds it: a key, a finger, a gamepad */
+  /** @param holder the input that holds the button: a key, a pointer or a gamepad */
   set(name: string, holder: string, down: boolean): void {
     const holders = this.#holders.get(name) ?? new Set();
     this.#holders.set(name, holders);
@@ -70,7 +70,7 @@ class HeldButtons {
   }
 }
 
-/** Listens to keys, to a pad on touch screens, and to gamepads. @param parent where the touch pad goes */
+/** Listens to keys, the touch pad and gamepads. @param parent element that receives the touch pad */
 export function listenToControls<Sim>(
   parent: HTMLElement,
   controls: Controls<Sim>,
@@ -90,7 +90,7 @@ export function listenToControls<Sim>(
   const noticeGamepad = () => {
     hasGamepad = true;
   };
-  // One that was used while the page loaded is not announced again.
+  // A gamepad that was used while the page loaded causes no further `gamepadconnected` event.
   if (navigator.getGamepads?.().some((gamepad) => gamepad !== null)) noticeGamepad();
   globalThis.addEventListener('gamepadconnected', noticeGamepad);
   return {
@@ -131,7 +131,7 @@ function listenToHeldKeys(buttons: Readonly<Record<string, ControlButton>>, held
   };
 }
 
-/** Buttons for fingers; the style sheet shows them where the pointer is coarse. */
+/** Creates the buttons for touch; the style sheet shows them where the pointer is coarse. */
 function createTouchPad(buttons: Readonly<Record<string, ControlButton>>, held: HeldButtons): HTMLElement {
   const pad = element('div', 'game-pad', { role: 'group', 'aria-label': 'Controls' });
   for (const [name, { label }] of Object.entries(buttons)) {
@@ -150,7 +150,7 @@ function createTouchPad(buttons: Readonly<Record<string, ControlButton>>, held: 
   return pad;
 }
 
-/** What is let go comes first: a stick that is moved from one way to another ends up pressing the other. */
+/** Handles releases first: a stick moved from one direction to another then ends with the other one pressed. */
 function readGamepad(gamepad: Gamepad, buttons: Readonly<Record<string, ControlButton>>, held: HeldButtons): void {
   for (const wanted of [false, true]) {
     for (const [name, { pad = [], axis }] of Object.entries(buttons)) {

@@ -1,4 +1,4 @@
-/** Makes an element with a class, attributes and children. */
+/** Creates an element with a class, attributes and children. */
 export function element<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   className: string,

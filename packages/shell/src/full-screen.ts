@@ -1,6 +1,6 @@
 /**
- * Fills the screen with an element, or gives the screen back.
- * @throws Error with a sentence where the browser does not do it
+ * Enters full screen with an element, or leaves full screen.
+ * @throws Error with a sentence where the browser refuses
  */
 export async function toggleFullScreen(target: HTMLElement): Promise<void> {
   if (document.fullscreenElement !== null && document.fullscreenElement !== undefined) {
@@ -11,6 +11,6 @@ export async function toggleFullScreen(target: HTMLElement): Promise<void> {
     if (typeof target.requestFullscreen !== 'function') throw new TypeError('not offered');
     await target.requestFullscreen();
   } catch {
-    throw new Error('This browser does not give pages the whole screen: add the page to the home screen instead.');
+    throw new Error('This browser does not offer full screen to pages. Add the page to the home screen instead.');
   }
 }

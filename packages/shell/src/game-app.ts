@@ -4,28 +4,28 @@ import { type Banner, createBanner } from './banner.ts';
 import { type Actions, type Commands, gameCommands } from './commands.ts';
 import { type ControlListener, listenToControls } from './controls.ts';
 import { toggleFullScreen } from './full-screen.ts';
-import type { GameDefinition, Simulation, Stage } from './game.ts';
+import type { GameDefinition, Simulation, ViewContext } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
 import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
 import { createOutcomeCard, type OutcomeCard } from './outcome-card.ts';
-import { type Looks, Preferences } from './preferences.ts';
+import { type AppearanceOptions, Preferences } from './preferences.ts';
 import { Recorder } from './recorder.ts';
 import { Session } from './session.ts';
 import type { Settings } from './settings.ts';
-import type { Side } from './side.ts';
+import type { Sidebar } from './sidebar.ts';
 import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
 import { ViewHost } from './view-host.ts';
 
-/** Seconds between two looks at the figures and the plot. */
-const FIGURES_INTERVAL = 0.2;
-/** Least seconds between two new worlds while a slider is dragged. */
+/** Interval of updates of statistics and plot, s. */
+const STATS_INTERVAL = 0.2;
+/** Shortest time between two new worlds while a slider is dragged, s. */
 const RESET_INTERVAL = 0.12;
 const SLOW_MOTION = 0.2;
 
-/** A game on a page: the session, the view, and everything around them. */
+/** A game on a page: the session, the view and the user interface around them. */
 export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #game: GameDefinition<S, Sim>;
   readonly #session: Session<S, Sim>;
@@ -40,22 +40,22 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #outcome: OutcomeCard | undefined;
   readonly #actions: Actions;
   readonly #commands: Commands;
-  /** There from the second frame on. */
-  #side: Side | undefined;
+  /** Created after the first frame. */
+  #sidebar: Sidebar | undefined;
   readonly #preferences = new Preferences(matchMedia('(prefers-reduced-motion: reduce)').matches);
   #renderer: string;
-  /** The player holds the way back. */
+  /** The player holds the rewind button. */
   #rewinding = false;
-  /** A setting asked for a new world. */
+  /** A changed setting requires a new world. */
   #resetWanted = false;
   #sinceReset = 0;
-  #sinceFigures = 0;
-  /** Something threw; the world rests until it is made anew. */
+  #sinceStats = 0;
+  /** An error was thrown; the world is frozen until it is recreated. */
   #broken = false;
-  /** The step shown last. */
+  /** The step that was drawn last. */
   #tick = 0;
   readonly #timing = { frame: 0, step: 0, draw: 0 };
-  readonly #figures = { ...this.#timing, bodies: 0, contacts: undefined as number | undefined, time: 0 };
+  readonly #stats = { ...this.#timing, bodies: 0, contacts: undefined as number | undefined, time: 0 };
 
   constructor(game: GameDefinition<S, Sim>, address: Address<S>) {
     this.#game = game;
@@ -74,12 +74,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#help = createHelpDialog(root, game.title, this.#commands.help);
     this.#controls = this.#listen();
     const watch = game.replay && this.#actions.replay;
-    this.#outcome = game.outcome && createOutcomeCard(root, game.title, () => this.#again(), watch);
-    this.#views = new ViewHost(this.#stage(), `${game.title}, drawn live; press H for help`, {
-      onTrouble: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#renderer)]),
+    this.#outcome = game.outcome && createOutcomeCard(root, game.title, () => this.#playAgain(), watch);
+    this.#views = new ViewHost(this.#viewContext(), `${game.title}, drawn live; press H for help`, {
+      onError: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#renderer)]),
       onRecovery: () => this.#banner.hide(),
     });
-    this.#showLooks();
+    this.#applyAppearance();
     if (address.problems.length > 0) this.#banner.show(address.problems.join('\n'), 'note');
   }
 
@@ -87,9 +87,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     globalThis.addEventListener('error', (event) => this.#report(event.error ?? event.message));
     globalThis.addEventListener('unhandledrejection', (event) => this.#report(event.reason));
     listenToKeys(this.#commands.pressed, this.#commands.released);
-    if (this.#preferences.calm && !this.#manual) {
+    if (this.#preferences.reducedMotion && !this.#manual) {
       this.#session.paused = true;
-      this.#banner.show('You want little motion, so the game waits: press Space or ▶ to start.', 'note');
+      this.#banner.show('Paused because reduced motion is on. Press Space or ▶ to start.', 'note');
     }
     await this.#show(this.#renderer);
     if (this.#session.started) globalThis.__game = this.#createHook();
@@ -101,13 +101,13 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       },
     );
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-    await this.#openSide();
+    await this.#openSidebar();
   }
 
-  async #openSide(): Promise<void> {
-    const { createSide } = await import('./side.ts');
+  async #openSidebar(): Promise<void> {
+    const { createSidebar } = await import('./sidebar.ts');
     const session = this.#session;
-    this.#side = createSide(this.#layout.side, {
+    this.#sidebar = createSidebar(this.#layout.sidebar, {
       settings: this.#game.settings,
       values: session.values,
       actions: this.#actions,
@@ -115,7 +115,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       world: () => (session.started ? session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
     });
-    this.#showLooks();
+    this.#applyAppearance();
     this.#refresh();
   }
 
@@ -123,18 +123,18 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const session = this.#session;
     if (!session.started) return;
     this.#sinceReset += seconds;
-    this.#sinceFigures += seconds;
+    this.#sinceStats += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
     this.#controls?.poll();
-    if (this.#rewinding) this.#goBackBy(seconds * session.speed);
+    if (this.#rewinding) this.#rewindBy(seconds * session.speed);
     else if (!this.#broken && !this.#manual) session.advance(seconds);
     this.#showOutcome();
-    this.#side?.plot.note(session.sim.world);
+    this.#sidebar?.plot.record(session.sim.world);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.frame += 0.1 * (seconds * 1000 - this.#timing.frame);
     if (session.sim.world.tick !== this.#tick) this.#timing.step += 0.1 * (session.stepTime - this.#timing.step);
     this.#tick = session.sim.world.tick;
-    if (this.#sinceFigures >= FIGURES_INTERVAL) this.#showFigures();
+    if (this.#sinceStats >= STATS_INTERVAL) this.#showStats();
   }
 
   #draw(seconds: number): void {
@@ -143,10 +143,10 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const start = performance.now();
     view.draw(this.#session.alpha, seconds);
     this.#timing.draw += 0.1 * (performance.now() - start - this.#timing.draw);
-    this.#recorder.take(view.canvas);
+    this.#recorder.captureFrame(view.canvas);
   }
 
-  /** Who went back in time plays on, but not for the high scores. */
+  /** A player who rewound may play on, but the score is not ranked. */
   #showOutcome(): void {
     const { sim, rewound } = this.#session;
     const outcome = this.#game.outcome?.(sim);
@@ -155,39 +155,39 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       this.#outcome?.show({
         ...outcome,
         score: 0,
-        lines: [...outcome.lines, 'Not counted: part of it was played before.'],
+        lines: [...outcome.lines, 'Not ranked: you rewound.'],
       });
   }
 
-  #goBackBy(seconds: number): void {
-    this.#goBack(() => this.#session.rewind(seconds));
+  #rewindBy(seconds: number): void {
+    this.#restorePast(() => this.#session.rewind(seconds));
   }
 
-  /** What was broken in the future may be whole in the past. */
-  #goBack(move: () => boolean): void {
+  /** A restored snapshot lies before the error. */
+  #restorePast(move: () => boolean): void {
     if (!move()) return;
     this.#broken = false;
-    this.#side?.panel.refresh();
+    this.#sidebar?.panel.refresh();
     this.#views.view?.refresh('setting');
   }
 
-  #showFigures(): void {
-    this.#sinceFigures = 0;
+  #showStats(): void {
+    this.#sinceStats = 0;
     const { sim } = this.#session;
-    const side = this.#side;
-    if (side === undefined) return;
-    side.plot.draw();
+    const sidebar = this.#sidebar;
+    if (sidebar === undefined) return;
+    sidebar.plot.draw();
     const contacts = this.#game.contacts?.(sim);
-    side.profile.show(sim.world);
-    const figures = this.#figures;
-    Object.assign(figures, this.#timing);
-    figures.bodies = bodies(sim.world).count;
-    figures.contacts = contacts;
-    figures.time = sim.world.time;
-    side.stats.show(figures);
+    sidebar.profile.show(sim.world);
+    const stats = this.#stats;
+    Object.assign(stats, this.#timing);
+    stats.bodies = bodies(sim.world).count;
+    stats.contacts = contacts;
+    stats.time = sim.world.time;
+    sidebar.stats.show(stats);
   }
 
-  /** Opens the picture of another renderer; the values stay, the world is made anew for its dimensions. */
+  /** Opens the view of another renderer. Settings are kept; the world is recreated with the renderer's dimensions. */
   async #show(name: string): Promise<void> {
     const renderer = this.#game.renderers[name];
     if (renderer === undefined) throw new Error(`There is no renderer “${name}”.`);
@@ -200,17 +200,17 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   }
 
   #reset(seed?: number): void {
-    this.#renew(() => this.#session.reset(seed));
+    this.#replaceWorld(() => this.#session.reset(seed));
   }
 
-  /** Makes another world, and shows it. */
-  #renew(make: () => void): void {
+  /** Replaces the world and shows the new one. */
+  #replaceWorld(make: () => void): void {
     this.#resetWanted = false;
     this.#sinceReset = 0;
     make();
     this.#outcome?.show(undefined);
     this.#broken = false;
-    this.#side?.plot.clear();
+    this.#sidebar?.plot.clear();
     this.#views.view?.refresh('world');
   }
 
@@ -221,7 +221,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
 
   #toggle(name: string): void {
     this.#guard(() => this.#set(name, !this.#session.values[name]));
-    this.#side?.panel.refresh();
+    this.#sidebar?.panel.refresh();
   }
 
   #pause(paused = !this.#session.paused): void {
@@ -231,41 +231,41 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
 
   #refresh(): void {
     const { paused, speed } = this.#session;
-    const { calm, safeColors } = this.#preferences;
+    const { reducedMotion, safeColors } = this.#preferences;
     this.#toolbar.show({ paused, slow: speed !== 1, rewinding: this.#rewinding, renderer: this.#renderer });
-    this.#side?.tools.show({ filming: this.#recorder.filming, calm, safeColors });
-    this.#side?.panel.refresh();
+    this.#sidebar?.tools.show({ recording: this.#recorder.isRecording, reducedMotion, safeColors });
+    this.#sidebar?.panel.refresh();
   }
 
-  #change(looks: Partial<Looks>): void {
-    this.#preferences.set(looks);
-    this.#showLooks();
-    if (looks.safeColors !== undefined && this.#session.started) this.#session.dress();
+  #change(changes: Partial<AppearanceOptions>): void {
+    this.#preferences.set(changes);
+    this.#applyAppearance();
+    if (changes.safeColors !== undefined && this.#session.started) this.#session.applyColors();
     this.#views.view?.refresh('world');
     this.#refresh();
   }
 
-  #showLooks(): void {
-    const { calm, safeColors } = this.#preferences;
-    this.#layout.root.toggleAttribute('data-calm', calm);
+  #applyAppearance(): void {
+    const { reducedMotion, safeColors } = this.#preferences;
+    this.#layout.root.toggleAttribute('data-reduced-motion', reducedMotion);
     this.#layout.root.toggleAttribute('data-safe-colors', safeColors);
     this.#session.safeColors = safeColors;
-    if (this.#side !== undefined) this.#side.plot.safeColors = safeColors;
+    if (this.#sidebar !== undefined) this.#sidebar.plot.safeColors = safeColors;
   }
 
-  /** Keys, touch pad and gamepad, for a game that is steered. */
+  /** Listens to keys, touch pad and gamepad if the game has controls. */
   #listen(): ControlListener | undefined {
     const { controls } = this.#game;
     return controls && listenToControls(this.#layout.root, controls, () => this.#session.sim);
   }
 
-  /** Another game after one has ended: with the next seed, so that it is not the same. */
-  #again(): void {
+  /** Starts another game after the end of one, with the next seed so that it differs. */
+  #playAgain(): void {
     this.#guard(() => this.#reset((this.#session.seed + 1) % 2 ** 32));
     this.#views.view?.canvas.focus();
   }
 
-  /** Does something at the player's wish; what goes wrong becomes a sentence. */
+  /** Runs an action of the player and reports errors on the banner. */
   #guard(action: () => void): void {
     try {
       action();
@@ -277,13 +277,10 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #report(error: unknown): void {
     const message = error instanceof Error ? error.message : String(error);
     console.error(error);
-    this.#banner.show(`Something went wrong: ${message}`, 'error', [
-      'Start again',
-      () => this.#guard(() => this.#reset()),
-    ]);
+    this.#banner.show(`Something went wrong: ${message}`, 'error', ['Restart', () => this.#guard(() => this.#reset())]);
   }
 
-  /** What cannot be done here is a note, not an accident. */
+  /** Runs an action that the browser may refuse; a refusal is shown as a note, not as an error. */
   #attempt(action: (canvas: HTMLCanvasElement, time: number) => unknown): void {
     const { view } = this.#views;
     if (view === undefined) return;
@@ -307,7 +304,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       },
       reset: () => this.#guard(() => this.#reset()),
       replay: () => {
-        this.#guard(() => this.#renew(() => session.replay()));
+        this.#guard(() => this.#replaceWorld(() => session.replay()));
         if (!this.#manual) this.#pause(false);
         this.#views.view?.canvas.focus();
       },
@@ -321,25 +318,25 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       },
       stepBack: () => {
         this.#pause(true);
-        this.#guard(() => this.#goBack(() => session.stepBack()));
+        this.#guard(() => this.#restorePast(() => session.stepBack()));
       },
       fit: () => this.#views.view?.fit(),
       zoom: (factor) => this.#views.view?.zoom(factor),
       help: () => this.#help.toggle(),
-      side: () => this.#layout.toggleSide(),
-      plot: () => this.#side?.plot.next(),
-      profile: () => this.#side?.profile.toggle(),
-      picture: () => this.#attempt((canvas, time) => this.#recorder.picture(canvas, time)),
-      film: () => this.#attempt((canvas, time) => this.#recorder.toggleFilm(canvas, time)),
+      sidebar: () => this.#layout.toggleSidebar(),
+      plot: () => this.#sidebar?.plot.next(),
+      profile: () => this.#sidebar?.profile.toggle(),
+      screenshot: () => this.#attempt((canvas, time) => this.#recorder.saveScreenshot(canvas, time)),
+      recordVideo: () => this.#attempt((canvas, time) => this.#recorder.toggleVideo(canvas, time)),
       fullScreen: () => this.#attempt(() => toggleFullScreen(this.#layout.root)),
-      calm: () => this.#change({ calm: !preferences.calm }),
+      reducedMotion: () => this.#change({ reducedMotion: !preferences.reducedMotion }),
       safeColors: () => this.#change({ safeColors: !preferences.safeColors }),
       renderer: (name) => void this.#show(name),
       toggle: (name) => this.#toggle(name),
     };
   }
 
-  #stage(): Stage<S, Sim> {
+  #viewContext(): ViewContext<S, Sim> {
     const session = this.#session;
     const preferences = this.#preferences;
     return {
@@ -349,14 +346,14 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       values: () => session.values,
       toggle: (name) => this.#toggle(name),
       alpha: () => session.alpha,
-      holding: () => session.holding,
+      dragging: () => session.dragging,
       get reducedMotion() {
-        return preferences.calm;
+        return preferences.reducedMotion;
       },
       get safeColors() {
         return preferences.safeColors;
       },
-      say: (sentence) => this.#banner.show(sentence, 'note'),
+      showMessage: (sentence) => this.#banner.show(sentence, 'note'),
     };
   }
 
@@ -366,22 +363,22 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       renderers: Object.keys(this.#game.renderers),
       state: () => ({
         ...sessionState(session),
-        calm: this.#preferences.calm,
-        filming: this.#recorder.filming,
-        ready: this.#views.view !== undefined && this.#side !== undefined,
+        reducedMotion: this.#preferences.reducedMotion,
+        recording: this.#recorder.isRecording,
+        ready: this.#views.view !== undefined && this.#sidebar !== undefined,
         renderer: this.#renderer,
         banner: this.#banner.text,
         timing: { ...this.#timing },
-        game: this.#game.tell?.(session.sim) ?? {},
+        game: this.#game.report?.(session.sim) ?? {},
       }),
       body: (index) => bodyState(session, this.#views.view, index),
       step: (count) => session.step(count),
-      rewind: (seconds) => this.#goBack(() => session.rewind(seconds)),
+      rewind: (seconds) => this.#restorePast(() => session.rewind(seconds)),
       reset: (seed) => this.#reset(seed),
       set: (name, value) => {
         this.#set(name, value);
         if (this.#resetWanted) this.#reset();
-        this.#side?.panel.refresh();
+        this.#sidebar?.panel.refresh();
       },
       pause: () => this.#pause(true),
       resume: () => this.#pause(false),

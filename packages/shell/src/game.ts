@@ -1,25 +1,25 @@
-/** What a game tells the shell about itself, and what the shell hands to its views. */
+/** The interfaces between a game, the shell and the views. */
 import type { PhysicsWorld } from '@principia/physics';
 import type { Controls } from './controls.ts';
-import type { Holding, HoldingOptions } from './holding.ts';
+import type { Dragging, DragOptions } from './dragging.ts';
 import type { Outcome } from './outcome-card.ts';
 import type { Settings, ValuesOf } from './settings.ts';
 
-/** A world and how it moves; a `SceneRun` of the scenes package is one. */
+/** A world and its time step; a `SceneRun` of the scenes package is a `Simulation`. */
 export interface Simulation {
   readonly world: PhysicsWorld;
   /** Length of every step, s. */
   readonly dt: number;
 }
 
-/** What a world is made from. */
+/** The parameters of a new world. */
 export interface SimulationOptions<S extends Settings> {
   readonly values: ValuesOf<S>;
   readonly seed: number;
   readonly dimensions: 2 | 3;
 }
 
-/** Room along the edges of the stage that lies under the bar and the panel, CSS pixels. */
+/** Margins of the stage that the toolbar and the sidebar cover, CSS pixels. */
 export interface Insets {
   readonly top: number;
   readonly right: number;
@@ -27,77 +27,80 @@ export interface Insets {
   readonly left: number;
 }
 
-/** Where a view draws, and what it may ask for. */
-export interface Stage<S extends Settings, Sim extends Simulation> {
+/** The services that the shell offers to a view. */
+export interface ViewContext<S extends Settings, Sim extends Simulation> {
   /** The view appends its canvas to this element, which fills the window. */
   readonly element: HTMLElement;
   readonly insets: () => Insets;
-  /** The world shown now; another one after every reset. */
+  /** The world on display; replaced by every reset. */
   readonly sim: () => Sim;
   readonly values: () => Readonly<ValuesOf<S>>;
-  /** Turns one of the game's switches, as its key does. */
+  /** Toggles a switch of the game, as its key does. */
   readonly toggle: (setting: keyof S & string) => void;
-  /** Where between the last two steps the picture is, 0 to 1. */
+  /** Position of the picture between the last two steps, 0 to 1. */
   readonly alpha: () => number;
-  /** Bodies that pointers hold. */
-  readonly holding: () => Holding;
-  /** The player wants as little motion as possible; the view is refreshed when that changes. */
+  /** The bodies that pointers drag. */
+  readonly dragging: () => Dragging;
+  /** The player asked for reduced motion; the view is refreshed when this changes. */
   readonly reducedMotion: boolean;
-  /** The player wants colours that everybody tells apart, such as `SAFE_COLORS`; likewise. */
+  /** The player asked for a colour-blind palette, such as `SAFE_COLORS`; the view is refreshed when this changes. */
   readonly safeColors: boolean;
-  /** Shows a sentence that the player should know, until it is hidden or another one comes. */
-  readonly say: (sentence: string) => void;
+  /** Shows a sentence until the player hides it or another message replaces it. */
+  readonly showMessage: (sentence: string) => void;
 }
 
-/** A picture of a simulation. */
+/** A view draws a simulation. */
 export interface View {
   readonly canvas: HTMLCanvasElement;
-  /** The world was replaced, or everything looks different (`world`), or a setting changed. */
+  /** Called when the world was replaced or the appearance changed (`world`), or when a setting changed. */
   refresh(change: 'world' | 'setting'): void;
-  /** Draws once. @param seconds since the last time */
+  /** Draws a frame. @param seconds since the previous frame */
   draw(alpha: number, seconds: number): void;
-  /** Shows everything. */
+  /** Fits the whole scene into the window. */
   fit(): void;
-  /** Closer (above one) or farther, about the middle. */
+  /** Zooms about the centre: in for a factor above one, out below. */
   zoom(factor: number): void;
-  /** The place of a world point on the canvas, CSS pixels. */
+  /** Position of a world point on the canvas, CSS pixels. */
   toScreen(x: number, y: number, z: number): { x: number; y: number };
   destroy(): void;
 }
 
-/** A way to draw a game. */
+/** A renderer of a game. */
 export interface Renderer<S extends Settings, Sim extends Simulation> {
-  /** What the switch calls it, such as `2D`. */
+  /** Label on the switch, such as `2D`. */
   readonly label: string;
   readonly dimensions: 2 | 3;
-  /** Makes the view; imports the renderer only now, so that a page loads no more than it shows. */
-  open(stage: Stage<S, Sim>): Promise<View>;
+  /** Creates the view. The renderer is imported here so that a page loads only the renderers that it shows. */
+  open(context: ViewContext<S, Sim>): Promise<View>;
 }
 
-/** A game. */
+/** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
   readonly settings: S;
-  /** By name as in `?renderer=`; the first is the default. */
+  /** Renderers by name as in `?renderer=`; the first is the default. */
   readonly renderers: Readonly<Record<string, Renderer<S, Sim>>>;
-  /** What the game keeps outside the world's columns is to be named to `keepState`, for those who go back in time. */
+  /**
+   * Creates a simulation. State kept outside the world's columns must be registered with `keepState`, so that rewinding
+   * works.
+   */
   create(options: SimulationOptions<S>): Sim;
-  /** Gives the running world a changed setting; false asks for a new world instead. */
+  /** Applies a changed setting to the running world; false asks for a new world instead. */
   apply(sim: Sim, name: keyof S & string, values: Readonly<ValuesOf<S>>): boolean;
-  /** Gives bodies their colours: in a new world, and when the player wants other colours. */
-  dress?(sim: Sim, looks: { readonly seed: number; readonly safeColors: boolean }): void;
-  /** How a held body's wanted place is changed, in place, as to keep it inside a room. */
-  holdLimit?(sim: Sim): HoldingOptions['limit'];
-  /** The same game from its beginning, played again from what the player did in it. */
+  /** Assigns colours to bodies: in a new world, and when the player changes the palette. */
+  applyColors?(sim: Sim, options: { readonly seed: number; readonly safeColors: boolean }): void;
+  /** Changes the target position of a dragged body in place, for example to keep it inside a box. */
+  dragLimit?(sim: Sim): DragOptions['limit'];
+  /** Creates the same game from its beginning and replays the player's inputs. */
   replay?(sim: Sim): Sim;
-  /** Contacts between bodies in the last step; undefined while the world has none to count. */
+  /** Number of contacts between bodies in the last step; undefined while the world does not count them. */
   contacts?(sim: Sim): number | undefined;
-  /** How the player steers. */
+  /** The controls of the game. */
   readonly controls?: Controls<Sim>;
-  /** How the game ended, for the card with the high scores; undefined while it goes on. */
+  /** The result of the game, for the card with the high scores; undefined while the game is running. */
   outcome?(sim: Sim): Outcome | undefined;
-  /** Lives, score and the like, for tests: `__game.state().game`. */
-  tell?(sim: Sim): Readonly<Record<string, unknown>>;
-  /** Lines for the help: keys or gestures, and what they do. */
+  /** Values such as lives and score, for tests: `__game.state().game`. */
+  report?(sim: Sim): Readonly<Record<string, unknown>>;
+  /** Lines of the help: keys or gestures and their descriptions. */
   readonly help?: readonly (readonly [string, string])[];
 }

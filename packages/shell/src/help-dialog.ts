@@ -1,20 +1,20 @@
 import { element } from './element.ts';
 
-/** The sheet that lists keys and gestures. */
+/** The dialog that lists keys and gestures. */
 export interface HelpDialog {
   toggle(): void;
 }
 
-/** @param lines keys or gestures, and what they do */
+/** @param lines pairs of keys or gestures and their descriptions */
 export function createHelpDialog(
   parent: HTMLElement,
   title: string,
   lines: readonly (readonly [string, string])[],
 ): HelpDialog {
   const list = element('dl', '');
-  for (const [keys, what] of lines) list.append(element('dt', '', {}, keys), element('dd', '', {}, what));
+  for (const [keys, text] of lines) list.append(element('dt', '', {}, keys), element('dd', '', {}, text));
   const close = element('button', '', { type: 'button' }, 'Close');
-  // The dialog gives the focus to its title, so that it begins at the top; Tab goes to the button.
+  // The title has the focus so that the dialog opens scrolled to its top; Tab moves on to the button.
   const heading = element('h2', '', { tabindex: '-1', autofocus: '' }, title);
   const dialog = element('dialog', 'game-help', { 'aria-label': 'Help' }, heading, list, close);
   parent.append(dialog);

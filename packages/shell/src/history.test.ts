@@ -14,7 +14,7 @@ function falling(clock = () => 0) {
     for (let i = 0; i < steps; i++) {
       step(world, sim.dt);
       beside.count++;
-      history.note();
+      history.record();
     }
   };
   return { world, stone, beside, history, run };
@@ -24,13 +24,13 @@ it('goes back to the last moment that is not too late', () => {
   const { world, stone, beside, history, run } = falling();
   run(100);
   const end = stateHash(world);
-  expect(history.backTo(0.512)).toBe(true);
+  expect(history.restoreTo(0.512)).toBe(true);
   // A moment is kept every twentieth of a second.
   expect(world.tick).toBe(50);
   expect(beside.count).toBe(50);
   // Velocity Verlet is exact in a constant field.
   expect(world.components.Position.y[stone]).toBeCloseTo(-0.5 * 9.80665 * 0.25, 12);
-  expect(history.backTo(0.512)).toBe(false);
+  expect(history.restoreTo(0.512)).toBe(false);
   run(50);
   expect(stateHash(world)).toBe(end);
 });
@@ -40,9 +40,9 @@ it('keeps twenty seconds, and stops at the first moment', () => {
   run(3000);
   expect(history.length).toBeGreaterThan(19.5);
   expect(history.length).toBeLessThan(20.5);
-  history.backTo(-1);
+  history.restoreTo(-1);
   expect(world.time).toBeCloseTo(10, 0);
-  expect(history.backTo(-1)).toBe(false);
+  expect(history.restoreTo(-1)).toBe(false);
 });
 
 it('notes fewer moments where they cost much', () => {
@@ -53,6 +53,6 @@ it('notes fewer moments where they cost much', () => {
     return now;
   });
   run(100);
-  history.backTo(0.99);
+  history.restoreTo(0.99);
   expect(world.tick).toBe(50);
 });

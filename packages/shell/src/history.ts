@@ -1,75 +1,76 @@
-// The last moments of a game, for going back: snapshots of its world.
+// A ring of world snapshots for rewinding a game.
 import { restore, type Snapshot, snapshot } from '@principia/physics';
 import type { Simulation } from './game.ts';
 
-/** Simulated seconds that can be gone back, where memory allows more moments. */
-const SECONDS = 20;
-/** Memory for all moments together, bytes. */
-const BUDGET = 96e6;
-/** Least simulated time between two moments, s. */
-const SHORTEST = 1 / 20;
-/** A moment may take this share of the time between two. */
-const SHARE = 0.04;
+/** Longest rewind in simulated seconds, where memory allows. */
+const MAX_SECONDS = 20;
+/** Limit of the memory for all snapshots, bytes. */
+const MAX_BYTES = 96e6;
+/** Shortest simulated time between two snapshots, s. */
+const MIN_INTERVAL = 1 / 20;
+/** Largest share of the running time that taking snapshots may cost. */
+const MAX_COST_SHARE = 0.04;
 
-/** A ring of moments: new ones take the place of the oldest, and its memory. */
+/** A ring of snapshots: a new snapshot reuses the memory of the oldest. */
 export class History {
   readonly #sim: Simulation;
   readonly #clock: () => number;
   /** Oldest first. */
-  readonly #moments: Snapshot[] = [];
-  /** Moments that were given up, for the next ones. */
+  readonly #snapshots: Snapshot[] = [];
+  /** Discarded snapshots whose memory is reused. */
   readonly #spare: Snapshot[] = [];
-  #interval = SHORTEST;
-  /** Bytes of the largest moment: with those of the last one, how many there may be would change to and fro. */
+  #interval = MIN_INTERVAL;
+  /** Bytes of the largest snapshot. The size of the last one would make the number of snapshots oscillate. */
   #largest = 0;
 
-  /** @param clock milliseconds; tells what a moment costs */
+  /** @param clock milliseconds; measures the cost of a snapshot */
   constructor(sim: Simulation, clock: () => number) {
     this.#sim = sim;
     this.#clock = clock;
-    this.note();
+    this.record();
   }
 
-  /** Simulated seconds from the first moment to now. */
+  /** Simulated seconds from the oldest snapshot to the present. */
   get length(): number {
-    return this.#sim.world.time - this.#moments[0].time;
+    return this.#sim.world.time - this.#snapshots[0].time;
   }
 
-  /** Notes the present moment, if the last one is long enough ago. */
-  note(): void {
+  /** Takes a snapshot if the last one is old enough. */
+  record(): void {
     const { world, dt } = this.#sim;
-    const moments = this.#moments;
-    const last = moments.length > 0 ? moments[moments.length - 1] : undefined;
-    // A sum of steps may fall short by rounding.
+    const snapshots = this.#snapshots;
+    const last = snapshots.length > 0 ? snapshots[snapshots.length - 1] : undefined;
+    // Rounding may leave the sum of the steps slightly short.
     if (last !== undefined && world.time < last.time + this.#interval - dt / 2) return;
     const start = this.#clock();
-    const most = Math.max(2, Math.floor(SECONDS / this.#interval));
-    while (moments.length >= most) {
-      this.#spare.push(moments[0]);
-      // In place: a list that is shifted is made anew now and then.
-      moments.copyWithin(0, 1);
-      moments.pop();
+    const maxCount = Math.max(2, Math.floor(MAX_SECONDS / this.#interval));
+    while (snapshots.length >= maxCount) {
+      this.#spare.push(snapshots[0]);
+      // `copyWithin` works in place; `shift` would reallocate the list now and then.
+      snapshots.copyWithin(0, 1);
+      snapshots.pop();
     }
     const taken = snapshot(world, this.#spare.pop());
-    moments.push(taken);
+    snapshots.push(taken);
     const cost = (this.#clock() - start) / 1000;
     this.#largest = Math.max(this.#largest, taken.bytes);
-    this.#interval = Math.max(SHORTEST, (SECONDS * this.#largest) / BUDGET, cost / SHARE);
-    // What a moment costs varies, and with it how many there are: some of the others wait, as far as memory allows.
-    while (this.#spare.length > 0 && (moments.length + this.#spare.length) * this.#largest > BUDGET) this.#spare.pop();
+    this.#interval = Math.max(MIN_INTERVAL, (MAX_SECONDS * this.#largest) / MAX_BYTES, cost / MAX_COST_SHARE);
+    // The cost of a snapshot varies, and with it their number; spare ones are kept as far as memory allows.
+    while (this.#spare.length > 0 && (snapshots.length + this.#spare.length) * this.#largest > MAX_BYTES)
+      this.#spare.pop();
   }
 
   /**
-   * Goes back to the last moment not after `time`, s, or to the first there is; moments after it are forgotten.
+   * Restores the last snapshot not after `time`, s, or the oldest one, and discards later snapshots.
    * @returns whether the world changed
    */
-  backTo(time: number): boolean {
-    const moments = this.#moments;
+  restoreTo(time: number): boolean {
+    const snapshots = this.#snapshots;
     const { world, dt } = this.#sim;
-    while (moments.length > 1 && moments[moments.length - 1].time > time + dt / 2) {
-      this.#spare.push(moments.pop() as Snapshot);
+    while (snapshots.length > 1 && snapshots[snapshots.length - 1].time > time + dt / 2) {
+      this.#spare.push(snapshots.pop() as Snapshot);
     }
-    const last = moments[moments.length - 1];
+    const last = snapshots[snapshots.length - 1];
     if (world.tick <= last.tick) return false;
     restore(world, last);
     return true;

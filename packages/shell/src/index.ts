@@ -1,13 +1,13 @@
-/** What every game has around its simulation: loop, panel, plot, keys, help, error messages. */
+/** The parts that all games share: loop, settings panel, plot, keyboard, help and error messages. */
 export { type Address, readAddress } from './address.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
-export type { GameDefinition, Insets, Renderer, Simulation, SimulationOptions, Stage, View } from './game.ts';
+export { type Dragging, type DragOptions, dragBodies } from './dragging.ts';
+export type { GameDefinition, Insets, Renderer, Simulation, SimulationOptions, View, ViewContext } from './game.ts';
 export { type HighScore, HighScores } from './high-scores.ts';
-export { type Holding, type HoldingOptions, holdBodies } from './holding.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export type { Outcome } from './outcome-card.ts';
 export { pickBody2D } from './pick.ts';
-export { type Looks, SAFE_COLORS } from './preferences.ts';
+export { type AppearanceOptions, SAFE_COLORS } from './preferences.ts';
 export { Session } from './session.ts';
 export {
   type ChoiceSetting,

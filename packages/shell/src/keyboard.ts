@@ -1,9 +1,9 @@
-/** What keys do: a name as in `KeyboardEvent.key`, in lower case, and its action. */
+/** Actions by key: the value of `KeyboardEvent.key` in lower case. */
 export type Keys = Readonly<Record<string, () => void>>;
 
 /**
- * Listens to the whole page, except where somebody types or works a button with the same key. A key held down acts once
- * where letting go of it acts too. Returns how to stop.
+ * Listens to keys on the whole page, except in input fields and on focused buttons that use the same key. A held key
+ * acts once if its release has an action too. Returns a function that stops listening.
  */
 export function listenToKeys(pressed: Keys, released: Keys = {}): () => void {
   const held = new Set<string>();
@@ -22,12 +22,12 @@ export function listenToKeys(pressed: Keys, released: Keys = {}): () => void {
     }
     action();
   };
-  const letGo = (key: string) => {
+  const releaseKey = (key: string) => {
     if (held.delete(key)) released[key]();
   };
-  const release = (event: KeyboardEvent) => letGo(event.key.toLowerCase());
+  const release = (event: KeyboardEvent) => releaseKey(event.key.toLowerCase());
   const releaseAll = () => {
-    for (const key of [...held]) letGo(key);
+    for (const key of [...held]) releaseKey(key);
   };
   document.addEventListener('keydown', press);
   document.addEventListener('keyup', release);

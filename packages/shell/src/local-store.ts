@@ -1,7 +1,7 @@
-/** The part of `localStorage` that is needed. */
+/** The methods of `localStorage` that are used. */
 export type LocalStore = Pick<Storage, 'getItem' | 'setItem'>;
 
-/** The browser's store; undefined in browsers that throw at the mere mention where pages may keep nothing. */
+/** The browser's storage; undefined where merely accessing it throws because storage is blocked. */
 export function browserStore(): LocalStore | undefined {
   try {
     return globalThis.localStorage;
@@ -10,7 +10,7 @@ export function browserStore(): LocalStore | undefined {
   }
 }
 
-/** What is kept under a name; undefined where there is nothing, or what somebody else wrote there. */
+/** Reads a stored value; undefined if there is none or if it is not valid JSON. */
 export function readLocal(store: LocalStore | undefined, name: string): unknown {
   try {
     return JSON.parse(store?.getItem(name) ?? 'null') ?? undefined;
@@ -19,11 +19,11 @@ export function readLocal(store: LocalStore | undefined, name: string): unknown 
   }
 }
 
-/** Keeps a value; where the store is full or closed to us it lasts as long as the page. */
+/** Stores a value; where the storage is full or blocked, the value lasts as long as the page. */
 export function writeLocal(store: LocalStore | undefined, name: string, value: unknown): void {
   try {
     store?.setItem(name, JSON.stringify(value));
   } catch {
-    // Nothing the player could do about it, and nothing is lost now.
+    // The player cannot change this, and the running page keeps the value.
   }
 }

@@ -1,12 +1,12 @@
 import type { GUI, NumberController } from 'lil-gui';
 import type { NumberSetting } from './settings.ts';
 
-/** One press of an arrow key or notch of the wheel, as a factor. */
+/** Factor of one press of an arrow key or one notch of the wheel. */
 const STEP_FACTOR = 1.1;
 
 /**
- * A slider on which every factor of ten has the same length. lil-gui's own slider works on the logarithm; the number
- * beside it shows, and takes, the value itself.
+ * A slider with a logarithmic scale. lil-gui's slider works on the exponent; the number beside it shows and accepts the
+ * value itself.
  */
 export function addLogSlider<Name extends string>(
   gui: GUI,
@@ -39,7 +39,7 @@ export function addLogSlider<Name extends string>(
     return controller;
   };
   const set = (value: number) => controller.setValue(Math.log10(tidy(value)));
-  // Before lil-gui hears of them on the input itself: it would take what is typed for the logarithm.
+  // Runs in the capture phase, before lil-gui's listener on the input, which would read the typed value as an exponent.
   domElement.addEventListener(
     'input',
     (event) => {

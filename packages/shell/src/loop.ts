@@ -1,19 +1,19 @@
-/** Calls `frame` for every picture the display shows, and stands still while the page is hidden. */
+/** Calls `frame` for every frame of the display, and stops while the page is hidden. */
 export interface Loop {
   stop(): void;
 }
 
 /**
- * @param frame gets the seconds since the last call; zero in the first one, and after the page was hidden
- * @param onError gets what `frame` throws; the loop goes on
+ * @param frame receives the seconds since the last call; zero in the first call and after the page was hidden
+ * @param onError receives an error thrown by `frame`; the loop continues
  */
 export function startLoop(frame: (seconds: number) => void, onError: (error: unknown) => void): Loop {
-  // In a cell: a variable that functions keep would be a new number on the heap with every frame.
+  // A typed array, because a captured variable would allocate a number on the heap in every frame.
   const last = new Float64Array([Number.NaN]);
   let request = 0;
   const tick = (now: number) => {
     request = requestAnimationFrame(tick);
-    // Browsers give the start of the frame, which may be a little before the time the last one was asked for.
+    // Browsers pass the start time of the frame, which may be slightly before the time of the last request.
     const seconds = Number.isNaN(last[0]) ? 0 : Math.max(0, (now - last[0]) / 1000);
     last[0] = now;
     try {
@@ -22,7 +22,7 @@ export function startLoop(frame: (seconds: number) => void, onError: (error: unk
       onError(error);
     }
   };
-  // The display's clock goes on while the page is hidden: that time must not be caught up with.
+  // The clock goes on while the page is hidden; the loop must not catch up with that time.
   const forget = () => {
     last[0] = Number.NaN;
   };

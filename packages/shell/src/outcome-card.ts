@@ -1,9 +1,9 @@
 import { element } from './element.ts';
 import { HighScores } from './high-scores.ts';
 
-/** How a game ended. */
+/** The result of a game. */
 export interface Outcome {
-  /** Such as `Game over`. */
+  /** For example `Game over`. */
   readonly title: string;
   readonly score: number;
   /** Lines below the title. */
@@ -12,11 +12,11 @@ export interface Outcome {
 
 /** The card at the end of a game. */
 export interface OutcomeCard {
-  /** Shows the end once; undefined, while the game goes on, hides it. */
+  /** Shows the result once; undefined hides the card. */
   show(outcome: Outcome | undefined): void;
 }
 
-/** @param again starts another game @param watch plays this one again, where that can be done */
+/** @param again starts another game @param watch replays this one, if possible */
 export function createOutcomeCard(
   parent: HTMLElement,
   game: string,
@@ -30,7 +30,7 @@ export function createOutcomeCard(
   const button = element('button', '', { type: 'button' }, 'Play again');
   const card = element('section', 'game-outcome', { role: 'alert' }, title, text, list, button);
   if (watch !== undefined) {
-    const replay = element('button', 'second', { type: 'button' }, 'Watch it');
+    const replay = element('button', 'second', { type: 'button' }, 'Watch replay');
     replay.addEventListener('click', watch);
     card.append(replay);
   }
@@ -41,24 +41,24 @@ export function createOutcomeCard(
     again();
   });
   let isOver = false;
-  const tell = (outcome: Outcome) => {
-    const place = scores.add(outcome.score, new Date().toISOString().slice(0, 10));
+  const showOutcome = (outcome: Outcome) => {
+    const rank = scores.add(outcome.score, new Date().toISOString().slice(0, 10));
     title.textContent = outcome.title;
-    const lines = place === 0 ? [...outcome.lines, 'A new high score!'] : outcome.lines;
+    const lines = rank === 0 ? [...outcome.lines, 'New high score!'] : outcome.lines;
     text.replaceChildren(...lines.map((line) => element('p', '', {}, line)));
     const rows = scores.list.map(({ score, day }, i) =>
-      element('li', i === place ? 'new' : '', {}, element('b', '', {}, String(score)), ` ${day}`),
+      element('li', i === rank ? 'new' : '', {}, element('b', '', {}, String(score)), ` ${day}`),
     );
     list.replaceChildren(...rows);
     button.focus({ preventScroll: true });
   };
   return {
-    // Asked in every frame: a function that others are made in makes an object by being called.
+    // Called in every frame: a function that contains closures would allocate in each call, so this one has none.
     show(outcome) {
       if ((outcome !== undefined) === isOver) return;
       isOver = outcome !== undefined;
       card.hidden = !isOver;
-      if (outcome !== undefined) tell(outcome);
+      if (outcome !== undefined) showOutcome(outcome);
     },
   };
 }

@@ -4,14 +4,14 @@ import type { NumberSetting, Setting, Settings } from './settings.ts';
 
 /** Sliders and switches for a game's settings. */
 export interface Panel {
-  /** Shows the values as they are now. */
+  /** Shows the present values. */
   refresh(): void;
 }
 
 /**
  * Builds the panel from the declared settings.
- * @param values read when shown; written through `onChange` alone
- * @param onChange gets the name and the wanted value
+ * @param values read for display; written only through `onChange`
+ * @param onChange receives the name and the requested value
  */
 export function createPanel(
   parent: HTMLElement,
@@ -48,7 +48,7 @@ function addController(gui: GUI, proxy: Record<string, never>, name: string, set
   return gui.add(proxy, name, setting.min, setting.max, step).decimals(decimals);
 }
 
-/** A thousandth of the range, rounded down to a power of ten, so that sliders stop at round numbers. */
+/** About a hundredth of the range, rounded down to a power of ten, so that sliders stop at round numbers. */
 function stepOf({ min, max, integer, step }: NumberSetting): number {
   if (step !== undefined) return step;
   return integer ? 1 : 10 ** Math.floor(Math.log10((max - min) / 100));

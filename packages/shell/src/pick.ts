@@ -1,12 +1,12 @@
 import type { BodySource } from '@principia/render-core';
 
 /**
- * The body of a 2D world under a point of the picture: of those the point lies in, the one drawn last; else the one
- * whose rim is nearest, if it is no farther than `slack`.
+ * Finds the body of a 2D world under a point: among the bodies that contain the point, the one drawn last; otherwise
+ * the body with the nearest rim within `slack`.
  *
- * @param alpha where between the previous (0) and the present step (1) the picture is
- * @param slack metres; a finger needs some
- * @returns the body's id, 0 for none
+ * @param alpha position of the picture between the previous (0) and the present step (1)
+ * @param slack tolerance in metres, for touch input
+ * @returns the body's id, 0 if there is none
  */
 export function pickBody2D(source: BodySource, alpha: number, x: number, y: number, slack: number): number {
   const { ids, count, position, previousPosition: previous, size, radius } = source;

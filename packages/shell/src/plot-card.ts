@@ -16,15 +16,15 @@ import { siNumber } from './si-number.ts';
 
 /** A plot over the last seconds: energies, momenta, or any column. */
 export interface PlotCard {
-  /** Notes the world's numbers, if the last note is old enough; call it after the steps of a frame. */
-  note(world: PhysicsWorld): void;
-  /** Draws what was noted. */
+  /** Records the world's values if the last sample is old enough; call it after the steps of a frame. */
+  record(world: PhysicsWorld): void;
+  /** Draws the recorded samples. */
   draw(): void;
-  /** Another world. */
+  /** Discards the samples because the world was replaced. */
   clear(): void;
-  /** Shows the next of its plots; after the last one none. */
+  /** Shows the next plot; hides the card after the last one. */
   next(): void;
-  /** Whether lines have colours that everybody tells apart. */
+  /** Whether lines use the colour-blind palette. */
   safeColors: boolean;
 }
 
@@ -32,19 +32,19 @@ const SAMPLES = 240;
 const INTERVAL = 0.05;
 const COLORS = ['#ff8f7a', '#6db7ff', '#ffd98a'];
 const SAFE = [5, 1, 3].map((index) => `#${SAFE_COLORS[index].toString(16).padStart(6, '0')}`);
-const PLOTS = ['Energy', 'Momentum', 'Angular momentum', 'Column'] as const;
+const PLOTS = ['Energy', 'Momentum', 'Angular momentum', 'Any value'] as const;
 
-/** @param world the world shown now */
+/** @param world returns the world on display */
 export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | undefined): PlotCard {
   const choice = select('Plot', PLOTS);
-  const column = select('Column', []);
+  const column = select('Value', []);
   const body = element('input', '', { type: 'number', min: '0', step: '1', value: '0', 'aria-label': 'Body' });
   const which = element(
     'div',
     'game-plot-column',
     {},
     column,
-    element('label', '', { title: '0 is all of them' }, 'body ', body),
+    element('label', '', { title: '0 shows any body: minimum, mean and maximum of all' }, 'body ', body),
   );
   const names = element('span', '');
   const card = element('section', 'game-card', { 'aria-label': 'Plot' }, element('h2', '', {}, choice, names), which);
@@ -53,16 +53,16 @@ export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | 
   let history = new SeriesHistory(3, SAMPLES, INTERVAL);
   let values = new Float64Array(3);
   let plot: uPlot | undefined;
-  /** Shows what the controls say, from now on. */
+  /** Applies the choices of the controls from now on. */
   const show = () => {
     const before = state.shown;
-    which.hidden = choice.value !== 'Column';
+    which.hidden = choice.value !== 'Any value';
     if (!which.hidden) fillColumns(column, world());
     state.source = sourceOf(choice.value, column.value, Number(body.value), world());
     const { series } = state.source;
     state.shown = [state.safe, state.source.unit, ...series].join();
     state.stale = true;
-    // A world like the last one keeps the plot: making one costs more than clearing it.
+    // A similar world keeps the plot object, because clearing it costs less than creating it.
     if (state.shown === before) {
       history.clear();
       return;
@@ -84,8 +84,8 @@ export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | 
       state.safe = safe;
       show();
     },
-    note(now) {
-      if (history.cut(now.time)) state.stale = true;
+    record(now) {
+      if (history.discardAfter(now.time)) state.stale = true;
       if (card.hidden || !history.isDue(now.time)) return;
       state.source.read(now, values);
       history.add(now.time, values);
@@ -112,7 +112,7 @@ function select(label: string, options: readonly string[]): HTMLSelectElement {
   return made;
 }
 
-/** Offers the columns that hold anything, and keeps the choice. */
+/** Offers the columns that have non-zero values, and keeps the selection. */
 function fillColumns(list: HTMLSelectElement, world: PhysicsWorld | undefined): void {
   if (world === undefined) return;
   const chosen = list.value;
@@ -126,7 +126,7 @@ function sourceOf(plot: string, column: string, body: number, world: PhysicsWorl
   const dimensions = world?.dimensions ?? 2;
   if (plot === 'Momentum') return momentumSource(dimensions);
   if (plot === 'Angular momentum') return angularMomentumSource(dimensions);
-  if (plot !== 'Column' || column === '') return energySource;
+  if (plot !== 'Any value' || column === '') return energySource;
   const [component, field] = column.split('.');
   const name = { component, field } as ColumnName;
   return columnSource(name, Number.isInteger(body) && body > 0 ? body : 0);
@@ -135,7 +135,7 @@ function sourceOf(plot: string, column: string, body: number, world: PhysicsWorl
 function plotOptions({ series, unit }: PlotSource, colors: readonly string[]): uPlot.Options {
   const grid = { stroke: '#ffffff14', width: 1 };
   const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font: '11px system-ui, sans-serif' };
-  // Units of one word fit beside the numbers; longer ones only in the title.
+  // A unit of one word fits beside the numbers; longer ones would not.
   const shown = /[ /]/.test(unit) ? '' : unit;
   return {
     width: 240,
@@ -163,7 +163,7 @@ function plotOptions({ series, unit }: PlotSource, colors: readonly string[]): u
   };
 }
 
-/** Zero is in the picture, and nothing touches its edge. */
+/** The range includes zero, with a margin on either side. */
 function rangeOf(low: number | null, high: number | null): [number, number] {
   if (low === null || high === null || !Number.isFinite(low + high)) return [0, 1];
   const [bottom, top] = [Math.min(0, low), Math.max(0, high)];

@@ -33,7 +33,7 @@ it('reads what is conserved', () => {
 
 it('reads any column: of one body, or the range of all', () => {
   const name = { component: 'Position', field: 'x' } as const;
-  expect(columnSource(name, 0)).toMatchObject({ unit: 'm', series: ['lowest', 'mean', 'highest'] });
+  expect(columnSource(name, 0)).toMatchObject({ unit: 'm', series: ['minimum', 'mean', 'maximum'] });
   expect(read(columnSource(name, 0))).toEqual([-1, 0.5, 2]);
   expect([1, 2, 3].map((body) => read(columnSource(name, body))[0])).toEqual([2, -1, Number.NaN]);
   const empty = world();

@@ -1,4 +1,4 @@
-/** What the plot can show of a world. */
+/** The quantities of a world that can be plotted. */
 import {
   angularMomentum,
   bodies,
@@ -10,10 +10,10 @@ import {
   type PhysicsWorld,
 } from '@principia/physics';
 
-/** Numbers that belong in one picture. */
+/** Quantities that share a plot. */
 export interface PlotSource {
   readonly unit: string;
-  /** What each line is called. */
+  /** Label of each line. */
   readonly series: readonly string[];
   /** Writes the present values to `out`. */
   read(world: PhysicsWorld, out: Float64Array): void;
@@ -21,17 +21,17 @@ export interface PlotSource {
 
 const axes = (dimensions: 2 | 3) => (dimensions === 2 ? ['x', 'y'] : ['x', 'y', 'z']);
 
-/** Written anew with every look. */
-const noted = { kinetic: 0, potential: 0, total: 0 };
+/** Reused for each sample. */
+const energies = { kinetic: 0, potential: 0, total: 0 };
 
 export const energySource: PlotSource = {
   unit: 'J',
   series: ['kinetic', 'potential', 'total'],
   read(world, out) {
-    energy(world, noted);
-    out[0] = noted.kinetic;
-    out[1] = noted.potential;
-    out[2] = noted.total;
+    energy(world, energies);
+    out[0] = energies.kinetic;
+    out[1] = energies.potential;
+    out[2] = energies.total;
   },
 };
 
@@ -48,7 +48,7 @@ export function momentumSource(dimensions: 2 | 3): PlotSource {
   };
 }
 
-/** Total angular momentum about the origin; in the plane it has one component. */
+/** Total angular momentum about the origin; in 2D it has one component. */
 export function angularMomentumSource(dimensions: 2 | 3): PlotSource {
   return {
     unit: 'kg m²/s',
@@ -63,13 +63,13 @@ export function angularMomentumSource(dimensions: 2 | 3): PlotSource {
   };
 }
 
-/** One field of one component. */
+/** A field of a component. */
 export interface ColumnName {
   readonly component: ComponentName;
   readonly field: string;
 }
 
-/** The columns in use, as `Position.y`. */
+/** The columns that have non-zero values, as `Position.y`. */
 export function columnsInUse(world: PhysicsWorld): ColumnName[] {
   const list = bodies(world);
   return COMPONENT_NAMES.flatMap((component) =>
@@ -90,13 +90,16 @@ function columnOf(world: PhysicsWorld, { component, field }: ColumnName): ArrayL
   return (world.components[component] as unknown as Record<string, ArrayLike<number>>)[field];
 }
 
-/** A column of one body, the `body`-th in ascending order of ids from 1; of body 0 lowest, mean and highest of all. */
+/**
+ * A column of the `body`-th body in ascending order of ids from 1; for body 0, the minimum, mean and maximum of all
+ * bodies.
+ */
 export function columnSource(name: ColumnName, body: number): PlotSource {
   const fields = COMPONENTS[name.component].fields as Readonly<Record<string, { readonly unit: string }>>;
   const { unit } = fields[name.field];
   return {
     unit,
-    series: body > 0 ? [`body ${body}`] : ['lowest', 'mean', 'highest'],
+    series: body > 0 ? [`body ${body}`] : ['minimum', 'mean', 'maximum'],
     read(world, out) {
       const { ids, count } = bodies(world);
       const column = columnOf(world, name);

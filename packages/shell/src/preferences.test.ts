@@ -15,17 +15,17 @@ function store(text: string | null = null): LocalStore {
 it('is what the system asks for until somebody chooses, and remembers the choice', () => {
   const kept = store();
   const first = new Preferences(true, kept);
-  expect([first.calm, first.safeColors]).toEqual([true, false]);
-  first.set({ calm: false });
+  expect([first.reducedMotion, first.safeColors]).toEqual([true, false]);
+  first.set({ reducedMotion: false });
   first.set({ safeColors: true });
-  expect([first.calm, first.safeColors]).toEqual([false, true]);
+  expect([first.reducedMotion, first.safeColors]).toEqual([false, true]);
   const later = new Preferences(true, kept);
-  expect([later.calm, later.safeColors]).toEqual([false, true]);
+  expect([later.reducedMotion, later.safeColors]).toEqual([false, true]);
 });
 
 it('survives whatever is in the store, and a store that refuses', () => {
-  for (const text of ['', '{', 'null', '[1]', '{"calm":"yes"}']) {
-    expect(new Preferences(false, store(text)).calm).toBe(false);
+  for (const text of ['', '{', 'null', '[1]', '{"reducedMotion":"yes"}']) {
+    expect(new Preferences(false, store(text)).reducedMotion).toBe(false);
   }
   const closed: LocalStore = {
     getItem: () => {
@@ -37,7 +37,7 @@ it('survives whatever is in the store, and a store that refuses', () => {
   };
   for (const kept of [closed, undefined]) {
     const preferences = new Preferences(false, kept);
-    preferences.set({ calm: true });
-    expect(preferences.calm).toBe(true);
+    preferences.set({ reducedMotion: true });
+    expect(preferences.reducedMotion).toBe(true);
   }
 });

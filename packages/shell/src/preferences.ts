@@ -1,47 +1,50 @@
 import { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 
-/** How somebody wants every game to look. */
-export interface Looks {
-  /** As little motion as possible: no shaking, no flying sparks, no animation that shows nothing. */
-  readonly calm: boolean;
-  /** Colours that people with any kind of colour vision tell apart. */
+/** The player's appearance settings for all games. */
+export interface AppearanceOptions {
+  /** As little motion as possible: no camera shake, no decorative sparks or animations. */
+  readonly reducedMotion: boolean;
+  /** Uses colours that people with any kind of colour vision can distinguish. */
   readonly safeColors: boolean;
 }
 
-const NAME = 'principia looks';
+const STORE_KEY = 'principia appearance';
 
-/** What the player chose, kept by the browser for all games; until then calm is what the system asks for. */
-export class Preferences implements Looks {
+/** The player's choices in the browser's storage; until a choice is made, reduced motion follows the system setting. */
+export class Preferences implements AppearanceOptions {
   readonly #store: LocalStore | undefined;
-  #looks: Looks;
+  #options: AppearanceOptions;
 
-  constructor(systemIsCalm: boolean, store: LocalStore | undefined = browserStore()) {
+  constructor(systemReducesMotion: boolean, store: LocalStore | undefined = browserStore()) {
     this.#store = store;
-    const found = readLocal(store, NAME) as Partial<Record<keyof Looks, unknown>> | undefined;
-    const chosen = (name: keyof Looks, otherwise: boolean) => {
+    const found = readLocal(store, STORE_KEY) as Partial<Record<keyof AppearanceOptions, unknown>> | undefined;
+    const chosen = (name: keyof AppearanceOptions, otherwise: boolean) => {
       const value = found?.[name];
       return typeof value === 'boolean' ? value : otherwise;
     };
-    this.#looks = { calm: chosen('calm', systemIsCalm), safeColors: chosen('safeColors', false) };
+    this.#options = {
+      reducedMotion: chosen('reducedMotion', systemReducesMotion),
+      safeColors: chosen('safeColors', false),
+    };
   }
 
-  get calm(): boolean {
-    return this.#looks.calm;
+  get reducedMotion(): boolean {
+    return this.#options.reducedMotion;
   }
 
   get safeColors(): boolean {
-    return this.#looks.safeColors;
+    return this.#options.safeColors;
   }
 
-  set(changes: Partial<Looks>): void {
-    this.#looks = { ...this.#looks, ...changes };
-    writeLocal(this.#store, NAME, this.#looks);
+  set(changes: Partial<AppearanceOptions>): void {
+    this.#options = { ...this.#options, ...changes };
+    writeLocal(this.#store, STORE_KEY, this.#options);
   }
 }
 
 /**
- * Eight colours that are told apart with any kind of colour vision, without black: Okabe and Ito, Color Universal
- * Design (2008). As 0xRRGGBB.
+ * Eight colours, without black, that any kind of colour vision can distinguish: Okabe and Ito, Color Universal Design
+ * (2008). As 0xRRGGBB.
  */
 export const SAFE_COLORS: readonly number[] = [
   0xe69f00, 0x56b4e9, 0x009e73, 0xf0e442, 0x0072b2, 0xd55e00, 0xcc79a7, 0xffffff,

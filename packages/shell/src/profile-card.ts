@@ -1,9 +1,9 @@
 import { PHASES, type PhysicsWorld, type Profile, resetProfile, startProfile, stopProfile } from '@principia/physics';
 import { element } from './element.ts';
 
-/** Where the time of a step goes, phase by phase. */
+/** The time of a step, phase by phase. */
 export interface ProfileCard {
-  /** Shows the milliseconds a step since the last call. */
+  /** Shows the mean milliseconds per step since the last call. */
   show(world: PhysicsWorld): void;
   toggle(): void;
 }
@@ -26,7 +26,7 @@ export function createProfileCard(parent: HTMLElement): ProfileCard {
     profile: startProfile(world, () => performance.now()),
     tick: world.tick,
   });
-  const tell = (world: PhysicsWorld) => {
+  const update = (world: PhysicsWorld) => {
     if (watched?.world !== world) watched = watch(world);
     const { profile, tick } = watched;
     const steps = world.tick - tick;
@@ -43,12 +43,12 @@ export function createProfileCard(parent: HTMLElement): ProfileCard {
   };
   return {
     show(world) {
-      if (!card.hidden) tell(world);
+      if (!card.hidden) update(world);
     },
     toggle() {
       card.hidden = !card.hidden;
       if (!card.hidden || watched === undefined) return;
-      // Clocks cost a little: nobody looks, nothing is measured.
+      // Reading the clock costs time, so a hidden card measures nothing.
       if (watched.world.state !== 'destroyed') stopProfile(watched.world);
       watched = undefined;
     },

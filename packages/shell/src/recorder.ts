@@ -1,43 +1,45 @@
-import { type Film, startFilm } from './film.ts';
-import { download, fileName, picturePng } from './print.ts';
+import { download, fileName, screenshotPng } from './screenshot.ts';
+import { startVideo, type VideoRecording } from './video-recording.ts';
 
-/** Takes pictures and films of a game and hands them to the player. */
+/** Takes screenshots and records videos of a game, and offers them as downloads. */
 export class Recorder {
   readonly #title: string;
   readonly #onChange: () => void;
-  #film: Film | undefined;
+  #recording: VideoRecording | undefined;
 
-  /** @param onChange a film began or ended */
+  /** @param onChange called when a recording starts or ends */
   constructor(title: string, onChange: () => void) {
     this.#title = title;
     this.#onChange = onChange;
   }
 
-  get filming(): boolean {
-    return this.#film !== undefined;
+  get isRecording(): boolean {
+    return this.#recording !== undefined;
   }
 
-  /** Stores what a canvas shows; call it right after it was drawn. @param time simulated, s */
-  async picture(canvas: HTMLCanvasElement, time: number): Promise<void> {
-    download(await picturePng(canvas), fileName(this.#title, time, 'png'));
+  /** Saves the content of a canvas; call it right after drawing. @param time simulated, s */
+  async saveScreenshot(canvas: HTMLCanvasElement, time: number): Promise<void> {
+    download(await screenshotPng(canvas), fileName(this.#title, time, 'png'));
   }
 
-  /** Begins a film, or ends it. @param time simulated, s @throws Error with a sentence where the browser cannot */
-  toggleFilm(canvas: HTMLCanvasElement, time: number): void {
-    if (this.#film !== undefined) {
-      this.#film.stop();
+  /**
+   * Starts or ends a recording. @param time simulated, s @throws Error with a sentence where the browser cannot record
+   */
+  toggleVideo(canvas: HTMLCanvasElement, time: number): void {
+    if (this.#recording !== undefined) {
+      this.#recording.stop();
       return;
     }
-    this.#film = startFilm(canvas, (blob, ending) => {
-      this.#film = undefined;
+    this.#recording = startVideo(canvas, (blob, extension) => {
+      this.#recording = undefined;
       this.#onChange();
-      download(blob, fileName(this.#title, time, ending));
+      download(blob, fileName(this.#title, time, extension));
     });
     this.#onChange();
   }
 
-  /** A picture was drawn. */
-  take(canvas: HTMLCanvasElement): void {
-    this.#film?.take(canvas);
+  /** Adds a drawn frame to the recording in progress. */
+  captureFrame(canvas: HTMLCanvasElement): void {
+    this.#recording?.captureFrame(canvas);
   }
 }

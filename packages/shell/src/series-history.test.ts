@@ -31,8 +31,8 @@ it('asks for a sample at most once an interval', () => {
 it('forgets the future when somebody went back', () => {
   const history = new SeriesHistory(1, 8, 0.1);
   for (const time of [0, 1, 2, 3]) history.add(time, [time]);
-  expect(history.cut(1.5)).toBe(true);
-  expect(history.cut(1.5)).toBe(false);
+  expect(history.discardAfter(1.5)).toBe(true);
+  expect(history.discardAfter(1.5)).toBe(false);
   expect([...history.data()[1]]).toEqual([0, 1]);
   expect(history.isDue(1.6)).toBe(true);
 });

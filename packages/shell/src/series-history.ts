@@ -1,11 +1,11 @@
-/** Some numbers over the last moments, in arrays of one size for ever. */
+/** Samples of several series over the last seconds, in arrays of fixed size. */
 export class SeriesHistory {
   readonly #times: Float64Array;
   readonly #columns: readonly Float64Array[];
   readonly #interval: number;
   #count = 0;
 
-  /** @param series numbers of a sample @param capacity samples kept @param interval least time between two, s */
+  /** @param series values per sample @param capacity samples kept @param interval shortest time between samples, s */
   constructor(series: number, capacity: number, interval: number) {
     this.#times = new Float64Array(capacity);
     this.#columns = Array.from({ length: series }, () => new Float64Array(capacity));
@@ -34,8 +34,8 @@ export class SeriesHistory {
     }
   }
 
-  /** Forgets what is later than `time`, as when the player went back. @returns whether anything was */
-  cut(time: number): boolean {
+  /** Discards samples later than `time`, for example after a rewind. @returns whether there were any */
+  discardAfter(time: number): boolean {
     const before = this.#count;
     while (this.#count > 0 && this.#times[this.#count - 1] > time) this.#count--;
     return this.#count < before;
@@ -45,7 +45,7 @@ export class SeriesHistory {
     this.#count = 0;
   }
 
-  /** The times and the columns of the samples there are. */
+  /** The times and the columns of the recorded samples. */
   data(): [Float64Array, ...Float64Array[]] {
     return [this.#times, ...this.#columns].map((column) => column.subarray(0, this.#count)) as never;
   }

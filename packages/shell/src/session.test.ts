@@ -113,7 +113,7 @@ it('gives the running world what it can take, and asks for a new one else', () =
 
 it('refuses what is no setting or does not fit, and stays as it was', () => {
   const { session } = started();
-  expect(() => session.set('toString', 1)).toThrow('There is no setting “toString”. There are count, gravity.');
+  expect(() => session.set('toString', 1)).toThrow('There is no setting “toString”. The settings are count, gravity.');
   expect(() => session.set('count', 10)).toThrow('count must be a whole number from 1 to 9');
   expect(session.values).toEqual({ count: 3, gravity: 10 });
 });
@@ -147,18 +147,18 @@ it('goes back in time: world, values and what the game keeps beside them, and on
   expect(session.stepBack()).toBe(true);
   expect(world.tick).toBe(45);
   session.rewind(100);
-  expect([world.tick, session.past, session.rewind(1)]).toEqual([0, 0, false]);
+  expect([world.tick, session.historySeconds, session.rewind(1)]).toEqual([0, 0, false]);
   session.reset();
   expect(session.rewound).toBe(false);
 });
 
 it('gives a body that was held then its mass back', () => {
   const { session, world } = started();
-  session.holding.grab(1, 2, 1, 0);
+  session.dragging.grab(1, 2, 1, 0);
   session.step(20);
-  session.holding.release(1, 0, 0);
+  session.dragging.release(1, 0, 0);
   session.step(20);
   session.rewind(0.3);
   expect(world().tick).toBe(10);
-  expect([world().components.Mass.value[2], session.holding.held]).toEqual([1, []]);
+  expect([world().components.Mass.value[2], session.dragging.dragged]).toEqual([1, []]);
 });

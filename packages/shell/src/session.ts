@@ -1,40 +1,40 @@
 import { createRunner, destroyWorld, keepState, type Runner, step } from '@principia/physics';
+import { type Dragging, dragBodies } from './dragging.ts';
 import type { GameDefinition, Simulation } from './game.ts';
 import { History } from './history.ts';
-import { type Holding, holdBodies } from './holding.ts';
 import { checkValue, type Settings, type ValuesOf } from './settings.ts';
 
-/** Longest real time one frame may make up for, s: a slow machine gets slow motion, not a frozen page. */
-const LONGEST_FRAME = 1 / 15;
-/** Milliseconds of steps in a frame from which on one step must do. */
+/** Longest real time that one frame may catch up with, s: a slow machine shows slow motion instead of freezing. */
+const MAX_FRAME = 1 / 15;
+/** Milliseconds that the steps of one frame may take; beyond it a frame gets one step. */
 const STEPS_BUDGET = 50;
 
-/** A game being played, without a page: its world, its values and its clock. */
+/** A running game without a page: its world, its settings and its clock. */
 export class Session<S extends Settings, Sim extends Simulation> {
   readonly game: GameDefinition<S, Sim>;
   readonly values: ValuesOf<S>;
   seed: number;
   dimensions: 2 | 3 = 2;
   paused = false;
-  /** Simulated seconds a real second; below one is slow motion. */
+  /** Simulated seconds per real second; below one is slow motion. */
   speed = 1;
-  /** Milliseconds the last step took. */
+  /** Milliseconds that the last step took. */
   stepTime = 0;
-  /** Steps of the last frame. */
+  /** Number of steps in the last frame. */
   steps = 0;
-  /** The player went back in time in this game, or watches an old one. */
+  /** The player rewound this game, or watches a replay. */
   rewound = false;
-  /** Bodies wear colours that everybody tells apart. */
+  /** Bodies use the colour-blind palette. */
   safeColors = false;
   #sim: Sim | undefined;
-  #holding: Holding | undefined;
+  #dragging: Dragging | undefined;
   #runner: Runner | undefined;
   #history: History | undefined;
-  /** Simulated time that going back has reached, s; between two moments that are kept it is none of them. */
-  #backTime: number | undefined;
-  #steppedByHand = false;
-  /** How bodies were dressed last. */
-  readonly #dressed = { safely: false };
+  /** Simulated time that rewinding has reached, s; it may lie between two snapshots. */
+  #rewindTime: number | undefined;
+  #steppedManually = false;
+  /** The palette that was applied last. */
+  readonly #appliedColors = { safe: false };
   readonly #clock: () => number;
 
   constructor(game: GameDefinition<S, Sim>, values: ValuesOf<S>, seed: number, clock = () => performance.now()) {
@@ -54,23 +54,23 @@ export class Session<S extends Settings, Sim extends Simulation> {
     return this.#sim;
   }
 
-  get holding(): Holding {
-    if (this.#holding === undefined) throw new Error('The game has not started yet.');
-    return this.#holding;
+  get dragging(): Dragging {
+    if (this.#dragging === undefined) throw new Error('The game has not started yet.');
+    return this.#dragging;
   }
 
-  /** Where between the last two steps the picture is; after a single step it shows that step. */
+  /** Position of the picture between the last two steps; 1 after a single step. */
   get alpha(): number {
-    return this.#steppedByHand ? 1 : (this.#runner?.alpha ?? 1);
+    return this.#steppedManually ? 1 : (this.#runner?.alpha ?? 1);
   }
 
-  /** A new world from the present seed and values. The old one stays when the new one cannot be made. */
+  /** Creates a new world from the present seed and settings. The old one stays if this fails. */
   reset(seed = this.seed): void {
     const { values, dimensions } = this;
     this.#install(this.game.create({ values: { ...values }, seed, dimensions }), seed);
   }
 
-  /** Plays the present game again from its beginning. What comes of it is no new game. */
+  /** Replays the present game from its beginning. A replay counts as rewound. */
   replay(): void {
     const sim = this.game.replay?.(this.sim);
     if (sim === undefined) return;
@@ -82,101 +82,101 @@ export class Session<S extends Settings, Sim extends Simulation> {
     if (this.#sim !== undefined) destroyWorld(this.#sim.world);
     this.seed = seed;
     this.#sim = sim;
-    this.dress();
-    const limit = this.game.holdLimit?.(sim);
-    this.#holding = holdBodies(sim.world, limit === undefined ? {} : { limit });
-    this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: Math.max(LONGEST_FRAME, sim.dt) });
-    this.#steppedByHand = true;
+    this.applyColors();
+    const limit = this.game.dragLimit?.(sim);
+    this.#dragging = dragBodies(sim.world, limit === undefined ? {} : { limit });
+    this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: Math.max(MAX_FRAME, sim.dt) });
+    this.#steppedManually = true;
     this.rewound = false;
-    this.#backTime = undefined;
-    keepState(sim.world, this.values, this.#dressed);
+    this.#rewindTime = undefined;
+    keepState(sim.world, this.values, this.#appliedColors);
     this.#history = new History(sim, this.#clock);
   }
 
-  /** Gives the bodies their colours. */
-  dress(): void {
-    this.#dressed.safely = this.safeColors;
-    this.game.dress?.(this.sim, { seed: this.seed, safeColors: this.safeColors });
+  /** Assigns colours to the bodies. */
+  applyColors(): void {
+    this.#appliedColors.safe = this.safeColors;
+    this.game.applyColors?.(this.sim, { seed: this.seed, safeColors: this.safeColors });
   }
 
-  /** Simulated seconds that the player can go back. */
-  get past(): number {
+  /** Simulated seconds that can be rewound. */
+  get historySeconds(): number {
     return this.#history?.length ?? 0;
   }
 
   /**
-   * Goes back by `seconds` of simulated time, call by call, in the moments that are kept, until `advance` or `step` goes on.
+   * Rewinds by `seconds` of simulated time. Successive calls accumulate until `advance` or `step` is called.
    * @returns whether the world changed
    */
   rewind(seconds: number): boolean {
     const { world } = this.sim;
     const history = this.#history as History;
-    this.#backTime = Math.max(world.time - history.length, (this.#backTime ?? world.time) - seconds);
-    const changed = history.backTo(this.#backTime);
-    // Bodies held then are let go as well.
-    if (changed) this.holding.dropAll();
-    else this.holding.releaseAll();
-    if (this.#dressed.safely !== this.safeColors) this.dress();
-    this.#steppedByHand = true;
+    this.#rewindTime = Math.max(world.time - history.length, (this.#rewindTime ?? world.time) - seconds);
+    const changed = history.restoreTo(this.#rewindTime);
+    // Bodies that were dragged at that time are released as well.
+    if (changed) this.dragging.dropAll();
+    else this.dragging.releaseAll();
+    if (this.#appliedColors.safe !== this.safeColors) this.applyColors();
+    this.#steppedManually = true;
     this.rewound ||= changed;
     return changed;
   }
 
-  /** Goes back to the moment kept before the present one. @returns whether there was one */
+  /** Restores the snapshot before the present one. @returns whether there was one */
   stepBack(): boolean {
-    this.#backTime = undefined;
+    this.#rewindTime = undefined;
     return this.rewind(this.sim.dt);
   }
 
   /**
-   * Changes one setting.
-   * @returns whether the world has to be made anew: call `reset` when it is time to
-   * @throws Error with a sentence when there is no such setting or it does not take the value
+   * Changes a setting.
+   * @returns whether the world must be recreated; the caller then calls `reset`
+   * @throws Error with a sentence if there is no such setting or the value is invalid
    */
   set(name: string, value: unknown): boolean {
     const setting = Object.hasOwn(this.game.settings, name) ? this.game.settings[name] : undefined;
     if (setting === undefined) {
-      throw new Error(`There is no setting “${name}”. There are ${Object.keys(this.game.settings).join(', ')}.`);
+      throw new Error(`There is no setting “${name}”. The settings are ${Object.keys(this.game.settings).join(', ')}.`);
     }
     const values = this.values as Record<string, unknown>;
     values[name] = checkValue(name, setting, value);
     return this.#sim === undefined || !this.game.apply(this.#sim, name, this.values);
   }
 
-  /** `count` steps at once, whether paused or not. */
+  /** Takes `count` steps at once, even while paused. */
   step(count = 1): void {
     const { world, dt } = this.sim;
     const start = this.#clock();
     for (let i = 0; i < count; i++) {
       step(world, dt);
-      this.#history?.note();
+      this.#history?.record();
     }
-    this.#backTime = undefined;
-    this.#note(start, count);
-    this.#steppedByHand = true;
+    this.#rewindTime = undefined;
+    this.#measureStep(start, count);
+    this.#steppedManually = true;
   }
 
-  /** Lets `seconds` of real time pass. */
+  /** Advances by `seconds` of real time. */
   advance(seconds: number): void {
     if (this.paused || this.#runner === undefined) {
-      this.holding.place();
+      this.dragging.place();
       this.steps = 0;
       return;
     }
-    this.#backTime = undefined;
+    this.#rewindTime = undefined;
     const start = this.#clock();
-    const most = Math.max(1, Math.floor(STEPS_BUDGET / Math.max(this.stepTime, 1e-3)));
-    const longest = most * this.#runner.dt;
-    // Handed on as it came, where it may be: a number that is worked out is garbage by the next frame.
-    const asItCame = this.speed === 1 && seconds <= longest;
-    this.steps = this.#runner.advance(asItCame ? seconds : Math.min(seconds * this.speed, longest));
-    this.#note(start, this.steps);
+    const maxSteps = Math.max(1, Math.floor(STEPS_BUDGET / Math.max(this.stepTime, 1e-3)));
+    const maxSeconds = maxSteps * this.#runner.dt;
+    // The argument is passed on unchanged where possible, because a computed number would be allocated on the heap.
+    const isUnchanged = this.speed === 1 && seconds <= maxSeconds;
+    this.steps = this.#runner.advance(isUnchanged ? seconds : Math.min(seconds * this.speed, maxSeconds));
+    this.#measureStep(start, this.steps);
     if (this.steps === 0) return;
-    this.#steppedByHand = false;
-    this.#history?.note();
+    this.#steppedManually = false;
+    this.#history?.record();
   }
 
-  #note(start: number, steps: number): void {
+  #measureStep(start: number, steps: number): void {
     if (steps > 0) this.stepTime = (this.#clock() - start) / steps;
   }
 }

@@ -1,38 +1,38 @@
-/** A number the player may change. */
+/** A numeric setting. */
 export interface NumberSetting {
   readonly kind: 'number';
-  /** What the panel calls it. */
+  /** Label in the panel. */
   readonly label: string;
-  /** SI unit; empty for a pure number. */
+  /** SI unit; empty for a dimensionless number. */
   readonly unit: string;
   readonly initial: number;
   readonly min: number;
   readonly max: number;
   readonly integer: boolean;
-  /** Distance between two places of the slider; default a thousandth of the range, or one where whole. */
+  /** Step of the slider; default about a hundredth of the range, or 1 for integers. */
   readonly step?: number;
-  /** `log` gives every factor of ten the same length of slider; `min` must then be above zero. */
+  /** `log` selects a logarithmic slider; `min` must then be positive. */
   readonly scale?: 'linear' | 'log';
-  /** One line for whoever rests the pointer on it. */
+  /** Tooltip of one line. */
   readonly about?: string;
 }
 
-/** Something that is on or off. */
+/** A setting that is on or off. */
 export interface SwitchSetting {
   readonly kind: 'switch';
   readonly label: string;
   readonly initial: boolean;
-  /** A key that toggles it, such as `t`. */
+  /** A key that toggles the setting, such as `t`. */
   readonly key?: string;
   readonly about?: string;
 }
 
-/** One of several words. */
+/** A choice among several words. */
 export interface ChoiceSetting {
   readonly kind: 'choice';
   readonly label: string;
   readonly initial: string;
-  /** The value of each choice by what the panel calls it. */
+  /** Values of the choices by their labels in the panel. */
   readonly choices: Readonly<Record<string, string>>;
   readonly about?: string;
 }
@@ -46,7 +46,7 @@ export type ValuesOf<S extends Settings> = {
   [Name in keyof S]: S[Name] extends NumberSetting ? number : S[Name] extends SwitchSetting ? boolean : string;
 };
 
-/** What a scene says of one of its numbers; `SceneParameter` of the scenes package is one. */
+/** The description of a scene parameter; `SceneParameter` of the scenes package fits. */
 export interface ParameterLike {
   readonly about?: string;
   readonly unit: string;
@@ -56,7 +56,7 @@ export interface ParameterLike {
   readonly integer?: boolean;
 }
 
-/** A setting for a parameter of a scene; `own` says what differs, and what only a panel knows. */
+/** Creates a setting from a scene parameter; `own` overrides its fields and adds those of the panel. */
 export function numberSetting(
   parameter: ParameterLike,
   own: Partial<Omit<NumberSetting, 'kind'>> & { readonly label: string },
@@ -68,18 +68,18 @@ export function switchSetting(label: string, initial: boolean, own: { key?: stri
   return { kind: 'switch', label, initial, ...own } as const satisfies SwitchSetting;
 }
 
-/** The values a game starts with when nobody says otherwise. */
+/** The default values of a game's settings. */
 export function initialValues<S extends Settings>(settings: S): ValuesOf<S> {
   const names = Object.keys(settings);
-  // Nothing first: in a field that has held something else, a number is read without making another, as snapshots do.
+  // Fields start as undefined: V8 then keeps later numbers in place, and snapshots read them without allocating.
   const values: Record<string, unknown> = Object.fromEntries(names.map((name) => [name, undefined]));
   for (const name of names) values[name] = settings[name].initial;
   return values as ValuesOf<S>;
 }
 
 /**
- * The value, if the setting takes it.
- * @throws Error with a sentence that says what it takes
+ * Returns the value if the setting accepts it.
+ * @throws Error with a sentence that states the allowed values
  */
 export function checkValue(name: string, setting: Setting, value: unknown): Value {
   const wrong = (wanted: string): never => {
@@ -97,7 +97,7 @@ export function checkValue(name: string, setting: Setting, value: unknown): Valu
     : wrong(`a ${integer ? 'whole ' : ''}number from ${min} to ${max}${unit === '' ? '' : ` ${unit}`}`);
 }
 
-/** The value a word of the address bar stands for. @throws Error with a sentence that says what it takes */
+/** Parses a value from the address. @throws Error with a sentence that states the allowed values */
 export function parseValue(name: string, setting: Setting, text: string): Value {
   if (setting.kind === 'choice') return checkValue(name, setting, text);
   if (setting.kind === 'switch') {

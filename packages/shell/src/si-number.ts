@@ -9,7 +9,7 @@ const PREFIXES = [
   [1e-9, 'n'],
 ] as const;
 
-/** A number in as few characters as an axis has room for: `12.3 mJ`, `5 km`. Units of two words get no prefix. */
+/** Formats a number for a narrow axis: `12.3 mJ`, `5 km`. Compound units get no prefix. */
 export function siNumber(value: number, unit: string): string {
   const size = Math.abs(value);
   if (size === 0 || unit === '') return `${short(value)}${unit === '' ? '' : ` ${unit}`}`;

@@ -4,8 +4,8 @@ import { GameApp } from './game-app.ts';
 import type { Settings } from './settings.ts';
 
 /**
- * Plays a game on this page: builds the bar, the panel, the plot and the help around its picture, and puts
- * `globalThis.__game` there for tests. Whatever goes wrong ends as a sentence on the screen.
+ * Runs a game on this page: builds the toolbar, the panel, the plot and the help around its picture, and sets
+ * `globalThis.__game` for tests. Errors appear as sentences on the page.
  */
 export async function startGame<S extends Settings, Sim extends Simulation>(
   game: GameDefinition<S, Sim>,

@@ -1,21 +1,21 @@
 import { element } from './element.ts';
 
-/** The figures of a moment. */
-export interface Figures {
-  /** Milliseconds from picture to picture, of one step, and of handing the world to the renderer. */
+/** The statistics of one update. */
+export interface Statistics {
+  /** Milliseconds per frame, per step, and per submission of the world to the renderer. */
   readonly frame: number;
   readonly step: number;
   readonly draw: number;
   readonly bodies: number;
-  /** Contacts between bodies; undefined where the world has none to count. */
+  /** Contacts between bodies; undefined where the world does not count them. */
   readonly contacts: number | undefined;
   /** Simulated seconds. */
   readonly time: number;
 }
 
-/** A small table of figures. */
+/** A small table of statistics. */
 export interface Stats {
-  show(figures: Figures): void;
+  show(statistics: Statistics): void;
 }
 
 const thousands = new Intl.NumberFormat('en').format;
@@ -28,10 +28,10 @@ export function createStats(parent: HTMLElement): Stats {
     list.append(element('dt', '', {}, label), cell);
     return cell;
   });
-  parent.append(element('section', 'game-card', { 'aria-label': 'Figures' }, list));
+  parent.append(element('section', 'game-card', { 'aria-label': 'Statistics' }, list));
   return {
     show({ frame, step, draw, bodies, contacts, time }) {
-      // Nobody sees it: no words are made.
+      // Texts are not made while the table is hidden.
       if (list.offsetParent === null) return;
       const texts = [milliseconds(frame), thousands(bodies), milliseconds(step)];
       texts.push(contacts === undefined ? '–' : thousands(contacts), milliseconds(draw), `${time.toFixed(1)} s`);

@@ -1,7 +1,7 @@
-/** Windows of a phone, upright or lying: the side shows over the stage, and only when asked. */
+/** Windows of phones in portrait or landscape: the sidebar covers the stage and starts hidden. */
 export const NARROW = '(max-width: 759px), (max-height: 479px)';
 
-/** The look of every game; a game that wants other colours overrides the variables of `.game`. */
+/** The styles of every game; a game changes colours by overriding the variables of `.game`. */
 const styles = `
 html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game { --ink: #eef1fb; --dim: #97a3c7; --accent: #ffc15e; --card: #141b36d9; --line: #ffffff1c;
@@ -102,10 +102,10 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 @media (min-width: 860px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
 @media (max-width: 520px) { .game-bar [data-minor] { display: none }
   .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(0, 27%) 1fr } }
-.game[data-calm] * { transition: none !important; animation: none !important }
+.game[data-reduced-motion] * { transition: none !important; animation: none !important }
 `;
 
-/** Adds the styles to the page, once. */
+/** Adds the styles to the page once. */
 export function addStyles(): void {
   if (document.getElementById('game-styles') !== null) return;
   const sheet = document.createElement('style');

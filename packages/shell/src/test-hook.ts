@@ -3,7 +3,7 @@ import type { Simulation, View } from './game.ts';
 import type { Session } from './session.ts';
 import type { Settings } from './settings.ts';
 
-/** A body as tests see it: SI units, and its place on the canvas in CSS pixels. */
+/** A body for tests: SI units, and its position on the canvas in CSS pixels. */
 export interface BodyState {
   readonly id: number;
   readonly x: number;
@@ -16,53 +16,53 @@ export interface BodyState {
   readonly screen: { readonly x: number; readonly y: number } | undefined;
 }
 
-/** What `__game.state()` tells. */
+/** The result of `__game.state()`. */
 export interface GameState {
-  /** Whether there is a picture, and all that stands beside it. */
+  /** Whether the view and the sidebar are ready. */
   readonly ready: boolean;
   readonly renderer: string;
   readonly paused: boolean;
-  /** Simulated seconds a real second. */
+  /** Simulated seconds per real second. */
   readonly speed: number;
-  /** Simulated seconds that the player can go back, and whether he did. */
-  readonly past: number;
+  /** Simulated seconds that can be rewound, and whether the player rewound. */
+  readonly historySeconds: number;
   readonly rewound: boolean;
-  readonly calm: boolean;
+  readonly reducedMotion: boolean;
   readonly safeColors: boolean;
-  readonly filming: boolean;
+  readonly recording: boolean;
   readonly seed: number;
   readonly values: Readonly<Record<string, unknown>>;
   readonly time: number;
   readonly tick: number;
   readonly count: number;
   readonly contacts: number | undefined;
-  readonly held: readonly number[];
+  readonly dragged: readonly number[];
   readonly hash: string;
   readonly energy: { readonly kinetic: number; readonly potential: number; readonly total: number };
-  /** What the banner says; empty when it is hidden. */
+  /** Text of the banner; empty when it is hidden. */
   readonly banner: string;
-  /** Milliseconds: from picture to picture, a step, handing the world to the renderer. */
+  /** Milliseconds per frame, per step, and per submission of the world to the renderer. */
   readonly timing: { readonly frame: number; readonly step: number; readonly draw: number };
-  /** What the game itself tells: lives, score. */
+  /** Values that the game reports, such as lives and score. */
   readonly game: Readonly<Record<string, unknown>>;
 }
 
-/** `globalThis.__game`: how tests, and curious people in the console, work a game. */
+/** `globalThis.__game`: the interface for tests and for the browser's console. */
 export interface GameHook {
   /** Names of the game's renderers. */
   readonly renderers: readonly string[];
   state(): GameState;
   /** Body number `index` in ascending order of ids. */
   body(index: number): BodyState;
-  /** `count` steps at once. */
+  /** Takes `count` steps at once. */
   step(count?: number): void;
-  /** Goes back by `seconds` of simulated time, to a moment that was kept. */
+  /** Rewinds by `seconds` of simulated time, to a snapshot. */
   rewind(seconds: number): void;
   reset(seed?: number): void;
   set(name: string, value: unknown): void;
   pause(): void;
   resume(): void;
-  /** Resolves when the other picture is there. */
+  /** Resolves when the view of the other renderer is open. */
   show(renderer: string): Promise<void>;
 }
 
@@ -70,7 +70,7 @@ declare global {
   var __game: GameHook;
 }
 
-/** The body at a place of the ascending list of bodies. */
+/** The body at an index of the ascending list of bodies. */
 export function bodyState<S extends Settings, Sim extends Simulation>(
   session: Session<S, Sim>,
   view: View | undefined,
@@ -78,7 +78,8 @@ export function bodyState<S extends Settings, Sim extends Simulation>(
 ): BodyState {
   const { world } = session.sim;
   const list = bodies(world);
-  if (!(index >= 0 && index < list.count)) throw new Error(`There are ${list.count} bodies, and none at ${index}.`);
+  if (!(index >= 0 && index < list.count))
+    throw new Error(`There is no body at index ${index}: the index must be from 0 to ${list.count - 1}.`);
   const id = list.ids[index];
   const { Position, Velocity, Collider } = world.components;
   const [x, y, z] = [Position.x[id], Position.y[id], Position.z[id]];
@@ -95,19 +96,19 @@ export function bodyState<S extends Settings, Sim extends Simulation>(
   };
 }
 
-/** The part of the state that the session knows. */
+/** The part of the state that the session provides. */
 export function sessionState<S extends Settings, Sim extends Simulation>(session: Session<S, Sim>) {
-  const { sim, paused, speed, past, rewound, safeColors, seed, values, holding } = session;
+  const { sim, paused, speed, historySeconds, rewound, safeColors, seed, values, dragging } = session;
   const { world } = sim;
   return {
     paused,
     speed,
-    past,
+    historySeconds,
     rewound,
     safeColors,
     seed,
     values: { ...values },
-    held: holding.held,
+    dragged: dragging.dragged,
     time: world.time,
     tick: world.tick,
     count: bodies(world).count,

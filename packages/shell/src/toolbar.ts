@@ -1,7 +1,7 @@
 import type { Actions } from './commands.ts';
 import { element } from './element.ts';
 
-/** What the bar shows. */
+/** The state that the toolbar shows. */
 export interface ToolbarState {
   readonly paused: boolean;
   readonly slow: boolean;
@@ -25,7 +25,7 @@ const ICONS = {
   panel: 'M3 5h10v2.4H3zM17 5h4v2.4h-4zM13 3h4v6.4h-4zM3 16.6h4V19H3zM11 16.6h10V19H11zM7 14.6h4V21H7z',
 } as const;
 
-/** @param renderers names of the renderers and what the switch calls them; no switch for a single one */
+/** @param renderers pairs of name and label; a single renderer has no switch */
 export function createToolbar(
   bar: HTMLElement,
   actions: Actions,
@@ -34,11 +34,11 @@ export function createToolbar(
   const pause = iconButton('pause', 'Pause (Space)', actions.pause);
   const rewind = holdButton(actions);
   const slow = iconButton('slow', 'Slow motion (S)', actions.slow);
-  const fit = iconButton('fit', 'See everything (F)', actions.fit);
+  const fit = iconButton('fit', 'Fit to screen (F)', actions.fit);
   const step = iconButton('step', 'One step (.)', actions.step);
-  // Where there is little room, what a key or the panel does as well goes first.
+  // Narrow windows hide the buttons whose function a key or the panel has too.
   for (const button of [fit, step, slow]) button.dataset.minor = '';
-  bar.append(rewind, pause, step, slow, iconButton('reset', 'Start again (R)', actions.reset), fit);
+  bar.append(rewind, pause, step, slow, iconButton('reset', 'Restart (R)', actions.reset), fit);
   const switches = renderers.map(([name, label]) => {
     const button = element('button', '', { type: 'button', title: `Draw in ${label} (${label[0]})` }, label);
     button.addEventListener('click', () => actions.renderer(name));
@@ -47,10 +47,10 @@ export function createToolbar(
   });
   const help = element('button', '', { type: 'button', title: 'Help (H)', 'aria-label': 'Help' }, '?');
   help.addEventListener('click', actions.help);
-  bar.append(iconButton('panel', 'Panel (P)', actions.side), help);
+  bar.append(iconButton('panel', 'Settings (P)', actions.sidebar), help);
   return {
     show({ paused, slow: isSlow, rewinding, renderer }) {
-      setIcon(pause, paused ? 'play' : 'pause', paused ? 'Go on (Space)' : 'Pause (Space)');
+      setIcon(pause, paused ? 'play' : 'pause', paused ? 'Resume (Space)' : 'Pause (Space)');
       slow.setAttribute('aria-pressed', String(isSlow));
       rewind.setAttribute('aria-pressed', String(rewinding));
       for (const { name, button } of switches) button.setAttribute('aria-pressed', String(name === renderer));
@@ -58,9 +58,9 @@ export function createToolbar(
   };
 }
 
-/** Goes back in time while it is held down; the keyboard's click goes back one moment. */
+/** Rewinds while it is held down; activated by keyboard, it steps back once. */
 function holdButton({ rewind, stepBack }: Actions): HTMLButtonElement {
-  const button = iconButton('rewind', 'Back in time (hold, or B)', (event) => event.detail === 0 && stepBack());
+  const button = iconButton('rewind', 'Rewind (hold, or B)', (event) => event.detail === 0 && stepBack());
   button.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     button.setPointerCapture(event.pointerId);

@@ -1,19 +1,19 @@
 import type { Actions } from './commands.ts';
 import { element } from './element.ts';
 
-/** What the card's switches show. */
+/** The state of the card's switches. */
 export interface ToolsState {
-  readonly filming: boolean;
-  readonly calm: boolean;
+  readonly recording: boolean;
+  readonly reducedMotion: boolean;
   readonly safeColors: boolean;
 }
 
-/** Buttons for pictures, films, the whole screen, and how games look. */
+/** Buttons for screenshots, video, full screen and appearance. */
 export interface ToolsCard {
   show(state: ToolsState): void;
 }
 
-/** @param canReplay whether games can be watched again */
+/** @param canReplay whether games can be replayed */
 export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay: boolean): ToolsCard {
   const card = element('section', 'game-card game-tools', { 'aria-label': 'Picture' });
   parent.append(card);
@@ -23,17 +23,17 @@ export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay
     card.append(button);
     return button;
   };
-  if (canReplay) add('Replay', 'Watch this game from its beginning (Z)', actions.replay);
-  add('Picture', 'The picture as a file (I)', actions.picture);
-  const film = add('Film', 'Film the game (M)', actions.film);
-  add('Whole screen', 'Whole screen (W)', actions.fullScreen);
-  const calm = add('Less motion', 'As little motion as possible (X)', actions.calm);
-  const colors = add('Safe colours', 'Colours that everybody tells apart (Y)', actions.safeColors);
+  if (canReplay) add('Replay', 'Replay this game from its beginning (Z)', actions.replay);
+  add('Screenshot', 'Save a screenshot (I)', actions.screenshot);
+  const video = add('Record video', 'Record video (M)', actions.recordVideo);
+  add('Full screen', 'Full screen (W)', actions.fullScreen);
+  const motion = add('Reduced motion', 'Reduced motion (X)', actions.reducedMotion);
+  const colors = add('Colour-blind palette', 'Colour-blind palette (Y)', actions.safeColors);
   return {
-    show({ filming, calm: isCalm, safeColors }) {
-      film.textContent = filming ? '● Stop' : 'Film';
-      film.setAttribute('aria-pressed', String(filming));
-      calm.setAttribute('aria-pressed', String(isCalm));
+    show({ recording, reducedMotion, safeColors }) {
+      video.textContent = recording ? '● Stop' : 'Record video';
+      video.setAttribute('aria-pressed', String(recording));
+      motion.setAttribute('aria-pressed', String(reducedMotion));
       colors.setAttribute('aria-pressed', String(safeColors));
     },
   };

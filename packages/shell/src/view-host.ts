@@ -1,40 +1,40 @@
-import type { Renderer, Simulation, Stage, View } from './game.ts';
+import type { Renderer, Simulation, View, ViewContext } from './game.ts';
 import type { Settings } from './settings.ts';
 
-/** What happened to a view, in words for the player. */
+/** Events of a view, with messages for the player. */
 export interface ViewHostEvents {
-  /** The picture cannot be drawn; `sentence` says why. */
-  onTrouble(sentence: string): void;
-  /** The graphics card is back. */
+  /** Drawing failed; `sentence` says why. */
+  onError(sentence: string): void;
+  /** The graphics context was restored. */
   onRecovery(): void;
 }
 
-/** The one view that is shown, and the change from one to another. */
+/** Owns the view on display and switches between renderers. */
 export class ViewHost<S extends Settings, Sim extends Simulation> {
   view: View | undefined;
-  readonly #stage: Stage<S, Sim>;
+  readonly #context: ViewContext<S, Sim>;
   readonly #events: ViewHostEvents;
   readonly #label: string;
   #wanted = 0;
 
-  /** @param label what the canvas is called to those who cannot see it */
-  constructor(stage: Stage<S, Sim>, label: string, events: ViewHostEvents) {
-    this.#stage = stage;
+  /** @param label accessible name of the canvas */
+  constructor(context: ViewContext<S, Sim>, label: string, events: ViewHostEvents) {
+    this.#context = context;
     this.#label = label;
     this.#events = events;
   }
 
-  /** Takes the present view away and opens one of `renderer`. Resolves when it is there or has failed. */
+  /** Closes the present view and opens one of `renderer`. Resolves when the view is open or has failed. */
   async open(renderer: Renderer<S, Sim>): Promise<void> {
     const ticket = ++this.#wanted;
     this.close();
     try {
-      const view = await renderer.open(this.#stage);
-      // Somebody asked for another one meanwhile.
+      const view = await renderer.open(this.#context);
+      // Another view was requested meanwhile.
       if (ticket !== this.#wanted) view.destroy();
       else this.#show(view);
     } catch (error) {
-      if (ticket === this.#wanted) this.#events.onTrouble(openingSentence(renderer.label, error));
+      if (ticket === this.#wanted) this.#events.onError(openingSentence(renderer.label, error));
     }
   }
 
@@ -42,7 +42,7 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
     const { view } = this;
     this.view = undefined;
     view?.destroy();
-    this.#stage.element.replaceChildren();
+    this.#context.element.replaceChildren();
   }
 
   #show(view: View): void {
@@ -53,7 +53,7 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
     canvas.setAttribute('aria-label', this.#label);
     canvas.addEventListener('webglcontextlost', () => {
       if (this.view === view) {
-        this.#events.onTrouble('The graphics card was taken away; the picture comes back as soon as it does.');
+        this.#events.onError('Graphics interrupted – restoring…');
       }
     });
     canvas.addEventListener('webglcontextrestored', () => {
@@ -65,7 +65,7 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
 function openingSentence(label: string, error: unknown): string {
   const canDraw = document.createElement('canvas').getContext('webgl2') !== null;
   if (!canDraw) {
-    return 'This browser offers no WebGL 2, so there is no picture. Switch hardware acceleration on, or try another browser.';
+    return 'This browser offers no WebGL 2, which the picture needs. Turn hardware acceleration on, or try another browser.';
   }
-  return `The ${label} picture could not be opened: ${error instanceof Error ? error.message : error}`;
+  return `The ${label} view could not be opened: ${error instanceof Error ? error.message : error}`;
 }

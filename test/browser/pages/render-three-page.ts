@@ -27,7 +27,6 @@ import {
   WebGLRenderer,
   type WebGLRendererParameters,
 } from 'three';
-import { createFakeSource, type FakeSource } from '../../../packages/render-core/src/fake-source.ts';
 import { SHAPES } from '../../../packages/render-core/src/shapes.ts';
 import {
   type BodyMeshOptions,
@@ -39,6 +38,7 @@ import {
   fitRendererToParent,
   listenToBodyDragging,
 } from '../../../packages/render-three/src/index.ts';
+import { createTestBodySource, type TestBodySource } from '../../support/body-source.ts';
 
 const width = 256;
 const height = 192;
@@ -93,7 +93,7 @@ export interface BodySketch {
   turnFrom?: [number, number, number, number];
 }
 
-function sketch(source: FakeSource, bodies: BodySketch[]): FakeSource {
+function sketch(source: TestBodySource, bodies: BodySketch[]): TestBodySource {
   for (const {
     id,
     at,
@@ -165,7 +165,7 @@ function draw(request: DrawRequest): Uint8Array {
     stage.camera.position.z = 10;
   }
   const { dimensions = 3, precision = 'f32', form = 'impostor', origin } = request;
-  const source = sketch(createFakeSource(2048, dimensions, precision), request.bodies);
+  const source = sketch(createTestBodySource(2048, dimensions, precision), request.bodies);
   const options: BodyMeshOptions = { source, form };
   if (request.defaultColor !== undefined) options.defaultColor = request.defaultColor;
   if (form === 'mesh') {
@@ -201,7 +201,7 @@ function pixelAt(request: DrawRequest, x: number, y: number): number[] {
 /** Six steps of bodies with trails; on the way to the last one the context may be lost and restored. */
 async function sixSteps(losesContext: boolean): Promise<Uint8Array> {
   const stage = createStage();
-  const source = sketch(createFakeSource(1024, 3), cluster(60));
+  const source = sketch(createTestBodySource(1024, 3), cluster(60));
   const bodies = createBodyMesh({ source });
   const trails = createTrailLines({ source, length: 16 });
   const frame = createBoxFrame(new Box3(new Vector3(-3, -2, -2), new Vector3(3, 2, 2)));
@@ -266,7 +266,7 @@ function cluster(count: number): BodySketch[] {
 function trail(options: { dimensions?: 2 | 3; interval?: number; alpha?: number; listed?: boolean }) {
   const { dimensions = 3, interval = 1, alpha = 1, listed = false } = options;
   const stage = createStage();
-  const source = sketch(createFakeSource(1024, dimensions), [{ id: 700, at: [3, 0, 0], color: 0xff00ff00 }]);
+  const source = sketch(createTestBodySource(1024, dimensions), [{ id: 700, at: [3, 0, 0], color: 0xff00ff00 }]);
   const trails = createTrailLines({ source, length: 40, width: 2, interval, ...(listed ? { bodies: [700] } : {}) });
   stage.scene.add(trails.object);
   const place = (step: number) => {
@@ -308,7 +308,7 @@ function segment(behind: boolean) {
 /** The id three's Raycaster finds at a place of the picture, −1 to 1. */
 function raycast(bodies: BodySketch[], x: number, y: number, dimensions: 2 | 3 = 3): number[] {
   const stage = createStage();
-  const mesh = createBodyMesh({ source: sketch(createFakeSource(1024, dimensions), bodies) });
+  const mesh = createBodyMesh({ source: sketch(createTestBodySource(1024, dimensions), bodies) });
   stage.scene.add(mesh.object);
   mesh.update(1);
   stage.camera.updateMatrixWorld();
@@ -323,7 +323,7 @@ const dragged: { events: string[]; camera: number[]; size: number[] } = { events
 function startDragging(bodies: BodySketch[]): void {
   const stage = createStage();
   fitRendererToParent(stage.renderer, stage.camera);
-  const source = sketch(createFakeSource(1024, 3), bodies);
+  const source = sketch(createTestBodySource(1024, 3), bodies);
   const mesh = createBodyMesh({ source });
   const element = stage.renderer.domElement;
   const orbit = createOrbitCamera({ element, camera: stage.camera });
@@ -356,7 +356,7 @@ function startDragging(bodies: BodySketch[]): void {
 function cost(count: number, drawsAll: boolean, frames = 40) {
   const stage = createStage({ width: 128, height: 128 });
   const rows = Math.ceil((count + 1) / 1024) * 1024;
-  const source = createFakeSource(rows, 3);
+  const source = createTestBodySource(rows, 3);
   for (let id = 1; id <= count; id++) {
     for (const axis of ['x', 'y', 'z'] as const)
       source.position[axis][id] = 4 * Math.sin(id * (axis === 'x' ? 1 : 1.7));
@@ -443,7 +443,7 @@ function everyMaterial(form: 'impostor' | 'mesh', depth: WebGLRendererParameters
   stage.scene.add(...lights);
   stage.scene.fog = new Fog(0x203040, 5, 40);
   const kinds = [MeshBasicMaterial, MeshLambertMaterial, MeshPhongMaterial, MeshToonMaterial, MeshStandardMaterial];
-  const source = sketch(createFakeSource(1024, 3), cluster(10));
+  const source = sketch(createTestBodySource(1024, 3), cluster(10));
   const textures = countTextures(stage.renderer.getContext());
   const held: number[] = [];
   const freed: number[] = [];
@@ -470,7 +470,7 @@ function gallery(form: 'impostor' | 'mesh', isLit: boolean): void {
   const stage = createStage({ antialias: true, width: 960, height: 600 });
   stage.renderer.shadowMap.enabled = true;
   stage.scene.background = new Color(0x10141c);
-  const source = sketch(createFakeSource(1024, 3), cluster(40));
+  const source = sketch(createTestBodySource(1024, 3), cluster(40));
   const options: BodyMeshOptions = { source, form, castShadow: true, receiveShadow: true };
   if (isLit) options.material = new MeshStandardMaterial({ roughness: 0.5 });
   const mesh = createBodyMesh(options);
@@ -496,7 +496,7 @@ function orbits(dimensions: 2 | 3): void {
   const stage = createStage({ antialias: true, width: 960, height: 600 });
   stage.scene.background = new Color(0x10141c);
   const source = sketch(
-    createFakeSource(1024, dimensions),
+    createTestBodySource(1024, dimensions),
     cluster(40).filter((body) => body.shape !== SHAPES.ring),
   );
   const bodies = createBodyMesh({ source });
@@ -534,7 +534,7 @@ function orbits(dimensions: 2 | 3): void {
 function crowd(count: number): void {
   const stage = createStage({ antialias: true, width: 960, height: 600 });
   stage.scene.background = new Color(0x10141c);
-  const source = createFakeSource(Math.ceil((count + 1) / 1024) * 1024, 3);
+  const source = createTestBodySource(Math.ceil((count + 1) / 1024) * 1024, 3);
   const colors = [0xff4f6bff, 0xffe0a040, 0xff7ad05a, 0xffff9a5c, 0xff40c8ff];
   for (let id = 1; id <= count; id++) {
     const a = id * 2.39996;

@@ -1,15 +1,15 @@
-/** Types of a program's own uniforms. */
+/** Types of a program's uniforms. */
 export type UniformType = 'f32' | 'i32' | 'vec2<f32>' | 'vec4<f32>';
 
-/** A shader that pulls its data from data textures, written once for WebGL and once for WebGPU. */
+/** A shader that reads its data from textures (vertex pulling), written once for WebGL and once for WebGPU. */
 export interface PullProgram {
   readonly name: string;
   /**
-   * Data textures by the name the shader uses. In WebGL 2 a vertex shader is sure of 16, in WebGPU too (but only of 8
-   * storage buffers, which is why the columns are textures there as well).
+   * Data textures by the name in the shader. Both WebGL 2 and WebGPU guarantee 16 in a vertex shader (WebGPU only 8
+   * storage buffers, so columns are textures there too).
    */
   readonly textures: Readonly<Record<string, 'real' | 'whole'>>;
-  /** Own uniforms by name, widest types first so that WGSL needs no padding between them. */
+  /** The program's uniforms by name, widest types first so that WGSL needs no padding between them. */
   readonly uniforms: Readonly<Record<string, UniformType>>;
   /** Code after the header: `main` of either stage. */
   readonly glsl: { readonly vertex: string; readonly fragment: string };
@@ -66,7 +66,7 @@ const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
   return { vertex, fragment: `${precision}out vec4 finalColor;\n` };
 }
 
-/** Start of the WGSL source: the same as `glslHeader` gives, under the same names. */
+/** Start of the WGSL source, with the same functions as `glslHeader`. */
 export function wgslHeader(program: PullProgram): string {
   const members = Object.entries(program.uniforms).map(([name, type]) => `  ${name}: ${type},`);
   const textures = Object.entries(program.textures).map(
@@ -110,13 +110,13 @@ const NOWHERE = vec4<f32>(2.0, 2.0, 2.0, 1.0);
 `;
 }
 
-/** `GPUShaderStage.VERTEX`, `FRAGMENT`: written out because the global exists in browsers with WebGPU alone. */
+/** `GPUShaderStage.VERTEX`, `FRAGMENT`: literals, because the global exists only in browsers with WebGPU. */
 const VERTEX = 1;
 const FRAGMENT = 2;
 
 /**
- * Bind group layout of the program. Spelled out because a layout guessed from the source would call the f32 textures
- * filterable, which 32-bit float textures are not.
+ * Bind group layout of the program. It is explicit because a layout derived from the source would declare the f32
+ * textures filterable, which 32-bit float textures are not.
  */
 export function gpuLayout(program: PullProgram): GPUBindGroupLayoutEntry[][] {
   const uniform = (): GPUBindGroupLayoutEntry => ({

@@ -1,12 +1,13 @@
-// How a mortar has to throw a shell for it to be at the top of its way at a given place.
-//
-//   x'' = -(k/m) |x' - w| (x' - w) - g
-//
-// Straight up in still air: v0² = (m g/k) (e^(2 k h/m) - 1),  t = √(m/k g) atan(v0 √(k/m g))  (Parker, American Journal of
-// Physics 45, 606, 1977). With wind, or askew, there is no formula: the throw is corrected by where a trial one gets to.
+// Computes the launch velocity with which a shell reaches the apex of its trajectory at a given point.
+// |
+// | x'' = -(k/m) |x' - w| (x' - w) - g
+// |
+// Straight up in still air: v0² = (m g/k) (e^(2 k h/m) - 1), t = √(m/k g) atan(v0 √(k/m g)) (Parker, American Journal
+// of Physics 45, 606, 1977). With wind or at an angle there is no closed form: the launch velocity is corrected
+// iteratively.
 import { atan2, exp, type Vector } from '@principia/physics';
 
-/** What acts on a shell on its way. */
+/** The medium of a shell's flight. */
 export interface Air {
   /** k/m, 1/m. */
   readonly drag: number;
@@ -16,26 +17,26 @@ export interface Air {
   readonly wind: number;
 }
 
-/** A throw: the velocity out of the mortar, m/s, and how long to the top, s. */
+/** Launch velocity, m/s, and time to the apex, s. */
 export interface Throw {
   readonly velocity: Vector;
   readonly fuse: number;
 }
 
-/** Speed and time to the height `h` straight up in still air. */
-export function throwUp(h: number, { drag, gravity }: Air): { speed: number; fuse: number } {
+/** Launch speed and time to height `h` for a vertical launch in still air. */
+export function verticalThrow(h: number, { drag, gravity }: Air): { speed: number; fuse: number } {
   const speed = Math.sqrt((gravity / drag) * (exp(2 * drag * h) - 1));
   return { speed, fuse: atan2(speed * Math.sqrt(drag / gravity), 1) / Math.sqrt(drag * gravity) };
 }
 
-const TRIALS = 8;
+const ITERATIONS = 8;
 
-/** @param way from the mortar to the place, m; `y` above zero @param dt the step the shell will be moved by, s */
+/** @param way vector from the mortar to the target, m; `y` is positive @param dt time step of the world, s */
 export function aim(way: Vector, air: Air, dt: number): Throw {
-  const first = throwUp(way.y, air);
+  const first = verticalThrow(way.y, air);
   let [x, y, z] = [way.x / first.fuse, first.speed, way.z / first.fuse];
   let fuse = first.fuse;
-  for (let trial = 0; trial < TRIALS; trial++) {
+  for (let trial = 0; trial < ITERATIONS; trial++) {
     const top = flyToTop(x, y, z, air, dt);
     fuse = top.time;
     x += (way.x - top.x) / fuse;
@@ -46,7 +47,7 @@ export function aim(way: Vector, air: Air, dt: number): Throw {
   return { velocity: { x, y, z }, fuse };
 }
 
-/** Steps as the world does: half a way, the force there, half a way. */
+/** Integrates as the world does: half a drift, kick, half a drift. */
 function flyToTop(vx: number, vy: number, vz: number, { drag, gravity, wind }: Air, dt: number) {
   let [x, y, z, time] = [0, 0, 0, 0];
   for (;;) {

@@ -1,4 +1,4 @@
-// Colours of stars, by the salt or metal that gives them.
+// Colours of stars and the salts or metals that produce them.
 import { rgba } from '@principia/physics';
 
 export interface StarColor {
@@ -20,7 +20,7 @@ export const STAR_COLORS: readonly StarColor[] = [
 
 export const STAR_RGB: readonly number[] = STAR_COLORS.map(({ rgb }) => rgb);
 
-/** What a star passes through in its life: nearly white, its colour, and its colour fading. */
+/** Colour of a star over its life: nearly white, its colour, then fading. */
 export function colorRamp(rgb: number, hot = 0.45): number[] {
   const mixed = (white: number, strength: number, alpha: number) => {
     const part = (shift: number) =>

@@ -1,7 +1,7 @@
 import { createRandom, momentum, stateHash, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import { type Fireworks, fireworks } from '../fireworks.ts';
-import { aim, throwUp } from './aim.ts';
+import { aim, verticalThrow } from './aim.ts';
 import { formVelocities } from './forms.ts';
 import { SHELL_DRAG } from './rockets.ts';
 import { SHELL_NAMES, SHELLS } from './shells.ts';
@@ -17,7 +17,7 @@ function night(options: Parameters<typeof fireworks.create>[0] = {}): Fireworks 
 /** Steps until the first shell has burst, and gives the news of it. */
 function untilBurst(run: Fireworks) {
   for (let i = 0; i < 600; i++) {
-    for (let n = 0; n < run.news.count; n++) if (run.news.at(n).what === 'burst') return { ...run.news.at(n) };
+    for (let n = 0; n < run.events.count; n++) if (run.events.at(n).type === 'burst') return { ...run.events.at(n) };
     step(run.world, run.dt);
   }
   throw new Error('No shell burst within 10 s.');
@@ -30,7 +30,7 @@ describe('a shell on its way', () => {
     const burst = untilBurst(run);
     // The way to the top ends with a step: at most dt after the moment, and g dt²/2 = 1.4 mm below the top. The scheme
     // itself is of first order with drag: its relative error of time is about k/m v dt/2 = 0.0047 · 34 / 120 = 0.14 %.
-    expect(Math.abs(burst.time - throwUp(y, air).fuse)).toBeLessThan(run.dt + 0.0014 * burst.time);
+    expect(Math.abs(burst.time - verticalThrow(y, air).fuse)).toBeLessThan(run.dt + 0.0014 * burst.time);
     expect(Math.abs(burst.y - y)).toBeLessThan(0.5 * GRAVITY * run.dt * run.dt);
     expect(burst.x).toBe(0);
   });
@@ -70,7 +70,7 @@ describe('a burst', () => {
       const speeds = velocities.map(({ x, y, z }) => Math.hypot(x, y, z));
       // A palm's stars are off their frond by 0.025.
       expect(Math.max(...speeds)).toBeLessThan(1.026);
-      if (dimensions === 3) expect(Math.min(...speeds)).toBeGreaterThan(kind.slowest - 0.026);
+      if (dimensions === 3) expect(Math.min(...speeds)).toBeGreaterThan(kind.minSpeedShare - 0.026);
     }
   });
 
@@ -142,9 +142,9 @@ describe('a burst', () => {
     const run = night();
     run.launch({ x: 0, y: 30, z: 0, kind: kindOf('crackle'), color: 1, power: 0 });
     untilBurst(run);
-    const before = run.news.count;
+    const before = run.events.count;
     for (let i = 0; i < 150; i++) step(run.world, run.dt);
-    expect(run.news.count - before).toBe(SHELLS[kindOf('crackle')].stars);
+    expect(run.events.count - before).toBe(SHELLS[kindOf('crackle')].stars);
     expect(run.alive).toBe(0);
   });
 

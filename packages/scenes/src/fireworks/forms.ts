@@ -1,5 +1,5 @@
-// The velocities of a shell's stars, relative to the shell, for a fastest star of 1 m/s: opposite pairs, so that the
-// burst neither gains nor loses momentum.
+// Velocities of a shell's stars relative to the shell, for a maximum speed of 1 m/s. They form opposite pairs, so that
+// a burst conserves momentum.
 import { cos, type Random, sin, type Vector } from '@principia/physics';
 import type { ShellKind } from './shells.ts';
 
@@ -7,7 +7,7 @@ const TWO_PI = 6.283185307179586;
 /** Fronds of a palm. */
 const FRONDS = 12;
 
-/** @param dimensions in the plane one sees the ball, ring or palm from the side: the third axis is left out */
+/** @param dimensions in 2D the third axis is dropped, which shows the ball, ring or palm from the side */
 export function formVelocities(kind: ShellKind, dimensions: 2 | 3, random: Random): Vector[] {
   const half = drawHalf(kind, random);
   const flat = ({ x, y, z }: Vector): Vector => ({ x, y, z: dimensions === 3 ? z : 0 });
@@ -17,15 +17,15 @@ export function formVelocities(kind: ShellKind, dimensions: 2 | 3, random: Rando
   ]);
 }
 
-function drawHalf({ form, stars, slowest }: ShellKind, random: Random): Vector[] {
+function drawHalf({ form, stars, minSpeedShare }: ShellKind, random: Random): Vector[] {
   const count = stars / 2;
-  const speed = () => random.uniform(slowest, 1);
+  const speed = () => random.uniform(minSpeedShare, 1);
   if (form === 'ball') return Array.from({ length: count }, () => random.onSphere(speed()));
   if (form === 'ring') return ringHalf(count, random, speed);
-  return palmHalf(count, random, slowest);
+  return palmHalf(count, random, minSpeedShare);
 }
 
-/** Evenly around a circle that is tilted at random. */
+/** Stars evenly spaced on a randomly tilted circle. */
 function ringHalf(count: number, random: Random, speed: () => number): Vector[] {
   const normal = random.onSphere();
   const [u, w] = basis(normal);
@@ -36,7 +36,7 @@ function ringHalf(count: number, random: Random, speed: () => number): Vector[] 
   });
 }
 
-/** Every frond is a row of stars, one behind the other, in nearly one direction. */
+/** Every frond is a row of stars with nearly the same direction and increasing speed. */
 function palmHalf(count: number, random: Random, slowest: number): Vector[] {
   const fronds = FRONDS / 2;
   const turn = random.uniform(0, TWO_PI);
@@ -55,7 +55,7 @@ function palmHalf(count: number, random: Random, slowest: number): Vector[] {
   });
 }
 
-/** Two unit vectors normal to `n` and to each other. */
+/** Two unit vectors orthogonal to `n` and to each other. */
 function basis(n: Vector): [Vector, Vector] {
   const u = Math.abs(n.z) > 0.9 ? unit({ x: 0, y: n.z, z: -n.y }) : unit({ x: n.y, y: -n.x, z: 0 });
   return [u, { x: n.y * u.z - n.z * u.y, y: n.z * u.x - n.x * u.z, z: n.x * u.y - n.y * u.x }];

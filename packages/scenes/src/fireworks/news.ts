@@ -1,27 +1,27 @@
-// What happened, for ears and eyes: a ring of records that are written again and again.
+// A ring buffer of events for sound and display; records are reused.
 
-/** Something that can be heard. */
-export interface SkyNews {
-  what: 'launch' | 'burst' | 'crackle';
+/** An audible event. */
+export interface FireworksEvent {
+  type: 'launch' | 'burst' | 'crackle';
   x: number;
   y: number;
   z: number;
   /** World time, s. */
   time: number;
-  /** Number of the shell kind and of its colour. */
+  /** Index of the shell kind and of its colour. */
   kind: number;
   color: number;
   /** 0 to 1. */
   power: number;
 }
 
-const MOST = 256;
+const CAPACITY = 256;
 
-export class NewsRing {
-  /** How many there ever were; the last 256 can be read. */
+export class EventRing {
+  /** Number of events so far; the last 256 can be read. */
   count = 0;
-  readonly #items: SkyNews[] = Array.from({ length: MOST }, () => ({
-    what: 'launch',
+  readonly #items: FireworksEvent[] = Array.from({ length: CAPACITY }, () => ({
+    type: 'launch',
     x: 0,
     y: 0,
     z: 0,
@@ -31,13 +31,13 @@ export class NewsRing {
     power: 0,
   }));
 
-  /** The record of number `index`, from 0; read it at once, as it will be written again. */
-  at(index: number): SkyNews {
-    return this.#items[index % MOST];
+  /** Event number `index` from 0; read it immediately, because it will be overwritten. */
+  at(index: number): FireworksEvent {
+    return this.#items[index % CAPACITY];
   }
 
   /** The next record, to be filled in. */
-  next(): SkyNews {
-    return this.#items[this.count++ % MOST];
+  next(): FireworksEvent {
+    return this.#items[this.count++ % CAPACITY];
   }
 }

@@ -1,29 +1,29 @@
-// Shells on their way up: a fixed number of bodies, thrown from mortars on the ground with a fuse that ends at the top.
+// Ascending shells: a fixed number of bodies, launched from mortars on the ground with a fuse that burns to the apex.
 import { createEmitter, keepState, markImmutable, type PhysicsWorld, rgba, setRate, spawn } from '@principia/physics';
 import { type Air, aim } from './aim.ts';
-import type { Place } from './place.ts';
+import type { Point3 } from './place.ts';
 import { GLOW } from './stars.ts';
 
-/** A shell of 8 cm that weighs 0.3 kg: ρ C_d A / 2m, 1/m. */
+/** Drag of a shell of 8 cm and 0.3 kg: ρ C_d A / 2m, 1/m. */
 export const SHELL_DRAG = 0.0047;
 const SHELL_MASS = 0.3;
 const SHELL_SIZE = 0.36;
-/** A mortar stands this part of the way out from the middle to below the place it throws to. */
+/** Position of a mortar as a fraction of the horizontal distance from the centre to the target. */
 const MORTAR = 0.62;
-/** Sparks of a tail a second, and how many there can be of one. */
+/** Sparks of a tail per second, and the capacity of a tail. */
 const TAIL_RATE = 130;
 const TAIL_CAPACITY = 80;
 
-/** A shell as ordered. */
+/** The parameters of a shell. */
 export interface ShellOrder {
-  /** Where it is to burst, m; `y` above the ground. */
+  /** Target of the burst, m; `y` above the ground. */
   readonly x: number;
   readonly y: number;
   readonly z: number;
-  /** Number of its kind and of its colour. */
+  /** Index of its kind and of its colour. */
   readonly kind: number;
   readonly color: number;
-  /** 0 to 1: how large. */
+  /** Size of the burst, 0 to 1. */
   readonly power: number;
 }
 
@@ -35,7 +35,7 @@ interface Rocket {
 
 export class Rockets {
   readonly #rockets: readonly Rocket[];
-  /** World time at which each bursts, s: in cells, which snapshots copy without garbage. */
+  /** World time of each burst, s. A typed array, because snapshots copy it without garbage. */
   readonly #ends: Float64Array;
   readonly #world: PhysicsWorld;
   readonly #air: Air;
@@ -57,11 +57,11 @@ export class Rockets {
     return count;
   }
 
-  /** Entities an emitter of tails and a rocket take. */
+  /** Number of entities of a tail's emitter and a rocket. */
   static readonly entities = TAIL_CAPACITY + 1;
 
-  /** Throws a shell. @returns where its mortar stands; undefined when all shells are in the air */
-  launch(order: ShellOrder): Place | undefined {
+  /** Launches a shell. @returns position of its mortar; undefined if all shells are in the air */
+  launch(order: ShellOrder): Point3 | undefined {
     const index = this.#rockets.findIndex((each) => each.order === undefined);
     if (index < 0) return undefined;
     const rocket = this.#rockets[index];
@@ -80,14 +80,14 @@ export class Rockets {
     return from;
   }
 
-  /** Calls `burst` for every shell whose fuse has come to its end. */
-  burn(burst: (order: ShellOrder, position: Place, velocity: Place) => void): void {
+  /** Calls `burst` for every shell whose fuse has burnt down. */
+  burn(burst: (order: ShellOrder, position: Point3, velocity: Point3) => void): void {
     const { components, time } = this.#world;
     const { Position, Velocity } = components;
     for (let i = 0; i < this.#rockets.length; i++) {
       const rocket = this.#rockets[i];
       const { order, id } = rocket;
-      // Half a step early or late: times are sums of steps.
+      // Half a step of tolerance absorbs the rounding of summed steps.
       if (order === undefined || time < this.#ends[i] - 0.5 * this.#dt) continue;
       burst(
         order,
@@ -98,7 +98,7 @@ export class Rockets {
     }
   }
 
-  /** A body without mass, speed and size: nothing moves or draws it. */
+  /** Without mass, speed and size, a parked body neither moves nor is drawn. */
   #park(rocket: Rocket): void {
     const { Mass, Appearance, Velocity } = this.#world.components;
     rocket.order = undefined;
@@ -109,11 +109,11 @@ export class Rockets {
     this.#world.versions.style++;
   }
 
-  #place(id: number, place: Place): void {
+  #place(id: number, place: Point3): void {
     const { components, previous, versions } = this.#world;
     for (const axis of ['x', 'y', 'z'] as const) {
       components.Position[axis][id] = place[axis];
-      // Pictures between two steps would else show it on the way here.
+      // Prevents interpolation from the previous position.
       previous.Position[axis][id] = place[axis];
     }
     versions.pose++;

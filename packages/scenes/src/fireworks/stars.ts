@@ -1,4 +1,4 @@
-// The pools of stars, one a kind of shell, and how a shell's stars are born.
+// The pools of stars, one for each kind of shell, and the emission of a shell's stars.
 import {
   aliveCount,
   type BurstPattern,
@@ -14,45 +14,45 @@ import {
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
 import { colorRamp, STAR_COLORS, STAR_RGB } from './colors.ts';
-import { type BearStars, Families, MOST_FOLLOWED } from './families.ts';
+import { type EmitStars, Families, MAX_FOLLOWED } from './families.ts';
 import { formVelocities } from './forms.ts';
-import { type Place, readPlace, STILL } from './place.ts';
+import { ORIGIN, type Point3, readPosition } from './place.ts';
 import { heldStars, SHELLS, type ShellKind } from './shells.ts';
 
 /** Mass of a star, kg. */
 export const STAR_MASS = 0.001;
-/** Different shells of a kind. */
+/** Random variants of each kind. */
 const VARIANTS = 5;
-/** From this power on a smaller ball glows inside the large one, in the next colour. */
+/** From this power on, a shell has a smaller inner ball in another colour. */
 const PISTIL_POWER = 0.6;
 
 interface BurstOrder {
-  position: Place;
-  velocity: Place;
+  position: Point3;
+  velocity: Point3;
   ramp: number;
   pattern: BurstPattern | undefined;
   scale: number;
 }
 
-/** Factor of a shell's speeds by its power. */
+/** Speed factor of a shell by its power. */
 export function strengthOf(power: number): number {
   return 0.72 + 0.56 * power;
 }
 
 export class StarPools {
-  /** By the number of the kind; kinds of families have none. */
+  /** By index of the kind; kinds with families have none. */
   readonly #pools: readonly (Emitter | undefined)[];
   readonly #emitters: readonly Emitter[];
   readonly #families: Families;
   readonly #patterns: readonly (readonly BurstPattern[])[];
   readonly #random: Random;
   readonly #place = { x: 0, y: 0, z: 0 };
-  /** What a burst is asked with, written anew for each. */
-  readonly #order: BurstOrder = { position: STILL, velocity: STILL, ramp: 0, pattern: undefined, scale: 1 };
+  /** The parameters of a burst, reused. */
+  readonly #order: BurstOrder = { position: ORIGIN, velocity: ORIGIN, ramp: 0, pattern: undefined, scale: 1 };
 
   /** Stars of stars inherit no velocity. */
-  readonly #bear: BearStars = (emitter, kind, count, ramp, place) => {
-    this.#burst(emitter, kind, count, ramp, place, STILL, SHELLS[kind].speed);
+  readonly #emitStars: EmitStars = (emitter, kind, count, ramp, place) => {
+    this.#burst(emitter, kind, count, ramp, place, ORIGIN, SHELLS[kind].speed);
   };
 
   constructor(world: PhysicsWorld, random: Random) {
@@ -82,8 +82,8 @@ export class StarPools {
     for (const emitter of this.#emitters) setEmitter(emitter, { color: rampsOf(colors) });
   }
 
-  /** Bears the stars of a shell at the next emission. */
-  break(kind: number, color: number, power: number, position: Place, velocity: Place): void {
+  /** Emits the stars of a shell in the next emission. */
+  break(kind: number, color: number, power: number, position: Point3, velocity: Point3): void {
     const shell = SHELLS[kind];
     const scale = shell.speed * strengthOf(power);
     const ramp = shell.color ?? color;
@@ -94,24 +94,24 @@ export class StarPools {
     this.#burst(this.#poolFor(kind, count), kind, count, inner, position, velocity, 0.5 * scale);
   }
 
-  /** Lets the stars that ended in the last step become what their kind says. @param crackled told where */
-  follow(crackled: (place: Place) => void): void {
-    this.#families.follow(this.#bear);
+  /** Handles the stars that expired in the last step. @param onCrackle receives the positions of crackling stars */
+  follow(onCrackle: (place: Point3) => void): void {
+    this.#families.follow(this.#emitStars);
     for (let kind = 0; kind < SHELLS.length; kind++) {
       const { ends } = SHELLS[kind];
       const pool = this.#pools[kind];
       if (ends === undefined || pool === undefined) continue;
       const { count, states } = endings(pool);
-      for (let i = 0; i < Math.min(count, MOST_FOLLOWED); i++) {
-        const place = readPlace(states, i, this.#place);
-        this.#bear(this.#poolFor(ends.kind, ends.count), ends.kind, ends.count, ends.color, place);
-        crackled(place);
+      for (let i = 0; i < Math.min(count, MAX_FOLLOWED); i++) {
+        const place = readPosition(states, i, this.#place);
+        this.#emitStars(this.#poolFor(ends.kind, ends.count), ends.kind, ends.count, ends.color, place);
+        onCrackle(place);
       }
     }
   }
 
   #poolFor(kind: number, count: number): Emitter {
-    return this.#pools[kind] ?? this.#families.found(kind, count);
+    return this.#pools[kind] ?? this.#families.start(kind, count);
   }
 
   #burst(
@@ -119,8 +119,8 @@ export class StarPools {
     kind: number,
     count: number,
     ramp: number,
-    position: Place,
-    velocity: Place,
+    position: Point3,
+    velocity: Point3,
     scale: number,
   ): void {
     const patterns = this.#patterns[kind];
@@ -134,7 +134,7 @@ export class StarPools {
   }
 }
 
-/** All kinds that families have are of the same stars. */
+/** All kinds with families have the same stars. */
 const FAMILY_KIND = SHELLS.find(({ family }) => family !== undefined) as ShellKind;
 
 export function rampsOf(colors: readonly number[]): number[][] {
@@ -145,11 +145,11 @@ export function rampsOf(colors: readonly number[]): number[][] {
 export const AIR_DENSITY = 1.2;
 
 /**
- * Charges them too: the field's strength is 1 T, so the charge is what turns them as told. And gives them the volume
- * of air that lifts them; the inertia of the air they drag along is left out, which changes how soon they rise as fast.
+ * Creates the pool of a kind. In the field of 1 T, the charge gives the requested rate of gyration, and the hull volume
+ * gives the buoyancy. The added mass of air is neglected, which shortens only the time to reach terminal velocity.
  */
 function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
-  const { capacity, life, drag, size, turning, buoyancy, ends, family } = kind;
+  const { capacity, life, drag, size, gyrationRate, buoyancy, ends, family } = kind;
   const emitter = createEmitter(world, {
     capacity,
     lifetime: life,
@@ -163,9 +163,9 @@ function createStars(world: PhysicsWorld, kind: ShellKind): Emitter {
     color: rampsOf(STAR_RGB),
     reportEndings: ends !== undefined || family !== undefined,
   });
-  if (turning !== undefined) {
+  if (gyrationRate !== undefined) {
     const { Charge } = world.components;
-    for (const id of emitter.ids) addComponent(world, id, set(Charge, { value: turning * STAR_MASS }));
+    for (const id of emitter.ids) addComponent(world, id, set(Charge, { value: gyrationRate * STAR_MASS }));
   }
   if (buoyancy !== undefined) {
     const { Hull } = world.components;

@@ -2,7 +2,7 @@ import { restore, snapshot, stateHash, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import { type Fireworks, fireworks } from '../fireworks.ts';
 import { colorRamp, STAR_RGB } from './colors.ts';
-import { heldStars, mostSeconds, SHELL_NAMES, SHELLS } from './shells.ts';
+import { heldStars, maxHoldSeconds, SHELL_NAMES, SHELLS } from './shells.ts';
 
 const SWARM = SHELL_NAMES.indexOf('swarm');
 const YELLOW = 2;
@@ -30,7 +30,7 @@ const starsOf = ({ world: { components, lastId } }: Fireworks) =>
 describe('a swarm', () => {
   test('has two stars for each second, which a part of five seconds says exactly', () => {
     const { stars } = SHELLS[SWARM];
-    expect(mostSeconds(SHELLS[SWARM])).toBe(5);
+    expect(maxHoldSeconds(SHELLS[SWARM])).toBe(5);
     for (let seconds = 0; seconds <= 5; seconds++) expect(heldStars(SHELLS[SWARM], seconds / 5)).toBe(2 * seconds);
     expect(heldStars(SHELLS[SWARM], 1)).toBe(stars);
   });
@@ -62,7 +62,7 @@ describe('a swarm', () => {
     const run = night(1);
     expect(light(run, 0)).toBe(false);
     step(run.world, run.dt);
-    expect([run.alive, run.flying, run.news.count]).toEqual([0, 0, 0]);
+    expect([run.alive, run.flying, run.events.count]).toEqual([0, 0, 0]);
   });
 
   test('bears its first stars in pairs, without momentum, and yellow; the next are of any colour', () => {

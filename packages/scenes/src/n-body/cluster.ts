@@ -1,6 +1,6 @@
-// A star cluster in equilibrium, by the direct sum and by the tree: a Plummer sphere in space, a Kuzmin disc in the
-// plane. N-body units (Heggie & Mathieu 1986): G = 1, mass 1, virial radius 1, so that the energy is -1/4 and a star
-// crosses the cluster in 2√2 s.
+// A star cluster in equilibrium, by direct summation and by the tree: a Plummer sphere in 3D, a Kuzmin disc in 2D.
+// N-body units (Heggie & Mathieu 1986): G = 1, mass 1, virial radius 1, so the energy is -1/4 and the crossing time 2√2
+// s.
 import {
   createPhysicsWorld,
   type DistanceLaw,
@@ -13,13 +13,13 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { countOf, defineScene, type SceneRun, type Setup } from '../scene.ts';
-import { discOf, inDimensions, plummerSphere } from './stars.ts';
+import { inDimensions, kuzminDisc, plummerSphere } from './stars.ts';
 
-/** A scene whose forces are a mutual force. */
+/** A scene with a mutual force. */
 export interface ClusterRun extends SceneRun {
   readonly gravity: MutualForce;
   readonly law: DistanceLaw;
-  /** RMS relative error of the forces, measured against the direct sum at some stars. */
+  /** RMS relative error of the forces, measured against direct summation for a sample of stars. */
   readonly forceError: (world: PhysicsWorld) => number;
 }
 
@@ -35,8 +35,8 @@ export const relativeErrorParameter = {
 } as const;
 
 /**
- * The softening that errs least for so many stars, in scale lengths: less, and stars scatter each other; more, and the
- * field is blurred (Dehnen, MNRAS 324, 273, 2001).
+ * The softening with the smallest error for this number of stars, in scale lengths: below it two-body relaxation
+ * dominates, above it the field is biased (Dehnen, MNRAS 324, 273, 2001).
  */
 function bestSoftening(count: number): number {
   return 0.98 * pow(count, -0.26);
@@ -57,7 +57,7 @@ function clusterOf({ dimensions, precision, seed, progress, parameters }: Setup<
     integrator: velocityVerlet,
     forces: [gravity],
   });
-  const stars = dimensions === 3 ? plummerSphere(count, SCALE, seed) : discOf(law, count, SCALE, seed);
+  const stars = dimensions === 3 ? plummerSphere(count, SCALE, seed) : kuzminDisc(law, count, SCALE, seed);
   const appearance = { color: rgba(1, 0.93, 0.8), size: 0.004 };
   spawnMany(world, count, { ...inDimensions(stars, dimensions), mass: 1 / count, appearance }, progress);
   return { world, dt: 1 / 256, gravity, law, forceError: (of: PhysicsWorld) => gravity.rmsError(of, 1000) };

@@ -1,11 +1,11 @@
-// A disc galaxy: a rotating disc of stars with a round bulge, in the field of a halo that does not move. G = 1, the
-// stars' mass 1, the disc's scale length 1 m.
-//
-// All three are of one family (Plummer 1911; Kuzmin 1956; Toomre 1963): in the plane each pulls a star at radius R as
-// G M R/(R² + a²)^(3/2), so the speed of the circle and the frequency κ of oscillations about it are closed forms:
-//   Ω² = Σ G M (R² + a²)^(-3/2)        κ² = 4 Ω² - 3 R² Σ G M (R² + a²)^(-5/2)
-// The disc's stars move along with Ω, less what their random motion carries, and have the radial dispersion
-// σ = Q 3.36 G Σ/κ (Toomre, ApJ 139, 1217, 1964): just above Q = 1 a disc does not clump, and winds up arms.
+// A disc galaxy: a rotating disc of stars with a spherical bulge in the field of a fixed halo. G = 1, the stars' mass
+// is 1, the disc's scale length 1 m.
+// |
+// All three belong to the same family (Plummer 1911; Kuzmin 1956; Toomre 1963): in the plane each attracts a star at
+// radius R with G M R/(R² + a²)^(3/2), so the angular velocity Ω and the epicyclic frequency κ are closed forms:
+// | Ω² = Σ G M (R² + a²)^(-3/2) κ² = 4 Ω² - 3 R² Σ G M (R² + a²)^(-5/2)
+// The disc's stars rotate with Ω, reduced by asymmetric drift, and have the radial dispersion σ = Q 3.36 G Σ/κ (Toomre,
+// ApJ 139, 1217, 1964): slightly above Q = 1 a disc does not fragment and forms spiral arms.
 import {
   attractors,
   createPhysicsWorld,
@@ -19,23 +19,23 @@ import {
 } from '@principia/physics';
 import { countOf, defineScene } from '../scene.ts';
 import { type ClusterRun, relativeErrorParameter } from './cluster.ts';
-import { centreStars, emptyStars, inDimensions, kuzminRadius, plummerRadius, putStar, type Stars } from './stars.ts';
+import { centreStars, emptyStars, inDimensions, kuzminRadius, plummerRadius, type Stars, setStar } from './stars.ts';
 
-interface Part {
+interface Mass {
   readonly mass: number;
   readonly scale: number;
 }
 
 interface Model {
-  readonly disc: Part;
-  readonly bulge: Part;
-  readonly halo: Part;
+  readonly disc: Mass;
+  readonly bulge: Mass;
+  readonly halo: Mass;
   readonly toomre: number;
   readonly dimensions: 2 | 3;
 }
 
-/** Share of the disc that is there: its stars end at eight scale lengths. */
-const KEPT = 0.876;
+/** Fraction of the disc's mass within eight scale lengths, where its stars end. */
+const DISC_SHARE = 0.876;
 /** Standard deviation of the disc's height, in scale lengths. */
 const HEIGHT = 0.05;
 
@@ -91,7 +91,7 @@ function starsOf(model: Model, count: number, inBulge: number, random: Random): 
   return stars;
 }
 
-function powersAt({ disc, bulge, halo }: Model, square: number): { omega2: number; kappa2: number } {
+function frequenciesAt({ disc, bulge, halo }: Model, square: number): { omega2: number; kappa2: number } {
   let omega2 = 0;
   let fall = 0;
   for (const { mass, scale } of [disc, bulge, halo]) {
@@ -105,9 +105,9 @@ function powersAt({ disc, bulge, halo }: Model, square: number): { omega2: numbe
 
 function putDiscStar(stars: Stars, i: number, model: Model, random: Random, inside: number): void {
   const { disc, toomre } = model;
-  const radius = disc.scale * kuzminRadius(KEPT * inside);
+  const radius = disc.scale * kuzminRadius(DISC_SHARE * inside);
   const square = radius * radius;
-  const { omega2, kappa2 } = powersAt(model, square);
+  const { omega2, kappa2 } = frequenciesAt(model, square);
   const u = square + disc.scale * disc.scale;
   const surface = (disc.scale * disc.mass) / (2 * Math.PI * u * Math.sqrt(u));
   const radial = Math.min((toomre * 3.36 * surface) / Math.sqrt(kappa2), 0.5 * radius * Math.sqrt(omega2));
@@ -123,19 +123,19 @@ function putDiscStar(stars: Stars, i: number, model: Model, random: Random, insi
     y: outward * p.y + onward * p.x,
     z: vertical * random.gaussian(),
   };
-  putStar(stars, i, position, velocity);
+  setStar(stars, i, position, velocity);
 }
 
-/** Isotropic random motion that carries the bulge in the field of all: σ² = Ω² r²/2 in the plane, about a third in space. */
+/** Isotropic dispersion that supports the bulge in the total field: σ² = Ω² r²/2 in 2D, about a third in 3D. */
 function putBulgeStar(stars: Stars, i: number, model: Model, random: Random, inside: number): void {
   const { bulge, dimensions } = model;
   const flat = dimensions === 2;
   const share = flat ? 0.95 * inside : 0.98 * inside + 1e-9;
   const radius = bulge.scale * (flat ? kuzminRadius(share) : plummerRadius(share));
-  const { omega2 } = powersAt(model, radius * radius);
-  // The dispersion of a Plummer sphere, G M/(6 √(r² + a²)), scaled to the pull of all parts together.
+  const { omega2 } = frequenciesAt(model, radius * radius);
+  // The dispersion of a Plummer sphere, G M/(6 √(r² + a²)), scaled to the total field.
   const u = radius * radius + bulge.scale * bulge.scale;
   const sigma = Math.sqrt((omega2 * u) / (flat ? 4 : 6));
   const velocity = { x: sigma * random.gaussian(), y: sigma * random.gaussian(), z: sigma * random.gaussian() };
-  putStar(stars, i, flat ? random.onCircle(radius) : random.onSphere(radius), velocity);
+  setStar(stars, i, flat ? random.onCircle(radius) : random.onSphere(radius), velocity);
 }

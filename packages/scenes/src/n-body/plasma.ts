@@ -30,9 +30,9 @@ import {
 } from '@principia/physics';
 import { countOf, defineScene, type SceneRun } from '../scene.ts';
 import { relativeErrorParameter } from './cluster.ts';
-import { centreStars, emptyStars, inDimensions, putStar, type Stars } from './stars.ts';
+import { centreStars, emptyStars, inDimensions, type Stars, setStar } from './stars.ts';
 
-/** A plasma made: ids of its electrons and of its ions follow each other. */
+/** A plasma; the ids of electrons and of ions are consecutive. */
 export interface PlasmaRun extends SceneRun {
   readonly coulomb: MutualForce;
   readonly electrons: Uint32Array;
@@ -68,7 +68,7 @@ export const plasma = defineScene({
       law: dimensions === 3 ? 'inverse-square' : 'inverse-distance',
       softening: softening * pow(electrons, -1 / dimensions),
     });
-    const magnetic = magnetism(field, integrator);
+    const magnetic = magneticSetup(field, integrator);
     const world = createPhysicsWorld({
       dimensions,
       precision,
@@ -89,8 +89,8 @@ export const plasma = defineScene({
   },
 });
 
-/** The field of the integrator that knows it, or as a force for all others. The electrons' q/m is -1 C/kg. */
-function magnetism(field: number, integrator: Integrator | undefined) {
+/** Uses the integrator that includes the magnetic field, or a force with any other. The electrons' q/m is -1 C/kg. */
+function magneticSetup(field: number, integrator: Integrator | undefined) {
   const own = boris({ field: { z: field } });
   if (integrator === undefined || integrator.name === own.name) return { integrator: own, forces: [] };
   return { integrator, forces: [magneticField({ z: field })] };
@@ -101,12 +101,12 @@ interface Species {
   readonly dimensions: 2 | 3;
   readonly random: Random;
   readonly count: number;
-  /** Of all together, C and kg. */
+  /** Total charge and mass of the species, C and kg. */
   readonly charge: number;
   readonly mass: number;
   /** Standard deviation of each component of the velocity, m/s. */
   readonly thermal: number;
-  /** How far the ball stands to +x, m. */
+  /** Displacement of the ball along +x, m. */
   readonly shift?: number;
 }
 
@@ -116,7 +116,7 @@ function spawnSpecies(species: Species, progress?: Progress): Uint32Array {
   const start = { turn: random.uniform(), height: random.uniform() };
   for (let i = 0; i < count; i++) {
     const speed = () => thermal * random.gaussian();
-    putStar(bodies, i, placeInBall(i, count, start, dimensions), {
+    setStar(bodies, i, placeInBall(i, count, start, dimensions), {
       x: speed(),
       y: speed(),
       z: dimensions === 3 ? speed() : 0,
@@ -129,23 +129,28 @@ function spawnSpecies(species: Species, progress?: Progress): Uint32Array {
   return spawnMany(world, count, { ...columns, appearance: looks }, progress);
 }
 
-/** 1/p and 1/p² of the plastic number p, p³ = p + 1, and in the plane 1/φ of the golden ratio: multiples of them are spread evenly. */
-const SPREAD = {
+/**
+ * 1/p and 1/p² of the plastic number p, p³ = p + 1, and in 2D 1/φ of the golden ratio: their multiples are evenly
+ * distributed.
+ */
+const QUASI_RANDOM = {
   2: { turn: 0.6180339887498949, height: 0 },
   3: { turn: 0.7548776662466927, height: 0.5698402909980532 },
 };
 
-/** Place i of `count` that fill the unit ball or disc evenly: outwards by equal volumes, round by a Kronecker sequence. */
+/**
+ * Point i of `count` that fill the unit ball or disc evenly: equal volumes in radius, a Kronecker sequence in angle.
+ */
 function placeInBall(i: number, count: number, start: { turn: number; height: number }, dimensions: 2 | 3): Vector {
-  const { turn, height } = SPREAD[dimensions];
+  const { turn, height } = QUASI_RANDOM[dimensions];
   const radius = pow((i + 0.5) / count, 1 / dimensions);
-  const angle = 2 * Math.PI * part(start.turn + i * turn);
-  const up = dimensions === 3 ? 2 * part(start.height + i * height) - 1 : 0;
+  const angle = 2 * Math.PI * fraction(start.turn + i * turn);
+  const up = dimensions === 3 ? 2 * fraction(start.height + i * height) - 1 : 0;
   const across = radius * Math.sqrt(1 - up * up);
   return { x: across * cos(angle), y: across * sin(angle), z: radius * up };
 }
 
-/** What is behind the point. */
-function part(value: number): number {
+/** The fractional part. */
+function fraction(value: number): number {
   return value - Math.floor(value);
 }

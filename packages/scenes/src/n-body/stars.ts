@@ -1,4 +1,4 @@
-// Positions and velocities of stars, and how they are drawn from the models of the scenes.
+// Positions and velocities of stars, drawn from the models of the scenes.
 import { createRandom, type DistanceLaw, pow, type Random, type Vector } from '@principia/physics';
 
 /** Columns for `spawnMany`. */
@@ -12,14 +12,14 @@ export function emptyStars(count: number): Stars {
   return { position: axes(), velocity: axes() };
 }
 
-export function putStar(stars: Stars, i: number, position: Vector, velocity: Vector): void {
+export function setStar(stars: Stars, i: number, position: Vector, velocity: Vector): void {
   for (const axis of ['x', 'y', 'z'] as const) {
     stars.position[axis][i] = position[axis];
     stars.velocity[axis][i] = velocity[axis];
   }
 }
 
-/** Equal masses: moves the stars so that their centre is at rest at the origin. */
+/** Moves stars of equal mass so that their centre of mass is at rest at the origin. */
 export function centreStars(stars: Stars): void {
   for (const columns of [stars.position, stars.velocity]) {
     for (const axis of ['x', 'y', 'z'] as const) {
@@ -30,25 +30,25 @@ export function centreStars(stars: Stars): void {
   }
 }
 
-/** The columns without the z axis in the plane. */
+/** The columns, without the z axis in 2D. */
 export function inDimensions({ position, velocity }: Stars, dimensions: 2 | 3) {
   if (dimensions === 3) return { position, velocity };
   return { position: { x: position.x, y: position.y }, velocity: { x: velocity.x, y: velocity.y } };
 }
 
-/** Radius that a share `inside` of a Plummer sphere's mass lies within, in scale lengths (Plummer 1911). */
+/** Radius that contains the mass fraction `inside` of a Plummer sphere, in scale lengths (Plummer 1911). */
 export function plummerRadius(inside: number): number {
   return 1 / Math.sqrt(pow(inside, -2 / 3) - 1);
 }
 
-/** Radius that a share `inside` of a Kuzmin disc's mass lies within, in scale lengths (Kuzmin 1956). */
+/** Radius that contains the mass fraction `inside` of a Kuzmin disc, in scale lengths (Kuzmin 1956). */
 export function kuzminRadius(inside: number): number {
   const root = 1 / (1 - inside);
   return Math.sqrt(root * root - 1);
 }
 
 /**
- * Speed in a Plummer sphere by the speed of escape, drawn from q²(1 - q²)^(7/2) by rejection: Aarseth, Hénon & Wielen,
+ * Speed over the escape speed in a Plummer sphere, drawn from q²(1 - q²)^(7/2) by rejection: Aarseth, Hénon & Wielen,
  * Astron. Astrophys. 37, 183 (1974).
  */
 function plummerSpeed(random: Random): number {
@@ -66,10 +66,10 @@ export function plummerSphere(count: number, scale: number, seed: number): Stars
   const random = createRandom(seed, 2);
   const stars = emptyStars(count);
   for (let i = 0; i < count; i++) {
-    // Shares of the mass in equal strata; the outermost thousandth is left away, which holds the virial ratio to 0.1 %.
+    // Mass fractions are drawn in equal strata; omitting the outermost thousandth keeps the virial ratio within 0.1 %.
     const radius = scale * plummerRadius((0.999 * (i + random.uniform())) / count + 1e-12);
     const leaving = Math.sqrt(2 / Math.sqrt(radius * radius + scale * scale));
-    putStar(stars, i, random.onSphere(radius), random.onSphere(leaving * plummerSpeed(random)));
+    setStar(stars, i, random.onSphere(radius), random.onSphere(leaving * plummerSpeed(random)));
   }
   centreStars(stars);
   return stars;
@@ -78,14 +78,14 @@ export function plummerSphere(count: number, scale: number, seed: number): Stars
 /** Share of a disc's mass that it is made of: its rim would be far out, and thin. */
 const DISC_SHARE = 0.97;
 
-/** Share of a disc's support that is rotation; the rest is random motion, which keeps it from falling to pieces. */
+/** Fraction of the circular velocity that is rotation; the rest is random motion, which prevents fragmentation. */
 const ROTATION = 0.8;
 
 /**
- * A Kuzmin disc of mass 1 in virial equilibrium, with G = 1. By the law 1/r² it has a Plummer sphere's field in its own
- * plane; by 1/r the mass within R pulls as 1/R, as Gauss's law is in the plane.
+ * A Kuzmin disc of mass 1 in virial equilibrium, with G = 1. For the law 1/r² its field in its plane is that of a
+ * Plummer sphere; for 1/r the mass within R attracts as 1/R, by Gauss's law in 2D.
  */
-export function discOf(law: DistanceLaw, count: number, scale: number, seed: number): Stars {
+export function kuzminDisc(law: DistanceLaw, count: number, scale: number, seed: number): Stars {
   const random = createRandom(seed, 2);
   const stars = emptyStars(count);
   const spread = Math.sqrt((1 - ROTATION * ROTATION) / 2);
@@ -99,7 +99,7 @@ export function discOf(law: DistanceLaw, count: number, scale: number, seed: num
         : Math.sqrt(Math.max(0, 1 - scale / Math.sqrt(square)) / DISC_SHARE);
     const x = circular * (-ROTATION * p.y + spread * random.gaussian());
     const y = circular * (ROTATION * p.x + spread * random.gaussian());
-    putStar(stars, i, { x: radius * p.x, y: radius * p.y, z: 0 }, { x, y, z: 0 });
+    setStar(stars, i, { x: radius * p.x, y: radius * p.y, z: 0 }, { x, y, z: 0 });
   }
   centreStars(stars);
   return stars;

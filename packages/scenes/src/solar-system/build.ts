@@ -1,6 +1,6 @@
-// The solar system from JPL's states: Sun, planets, Moon and Pluto as points that attract each other, with the first
-// post-Newtonian term of the Sun. Lengths are kilometres, times seconds, and a mass is its GM in km³/s², so that G = 1.
-// Axes are those of the ecliptic of J2000; in two dimensions everything is projected onto it.
+// The solar system from JPL's states: Sun, planets, Moon and Pluto as mutually attracting points, with the first
+// post-Newtonian term of the Sun. Lengths are in km, times in s, and a mass is its GM in km³/s², so that G = 1. Axes
+// are those of the ecliptic of J2000; in 2D all positions are projected onto it.
 import {
   createPhysicsWorld,
   gaussRadau,
@@ -20,15 +20,15 @@ export interface SolarSystemOptions {
   readonly seed?: number;
   /** Default Gauss-Radau 15. Wisdom-Holman gets the gravitational constant of this world, G = 1. */
   readonly integrator?: Integrator;
-  /** Default true; without it the Earth stands for both, at their centre of mass. */
+  /** Default true; false replaces Earth and Moon by one body at their centre of mass. */
   readonly moon?: boolean;
   /** The post-Newtonian term of the Sun; default true. */
   readonly relativity?: boolean;
-  /** Room for other bodies; default 0. */
+  /** Spare capacity for other bodies; default 0. */
   readonly others?: number;
 }
 
-/** The world and who is who in it. */
+/** The world and the ids of its bodies. */
 export interface SolarSystem {
   readonly world: PhysicsWorld;
   readonly ids: Readonly<Partial<Record<BodyName, number>>>;
@@ -59,13 +59,13 @@ export function buildSolarSystem(options: SolarSystemOptions = {}): SolarSystem 
   return { world, ids };
 }
 
-/** A default Wisdom-Holman would take G in SI units. */
+/** A default Wisdom-Holman would use G in SI units. */
 function inTheseUnits(integrator: Integrator): Integrator {
   const map = wisdomHolman({ G: 1 });
   return integrator.name === map.name ? map : integrator;
 }
 
-/** From the axes of the equator to those of the ecliptic. */
+/** Transforms from equatorial to ecliptic axes. */
 function ecliptic(
   [x, y, z]: readonly [number, number, number],
   dimensions: 2 | 3,
@@ -75,7 +75,7 @@ function ecliptic(
   return dimensions === 2 ? inPlane : { ...inPlane, z: cos * z - sin * y };
 }
 
-/** The two as one body in their centre of mass. */
+/** Earth and Moon as one body at their centre of mass. */
 function earthAndMoon(): EpochState {
   const { earth, moon } = STATES;
   const gm = earth.gm + moon.gm;

@@ -1,4 +1,4 @@
-// How far the simulated solar system is from JPL's after a day, a month, 1, 10 and 50 years.
+// Deviation of the simulated solar system from JPL's ephemeris after a day, a month, 1, 10 and 50 years.
 import { gaussRadau, type Integrator, type PhysicsWorld, step } from '@principia/physics';
 import type { ReferenceRuns } from '../scene.ts';
 import { buildSolarSystem, type SolarSystem } from './build.ts';
@@ -7,22 +7,22 @@ import { BODY_NAMES, type BodyName, OBLIQUITY, STATES } from './states.ts';
 
 export const DAY = 86400;
 
-/** Longest step of a scheme that chooses sub-steps of its own, s. */
-const LONGEST = 32 * DAY;
+/** Longest step of an integrator with adaptive sub-steps, s. */
+const MAX_STEP = 32 * DAY;
 
-/** Distance from where JPL has the body, km: planets as seen from the Sun, the Moon as seen from the Earth. */
+/** Distance from JPL's position, km: planets relative to the Sun, the Moon relative to the Earth. */
 export type ErrorsKm = Partial<Record<BodyName, number>>;
 
 /** Errors by body, then by time: `d1`, `d30`, `y1`, `y10`, `y50`. */
 export type ErrorTable = Record<string, Record<string, number>>;
 
-/** Moves the world to `time` in steps of dt, of which the last may be shorter. */
+/** Advances the world to `time` in steps of dt; the last may be shorter. */
 export function advanceTo(world: PhysicsWorld, time: number, dt: number): void {
-  // What is left after the last whole step is either a real part of one or the rounding of the sum of them all.
+  // A tiny remainder is the rounding of the summed steps.
   while (time - world.time > 1e-6 * dt) step(world, Math.min(dt, time - world.time));
 }
 
-/** The errors of a world that has come to the time of a reference. */
+/** The errors of a world at the time of a reference. */
 export function errorsAt({ world, ids }: SolarSystem, reference: Reference): ErrorsKm {
   const { Position } = world.components;
   const where = (name: BodyName) =>
@@ -49,8 +49,8 @@ function earthAndMoon({ positions }: Reference): readonly number[] {
   return positions.earth.map((value, axis) => value + share * (positions.moon[axis] - value));
 }
 
-/** Runs a fresh system to each reference in turn, up to `years`, and returns the errors there. */
-export function measureErrors(system: SolarSystem, dt = LONGEST, years = 50): ErrorTable {
+/** Advances a new system to each reference in turn, up to `years`, and returns the errors. */
+export function measureErrors(system: SolarSystem, dt = MAX_STEP, years = 50): ErrorTable {
   const table: ErrorTable = {};
   for (const reference of REFERENCES) {
     if (reference.days > years * 365.25) break;
@@ -65,22 +65,22 @@ export function measureErrors(system: SolarSystem, dt = LONGEST, years = 50): Er
 }
 
 /**
- * How an integrator is run here: with sub-steps of its own where it chooses them, with 4-day steps and no Moon for
- * Wisdom-Holman, with hours for all others.
+ * Time step for an integrator: long steps for one with adaptive sub-steps, 4 days without the Moon for Wisdom-Holman,
+ * an hour otherwise.
  */
 function mannerOf({ name }: Integrator): { readonly dt: number; readonly moon: boolean } {
   if (name === 'Wisdom-Holman') return { dt: 4 * DAY, moon: false };
   const choosesSteps = name === 'Gauss-Radau 15' || name === 'Dormand-Prince 5(4)';
-  return { dt: choosesSteps ? LONGEST : DAY / 24, moon: true };
+  return { dt: choosesSteps ? MAX_STEP : DAY / 24, moon: true };
 }
 
-/** The errors of an integrator over 50 years, in space and in f64. */
+/** The errors of an integrator over 50 years, in 3D and f64. */
 export function errorsOf(integrator: Integrator): ErrorTable {
   const { dt, moon } = mannerOf(integrator);
   return measureErrors(buildSolarSystem({ integrator, moon }), dt);
 }
 
-/** Distance of each body from where another run has it, as seen from the Sun, km. */
+/** Distance of each body between two runs, relative to the Sun, km. */
 export function distancesBetween(a: SolarSystem, b: SolarSystem): ErrorsKm {
   const [p, q] = [a.world.components.Position, b.world.components.Position];
   const distances: ErrorsKm = {};
@@ -94,10 +94,12 @@ export function distancesBetween(a: SolarSystem, b: SolarSystem): ErrorsKm {
   return distances;
 }
 
-/** The whole step of four days next to the end of a year: a shorter step in between would disturb a symplectic scheme. */
+/**
+ * The multiple of four days nearest to the end of a year, because a shorter step would perturb a symplectic integrator.
+ */
 const endOf = (years: number) => 4 * DAY * Math.round((years * 365.25) / 4);
 
-/** Fifty years by an integrator and by Gauss-Radau, of the same bodies, to be taken a year at a time in turns. */
+/** Fifty years by an integrator and by Gauss-Radau with the same bodies, to be advanced alternately year by year. */
 export function againstGaussRadau(integrator: Integrator): ReferenceRuns {
   const { dt, moon } = mannerOf(integrator);
   const exact = gaussRadau();
@@ -107,7 +109,7 @@ export function againstGaussRadau(integrator: Integrator): ReferenceRuns {
     times: Array.from({ length: 50 }, (_, year) => endOf(year + 1)),
     labels: new Map([1, 10, 50].map((years) => [endOf(years), `y${years}`])),
     ours: (time) => advanceTo(ours.world, time, dt),
-    theirs: (time) => advanceTo(theirs.world, time, LONGEST),
+    theirs: (time) => advanceTo(theirs.world, time, MAX_STEP),
     apartKm: () => distancesBetween(ours, theirs),
   };
 }

@@ -4,7 +4,7 @@
 // the barycentres of planets with their moons, and GM is that of the whole.
 import type { BodyName } from './states.ts';
 
-/** Where the bodies are some time after the epoch. */
+/** Positions of the bodies at a time after the epoch. */
 export interface Reference {
   readonly label: string;
   readonly days: number;

@@ -1,12 +1,12 @@
 import { TEXTURE_WIDTH } from '@principia/render-core';
 
 /**
- * Length of an array that holds `count` items of `channels` numbers in whole texture rows: the present length while
- * that is enough, else at least twice it.
+ * Length of an array for `count` items of `channels` numbers in whole texture rows: the present length if it suffices,
+ * otherwise at least twice it.
  *
  * @throws Error when `count` is not a whole number from zero
  */
-export function roomFor(count: number, length: number, channels: number): number {
+export function bufferLength(count: number, length: number, channels: number): number {
   if (!Number.isInteger(count) || count < 0) throw new Error(`the number of lines must be 0 or more, got ${count}`);
   const needed = count * channels;
   if (length > 0 && needed <= length) return length;

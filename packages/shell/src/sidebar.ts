@@ -1,4 +1,4 @@
-/** What stands beside the picture: nobody needs it to begin, so it comes behind the first frame. */
+/** The cards beside the picture. They are not needed at the start, so they are loaded after the first frame. */
 import type { PhysicsWorld } from '@principia/physics';
 import type { Actions } from './commands.ts';
 import { createPanel, type Panel } from './panel.ts';
@@ -9,7 +9,7 @@ import { createStats, type Stats } from './stats.ts';
 import { createToolsCard, type ToolsCard } from './tools-card.ts';
 
 /** The cards, from top to bottom. */
-export interface Side {
+export interface Sidebar {
   readonly panel: Panel;
   readonly plot: PlotCard;
   readonly stats: Stats;
@@ -17,19 +17,19 @@ export interface Side {
   readonly tools: ToolsCard;
 }
 
-export interface SideOptions {
+export interface SidebarOptions {
   readonly settings: Settings;
-  /** Read when shown; written through `set` alone. */
+  /** Read for display; written only through `set`. */
   readonly values: Readonly<Record<string, unknown>>;
   readonly set: (name: string, value: unknown) => void;
-  /** The world shown now. */
+  /** The world on display. */
   readonly world: () => PhysicsWorld | undefined;
   readonly actions: Actions;
-  /** Whether games can be watched again. */
+  /** Whether games can be replayed. */
   readonly canReplay: boolean;
 }
 
-export function createSide(parent: HTMLElement, options: SideOptions): Side {
+export function createSidebar(parent: HTMLElement, options: SidebarOptions): Sidebar {
   const { settings, values, set, world, actions, canReplay } = options;
   return {
     panel: createPanel(parent, settings, values, set),

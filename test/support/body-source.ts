@@ -1,16 +1,20 @@
-import type { BodySource, RealColumn } from './body-source.ts';
+import type { BodySource, RealColumn } from '../../packages/render-core/src/body-source.ts';
 
 type Writable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** A `BodySource` that is not a world: columns a test or a demo fills by hand. */
-export interface FakeSource extends Omit<Writable<BodySource>, 'versions'> {
+/** A test double of a world: a `BodySource` whose columns a test fills. */
+export interface TestBodySource extends Omit<Writable<BodySource>, 'versions'> {
   versions: Writable<BodySource['versions']>;
-  /** Replaces the list of ids to draw and moves every version. */
+  /** Replaces the list of ids to draw and increments every version. */
   show(ids: ArrayLike<number>): void;
 }
 
-/** Makes an empty source with `rows` rows (a multiple of 1024) of the given precision. */
-export function createFakeSource(rows: number, dimensions: 2 | 3 = 2, precision: 'f32' | 'f64' = 'f32'): FakeSource {
+/** Creates an empty source with `rows` rows (a multiple of 1024) of the given precision. */
+export function createTestBodySource(
+  rows: number,
+  dimensions: 2 | 3 = 2,
+  precision: 'f32' | 'f64' = 'f32',
+): TestBodySource {
   const real = (): RealColumn => (precision === 'f32' ? new Float32Array(rows) : new Float64Array(rows));
   const vector = () => ({ x: real(), y: real(), z: real() });
   const quaternion = () => ({ x: real(), y: real(), z: real(), w: real() });

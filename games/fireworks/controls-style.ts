@@ -1,5 +1,5 @@
-/** The look of the desk. */
-export const DESK_STYLE = `
+/** Styles of the game's controls. */
+export const CONTROLS_STYLE = `
 .game-pad { display: none !important }
 .fw-desk { position: absolute; left: 0; right: 0; bottom: max(10px, env(safe-area-inset-bottom)); display: grid; gap: 8px;
   grid-template-columns: minmax(0, 1fr); justify-items: center; container-type: inline-size; padding: 0 10px; pointer-events: none; color: var(--ink) }

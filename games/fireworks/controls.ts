@@ -1,0 +1,113 @@
+/** The player's choices and the edited show, which persist across worlds and views. */
+import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
+import { DEMO_SHOW } from './demo-show.ts';
+import { readShow, writeShow } from './show.ts';
+import { ShowEditor } from './show-editor.ts';
+import { type Cue, type FireworksGame, RANDOM, RANDOM_KINDS, SWARM } from './sim.ts';
+import { Sound } from './sound.ts';
+
+type SkyPoint = { readonly x: number; readonly y: number; readonly z: number };
+
+/** Pointer id that stands for keyboard and gamepad. */
+export const KEYBOARD_POINTER = -1;
+
+export class PlayerControls {
+  /** Index of the chosen kind and colour, or `RANDOM`. */
+  kind = RANDOM;
+  color = RANDOM;
+  /** Whether clicks are also added to the show. */
+  isEditing = false;
+  readonly editor: ShowEditor;
+  readonly sound: Sound;
+  /** The show that plays first. */
+  readonly opening: readonly Cue[];
+  readonly isDemo: boolean;
+  /** Incremented by every choice. */
+  version = 0;
+  #messageHandler: ((sentence: string) => void) | undefined;
+  #pendingMessage: string | undefined;
+
+  /** @param hash of the URL: `#show=…` contains a shared show */
+  constructor(hash: string) {
+    let shared: readonly Cue[] = [];
+    const [, text] = /^#show=(.*)$/s.exec(hash) ?? [];
+    try {
+      if (text !== undefined) shared = readShow(text);
+    } catch (error) {
+      this.#pendingMessage = `${(error as Error).message} The demo show plays instead.`;
+    }
+    this.editor = new ShowEditor(shared);
+    this.isDemo = shared.length === 0;
+    this.opening = this.isDemo ? DEMO_SHOW : shared;
+    this.sound = new Sound((sentence) => this.showMessage(sentence));
+  }
+
+  /** Sets the receiver of messages for the player, and delivers a pending one. */
+  setMessageHandler(handler: (sentence: string) => void): void {
+    this.#messageHandler = handler;
+    if (this.#pendingMessage !== undefined) handler(this.#pendingMessage);
+    this.#pendingMessage = undefined;
+  }
+
+  showMessage(sentence: string): void {
+    if (this.#messageHandler === undefined) this.#pendingMessage = sentence;
+    else this.#messageHandler(sentence);
+  }
+
+  choose(kind: number, color: number): void {
+    this.kind = kind;
+    this.color = color;
+    this.version++;
+  }
+
+  /** Selects the next kind or colour; after the last one, random. */
+  next(choice: 'kind' | 'color'): void {
+    const count = choice === 'kind' ? SHELL_NAMES.length : STAR_COLORS.length;
+    this[choice] = this[choice] + 1 < count ? this[choice] + 1 : RANDOM;
+    this.version++;
+  }
+
+  setEditing(on = !this.isEditing): void {
+    this.isEditing = on;
+    this.version++;
+  }
+
+  startHold(sim: FireworksGame, finger: number): void {
+    sim.press({ do: 'hold', finger });
+  }
+
+  /** Fires a shell and, in the editor, adds it to the show. */
+  fire(sim: FireworksGame, finger: number, { x, y, z }: SkyPoint): void {
+    let { kind, color } = this;
+    const power = sim.powerOf(finger, kind);
+    // A swarm held for less than a second has no stars.
+    if (this.isEditing && (kind !== SWARM || power > 0)) {
+      // A show is deterministic: random choices are made now, not at each performance.
+      if (kind === RANDOM) kind = Math.floor(RANDOM_KINDS * Math.random());
+      if (color === RANDOM) color = Math.floor(STAR_COLORS.length * Math.random());
+      if (!this.editor.add({ x, y, z, kind, color, power })) {
+        this.showMessage(`A show has at most ${this.editor.cues.length} shells. Remove one first.`);
+      }
+    }
+    sim.press({ do: 'fire', finger, x, y, z, kind, color });
+  }
+
+  /** Plays the show from its beginning, or stops it. */
+  play(sim: FireworksGame): void {
+    if (sim.isShowing && !sim.isDemo) sim.press({ do: 'stop' });
+    else sim.press({ do: 'play', cues: this.editor.cues });
+  }
+
+  /** Puts the show into the URL, and into the clipboard where that is allowed. */
+  async share(): Promise<void> {
+    const link = new URL(location.href);
+    link.hash = `show=${writeShow(this.editor.cues)}`;
+    history.replaceState(null, '', link);
+    try {
+      await navigator.clipboard.writeText(link.href);
+      this.showMessage('The link to your show was copied. It is also in the address bar.');
+    } catch {
+      this.showMessage('The link to your show is in the address bar. Copy it from there.');
+    }
+  }
+}
