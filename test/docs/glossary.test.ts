@@ -31,10 +31,8 @@ const ALLOWED: readonly string[] = [
   // Of the shell: what becomes dragging, and the appearance that a player chose.
   'holdBodies',
   'Holding',
-  'HoldingOptions',
-  'Looks',
-  // Of the scenes.
-  'mostSeconds',
+  // Of the scenes: how long a finger is held.
+  'maxHoldSeconds',
   'Stretch',
 ];
 
