@@ -2,7 +2,7 @@
 import { columns } from '../memory/columns';
 import { at } from '../memory/lanes';
 
-// omega += torque/I dt about one axis, for the rows with inertia whose bits say that they have an angular velocity.
+// omega += torque/I dt about one axis, for rows with inertia and the component bit of AngularVelocity.
 export function kickSpinAxis(
   omega: usize,
   torque: usize,
@@ -21,7 +21,7 @@ export function kickSpinAxis(
   }
 }
 
-// 3D: q += dt/2 (omega) q, renormalised; a row whose quaternion is zero and that does not turn stays untouched.
+// 3D: q += dt/2 (omega) q, renormalised; a row with a zero quaternion and no angular velocity stays unchanged. Source:
 // Kuipers, Quaternions and Rotation Sequences, section 11.4 (first order in dt; the norm is restored each step).
 export function turnQuaternion(qx: usize, qy: usize, qz: usize, qw: usize, dt: real, first: i32, last: i32): void {
   const c = columns();

@@ -19,7 +19,8 @@ export class Columns {
   restitution: usize;
   friction: usize;
   members: usize;
-  // The bit of AngularVelocity in `members`, and the table of contacts (kernels/particle-contacts/table.ts), 0 without one.
+  // The bit of AngularVelocity in `members`, and the address of the contact table (kernels/particle-contacts/table.ts),
+  // 0 if there is none.
   angularVelocityBit: u32;
   contacts: usize;
 }

@@ -1,4 +1,4 @@
-// How the two bodies of a contact lie and move towards each other, at the end of the step as it is so far.
+// Relative position and motion of the two bodies of a contact, with the values that the step has reached so far.
 import { Body } from './body';
 
 // From a to b: position, velocity, mean acceleration of the step; the unit normal and the distance of the centres.
@@ -55,8 +55,9 @@ export function readApproach(a: Body, b: Body, idA: i32, idB: i32, flat: bool, l
   approach.vz = b.vz - a.vz + lag * az;
 }
 
-// A direction for two bodies in one place: any will do, but it must be the same in every run and differ from pair to
-// pair. A hash of the ids gives a point of the circle (of the sphere) by its rational parametrisation.
+// Returns a normal for two bodies whose centres coincide. Any direction is valid, but it must be the same in every run
+// and differ between pairs. A hash of the ids selects a point on the circle (or sphere) by its rational
+// parametrisation.
 function chooseNormal(a: i32, b: i32, flat: bool): void {
   let hash = <u32>a * 0x9e3779b1 + <u32>b * 0x85ebca77;
   hash = (hash ^ (hash >> 15)) * 0x2c1b3c6d;

@@ -1,10 +1,10 @@
 import type { Addresses, Components } from '../components/all.ts';
 import { MAX_POSITION } from '../components/position.ts';
 
-/** The components that say where a body is and how it is turned. */
+/** The components of the pose: position and orientation. */
 export const POSE = ['Position', 'Rotation', 'Orientation'] as const;
 
-/** The pose of every body at the start of the last step: what renderers interpolate from. */
+/** The pose of every body at the start of the last step, from which renderers interpolate. */
 export type Previous = Pick<Components, (typeof POSE)[number]>;
 
 export type PreviousAddresses = Pick<Addresses, (typeof POSE)[number]>;
