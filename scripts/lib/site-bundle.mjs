@@ -1,7 +1,7 @@
 /** How esbuild turns `games/<name>/main.ts` into scripts that share their common chunks. */
 import { readdirSync, readFileSync } from 'node:fs';
-import { basename } from 'node:path';
-import { buildKernels, generatedFolder, kernelFolder } from '../build-kernels.mjs';
+import { resolve } from 'node:path';
+import { buildKernels, kernelFolder } from '../build-kernels.mjs';
 import { bundleOptions } from './bundle.mjs';
 import { pixiPlugins } from './pixi-parts.mjs';
 import { gameNames } from './site-pages.mjs';
@@ -33,10 +33,11 @@ export function siteOptions(options) {
 export const kernelsPlugin = {
   name: 'kernels',
   setup(build) {
-    build.onResolve({ filter: /\/[\w-]+\.gen(\.ts)?$/ }, ({ path }) => ({
-      path: `${generatedFolder}/${basename(path, '.ts')}.ts`,
+    // Generated files may not be there yet, so esbuild cannot resolve them itself.
+    build.onResolve({ filter: /^\..*\/[\w-]+\.gen\.ts$/ }, ({ path, resolveDir }) => ({
+      path: resolve(resolveDir, path),
     }));
-    build.onLoad({ filter: /[\\/]kernels[\\/](f32[\\/]|f64[\\/])?[\w-]+\.gen\.ts$/ }, async ({ path }) => {
+    build.onLoad({ filter: /\.gen\.ts$/ }, async ({ path }) => {
       const entries = readdirSync(kernelFolder, { recursive: true, withFileTypes: true });
       const watched = {
         watchDirs: [kernelFolder, ...entries.filter((e) => e.isDirectory()).map((e) => `${e.parentPath}/${e.name}`)],
