@@ -11,6 +11,7 @@ export function clearStepErrors({ internal }: PhysicsWorld): void {
 /** @throws AggregateError of everything that the step collected, if that is anything */
 export function throwStepErrors(world: PhysicsWorld): void {
   const { internal, tick, onFault } = world;
+  if (internal.thrownCount === 0 && internal.stepFaults.length === 0) return;
   const faults = onFault === 'throw' ? internal.stepFaults : [];
   const count = internal.thrownCount + faults.length;
   if (count === 0) return;
