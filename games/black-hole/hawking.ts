@@ -13,20 +13,20 @@ const REFERENCE = 10;
 const TINTS = [0xa9c8ff, 0xe8efff, 0xfff0d0, 0xffd296, 0xffa860, 0xff7d45];
 
 /** Emits the sparks of all holes for `seconds`. */
-export function emitGlow({ values, count }: HoleTable, seconds: number, { source, burst }: Sparks): void {
+export function emitGlow({ values, count }: HoleTable, seconds: number, { source, random, burst }: Sparks): void {
   for (let i = 0; i < count; i++) {
     const x = values[4 * i];
     const y = values[4 * i + 1];
     const r = values[4 * i + 2];
     if (!(r > 0)) continue;
     const expected = RATE * (REFERENCE / r) ** 2 * Math.min(seconds, 0.25);
-    const sparks = Math.floor(expected) + (Math.random() < expected % 1 ? 1 : 0);
+    const sparks = Math.floor(expected) + (random.uniform() < expected % 1 ? 1 : 0);
     const cool = Math.min(TINTS.length - 1, Math.max(0, Math.round((r / REFERENCE - 1) * 2.5)));
     for (let s = 0; s < sparks; s++) {
-      const angle = 2 * Math.PI * Math.random();
+      const angle = random.uniform(0, 2 * Math.PI);
       const dx = Math.cos(angle);
       const dy = Math.sin(angle);
-      const speed = 18 + 22 * Math.random();
+      const speed = random.uniform(18, 40);
       source[0] = x + 1.1 * r * dx;
       source[1] = y + 1.1 * r * dy;
       source[2] = speed * dx;

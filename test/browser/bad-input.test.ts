@@ -125,7 +125,7 @@ describe.each(games)('%s in %s', (game, renderer) => {
     await page.keyboard.press('ArrowUp');
     await page.waitForFunction(() => __game.state().tick > 5);
     // A game that would sound says once that it cannot.
-    if (game === 'fireworks') await page.waitForFunction(() => __game.state().banner.includes('no sound'));
+    if (game === 'fireworks') await page.waitForFunction(() => __game.state().banner.includes('No sound:'));
     else expect((await state(page)).banner).toBe('');
     await expectAlive(page);
   });
