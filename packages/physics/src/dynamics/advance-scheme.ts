@@ -1,24 +1,24 @@
 // Steps of a scheme where some force is no law: the scheme is cut at each evaluation of the forces into pieces. A piece
 // is a loop that moves the bodies to the state at which the forces are asked for next, and keeps in scratch columns what
 // later pieces need.
-import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
+import type { CompiledLoop, Loop } from '../laws/compile.ts';
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
 import type { Node } from '../laws/node.ts';
 import type { StageData } from '../laws/scheme.ts';
-import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
+import { type Axes, eachAxis, zeroVector } from '../laws/vector-algebra.ts';
 import { realColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
 import { evaluateForces } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
-import { mathImports } from './math-imports.ts';
 import { notesOf } from './notes.ts';
 import { ParameterBlock, variantOf } from './parameter-block.ts';
 import { lastStepOf, type SchemeMemory, schemeMemory } from './scheme-memory.ts';
 import { velocityChange } from './sum-of-laws.ts';
 import { WorldColumns } from './world-columns.ts';
+import { makeWorldLoop } from './world-loop.ts';
 
 interface SchemeLoops {
   readonly compiled: readonly CompiledLoop[];
@@ -39,14 +39,9 @@ export const schemeLoops = keptWithPlan((world): SchemeLoops => {
   const memory = schemeMemory(world, scheme);
   const sources = cutScheme(new WorldColumns(world, block, () => scheme), scheme, memory);
   const key = JSON.stringify(['pieces', layoutOf(world, block), handedOn(world), memory.columns, scheme.structure]);
-  const compiled = sources.map((source, i) =>
-    compileLoop(`${key} ${i} ${JSON.stringify(variantOf(scheme))}`, () => source),
-  );
-  return {
-    block,
-    compiled,
-    pieces: compiled.map((loop) => instantiateLoop(loop, world.memory, () => mathImports(world))),
-  };
+  const variant = JSON.stringify(variantOf(scheme));
+  const loops = sources.map((source, i) => makeWorldLoop(world, `${key} ${i} ${variant}`, () => source));
+  return { block, compiled: loops.map(({ compiled }) => compiled), pieces: loops.map(({ run }) => run) };
 });
 
 /** Moves all bodies by one step. */
@@ -66,7 +61,7 @@ function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeMemory):
   const { addresses, previousAddresses, scratch } = world;
   const stages: { readonly position: Axes; readonly velocity: Axes }[] = [];
   const forces: Node[][] = [];
-  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  const none = zeroVector(graph);
   const vectors: Record<string, Axes> = {
     position: columns.axes(previousAddresses.Position),
     velocity: columns.axes(scratch.at.startVelocity),

@@ -3,21 +3,20 @@
 
 import { clearForcesOfImmovable } from '../ecs/partial-entities.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
-import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
-import type { Axes } from '../laws/vector-algebra.ts';
+import { type Axes, zeroVector } from '../laws/vector-algebra.ts';
 import { AXES } from '../memory/axes.ts';
 import { clearAxes } from '../memory/clear-axes.ts';
 import { resource } from '../memory/resource.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
-import { mathImports } from './math-imports.ts';
 import { notesOf } from './notes.ts';
 import { ParameterBlock, type ParameterOwner, variantOf } from './parameter-block.ts';
 import { type LawForce, lawsOf, ownerOf, sumLaws, totalForce } from './sum-of-laws.ts';
 import { quarantineBadForces } from './validate-state.ts';
 import { WorldColumns } from './world-columns.ts';
+import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 
 /** Length of the step for which forces were prepared last, s. */
 const preparedFor = resource(() => ({ dt: 0 }));
@@ -67,7 +66,10 @@ export function anyForceTurns({ forces }: PhysicsWorld): boolean {
   return false;
 }
 
-/** Lets every force look at the world before the step. */
+/**
+ * Prepares every force for the step. Forces that consume fuel come last: when another force throws, the step is refused
+ * and nothing has been consumed.
+ */
 export function prepareForces(world: PhysicsWorld, dt: number): void {
   const { forces } = world;
   preparedFor(world).dt = dt;
@@ -81,9 +83,7 @@ export const lawLoopOf = keptWithPlan((world): LawLoop | undefined => {
   return laws.length === 0 ? undefined : makeLawLoop(world, laws, laws.length < world.forces.length);
 });
 
-export interface LawLoop {
-  readonly compiled: CompiledLoop;
-  readonly run: Loop;
+export interface LawLoop extends WorldLoop {
   readonly block: ParameterBlock;
   readonly addsToColumns: boolean;
 }
@@ -96,11 +96,11 @@ export function makeLawLoop(world: PhysicsWorld, laws: readonly LawForce[], adds
   const sources = [...owners.values()].map(variantOf);
   const layout = [layoutOf(world, block), addsToColumns, hasTorque];
   const key = JSON.stringify(['forces', layout, laws.map(({ law }) => law.structure), sources]);
-  const compiled = compileLoop(key, () => {
+  const loop = makeWorldLoop(world, key, () => {
     const columns = new WorldColumns(world, block, (owner) => owners.get(owner) as ParameterOwner);
     return forceLoopSource(columns, laws, addsToColumns, hasTorque);
   });
-  return { block, addsToColumns, compiled, run: instantiateLoop(compiled, world.memory, () => mathImports(world)) };
+  return { block, addsToColumns, ...loop };
 }
 
 function forceLoopSource(
@@ -112,7 +112,7 @@ function forceLoopSource(
   const { graph, world } = columns;
   const { addresses, scratch, dimensions, precision } = world;
   const { x, y, z } = scratch.at.torque;
-  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  const none = zeroVector(graph);
   const column = (address: number) => graph.make('real', [], address);
   const torqueNow: Axes = dimensions === 2 ? [graph.zero, graph.zero, column(z)] : [column(x), column(y), column(z)];
   const sum = sumLaws(columns, laws, {

@@ -1,6 +1,6 @@
 // Runs a step as one loop. Where the loop stops, because a value is out of range, the bodies there are looked at one by
 // one; all others go on as if nothing had happened.
-import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
+import type { CompiledLoop, Loop } from '../laws/compile.ts';
 import { wordColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
@@ -9,13 +9,13 @@ import { schemeLoops } from './advance-scheme.ts';
 import { blamedLaws } from './blame-law.ts';
 import { anyForceTurns, lawLoopOf } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
-import { mathImports } from './math-imports.ts';
 import { ParameterBlock, variantOf } from './parameter-block.ts';
 import { lastStepOf, schemeMemory } from './scheme-memory.ts';
 import type { Box, StepFeatures } from './step-features.ts';
 import { ownersOf, stepLoopSource } from './step-loop.ts';
 import { lawsOf } from './sum-of-laws.ts';
 import { repairRows } from './validate-state.ts';
+import { makeWorldLoop } from './world-loop.ts';
 
 /** Walls that the loop can test: a system of the `walls` phase with a box. */
 export interface BoxSystem extends LocalSystem {
@@ -60,8 +60,7 @@ export const stepLoop = keptWithPlan((world): StepLoop => {
     sources,
     features,
   ]);
-  const compiled = compileLoop(key, () => stepLoopSource(block, scheme, laws, owners, features));
-  return { block, compiled, run: instantiateLoop(compiled, world.memory, () => mathImports(world)) };
+  return { block, ...makeWorldLoop(world, key, () => stepLoopSource(block, scheme, laws, owners, features)) };
 });
 
 /** Makes, before a step, the loops that it will run: what goes wrong then comes out of `step`, and nothing has moved. */

@@ -1,16 +1,16 @@
 // The potential energy of a law, summed over all bodies that forces move: in doubles, whatever the columns are.
-import { compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
+import type { Loop } from '../laws/compile.ts';
 import type { LoopSource } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
-import type { Axes } from '../laws/vector-algebra.ts';
+import { zeroVector } from '../laws/vector-algebra.ts';
 import { keptWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
-import { mathImports } from './math-imports.ts';
 import { notesOf } from './notes.ts';
 import { ParameterBlock, variantOf } from './parameter-block.ts';
 import { type LawForce, ownerOf } from './sum-of-laws.ts';
 import { WorldColumns } from './world-columns.ts';
+import { makeWorldLoop } from './world-loop.ts';
 
 interface EnergyLoop {
   readonly run: Loop;
@@ -35,15 +35,17 @@ function makeLoop(world: PhysicsWorld, force: LawForce): EnergyLoop {
   const owner = ownerOf(force);
   const block = new ParameterBlock(world, [owner], [0]);
   const key = JSON.stringify(['energy', layoutOf(world, block), force.law.structure, variantOf(owner)]);
-  const compiled = compileLoop(key, () => energySource(new WorldColumns(world, block, () => owner), force));
-  return { block, run: instantiateLoop(compiled, world.memory, () => mathImports(world)) };
+  return {
+    block,
+    ...makeWorldLoop(world, key, () => energySource(new WorldColumns(world, block, () => owner), force)),
+  };
 }
 
 function energySource(columns: WorldColumns, force: LawForce): LoopSource {
   const { graph, world } = columns;
   const position = columns.axes(world.addresses.Position);
   const velocity = columns.axes(world.addresses.Velocity);
-  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  const none = zeroVector(graph);
   const vectors = { position, velocity, startVelocity: velocity, force: none, acceleration: none };
   const lowering = new Lowering(graph, columns.environment(force, vectors, columns.timeAt(0), 0));
   const energy = lowering.scalar(force.law.potential as NonNullable<typeof force.law.potential>);

@@ -2,7 +2,7 @@
 // the result and the test for box walls.
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
-import type { Axes } from '../laws/vector-algebra.ts';
+import { type Axes, zeroVector } from '../laws/vector-algebra.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
 import type { Scheme } from '../world/types.ts';
 import { checksOf } from './loop-checks.ts';
@@ -62,7 +62,7 @@ function lowerScheme(
   velocity: Axes,
 ): { readonly result: Result; readonly torque: Axes } {
   const { graph, world, block } = columns;
-  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  const none = zeroVector(graph);
   const sums: Sum[] = [];
   const vectors: Record<string, Axes> = { position, velocity };
   features.memory.forEach((at, i) => {

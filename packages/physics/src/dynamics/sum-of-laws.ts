@@ -2,7 +2,7 @@
 import type { Graph } from '../laws/graph.ts';
 import { type Environment, Lowering } from '../laws/lower.ts';
 import type { Node } from '../laws/node.ts';
-import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
+import { type Axes, eachAxis, zeroVector } from '../laws/vector-algebra.ts';
 import type { Force, Law } from '../world/types.ts';
 import type { ParameterOwner } from './parameter-block.ts';
 import type { WorldColumns } from './world-columns.ts';
@@ -46,7 +46,7 @@ export interface Evaluation {
 /** Sums all laws in the order of the list; a law that reads the force reads the sum of the laws before it. */
 export function sumLaws(columns: WorldColumns, laws: readonly LawForce[], at: Evaluation): Sum {
   const { graph } = columns;
-  const none: Axes = [graph.zero, graph.zero, graph.zero];
+  const none = zeroVector(graph);
   let sum: Sum = { force: at.force, acceleration: none, torque: at.torque };
   for (const force of laws) {
     const { law } = force;

@@ -9,6 +9,10 @@ export function eachAxis(make: (i: 0 | 1 | 2) => Node): Axes {
   return [make(0), make(1), make(2)];
 }
 
+export function zeroVector(graph: Graph): Axes {
+  return eachAxis(() => graph.zero);
+}
+
 /** Sums the products in the order of the axes. */
 export function dot(graph: Graph, a: Axes, b: Axes): Node {
   const [x, y, z] = eachAxis((i) => graph.make('mul', [a[i], b[i]]));
