@@ -10,6 +10,8 @@ export default defineConfig({
   test: {
     // Vitest leaves a core to nobody: half of a machine with two.
     maxWorkers: '100%',
+    // Worlds of tests are often odd on purpose; the tests of the warnings listen to them.
+    onConsoleLog: (log) => !log.startsWith('Principia: '),
     forceRerunTriggers: [...configDefaults.forceRerunTriggers, '**/packages/physics/kernels/**'],
     projects: [
       {

@@ -83,7 +83,12 @@ async function measure(imports, conditions, project) {
   const contents =
     imports === '*' ? `export * from ${physics};` : `import { ${names} } from ${physics}; use(${names});`;
   const { outputFiles } = await build({
-    ...bundleOptions({ minify: true, sourcemap: false, external: ['bitecs'], conditions: [...conditions] }),
+    ...bundleOptions({
+      minify: true,
+      sourcemap: false,
+      external: ['bitecs'],
+      conditions: ['production', ...conditions],
+    }),
     stdin: { contents, resolveDir: project },
     write: false,
   });

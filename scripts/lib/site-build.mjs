@@ -26,7 +26,9 @@ if (location.protocol === 'file:') {
 export async function writeSite(folder) {
   const names = gameNames();
   rmSync(folder, { recursive: true, force: true });
-  const { metafile } = await build(siteOptions({ minify: true, outdir: folder }));
+  const { metafile } = await build(
+    siteOptions({ minify: true, outdir: folder, conditions: ['principia-source', 'production'] }),
+  );
   const scripts = scriptsByGame(metafile);
   mkdirSync(folder, { recursive: true });
   writeFileSync(`${folder}/index.html`, withNote(frontPage()));

@@ -112,7 +112,7 @@ describe('arguments', () => {
     const world = groundWorld();
     expect(refusal(() => on(world, 'colision' as never, () => {}))).toMatchObject({
       code: 'E_UNKNOWN',
-      hint: expect.stringMatching(/contact, fault/),
+      hint: expect.stringMatching(/contact, wallContact, fault/),
     });
     expect(refusal(() => on(world, '__proto__' as never, () => {})).code).toBe('E_UNKNOWN');
     expect(refusal(() => on(world, 'fault', undefined as never)).code).toBe('E_TYPE');

@@ -92,7 +92,7 @@ function withOwnImports(paths: readonly string[]): string[] {
 function foreignImports(path: string, home: string, allowed: readonly string[]): string[] {
   return importsOf(path)
     .filter(({ source }) => !allowed.some((name) => source === name || source.startsWith(`${name}/`)))
-    .filter(({ source }) => !(source.startsWith('.') && resolveImport(path, source)?.startsWith(home)))
+    .filter(({ source }) => !(/^[.#]/.test(source) && resolveImport(path, source)?.startsWith(home)))
     .map(({ source, line }) => `${path}:${line} imports ${source}; allowed are ${allowed.join(', ')}`);
 }
 

@@ -33,6 +33,7 @@ export const physicsLayers: readonly string[] = [
   'kernels',
   'math',
   'components',
+  'development',
   'world/phases.ts',
   'laws',
   'memory',

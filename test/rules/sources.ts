@@ -63,12 +63,20 @@ export function importsOf(path: string): Import[] {
 export function resolveImport(from: string, source: string): string | undefined {
   const workspace = source.match(/^@principia\/([\w-]+)$/)?.[1];
   if (workspace) return `packages/${workspace}/src/index.ts`;
+  if (source.startsWith('#')) return privateImport(from, source);
   if (!source.startsWith('.')) return undefined;
   const path = join(dirname(from), source);
   return (
     [path, `${path}.ts`, `${path}/index.ts`].find((name) => /\.\w+$/.test(name) && existsSync(`${root}/${name}`)) ??
     path
   );
+}
+
+/** The source behind a name of `imports` in the manifest of the package, where no condition chooses another. */
+function privateImport(from: string, source: string): string | undefined {
+  const folder = from.split('/').slice(0, 2).join('/');
+  const target: string | undefined = JSON.parse(read(`${folder}/package.json`)).imports?.[source]?.['principia-source'];
+  return target && join(folder, target);
 }
 
 export function lineOf(text: string, offset: number): number {

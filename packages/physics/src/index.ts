@@ -199,6 +199,7 @@ export type {
   Profile,
   Ranges,
   System,
+  Warning,
 } from './world/types.ts';
 export { type BrokenSprings, breakSprings, brokenSprings } from './xpbd/breaking.ts';
 export { maxStrain, rmsStrain } from './xpbd/stretch.ts';

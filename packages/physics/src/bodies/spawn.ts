@@ -85,7 +85,8 @@ export function lacksVelocity(names: readonly ComponentName[]): boolean {
 }
 
 /**
- * Removes a body (or a wall, or a spring) and its entity. During a step it goes when the step ends.
+ * Removes a body (or a wall, or a spring) and its entity. During a step it goes when the step ends; until then it
+ * takes part in the step, but `isAlive` is false for it, and removing it again does nothing.
  * @throws PhysicsError E_STALE when there is nothing with this id, E_DESTROYED; and what an observer of yours throws,
  *   when the entity is gone
  */
@@ -106,7 +107,7 @@ function despawnLater(world: PhysicsWorld, eid: number): void {
     throw staleError(eid, `there is no body ${String(eid)} in this world.`);
   }
   const life = contextOf(world).entityComponents.get(eid);
-  if (leaving.get(eid) === life) throw staleError(eid, `body ${eid} is already being removed.`);
+  if (leaving.get(eid) === life) return;
   leaving.set(eid, life as Set<unknown>);
   deferredEdits.push(() => {
     if (contextOf(world).entityComponents.get(eid) === life) removeWholly(world, eid);

@@ -1,5 +1,5 @@
 import { assertUsable } from '../ecs/guards.ts';
-import { checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
+import { checkVector, isRecord, mustBe, type Vector, type VectorInput } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -23,6 +23,7 @@ type Writable<T> = { -readonly [Key in keyof T]: T[Key] };
  */
 export function energy(world: PhysicsWorld, out: Writable<Energy> = { kinetic: 0, potential: 0, total: 0 }): Energy {
   assertUsable(world);
+  if (!isRecord(out) || Object.isFrozen(out)) throw mustBe('an object that can be written to', out, 'energy: out');
   const { forces } = world;
   out.kinetic = kineticEnergy(world);
   out.potential = 0;

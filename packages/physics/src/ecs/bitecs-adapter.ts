@@ -103,3 +103,9 @@ export function removeWholly(world: PhysicsWorld, eid: number): void {
   }
   if (first !== undefined) throw first.error;
 }
+
+/** Whether this life of the entity ends with the present step. */
+export function isLeaving(world: PhysicsWorld, eid: number): boolean {
+  const leaving = world.internal.leaving.get(eid);
+  return leaving !== undefined && leaving === contextOf(world).entityComponents.get(eid);
+}

@@ -1,6 +1,7 @@
 import { bitOf } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { isLeaving } from './bitecs-adapter.ts';
 import { assertUsable } from './guards.ts';
 
 declare const reference: unique symbol;
@@ -33,12 +34,17 @@ function lifeOf(world: PhysicsWorld, eid: number): number {
   return world.internal.generations[eid] % LIVES;
 }
 
-/** Whether the body a reference names is still there. @throws PhysicsError E_DESTROYED */
+/**
+ * Returns whether the body of a reference is in the world and not about to leave it: a body that was despawned in this
+ * step counts as gone.
+ * @throws PhysicsError E_DESTROYED
+ */
 export function isAlive(world: PhysicsWorld, ref: EntityRef): boolean {
   assertUsable(world);
   if (!Number.isSafeInteger(ref)) return false;
   const eid = ref % ID_SPAN;
-  return hasBody(world, eid) && lifeOf(world, eid) === Math.floor(ref / ID_SPAN);
+  if (!hasBody(world, eid) || lifeOf(world, eid) !== Math.floor(ref / ID_SPAN)) return false;
+  return !isLeaving(world, eid);
 }
 
 /**

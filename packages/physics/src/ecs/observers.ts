@@ -5,7 +5,7 @@
 import { hasComponent, observe, onAdd, onGet, onRemove, onSet, removeComponent } from 'bitecs';
 import { COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
-import { contextOf, guardTables, isPrefab } from './bitecs-adapter.ts';
+import { guardTables, isLeaving, isPrefab } from './bitecs-adapter.ts';
 import { capacityError } from './entity-capacity.ts';
 import { whenIdle } from './guards.ts';
 import { closeRow, isOpen, openRow, readRow, writeRow } from './rows.ts';
@@ -33,12 +33,6 @@ function added(world: PhysicsWorld, eid: number, name: ComponentName): void {
   whenIdle(world, () => {
     if (hasComponent(world, eid, world.components[name])) openRow(world, eid, name);
   });
-}
-
-/** Whether this life of the entity ends with the present step. */
-function isLeaving(world: PhysicsWorld, eid: number): boolean {
-  const leaving = world.internal.leaving.get(eid);
-  return leaving !== undefined && leaving === contextOf(world).entityComponents.get(eid);
 }
 
 function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): void {

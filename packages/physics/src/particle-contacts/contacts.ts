@@ -119,9 +119,14 @@ export function contactCapacity(world: PhysicsWorld): number {
   return contactTable(world).words[Word.capacity];
 }
 
-/** System of the `events` phase: dispatches the events of this step's contacts between bodies. */
+/** System of the `events` phase: dispatches the events of this step's contacts, of bodies first, then of walls. */
 export function dispatchContactEvents(world: PhysicsWorld): void {
-  if (!hasHandlers(world, 'contact')) return;
-  const { count } = contactsOf(world);
-  for (let i = 0; i < count; i++) emit(world, 'contact', i);
+  if (hasHandlers(world, 'contact')) {
+    const { count } = contactsOf(world);
+    for (let i = 0; i < count; i++) emit(world, 'contact', i);
+  }
+  if (hasHandlers(world, 'wallContact')) {
+    const { count } = wallContactsOf(world);
+    for (let i = 0; i < count; i++) emit(world, 'wallContact', i);
+  }
 }

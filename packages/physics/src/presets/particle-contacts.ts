@@ -1,6 +1,7 @@
 import { integrate } from '../dynamics/integrate.ts';
 import { integrateRotation } from '../dynamics/integrate-rotation.ts';
 import { beginStep, validateState } from '../dynamics/validate-state.ts';
+import { assertUsable } from '../ecs/guards.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { collideBodies, enableContacts } from '../particle-contacts/collide.ts';
 import { contactBytesPerEntity } from '../particle-contacts/contact-table.ts';
@@ -22,6 +23,7 @@ export const particleContacts: Preset = /* @__PURE__ */ Object.assign(fill, {
 });
 
 function fill(world: PhysicsWorld): void {
+  assertUsable(world);
   const { phases } = world;
   // Allocates the memory immediately, so that a world too small for contacts fails at its creation.
   enableContacts(world);

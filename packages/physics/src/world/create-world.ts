@@ -1,4 +1,5 @@
 import { createWorld, deleteWorld } from 'bitecs';
+import { printWarning } from '#warnings';
 import { COMPONENT_NAMES, type ComponentName, type Components } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
 import { contextOf } from '../ecs/bitecs-adapter.ts';
@@ -19,7 +20,7 @@ import { createScratch, SCRATCH_COLUMNS } from '../memory/scratch.ts';
 import { standard } from '../presets/standard.ts';
 import { checkForces, checkIntegrator, checkSystems } from './execution-plan.ts';
 import { createPhases } from './systems.ts';
-import type { Force, Integrator, PhysicsWorld, Preset, System } from './types.ts';
+import type { Force, Integrator, PhysicsWorld, Preset, System, Warning } from './types.ts';
 
 /** How a world is made. Everything has a default. */
 export interface PhysicsWorldOptions {
@@ -43,6 +44,8 @@ export interface PhysicsWorldOptions {
   readonly preset?: Preset;
   /** A fault found in a step: 'quarantine' (default) goes on without the body, 'throw' also throws when the step ends. */
   readonly onFault?: 'quarantine' | 'throw';
+  /** Receives warnings about input that is legal but surely not meant, each once. Default: they are printed. */
+  readonly onWarning?: (warning: Warning) => void;
   /**
    * Bytes for features that need memory of their own (contacts, grids); default 2 MiB, and what the preset asks for, or
    * 256, per entity.
@@ -64,6 +67,7 @@ const OPTIONS = [
   'walls',
   'preset',
   'onFault',
+  'onWarning',
   'arenaBytes',
 ] as const;
 
@@ -79,6 +83,8 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const onFault = checkChoice(options.onFault ?? 'quarantine', 'onFault', ['quarantine', 'throw']);
   const capacity = checkWhole(options.capacity ?? 10_000, 'capacity', 1, MAX_CAPACITY);
   const seed = checkWhole(options.seed ?? 1, 'seed', 0, 2 ** 53 - 1);
+  const onWarning = options.onWarning ?? printWarning;
+  checkFunction(onWarning, 'onWarning');
   checkParts(options);
   const rows = Math.ceil((capacity + 1) / 1024) * 1024;
   const { preset = standard, integrator = velocityVerlet, forces = [] } = options;
@@ -91,7 +97,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const components = checkOwnComponents(options.components);
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
   const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN);
-  const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault };
+  const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault, onWarning };
   const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows, components) }) as PhysicsWorld;
   world.internal.componentMap = contextOf(world).componentMap;
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
@@ -184,6 +190,8 @@ function bookkeeping(components: Components) {
     templates: new Map(),
     ending: false,
     isTrial: false,
+    warned: new Set(),
+    reviewed: { plan: undefined, membership: -1 },
     rangesVersion: -1,
     sweptRows: 0,
   };

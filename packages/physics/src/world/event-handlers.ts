@@ -8,6 +8,8 @@ import type { PhysicsWorld } from './types.ts';
 export interface EventMap {
   /** Two bodies touched in this step: `index` into the arrays of `contacts(world)`. */
   contact: number;
+  /** A body touched a wall in this step: `index` into the arrays of `wallContacts(world)`. */
+  wallContact: number;
   /** The step corrected or quarantined a body; see `world.faults`. */
   fault: Fault;
 }
@@ -23,7 +25,10 @@ interface Listener<Name extends EventName> {
 /** A list is replaced and never mutated, so a list that is being iterated does not change. */
 type Listeners = { [Name in EventName]: readonly Listener<Name>[] };
 
-const listenersOf = resource<Listeners>(() => ({ contact: [], fault: [] }), { outlives: true });
+const listenersOf = resource<Listeners>(() => ({ contact: [], wallContact: [], fault: [] }), { outlives: true });
+
+/** The events that systems of the world dispatch if there are handlers. */
+const dispatchedBy = resource(() => new Set<EventName>(['fault']), { outlives: true });
 
 /**
  * Calls `handler` for each event of a step, in the last phase of the step. A handler may edit the world: its edits take
@@ -40,15 +45,24 @@ export function on<Name extends EventName>(world: PhysicsWorld, name: Name, hand
   const lists = listeners as { [N in EventName]: readonly Listener<Name>[] };
   const listener = { handler, gone: false };
   lists[name] = [...lists[name], listener];
+  world.internal.reviewed.plan = undefined;
   return () => {
     listener.gone = true;
     lists[name] = lists[name].filter((other) => other !== listener);
   };
 }
 
-/** Returns whether the event has handlers. */
+/** Returns whether the event has handlers. Systems that dispatch an event ask this first, in every step. */
 export function hasHandlers(world: PhysicsWorld, name: EventName): boolean {
+  dispatchedBy(world).add(name);
   return listenersOf(world)[name].length > 0;
+}
+
+/** Returns the events that have handlers and that no system has dispatched so far. */
+export function ignoredEvents(world: PhysicsWorld): EventName[] {
+  const dispatched = dispatchedBy(world);
+  const names = Object.keys(listenersOf(world)) as EventName[];
+  return names.filter((name) => listenersOf(world)[name].length > 0 && !dispatched.has(name));
 }
 
 /** Calls every handler; an exception of one does not stop the others. */
@@ -57,11 +71,22 @@ export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, ev
   for (let i = 0; i < list.length; i++) {
     if (list[i].gone) continue;
     try {
-      list[i].handler(event, world);
+      const result: unknown = list[i].handler(event, world);
+      if (result instanceof Promise) reportRejection(world, name, result);
     } catch (error) {
       collectThrown(world, error);
     }
   }
+}
+
+/** A rejection comes after the step, which cannot throw it any more; without this it would end the process. */
+function reportRejection(world: PhysicsWorld, name: EventName, result: Promise<unknown>): void {
+  result.catch((error) => {
+    world.onWarning({
+      message: `an asynchronous handler of "${name}" was rejected: ${error}`,
+      hint: 'Handlers are synchronous: what follows an `await` runs after the step. Catch its errors there.',
+    });
+  });
 }
 
 /** System of the `events` phase: dispatches the events of this step's faults. */

@@ -1,3 +1,4 @@
+import { warnAboutDuration } from '#warnings';
 import { assertIdle, assertUsable } from '../ecs/guards.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { MAX_DT, MIN_DT, step } from './step.ts';
@@ -15,7 +16,7 @@ export interface RunnerOptions {
 const MAX_STEPS = 1e6;
 
 /** Time that waits for a step, and time that was not simulated, s. */
-const [WAITING, DROPPED] = [0, 1];
+const [WAITING, DROPPED, LAST_FRAME] = [0, 1, 2];
 
 const NOT_NEGATIVE = { min: 0 };
 
@@ -44,7 +45,8 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
   assertUsable(world);
   const { dt, maxFrame } = checkOptions(options);
   // In cells: a variable that a function keeps would be a new number on the heap with every frame.
-  const times = new Float64Array(2);
+  const times = new Float64Array(3);
+  warnAboutDuration(world, dt, 'createRunner: dt');
   return {
     dt,
     get alpha() {
@@ -56,6 +58,9 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
     advance(elapsed) {
       assertIdle(world, 'advance');
       checkNumber(elapsed, 'elapsed', NOT_NEGATIVE);
+      // One long frame is a page that was hidden; two in a row are not.
+      if (times[LAST_FRAME] > 1 && dt < 1) warnAboutDuration(world, elapsed, 'advance');
+      times[LAST_FRAME] = elapsed;
       const frame = Math.min(elapsed, maxFrame);
       const wanted = times[WAITING] + frame;
       // Steps that threw may have left time behind; a world that throws at every step must not save it up.

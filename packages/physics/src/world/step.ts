@@ -1,3 +1,4 @@
+import { warnAboutDuration, warnAboutWorld } from '#warnings';
 import { prepareForces } from '../dynamics/evaluate-forces.ts';
 import { prepareLoops } from '../dynamics/fused-step.ts';
 import { validateCoefficients } from '../dynamics/validate-coefficients.ts';
@@ -6,10 +7,11 @@ import { assertIdle } from '../ecs/guards.ts';
 import { refreshRanges } from '../ecs/ranges.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { destroyWorld } from './create-world.ts';
+import { ignoredEvents } from './event-handlers.ts';
 import { currentPlan } from './execution-plan.ts';
 import { runPhase } from './run-phase.ts';
 import { clearStepErrors, throwStepErrors } from './step-errors.ts';
-import type { PhysicsWorld } from './types.ts';
+import type { PhysicsWorld, Plan } from './types.ts';
 
 /** Longest step, s: thirty thousand years. The sum of 2⁵³ such steps is still a finite time. */
 export const MAX_DT = 1e12;
@@ -57,8 +59,19 @@ export function step(world: PhysicsWorld, dt: number): void {
   world.state = 'settling';
   applyDeferredEdits(world);
   world.state = 'idle';
+  review(world, plan, dt);
   if (world.internal.ending) destroyWorld(world);
   throwStepErrors(world);
+}
+
+/** Warns about what is surely not meant, whenever the plan, the handlers or the set of components has changed. */
+function review(world: PhysicsWorld, plan: Plan, dt: number): void {
+  const { reviewed } = world.internal;
+  if (reviewed.plan === plan && reviewed.membership === world.versions.membership) return;
+  reviewed.plan = plan;
+  reviewed.membership = world.versions.membership;
+  warnAboutDuration(world, dt, 'step');
+  warnAboutWorld(world, plan, ignoredEvents(world));
 }
 
 /**

@@ -223,6 +223,12 @@ export interface OwnColumns {
 
 export type OwnComponents = ReadonlyMap<ComponentSpec, OwnColumns>;
 
+/** Legal input that is surely not meant. */
+export interface Warning {
+  readonly message: string;
+  readonly hint: string;
+}
+
 /** A world: plain columns of numbers in one block of memory, and the short lists that say what a step does. */
 export interface PhysicsWorld {
   readonly dimensions: 2 | 3;
@@ -245,6 +251,8 @@ export interface PhysicsWorld {
   readonly forces: Force[];
   integrator: Integrator;
   onFault: 'quarantine' | 'throw';
+  /** Receives each warning once; by default it is printed to the console. Builds for production give none. */
+  onWarning: (warning: Warning) => void;
   /** Simulated time, s. */
   time: number;
   /** Steps done. */
@@ -306,6 +314,10 @@ export interface WorldInternals {
   ending: boolean;
   /** The integrator tries a state that it may reject: a bad force there is no fault. */
   isTrial: boolean;
+  /** Messages of the warnings that were given. */
+  readonly warned: Set<string>;
+  /** What the world was last checked with for warnings. */
+  readonly reviewed: { plan: Plan | undefined; membership: number };
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   rangesVersion: number;
   /** Rows that hold anything, rounded up to whole blocks. */

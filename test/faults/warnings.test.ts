@@ -1,0 +1,103 @@
+/** Input that is legal but surely not meant gets a warning, once, that says what to do. */
+import {
+  boxWalls,
+  createPhysicsWorld,
+  createRunner,
+  linearDrag,
+  on,
+  type PhysicsWorldOptions,
+  particleContacts,
+  spawn,
+  step,
+  uniformGravity,
+  type Warning,
+} from '@principia/physics';
+import { expect, it } from 'vitest';
+
+/** A world, and the warnings that it has given. */
+function listen(options: PhysicsWorldOptions = {}) {
+  const warnings: Warning[] = [];
+  const world = createPhysicsWorld({ capacity: 100, onWarning: (warning) => warnings.push(warning), ...options });
+  const messages = () => warnings.map(({ message }) => message).join('\n');
+  return { world, warnings, messages };
+}
+
+it('is silent in an ordinary world', () => {
+  const walls = [boxWalls({ min: { x: -5, y: -5 }, max: { x: 5, y: 5 } })];
+  const { world, warnings } = listen({ preset: particleContacts, forces: [uniformGravity(), linearDrag()], walls });
+  spawn(world, { position: {}, mass: 1, linearDrag: 0.1, collider: 0.5 });
+  spawn(world, { segmentWall: { ax: -1, bx: 1 } });
+  on(world, 'contact', () => {});
+  const runner = createRunner(world);
+  for (let i = 0; i < 5; i++) runner.advance(1 / 60);
+  expect(warnings).toEqual([]);
+});
+
+it('names walls that nothing runs, once', () => {
+  const { world, warnings, messages } = listen();
+  spawn(world, { segmentWall: { ax: -1, bx: 1 } });
+  spawn(world, { planeWall: { ny: 1 } });
+  for (let i = 0; i < 3; i++) step(world, 0.01);
+  expect(messages()).toBe(
+    'bodies pass through every SegmentWall, because no system of this world runs them.\n' +
+      'bodies pass through every PlaneWall, because no system of this world runs them.',
+  );
+  expect(warnings[0].hint).toContain('particleContacts');
+});
+
+it('names a handler of contacts that is never called, also one that comes later', () => {
+  const { world, messages } = listen();
+  step(world, 0.01);
+  on(world, 'wallContact', () => {});
+  step(world, 0.01);
+  expect(messages()).toMatch(/^a handler of "wallContact" is never called/);
+});
+
+it('names a coefficient that no force reads, and the force to add', () => {
+  const { world, warnings, messages } = listen({ forces: [uniformGravity()] });
+  spawn(world, { position: {}, mass: 1, linearDrag: 2 });
+  step(world, 0.01);
+  expect(messages()).toBe('LinearDrag has no effect, because no force of this world reads it.');
+  expect(warnings[0].hint).toBe('Add linearDrag() to `forces`.');
+});
+
+it('names a force that is there twice, but not two of different parameters', () => {
+  const { world, messages } = listen({ forces: [uniformGravity(), uniformGravity({ y: -1 })] });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  world.forces.push(uniformGravity({ y: -1 }));
+  step(world, 0.01);
+  expect(messages()).toMatch(/^the force "uniform gravity" is in `world.forces` twice/);
+});
+
+it('recognises milliseconds, and lets a page that was hidden go on', () => {
+  const { world, messages } = listen();
+  step(world, 16.7);
+  expect(messages()).toBe('step got 16.7, which looks like milliseconds; times are in seconds.');
+
+  const frames = listen();
+  const runner = createRunner(frames.world);
+  runner.advance(16.7);
+  expect(frames.messages()).toBe('');
+  runner.advance(16.7);
+  expect(frames.messages()).toMatch(/^advance got 16.7/);
+
+  const slow = listen();
+  createRunner(slow.world, { dt: 16.7 });
+  expect(slow.messages()).toMatch(/^createRunner: dt got 16.7/);
+  const orbits = listen();
+  createRunner(orbits.world, { dt: 3600 });
+  step(orbits.world, 86_400);
+  expect(orbits.messages()).toBe('');
+});
+
+it('reports a handler that rejects, which no step can throw any more', async () => {
+  const { world, messages } = listen({ preset: particleContacts });
+  for (const x of [0, 0.9]) spawn(world, { position: { x }, mass: 1, collider: 0.5 });
+  on(world, 'contact', (async () => {
+    throw new Error('too late');
+  }) as () => void);
+  step(world, 0.01);
+  await Promise.resolve();
+  expect(messages()).toBe('an asynchronous handler of "contact" was rejected: Error: too late');
+});
