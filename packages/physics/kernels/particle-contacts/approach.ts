@@ -1,7 +1,8 @@
-// How the two bodies of a contact lie and move towards each other, at the end of the step as it is so far.
+// Relative position and motion of the two bodies of a contact, with the values that the step has reached so far.
 import { Body } from './body';
 
-// From a to b: position, velocity, mean acceleration of the step; the unit normal and the distance of the centres.
+// All vectors point from a to b: relative position d, velocity v, mean acceleration a over the step, and the unit
+// normal n. `distance` is between the centres.
 export let dX: real = 0;
 export let dY: real = 0;
 export let dZ: real = 0;
@@ -17,16 +18,17 @@ export let nZ: real = 0;
 export let distance: real = 0;
 
 // @ts-ignore: decorator
-@inline export function readPlace(a: Body, b: Body): void {
+@inline export function readSeparation(a: Body, b: Body): void {
   dX = b.x - a.x;
   dY = b.y - a.y;
   dZ = b.z - a.z;
   distance = sqrt<real>(dX * dX + dY * dY + dZ * dZ);
 }
 
-// The normal of the place that was read, and the motions. `idA` and `idB` decide for two bodies in one place, `flat` in
-// the plane; `lag` is the time by which the integrator's velocities lag its positions.
-export function readApproach(a: Body, b: Body, idA: i32, idB: i32, flat: bool, lag: real): void {
+// Computes the unit normal from the separation read last, and the relative motion. The ids choose the normal of two
+// bodies at the same point; `flat` restricts it to the plane. `lag` is the time by which the integrator's velocities
+// lag its positions.
+export function readRelativeMotion(a: Body, b: Body, idA: i32, idB: i32, flat: bool, lag: real): void {
   if (distance > 0) {
     nX = dX / distance;
     nY = dY / distance;
@@ -42,8 +44,9 @@ export function readApproach(a: Body, b: Body, idA: i32, idB: i32, flat: bool, l
   vZ = b.vz - a.vz + lag * aZ;
 }
 
-// A direction for two bodies in one place: any will do, but it must be the same in every run and differ from pair to
-// pair. A hash of the ids gives a point of the circle (of the sphere) by its rational parametrisation.
+// Returns a normal for two bodies whose centres coincide. Any direction is valid, but it must be the same in every run
+// and differ between pairs. A hash of the ids selects a point on the circle (or sphere) by its rational
+// parametrisation.
 function chooseNormal(a: i32, b: i32, flat: bool): void {
   let hash = <u32>a * 0x9e3779b1 + <u32>b * 0x85ebca77;
   hash = (hash ^ (hash >> 15)) * 0x2c1b3c6d;

@@ -1,4 +1,4 @@
-// Collisions of bodies, and the walls that are entities: a module of its own, so that a game without them does not pay.
+// Collisions between bodies and with wall entities form a separate module, so that games without them do not load it.
 export { findPairs } from './pairs';
 export { beginContacts, beginWallContacts, sortContacts } from './order';
 export { respond } from './respond';

@@ -1,17 +1,17 @@
-// When two round things that move under constant acceleration came to touch, looking back from the end of the step.
+// Time of impact of two round bodies under constant acceleration, measured back from the end of the step.
 //
-// With d, v and a the relative position, velocity and acceleration at the end, the distance a time t earlier is
-// |d - v t + a t^2 / 2|. Without acceleration the entry is the larger root of a quadratic; with it, three Newton steps
-// from that root find it to rounding.
+// With d, v and a the relative position, velocity and acceleration at the end, the distance a time t earlier is |d - v
+// t + a t^2 / 2|. Without acceleration the entry is the larger root of a quadratic; with acceleration, three Newton
+// iterations from that root converge to rounding.
 
-// Unit normal from the first thing to the second at the touch, and the speed at which they met along it.
-export let touchX: real = 0;
-export let touchY: real = 0;
-export let touchZ: real = 0;
-export let touchSpeed: real = 0;
+// Unit normal from the first body to the second at the impact, and their closing speed along it.
+export let impactNormalX: real = 0;
+export let impactNormalY: real = 0;
+export let impactNormalZ: real = 0;
+export let impactNormalSpeed: real = 0;
 
-// Time since the centres came to the distance `reach`, or -1 when that was not within the last `dt`.
-export function touchTime(
+// Returns the time since the centres were `reach` apart, or -1 if that was not within the last `dt`.
+export function roundTimeSinceImpact(
   dx: real,
   dy: real,
   dz: real,
@@ -30,7 +30,7 @@ export function touchTime(
   const discriminant = along * along - square * gap;
   if (!(discriminant >= 0) || !(square > 0)) return -1;
   const root = sqrt<real>(discriminant);
-  // The second form keeps its digits where the first subtracts nearly equal numbers.
+  // The second form avoids the cancellation that the first has for nearly equal terms.
   let time = along < 0 && gap < 0 ? -gap / (root - along) : (along + root) / square;
   if (ax != 0 || ay != 0 || az != 0) {
     for (let i = 0; i < 3; i++) {
@@ -50,9 +50,9 @@ export function touchTime(
   const pz = dz - time * (vz - half * az);
   const length = sqrt<real>(px * px + py * py + pz * pz);
   if (!(length > 0)) return -1;
-  touchX = px / length;
-  touchY = py / length;
-  touchZ = pz / length;
-  touchSpeed = -((vx - ax * time) * touchX + (vy - ay * time) * touchY + (vz - az * time) * touchZ);
+  impactNormalX = px / length;
+  impactNormalY = py / length;
+  impactNormalZ = pz / length;
+  impactNormalSpeed = -((vx - ax * time) * impactNormalX + (vy - ay * time) * impactNormalY + (vz - az * time) * impactNormalZ);
   return time;
 }

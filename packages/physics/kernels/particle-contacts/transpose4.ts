@@ -1,22 +1,22 @@
-// Four reals of each of LANES bodies as four vectors with a lane for each body, and back: a transposition.
+// Transposes between four reals of each of LANES bodies and four vectors with one lane per body.
 //
-// In f32 four bodies have one vector each. In f64 two bodies have two vectors each: first their first halves, then their
-// second. Either way four vectors go in, four come out, and going back is the same.
+// In f32 each of four bodies is one vector. In f64 each of two bodies is two vectors; all first halves precede the
+// second halves. In both cases the transposition maps four vectors to four vectors and is its own inverse.
 
-// What was read.
+// Results of the transposition.
 export let q0: v128 = i32x4.splat(0);
 export let q1: v128 = i32x4.splat(0);
 export let q2: v128 = i32x4.splat(0);
 export let q3: v128 = i32x4.splat(0);
 
-// Address of vector j, where `list` holds the addresses of the bodies.
+// Address of vector j; `list` holds the addresses of the bodies.
 // @ts-ignore: decorator
 @inline function quadAt(list: usize, j: i32): usize {
   if (sizeof<real>() == 4) return load<u32>(list + ((<usize>j) << 2));
   return load<u32>(list + ((<usize>(j & 1)) << 2)) + ((<usize>(j >> 1)) << 4);
 }
 
-// Reads the reals that lie `offset` bytes into the bodies.
+// Loads the four reals at byte `offset` of each body.
 // @ts-ignore: decorator
 @inline export function readQuads(list: usize, offset: usize): void {
   transpose(

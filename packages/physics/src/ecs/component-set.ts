@@ -1,12 +1,12 @@
-// The components of one entity, as bitECS lists them in a `Set` of its own for each. A `Set` takes 150 bytes, and 250
-// from the fifth component on; a million of them are most of what a million bodies weigh. Here an entity has one word
-// of bits, and a `Set` only once it gets a component that is not the engine's.
+// The components of one entity. bitECS keeps a `Set` per entity, which takes 150 bytes, and 250 from the fifth
+// component on: most of the memory of a million bodies. Here an entity has one word of bits, and a `Set` only once it
+// has a component that is not the engine's.
 import type { ComponentRef } from 'bitecs';
 import { bitOf, COMPONENT_NAMES } from '../components/all.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { bitIn } from './bitecs-adapter.ts';
 
-/** Does what bitECS asks of the set: add, delete, iterate; and what a reader of it would expect besides. */
+/** Implements the methods that bitECS calls (add, delete, iterate), and the others that readers expect of a `Set`. */
 export class ComponentSet implements Iterable<ComponentRef> {
   readonly #world: PhysicsWorld;
   #bits: number;

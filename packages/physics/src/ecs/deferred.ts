@@ -1,8 +1,8 @@
-// Edits of the world that were made while a step ran.
+// Edits of the world that were deferred because a step was running.
 import { collectThrown } from '../errors/collect-thrown.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** Makes the edits in the order in which they were asked for. One that fails does not stop the others. */
+/** Applies the edits in the order of the calls. A failure of one does not stop the others. */
 export function applyDeferredEdits(world: PhysicsWorld): void {
   const { deferredEdits, leaving } = world.internal;
   if (deferredEdits.length === 0) return;

@@ -1,14 +1,14 @@
-// Entities that lack a component which the step would write to for those they have.
+// Entities that lack a component which the step would write to.
 //
-// Forces move what has Position, Velocity and Mass. Kernels sweep columns without asking who has what, which is right
-// as long as the coefficients of the absent are zero; Mass without Velocity, or Velocity without Position, would fill
-// columns the entity does not have. Such entities are counted as components come and go, and while there are any, the
-// step zeroes what they do not have: they cost nothing when there are none.
+// Forces move entities with Position, Velocity and Mass. Kernels process columns without checking components, which is
+// correct as long as absent components have zero coefficients. Mass without Velocity, or Velocity without Position,
+// would make the step write to columns that the entity does not have. Such entities are counted as components are added
+// and removed, and while there are any, the step clears these columns; otherwise they cost nothing.
 import { bitOf } from '../components/all.ts';
 import { ANGLES, AXES } from '../memory/axes.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** What forces move. */
+/** Components of an entity that forces move. */
 export const MOVABLE = bitOf('Position') | bitOf('Velocity');
 
 function isImmovable(bits: number): boolean {
@@ -24,14 +24,14 @@ function turnBit({ dimensions }: PhysicsWorld): number {
   return bitOf(ANGLES[dimensions]);
 }
 
-/** Keeps the counts when `rows` rows go from one set of components to another. */
+/** Updates the counts when `rows` rows change from one set of components to another. */
 export function countPartialEntities(world: PhysicsWorld, from: number, to: number, rows = 1): void {
   const { partialEntities } = world.internal;
   partialEntities.unmoved += rows * (Number(isImmovable(to)) - Number(isImmovable(from)));
   partialEntities.strays += rows * (Number(isStray(world, to)) - Number(isStray(world, from)));
 }
 
-/** Takes the force from what forces do not move; called whenever forces were evaluated. */
+/** Clears the force on entities that forces do not move; called after every force evaluation. */
 export function clearForcesOfImmovable(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, internal, scratch } = world;
   if (internal.partialEntities.unmoved === 0) return;
@@ -40,7 +40,7 @@ export function clearForcesOfImmovable(world: PhysicsWorld, first: number, last:
   }
 }
 
-/** Zeroes what the step wrote for entities that do not have the component. */
+/** Clears what the step wrote for entities that do not have the component. */
 export function clearMissing(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, internal, addresses, dimensions } = world;
   const { unmoved, strays } = internal.partialEntities;

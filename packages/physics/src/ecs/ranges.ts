@@ -2,10 +2,10 @@ import { bitOf } from '../components/all.ts';
 import type { PhysicsWorld, Ranges } from '../world/types.ts';
 import { assertUsable } from './guards.ts';
 
-/** Runs of bodies closer than this many blocks are swept as one: inert rows cost less than another call. */
+/** Ranges separated by fewer blocks are joined: processing empty rows costs less than another call. */
 const JOIN_BLOCKS = 8;
 
-/** Brings `world.ranges` and `world.ids` up to date with the membership bits, when those changed. */
+/** Updates `world.ranges` and `world.ids` if the component bits changed. */
 export function refreshRanges(world: PhysicsWorld): void {
   if (world.internal.rangesVersion === world.versions.membership) return;
   const { kernels, internal } = world;
@@ -16,7 +16,7 @@ export function refreshRanges(world: PhysicsWorld): void {
   internal.rangesVersion = world.versions.membership;
 }
 
-/** A function that does to every run of rows what `run` does to one; for systems and for the parts of integrators. */
+/** Returns a function that applies `run` to every range of rows; for systems and integrators. */
 export function forEachRange(
   run: (world: PhysicsWorld, first: number, last: number, dt: number) => void,
 ): (world: PhysicsWorld, ranges: Ranges, dt: number) => void {
@@ -25,13 +25,16 @@ export function forEachRange(
   };
 }
 
-/** The ids of all bodies, ascending: `ids[0 … count)`. */
+/** The ids of all bodies in ascending order: `ids[0 … count)`. */
 export interface BodyList {
   readonly ids: Uint32Array;
   readonly count: number;
 }
 
-/** The bodies as they are now. The same object every time, so keep a copy of what you need across edits. @throws PhysicsError E_DESTROYED */
+/**
+ * Returns the present bodies. The object is the same at every call, so copy what you need across edits. @throws
+ * PhysicsError E_DESTROYED
+ */
 export function bodies(world: PhysicsWorld): BodyList {
   assertUsable(world);
   refreshRanges(world);

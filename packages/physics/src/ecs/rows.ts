@@ -1,4 +1,4 @@
-// The rows of the columns: opened when an entity gains a component, written, and zeroed when it loses it.
+// Rows of the columns: initialised when an entity gains a component, and zeroed when it loses it.
 import { removeComponent } from 'bitecs';
 import { bitOf, COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
@@ -7,7 +7,7 @@ import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { countPartialEntities } from './partial-entities.ts';
 import { initialValues } from './values.ts';
 
-/** Whether the row of a component is in use. */
+/** Returns whether the row of a component is in use. */
 export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): boolean {
   return (world.internal.members[eid] & bitOf(name)) !== 0;
 }
@@ -18,7 +18,7 @@ function changeBits(world: PhysicsWorld, eid: number, bits: number): void {
   members[eid] = bits;
 }
 
-/** Begins a row with the component's initial values. */
+/** Initialises a row with the initial values of the component. */
 export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
   if (isOpen(world, eid, name)) return;
   const { internal, versions } = world;
@@ -31,15 +31,15 @@ export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): 
 }
 
 /**
- * Zeroes all columns of a row no entity has. They are zero already, unless somebody wrote through an id kept too long;
- * a new entity must not inherit that. Reads first, so that pages never used stay untouched.
+ * Zeroes all columns of an unused row. They are zero already unless user code wrote through a stale id, which a new
+ * entity must not inherit. The function reads first, so that unused pages are not touched.
  */
 export function cleanRow(world: PhysicsWorld, eid: number): void {
   const { columns } = world.internal;
   for (let c = 0; c < columns.length; c++) if (columns[c][eid] !== 0) columns[c][eid] = 0;
 }
 
-/** The present values of a row. */
+/** Returns the present values of a row. */
 export function readRow(world: PhysicsWorld, eid: number, name: ComponentName): FieldValues {
   const columns: Columns = world.components[name];
   const values: FieldValues = {};
@@ -47,7 +47,7 @@ export function readRow(world: PhysicsWorld, eid: number, name: ComponentName): 
   return values;
 }
 
-/** Writes checked values to a row in use; others are left alone. */
+/** Writes validated values to a row in use; does nothing for other rows. */
 export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, values: Readonly<FieldValues>): void {
   if (!isOpen(world, eid, name)) return;
   const columns: Columns = world.components[name];
@@ -57,18 +57,18 @@ export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, 
   if (name === 'Position' || name === 'Velocity') release(world, eid);
 }
 
-/** A body someone put in order is in quarantine no longer. */
+/** Ends the quarantine of a body whose values were corrected. */
 function release(world: PhysicsWorld, eid: number): void {
   if (isOpen(world, eid, 'Quarantined')) removeComponent(world, eid, world.components.Quarantined);
 }
 
-/** Makes the previous pose of a body its present one, so that renderers do not draw it crossing the gap. */
+/** Sets the previous pose of a body to its present pose, so that renderers do not interpolate across the jump. */
 export function teleport(world: PhysicsWorld, eid: number): void {
   copyPose(world.components, world.previous, eid);
   world.versions.pose++;
 }
 
-/** Zeroes a row: an absent component has zero coefficients, so kernels may sweep it without asking. */
+/** Zeroes a row: an absent component has zero coefficients, so kernels process its row without a check. */
 export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
   if (!isOpen(world, eid, name)) return;
   const { internal, versions } = world;

@@ -1,9 +1,12 @@
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** Exceptions kept of one step. A force that throws does so for every tile, which for a million bodies is often. */
+/**
+ * Maximum number of exceptions kept per step. A force that throws does so for every chunk, which is often for a million
+ * bodies.
+ */
 const MAX_THROWN = 32;
 
-/** Keeps what users' code threw, for the end of the step. */
+/** Collects an exception of user code until the end of the step. */
 export function collectThrown({ internal }: PhysicsWorld, error: unknown): void {
   internal.thrownCount++;
   if (internal.thrown.length < MAX_THROWN) internal.thrown.push(error);

@@ -1,7 +1,7 @@
 import type { FaultCode } from './physics-error.ts';
 import { checkList } from './validate.ts';
 
-/** A fault the step found and dealt with. */
+/** A fault that the step found and handled. */
 export interface Fault {
   readonly code: FaultCode;
   readonly entity: number;
@@ -9,23 +9,23 @@ export interface Fault {
   readonly field: string;
   /** The value that was found. */
   readonly value: number;
-  /** `world.tick` of the step it was found in. */
+  /** `world.tick` of the step that found it. */
   readonly step: number;
   /**
-   * Where in the step: before it ('begin': someone wrote the value), in the integrator ('integrate': it could not keep its
-   * tolerance) or after ('finish': a force or contact made it).
+   * Where the step found it: before the step ('begin': user code wrote the value), in the integrator ('integrate': it
+   * could not keep its tolerance) or after ('finish': a force or contact caused it).
    */
   readonly phase: 'begin' | 'integrate' | 'finish';
-  /** The law whose force was not finite, where that is known. */
+  /** The law whose force was not finite, if known. */
   readonly law?: string | undefined;
-  /** What to do about it. */
+  /** How to fix it. */
   readonly hint?: string | undefined;
 }
 
-/** The faults since the log was last cleared: the first 1024, and how many more there were. */
+/** The first 1024 faults since the log was last cleared, and the number of further faults. */
 export interface FaultLog {
   readonly faults: Fault[];
-  /** Faults not kept because the log was full. */
+  /** Number of faults not kept because the log was full. */
   droppedCount: number;
 }
 
@@ -33,7 +33,7 @@ export function createFaultLog(): FaultLog {
   return { faults: [], droppedCount: 0 };
 }
 
-/** Empties the log. @throws PhysicsError E_TYPE for what is no log */
+/** Clears the log. @throws PhysicsError E_TYPE if the argument is not a fault log */
 export function clearFaults(log: FaultLog): void {
   checkList(log?.faults ?? null, 'clearFaults: log.faults');
   log.faults.length = 0;

@@ -1,4 +1,4 @@
-/** What went wrong, for programs; the message says it for people. */
+/** The kind of an error, for programs; the message is for people. */
 export type FaultCode =
   | 'E_TYPE'
   | 'E_NONFINITE'
@@ -13,18 +13,19 @@ export type FaultCode =
   | 'E_CONVERGENCE'
   | 'E_SPEED';
 
-/** Where and what: all optional, because not every fault has an entity or a field. */
+/**
+ * Where and with which value an error occurred. All fields are optional, because not every error has an entity or a
+ * field.
+ */
 export interface FaultDetails {
   readonly entity?: number | undefined;
   readonly field?: string | undefined;
   readonly value?: unknown;
-  /** What to do about it. */
+  /** How to fix it. */
   readonly hint?: string | undefined;
 }
 
-/**
- * The one error of this package. Whoever throws it has changed nothing: the world is as it was before the call.
- */
+/** The error class of this package. A function that throws it leaves the world unchanged. */
 export class PhysicsError extends Error {
   override readonly name = 'PhysicsError';
   readonly entity: number | undefined;
@@ -45,7 +46,7 @@ export class PhysicsError extends Error {
   }
 }
 
-/** A value as it reads in a message: strings quoted, objects by their kind. */
+/** Formats a value for a message: strings are quoted, objects named by their kind. */
 export function describe(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value);
   if (typeof value === 'bigint') return `${value}n`;

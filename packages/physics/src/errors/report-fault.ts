@@ -2,10 +2,10 @@ import type { PhysicsWorld } from '../world/types.ts';
 import { FAULT_HINTS } from './fault-hints.ts';
 import type { Fault } from './fault-log.ts';
 
-/** Faults kept of one step, and in the log. */
+/** Maximum number of faults kept per step and in the log. */
 const MAX_FAULTS = 1024;
 
-/** Enters a fault of the present step in the log, and in the list of the step's that handlers are told of. */
+/** Records a fault of the present step in the log and in the step's list for event handlers. */
 export function reportFault(world: PhysicsWorld, fault: Omit<Fault, 'step'>): void {
   const { faults: log, internal } = world;
   const dated = { hint: FAULT_HINTS[fault.code], ...fault, step: world.tick };

@@ -26,13 +26,13 @@ export function checkNumber(
   throw mustBe(wanted, value, field, code, entity, hint);
 }
 
-/** `checkNumber` of a whole number; makes no object, for what is called in every step. */
+/** `checkNumber` for an integer; allocates no object, for values that are checked in every step. */
 export function checkWhole(value: unknown, field: string, min: number, max: number): number {
   const isWhole = Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
   return isWhole ? (value as number) : checkNumber(value, field, { min, max, integer: true });
 }
 
-/** The error for a value that is not what it must be: "mass must be a number, got an object." */
+/** Returns the error for an invalid value: "mass must be a number, got an object." */
 export function mustBe(
   wanted: string,
   value: unknown,
@@ -44,7 +44,7 @@ export function mustBe(
   return new PhysicsError(code, `${field} must be ${wanted}, got ${describe(value)}.`, { entity, field, value, hint });
 }
 
-/** The error for a name that is none of those there are: "position has no field "w". Valid: x, y, z." */
+/** Returns the error for an unknown name: "position has no field "w". Valid: x, y, z." */
 export function unknownName(
   what: string,
   kind: string,
@@ -56,7 +56,7 @@ export function unknownName(
   return new PhysicsError('E_UNKNOWN', `${what} has no ${kind} "${name}".`, { entity, field: name, value: name, hint });
 }
 
-/** Whether `checkNumber` accepts the value. */
+/** Returns whether `checkNumber` accepts the value. */
 export function isWithin(value: unknown, bounds: Bounds): value is number {
   return Number.isFinite(value) && outOfBounds(value as number, bounds) === undefined;
 }
@@ -69,7 +69,7 @@ function outOfBounds(value: number, bounds: Bounds): string | undefined {
   return undefined;
 }
 
-/** A vector a caller gives: absent axes are zero. */
+/** A vector given by a caller: omitted axes are zero. */
 export interface VectorInput {
   readonly x?: number;
   readonly y?: number;
@@ -84,7 +84,7 @@ export interface Vector {
 }
 
 /**
- * A validated copy of a vector.
+ * Returns a validated copy of a vector.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE; E_UNKNOWN for a key that is not an axis
  */
 export function checkVector(value: unknown, field: string, bounds: Bounds = {}): Vector {
@@ -97,8 +97,9 @@ export function checkVector(value: unknown, field: string, bounds: Bounds = {}):
 }
 
 /**
- * Writes the three axes of a vector to `out[at…]`, when it is one; makes no object, for what is called in every step.
- * @throws PhysicsError as `checkVector`; `out` may then hold a part of it
+ * Validates a vector and writes its three axes to `out[at…]`; allocates no object, for values that are read in every
+ * step.
+ * @throws PhysicsError as `checkVector`; `out` may then be partly written
  */
 export function readVector(out: Float64Array, at: number, value: VectorInput, field: string, bounds: Bounds): void {
   if (!isRecord(value)) checkVector(value, field, bounds);
@@ -107,14 +108,14 @@ export function readVector(out: Float64Array, at: number, value: VectorInput, fi
     const place = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
     const component = value[axis as 'x'];
     if (place >= 0 && isWithin(component, bounds)) out[at + place] = component;
-    // Says what is wrong.
+    // This call throws the error with the details.
     else checkVector(value, field, bounds);
   }
 }
 
 /**
- * Refuses what is no object, and keys that are not in `known`, naming the valid ones.
- * @param kind what a key is: an option, an axis
+ * Rejects values that are not objects, and keys that are not in `known`; the message lists the valid keys.
+ * @param kind the kind of key: an option, an axis
  * @throws PhysicsError E_TYPE, E_UNKNOWN
  */
 export function checkKeys(value: unknown, what: string, known: readonly string[], kind = 'option'): void {
@@ -127,13 +128,13 @@ export function checkFunction(value: unknown, field: string): void {
   if (typeof value !== 'function') throw mustBe('a function', value, field);
 }
 
-/** The flag; false when it is left out. @throws PhysicsError E_TYPE */
+/** Validates an optional flag and returns it; the default is false. @throws PhysicsError E_TYPE */
 export function checkFlag(value: unknown, field: string): boolean {
   if (value !== undefined && typeof value !== 'boolean') throw mustBe('true or false', value, field);
   return value === true;
 }
 
-/** The word or number. @throws PhysicsError E_RANGE unless it is one of `choices` */
+/** Validates a choice and returns it. @throws PhysicsError E_RANGE unless it is one of `choices` */
 export function checkChoice<T extends string | number>(value: unknown, field: string, choices: readonly T[]): T {
   if (choices.includes(value as T)) return value as T;
   throw mustBe(choices.map(describe).join(' or '), value, field, 'E_RANGE');
@@ -155,7 +156,7 @@ export function checkHas(value: unknown, method: string, field: string, hint: st
   throw mustBe(`an object with a function ${method}`, value, field, 'E_TYPE', undefined, hint);
 }
 
-/** Whether a value is an object with names for what it holds. */
+/** Returns whether a value is an object with string keys. */
 export function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }

@@ -224,8 +224,8 @@ describe('a law for other dimensions', () => {
   const inPlane = defineLaw({ name: 'eddy', dimensions: 2, force: velocity })();
 
   test.each([
-    [2, inSpace, /forces\[0\]: law "corkscrew" is for worlds of 3 dimensions, and this one has 2/],
-    [3, inPlane, /forces\[0\]: law "eddy" is for worlds of 2 dimensions, and this one has 3/],
+    [2, inSpace, /forces\[0\]: law "corkscrew" requires 3 dimensions, but the world has 2/],
+    [3, inPlane, /forces\[0\]: law "eddy" requires 2 dimensions, but the world has 3/],
   ] as const)('is refused by a new world of %i dimensions', (dimensions, force, sentence) => {
     expect(errorOf(() => createPhysicsWorld({ dimensions, forces: [force] })).message).toMatch(sentence);
   });
@@ -234,9 +234,9 @@ describe('a law for other dimensions', () => {
     const old = defineLaw({ name: 'corkscrew', force: velocity })();
     const world = createPhysicsWorld({ capacity: 10, forces: [old] });
     const eid = spawn(world, { position: {}, velocity: { x: 1 }, mass: 1 });
-    expect(() => replaceForce(world, inSpace)).toThrow(/for worlds of 3 dimensions/);
+    expect(() => replaceForce(world, inSpace)).toThrow(/requires 3 dimensions/);
     world.forces.push(inSpace);
-    expect(() => step(world, 0.1)).toThrow(/world\.forces\[1\]: law "corkscrew" is for worlds of 3 dimensions/);
+    expect(() => step(world, 0.1)).toThrow(/world\.forces\[1\]: law "corkscrew" requires 3 dimensions/);
     expect([world.tick, world.components.Position.x[eid]]).toEqual([0, 0]);
     world.forces.pop();
     step(world, 0.1);

@@ -61,7 +61,7 @@ describe('a component of one’s own', () => {
     expect(() => addComponent(world, eid, set(glow, { brightness: 1 } as never))).toThrow(/no field "brightness"/);
     const other = createPhysicsWorld({ forces: [radiate()] });
     expect(() => columnsOf(other, Glow)).toThrow(/components: \[MyComponent\]/);
-    expect(() => step(other, 0.01)).toThrow(/was made without the component/);
+    expect(() => step(other, 0.01)).toThrow(/was created without the component/);
     expect(other.tick).toBe(0);
     expect(() => createPhysicsWorld({ components: [{} as never] })).toThrow(/components\[0\] must be a component/);
   });

@@ -1,5 +1,5 @@
-/** The axes of a world by its dimensions: names that key columns and addresses alike. */
+/** The axis names of a world by its dimensions; they are keys of columns and addresses. */
 export const AXES = { 2: ['x', 'y'], 3: ['x', 'y', 'z'] } as const;
 
-/** The component that holds how far a body is turned, likewise. */
+/** The component that stores the orientation of a body, by dimensions. */
 export const ANGLES = { 2: 'Rotation', 3: 'Orientation' } as const;

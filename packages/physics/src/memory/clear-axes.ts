@@ -1,7 +1,7 @@
 import type { PhysicsWorld } from '../world/types.ts';
 import type { AxisAddresses } from './columns.ts';
 
-/** Zeroes the rows [first, last) of columns, one for each axis. */
+/** Zeroes rows [first, last) of one column per axis. */
 export function clearAxes(
   { kernels }: PhysicsWorld,
   columns: Readonly<AxisAddresses>,

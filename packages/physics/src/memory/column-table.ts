@@ -1,10 +1,10 @@
 import { type Addresses, bitOf } from '../components/all.ts';
 import type { AxisAddresses } from './columns.ts';
 
-/** Where the table of column addresses stands in the world's memory; kernels/memory/columns.ts reads it there. */
+/** Address of the table of column addresses in the world's memory; kernels/memory/columns.ts reads it there. */
 export const TABLE_ADDRESS = 64;
 
-/** Bytes at the start of the memory that belong to tables. */
+/** Bytes at the start of the memory that are reserved for tables. */
 export const RESERVED_BYTES = 4096;
 
 /** The words of the table, in the order of the class in kernels/memory/columns.ts. */
@@ -26,7 +26,7 @@ export const enum TableColumn {
   members,
   angularVelocityBit,
   contacts,
-  /** How many there are. */
+  /** The number of words. */
   end,
 }
 

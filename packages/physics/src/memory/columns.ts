@@ -9,34 +9,34 @@ export function realBytes(precision: Precision): number {
   return precision === 'f32' ? 4 : 8;
 }
 
-/** A new column of reals and its address. */
+/** Allocates a column of reals and returns it with its address. */
 export function realColumn(arena: Arena, precision: Precision, rows: number, what: string): [RealColumn, number] {
   const address = allocate(arena, rows * realBytes(precision), what);
   const Column = precision === 'f32' ? Float32Array : Float64Array;
   return [new Column(arena.memory.buffer, address, rows), address];
 }
 
-/** A new column of unsigned integers and its address. */
+/** Allocates a column of unsigned integers and returns it with its address. */
 export function wordColumn(arena: Arena, rows: number, what: string): [Uint32Array, number] {
   const address = allocate(arena, rows * 4, what);
   return [new Uint32Array(arena.memory.buffer, address, rows), address];
 }
 
-/** One x, y, z triple of real columns. */
+/** Real columns for x, y and z. */
 export interface AxisColumns {
   readonly x: RealColumn;
   readonly y: RealColumn;
   readonly z: RealColumn;
 }
 
-/** Their addresses. */
+/** The addresses of such columns. */
 export interface AxisAddresses {
   x: number;
   y: number;
   z: number;
 }
 
-/** Three real columns, one an axis. */
+/** Allocates three real columns, one per axis. */
 export function axisColumns(
   arena: Arena,
   precision: Precision,
@@ -47,7 +47,7 @@ export function axisColumns(
   return [columns, starts];
 }
 
-/** The columns of every component, or of some. */
+/** Allocates the columns of all components, or of the named ones. */
 export function componentColumns<Name extends ComponentName = ComponentName>(
   arena: Arena,
   precision: Precision,
@@ -63,7 +63,7 @@ export function componentColumns<Name extends ComponentName = ComponentName>(
   }) as unknown as [Pick<Components, Name>, Pick<Addresses, Name>];
 }
 
-/** What `make` makes for each name: the columns by name, and their addresses. */
+/** Calls `make` for each name and returns columns and addresses by name. */
 function named<Name extends string, Column, Address>(
   names: readonly Name[],
   make: (name: Name) => [Column, Address],
@@ -82,7 +82,9 @@ export function realAddresses(addresses: Addresses, name: ComponentName): readon
   return fields.map(([field]) => starts[field]);
 }
 
-/** How many real and word columns all components have, or some: what the memory is sized by. */
+/**
+ * The number of real and word columns of all components, or of the named ones; it determines the size of the memory.
+ */
 export function columnCounts(names: readonly ComponentName[] = COMPONENT_NAMES): { reals: number; words: number } {
   const fields = names.flatMap((name) => Object.values<FieldSpec>(COMPONENTS[name].fields));
   const reals = fields.filter(({ kind }) => kind === 'real').length;

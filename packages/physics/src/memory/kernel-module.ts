@@ -3,8 +3,8 @@ import { instantiate } from '../kernels/instantiate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /**
- * The kernels of a feature, on each world that asks for them. A game that does not import the feature does not carry
- * them: `const kernels = kernelModule<NBodyKernels>(KERNELS)`, then `kernels(world).walk(…)`.
+ * Instantiates the kernels of a feature for each world on first use. A game that does not import the feature does not
+ * contain them: `const kernels = kernelModule<NBodyKernels>(KERNELS)`, then `kernels(world).walk(…)`.
  */
 export function kernelModule<Exports>(kernels: EmbeddedModule): (world: PhysicsWorld) => Exports {
   return ({ internal, precision, memory }) => {

@@ -1,14 +1,14 @@
 import type { Addresses, Components } from '../components/all.ts';
 
-/** The components that say where a body is and how it is turned. */
+/** The components of the pose: position and orientation. */
 export const POSE = ['Position', 'Rotation', 'Orientation'] as const;
 
-/** The pose of every body at the start of the last step: what renderers interpolate from. */
+/** The pose of every body at the start of the last step, from which renderers interpolate. */
 export type Previous = Pick<Components, (typeof POSE)[number]>;
 
 export type PreviousAddresses = Pick<Addresses, (typeof POSE)[number]>;
 
-/** Copies the pose of a body from some columns to others. */
+/** Copies the pose of a body between columns. */
 export function copyPose(from: Previous, to: Previous, eid: number): void {
   for (const name of POSE) {
     const source: Columns = from[name];

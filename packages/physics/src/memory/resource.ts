@@ -2,33 +2,38 @@ import { assertUsable } from '../ecs/guards.ts';
 import { checkFunction, checkObject } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** What a resource is kept under. */
+/** The key of a resource. */
 export class ResourceKey {
-  /** @param outlives snapshots leave it alone */
+  /**
+   * @param outlives whether snapshots exclude it
+   */
   constructor(readonly outlives: boolean) {}
 }
 
 const immutables = new WeakSet<object>();
 
-/** Says that nobody changes this object any more, nor what it holds: snapshots need not copy it. @throws PhysicsError E_TYPE */
+/**
+ * Declares that this object and its contents no longer change, so that snapshots need not copy it. @throws PhysicsError
+ * E_TYPE
+ */
 export function markImmutable<T extends object>(value: T): T {
   checkObject(value, 'constant: value');
   immutables.add(value);
   return value;
 }
 
-/** Whether snapshots leave an object alone. */
+/** Returns whether snapshots skip an object. */
 export function isImmutable(value: object): boolean {
   return immutables.has(value);
 }
 
 /**
- * State of a feature, one per world, made when first asked for: `const contacts = resource((world) => …)` and then
- * `contacts(world)`. So the world's own type names no feature, and a world pays only for those it uses. Memory for
+ * State of a feature, one per world, created on first use: `const contacts = resource((world) => …)` and then
+ * `contacts(world)`. The type of the world names no feature, and a world pays only for the features it uses. Memory for
  * kernels comes from `allocate(world.internal.arena, …)`.
  *
- * Snapshots save what is in plain objects, arrays, maps and typed arrays, and drop what was made after them.
- * @param options.outlives for what is no state of the world, such as who listens to it: snapshots leave it alone
+ * Snapshots save the contents of plain objects, arrays, maps and typed arrays, and drop resources created after them.
+ * @param options.outlives excludes the resource from snapshots; for data that is not state of the world, such as event listeners
  */
 export function resource<T>(
   create: (world: PhysicsWorld) => T,

@@ -2,18 +2,18 @@ import type { Precision } from '../kernels/instantiate.ts';
 import type { Arena } from './arena.ts';
 import { type AxisAddresses, type AxisColumns, axisColumns } from './columns.ts';
 
-/** Columns that mean something only inside a step: forces, and what integrators remember between their stages. */
+/** Columns that are valid only inside a step: forces, and intermediate values of integrators. */
 export interface Scratch {
-  /** Force on each body, N; writable by forces during `accumulate`, and only then. */
+  /** Force on each body, N; forces write it only during `accumulate`. */
   readonly force: AxisColumns;
-  /** Torque on each body, N m, likewise, by forces that say `appliesTorque`; in 2D only z is used. */
+  /** Torque on each body, N m; written during `accumulate` by forces with `appliesTorque`. In 2D only z is used. */
   readonly torque: AxisColumns;
   readonly at: {
     readonly force: AxisAddresses;
     readonly torque: AxisAddresses;
     /** Velocity at the start of the step. */
     readonly startVelocity: AxisAddresses;
-    /** Free for the integrator. */
+    /** Free for use by the integrator. */
     readonly stage1: AxisAddresses;
     readonly stage2: AxisAddresses;
   };
@@ -21,10 +21,10 @@ export interface Scratch {
 
 const BUFFERS = ['force', 'startVelocity', 'stage1', 'stage2', 'torque'] as const;
 
-/** Number of real columns the scratch takes. */
+/** Number of real columns of the scratch. */
 export const SCRATCH_COLUMNS = BUFFERS.length * 3;
 
-/** Makes the scratch columns. */
+/** Allocates the scratch columns. */
 export function createScratch(arena: Arena, precision: Precision, rows: number): Scratch {
   const made = BUFFERS.map((name) => axisColumns(arena, precision, rows, name));
   const [force, , , , torque] = made.map(([columns]) => columns);

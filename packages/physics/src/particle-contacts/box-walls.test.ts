@@ -18,9 +18,9 @@ const floor = (g: number, options: PhysicsWorldOptions = {}) =>
     ...options,
   });
 
-/** Heights of the highest points between bounces, above where the ball rests. */
+/** Heights of successive apexes, relative to the resting position. */
 function apexes(count: number, restitution: number, options: PhysicsWorldOptions = {}): number[] {
-  // The bouncing ball of a book: pixels and frames, 430 px above the floor.
+  // The bouncing ball of a book, in pixels and frames, released 430 px above the floor.
   const world = floor(0.1, options);
   const ball = spawn(world, {
     position: { y: 450 },
@@ -42,7 +42,7 @@ function apexes(count: number, restitution: number, options: PhysicsWorldOptions
 describe.each(['f32', 'f64'] as const)('a ball that bounces on the floor, %s', (precision) => {
   test('keeps e² of its height at each bounce', () => {
     const expected = [275.2, 176.1, 112.7, 72.1];
-    // A frame may miss the highest point by half a frame: g/8 px.
+    // The sampled height may be off by half a frame: g/8 px.
     apexes(5, 0.8, { precision }).forEach((apex, n) => {
       expect(Math.abs(apex / expected[n] - 1)).toBeLessThan(0.005);
     });
@@ -59,8 +59,8 @@ describe.each(['f32', 'f64'] as const)('a ball that bounces on the floor, %s', (
     const [{ y }, { y: v }] = [world.components.Position, world.components.Velocity];
     let frames = 0;
     for (; frames < 2000 && !(v[ball] === 0 && y[ball] === 20); frames++) step(world, 1);
-    // t₁ (1 + e)/(1 - e) with t₁ = √(2 · 430/0.1), to half a per cent, 4.2 frames. Once a bounce fits into a frame the
-    // rest of the series does not happen: at most 1/(1 - e) = 5 frames.
+    // The total time is t₁ (1 + e)/(1 - e) with t₁ = √(2 · 430/0.1), to half a per cent, 4.2 frames. The series ends
+    // once a bounce fits into a frame, which omits at most 1/(1 - e) = 5 frames.
     expect(Math.abs(frames / (9 * Math.sqrt(8600)) - 1)).toBeLessThan(0.005);
     for (let i = 0; i < 100; i++) {
       step(world, 1);
@@ -80,7 +80,7 @@ test('an elastic bounce off a vertical wall at the instant of touching, speed un
   for (let i = 0; i < 90; i++) step(world, 1 / 60);
   const { Position, Velocity } = world.components;
   expect([Velocity.x[ball], Velocity.y[ball]]).toEqual([-200, 50]);
-  // It touched at t = 1.425 s at x = 385.
+  // The ball touched the wall at t = 1.425 s at x = 385.
   expect(Position.x[ball]).toBeCloseTo(385 - 200 * (1.5 - 1.425), 9);
   expect(Position.y[ball]).toBeCloseTo(100 + 50 * 1.5, 9);
 });
@@ -108,7 +108,7 @@ describe('ten thousand elastic bounces', () => {
     });
     const [{ y }, { y: v }] = [world.components.Position, world.components.Velocity];
     let [count, last] = [0, 0];
-    // A bounce takes 2 √(2 h/g) = 0.9 s, 24 steps.
+    // One bounce takes 2 √(2 h/g) = 0.9 s, 24 steps.
     for (let steps = 0; count < 10_000 && steps < 300_000; steps++) {
       step(world, dt);
       if (v[ball] > last) count++;
@@ -123,12 +123,12 @@ describe('ten thousand elastic bounces', () => {
     bounces(undefined, (e) => {
       worst = Math.max(worst, Math.abs(e / (g * height) - 1));
     });
-    // Some 10 roundings a bounce that add up at worst: 10⁴ · 10 · 2⁻⁵³ = 1.1e-11.
+    // Each bounce rounds about 10 times; in the worst case the errors add up to 10⁴ · 10 · 2⁻⁵³ = 1.1e-11.
     expect(worst).toBeLessThan(2e-11);
   });
 
   test('semi-implicit Euler keeps it within what the scheme itself is off', () => {
-    // The scheme conserves v²/2 + g y - g v dt/2 exactly (v upwards), so the energy is off by g |v| dt/2 at most.
+    // The scheme conserves v²/2 + g y - g v dt/2 exactly (v upwards), so the energy error is at most g |v| dt/2.
     const most = 0.5 * g * dt * Math.sqrt(2 * g * height) * 1.1;
     let [least, largest] = [Infinity, 0];
     bounces(semiImplicitEuler, (e) => {
@@ -156,7 +156,7 @@ describe('friction of a body that slides on the floor', () => {
       collider: { radius, friction: 0.2 },
     });
     const [v, w] = [world.components.Velocity, world.components.AngularVelocity];
-    // Sliding slows it by μ g.
+    // Sliding friction decelerates the body by μ g.
     step(world, 0.01);
     expect(v.x[body]).toBeCloseTo(7 - 0.2 * 10 * 0.01, 10);
     for (let i = 0; i < 1000; i++) step(world, 0.01);
@@ -178,7 +178,7 @@ describe('friction of a body that slides on the floor', () => {
       for (let i = 0; i < 100; i++) step(world, 0.01);
       expect(world.components.Velocity.x[body]).toBe(0);
       expect(world.components.AngularVelocity.z[body]).toBe(0);
-      // v²/(2 μ g)
+      // The stopping distance is v²/(2 μ g).
       expect(world.components.Position.x[body]).toBeCloseTo(0.1, 2);
     },
   );

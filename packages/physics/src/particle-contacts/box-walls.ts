@@ -1,4 +1,5 @@
-// Walls of an axis-aligned box, with the instant of impact found inside the step (kernels/particle-contacts/walls/box.ts has the maths).
+// Walls of an axis-aligned box, solved at the time of impact. The formulas are in
+// kernels/particle-contacts/walls/impact.ts.
 import { MAX_SPEED } from '../components/velocity.ts';
 import { type BoxSystem, bounceFromBox } from '../dynamics/fused-step.ts';
 import { FAR } from '../dynamics/loop-checks.ts';
@@ -8,7 +9,7 @@ import { AXES } from '../memory/axes.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** A box that keeps bodies inside. An axis left out of `min` or `max` has no wall on that side. */
+/** A box that keeps bodies inside. An axis omitted from `min` or `max` has no wall on that side. */
 export interface BoxWallsOptions {
   /** Corner with the smallest coordinates, m. */
   readonly min?: VectorInput;
@@ -20,11 +21,11 @@ export interface BoxWallsOptions {
   readonly friction?: number;
 }
 
-/** Bytes of the class `Box` in kernels/particle-contacts/walls/box.ts: eight doubles and eight words. */
+/** Size in bytes of the class `Box` in kernels/particle-contacts/walls/box.ts: eight f64 and eight words. */
 const BOX_BYTES = 96;
 
 /**
- * A system for the `walls` phase. Acts on bodies with Mass and Collider.
+ * Creates a system for the `walls` phase. It acts on bodies with Mass and Collider.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function boxWalls(options: BoxWallsOptions): BoxSystem {

@@ -72,7 +72,7 @@ describe('two balls on a line, 1 kg at 250 and 125 kg at 50 m/s', () => {
     expect(v[large] - v[small]).toBeCloseTo(200 * e, 9);
     const loss = 0.5 * (125 / 126) * (1 - e * e) * 200 * 200;
     expect(187_500 - energy(world).kinetic).toBeCloseTo(loss, 7);
-    // From 1.05 s on they go their ways: nothing was moved that did not move.
+    // After 1.05 s they separate; position correction must not have displaced them.
     expect(x[large] - x[small]).toBeCloseTo(90 + 0.45 * 200 * e, 8);
   });
 
@@ -125,7 +125,7 @@ describe.each([
     const scale = 30 * 9;
     for (const axis of ['x', 'y', 'z'] as const) {
       expect(Math.abs(q[axis] - p[axis]) / scale).toBeLessThan(small);
-      // In f32 a torque comes from differences of positions.
+      // In f32 the torque is computed from differences of positions.
       expect(Math.abs(m[axis] - l[axis]) / scale).toBeLessThan(10 * small);
     }
   });
@@ -177,7 +177,7 @@ test('a ball bounces on a post for ever: a thousand bounces under gravity keep t
     last = v[ball];
     worst = Math.max(worst, Math.abs((0.5 * last * last + 10 * (y[ball] - 1.5)) / 10 - 1));
   }
-  // Three Newton steps and some roundings a bounce.
+  // Three Newton iterations and some roundings per bounce.
   expect(worst).toBeLessThan(1e-10);
 });
 
@@ -291,7 +291,7 @@ describe('a gas of molecules in a box', () => {
     const ids = Array.from({ length: 64 }, (_, i) => i + 1).sort((i, j) => mass[i] - mass[j]);
     const mean = (list: number[]) =>
       list.reduce((sum, i) => sum + 0.5 * mass[i] * (vx[i] ** 2 + vy[i] ** 2), 0) / list.length;
-    // They start with equal speeds: the heavy half has most of the energy.
+    // The initial speeds are equal, so the heavy half has most of the energy.
     expect(mean(ids.slice(32)) / mean(ids.slice(0, 32))).toBeGreaterThan(3);
     run(world, 3000);
     let [light, heavy] = [0, 0];

@@ -5,14 +5,17 @@ import * as columnTable from '../memory/column-table.ts';
 import * as contactTables from './contact-table.ts';
 import { contactTable, Word } from './contact-table.ts';
 
-/** The fields of an `@unmanaged` class in the kernels, in order. */
+/** Returns the fields of an `@unmanaged` class in the kernels, in order. */
 function fieldsOf(file: string, name: string): string[] {
   const source = readFileSync(new URL(`../../kernels/${file}`, import.meta.url), 'utf8');
   const body = source.slice(source.indexOf(`class ${name} {`)).split('\n}')[0];
   return [...body.matchAll(/^ {2}(\w+): \w+;/gm)].map((match) => match[1]);
 }
 
-/** The members of an enumeration before its `end`, in order: an object wherever files are compiled one by one, as here. */
+/**
+ * Returns the members of an enumeration before its `end`, in order. A const enum is an object where files are compiled
+ * separately, as here.
+ */
 function namesOf(file: object, enumeration: string): string[] {
   const words = (file as Readonly<Record<string, object>>)[enumeration];
   return Object.keys(words).filter((name) => name !== 'end' && Number.isNaN(Number(name)));

@@ -1,5 +1,5 @@
-// The memory of a world's contacts: a table of counters and addresses that kernels/particle-contacts/table.ts lays out, and
-// the lists it points to, all in the world's arena.
+// The memory of a world's contacts: the contact table, whose layout kernels/particle-contacts/table.ts defines, and its
+// columns, all in the world's arena.
 
 import type { Precision } from '../kernels/instantiate.ts';
 import { allocate } from '../memory/arena.ts';
@@ -8,7 +8,7 @@ import { realBytes } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** The words of the table after its first field, the f64 `previousDt`; in the order of the kernels' class. */
+/** The words of the table after its first field, the f64 `previousDt`, in the order of the kernel class. */
 export const enum Word {
   capacity,
   count,
@@ -74,46 +74,49 @@ export const enum Word {
   startZ,
   fromX,
   fromY,
-  /** How many there are. */
+  /** The number of words. */
   end,
 }
 
-/** A world's contacts as the systems of this package see them. */
+/** The contacts of a world. */
 export interface ContactTable {
-  /** Its address. */
+  /** Byte address of the table. */
   readonly table: number;
-  /** Counters and addresses of lists, by `Word`. */
+  /** Counters and column addresses, indexed by `Word`. */
   readonly words: Uint32Array;
 }
 
-/** Of what the arena has left, contacts take at most this part: other features may come later. */
+/** Maximum fraction of the free arena that contacts take, which leaves memory for other features. */
 const SHARE = 0.9;
 
-/** Contacts there is room for, by bodies and dimensions: a dense packing has three a disc and six a ball. */
+/** Contact capacity per body: a dense packing has three contacts per disc and six per ball. */
 const CONTACTS_A_BODY = { 2: 4, 3: 8 } as const;
 
-/** A world with memory to spare has room for more: contacts may take this part of what is left. */
+/** In a world with spare memory contacts may use this fraction of it. */
 const SPARE = 0.25;
 
-/** Small worlds have room for a heap: a hundred bodies in one place are 4950 contacts. */
+/** Minimum contact capacity: a hundred bodies at one point have 4950 contacts. */
 const MIN_CONTACTS = 8192;
 
-/** In a small world most bodies may lie at walls, some at three. */
+/** Minimum wall contact capacity: in a small world most bodies may touch walls, some three of them. */
 const MIN_WALL_CONTACTS = 2048;
 
-/** Bytes of a gathered body (kernels/particle-contacts/body.ts): fifteen reals and a word. */
+/** Bytes per gathered body (kernels/particle-contacts/body.ts): fifteen reals and one word. */
 const bodyBytes = (bytes: number) => 16 * bytes;
 
-/** Bytes of a contact: its lists in `takeContacts`. */
+/** Bytes per contact, summed over the columns in `takeContacts`. */
 const contactBytes = (bytes: number) => 40 + 6 * bytes + packedBytes(bytes);
 
-/** Bytes of a contact in a block of those that are solved side by side (kernels/particle-contacts/wide-contacts.ts). */
+/** Bytes per contact in a block of wide contacts (kernels/particle-contacts/wide-contacts.ts). */
 const packedBytes = (bytes: number) => 8 * bytes;
 
-/** Bytes of a contact with a wall: its lists in `takeWallContacts`. Large worlds have room for one every other body. */
+/**
+ * Bytes per wall contact, summed over the columns in `takeWallContacts`. Large worlds have capacity for one wall
+ * contact per two bodies.
+ */
 const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
 
-/** What contacts need in the world's memory for each entity, besides what other features may: for `Preset`. */
+/** Arena bytes per entity that contacts need, in addition to other features; used by `Preset`. */
 export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): number {
   const bytes = realBytes(precision);
   const grid = 4 + 4 + 4 + Math.max(bodyBytes(bytes), 16 + 4);
@@ -121,7 +124,7 @@ export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): 
   return Math.ceil((grid + lists) / SHARE);
 }
 
-/** Takes the memory, the first time it is asked for. @throws PhysicsError E_CAPACITY */
+/** Allocates the memory at the first call. @throws PhysicsError E_CAPACITY */
 export const contactTable = resource<ContactTable>((world) => {
   const { arena } = world.internal;
   const take = (size: number) => allocate(arena, size, 'contacts');
@@ -136,7 +139,7 @@ export const contactTable = resource<ContactTable>((world) => {
   return { table, words };
 });
 
-/** From now on walls write their contacts down, and the kernels find the table. */
+/** Enables wall contact records and gives the kernels the address of the table. */
 export function activateContacts(world: PhysicsWorld): void {
   const pointer = TABLE_ADDRESS / 4 + TableColumn.contacts;
   new Uint32Array(world.memory.buffer)[pointer] = contactTable(world).table;
@@ -155,7 +158,7 @@ function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   words[Word.bodyRows] = take(4 * rows);
   words[Word.levels] = take(4 * rows);
   words[Word.mostLevels] = rows;
-  // The broad phase is over before the first body is gathered, so that the two can share their memory.
+  // The broad phase ends before the first body is gathered, so both can share memory.
   const bytes = realBytes(world.precision);
   const starts = 4 * (buckets + 16);
   const region = take(Math.max(bodyBytes(bytes) * rows, starts + 4 * rows));
@@ -165,7 +168,7 @@ function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   words[Word.histogram] = take(4 * 256);
 }
 
-/** Likewise, it is over before the first contact is packed into a block. */
+/** The broad phase ends before the first contact is packed into a block, so both can share memory. */
 function takeSorted(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const column = sortedBytes(world) / SORTED.length;
   const region = sharesSorted(world, words[Word.capacity]) ? words[Word.blocks] : take(SORTED.length * column);
@@ -193,7 +196,7 @@ function takeWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): 
 function takeContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const { dimensions, rows, precision, internal } = world;
   const bytes = realBytes(precision);
-  // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
+  // Columns of 4 KiB and more start at staggered addresses, which costs at most 8 KiB each.
   const room = SHARE * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
   const spare = (SPARE * room) / contactBytes(bytes);
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_A_BODY[dimensions] * rows, spare);
@@ -212,7 +215,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void
   words[Word.order] = words[Word.previousA];
   words[Word.flags] = words[Word.previousB];
   words[Word.gap] = words[Word.previousHolding];
-  // Points are worked out when the step has no more use for these lists. In 2D z is zero, as nz is.
+  // Contact points are computed when the step no longer needs these columns. In 2D z is the zero column nz.
   words[Word.x] = previous;
   words[Word.y] = previous + bytes * capacity;
   words[Word.z] = dimensions === 3 ? words[Word.rubbing] : words[Word.nz];

@@ -35,12 +35,12 @@ describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision)
     step(world, 0.02);
     expect(contacts(world)).toBe(found);
     expect(found.count).toBe(1);
-    // b was made first.
+    // b was created first.
     expect([found.a[0], found.b[0]]).toEqual([b, a]);
     expect(found.nx[0]).toBeCloseTo(-1, 6);
     expect([found.ny[0], found.nz[0], found.z[0]].map(Math.abs)).toEqual([0, 0, 0]);
     expect(found.x[0]).toBeCloseTo(1.05, 6);
-    // Each of 2 kg turns from 3 m/s to -3 m/s.
+    // Each body of 2 kg changes from 3 m/s to -3 m/s.
     expect(found.impulse[0]).toBeCloseTo(12, 5);
     expect(found.droppedCount).toBe(0);
     step(world, 0.02);

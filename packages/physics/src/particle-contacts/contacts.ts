@@ -6,17 +6,17 @@ import type { PhysicsWorld } from '../world/types.ts';
 import { contactTable, Word } from './contact-table.ts';
 
 /**
- * The contacts of the last step, by ascending (a, b); entry i of each array for i < `count`. The arrays stay valid, and
- * their content is that of the last step. A contact is listed when its bodies exchanged an impulse or overlap.
+ * The contacts between bodies of the last step in ascending order of (a, b); entry i of each array is valid for i <
+ * `count`. The arrays are reused by every step. A contact is listed when its bodies exchanged an impulse or overlap.
  */
 export interface Contacts {
   readonly count: number;
-  /** Candidates the step had no room for, or no time: see `contactCapacity`. */
+  /** Candidates dropped because a limit was reached; see `contactCapacity`. */
   readonly droppedCount: number;
   /** Entity ids, a < b. */
   readonly a: Uint32Array;
   readonly b: Uint32Array;
-  /** Point of contact, m; the middle of the overlap when the step ended. */
+  /** Contact point, m: the middle of the overlap at the end of the step. */
   readonly x: RealColumn;
   readonly y: RealColumn;
   readonly z: RealColumn;
@@ -24,17 +24,17 @@ export interface Contacts {
   readonly nx: RealColumn;
   readonly ny: RealColumn;
   readonly nz: RealColumn;
-  /** Impulse along the normal in this step, N s: on b, and the opposite on a. */
+  /** Normal impulse in this step, N s: positive on b, and the opposite on a. */
   readonly impulse: RealColumn;
 }
 
-/** The contacts with walls of the last step. */
+/** The wall contacts of the last step. */
 export interface WallContacts {
   readonly count: number;
-  /** Contacts there was no room for. */
+  /** Contacts dropped because the capacity was reached. */
   readonly droppedCount: number;
   readonly body: Uint32Array;
-  /** Entity id of the wall; 0 for `boxWalls`. */
+  /** Entity id of the wall, or 0 for `boxWalls`. */
   readonly wall: Uint32Array;
   /** Unit normal out of the wall. */
   readonly nx: RealColumn;
@@ -96,27 +96,28 @@ function viewers(world: PhysicsWorld, length: number) {
 }
 
 /**
- * The contacts between bodies of the last step. Always the same object; empty in a world whose preset has no contacts.
- * @throws PhysicsError E_CAPACITY when the world's memory has no room for contacts, E_DESTROYED
+ * Returns the contacts between bodies of the last step. The object is the same at every call; it is empty in a world
+ * whose preset has no contacts.
+ * @throws PhysicsError E_CAPACITY if the world's memory is too small for contacts, E_DESTROYED
  */
 export function contacts(world: PhysicsWorld): Contacts {
   return contactsOf(world);
 }
 
 /**
- * The contacts with walls of the last step, in the order the walls were met, tile by tile of bodies.
+ * Returns the wall contacts of the last step, in the order in which they happened, chunk by chunk of bodies.
  * @throws PhysicsError E_CAPACITY, E_DESTROYED
  */
 export function wallContacts(world: PhysicsWorld): WallContacts {
   return wallContactsOf(world);
 }
 
-/** Most contacts a step can hold; a larger `arenaBytes` gives more. */
+/** Returns the maximum number of contacts in a step; a larger `arenaBytes` raises it. */
 export function contactCapacity(world: PhysicsWorld): number {
   return contactTable(world).words[Word.capacity];
 }
 
-/** System of the `events` phase: tells of this step's contacts between bodies. */
+/** System of the `events` phase: dispatches the events of this step's contacts between bodies. */
 export function dispatchContactEvents(world: PhysicsWorld): void {
   if (!hasHandlers(world, 'contact')) return;
   const { count } = contactsOf(world);

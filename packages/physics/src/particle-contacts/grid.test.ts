@@ -1,4 +1,4 @@
-// The grid against every pair looked at one by one.
+// Compares the grid with a brute-force search over all pairs.
 import { describe, expect, test } from 'vitest';
 import {
   contacts,
@@ -11,7 +11,7 @@ import {
   step,
 } from '../index.ts';
 
-/** So short that nothing moves: what touches is what touched. */
+/** The step is so short that no body moves. */
 const INSTANT = 1e-9;
 
 interface Crowd {
@@ -19,7 +19,7 @@ interface Crowd {
   readonly side: number;
   readonly radius: (uniform: number, index: number) => number;
   readonly origin?: number;
-  /** Height of the region by its width. */
+  /** Aspect ratio (height / width) of the region. */
   readonly shape?: number;
 }
 
@@ -82,7 +82,7 @@ describe.each([
     const world = crowd(dimensions, precision, CROWDS[name]);
     const expected = touching(world);
     step(world, INSTANT);
-    // Between f32 and f64 a pair that just touches may be judged differently.
+    // A pair that just touches may round differently in f32 and f64.
     const differ = new Set(expected);
     const extra = found(world).filter((pair) => !differ.delete(pair));
     expect(extra.length + differ.size).toBeLessThanOrEqual(precision === 'f32' ? 2 : 0);
@@ -114,7 +114,7 @@ test('bodies that do not move are not paired, and neither is what has no collide
 test.each([2, 3] as const)(
   'a crowd in one cell that does not touch costs a bounded number of tests, and says so, %d D',
   (dimensions) => {
-    // Twenty bodies make the cells wide; the points among them are too many to test each against each.
+    // Twenty bodies make the cells wide; the points are too many for a brute-force search.
     const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision: 'f32', capacity: 20_020 });
     const random = createRandom(1);
     const place = () => Float64Array.from({ length: 20_000 }, () => random.uniform(0, 1));

@@ -1,4 +1,4 @@
-// The kernels of collisions and of walls that are entities: a module of its own, made when a world first uses them.
+// The kernels of collisions and wall entities, a separate module that a world instantiates on first use.
 import { KERNELS, type KernelExports } from '../kernels/particle-contacts.gen.ts';
 import { kernelModule } from '../memory/kernel-module.ts';
 

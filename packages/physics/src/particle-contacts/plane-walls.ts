@@ -1,4 +1,5 @@
-// Walls that are half-spaces (2D and 3D), each an entity with PlaneWall. kernels/particle-contacts/walls/planes.ts has the maths.
+// Walls that are half-spaces (2D and 3D), each an entity with PlaneWall. The formulas are in
+// kernels/particle-contacts/walls/impact.ts.
 
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { forEachRange } from '../ecs/ranges.ts';
@@ -8,7 +9,7 @@ import type { LocalSystem } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
 interface PlaneList extends EntityList {
-  /** Addresses of the planes' columns, for the kernel. */
+  /** Address of the kernel record of the planes' column addresses. */
   readonly columns: number;
 }
 
@@ -20,8 +21,8 @@ const planeList = resource<PlaneList>((world) => {
 });
 
 /**
- * System of the `walls` phase: bodies with Mass and Collider against every PlaneWall. A contact's restitution is the
- * larger of the body's and the wall's, its friction coefficient the geometric mean.
+ * System of the `walls` phase: collides bodies with Mass and Collider against every PlaneWall. The restitution of a
+ * contact is the larger of the body's and the wall's, its friction coefficient their geometric mean.
  */
 export const planeWalls: LocalSystem = {
   name: 'plane walls',

@@ -87,7 +87,7 @@ describe.each(['f32', 'f64'] as const)('heaps, %s', (precision) => {
     [0, 0],
     [0.4, 0.3],
   ])('sixty discs with restitution %d and friction %d come to rest', (restitution, friction) => {
-    // A heap falls as chance has it, and now and then a disc is still on its way: the middle one of five heaps counts.
+    // The final state of a pile varies, and sometimes a disc is still moving, so the median of five piles is tested.
     const energies: number[] = [];
     const loads: number[] = [];
     for (let seed = 1; seed <= 5; seed++) {
@@ -97,9 +97,9 @@ describe.each(['f32', 'f64'] as const)('heaps, %s', (precision) => {
       loads.push(upwardImpulse(world) / (60 * G * DT));
       expect(largestOverlap(world)).toBeLessThan(0.05);
     }
-    // No more than a disc has that gravity has pulled for one step.
+    // The limit is the kinetic energy that gravity gives a disc in one step.
     expect(median(energies)).toBeLessThan((G * DT) ** 2 / 2);
-    // The floor and the side walls bear them: the sum of the upward impulses is the weight.
+    // The sum of the upward impulses of the floor and the side walls equals the weight.
     expect(median(loads)).toBeCloseTo(1, 1);
   });
 });
@@ -120,7 +120,7 @@ function heap(precision: 'f32' | 'f64', seed: number, restitution: number, frict
   return world;
 }
 
-/** Overlap of two discs in contact, in parts of their radii together. */
+/** Largest overlap of two touching discs, relative to the sum of their radii. */
 function largestOverlap(world: PhysicsWorld): number {
   const found = contacts(world);
   const { Position: p, Collider } = world.components;
@@ -188,6 +188,7 @@ test('elastic balls that fall into a box keep their energy, but for steps in whi
   }
   const before = energy(world).total;
   run(world, 600);
-  // A body that meets the floor and another within one step is put on the floor from as far as it moves in a step.
+  // A body that hits the floor and another body within one step is placed on the floor, a displacement of at most its
+  // motion in a step.
   expect(Math.abs(energy(world).total / before - 1)).toBeLessThan(0.01);
 });

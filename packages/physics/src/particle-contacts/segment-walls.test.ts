@@ -45,7 +45,7 @@ describe.each(['f32', 'f64'] as const)('a ball that falls on an inclined wall, %
     const ball = disc(world, 100, 50, 0, 0, 15, 0.8);
     const { x, y } = world.components.Velocity;
     while (x[ball] === 0) step(world, 1 / 60);
-    // The velocity at the contact, 1.76950 s after the start; gravity has acted since.
+    // The velocity at the contact, 1.76950 s after the start, plus the effect of gravity since.
     const since = world.time - 1.7695;
     expect(since).toBeGreaterThan(0);
     expect(since).toBeLessThan(1 / 60);
@@ -63,7 +63,7 @@ describe('sides and ends', () => {
     const [p, v] = [world.components.Position, world.components.Velocity];
     expect(v.x[ball]).toBeCloseTo(2, 12);
     expect(v.y[ball]).toBeCloseTo(4 * side, 12);
-    // 2.5 m to the touch at 0.625 s.
+    // The ball covers 2.5 m to the contact at 0.625 s.
     expect(p.y[ball]).toBeCloseTo((0.5 + 4 * 0.375) * side, 10);
   });
 
@@ -73,7 +73,7 @@ describe('sides and ends', () => {
     const ball = disc(world, 0.6, 3, 0, -5, 1, 1);
     for (let i = 0; i < 60; i++) step(world, 1 / 60);
     const { x, y } = world.components.Velocity;
-    // It touches with its centre at (0.6, 0.8): n = (0.6, 0.8), v - 2 (v·n) n.
+    // The centre is at (0.6, 0.8) at the contact: n = (0.6, 0.8), v - 2 (v·n) n.
     expect(x[ball]).toBeCloseTo(4.8, 10);
     expect(y[ball]).toBeCloseTo(1.4, 10);
   });
@@ -120,7 +120,7 @@ describe('nothing gets through', () => {
         if (!inside) expect([x[ball], y[ball], i]).toBe('inside');
       }
     }
-    // And they are still moving, at the speed they had.
+    // The balls still move at their initial speed.
     for (const ball of balls) {
       const { x: u, y: v } = world.components.Velocity;
       expect(Math.hypot(u[ball], v[ball]) / 1e4).toBeCloseTo(1, 3);
@@ -164,7 +164,7 @@ describe('nothing gets through', () => {
 
 test('a disc that does not slip rolls down at two thirds of g sin θ', () => {
   const world = make({ forces: [uniformGravity({ y: -10 })] });
-  // 3-4-5: sin θ = 0.6.
+  // The slope is a 3-4-5 triangle: sin θ = 0.6.
   wall(world, [0, 0, -40, 30]);
   const ball = spawn(world, {
     position: { x: -32 + 0.6 * 0.5, y: 24 + 0.8 * 0.5 },
@@ -191,8 +191,8 @@ test('a ball in a groove of two walls lies still', () => {
     const ball = disc(world, 0.02, (0.2 * Math.sqrt(1 + half * half)) / half + 0.3, 0, 0, 0.2, 0.3);
     for (let i = 0; i < 900; i++) step(world, 1 / 60);
     const [p, v] = [world.components.Position, world.components.Velocity];
-    // Where it touches both walls, to what it moves in a step up and a step down, g dt² each, and no faster than gravity
-    // makes it in one.
+    // The position where it touches both walls is accurate to the motion of one step up and one down, g dt² each; the
+    // speed is at most that of one step of gravity.
     for (let i = 0; i < 60; i++) {
       step(world, 1 / 60);
       expect(Math.hypot(p.x[ball], p.y[ball] - (0.2 * Math.sqrt(1 + half * half)) / half)).toBeLessThan(

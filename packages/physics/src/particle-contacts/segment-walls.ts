@@ -1,4 +1,5 @@
-// Walls that are straight segments (2D), each an entity with SegmentWall. kernels/particle-contacts/walls/segments.ts has the maths.
+// Walls that are line segments (2D), each an entity with SegmentWall. The formulas are in
+// kernels/particle-contacts/walls/segments.ts.
 
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { forEachRange } from '../ecs/ranges.ts';
@@ -8,7 +9,7 @@ import { resource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
-/** Cells of the walls' grid along one axis, at most; and entries of its lists for each wall. */
+/** Maximum number of grid cells along one axis, and of list entries per wall. */
 const MAX_SIDE = 64;
 const ITEMS_A_WALL = 16;
 
@@ -20,14 +21,14 @@ const enum GridWord {
   items,
   mostItems,
   side,
-  /** How many there are. */
+  /** The number of words. */
   end,
 }
 
 interface SegmentList extends EntityList {
   readonly grid: number;
   readonly words: Uint32Array;
-  /** The step they were gathered in. */
+  /** The step in which the walls were gathered. */
   tick: number;
 }
 
@@ -39,7 +40,7 @@ const segmentList = resource<SegmentList>((world) => {
   return { grid, words, tick: -1, ...emptyEntityList() };
 });
 
-/** Gathers the walls, once a step, in ascending id. */
+/** Gathers the walls in ascending id, once per step. */
 function gather(world: PhysicsWorld): SegmentList {
   const list = segmentList(world);
   if (list.tick === world.tick) return list;
@@ -57,8 +58,9 @@ function gather(world: PhysicsWorld): SegmentList {
 }
 
 /**
- * System of the `walls` phase: bodies with Mass and Collider against every SegmentWall. A contact's restitution is the
- * larger of the body's and the wall's, its friction coefficient the geometric mean. No speed takes a body through.
+ * System of the `walls` phase: collides bodies with Mass and Collider against every SegmentWall. The restitution of a
+ * contact is the larger of the body's and the wall's, its friction coefficient their geometric mean. Bodies do not
+ * tunnel at any speed.
  */
 export const segmentWalls: LocalSystem = {
   name: 'segment walls',
@@ -72,7 +74,7 @@ export const segmentWalls: LocalSystem = {
   }),
 };
 
-/** Keeps bodies that contacts pushed in this step on their side of the segment walls. */
+/** Keeps bodies that contacts moved in this step on their side of the segment walls. */
 export function confineToSegments(world: PhysicsWorld): void {
   collisionKernels(world).confineToSegments(gather(world).grid);
 }

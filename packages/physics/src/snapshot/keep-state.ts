@@ -3,22 +3,22 @@ import { checkObject } from '../errors/validate.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** What is kept, in the order it was named. */
+/** The objects to save, in the order in which they were passed. */
 export const keptOf = resource((): object[] => []);
 
 const named = new WeakSet<object>();
 
-/** Whether an object was named to `keepState`, so that it is copied although it may be of a class. */
+/** Returns whether an object was passed to `keepState`, which saves it even if it is an instance of a class. */
 export function isKept(value: object): boolean {
   return named.has(value);
 }
 
 /**
- * Makes objects a part of the world's state: snapshots put their contents aside, and `restore` brings them back, in the
- * same objects. Contents are fields, elements, and all that is in the plain objects, arrays, maps, sets and typed arrays
- * among them; of an object of a class they are its public fields. For whatever your own systems keep: scores, timers,
+ * Adds objects to the state of the world: snapshots save their contents, and `restore` writes them back to the same
+ * objects. Contents are fields, elements, and everything in nested plain objects, arrays, maps, sets and typed arrays;
+ * for an instance of a class they are its public fields. Use it for the state of your own systems: scores, timers,
  * `random.state`.
- * @throws PhysicsError E_TYPE, E_DESTROYED: nothing is kept
+ * @throws PhysicsError E_TYPE, E_DESTROYED: no object is added
  */
 export function keepState(world: PhysicsWorld, ...objects: readonly object[]): void {
   assertUsable(world);

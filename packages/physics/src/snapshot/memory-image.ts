@@ -1,23 +1,23 @@
-// The world's memory, put aside and written back. Pieces that hold only zeros are left out.
+// Saves and restores the world's memory. Pages that contain only zeros are omitted.
 import { RESERVED_BYTES, TABLE_ADDRESS, TableColumn } from '../memory/column-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** Which parts of a memory hold anything. */
+/** The non-zero ranges of a memory. */
 interface Layout {
-  /** Pairs [from, to): the pieces, ascending. */
+  /** The ranges as pairs [from, to), ascending. */
   readonly runs: readonly number[];
-  /** The column table, and the memory of each run, to copy from. */
+  /** Views of the column table and of each range. */
   readonly views: readonly Uint8Array[];
-  /** Bytes of them all. */
+  /** Total bytes of the views. */
   readonly length: number;
-  /** How far the arena was used. */
+  /** Bytes of the arena in use. */
   readonly top: number;
 }
 
-/** What was in a world's memory. */
+/** A saved copy of a world's memory. */
 export interface MemoryImage {
   layout: Layout;
-  /** Bytes of the column table, then of one run behind the other. */
+  /** Bytes of the column table, followed by those of the ranges. */
   bytes: Uint8Array;
   top: number;
   staggered: number;
@@ -29,12 +29,12 @@ export function noImage(): MemoryImage {
   return { layout: NOTHING, bytes: new Uint8Array(0), top: 0, staggered: 0 };
 }
 
-/** Bytes of a piece: one page, which most systems hand out untouched until it is written to. */
+/** Granularity in bytes: one page, which most systems allocate only when it is first written. */
 const PIECE = 4096;
 
 const TABLE_BYTES = 4 * TableColumn.end;
 
-/** Copies the memory into an image, whose bytes are used again where they suffice. */
+/** Copies the memory into an image and reuses its buffer if it is large enough. */
 export function takeImage(world: PhysicsWorld, image: MemoryImage): void {
   const { top, staggered } = world.internal.arena;
   const layout = layoutOf(world, top);
@@ -53,14 +53,14 @@ export function takeImage(world: PhysicsWorld, image: MemoryImage): void {
 }
 
 /**
- * The layout of each world's last image. What once held something counts from then on, so that images that are taken
- * again and again come to a layout that stays: nothing is allocated then.
+ * The layout of each world's last image. A range that was non-zero once stays in the layout, so that repeated images
+ * reach a stable layout and allocate nothing.
  */
 const layouts = new WeakMap<PhysicsWorld, Layout>();
 
 function layoutOf(world: PhysicsWorld, top: number): Layout {
   const last = layouts.get(world);
-  // In an arena that was brought back to fewer bytes, old runs may lie beyond its end.
+  // After a restore to a smaller arena, old ranges may lie beyond its end.
   const known = last === undefined || top < last.top ? NOTHING : last;
   if (known.top === top && coversAll(world, known.runs, top)) return known;
   const made = extended(world, known.runs, top);
@@ -68,7 +68,7 @@ function layoutOf(world: PhysicsWorld, top: number): Layout {
   return made;
 }
 
-/** Whether there is nothing between the runs and behind them. */
+/** Returns whether the memory between and after the ranges is zero. */
 function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: number): boolean {
   let at = RESERVED_BYTES;
   for (let r = 0; r < runs.length; r += 2) {
@@ -78,7 +78,7 @@ function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: numb
   return at >= top || kernels.nextPiece(at, top, PIECE, 1) >= top;
 }
 
-/** The runs there were together with all that holds anything. */
+/** Returns the given ranges extended by all non-zero pages. */
 function extended({ kernels, memory: { buffer } }: PhysicsWorld, before: readonly number[], top: number): Layout {
   const runs: number[] = [];
   const views = [new Uint8Array(buffer, TABLE_ADDRESS, TABLE_BYTES)];
@@ -104,14 +104,14 @@ function fits(room: number, length: number): boolean {
   return room >= length && room <= 2 * length + PIECE;
 }
 
-/** Writes an image back: every byte is then as it was, and what was taken from the arena since is free and zero. */
+/** Restores an image: every byte has its saved value, and memory allocated since is free and zero. */
 export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld, image: MemoryImage): void {
   const { bytes, top, staggered } = image;
   const { runs } = image.layout;
   const target = new Uint8Array(memory.buffer);
   target.set(bytes.subarray(0, TABLE_BYTES), TABLE_ADDRESS);
   const end = Math.max(top, arena.top);
-  // Zeros are written only where there is something else, or pages never touched would become real.
+  // Zeros are written only over non-zero bytes, because writing would commit untouched pages.
   const clear = (from: number, to: number) => {
     for (let at = from; at < to; ) {
       const first = kernels.nextPiece(at, to, PIECE, 1);

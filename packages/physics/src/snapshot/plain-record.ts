@@ -1,28 +1,28 @@
-// Copies of plain objects that are written again and again: a world put aside every few steps leaves no garbage.
+// Reusable copies of plain objects: repeated snapshots of a world create no garbage.
 
 import { isKept } from './keep-state.ts';
 
-/** Copies one object; made for it once. */
+/** A reusable copy of one object. */
 interface Copy {
-  /** Copies the contents, and visits what they are. */
+  /** Copies the contents and visits nested values. */
   take(visit: (value: unknown) => void): void;
   putBack(): void;
 }
 
-/** When an object was last visited: a traversal meets each once. */
+/** The traversal that last visited an object; a traversal visits each object once. */
 const visits = new WeakMap<object, number>();
 let traversals = 0;
 
 /**
- * Saves plain objects, arrays, maps, sets and typed arrays, and all of those they hold, as often as it is told to, and
- * puts the last copy back in place: the objects stay the same, their contents are those of then. Functions, objects of
- * classes, and what `isForeign` names are kept by reference: whoever holds state in them has to save it.
+ * Saves plain objects, arrays, maps, sets and typed arrays, including nested ones, any number of times, and restores
+ * the last copy in place: the objects keep their identity and get the saved contents. Functions, instances of classes,
+ * and objects for which `isForeign` is true are kept by reference; their owner must save their state.
  */
 export class PlainRecord {
   readonly #isForeign: (value: object) => boolean;
-  /** Those of the last traversal, in the order they were met. */
+  /** Copies of the last traversal, in the order of visits. */
   readonly #copies: Copy[] = [];
-  /** Those there ever were, of objects that live. */
+  /** All copies ever made, of objects that are still referenced. */
   readonly #known = new WeakMap<object, Copy>();
   #count = 0;
   #traversal = 0;
@@ -31,13 +31,13 @@ export class PlainRecord {
     this.#isForeign = isForeign;
   }
 
-  /** Forgets the copy there was; `add` makes the next. */
+  /** Clears the present copy; `add` builds the next. */
   begin(): void {
     this.#count = 0;
     this.#traversal = ++traversals;
   }
 
-  /** Copies what `value` holds, all of it, unless it was met before. */
+  /** Copies the contents of `value` recursively, unless it was visited before. */
   readonly add = (value: unknown): void => {
     if (typeof value !== 'object' || value === null) return;
     if (visits.get(value) === this.#traversal || this.#isForeign(value)) return;
@@ -52,7 +52,7 @@ export class PlainRecord {
     copy.take(this.add);
   };
 
-  /** Lets go of copies that the last traversal had no use for. */
+  /** Releases copies that the last traversal did not use. */
   end(): void {
     this.#copies.length = this.#count;
   }
@@ -175,7 +175,7 @@ class SetCopy implements Copy {
 
 class ObjectCopy implements Copy {
   readonly target: Record<string, unknown>;
-  /** All names, and which of them are fields rather than getters. */
+  /** All property names, and which of them are data fields rather than getters. */
   #names: string[] = [];
   #isField: boolean[] = [];
   readonly #values: unknown[] = [];
@@ -196,7 +196,7 @@ class ObjectCopy implements Copy {
     }
   }
 
-  /** Without a list of the present names, which would be garbage. */
+  /** Compares without a list of the present names, which would be garbage. */
   #hasSameNames(): boolean {
     let count = 0;
     for (const name in this.target) if (this.#names[count++] !== name) return false;
@@ -212,7 +212,7 @@ class ObjectCopy implements Copy {
 
   putBack(): void {
     const { target } = this;
-    // What never changes may be frozen: it is not written to.
+    // A frozen object never changes and is not written to.
     for (const name of Object.keys(target)) {
       const isNew = !this.#names.includes(name) && Object.getOwnPropertyDescriptor(target, name)?.get === undefined;
       if (isNew) delete target[name];

@@ -32,7 +32,7 @@ import {
   uniformGravity,
 } from '../index.ts';
 
-/** Bodies that come and go as a seeded player wants: spawned, removed, put on springs, one by one and by the dozen. */
+/** Spawns, removes and connects bodies by springs, singly and by the dozen, in a seeded random sequence. */
 function churn(world: PhysicsWorld, seed: number, steps: number): string {
   const random = createRandom(seed);
   const point = () => ({ x: random.uniform(-9, 9), y: random.uniform(0, 9) });
@@ -171,7 +171,7 @@ describe('what is brought back', () => {
     observe(world, onRemove(world.components.Charge), () => {
       throw new Error('not now');
     });
-    expect(() => restore(world, taken)).toThrow(/observers threw 1 error/);
+    expect(() => restore(world, taken)).toThrow(/observers threw 1 exception/);
     expect(heard).toEqual(['mass']);
     expect(stateHash(world)).toBe(hash);
   });
@@ -204,7 +204,7 @@ describe('emitters', () => {
     const first = play();
     restore(world, taken);
     expect(play()).toBe(first);
-    // The rate is the old one again, and not the one that `play` set last.
+    // The rate is the saved one, not the one that `play` set last.
     restore(world, taken);
     run(world, 0.5);
     const undisturbed = emitting({ rate: 300, lifetime: [0.2, 1.5], speed: [1, 9], spread: 3 });
@@ -281,6 +281,6 @@ it('takes no more memory than the world uses', () => {
   const world = createPhysicsWorld({ capacity: 1_000_000, precision: 'f32' });
   spawnMany(world, 100, { position: {}, velocity: {}, mass: 1 });
   step(world, 1 / 60);
-  // A page for each column in use, of a memory of several hundred megabytes.
+  // The snapshot has one page per column in use, of a memory of several hundred megabytes.
   expect(snapshot(world).bytes).toBeLessThan(60 * 4096);
 });

@@ -4,11 +4,11 @@ import { checkFunction, unknownName } from '../errors/validate.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from './types.ts';
 
-/** What a handler can be told of, and what it gets. */
+/** The events and the values that their handlers receive. */
 export interface EventMap {
   /** Two bodies touched in this step: `index` into the arrays of `contacts(world)`. */
   contact: number;
-  /** The step put a body right; see `world.faults`. */
+  /** The step corrected or quarantined a body; see `world.faults`. */
   fault: Fault;
 }
 
@@ -20,17 +20,18 @@ interface Listener<Name extends EventName> {
   gone: boolean;
 }
 
-/** Lists are replaced, never changed: one that is being told through stays as it is. */
+/** A list is replaced and never mutated, so a list that is being iterated does not change. */
 type Listeners = { [Name in EventName]: readonly Listener<Name>[] };
 
 const listenersOf = resource<Listeners>(() => ({ contact: [], fault: [] }), { outlives: true });
 
 /**
- * Calls `handler` for each event of a step, in the step's last phase. A handler may edit the world: its edits take
- * effect when the step ends. What it throws comes out of `step` as an AggregateError; the world goes on. A handler
- * added while handlers are told hears of the next event first; one taken away hears nothing more.
- * @returns a function that takes the handler away again
- * @throws PhysicsError E_UNKNOWN for an event there is not, E_TYPE, E_DESTROYED
+ * Calls `handler` for each event of a step, in the last phase of the step. A handler may edit the world: its edits take
+ * effect at the end of the step. An exception of a handler is thrown by `step` in an AggregateError; the world
+ * continues. A handler added during dispatch receives the next event first; a removed handler receives no further
+ * events.
+ * @returns a function that removes the handler
+ * @throws PhysicsError E_UNKNOWN for an unknown event, E_TYPE, E_DESTROYED
  */
 export function on<Name extends EventName>(world: PhysicsWorld, name: Name, handler: Handler<Name>): () => void {
   const listeners = listenersOf(world);
@@ -45,12 +46,12 @@ export function on<Name extends EventName>(world: PhysicsWorld, name: Name, hand
   };
 }
 
-/** Whether anybody listens. */
+/** Returns whether the event has handlers. */
 export function hasHandlers(world: PhysicsWorld, name: EventName): boolean {
   return listenersOf(world)[name].length > 0;
 }
 
-/** Tells every handler; what one throws does not stop the others. */
+/** Calls every handler; an exception of one does not stop the others. */
 export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, event: EventMap[Name]): void {
   const list: readonly Listener<Name>[] = listenersOf(world)[name];
   for (let i = 0; i < list.length; i++) {
@@ -63,7 +64,7 @@ export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, ev
   }
 }
 
-/** System of the `events` phase: tells of this step's faults. */
+/** System of the `events` phase: dispatches the events of this step's faults. */
 export function dispatchFaultEvents(world: PhysicsWorld): void {
   const { stepFaults } = world.internal;
   if (stepFaults.length === 0 || !hasHandlers(world, 'fault')) return;

@@ -1,22 +1,20 @@
-/**
- * The chapters of a step, in order. Systems run in the order of their array; nothing says "before" or "after".
- */
+/** The phases of a step, in order. Systems run in the order of their array; there are no other ordering rules. */
 export const PHASES = [
-  /** Your own systems: controls, scripts. Reads anything, writes velocities and parameters. */
+  /** Your own systems: controls, scripts. They read anything and write velocities and parameters. */
   'input',
-  /** Emitters age, end and bear particles. */
+  /** Emitters age, remove and create particles. */
   'emit',
-  /** Saves the pose for interpolation and finds values that are not finite before they can spread. */
+  /** Saves the pose for interpolation, and finds non-finite values before they spread. */
   'begin',
   /** Forces and the integrator: velocities and positions move by one step. */
   'integrate',
-  /** Walls: bodies that ended inside one are brought back. */
+  /** Walls: moves bodies that overlap a wall back. */
   'walls',
   /** Contacts between bodies: broad phase, narrow phase, response. */
   'collide',
-  /** Finds values that are not finite or out of range after the step, and quarantines their bodies. */
+  /** Finds non-finite and out-of-range values after the step, and quarantines their bodies. */
   'finish',
-  /** Your own systems again, with this step's contacts and faults to read. */
+  /** Your own systems again; they can read the contacts and faults of this step. */
   'events',
 ] as const;
 

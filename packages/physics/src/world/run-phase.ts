@@ -2,7 +2,7 @@ import { collectThrown } from '../errors/collect-thrown.ts';
 import type { Phase } from './phases.ts';
 import type { PhysicsWorld, Plan } from './types.ts';
 
-/** Runs the systems of a phase in the order of their list. What one throws does not stop the others. */
+/** Runs the systems of a phase in the order of their list. An exception of one does not stop the others. */
 export function runPhase(world: PhysicsWorld, plan: Plan, phase: Phase, dt: number): void {
   const systems = plan.systems[phase];
   const { profile } = world;
@@ -16,11 +16,11 @@ export function runPhase(world: PhysicsWorld, plan: Plan, phase: Phase, dt: numb
       collectThrown(world, error);
     }
   }
-  // A system may have switched the profile on or off.
+  // A system may have started or stopped the profile.
   if (profile !== undefined && world.profile === profile) profile.times[phase] += readClock(world) - start;
 }
 
-/** The clock is the user's: what it throws is reported, and the step goes on. */
+/** The clock is user code: its exceptions are collected, and the step continues. */
 function readClock(world: PhysicsWorld): number {
   try {
     return world.profile?.clock() ?? 0;

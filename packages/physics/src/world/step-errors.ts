@@ -1,14 +1,16 @@
-// What went wrong in a step is collected while it runs and thrown when it has ended: exceptions of users' code, and faults
-// where the world was asked to throw them.
+// Collects the errors of a step and throws them at its end: exceptions of user code, and faults if the world's
+// `onFault` is 'throw'.
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from './types.ts';
 
-/** Forgets the faults of the step before. */
+/** Clears the faults of the previous step. */
 export function clearStepErrors({ internal }: PhysicsWorld): void {
   internal.stepFaults.length = 0;
 }
 
-/** @throws AggregateError of everything that the step collected, if that is anything */
+/**
+ * @throws AggregateError of all errors of the step, if there are any
+ */
 export function throwStepErrors(world: PhysicsWorld): void {
   const { internal, tick, onFault } = world;
   const faults = onFault === 'throw' ? internal.stepFaults : [];

@@ -10,23 +10,22 @@ import { runPhase } from './run-phase.ts';
 import { clearStepErrors, throwStepErrors } from './step-errors.ts';
 import type { PhysicsWorld } from './types.ts';
 
-/** Longest step, s: thirty thousand years. The sum of 2⁵³ of them is still a finite time. */
+/** Longest step, s: thirty thousand years. The sum of 2⁵³ such steps is still a finite time. */
 export const MAX_DT = 1e12;
 
-/** Shortest step, s. Below, the quotients of a step leave the range of f32. */
+/** Shortest step, s. Below it the quotients of a step leave the range of f32. */
 export const MIN_DT = 1e-20;
 
 const DT_BOUNDS = { min: MIN_DT, max: MAX_DT };
 
 /**
- * Moves the world by `dt` seconds: every phase once, in the order of `PHASES`. In steady state it makes no object
- * per body, contact or particle.
+ * Advances the world by `dt` seconds: every phase once, in the order of `PHASES`. In steady state it allocates no
+ * object per body, contact or particle.
  *
- * Whatever a user's force, system or handler throws is collected; the step completes, edits made during it take
- * effect, and then one AggregateError carries what was thrown. `step(world, 0)` does nothing.
- * @throws PhysicsError E_TYPE (also for a force, system or integrator that is none), E_NONFINITE, E_RANGE (dt),
- *   E_REENTRANT, E_DESTROYED: the world unchanged
- * @throws AggregateError of what users' code threw, and of faults where `world.onFault` is 'throw'
+ * Exceptions of a user's force, system or handler are collected; the step completes, edits made during it take effect,
+ * and then one AggregateError carries the exceptions. `step(world, 0)` does nothing.
+ * @throws PhysicsError E_TYPE (also for an invalid force, system or integrator), E_NONFINITE, E_RANGE (dt), E_REENTRANT, E_DESTROYED: the world is unchanged
+ * @throws AggregateError of the exceptions of user code, and of faults if `world.onFault` is 'throw'
  */
 export function step(world: PhysicsWorld, dt: number): void {
   assertIdle(world, 'step');
@@ -35,7 +34,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   checkNumber(world.time, 'world.time');
   const plan = currentPlan(world);
   clearStepErrors(world);
-  // From here on users' code runs, but nothing has moved: what it throws comes out of this call.
+  // User code runs from here, before anything moves; its exceptions propagate from this call.
   prepareLoops(world);
   prepareForces(world, dt);
   world.integrator.prepare?.(world, dt);

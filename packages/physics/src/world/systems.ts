@@ -7,7 +7,7 @@ export function createPhases(): Phases {
   return Object.freeze(Object.fromEntries(PHASES.map((phase) => [phase, []]))) as unknown as Phases;
 }
 
-/** Your own local system in plain TypeScript: `run` gets ascending runs of rows. @throws PhysicsError E_TYPE */
+/** Creates a local system in plain TypeScript: `run` receives ascending ranges of rows. @throws PhysicsError E_TYPE */
 export function localSystem(
   name: string,
   run: (world: PhysicsWorld, first: number, last: number, dt: number) => void,

@@ -1,10 +1,9 @@
-// Contacts with walls, written down for those who read them and for the bodies that lie on bodies that lie on walls.
-// Nothing is written in a world without contacts.
+// Records wall contacts for events and for the resting-contact solver. A world without contacts records nothing.
 import { put } from '../../memory/columns';
 import { ContactTable, contactTable, putWord } from '../table';
 
-// A body touched a wall. `impulse` is along the normal (nx, ny, nz) out of the wall, N s; `holding` the part of it that
-// holds a body at rest, 0 for a rebound; `friction` the coefficient that friction was reckoned with.
+// Records that a body touched a wall. `impulse` (N s) is along the normal (nx, ny, nz) out of the wall; `holding` is
+// the part of it that supports a resting body, 0 for a rebound; `friction` is the coefficient that was applied.
 export function recordWallContact(
   body: i32,
   wall: i32,
@@ -18,7 +17,7 @@ export function recordWallContact(
   record(body, wall, nx, ny, nz, friction, impulse, holding, 0);
 }
 
-// A body is near a wall: it may be pushed against it before the step ends.
+// Records that a body is near a wall, because contacts may press it against the wall before the step ends.
 export function recordNearWall(body: i32, wall: i32, nx: real, ny: real, nz: real, friction: real, gap: real): void {
   record(body, wall, nx, ny, nz, friction, 0, 0, max<real>(0, gap));
 }
