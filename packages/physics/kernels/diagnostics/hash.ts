@@ -1,5 +1,5 @@
-// A 64-bit hash of columns: FNV-1a over 32-bit words (Fowler, Noll, Vo), stirred by a xor-shift so that high bits reach
-// low ones. Not cryptographic; equal states give equal hashes on every machine.
+// A 64-bit hash of columns: FNV-1a over 32-bit words (Fowler, Noll, Vo), mixed by a xor-shift so that high bits affect
+// low bits. Not cryptographic; equal states give equal hashes on every machine.
 
 const PRIME: u64 = 0x100000001b3;
 
@@ -15,7 +15,7 @@ export function hashBegin(): void {
   state = 0xcbf29ce484222325;
 }
 
-// Adds 0 to every value first, so that -0 and 0 hash alike; every NaN hashes as one value.
+// Adding 0 to every value makes -0 and 0 hash alike; every NaN hashes as one value.
 export function hashReals(column: usize, rows: i32): void {
   let h = state;
   for (let row = 0; row < rows; row++) {

@@ -1,4 +1,4 @@
-// The moves integrators are made of, for one axis. A body without mass (m = 0) keeps its velocity.
+// Drift and kick, the operations of integrators, for one axis. A body without mass (m = 0) keeps its velocity.
 import { LANES, accelerationOf, add, at, mul, splat } from '../memory/lanes';
 
 // Kick: v += F/m dt.

@@ -1,7 +1,7 @@
-// Turning of bodies at their angular velocity. Symplectic Euler for the spin: omega += torque/I dt, then the angle.
+// Rotation of bodies by semi-implicit (symplectic) Euler: omega += torque/I dt, then the angle with the new omega.
 import { at } from '../memory/lanes';
 
-// omega += torque/I dt about one axis, for the rows with inertia whose bits say that they have an angular velocity.
+// omega += torque/I dt about one axis, for rows with inertia and the component bit of AngularVelocity.
 export function kickSpinAxis(
   omega: usize,
   torque: usize,
@@ -20,7 +20,7 @@ export function kickSpinAxis(
   }
 }
 
-// 3D: q += dt/2 (omega) q, renormalised; a row whose quaternion is zero and that does not turn stays untouched.
+// 3D: q += dt/2 (omega) q, renormalised; a row with a zero quaternion and no angular velocity stays unchanged. Source:
 // Kuipers, Quaternions and Rotation Sequences, section 11.4 (first order in dt; the norm is restored each step).
 export function turnQuaternion(
   qx: usize,

@@ -1,8 +1,9 @@
-// The two ends of a step for one axis: remember where the bodies were, and see that every value is finite and in range.
+// The start and end of a step for one axis: saves the state of the bodies, and checks that every value is finite and in
+// range.
 import { BLOCK, LANES, at, splat } from '../memory/lanes';
 
-// Saves position and velocity at the start of the step and returns 1 when every |x| <= maxPosition and |v| <= maxSpeed.
-// A bad position is not saved: `previous` keeps the last good one.
+// Saves position and velocity at the start of the step and returns 1 if every |x| <= maxPosition and |v| <= maxSpeed.
+// An invalid position is not saved: `previous` keeps the last valid one.
 export function beginAxis(
   previous: usize,
   start: usize,
@@ -32,7 +33,7 @@ export function beginAxis(
   return i32(i32x4.all_true(v128.and(good, isWithin(speeds, limitV))));
 }
 
-// Returns 1 when every |x| <= maxPosition and |v| <= maxSpeed.
+// Returns 1 if every |x| <= maxPosition and |v| <= maxSpeed.
 export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real, first: i32, last: i32): i32 {
   const limitX = splat(maxPosition);
   const limitV = splat(maxSpeed);
@@ -46,9 +47,9 @@ export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real,
   return i32(i32x4.all_true(v128.and(isWithin(positions, limitX), isWithin(speeds, limitV))));
 }
 
-// What was seen of many values so far: in f32 the largest magnitude of each lane, in f64 the lanes in which none was
-// beyond the limit. Magnitudes are compared as integers, which orders infinity above all numbers and NaN above that; of
-// 64-bit integers there is no such instruction, and the comparison of reals is false for NaN.
+// The accumulator of the checks: in f32 the largest magnitude per lane, in f64 a mask of the lanes within the limit so
+// far. In f32 magnitudes are compared as integers, which orders NaN above infinity above all numbers; 64-bit integers
+// have no such instruction, but the comparison of reals is false for NaN.
 // @ts-ignore: decorator
 @inline function nothingSeen(): v128 {
   return i32x4.splat(sizeof<real>() == 4 ? 0 : -1);
@@ -65,7 +66,7 @@ export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real,
   return lookAt(lookAt(lookAt(lookAt(seen, p, limit), p + 16, limit), p + 32, limit), p + 48, limit);
 }
 
-// Lanes set where all that was seen is within the limit.
+// Returns a mask of the lanes whose values are all within the limit.
 // @ts-ignore: decorator
 @inline function isWithin(seen: v128, limit: v128): v128 {
   return sizeof<real>() == 4 ? v128.le<u32>(seen, limit) : seen;
@@ -83,7 +84,7 @@ export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real,
   v128.store(to, d, 48);
 }
 
-// Copies those values of a block that are within the limit.
+// Copies the values of a block that are within the limit.
 function copyGood(to: usize, from: usize, limit: v128): void {
   for (let o: usize = 0; o < 64; o += 16) {
     const value = v128.load(from + o);

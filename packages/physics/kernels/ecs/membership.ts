@@ -1,9 +1,9 @@
-// Turns the membership bits of the rows into what the step and the renderers walk over.
+// Converts the component bits of the rows into ranges for the step and id lists for renderers.
 
 const BLOCK: i32 = 16;
 
-// Writes ascending runs [first, last) of whole 16-row blocks that hold at least one row with all `required` bits, as
-// pairs of i32 at `runs`, and returns their number. Runs closer than `gap` blocks are joined: sweeping a few inert
+// Writes ascending ranges [first, last) of whole 16-row blocks with at least one row that has all `required` bits, as
+// pairs of i32 at `runs`, and returns their number. Ranges closer than `gap` blocks are joined: processing a few empty
 // rows costs less than another call.
 export function buildRuns(members: usize, required: u32, rows: i32, gap: i32, runs: usize): i32 {
   const want = i32x4.splat(required);
@@ -28,7 +28,7 @@ export function buildRuns(members: usize, required: u32, rows: i32, gap: i32, ru
   return count;
 }
 
-// Writes the ids of all rows with all `required` bits, ascending, and returns their number.
+// Writes the ids of all rows with all `required` bits in ascending order, and returns their number.
 export function listIds(members: usize, required: u32, rows: i32, ids: usize): i32 {
   let count = 0;
   for (let row = 0; row < rows; row++) {

@@ -1,4 +1,4 @@
-// Rows of entities that lack a component a kernel would write to: a body with Mass and no Velocity, say.
+// Clears rows of entities that lack a component which a kernel writes to, such as a body with Mass but no Velocity.
 import { at } from '../memory/lanes';
 
 // Zeroes the rows of `column` that do not have all the `required` bits.

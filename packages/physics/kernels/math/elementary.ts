@@ -1,8 +1,9 @@
-// Elementary functions from + - * / and bits alone: the same bits on every engine, in both builds, always f64.
-// src/math/elementary.ts hands them to TypeScript, so there is one source and nothing to keep equal.
+// Elementary functions from + - * / and bit operations only: the same bits on every engine, in both builds, always f64.
+// src/math/elementary.ts exposes them to TypeScript, so there is only one implementation.
 //
-// Sine, cosine and arc tangent are AssemblyScript's, after FreeBSD msun (Sun Microsystems 1993), within 1 ulp;
-// angles of any size are reduced (Payne, Hanek 1983), beyond a million radians within 2 ulp. Its exp, log and pow would bring 10 KB of tables.
+// Sine, cosine and arc tangent are AssemblyScript's, after FreeBSD msun (Sun Microsystems 1993), within 1 ulp; angles
+// of any size are reduced (Payne, Hanek 1983), beyond a million radians within 2 ulp. AssemblyScript's exp, log and pow
+// would add 10 KB of tables.
 
 export function sine(x: f64): f64 {
   return NativeMath.sin(x);
@@ -16,14 +17,14 @@ export function arcTangent2(y: f64, x: f64): f64 {
   return NativeMath.atan2(y, x);
 }
 
-// What `turn` was asked for last.
+// Results of the last call of `turn`.
 export let turnCosine: f64 = 0;
 export let turnSine: f64 = 0;
 
-// Beyond this angle, just above pi / 4, the reduction of fdlibm begins.
+// The argument reduction of fdlibm begins beyond this angle, just above pi / 4.
 const REDUCED: f64 = reinterpret<f64>(0x3fe921fc00000000);
 
-// pi / 2 in three parts of 33 bits, each followed by what the parts up to it leave.
+// pi / 2 in three parts of 33 bits, each followed by the remainder after it.
 const QUARTER_1: f64 = reinterpret<f64>(0x3ff921fb54400000);
 const REST_1: f64 = reinterpret<f64>(0x3dd0b4611a626331);
 const QUARTER_2: f64 = reinterpret<f64>(0x3dd0b4611a600000);
@@ -35,8 +36,8 @@ function exponentBits(x: f64): i32 {
   return <i32>((reinterpret<u64>(x) >> 52) & 0x7ff);
 }
 
-// Sine and cosine of one angle within a million radians, the bits of `sine` and `cosine`: by the methods of fdlibm
-// e_rem_pio2.c, k_sin.c and k_cos.c (Sun 1993), without the table that larger angles need.
+// Computes sine and cosine of one angle within a million radians, with the same bits as `sine` and `cosine`, by the
+// methods of fdlibm e_rem_pio2.c, k_sin.c and k_cos.c (Sun 1993), without the table that larger angles need.
 export function turn(angle: f64): void {
   let quarters: f64 = 0;
   let high = angle;
@@ -46,7 +47,7 @@ export function turn(angle: f64): void {
     let rest = angle - quarters * QUARTER_1;
     let next = quarters * REST_1;
     high = rest - next;
-    // The more bits the subtraction cancels, the more parts of pi count.
+    // More cancelled bits in the subtraction require more parts of pi.
     if (exponentBits(angle) - exponentBits(high) > 16) {
       let before = rest;
       next = quarters * QUARTER_2;
@@ -133,7 +134,7 @@ export function logarithm(x: f64): f64 {
   return s * (half + (odd + even)) + dk * LN2_LOW - half + f + dk * LN2_HIGH;
 }
 
-// The k for which x 2^-k lies between sqrt(1/2) and sqrt(2); x is positive and finite.
+// Returns the k for which x 2^-k lies between sqrt(1/2) and sqrt(2); x is positive and finite.
 export function exponentOf(x: f64): i32 {
   const small = x < 2.2250738585072014e-308;
   const bits = reinterpret<u64>(small ? x * 18014398509481984 : x);

@@ -1,5 +1,5 @@
-// Normal noise as a function of the seed, the step, the body and the channel alone: the same in every evaluation of a
-// step, whatever the order of the bodies.
+// Normal noise as a function of seed, step, body and channel only: equal in every evaluation of a step, for any order
+// of the bodies.
 import { cosine, logarithm, sine } from './elementary';
 
 // A bijection of 32 bits with good avalanche (Wellons, lowbias32, 2018).
@@ -11,14 +11,14 @@ import { cosine, logarithm, sine } from './elementary';
   return z ^ (z >> 15);
 }
 
-// Uniform in (0, 1) from two words, and never 0.
+// Uniform in (0, 1) from two words; never 0.
 // @ts-ignore: decorator
 @inline function unit(a: u32, b: u32): f64 {
   return (<f64>(a >> 6) * 67108864 + <f64>(b >> 6) + 0.5) * 2.220446049250313e-16;
 }
 
-// A normal number with mean 0 and variance 1. Channels 0 and 1 are the two of one pair, as are 2 and 3, and so on.
-// Box and Muller, Annals of Mathematical Statistics 29, 610 (1958).
+// A normal number with mean 0 and variance 1. Channels 2n and 2n + 1 are the two numbers of one pair. Source: Box and
+// Muller, Annals of Mathematical Statistics 29, 610 (1958).
 export function noise(seed: f64, step: f64, row: i32, channel: i32): f64 {
   const body = mix(mix(<u32>seed ^ mix(<u32>step + 0x9e3779b9)) + <u32>row * 0x85ebca6b);
   const pair = mix(body + <u32>(channel >> 1) * 0x9e3779b9);

@@ -1,5 +1,5 @@
 // x to the power y, within 1 ulp: y ln x in double-double arithmetic (Dekker, Numer. Math. 18, 224, 1971), then exp.
-// Special cases are those of ECMAScript's Math.pow.
+// Special cases follow ECMAScript's Math.pow.
 import { LN2_HIGH, LN2_LOW, exponentOf, exponentialOfSum } from './elementary';
 
 // The rounding error of the last twoProduct or twoSum.
@@ -28,7 +28,7 @@ function twoSum(a: f64, b: f64): f64 {
 let logarithmLow: f64 = 0;
 
 // ln x as high + low with a relative error near 2^-65: x = 2^k m, ln m = 2 atanh s, s = (m - 1)/(m + 1). The first two
-// terms of the series are carried in double-double, the rest in double.
+// terms of the series are computed in double-double, the rest in double.
 function logarithmPair(x: f64): f64 {
   const k = exponentOf(x);
   const f = NativeMath.scalbn(x, -k) - 1;
@@ -64,7 +64,7 @@ function logarithmPair(x: f64): f64 {
   return high;
 }
 
-// 0 for a fraction, 1 for an odd integer, 2 for an even one.
+// Returns 0 for a fraction, 1 for an odd integer, 2 for an even integer.
 function parity(y: f64): i32 {
   if (abs<f64>(y) >= 9007199254740992) return 2;
   if (trunc<f64>(y) != y) return 0;

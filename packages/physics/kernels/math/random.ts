@@ -1,5 +1,6 @@
 // xoshiro128** 1.1 (Blackman and Vigna, Scrambled Linear Pseudorandom Number Generators, ACM TOMS 47, 2021): period
-// 2^128 - 1, passes BigCrush. The state is four words of the world's memory. src/math/random.ts is its twin and seeds it.
+// 2^128 - 1, passes BigCrush. The state is four words of the world's memory. src/math/random.ts is the same generator
+// in TypeScript, and seeds it.
 import { logarithm } from './elementary';
 
 // The next 32 random bits.
@@ -20,8 +21,8 @@ export function randomUnit(state: usize): f64 {
   return <f64>randomWord(state) * 2.3283064365386963e-10;
 }
 
-// Normal with mean 0 and variance 1, by Marsaglia's polar method (SIAM Review 6, 260, 1964). Its second value is let
-// go, so that the four words are all the state there is.
+// Normal with mean 0 and variance 1, by Marsaglia's polar method (SIAM Review 6, 260, 1964). The second value is
+// discarded, so that the four words are the whole state.
 export function randomNormal(state: usize): f64 {
   let x: f64 = 0;
   let s: f64 = 0;

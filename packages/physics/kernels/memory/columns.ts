@@ -1,5 +1,5 @@
-// The table of column addresses at the start of the world's memory, for kernels that touch too many columns to take
-// each as a parameter. src/memory/column-table.ts writes it, in this order; a test holds the two against each other.
+// The table of column addresses at the start of the world's memory, for kernels that use too many columns to pass each
+// as a parameter. src/memory/column-table.ts writes it in this order; a test compares the two.
 
 @unmanaged
 export class Columns {
@@ -18,7 +18,8 @@ export class Columns {
   restitution: usize;
   friction: usize;
   members: usize;
-  // The bit of AngularVelocity in `members`, and the table of contacts (kernels/particle-contacts/table.ts), 0 without one.
+  // The bit of AngularVelocity in `members`, and the address of the contact table (kernels/particle-contacts/table.ts),
+  // 0 if there is none.
   angularVelocityBit: u32;
   contacts: usize;
 }
@@ -40,7 +41,7 @@ const TABLE: usize = 64;
   store<real>(column + <usize>row * sizeof<real>(), value);
 }
 
-// Where the constants end that the compiler put into the memory's first bytes: they stay below the first column.
+// Returns the end of the compiler's constants in the first bytes of the memory: they must stay below the first column.
 export function staticEnd(): usize {
   return __heap_base;
 }

@@ -1,14 +1,14 @@
-// What every kernel shares: the width of a vector in lanes of `real`, and the byte offset of a row.
-// `real` is f32 or f64, chosen when the module is compiled.
+// Definitions shared by all kernels: the number of `real` lanes per vector and the byte offset of a row. `real` is f32
+// or f64, chosen when the module is compiled.
 //
-// Kernels run over rows [first, last) whose bounds are multiples of 16, and rows that belong to no body hold zeros.
-// So no kernel needs a scalar tail or a mask for holes: sweeping an absent row does nothing.
+// Kernels process rows [first, last) with bounds that are multiples of 16, and rows without a body hold zeros. So no
+// kernel needs a scalar tail or a mask for holes: processing an empty row has no effect.
 
 // @ts-ignore: decorator
 @inline export const LANES: i32 = 16 / sizeof<real>();
 
-// Rows of four vectors. A kernel that does little per row handles a block at a time, at constant distances from one
-// address: that leaves out three quarters of the address arithmetic and of the tests for rare events.
+// Rows of four vectors. A kernel with little work per row processes one block at a time, at constant offsets from one
+// address, which saves three quarters of the address arithmetic and of the tests for rare events.
 // @ts-ignore: decorator
 @inline export const BLOCK: i32 = 4 * LANES;
 
@@ -42,7 +42,7 @@
   return v128.div<real>(a, b);
 }
 
-// The larger of two, neither of which is NaN: one instruction, where `max`, which asks for NaN and -0, is nine.
+// The larger of two values that are not NaN: one instruction instead of the nine of `max`, which handles NaN and -0.
 // @ts-ignore: decorator
 @inline export function larger(a: v128, b: v128): v128 {
   return v128.pmax<real>(a, b);
@@ -54,13 +54,13 @@
   return add(add(mul(ax, bx), mul(ay, by)), mul(az, bz));
 }
 
-// Acceleration of a body by a force: F / m, and zero where m is zero (no Mass component: forces do not move the body).
+// Acceleration of a body by a force: F / m, and zero where m is zero (without Mass, forces do not move the body).
 // @ts-ignore: decorator
 @inline export function accelerationOf(force: v128, mass: v128): v128 {
   return v128.and(div(force, mass), v128.gt<real>(mass, splat(0)));
 }
 
-// One lane of a vector, chosen at run time.
+// One lane of a vector, selected at run time.
 // @ts-ignore: decorator
 @inline export function laneOf(v: v128, lane: i32): real {
   if (lane == 0) return v128.extract_lane<real>(v, 0);

@@ -1,10 +1,11 @@
-// The acceleration of a group from its lists, law 1/r² in space: bodies of the group in lanes, sources broadcast.
+// The acceleration of a group from its interaction lists in 3D for the law 1/r²: bodies of the group in lanes, sources
+// broadcast.
 //
 // With d from the target to the source, u = d² + ε², S' = 3S and T' = tr S'/2:
 //   body  a = s d u^(-3/2)
 //   cell  a = d (M u^(-3/2) - T' u^(-5/2) + 5/2 (d·S'd) u^(-7/2)) - S'd u^(-5/2)      + dipole D u^(-3/2) - 3 d (D·d) u^(-5/2)
 // which is the gradient of the softened potential's expansion to second order (Hernquist, ApJS 64, 715, 1987, with the
-// trace kept). Cost a target: 50 operations a cell, 18 a body.
+// trace kept). Cost per target: 50 operations per cell, 18 per body.
 import { LANES, add, at, div, mul, splat, sub } from '../memory/lanes';
 import { NBody, REAL } from './workspace';
 
@@ -83,7 +84,7 @@ import { NBody, REAL } from './workspace';
         az = add(az, mul(dz, k));
       }
     }
-    // The last vector may reach into the next group, which is written after this one.
+    // The last vector may extend into the next group, which is written afterwards.
     v128.store(w.ax + at(t), ax);
     v128.store(w.ay + at(t), ay);
     v128.store(w.az + at(t), az);

@@ -1,7 +1,7 @@
-// Which pieces of the memory hold anything: what a snapshot copies. Most of a world's memory was never written.
+// Finds the non-zero pages of the memory, which a snapshot copies. Most of a world's memory was never written.
 
-// The first piece of `bytes` in [from, to) that holds something other than zeros (`used` 1), or nothing else (`used` 0);
-// `to` when there is none. Addresses and `bytes` are multiples of 64.
+// Returns the first page of `bytes` in [from, to) that has a non-zero byte (`used` 1) or only zeros (`used` 0), or `to`
+// if there is none. Addresses and `bytes` are multiples of 64.
 export function nextPiece(from: usize, to: usize, bytes: usize, used: i32): usize {
   for (let at = from; at < to; at += bytes) {
     if (<i32>holdsAnything(at, at + bytes) == used) return at;

@@ -1,11 +1,11 @@
-// Blows: velocities change at once.
+// Impulses: instantaneous changes of velocity.
 //
 //   Δv = J/m        Δω = (p - r) × J/I        explosion: J(d) = J₀ (1 - d/R)ⁿ outwards, d < R
 //
-//   J  impulse, N s    p  where it acts, m    r  centre of mass, m    d  distance from the explosion, m
+//   J  impulse, N s    p  point of application, m    r  centre of mass, m    d  distance from the explosion, m
 //
-// An impulse is the limit of a large force for a short time: Goldstein, Classical Mechanics, section 1.1. The law of an
-// explosion is for games: a real blast goes by Sedov (1946).
+// An impulse is the limit of a large force for a short time: Goldstein, Classical Mechanics, section 1.1. The law of
+// the explosion is a game model, not the blast wave of Sedov (1946).
 
 import { assertBody } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
@@ -16,10 +16,10 @@ import { forceKernels } from '../forces/support/force-kernels.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /**
- * Gives a body an impulse, through its centre of mass or at a point, where it turns the body too if that has Inertia and
- * AngularVelocity. A body without mass is not moved.
+ * Applies an impulse through the centre of mass of a body or at a point, which also changes the spin of a body with
+ * Inertia and AngularVelocity. A body without mass is not moved.
  * @param impulse N s
- * @param point where it acts, m, in world coordinates
+ * @param point point of application, m, in world coordinates
  * @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
  */
 export function applyImpulse(world: PhysicsWorld, eid: number, impulse: VectorInput, point?: VectorInput): void {
@@ -45,18 +45,19 @@ export function applyImpulse(world: PhysicsWorld, eid: number, impulse: VectorIn
 }
 
 export interface ExplosionOptions {
-  /** Where, m; default the origin. */
+  /** Position, m; default the origin. */
   readonly centre?: VectorInput;
-  /** Impulse J₀ next to the centre, N s; negative implodes. */
+  /** Impulse J₀ at the centre, N s; negative implodes. */
   readonly impulse: number;
-  /** Reach R, m. */
+  /** Radius R, m. */
   readonly radius: number;
-  /** n: 0 the same everywhere within R, 1 (default) falling to zero there, 2 and up steeper. */
+  /** Exponent n: 0 is uniform within R, 1 (default) falls linearly to zero at R, 2 and above fall more steeply. */
   readonly falloff?: number;
 }
 
 /**
- * Throws every body with mass within reach outwards. One at the very centre has no direction to go and stays.
+ * Accelerates every body with mass within the radius outwards. A body exactly at the centre has no direction and is not
+ * moved.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
  */
 export function explode(world: PhysicsWorld, options: ExplosionOptions): void {

@@ -11,10 +11,10 @@ test('a shape cut into rings or shells has the mass and the moment of inertia of
     discM += ring;
     discI += ring * r * r;
     ballM += shell;
-    // A thin shell has 2 m r²/3.
+    // A thin shell has the moment 2 m r²/3.
     ballI += (2 / 3) * shell * r * r;
   }
-  // The midpoint rule is off by (radius/rings)² at most a few times.
+  // The midpoint rule errs by at most a few times (radius/rings)².
   expect(discMass(density, radius) / discM).toBeCloseTo(1, 8);
   expect(ballMass(density, radius) / ballM).toBeCloseTo(1, 8);
   expect(discInertia(discM, radius) / discI).toBeCloseTo(1, 8);

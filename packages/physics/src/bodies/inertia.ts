@@ -1,5 +1,5 @@
-// Mass and moment of inertia of the two shapes colliders have: solid, of one density. Feynman, Lectures on Physics I,
-// table 19-1.
+// Mass and moment of inertia of the shapes of colliders: solid and of uniform density. Source: Feynman, Lectures on
+// Physics I, table 19-1.
 import { checkNumber } from '../errors/validate.ts';
 
 const POSITIVE = { above: 0, max: 1e38 };

@@ -1,4 +1,4 @@
-// What `spawnMany` is given, checked and completed before anything is made.
+// Validates and completes the input of `spawnMany` before anything is created.
 import { COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import type { WorldView } from '../ecs/body-references.ts';
@@ -8,7 +8,7 @@ import { checkKeys, isRecord, isWithin, mustBe } from '../errors/validate.ts';
 import type { FieldValues } from '../world/types.ts';
 import { type BodyInput, componentOfKey, lacksVelocity } from './spawn.ts';
 
-/** A value for each body: one number for all, or as many as there are bodies. */
+/** A value for each body: one number for all, or an array with one number per body. */
 export type Many = number | ArrayLike<number>;
 
 /** Like `BodyInput`, with an array wherever bodies differ. */
@@ -19,12 +19,12 @@ export type ManyInput = {
     | undefined;
 };
 
-/** Checked values of a field: one number for all, or one for each body. */
+/** Validated values of a field: one number for all, or one per body. */
 export type Column = number | Float64Array;
 
 type Columns = Record<string, Column>;
 
-/** A component of the new bodies, with checked values for all its fields. */
+/** A component of the new bodies, with validated values for all its fields. */
 export interface Filling {
   readonly name: ComponentName;
   readonly fields: readonly (readonly [string, Column])[];
@@ -69,7 +69,7 @@ function checkColumn(space: WorldView, name: string, spec: FieldSpec, many: unkn
   if (many.length !== count) {
     throw new PhysicsError('E_RANGE', `${name} has ${many.length} values for ${count} bodies.`, { field: name });
   }
-  // Only a value that needs all the checks is worth the words that would name it.
+  // The full check, which formats names, runs only for values that need it.
   const special = spec.life !== undefined || (spec.spatial === true && space.dimensions === 2);
   const checked = new Float64Array(count);
   for (let i = 0; i < count; i++) {
@@ -82,7 +82,7 @@ function checkColumn(space: WorldView, name: string, spec: FieldSpec, many: unkn
 
 const nothing = (): FieldValues => ({});
 
-/** Components whose fields depend on each other are completed body by body, or once when all are alike. */
+/** Components with interdependent fields are completed body by body, or once if all values are equal. */
 function completeColumns(space: WorldView, name: ComponentName, columns: Columns, count: number): Columns {
   const given = Object.entries(columns);
   const bodyAt = (i: number): FieldValues => {

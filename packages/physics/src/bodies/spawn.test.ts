@@ -11,7 +11,7 @@ it('a body spawned with mass and no velocity falls from rest', () => {
   const one = spawn(world, { position: { y: 5 }, mass: 2 });
   const [first] = spawnMany(world, 1, { position: { y: 5 }, mass: 2 });
   step(world, 0.5);
-  // Velocity Verlet is exact under constant force: 5 − 10 · 0.5² / 2.
+  // Velocity Verlet is exact for constant force: 5 − 10 · 0.5² / 2.
   expect(world.components.Position.y[one]).toBe(3.75);
   expect(world.components.Position.y[first as number]).toBe(3.75);
 });

@@ -59,7 +59,7 @@ describe('momentum and angular momentum', () => {
     for (let i = 0; i < 1000; i++) step(world, 0.005);
     for (const axis of ['x', 'y', 'z'] as const) {
       expect(momentum(world)[axis]).toBeCloseTo(p[axis], 11);
-      // Damping is along the line too, so only the integrator's predictor for it disturbs the torque balance.
+      // Damping also acts along the line, so only the integrator's predictor for it violates the torque balance.
       expect(Math.abs(angularMomentum(world)[axis] - l[axis])).toBeLessThan(1e-3);
       expect(centreOfMass(world)[axis]).toBeCloseTo(centre[axis] + (p[axis] / totalMass(world)) * 5, 10);
     }

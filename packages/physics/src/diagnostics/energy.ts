@@ -7,18 +7,18 @@ import type { PhysicsWorld } from '../world/types.ts';
 /** Energies, J. */
 export interface Energy {
   readonly kinetic: number;
-  /** Of every force that has a potential. */
+  /** Sum over every force with a potential. */
   readonly potential: number;
   readonly total: number;
 }
 
-/** The same to be written to. */
+/** The same type, writable. */
 type Writable<T> = { -readonly [Key in keyof T]: T[Key] };
 
 /**
- * Kinetic energy of translation and rotation, and the potential of every conservative force.
- * Sums run in f64 over ascending ids. Bodies without mass carry none.
- * @param out written and returned: an object for all calls, where they come with every frame
+ * Returns the kinetic energy of translation and rotation, and the potential energy of every conservative force. Sums
+ * run in f64 over ascending ids. Bodies without mass do not contribute.
+ * @param out written and returned: a reusable object, for calls in every frame
  * @throws PhysicsError E_DESTROYED
  */
 export function energy(world: PhysicsWorld, out: Writable<Energy> = { kinetic: 0, potential: 0, total: 0 }): Energy {
@@ -50,7 +50,7 @@ export function momentum(world: PhysicsWorld): Vector {
   return massTimes(world, world.addresses.Velocity);
 }
 
-/** The sum of m u over the bodies, for a vector u of each. */
+/** The sum of m u over the bodies, for a vector u per body. */
 function massTimes({ kernels, addresses, lastId }: PhysicsWorld, u: AxisAddresses): Vector {
   const along = (axis: 'x' | 'y' | 'z') => kernels.dotColumns(addresses.Mass.value, u[axis], 0, lastId + 1);
   return { x: along('x'), y: along('y'), z: along('z') };
@@ -62,7 +62,7 @@ export function totalMass(world: PhysicsWorld): number {
   return world.kernels.sumColumn(world.addresses.Mass.value, 0, world.lastId + 1);
 }
 
-/** Centre of mass, m; the origin when nothing has mass. @throws PhysicsError E_DESTROYED */
+/** Centre of mass, m; the origin if no body has mass. @throws PhysicsError E_DESTROYED */
 export function centreOfMass(world: PhysicsWorld): Vector {
   const mass = totalMass(world);
   if (mass === 0) return { x: 0, y: 0, z: 0 };
@@ -71,7 +71,7 @@ export function centreOfMass(world: PhysicsWorld): Vector {
 }
 
 /**
- * Total angular momentum about a point, orbital and spin, kg m²/s. In 2D only `z` is not zero.
+ * Total angular momentum about a point, orbital and spin, kg m²/s. In 2D only `z` is non-zero.
  * @param about metres; default the origin
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_DESTROYED
  */

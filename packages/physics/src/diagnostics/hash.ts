@@ -3,8 +3,8 @@ import { assertUsable } from '../ecs/guards.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /**
- * A 64-bit hash of the world's state: membership and every component column up to the highest entity in use, as 16
- * hexadecimal digits. Equal states give equal hashes on every JavaScript engine; -0 counts as 0.
+ * Returns a 64-bit hash of the world's state, which covers membership and every component column up to the highest
+ * entity in use, as 16 hexadecimal digits. Equal states give equal hashes on every JavaScript engine; -0 counts as 0.
  * @throws PhysicsError E_DESTROYED
  */
 export function stateHash(world: PhysicsWorld): string {

@@ -1,5 +1,5 @@
-// A law that goes wrong for one body, and bad numbers that anybody wrote: the body alone stops, its neighbours in the
-// same vector of lanes go on as if nothing had happened.
+// Tests a law that fails for one body, and invalid values written by user code: only that body stops; its neighbours in
+// the same SIMD vector continue unchanged.
 import { describe, expect, test } from 'vitest';
 import { crowd, WORLD_KINDS, type WorldKind } from '../../../../test/support/law-lab.ts';
 import { bodyState, steps } from '../../../../test/support/worlds.ts';
@@ -19,14 +19,14 @@ import {
   vec3,
 } from '../index.ts';
 
-/** Gives a body with negative charge a force that is not a number, and others one that depends on them. */
+/** Gives a body with negative charge a NaN force, and the others a force that depends on their charge. */
 const root = defineLaw({
   name: 'root of the charge',
   reads: { q: COMPONENTS.Charge },
   force: ({ position, velocity, q }) => velocity.sub(position).mul(q.sqrt()),
 })();
 
-/** Infinite for a body without mass, and for a row in which there is no body. */
+/** Infinite for a body without mass, and for a row without a body. */
 const perMass = defineLaw({
   name: 'per mass',
   force: ({ position, mass }) => position.add(vec3(1, 2, 3)).div(mass),
@@ -47,7 +47,7 @@ function scene(kind: WorldKind, all: readonly Force[] = forces(), integrator = I
   return { world, eids };
 }
 
-/** All bodies but some, to the bit. */
+/** Returns the state of all other bodies, for bitwise comparison. */
 function others({ world, eids }: { world: PhysicsWorld; eids: readonly number[] }, bad: number): string[] {
   return eids.filter((eid) => eid !== bad).map((eid) => bodyState(world, eid));
 }
@@ -69,7 +69,7 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
       const [{ law, hint, ...fault }] = bad.world.faults.faults;
       expect(fault).toMatchObject({ code: 'E_NONFINITE', entity: eid, phase: 'finish', step: 2 });
       expect(law).toBe('root of the charge');
-      expect(hint).toMatch(/Look at the law "root of the charge"/);
+      expect(hint).toMatch(/Check the law "root of the charge"/);
       expect([Position.x[eid], Position.y[eid], Velocity.x[eid], Velocity.y[eid]]).toEqual([...before, 0, 0]);
       expect(others(bad, eid)).toEqual(others(good, eid));
     },
@@ -110,7 +110,7 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
     const { Position: p, Velocity: v } = world.components;
     expect([p.x[wall], p.y[wall], p.x[platform], v.x[platform], v.y[platform]]).toEqual([1, 2, 4, 0.5, 0]);
     expect(v.y[falling]).not.toBe(0);
-    // Rows without a body hold zeros, as everybody may rely on.
+    // Rows without a body hold zeros; all kernels rely on this.
     expect([p.x[0], v.x[0], p.x[falling + 1], v.x[falling + 1]]).toEqual([0, 0, 0, 0]);
     expect(world.faults.faults).toEqual([]);
   });

@@ -1,4 +1,4 @@
-// What is compiled, and when: structure and layout decide, values do not.
+// Tests that structure and layout determine when code is compiled, and values do not.
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { forcesNow, lawOf } from '../../../../test/support/law-lab.ts';
 import { steps, worldState } from '../../../../test/support/worlds.ts';
@@ -37,14 +37,14 @@ beforeEach(() => {
 });
 afterEach(() => void vi.restoreAllMocks());
 
-/** How many modules something compiles. */
+/** Counts the modules that a call compiles. */
 function countOf(act: () => void): number {
   const before = compilations;
   act();
   return compilations - before;
 }
 
-/** Laws no other test of this process has: structures are remembered for its life. */
+/** Makes structures unique, because the process caches them. */
 let unlike = 0;
 function pushLaw() {
   const odd = 1000 + unlike++;
@@ -175,7 +175,7 @@ describe('a law of a user', () => {
 });
 
 describe('a page that forbids to compile WebAssembly', () => {
-  /** As Chromium does it. */
+  /** This mimics Chromium. */
   class Forbidden {
     constructor() {
       const policy = 'violates the following Content Security policy directive';

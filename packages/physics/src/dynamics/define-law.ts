@@ -1,4 +1,4 @@
-// Laws: forces, accelerations and torques written once as expressions, and fused into the step of every world.
+// Laws: forces, accelerations and torques written once as expressions and fused into the step of every world.
 import { checkChoice, checkFunction, checkKeys, mustBe } from '../errors/validate.ts';
 import type { Reads } from '../laws/body-symbols.ts';
 import { type LawOptions, recordLaw } from '../laws/law.ts';
@@ -8,7 +8,7 @@ import type { Force, ForceParameter, Law, Parameter, ParameterSource, PhysicsWor
 import { potentialEnergy } from './potential-energy.ts';
 import type { LawForce } from './sum-of-laws.ts';
 
-/** Makes the force of a law from the values of its parameters. */
+/** Creates the force of a law from the values of its parameters. */
 export type LawFactory<P> =
   Record<never, never> extends ParameterInput<P>
     ? (parameters?: ParameterInput<P>) => LawForce
@@ -29,16 +29,16 @@ const KEYS = [
   'consumes',
 ];
 
-/** The function that makes the force of a law, and one that records the law unless it is recorded already. */
+/** The function that creates the force of a law, and a function that records the law on first use. */
 interface Definition<P> {
   readonly factory: LawFactory<P>;
   record(): Law;
 }
 
 /**
- * Defines a law of a user. Its functions are called once, now, with symbols; what is wrong with them is said here.
- * `index.ts` exports it as `defineLaw`.
- * @returns a function that makes the force: `createPhysicsWorld({ forces: [myLaw({ strength: 3 })] })`
+ * Defines a user's law. Its functions are called once, immediately, with symbols, so that errors in them are thrown
+ * here. `index.ts` exports it as `defineLaw`.
+ * @returns a function that creates the force: `createPhysicsWorld({ forces: [myLaw({ strength: 3 })] })`
  * @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN, naming the law
  */
 export function defineCheckedLaw<
@@ -51,8 +51,8 @@ export function defineCheckedLaw<
 }
 
 /**
- * Defines a law of this package. Its functions are called when its first force is made, so that a page does not wait for
- * laws that it does not use.
+ * Defines a law of this package. Its functions are called when its first force is created, so that a page does not
+ * spend time on laws it does not use.
  */
 export function defineLaw<
   const R extends Reads = Record<never, never>,
@@ -78,7 +78,7 @@ function definitionOf<R extends Reads, P extends Parameters>(options: LawOptions
     return lawForce(law, sources, {
       equation: options.formula ?? '',
       parameters: shownParameters(parameters, sources),
-      // What it consumes it reads, to know how much there is.
+      // A consumed column is also read, to know how much is left.
       reads: [...new Set([...columnsRead(law), ...(options.consumes ?? [])])],
       ...(options.prepare && { prepare: options.prepare }),
       ...(options.consumes && { consumes: options.consumes }),
@@ -87,7 +87,7 @@ function definitionOf<R extends Reads, P extends Parameters>(options: LawOptions
   return { factory: factory as LawFactory<P>, record };
 }
 
-/** The force of a recorded law with the values of its parameters. */
+/** Creates the force of a recorded law with the values of its parameters. */
 export function lawForce(
   law: Law,
   sources: readonly ParameterSource[],
@@ -98,7 +98,7 @@ export function lawForce(
   return { ...force, potential: (world) => potentialEnergy(world, force) };
 }
 
-/** Numbers for the documentation: a vector as three. */
+/** Converts parameters to numbers for the documentation; a vector becomes three. */
 function shownParameters(
   parameters: Readonly<Record<string, Parameter>>,
   sources: readonly ParameterSource[],

@@ -14,7 +14,7 @@ export function drift(world: PhysicsWorld, ranges: Ranges, h: number): void {
   }
 }
 
-/** Kick: v += F/m h, with the forces as they were last evaluated. */
+/** Kick: v += F/m h, with the forces of the last evaluation. */
 export function kick(world: PhysicsWorld, ranges: Ranges, h: number): void {
   const { kernels, addresses, scratch } = world;
   const { Velocity, Mass } = addresses;

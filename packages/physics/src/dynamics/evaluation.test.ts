@@ -1,4 +1,4 @@
-// What a law may use in whatever way it is evaluated: sums in the stages of a scheme, and the length of the step.
+// Tests values that a law may use in every evaluation mode: sums in the stages of a scheme, and the length of the step.
 import { describe, expect, test } from 'vitest';
 import { read, run } from '../../../../test/support/laws.ts';
 import { spawn } from '../bodies/spawn.ts';

@@ -1,4 +1,4 @@
-// What a world says of its own step: for people, so the text must be whole and name what people know.
+// Tests the description of a step. It is read by people, so it must be complete and use public names.
 import { describe, expect, test } from 'vitest';
 import { lawOf } from '../../../../test/support/law-lab.ts';
 import {
@@ -31,7 +31,7 @@ function textOf(forces: readonly Force[], options: PhysicsWorldOptions = {}): st
   return explain(world);
 }
 
-/** Opens and closes of everything that must be closed, line by line; how deep it goes. */
+/** Counts the nesting depth of brackets line by line. */
 function depthsOf(text: string): { readonly most: number; readonly end: number } {
   let [depth, most] = [0, 0];
   for (const line of text.split('\n')) {
@@ -121,7 +121,7 @@ describe('explain', () => {
     ['with walls', { walls: [boxWalls({ min: { x: 0, y: 0 }, max: { x: 1, y: 1 } })] }],
   ] as const)('shows one loop in which everything that opens is closed: %s', (_, options) => {
     const text = textOf(everything(), options as PhysicsWorldOptions);
-    expect(text).toContain('All of it is one loop:');
+    expect(text).toContain('The whole step is one loop:');
     expect(text.match(/\(module/g)).toHaveLength(1);
     const code = text.slice(text.indexOf('(module')).replace(/;;.*/g, '');
     expect(brackets(code)).toBe(0);
@@ -137,8 +137,8 @@ describe('explain', () => {
     const at = lines.map((line) => text.indexOf(line));
     expect(at.every((place) => place > 0)).toBe(true);
     expect(at).toEqual([...at].sort((a, b) => a - b));
-    expect(text).toContain('Forces and integrator are loops of their own:');
-    // The laws, and three pieces: before, between and after the two evaluations.
+    expect(text).toContain('Forces and integrator are separate loops:');
+    // One module for the laws, and three segments: before, between and after the two evaluations.
     expect(text.match(/\(module/g)).toHaveLength(4);
     expect(depthsOf(text.replace(/;;.*/g, '')).end).toBe(0);
   });

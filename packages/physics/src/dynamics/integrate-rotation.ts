@@ -1,23 +1,24 @@
-// Turns bodies: the torque of the last evaluation of the forces kicks the angular velocity, then the angle in 2D or the
-// quaternion in 3D moves with the new one. Semi-implicit Euler, first order; nothing to do while no body spins.
+// Integrates rotation: the torque of the last force evaluation changes the angular velocity, then the angle (2D) or
+// quaternion (3D) advances with the new angular velocity. Semi-implicit Euler, first order; skipped while no body
+// rotates.
 //
 //   ω' = ω + τ/I dt        θ' = θ + ω' dt
 import { bitOf } from '../components/all.ts';
 import { forEachRange } from '../ecs/ranges.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
-import { anyForceTurns } from './evaluate-forces.ts';
+import { anyForceAppliesTorque } from './evaluate-forces.ts';
 
 export const integrateRotation: LocalSystem = {
   name: 'turn',
   role: 'rotate',
   run: forEachRange((world, first, last, dt) => {
     if (world.internal.counts.AngularVelocity === 0) return;
-    if (anyForceTurns(world)) kickRun(world, first, last, dt);
+    if (anyForceAppliesTorque(world)) kickRun(world, first, last, dt);
     turnRun(world, first, last, dt);
   }),
 };
 
-/** A body without inertia, or without AngularVelocity, does not turn. */
+/** A body without inertia or without AngularVelocity does not rotate. */
 function kickRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
   const { kernels, addresses, scratch, internal } = world;
   const { AngularVelocity: w, Inertia } = addresses;

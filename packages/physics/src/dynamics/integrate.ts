@@ -1,4 +1,4 @@
-// Moves the bodies by the world's integrator: with all laws in one loop where that is possible.
+// Advances the bodies with the world's integrator, fused with all laws into one loop where possible.
 
 import type { LocalSystem } from '../world/types.ts';
 import { advanceScheme } from './advance-scheme.ts';

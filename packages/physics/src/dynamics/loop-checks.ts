@@ -1,4 +1,4 @@
-// What a loop tests of its results, as few operations as there can be: each is paid by every body.
+// The checks of a loop on its results. They use as few operations as possible, because they run for every body.
 import { MAX_POSITION } from '../components/position.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import type { LoopSource, Store, WallTest } from '../laws/emit-loop.ts';
@@ -7,19 +7,22 @@ import type { Axes } from '../laws/vector-algebra.ts';
 import type { Box, Result, StepFeatures } from './step-features.ts';
 import type { WorldColumns } from './world-columns.ts';
 
-/** No coordinate that a world takes reaches this. */
+/** No valid coordinate reaches this value. */
 export const FAR = 1e30;
 
-/** Bodies nearer to a wall than this part of the box are looked at more closely. */
+/** Bodies nearer to a wall than this fraction of the box are checked individually. */
 const MARGIN = 1e-6;
 
-/** A body that rests on a wall is not thrown back by less than this restitution: kernels/particle-contacts/walls/box.ts has it as well. */
+/**
+ * A body at rest on a wall rebounds only with a larger restitution; kernels/particle-contacts/walls/box.ts has the same
+ * constant.
+ */
 const REST_RESTITUTION = 0.99;
 
-/** A state of the bodies. */
+/** Position and velocity of the bodies. */
 type Moved = Pick<Result, 'position' | 'velocity'>;
 
-/** The tests of a step loop. */
+/** Builds the checks of a step loop. */
 export function checksOf(
   columns: WorldColumns,
   start: Moved,
@@ -39,8 +42,8 @@ export function checksOf(
 }
 
 /**
- * A cheap condition that holds for all values within a part of their limits: where it fails, rows are looked at one by
- * one. It is a sum, so that one NaN or infinity among the values makes it fail.
+ * A cheap sufficient condition for all values to be within limits; where it fails, rows are checked one by one. It is a
+ * sum, so that a single NaN or infinity makes it fail.
  */
 function rangeTest(columns: WorldColumns, { position, velocity }: Moved): Node {
   const { graph, axisNames } = columns;
@@ -55,7 +58,7 @@ function squareOf({ graph, axisNames }: WorldColumns, v: Axes): Node {
   return axisNames.map((_, i) => graph.make('mul', [v[i], v[i]])).reduce((a, b) => graph.make('add', [a, b]));
 }
 
-/** Whether a body is inside the box, with its radius; undefined where no side of it is a wall. */
+/** Returns whether a body including its radius is inside the box; undefined if no side of the box is a wall. */
 function insideBox({ graph, axisNames, world }: WorldColumns, { position }: Moved, box: Box): Node | undefined {
   const radius = graph.make('real', [], world.addresses.Collider.radius);
   const conditions = axisNames.flatMap((axis, i) => {
@@ -70,9 +73,10 @@ function insideBox({ graph, axisNames, world }: WorldColumns, { position }: Move
 }
 
 /**
- * Whether a body is well inside of a closed box, and not too fast: then it is inside, and its values are in range. One
- * comparison an axis, with a margin against rounding. Where the last move of a step is a drift with the new velocity,
- * a body that ends in the box has a finite velocity, and one that is too fast leaves the box in the next step.
+ * Returns whether a body is well inside a closed box and not too fast, which implies valid values. It takes one
+ * comparison per axis, with a margin against rounding. If the last operation of a step is a drift with the new
+ * velocity, a body that ends in the box has a finite velocity, and one that is too fast leaves the box in the next
+ * step.
  */
 function wellInside(columns: WorldColumns, { position, velocity }: Moved, box: Box): Node {
   const { graph, axisNames, world } = columns;
@@ -98,14 +102,14 @@ function endsWithDrift({ axisNames }: WorldColumns, { position, velocity }: Move
   return axisNames.every((_, i) => isDriftOf(position[i], velocity[i]));
 }
 
-/** Whether a position is the sum of another and the velocity times a duration. */
+/** Returns whether a position is another position plus the velocity times a duration. */
 function isDriftOf(position: Node, velocity: Node): boolean {
   return position.op === 'add' && position.args.some(({ op, args }) => op === 'mul' && args.includes(velocity));
 }
 
 /**
- * Bodies that began the step at rest on a wall and end it beyond: they stay. The most frequent case at walls, and the
- * same as what kernels/particle-contacts/walls/box.ts does for such bodies; all others it has to bring back.
+ * Bodies that began the step at rest on a wall and end it beyond stay in place. This is the most frequent case at
+ * walls, handled as in kernels/particle-contacts/walls/box.ts, which handles all other cases.
  */
 function restingBodies(columns: WorldColumns, start: Moved, result: Result, box: Box): WallTest['resting'] {
   const { graph, axisNames, world, isMovable } = columns;

@@ -1,11 +1,12 @@
-// The elementary functions that fused loops call: those of kernels/math, so that a law and TypeScript get the same bits.
+// The elementary functions that fused loops import: those of kernels/math, so that laws and TypeScript get the same
+// bits.
 import { instantiate } from '../kernels/instantiate.ts';
 import { KERNELS, type KernelExports } from '../kernels/math.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 const functions = new WeakMap<WebAssembly.Memory, Readonly<Record<string, unknown>>>();
 
-/** The functions by the names of operations. */
+/** The functions by the names of the operations. */
 export function mathImports({ memory, precision }: PhysicsWorld): Readonly<Record<string, unknown>> {
   let made = functions.get(memory);
   if (made === undefined) {

@@ -1,9 +1,9 @@
-// Names for addresses, so that a printed loop says `Position.x` and not 65600.
+// Names for addresses, so that a printed loop shows `Position.x` instead of 65600.
 
 import type { PhysicsWorld } from '../world/types.ts';
 import type { ParameterBlock } from './parameter-block.ts';
 
-/** A function that names a column by its address. */
+/** Returns a function that maps the address of a column to its name. */
 export function notesOf(world: PhysicsWorld, block: ParameterBlock): (address: number) => string | undefined {
   let names: Map<number, string> | undefined;
   return (address) => {

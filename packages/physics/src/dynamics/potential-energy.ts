@@ -1,4 +1,4 @@
-// The potential energy of a law, summed over all bodies that forces move: in doubles, whatever the columns are.
+// The potential energy of a law, summed in f64 over all bodies that forces move.
 import { compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
 import type { LoopSource } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
@@ -19,7 +19,7 @@ interface EnergyLoop {
 
 const energyLoops = keptWithPlan(() => new Map<LawForce, EnergyLoop>());
 
-/** Potential energy of all bodies under a law that states one, J. */
+/** Returns the potential energy of all bodies under a law with a potential, J. */
 export function potentialEnergy(world: PhysicsWorld, force: LawForce): number {
   const loops = energyLoops(world);
   let loop = loops.get(force);

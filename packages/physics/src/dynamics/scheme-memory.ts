@@ -1,9 +1,9 @@
-// What a scheme keeps from one step to the next: vectors of each body, and the length of the step.
+// State that a scheme keeps between steps: vectors of each body, and the length of the step.
 import { type AxisAddresses, axisColumns } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld, Scheme } from '../world/types.ts';
 
-/** Columns that a scheme keeps from step to step, and the length of the last step. */
+/** Columns that a scheme keeps between steps, and the length of the last step. */
 export interface SchemeMemory {
   readonly columns: Readonly<AxisAddresses>[];
   tick: number;
@@ -23,7 +23,7 @@ export function schemeMemory(world: PhysicsWorld, scheme: Scheme): SchemeMemory 
   return made;
 }
 
-/** The length of the step before, if it was the world's last and of this scheme, else 0. */
+/** Returns the length of the previous step if it was the world's last and of this scheme, otherwise 0. */
 export function lastStepOf(world: PhysicsWorld, scheme: Scheme, dt: number): number {
   if (scheme.memory.length === 0) return 0;
   const memory = schemeMemory(world, scheme);

@@ -1,30 +1,30 @@
 import type { Axes } from '../laws/vector-algebra.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
 
-/** An axis-aligned box; a coordinate beyond `FAR` is no wall. */
+/** An axis-aligned box; a coordinate beyond `FAR` means no wall. */
 export interface Box {
   readonly low: Readonly<AxisAddresses>;
   readonly high: Readonly<AxisAddresses>;
   readonly restitution: number;
-  /** Negative where the bodies' own friction counts. */
+  /** A negative value selects the bodies' own friction. */
   readonly friction: number;
 }
 
-/** What a step loop does besides moving bodies. */
+/** What a step loop does in addition to moving bodies. */
 export interface StepFeatures {
-  /** Positions before the step go to `world.previous`. */
+  /** Saves the positions before the step to `world.previous`. */
   readonly savesPose: boolean;
-  /** Velocities before the step go to the scratch columns, for walls that are not part of the loop. */
+  /** Saves the velocities before the step to the scratch columns, for walls outside the loop. */
   readonly savesVelocity: boolean;
   readonly hasTorque: boolean;
   readonly box: Box | undefined;
   /** Address of the list of bodies at walls. */
   readonly list: number;
-  /** Columns that the scheme keeps from step to step. */
+  /** Columns that the scheme keeps between steps. */
   readonly memory: readonly Readonly<AxisAddresses>[];
 }
 
-/** Where a step leads. */
+/** The state after a step. */
 export interface Result {
   readonly position: Axes;
   readonly velocity: Axes;

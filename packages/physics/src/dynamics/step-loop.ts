@@ -1,5 +1,5 @@
-// A whole step as one loop: the integrator with all laws in its stages, the pose that renderers interpolate from, the
-// checks of the result and the test at box walls.
+// A whole step as one loop: the integrator with all laws in its stages, the saved pose for interpolation, the checks of
+// the result and the test for box walls.
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
@@ -19,7 +19,7 @@ export function ownersOf(scheme: Scheme, laws: readonly LawForce[]): Map<object,
   return owners;
 }
 
-/** Describes the loop of a step. */
+/** Builds the loop of a step. */
 export function stepLoopSource(
   block: ParameterBlock,
   scheme: Scheme,

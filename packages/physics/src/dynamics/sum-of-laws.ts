@@ -1,4 +1,4 @@
-// All laws of a world together, as arithmetic: the force and torque on a body, and its acceleration.
+// The sum of all laws of a world as arithmetic: force and torque on a body, and its acceleration.
 import type { Graph } from '../laws/graph.ts';
 import { type Environment, Lowering } from '../laws/lower.ts';
 import type { Node } from '../laws/node.ts';
@@ -15,32 +15,35 @@ export function lawsOf(forces: readonly Force[]): LawForce[] {
   return forces.filter((force): force is LawForce => force.law !== undefined);
 }
 
-/** The parameters of a law and where their values come from. */
+/** The parameters of a law and the sources of their values. */
 export function ownerOf({ law, sources, name }: LawForce): ParameterOwner {
   const { parameters, names } = law;
   return { parameters, sources, names: names.map((parameter) => `${parameter} of ${name}`) };
 }
 
-/** Force and acceleration are kept apart: what falls in proportion to its mass need not be multiplied and divided by it. */
+/**
+ * Force and acceleration are separate sums, so that an acceleration independent of mass is not multiplied and divided
+ * by it.
+ */
 export interface Sum {
   readonly force: Axes;
   readonly acceleration: Axes;
   readonly torque: Axes;
 }
 
-/** Where and when laws are evaluated. */
+/** State and time at which laws are evaluated. */
 export interface Evaluation {
   readonly position: Axes;
   readonly velocity: Axes;
   readonly startVelocity: Axes;
-  /** Force and torque that are there already. */
+  /** Force and torque to which the laws are added. */
   readonly force: Axes;
   readonly torque: Axes;
   readonly stage: number;
   readonly time: Node;
 }
 
-/** Adds all laws up, in the order of the list: one that reads the force finds that of those before it. */
+/** Sums all laws in the order of the list; a law that reads the force reads the sum of the laws before it. */
 export function sumLaws(columns: WorldColumns, laws: readonly LawForce[], at: Evaluation): Sum {
   const { graph } = columns;
   const none: Axes = [graph.zero, graph.zero, graph.zero];
@@ -78,7 +81,7 @@ export function totalForce({ graph, mass }: WorldColumns, { force, acceleration 
   return eachAxis((i) => graph.make('add', [force[i], graph.make('mul', [mass, acceleration[i]])]));
 }
 
-/** F/m + a of a body that forces move, and zero for others. */
+/** F/m + a for a body that forces move, and zero for others. */
 function totalAcceleration(columns: WorldColumns, { force, acceleration }: Sum): Axes {
   const { graph, mass, isMovable } = columns;
   return eachAxis((i) => {
@@ -88,8 +91,8 @@ function totalAcceleration(columns: WorldColumns, { force, acceleration }: Sum):
 }
 
 /**
- * The change of velocity within a duration h: F h/m + a h for a body that forces move, and zero for others, whose F may
- * be anything: a law that divides by the mass is infinite for what has none, and for rows without a body.
+ * The change of velocity over a duration h: F h/m + a h for a body that forces move, and zero for others, whose F may
+ * be any value: a law that divides by the mass is infinite for bodies without mass and for rows without a body.
  */
 export function velocityChange(columns: WorldColumns, { force, acceleration }: Sum, duration: Node): Axes {
   const { graph, mass, isMovable } = columns;

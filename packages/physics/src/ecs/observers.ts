@@ -44,13 +44,13 @@ function isLeaving(world: PhysicsWorld, eid: number): boolean {
 function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): void {
   const { internal } = world;
   // Invalid values remove the component only if this call added it.
-  const fresh = internal.justAdded[name] === eid;
+  const isNew = internal.justAdded[name] === eid;
   internal.justAdded[name] = 0;
   let values: FieldValues;
   try {
     values = data === internal.checked ? (data as FieldValues) : checkComplete(world, eid, name, data);
   } catch (error) {
-    if (fresh) removeComponent(world, eid, world.components[name]);
+    if (isNew) removeComponent(world, eid, world.components[name]);
     throw error;
   }
   if (isPrefab(world, eid)) setTemplate(world, eid, name, values);

@@ -15,7 +15,7 @@ function isImmovable(bits: number): boolean {
   return (bits & bitOf('Mass')) !== 0 && (bits & MOVABLE) !== MOVABLE;
 }
 
-function isStray(world: PhysicsWorld, bits: number): boolean {
+function lacksPose(world: PhysicsWorld, bits: number): boolean {
   const drifts = (bits & bitOf('Velocity')) !== 0 && (bits & bitOf('Position')) === 0;
   return drifts || ((bits & bitOf('AngularVelocity')) !== 0 && (bits & turnBit(world)) === 0);
 }
@@ -27,14 +27,14 @@ function turnBit({ dimensions }: PhysicsWorld): number {
 /** Updates the counts when `rows` rows change from one set of components to another. */
 export function countPartialEntities(world: PhysicsWorld, from: number, to: number, rows = 1): void {
   const { partialEntities } = world.internal;
-  partialEntities.unmoved += rows * (Number(isImmovable(to)) - Number(isImmovable(from)));
-  partialEntities.strays += rows * (Number(isStray(world, to)) - Number(isStray(world, from)));
+  partialEntities.immovable += rows * (Number(isImmovable(to)) - Number(isImmovable(from)));
+  partialEntities.withoutPose += rows * (Number(lacksPose(world, to)) - Number(lacksPose(world, from)));
 }
 
 /** Clears the force on entities that forces do not move; called after every force evaluation. */
 export function clearForcesOfImmovable(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, internal, scratch } = world;
-  if (internal.partialEntities.unmoved === 0) return;
+  if (internal.partialEntities.immovable === 0) return;
   for (const axis of AXES[world.dimensions]) {
     kernels.zeroAbsent(scratch.at.force[axis], internal.membersAt, MOVABLE, first, last);
   }
@@ -43,8 +43,8 @@ export function clearForcesOfImmovable(world: PhysicsWorld, first: number, last:
 /** Clears what the step wrote for entities that do not have the component. */
 export function clearMissing(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, internal, addresses, dimensions } = world;
-  const { unmoved, strays } = internal.partialEntities;
-  if (unmoved === 0 && strays === 0) return;
+  const { immovable, withoutPose } = internal.partialEntities;
+  if (immovable === 0 && withoutPose === 0) return;
   const at = internal.membersAt;
   for (const axis of AXES[dimensions]) {
     kernels.zeroAbsent(addresses.Position[axis], at, bitOf('Position'), first, last);

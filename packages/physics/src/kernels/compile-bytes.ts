@@ -1,8 +1,8 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 
 /**
- * Compiles a module at once.
- * @throws PhysicsError E_TYPE where a page forbids it
+ * Compiles a module synchronously.
+ * @throws PhysicsError E_TYPE if the page forbids it
  */
 export function compileBytes(bytes: Uint8Array<ArrayBuffer>): WebAssembly.Module {
   try {

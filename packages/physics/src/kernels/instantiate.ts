@@ -6,20 +6,21 @@ import { decodeBase64, type EmbeddedModule } from './decode.ts';
 export type Precision = 'f32' | 'f64';
 export type { KernelExports };
 
-/** What was compiled in this process, by its text. */
+/** Compiled modules of this process, by their text. */
 const compiled = new Map<string, WebAssembly.Module>();
 
 /**
- * The kernels every world has.
- * @throws PhysicsError E_RANGE for a precision that the bundle leaves out
+ * Instantiates the kernels of every world.
+ * @throws PhysicsError E_RANGE for a precision omitted from the bundle
  */
 export function instantiateKernels(precision: Precision, memory: WebAssembly.Memory): KernelExports {
   return instantiate<KernelExports>(KERNELS, precision, memory);
 }
 
 /**
- * The functions of one build of a module, by name. Compiling is synchronous and done once a process and build.
- * @throws PhysicsError E_RANGE for a precision that the bundle leaves out
+ * Returns the functions of one build of a module by name. Compilation is synchronous and happens once per process and
+ * build.
+ * @throws PhysicsError E_RANGE for a precision omitted from the bundle
  */
 export function instantiate<Exports>(
   kernels: EmbeddedModule,

@@ -1,5 +1,5 @@
 /**
- * Stands for the builds of a precision that a game leaves out: the package's `imports` lead here under the export
- * condition `principia-f32` in the place of f64, and under `principia-f64` in the place of f32.
+ * Replaces the builds of an omitted precision: the package's `imports` resolve to this file for f64 under the export
+ * condition `principia-f32`, and for f32 under `principia-f64`.
  */
 export const BASE64 = '';

@@ -1,23 +1,23 @@
-// From a loop as arithmetic to a function that runs over the memory of a world. Modules are compiled synchronously and
-// kept: a world of the same structure and layout uses the one there is.
+// Compiles the arithmetic of a loop to a function over the memory of a world. Modules are compiled synchronously and
+// cached: worlds of equal structure and layout share them.
 import { compileBytes } from '../kernels/compile-bytes.ts';
 import { emitLoop, type LoopSource } from './emit-loop.ts';
 import { encodeModule, type ModuleSource } from './encode.ts';
 
-/** Runs over rows [first, last), whose bounds are multiples of 16. */
+/** Processes rows [first, last), whose bounds are multiples of 16. */
 export type Loop = (first: number, last: number, checked: number) => number;
 
-/** A compiled module, and how to print it. */
+/** A compiled module and its printable source. */
 export interface CompiledLoop {
   readonly module: WebAssembly.Module;
   readonly source: ModuleSource;
 }
 
-/** What was compiled in this process, by structure and layout: the oldest goes when there are too many. */
+/** Cache of the process, keyed by structure and layout; the oldest entry is evicted when it is full. */
 const compiled = new Map<string, CompiledLoop>();
 const MAX_COMPILED = 256;
 
-/** The module of a loop that is described by `key`; `make` describes it in full when it is not known yet. */
+/** Returns the module of the loop identified by `key`; `make` builds the loop if it is not cached. */
 export function compileLoop(key: string, make: () => LoopSource): CompiledLoop {
   const known = compiled.get(key);
   if (known !== undefined) return known;
@@ -28,7 +28,7 @@ export function compileLoop(key: string, make: () => LoopSource): CompiledLoop {
   return made;
 }
 
-/** The function of a module over a memory. `functions` gives those that it imports, if it imports any. */
+/** Instantiates a module over a memory. `functions` provides its imports, if it has any. */
 export function instantiateLoop(
   { module, source }: CompiledLoop,
   memory: WebAssembly.Memory,

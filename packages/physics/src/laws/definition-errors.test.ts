@@ -1,4 +1,4 @@
-// What is wrong with a law is said when it is defined, with its name and the place.
+// Tests that errors of a law are thrown at its definition, with its name and the location.
 import { describe, expect, test } from 'vitest';
 import { forcesNow } from '../../../../test/support/law-lab.ts';
 import { worldState } from '../../../../test/support/worlds.ts';
@@ -18,7 +18,7 @@ import {
   vec3,
 } from '../index.ts';
 
-/** The error of a definition that TypeScript would refuse as well. */
+/** Returns the error of a definition that TypeScript would also reject. */
 function errorOf(act: () => unknown): PhysicsError {
   try {
     act();
@@ -34,7 +34,7 @@ const define = (options: object) => defineLaw({ name: 'lift of a wing', ...optio
 const withForce = (force: (body: Wrong & BodySymbols, parameters: Wrong) => unknown) => () =>
   define({ reads: { k: COMPONENTS.LinearDrag }, parameters: { p: scalar('') }, force });
 
-/** Hands a symbol out of the function that it is for. */
+/** Leaks symbols from the functions that they belong to. */
 const stolen: { row?: ScalarSymbol; parameter?: ScalarSymbol } = {};
 const rows = table(['q'], () => ({ at: 0, count: 0 }));
 
@@ -74,11 +74,11 @@ const FORCES: Readonly<Record<string, readonly [act: () => unknown, sentence: Re
     /select\(condition, a, b\) in place of if/,
   ],
   'is put into a text': [withForce(({ velocity }) => void `${velocity.x}`), /a symbol of a law is not a number/],
-  'calls itself without end': [
+  'recurses infinitely': [
     withForce(function again(body, given): unknown {
       return again(body, given);
     }),
-    /calls itself without end/,
+    /recurses infinitely/,
   ],
   throws: [
     withForce(() => {
@@ -104,7 +104,7 @@ const FORCES: Readonly<Record<string, readonly [act: () => unknown, sentence: Re
   ],
   'follows one operation with too many': [
     withForce(({ velocity }) => Array.from({ length: 501 }).reduce((v: VectorSymbol) => v.add(velocity), velocity)),
-    /chain of \d+ operations; at most 500 .*A sum over many things is a table/,
+    /nests \d+ operations; at most 500 .*Sum over many terms with a table/,
   ],
 };
 
@@ -140,7 +140,7 @@ const OPTIONS: Readonly<Record<string, readonly [act: () => unknown, sentence: R
   ],
   'a name that every law has': [
     () => define({ reads: { mass: COMPONENTS.Charge }, force: velocity }),
-    /lift of a wing reads a component as "mass", which every law has already\. Give it another name/,
+    /lift of a wing reads a component as "mass", the name of a symbol that every law has\. Choose another name/,
   ],
   'a parameter that is a number': [
     () => define({ parameters: { k: 3 }, force: velocity }),

@@ -1,9 +1,9 @@
-// The columns of the bodies at hand, as lanes.
+// Emits loads of the columns of the current bodies, in lanes.
 import { UniformEmitter } from './emit-uniform.ts';
 
-/** Emits what is read of bodies. */
+/** Emits values that are read per body. */
 export class ColumnEmitter extends UniformEmitter {
-  /** Reals of a column. */
+  /** Loads reals of a column. */
   pushReal(address: number): void {
     const { stored, computed } = this.types;
     this.code.add('local.get', this.offset);
@@ -12,7 +12,7 @@ export class ColumnEmitter extends UniformEmitter {
     if (stored !== computed) this.code.add('f64x2.promote_low_f32x4');
   }
 
-  /** Four, or two, whole numbers of 32 bits. */
+  /** Loads four (f32) or two (f64) 32-bit integers. */
   loadWords(address: number): void {
     const { code } = this;
     code.add('local.get', this.offset);
@@ -21,13 +21,13 @@ export class ColumnEmitter extends UniformEmitter {
     code.memory(name, address, this.noteOf(address));
   }
 
-  /** Whole numbers of a column, as reals. */
+  /** Loads integers of a column, converted to reals. */
   pushWord(address: number): void {
     this.loadWords(address);
     this.code.add(this.lanes === 4 ? 'f32x4.convert_i32x4_u' : 'f64x2.convert_low_i32x4_u');
   }
 
-  /** Whether all bits of a number are set in the membership of the bodies. */
+  /** Tests whether all given component bits of the bodies are set. */
   pushHas(address: number, bits: number): void {
     const { code } = this;
     this.loadWords(address);
@@ -41,7 +41,7 @@ export class ColumnEmitter extends UniformEmitter {
     code.add(this.lanes === 4 ? 'i32x4.eq' : 'i64x2.eq');
   }
 
-  /** The row of the body in a lane. */
+  /** Pushes the row of the body in a lane. */
   pushRow(lane: number): void {
     const { code } = this;
     code
@@ -51,7 +51,7 @@ export class ColumnEmitter extends UniformEmitter {
     if (lane > 0) code.add('i32.const', lane).add('i32.add');
   }
 
-  /** The ids of the entities, as reals. */
+  /** Pushes the entity ids as reals. */
   pushEntity(): void {
     this.pushRow(0);
     this.code

@@ -1,22 +1,24 @@
-// The loop over bodies: what it stores, what it checks before it stores, and what it does for bodies at a wall.
+// The loop over bodies: its stores, the checks before them, and the handling of bodies at a wall.
 import { NodeEmitter } from './emit-nodes.ts';
 import type { ModuleSource } from './encode.ts';
 import type { LaneTypes } from './function-builder.ts';
 import type { Node, Operation } from './node.ts';
 
-/** A column, and what is stored there for every body. */
+/** A column and the value to store there for every body. */
 export interface Store {
   readonly address: number;
   readonly node: Node;
 }
 
-/** Walls: bodies that are not inside go to a list, with what is stored for them alone. */
+/** Wall test: bodies that are not inside are appended to a list, and additional values are stored for them. */
 export interface WallTest {
   readonly inside: Node;
   readonly stores: readonly Store[];
-  /** Address of a list's end, followed by the list: byte offsets of bodies in a column of reals. It is continued. */
+  /**
+   * Address of the end of a list, followed by the list: byte offsets of bodies in a column of reals. The loop appends.
+   */
   readonly list: number;
-  /** Where this holds for all bodies of a vector, it is not listed: `stores` takes the place of what was to be stored. */
+  /** If the condition holds for all bodies of a vector, the vector is not listed, and `stores` replaces its results. */
   readonly resting?: { readonly condition: Node; readonly stores: readonly Store[] } | undefined;
 }
 
@@ -25,14 +27,14 @@ export interface LoopSource {
   readonly name: string;
   readonly types: LaneTypes;
   readonly stores: readonly Store[];
-  /** Where it does not hold for some body, the loop stops before anything is stored of it. */
+  /** If this is false for a body, the loop stops before it stores anything for the vector. */
   readonly inRange?: Node | undefined;
   readonly walls?: WallTest | undefined;
-  /** A cheap condition that holds for almost all bodies, and only where the two above hold. */
+  /** A cheap sufficient condition for the two above, true for almost all bodies. */
   readonly usual?: Node | undefined;
-  /** What is summed over all bodies. */
+  /** A value that is summed over all bodies. */
   readonly total?: Node | undefined;
-  /** What stands at an address, for people. */
+  /** Describes an address in printed code. */
   readonly noteOf: (address: number) => string | undefined;
 }
 
@@ -41,8 +43,8 @@ const [FIRST, LAST, CHECKED, OFFSET, END, LIST_END, TOTAL] = [0, 1, 2, 3, 4, 5, 
 const TWO_ARGUMENTS = new Set<Operation>(['pow', 'atan2']);
 
 /**
- * The function `run(first, last, checked)` over rows [first, last), multiples of 16. Where `checked` is not 0 it stops
- * at bodies that are not in range, and returns the first row of the vector in which they are; otherwise `last`.
+ * The function `run(first, last, checked)` over rows [first, last), multiples of 16. If `checked` is not 0 it stops at
+ * bodies that are out of range and returns the first row of their vector; otherwise it returns `last`.
  */
 export function emitLoop(source: LoopSource): ModuleSource {
   const { walls, total, types } = source;
@@ -89,7 +91,10 @@ function parametersOf(name: Operation): ModuleSource['parameters'] {
   return TWO_ARGUMENTS.has(name) ? ['f64', 'f64'] : ['f64'];
 }
 
-/** One vector of bodies: everything is computed before anything is stored, because columns are read and written. */
+/**
+ * Emits the code for one vector of bodies. Everything is computed before anything is stored, because columns are both
+ * read and written.
+ */
 function emitBodies(emitter: NodeEmitter, source: LoopSource): void {
   const { code } = emitter;
   const { stores, usual, total, noteOf } = source;
@@ -115,7 +120,7 @@ function mayRest({ walls }: LoopSource, address: number): boolean {
   return walls?.resting?.stores.some((store) => store.address === address) === true;
 }
 
-/** The local of a result: one of its own where something else may be stored in its place. */
+/** Returns the local of a result, a separate one if another value may replace it. */
 function keepResult(emitter: NodeEmitter, node: Node, isOwn: boolean): number {
   const local = emitter.keep(node);
   if (!isOwn) return local;
@@ -124,7 +129,7 @@ function keepResult(emitter: NodeEmitter, node: Node, isOwn: boolean): number {
   return own;
 }
 
-/** Leaves resting bodies where they are; otherwise returns where a value is out of range, and lists what is outside. */
+/** Keeps resting bodies in place; otherwise returns if a value is out of range, and lists bodies outside. */
 function emitChecks(emitter: NodeEmitter, source: LoopSource, results: readonly number[]): void {
   const { code } = emitter;
   const { walls, stores } = source;
@@ -172,7 +177,7 @@ function emitStore(emitter: NodeEmitter, address: number, node: Node, note: stri
   emitter.code.add('local.get', OFFSET).add('local.get', local).memory('v128.store', address, note);
 }
 
-/** Leaves 1 on the stack when a condition fails for some body, and otherwise 0. */
+/** Pushes 1 if the condition fails for any body, otherwise 0. */
 function pushFails(emitter: NodeEmitter, condition: Node): void {
   const { code, lanes } = emitter;
   emitter.push(condition);

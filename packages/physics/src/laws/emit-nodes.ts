@@ -1,5 +1,5 @@
-// From nodes to instructions. A uniform node is computed once, before the loop. Any other is computed in lanes of 128
-// bits, and kept in a local when more than one node needs it.
+// Translates nodes to instructions. A uniform node is computed once before the loop. Other nodes are computed in
+// 128-bit vectors, and kept in a local if more than one node uses them.
 import { ColumnEmitter } from './emit-columns.ts';
 import { emitSum } from './emit-sum.ts';
 import type { Node, Operation } from './node.ts';
@@ -24,19 +24,19 @@ const LANES: Readonly<Partial<Record<Operation, string>>> = {
 
 const BITS: Readonly<Partial<Record<Operation, string>>> = { and: 'v128.and', or: 'v128.or', not: 'v128.not' };
 
-/** Functions of kernels/math, called for one body after the other, so that their bits are those of the scalar ones. */
+/** Functions of kernels/math, called per lane, so that the results are bitwise equal to scalar calls. */
 const FUNCTIONS = new Set<Operation>(['sin', 'cos', 'exp', 'log', 'pow', 'atan2', 'noise']);
 
 /** Emits nodes of all kinds. */
 export class NodeEmitter extends ColumnEmitter {
   readonly #uses = new Map<Node, number>();
   readonly #sums = new Map<SumScope, Node[]>();
-  /** Locals of uniform nodes, the same in all lanes. */
+  /** Locals of uniform nodes, broadcast to all lanes. */
   readonly #spreads = new Map<Node, number>();
-  /** Locals of what is computed for the bodies at hand. */
+  /** Locals of values for the current bodies. */
   #vectors = new Map<Node, number>();
 
-  /** Computes what is the same for every body. Called once, before the loop, with all that the loop will ask for. */
+  /** Computes uniform values. Called once before the loop, with all roots of the loop. */
   begin(roots: readonly Node[]): void {
     const nodes = this.#count(roots);
     this.#findShared(nodes);
@@ -54,7 +54,7 @@ export class NodeEmitter extends ColumnEmitter {
     for (const root of roots) if (root.isUniform) this.#hoist(root, false);
   }
 
-  /** What `emit` computes is known inside of a branch alone. */
+  /** Values computed by `emit` are valid only inside the branch. */
   branch(emit: () => void): void {
     const [vectors, doubles] = [this.#vectors, this.rowDoubles];
     this.#vectors = new Map(vectors);
@@ -64,7 +64,7 @@ export class NodeEmitter extends ColumnEmitter {
     this.rowDoubles = doubles;
   }
 
-  /** Computes a node into a local of its own, and returns it. */
+  /** Computes a node into a local and returns the local. */
   keep(node: Node): number {
     if (node.isUniform && node.scope === undefined) return this.#spreads.get(node) as number;
     const known = this.#vectors.get(node);
@@ -73,7 +73,7 @@ export class NodeEmitter extends ColumnEmitter {
     return this.#assign(node);
   }
 
-  /** Leaves a node on the stack, in lanes. */
+  /** Pushes a node in lanes. */
   push(node: Node): void {
     const { code } = this;
     const spread = this.#spreads.get(node);
@@ -86,7 +86,7 @@ export class NodeEmitter extends ColumnEmitter {
     if ((this.#uses.get(node) ?? 0) > 1) code.add('local.tee', this.#assign(node, false));
   }
 
-  /** The reachable nodes, arguments first, and how often each is asked for. */
+  /** Returns the reachable nodes, arguments first, and counts their uses. */
   #count(roots: readonly Node[]): Node[] {
     const visit = (node: Node) => {
       const uses = this.#uses.get(node) ?? 0;
@@ -101,7 +101,7 @@ export class NodeEmitter extends ColumnEmitter {
     return [...this.#uses.keys()].sort((a, b) => a.id - b.id);
   }
 
-  /** The smaller of two numbers is found by asking for each of them twice. */
+  /** The minimum of two values uses each operand twice. */
   #findShared(nodes: readonly Node[]): void {
     const isOperation = ({ isUniform, args }: Node) => isUniform && args.length > 0;
     for (const node of nodes) {
@@ -128,7 +128,7 @@ export class NodeEmitter extends ColumnEmitter {
     this.code.add('local.set', local);
   }
 
-  /** Leaves a uniform node on the stack, the same in all lanes. */
+  /** Pushes a uniform node, broadcast to all lanes. */
   #spread(node: Node): void {
     const { code } = this;
     if (node.op === 'constant' || node.op === 'zero') {
@@ -144,7 +144,7 @@ export class NodeEmitter extends ColumnEmitter {
     }
   }
 
-  /** Computes a node in lanes, whatever is known of it. */
+  /** Computes a node in lanes, without a cached value. */
   #compute(node: Node): void {
     const { op, args, value } = node;
     const { code } = this;
@@ -194,7 +194,7 @@ export class NodeEmitter extends ColumnEmitter {
     }
   }
 
-  /** Emits what depends on the row of a sum, to which a local points. */
+  /** Emits code that depends on the row of a sum; a local holds the row's address. */
   withRow(row: number, emit: () => void): void {
     const outer = this.row;
     this.row = row;
@@ -202,7 +202,7 @@ export class NodeEmitter extends ColumnEmitter {
     this.row = outer;
   }
 
-  /** Says that a node is in a local. */
+  /** Records that a node is in a local. */
   know(node: Node, local: number): void {
     this.#vectors.set(node, local);
   }

@@ -1,19 +1,19 @@
-// Sums over the rows of a table: a loop inside the loop over bodies.
+// Emits sums over the rows of a table: a loop inside the loop over bodies.
 import type { ColumnEmitter } from './emit-columns.ts';
 import type { Node } from './node.ts';
 import type { SumScope } from './table.ts';
 
-/** What a sum asks of the emitter of its terms, besides columns. */
+/** The emitter of the terms of a sum. */
 interface TermEmitter extends ColumnEmitter {
   push(node: Node): void;
-  /** Computes a node now and keeps it in a local. */
+  /** Computes a node and keeps it in a local. */
   keep(node: Node): number;
-  /** The value of a node is in a local from now on. */
+  /** Records that the value of a node is in a local. */
   know(node: Node, local: number): void;
   withRow(row: number, emit: () => void): void;
 }
 
-/** Emits all sums that run over the same rows as one loop, and leaves one of them on the stack. */
+/** Emits all sums over the same rows as one loop, and pushes one of them. */
 export function emitSum(emitter: TermEmitter, node: Node, sums: readonly Node[]): void {
   const { code } = emitter;
   const scope = node.over as SumScope;
@@ -45,7 +45,7 @@ export function emitSum(emitter: TermEmitter, node: Node, sums: readonly Node[])
   emitter.push(node);
 }
 
-/** Computes, before a loop over rows, what its terms need and does not depend on the row. */
+/** Computes the parts of the terms that do not depend on the row before the loop over rows. */
 function keepOutside(emitter: TermEmitter, terms: readonly Node[], scope: SumScope): void {
   const seen = new Set<Node>();
   const visit = (node: Node) => {

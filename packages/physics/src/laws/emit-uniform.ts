@@ -1,4 +1,4 @@
-// What is the same for every body: computed once, as a double, before the loop; or, in a sum, once for each row.
+// Emits uniform values: computed once in f64 before the loop or, in a sum, once per row.
 import { FunctionBuilder } from './function-builder.ts';
 import type { Node, Operation } from './node.ts';
 
@@ -22,15 +22,15 @@ const DOUBLE: Readonly<Partial<Record<Operation, string>>> = {
 
 /** Emits uniform nodes. */
 export class UniformEmitter extends FunctionBuilder {
-  /** Locals of what was computed before the loop. */
+  /** Locals of values computed before the loop. */
   protected readonly doubles = new Map<Node, number>();
-  /** Local that points to the row of a sum, and locals of what depends on it. */
+  /** Local with the address of the row of a sum, and locals of values that depend on it. */
   protected row = 0;
   protected rowDoubles = new Map<Node, number>();
-  /** Uniform nodes that are asked for more than once. */
+  /** Uniform nodes with more than one use. */
   protected readonly shared = new Set<Node>();
 
-  /** Leaves a uniform node on the stack as a double, or a condition as 0 or 1. */
+  /** Pushes a uniform node as f64, or a condition as 0 or 1. */
   pushDouble(node: Node): void {
     const { code } = this;
     const { op, args, value } = node;

@@ -1,4 +1,4 @@
-// Functions as bytes: the binary format of WebAssembly modules (Core Specification 2.0, section 5).
+// Encodes functions in the binary format of WebAssembly modules (Core Specification 2.0, section 5).
 import { type Code, type Instruction, opcodeOf } from './instructions.ts';
 
 export type ValueType = 'i32' | 'f64' | 'v128';
@@ -11,7 +11,7 @@ export interface Import {
   readonly parameters: readonly ValueType[];
 }
 
-/** A module of one function over the memory of a world. */
+/** A module with one function over the memory of a world. */
 export interface ModuleSource {
   readonly imports: readonly Import[];
   readonly name: string;
@@ -24,7 +24,7 @@ export interface ModuleSource {
 const [TYPE, IMPORT, FUNCTION, EXPORT, CODE] = [1, 2, 3, 7, 10];
 const HEADER = [0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00];
 
-/** The bytes of a module. Imported functions return a double. */
+/** Returns the bytes of a module. Imported functions return f64. */
 export function encodeModule(source: ModuleSource): Uint8Array<ArrayBuffer> {
   const { imports, name, parameters, result, locals, code } = source;
   const types = [...imports.map((each) => functionType(each.parameters, 'f64')), functionType(parameters, result)];
@@ -55,7 +55,7 @@ function instructionBytes(instructions: readonly Instruction[]): number[] {
     if (kind === 'index') bytes.push(...unsigned(first));
     else if (kind === 'signed') bytes.push(...signed(first));
     else if (kind === 'double') bytes.push(...new Uint8Array(Float64Array.of(first).buffer));
-    // Alignment is a hint that engines do not need: 0 says nothing.
+    // Alignment is an optional hint; 0 gives none.
     else if (kind === 'memory') bytes.push(0x00, ...unsigned(first));
     else if (kind === 'vector' || kind === 'lane') bytes.push(...immediates);
     else if (kind === 'block') bytes.push(0x40);
@@ -75,7 +75,7 @@ function text(value: string): number[] {
   return [...unsigned(value.length), ...Array.from(value, (letter) => letter.charCodeAt(0))];
 }
 
-/** LEB128, seven bits a byte, the lowest first. */
+/** LEB128: seven bits per byte, lowest first. */
 function unsigned(value: number): number[] {
   const bytes: number[] = [];
   let rest = value;

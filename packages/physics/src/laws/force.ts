@@ -1,13 +1,13 @@
 import type { Force, PhysicsWorld } from '../world/types.ts';
 
-/** What a user's own force in plain TypeScript needs to say. */
+/** The description of a custom force in plain TypeScript. */
 export interface CustomForce {
   readonly name: string;
   readonly equation?: string;
   readonly reads?: readonly string[];
-  /** Default true: reads nothing but its own body. */
+  /** Default true: the force on a body depends on that body only. */
   readonly local?: boolean;
-  /** Default false: adds to `world.scratch.torque` as well. */
+  /** Default false: the force also adds to `world.scratch.torque`. */
   readonly appliesTorque?: boolean;
   prepare?(world: PhysicsWorld, dt: number): void;
   accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
@@ -15,8 +15,8 @@ export interface CustomForce {
 }
 
 /**
- * A force of your own in plain TypeScript. In `accumulate`, add newtons to `world.scratch.force.x[eid]` for each row in
- * [first, last); rows of absent bodies hold zeros and need no test.
+ * Defines a custom force in plain TypeScript. `accumulate` adds newtons to `world.scratch.force.x[eid]` for each row in
+ * [first, last); rows without a body hold zeros and need no test.
  */
 export function defineForce(force: CustomForce): Force {
   const {

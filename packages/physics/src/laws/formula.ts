@@ -1,11 +1,11 @@
-// Expressions as formulas: as plain text, for terminals, or as LaTeX, for pages.
+// Prints expressions as formulas: as plain text for terminals, or as LaTeX for pages.
 
 import type { Law, Parameter } from '../world/types.ts';
 import type { ColumnData } from './body-symbols.ts';
 import type { Expression } from './expression.ts';
 import type { RowData } from './table.ts';
 
-/** How the parts of a formula are written. */
+/** Notation of the parts of a formula. */
 interface Style {
   readonly names: Readonly<Record<string, string>>;
   vector(name: string): string;
@@ -43,7 +43,7 @@ const latex: Style = {
   call: (name, args) => `\\operatorname{${name}}\\left(${args.join(', ')}\\right)`,
 };
 
-/** How tightly operations bind: sums, products, and what needs no brackets. */
+/** Operator precedence: sums, products, and expressions that need no brackets. */
 const [SUM, PRODUCT, ATOM] = [1, 2, 3];
 
 interface Printed {
@@ -51,7 +51,7 @@ interface Printed {
   readonly binding: number;
 }
 
-/** The formulas of a law: what it adds to force, acceleration and torque, and its potential. */
+/** Returns the formulas of a law: its force, acceleration, torque and potential. */
 export function formulasOf(law: Law, kind: 'text' | 'latex' = 'text'): string[] {
   const style = kind === 'text' ? text : latex;
   const parts: [string, Expression | undefined][] = [
@@ -65,7 +65,7 @@ export function formulasOf(law: Law, kind: 'text' | 'latex' = 'text'): string[] 
   );
 }
 
-/** In a formula of more operations than this, what occurs more than once gets a name: written out it might be endless. */
+/** In a formula with more operations, repeated expressions get a name: written out, it could grow exponentially. */
 const LONG = 200;
 
 class Printer {
@@ -76,7 +76,7 @@ class Printer {
     readonly style: Style,
   ) {}
 
-  /** The formula, and after it what the names in it stand for. */
+  /** Returns the formula, followed by the definitions of its names. */
   whole(expression: Expression): string {
     const { sizes, shared } = measure(expression);
     if ((sizes.get(expression) as number) <= LONG) return this.print(expression).text;
@@ -154,7 +154,7 @@ class Printer {
     }
   }
 
-  /** A name of more than a letter stands upright where formulas are typeset. */
+  /** A name of more than one letter is upright in typeset formulas. */
   #word(name: string): string {
     return this.style === text || name.length === 1 ? name : `\\mathrm{${name}}`;
   }
@@ -193,7 +193,7 @@ class Printer {
     return this.#word(this.law.columns[`${component}.${field}`] ?? `${component}.${field}`);
   }
 
-  /** Three columns of one component are a vector of that name. */
+  /** Three columns of one component form a vector of that name. */
   #vector(args: readonly Expression[]): string {
     const [x] = args;
     const { component, field } = (x.data ?? {}) as Partial<ColumnData>;
@@ -203,7 +203,7 @@ class Printer {
   }
 }
 
-/** How many operations there are below each expression when it is written out, and which occur more than once. */
+/** Counts the operations below each expression when it is written out, and finds the repeated expressions. */
 function measure(root: Expression) {
   const sizes = new Map<Expression, number>();
   const shared = new Set<Expression>();
@@ -218,7 +218,7 @@ function measure(root: Expression) {
     return size;
   };
   visit(root);
-  // In the order in which they were reached: what an expression is made of comes before it.
+  // The order is that of the traversal: operands come before the expressions that use them.
   return { sizes, shared: [...sizes.keys()].filter((expression) => shared.has(expression)) };
 }
 

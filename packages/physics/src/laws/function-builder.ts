@@ -1,26 +1,28 @@
-// A function being written: its instructions, locals and imports.
+// Builds a function: its instructions, locals and imports.
 import type { ValueType } from './encode.ts';
 import { Code } from './instructions.ts';
 import type { Operation } from './node.ts';
 
-/** How columns are stored and how lanes compute: energies are summed in doubles, whatever the columns are. */
+/** Storage type of columns and lane type of the computation: energies are summed in f64 for columns of either type. */
 export interface LaneTypes {
   readonly stored: 'f32' | 'f64';
   readonly computed: 'f32' | 'f64';
 }
 
-/** Writes a function in which the bodies at hand are at the byte offset in local `offset` of each column of reals. */
+/**
+ * Builds a function in which the local `offset` holds the byte offset of the current bodies in each column of reals.
+ */
 export class FunctionBuilder {
   readonly code = new Code();
   readonly locals: ValueType[] = [];
   readonly imports: Operation[] = [];
-  /** Bodies in a vector. */
+  /** Bodies per vector. */
   readonly lanes: 2 | 4;
 
   /**
    * @param parameters number of the function's parameters
-   * @param offset the local that holds the byte offset of the bodies at hand
-   * @param noteOf what stands at an address, for people
+   * @param offset the local that holds the byte offset of the current bodies
+   * @param noteOf describes an address in printed code
    */
   constructor(
     readonly types: LaneTypes,
@@ -31,24 +33,24 @@ export class FunctionBuilder {
     this.lanes = types.computed === 'f32' ? 4 : 2;
   }
 
-  /** A new local. */
+  /** Adds a local. */
   local(type: ValueType): number {
     this.locals.push(type);
     return this.parameters + this.locals.length - 1;
   }
 
-  /** The instruction of this name for the lanes at hand. */
+  /** Adds the instruction of this name for the current lane type. */
   lane(name: string, ...immediates: readonly number[]): void {
     this.code.add(`${this.lanes === 4 ? 'f32x4' : 'f64x2'}.${name}`, ...immediates);
   }
 
-  /** A number in all lanes, as bytes. */
+  /** Returns the bytes of a vector with a number in all lanes. */
   vectorOf(value: number): number[] {
     const numbers = this.lanes === 4 ? new Float32Array(4) : new Float64Array(2);
     return [...new Uint8Array(numbers.fill(value).buffer)];
   }
 
-  /** The index of an imported function. */
+  /** Returns the index of an imported function. */
   importOf(name: Operation): number {
     const known = this.imports.indexOf(name);
     return known >= 0 ? known : this.imports.push(name) - 1;

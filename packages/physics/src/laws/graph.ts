@@ -1,5 +1,5 @@
-// The arithmetic of a law as a directed graph of scalar operations, in which equal operations are one node: so what two
-// laws have in common is computed once.
+// The arithmetic of a law as a directed acyclic graph of scalar operations in which equal operations are one node:
+// common subexpressions of all laws are computed once.
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Node, Operation } from './node.ts';
 import { simplify } from './simplify.ts';
@@ -8,13 +8,13 @@ import type { SumScope } from './table.ts';
 const MASKS = new Set<Operation>(['less', 'lessOrEqual', 'equal', 'and', 'or', 'not', 'has']);
 const OF_BODIES = new Set<Operation>(['real', 'word', 'entity', 'has', 'noise', 'sum']);
 
-/** Makes nodes. */
+/** Creates nodes. */
 export class Graph {
   readonly #known = new Map<string, Node>();
   readonly #scopes = new Map<SumScope, number>();
   #count = 0;
 
-  /** A node, or one that gives the same bits. */
+  /** Returns a node for the operation, or an existing node with the same bits. */
   make(op: Operation, args: readonly Node[] = [], value = 0, scope?: SumScope): Node {
     return simplify(this, op, args) ?? this.#find(op, args, value, scope);
   }
@@ -23,12 +23,12 @@ export class Graph {
     return this.#find('constant', [], value, undefined);
   }
 
-  /** Zero that is known when the code is made, such as z in the plane: what is multiplied by it is left out. */
+  /** A zero known at compile time, such as z in 2D: products with it are omitted. */
   get zero(): Node {
     return this.#find('zero', [], 0, undefined);
   }
 
-  /** The sum of a term over the rows of a table, whose address and length stand in memory. */
+  /** Returns the sum of a term over the rows of a table, whose address and length are in memory. */
   sum(scope: SumScope, address: Node, count: Node, term: Node): Node {
     return term.op === 'zero' ? term : this.#find('sum', [address, count, term], 0, scope);
   }
@@ -61,7 +61,7 @@ export class Graph {
   }
 }
 
-/** The one sum whose rows the arguments read. Outside its sum, a sum is a number like any other. */
+/** Returns the only sum whose rows the arguments read. Outside its loop, a sum is an ordinary number. */
 function scopeOf(args: readonly Node[], own: SumScope | undefined): SumScope | undefined {
   let found = own;
   for (const { scope } of args) {

@@ -1,17 +1,17 @@
-// The instructions of WebAssembly that fused loops are made of, and their bytes.
-// WebAssembly Core Specification 2.0, section 5.4 (binary format of instructions).
+// The WebAssembly instructions used by fused loops, and their encoding. Source: WebAssembly Core Specification 2.0,
+// section 5.4 (binary format of instructions).
 
-/** An instruction: its name in the text format, and what follows it. */
+/** An instruction: its name in the text format, and its immediates. */
 export interface Instruction {
   readonly name: string;
   readonly immediates: readonly number[];
-  /** What it is about, for people. */
+  /** A comment for printed code. */
   readonly note?: string | undefined;
 }
 
 type Kind = 'none' | 'index' | 'signed' | 'double' | 'memory' | 'vector' | 'lane' | 'block';
 
-/** Opcode and kind of immediates; vector instructions follow the prefix 0xfd. */
+/** Opcode and kind of immediates; vector instructions have the prefix 0xfd. */
 interface Opcode {
   readonly code: number;
   readonly isVector: boolean;
@@ -114,14 +114,14 @@ list('none', true, {
   'f64x2.pmax': 0xf7,
 });
 
-/** The opcode of an instruction. */
+/** Returns the opcode of an instruction. */
 export function opcodeOf(name: string): Opcode {
   const opcode = table.get(name);
   if (opcode === undefined) throw new Error(`There is no instruction "${name}".`);
   return opcode;
 }
 
-/** The body of a function as it is written, one instruction after the other. */
+/** The body of a function, one instruction after another. */
 export class Code {
   readonly instructions: Instruction[] = [];
 
@@ -130,7 +130,7 @@ export class Code {
     return this;
   }
 
-  /** An instruction that reads or writes memory: what it is said to touch is for people. */
+  /** Adds an instruction that reads or writes memory; the note names the accessed data in printed code. */
   memory(name: string, offset: number, note?: string): this {
     this.instructions.push({ name, immediates: [offset], note });
     return this;

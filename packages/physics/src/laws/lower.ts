@@ -1,4 +1,4 @@
-// From expressions to arithmetic: vectors become components, names become columns, and laws become parts of a step.
+// Lowers expressions to arithmetic: vectors become components, and names become columns.
 
 import type { ComponentName } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -20,7 +20,7 @@ import {
   rotateInSpace,
 } from './vector-algebra.ts';
 
-/** What the names in an expression stand for. */
+/** The meaning of the names in an expression. */
 export interface Environment {
   readonly dimensions: 2 | 3;
   /** Vectors: position, velocity, startVelocity, force, acceleration. */
@@ -28,21 +28,21 @@ export interface Environment {
   /** Simulated time at which the laws are evaluated. */
   readonly time: Node;
   readonly dt: Node;
-  /** The doubles of a parameter, in memory. */
+  /** The f64 values of a parameter, in memory. */
   parameter(parameter: Parameter, index: number): Node;
   /** A column of a component. */
   column(component: ColumnData['component'] | '', field: string, kind: 'real' | 'u32'): Node;
   /** Scalars that only schemes have: charge, mass, lastDt. */
   readonly scalars?: Readonly<Record<string, Node>>;
-  /** The change of velocity within a duration, in a stage of a scheme. */
+  /** The change of velocity over a duration, in a stage of a scheme. */
   kick?(position: Axes, velocity: Axes, duration: Node, stage: StageData): Axes;
-  /** Seed and step of noise, from the seed of the law. */
+  /** Noise from the seed of the law. */
   noise(seed: Node, channel: number): Node;
 }
 
 type Lowered = Node | Axes;
 
-/** Turns expressions into nodes, each expression once. */
+/** Converts expressions to nodes, each expression once. */
 export class Lowering {
   readonly #done = new Map<Expression, Lowered>();
   readonly #scopes = new Map<SumScope, SumScope>();
@@ -193,7 +193,10 @@ export class Lowering {
     return this.graph.sum(this.#scopeOf(scope), address, count, term);
   }
 
-  /** A loop over the rows for each evaluation of a law: a later stage asks where the earlier one has led. */
+  /**
+   * Each evaluation of a law has a separate loop over the rows, because a later stage depends on the result of an
+   * earlier one.
+   */
   #scopeOf(scope: SumScope): SumScope {
     const own = this.#scopes.get(scope) ?? new SumScope(scope.table);
     this.#scopes.set(scope, own);

@@ -1,7 +1,7 @@
 // One operation of a graph.
 import type { SumScope } from './table.ts';
 
-/** Operations on reals that give a real. */
+/** Operations on reals with a real result. */
 export type Operation =
   | 'add'
   | 'sub'
@@ -39,24 +39,24 @@ export type Operation =
   | 'row'
   | 'sum';
 
-/** One operation. Its arguments were made before it, so that ids ascend along every path. */
+/** One operation. Its arguments are created before it, so ids ascend along every path. */
 export interface Node {
   readonly id: number;
   readonly op: Operation;
   readonly args: readonly Node[];
-  /** The number of a constant, the address of a load or column, the field of a row. */
+  /** The value of a constant, the address of a load or column, or the field of a row. */
   readonly value: number;
-  /** A condition, and not a real. */
+  /** True for a condition, false for a real. */
   readonly isMask: boolean;
-  /** The same for all bodies: computed once, as a double. */
+  /** Equal for all bodies: computed once, as f64. */
   readonly isUniform: boolean;
   /** The sum on whose rows it depends. */
   readonly scope: SumScope | undefined;
-  /** Of a sum: what it runs over. */
+  /** For a sum: the rows it runs over. */
   readonly over: SumScope | undefined;
 }
 
-/** What makes nodes: the graph that they belong to. */
+/** Creates nodes: the graph that they belong to. */
 export interface NodeMaker {
   make(op: Operation, args?: readonly Node[]): Node;
   constant(value: number): Node;

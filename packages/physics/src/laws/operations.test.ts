@@ -1,4 +1,5 @@
-// Every operation of the language, in a world, against the same operation on plain numbers: bit for bit, in every lane.
+// Compares every operation of the expression language in a world with the same operation on plain numbers, bitwise and
+// in every lane.
 import { describe, expect, test } from 'vitest';
 import {
   columnsOfThree,
@@ -15,13 +16,13 @@ import { Scalar } from './expression.ts';
 
 type Symbols = Readonly<Record<'a' | 'b' | 'c', ScalarSymbol>>;
 
-/** An operation on symbols, and the same on numbers. */
+/** An operation on symbols, and the same operation on numbers. */
 interface Operation {
   readonly of: (symbols: Symbols) => ScalarSymbol;
   readonly plain: (a: number, b: number, c: number) => number;
 }
 
-/** The nearest whole number, the even one of two: what `f64.nearest` does. */
+/** Rounds to the nearest integer, ties to even, as `f64.nearest` does. */
 function nearest(x: number): number {
   const size = Math.abs(x);
   if (!(size < 2 ** 52)) return x;
@@ -72,7 +73,7 @@ const OPERATIONS: Readonly<Record<string, Operation>> = {
 
 const SPECIAL = [0, -0, 0.5, -0.5, 1.5, 2.5, -2.5, 1, -1, NaN, Infinity, -Infinity, 1e-30, -1e30, 0.1, 3, 1e6];
 
-/** Values that meet in every pair of places as lanes go on, then such as have long mantissas. */
+/** Fills the lanes with special values in every combination, then with values of long mantissas. */
 function fill(world: Parameters<typeof columnsOfThree>[0], eids: readonly number[], round: number): void {
   const { a, b, c } = columnsOfThree(world);
   eids.forEach((eid, i) => {
@@ -90,7 +91,7 @@ describe.each(WORLD_KINDS)('in a world of $dimensions dimensions, $precision', (
 
   test.each(Object.keys(OPERATIONS))('%s of columns gives the bits of plain numbers in every lane', (name) => {
     const { of, plain } = OPERATIONS[name];
-    // In another order along y: other lanes are then asked for other pairs.
+    // The operands are permuted along y and z, so that other lanes compute other pairs.
     const force = ({ a, b, c }: Symbols) => vec3(of({ a, b, c }), of({ a: b, b: c, c: a }), of({ a: c, b: a, c: b }));
     const { world, eids } = crowd([lawOf({ reads: THREE_READS, force })], kind);
     for (const r of ROUNDS) {

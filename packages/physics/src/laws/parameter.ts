@@ -1,5 +1,5 @@
-// What a law can be given when it is put into a world: numbers and vectors with units, steady or over time. Their
-// values lie in the world's memory, so that changing them compiles nothing.
+// Parameters of laws: numbers and vectors with units, constant or functions of time. Their values are in the world's
+// memory, so changing them does not recompile.
 import { type Bounds, checkKeys, checkNumber, type VectorInput } from '../errors/validate.ts';
 import type { Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
 import { Scalar, Vector } from './expression.ts';
@@ -20,10 +20,10 @@ export function scalar(unit: string, options: ParameterOptions<number> = {}): Pa
   return { kind: 'scalar', unit, bounds, size: 1, overTime: false, byDefault };
 }
 
-/** A parameter that may be left out. */
+/** An optional parameter. */
 export type Optional<Input> = Parameter<Input> & { readonly byDefault: Input };
 
-/** A vector with a unit; absent axes are zero, and in two dimensions z is. */
+/** A vector with a unit; omitted axes are zero, as is z in 2D. */
 export function vector(
   unit: string,
   options: ParameterOptions<VectorInput> & { default: VectorInput },
@@ -33,7 +33,7 @@ export function vector(unit: string, options: ParameterOptions<VectorInput> = {}
   return vectorParameter('vector', unit, options, false);
 }
 
-/** A vector about which something turns, such as a magnetic field: in two dimensions z alone matters. */
+/** An axial vector, such as a magnetic field: in 2D only z is used. */
 export function axialVector(
   unit: string,
   options: ParameterOptions<VectorInput> & { default: VectorInput },
@@ -74,7 +74,7 @@ function vectorParameter<Input>(
   return { kind, unit, bounds, size: 3, overTime, byDefault };
 }
 
-/** A number that the law itself hands over before every step. */
+/** A number that the law itself supplies before every step. */
 export function suppliedScalar(write: (world: PhysicsWorld) => number): Supplied {
   const supply: Parameter['supply'] = (world, into, at) => {
     into[at] = write(world);
@@ -82,7 +82,7 @@ export function suppliedScalar(write: (world: PhysicsWorld) => number): Supplied
   return { kind: 'scalar', unit: '', bounds: {}, size: 1, overTime: false, byDefault: undefined, supply };
 }
 
-/** A vector, axial or not, that the law itself hands over before every step. */
+/** A vector, axial or not, that the law itself supplies before every step. */
 export function suppliedVector(
   write: (world: PhysicsWorld) => { readonly x: number; readonly y: number; readonly z: number },
   kind: 'vector' | 'axial' = 'vector',
@@ -96,13 +96,13 @@ export function suppliedVector(
   return { kind, unit: '', bounds: {}, size: 3, overTime: false, byDefault: undefined, supply };
 }
 
-/** Parameters that no option sets. */
+/** Parameters that are not set by options. */
 export type Supplied = Parameter<number> & { readonly kind: 'scalar'; readonly supply: object };
 export type SuppliedVector = Parameter<VectorInput> & { readonly supply: object };
 
 export type Parameters = Readonly<Record<string, Parameter>>;
 
-/** The symbols of parameters, as a law's function gets them. */
+/** The symbols of parameters, as passed to the functions of a law. */
 export type ParameterSymbols<P> = {
   readonly [Key in keyof P]: P[Key] extends Parameter<number> ? Scalar : Vector;
 };
@@ -113,18 +113,18 @@ type Omissible<P> = {
 }[keyof P];
 type InputOf<P> = P extends Parameter<infer Input> ? Input : never;
 
-/** What a law is given: those parameters that have no default, and any of those that have. */
+/** The arguments of a law: required for parameters without a default, optional for the others. */
 export type ParameterInput<P> = { readonly [Key in Exclude<Given<P>, Omissible<P>>]: InputOf<P[Key]> } & {
   readonly [Key in Omissible<P>]?: InputOf<P[Key]>;
 };
 
-/** The symbol of a parameter. */
+/** Creates the symbol of a parameter. */
 export function symbolOf(parameter: Parameter): Scalar | Vector {
   return parameter.kind === 'scalar' ? new Scalar('parameter', [], parameter) : new Vector('parameter', [], parameter);
 }
 
 /**
- * Checks what a law was given, and says how each parameter gets into memory.
+ * Validates the arguments of a law, and determines how each parameter is written to memory.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function sourcesOf(

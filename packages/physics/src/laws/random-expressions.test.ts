@@ -1,4 +1,4 @@
-// Random laws, compiled, against an interpreter that works on plain numbers: the same bits for every body.
+// Compares random compiled laws with an interpreter on plain numbers: the bits must be equal for every body.
 import fc from 'fast-check';
 import { describe, test } from 'vitest';
 import {
@@ -52,7 +52,7 @@ interface Given {
   readonly w: VectorSymbol;
 }
 
-/** What every law may begin with: columns first, then parameters and constants. */
+/** The leaves of every law: columns first, then parameters and constants. */
 function leaves(twins: Twins, world: PhysicsWorld, eids: readonly number[], body: Body, given: Given): void {
   const { Position, Velocity, Mass } = world.components;
   const columns = columnsOfThree(world);
@@ -85,7 +85,7 @@ function leaves(twins: Twins, world: PhysicsWorld, eids: readonly number[], body
       new Scalar('constant', [], value),
       each(() => known(value)),
     );
-  // An axis of a steady vector that is zero is left out, as z is in the plane; of an axial one z alone is there.
+  // A zero axis of a constant vector is omitted, like z in 2D; an axial vector has only z in 2D.
   const flatU: Triple = [uniform(u.x), uniform(u.y), isFlat ? ZERO : uniform(u.z)];
   const axialW: Triple = [isFlat ? ZERO : uniform(w.x), ZERO, uniform(w.z)];
   twins.vector(
@@ -106,7 +106,7 @@ function leaves(twins: Twins, world: PhysicsWorld, eids: readonly number[], body
   );
 }
 
-/** Numbers of all kinds, other ones in each lane: most of them ordinary, some not. */
+/** Numbers of all kinds, different in each lane: most are ordinary, some are special. */
 function fill(world: PhysicsWorld, eids: readonly number[]): void {
   const { Position, Velocity, Mass } = world.components;
   const { a, b, c } = columnsOfThree(world);
@@ -133,7 +133,7 @@ function checkLaw(kind: WorldKind, choices: readonly Choice[]): void {
     for (const choice of choices) twins.apply(choice);
     last.force = twins.vectors.at(-1);
     last.torque = twins.vectors.at(-2);
-    // What conditions and scalars came to is part of the result as well.
+    // The result also depends on the conditions and scalars.
     const [s, t] = [twins.scalars.at(-1), twins.scalars.at(-2)] as [MadeScalar, MadeScalar];
     const made = axial3(s.symbol, t.symbol, s.symbol);
     last.torque = { symbol: made, values: zip(s, t, (x, y): Triple => [x, y, x]), depth: 0 };

@@ -1,22 +1,22 @@
-// Integrators of a fixed number of stages, written as expressions: where a step leads, and at which states and times it
-// asks for the forces.
+// Integrators with a fixed number of stages, written as expressions: the state after the step, and the states and times
+// at which the forces are evaluated.
 
 import type { Parameter, ParameterSource, Scheme } from '../world/types.ts';
 import { Scalar, scalarOf, Vector, vectorOf } from './expression.ts';
 import { structureOf } from './structure.ts';
 
-/** Where a body is, what else the scheme may use, and the state that it returns. */
+/** The state of a body, the other values that a scheme may use, and the result. */
 export interface SchemeState {
   readonly position: Vector;
   readonly velocity: Vector;
   /** Length of the step, s. */
   readonly dt: Scalar;
-  /** Length of the world's last step by this scheme, s, or 0 where there was none. */
+  /** Length of the world's last step with this scheme, s, or 0 if there was none. */
   readonly lastDt: Scalar;
   /** Electric charge of the body, C, and its mass, kg. */
   readonly charge: Scalar;
   readonly mass: Scalar;
-  /** Vectors that the scheme keeps for each body from one step to the next. */
+  /** Vectors that the scheme keeps for each body between steps. */
   readonly memory: readonly Vector[];
 }
 
@@ -27,28 +27,28 @@ export interface SchemeResult {
 }
 
 /**
- * The change of velocity that all forces give a body within `duration` (s) when they stay as they are at a position and
- * velocity, `fraction` of a step after its start: F/m h. It counts as an evaluation each time it is called.
+ * The change of velocity F/m h that all forces cause in `duration` (s) if they stay as they are at a position and
+ * velocity, `fraction` of a step after its start. Each call counts as an evaluation.
  */
 export type Kick = (position: Vector, velocity: Vector, fraction: number, duration: Scalar) => Vector;
 
 /** A step as expressions. */
 export type SchemeFunction = (state: SchemeState, kick: Kick, parameters: readonly (Scalar | Vector)[]) => SchemeResult;
 
-/** What an evaluation of the forces remembers. */
+/** The data of a force evaluation. */
 export interface StageData {
   readonly stage: number;
   readonly fraction: number;
 }
 
-/** Parameters of a scheme, and vectors it keeps for each body. */
+/** Parameters of a scheme, and vectors that it keeps for each body. */
 export interface SchemeOptions {
   readonly memory?: number;
   readonly parameters?: readonly Parameter[];
   readonly sources?: readonly ParameterSource[];
 }
 
-/** Records a step. @throws PhysicsError E_TYPE for what a method does not take */
+/** Records a step. @throws PhysicsError E_TYPE if a method gets an argument of the wrong type */
 export function recordScheme(step: SchemeFunction, options: SchemeOptions = {}): Scheme {
   const { memory = 0, parameters = [], sources = [] } = options;
   const stages: number[] = [];

@@ -1,8 +1,8 @@
-// What can be said of an operation before it is compiled. Every rule gives the same bits for every number, or drops a
-// product with a zero that is there for the dimensions' sake only. Nothing is reassociated.
+// Simplifies operations before compilation. Every rule gives the same bits for every number, or drops a product with a
+// zero that exists only because of the dimensions. Nothing is reassociated.
 import type { Node, NodeMaker, Operation } from './node.ts';
 
-/** A node that stands for the operation, if there is a simpler one. */
+/** Returns a simpler node that is equal to the operation, if there is one. */
 export function simplify(graph: NodeMaker, op: Operation, args: readonly Node[]): Node | undefined {
   const [a, b, c] = args;
   if (args.length > 0 && args.every((arg) => arg.op === 'constant')) {
@@ -56,7 +56,7 @@ function product(graph: NodeMaker, a: Node, b: Node): Node | undefined {
   return ordered(graph, 'mul', a, b);
 }
 
-/** Sums and products are the same either way round: the older operand first. */
+/** Orders the operands of commutative operations: the older operand first. */
 function ordered(graph: NodeMaker, op: Operation, a: Node, b: Node): Node | undefined {
   return a.id > b.id ? graph.make(op, [b, a]) : undefined;
 }
@@ -65,7 +65,7 @@ function isNumber(node: Node, value: number): boolean {
   return node.op === 'constant' && node.value === value;
 }
 
-/** Division by a power of two is multiplication by another, exactly. */
+/** Division by a power of two is exactly a multiplication by its inverse. */
 function isPowerOfTwo({ op, value }: Node): boolean {
   const size = Math.abs(value);
   if (op !== 'constant' || !(size >= 2 ** -60 && size <= 2 ** 60)) return false;

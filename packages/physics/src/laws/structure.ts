@@ -1,4 +1,4 @@
-// What a law is made of, as a text: laws with the same text compile to the same code, whoever defined them.
+// A text key of the structure of a law: laws with equal keys compile to the same code.
 import type { ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
 import type { Law, Parameter } from '../world/types.ts';
@@ -8,11 +8,11 @@ import { type RowData, SumScope } from './table.ts';
 
 type Parts = Readonly<Record<string, Expression | undefined>>;
 
-/** Numbers of users' own components: equal structures read the same columns. */
+/** Numbers of custom components, so that equal structures read the same columns. */
 const ownNumbers = new WeakMap<ComponentSpec, number>();
 let ownCount = 0;
 
-/** The number of a component of a user's own. */
+/** Returns the number of a custom component. */
 export function componentNumber(component: ComponentSpec): number {
   const number = ownNumbers.get(component) ?? ownCount++;
   ownNumbers.set(component, number);
@@ -23,7 +23,7 @@ function nameOf(component: ComponentName | ComponentSpec): string {
   return typeof component === 'string' ? component : `own${componentNumber(component)}`;
 }
 
-/** The expressions of a law as a text, each shared one once. */
+/** Returns the expressions of a law as text, each shared expression once. */
 export function structureOf(parameters: readonly Parameter[], parts: Parts): string {
   const lines: string[] = parameters.map(
     (parameter) => `${parameter.kind}${'fields' in parameter ? parameter.fields : ''}`,
@@ -65,7 +65,7 @@ const STATE: Readonly<Record<string, readonly ComponentName[]>> = {
   rotate: ['Rotation', 'Orientation'],
 };
 
-/** The components whose columns the expressions of a law read. */
+/** Returns the components whose columns the expressions of a law read. */
 export function columnsRead(law: Pick<Law, 'force' | 'acceleration' | 'torque'>): ComponentName[] {
   const names = new Set<ComponentName>();
   const seen = new Set<Expression>();

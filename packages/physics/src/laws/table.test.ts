@@ -20,7 +20,7 @@ const springsFrom = (points: readonly number[]) => {
 
 describe('sums over a table', () => {
   test('one that depends on another over the same table, in a later stage of the step', () => {
-    // A body on the x axis at two springs of 1 N/m, whose middle is 2 m: x'' = -2 (x - 2).
+    // A body on the x axis between two springs of 1 N/m with midpoint 2 m: x'' = -2 (x - 2).
     for (const [integrator, within] of [
       [velocityVerlet, 1e-3],
       [rungeKutta4, 1e-8],
@@ -34,7 +34,7 @@ describe('sums over a table', () => {
 
   test('tables of two forces are told apart, also where one law made both', () => {
     const values = [[1], [10, 20]];
-    // Asked first by the first of the two, then by the second.
+    // The first law evaluates it first, then the second.
     let asked = 0;
     const placeOf = (world: PhysicsWorld) => {
       const points = values[asked++ % 2];

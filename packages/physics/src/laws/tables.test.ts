@@ -1,4 +1,4 @@
-// Sums over tables: the rows lie in the world's memory, and may change while it runs.
+// Sums over tables: the rows are in the world's memory and may change between steps.
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { crowd, expectSameBits, forcesNow, rounderOf, WORLD_KINDS } from '../../../../test/support/law-lab.ts';
 import {
@@ -19,12 +19,12 @@ import {
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 
-/** Where each world has the rows of a table of the tests. */
+/** Stores the location of a table per world. */
 function places(): (world: PhysicsWorld) => TablePlace & { at: number; count: number } {
   return resource(() => ({ at: 0, count: 0 }));
 }
 
-/** Puts rows of numbers into the world's memory. */
+/** Writes rows of numbers to the world's memory. */
 function putRows(
   world: PhysicsWorld,
   place: { at: number; count: number },
@@ -38,7 +38,7 @@ function putRows(
 
 const springsAt = places();
 
-/** Springs to many places: F = Σ s (c - r). */
+/** Springs to many points: F = Σ s (c - r). */
 const springs = defineLaw({
   name: 'springs to places',
   parameters: { centres: table(['x', 'y', 's'], springsAt) },

@@ -1,5 +1,5 @@
-// Functions as people read them: the text format of WebAssembly (Core Specification 2.0, section 6), with the names of
-// columns beside the addresses.
+// Prints functions in the text format of WebAssembly (Core Specification 2.0, section 6), with the names of columns as
+// comments beside the addresses.
 import type { ModuleSource } from './encode.ts';
 import { type Instruction, opcodeOf } from './instructions.ts';
 
@@ -44,7 +44,7 @@ function printInstruction(
   return immediates.length === 0 ? name : `${name} ${immediates.join(' ')}`;
 }
 
-/** The bits of a vector, and the number that they are in every lane. */
+/** Prints the bits of a vector, and its number if all lanes are equal. */
 function printVector(bytes: readonly number[]): string {
   const { buffer } = Uint8Array.from(bytes);
   const words = Array.from(new Uint32Array(buffer), (word) => `0x${word.toString(16).padStart(8, '0')}`);

@@ -1,24 +1,24 @@
-// A vector that is given once, or as a function of time.
+// A vector that is constant or a function of time.
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { type Bounds, checkNumber, checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
 import type { ForceParameter, PhysicsWorld } from '../world/types.ts';
 
 /**
- * A vector, or a function of the time in seconds that returns one. The function must give the same vector for the same
- * time, and may return the same object each time, which makes no garbage.
+ * A vector, or a function of the time in seconds that returns one. The function must return equal vectors for equal
+ * times, and may return the same object each time, which avoids garbage.
  */
 export type VectorOverTime = VectorInput | ((time: number) => VectorInput);
 
-/** The vector at a moment. */
+/** A vector with a value at every time. */
 export interface TimeVector {
-  /** The vector, when it does not change. */
+  /** The vector, if it is constant. */
   readonly steady: Vector | undefined;
   at(world: PhysicsWorld, time: number): Vector;
 }
 
 /**
- * A steady vector is checked here. One that changes is asked once per moment; when it throws, or returns what is no
- * vector within bounds, the step reports that and the last good one goes on.
+ * Creates the vector. A constant vector is validated immediately. A function is called once per time; if it throws or
+ * returns an invalid vector, the step reports the error and the last valid vector is used.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function timeVector(value: VectorOverTime, caller: string, name: string, bounds: Bounds): TimeVector {
@@ -28,7 +28,7 @@ export function timeVector(value: VectorOverTime, caller: string, name: string, 
   }
   const now = { x: 0, y: 0, z: 0 };
   const [nameX, nameY, nameZ] = [`${name}.x`, `${name}.y`, `${name}.z`];
-  // In a cell: a number that a function keeps is a new one on the heap whenever it changes.
+  // The time is in a typed array, because a captured number would allocate a heap object at every change.
   const asked = new Float64Array([Number.NaN]);
   return {
     steady: undefined,
@@ -51,7 +51,7 @@ export function timeVector(value: VectorOverTime, caller: string, name: string, 
   };
 }
 
-/** As a force's documentation shows it: nothing for one that changes. */
+/** The entry in the documentation of a force; empty for a function of time. */
 export function shownVector(name: string, unit: string, vector: Vector | undefined): Record<string, ForceParameter> {
   if (vector === undefined) return {};
   const { x, y, z } = vector;

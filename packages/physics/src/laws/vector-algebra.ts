@@ -1,4 +1,4 @@
-// Vectors as three nodes: in two dimensions z of most is a zero that the graph leaves out of every product.
+// Vectors as three nodes: in 2D the z of most vectors is a zero that the graph omits from every product.
 import type { Graph } from './graph.ts';
 import type { Node } from './node.ts';
 
@@ -9,7 +9,7 @@ export function eachAxis(make: (i: 0 | 1 | 2) => Node): Axes {
   return [make(0), make(1), make(2)];
 }
 
-/** Products summed in the order of the axes. */
+/** Sums the products in the order of the axes. */
 export function dot(graph: Graph, a: Axes, b: Axes): Node {
   const [x, y, z] = eachAxis((i) => graph.make('mul', [a[i], b[i]]));
   return graph.make('add', [graph.make('add', [x, y]), z]);
@@ -32,7 +32,7 @@ export function normalize(graph: Graph, v: Axes): Axes {
   return eachAxis((i) => graph.make('keep', [isLong, graph.make('div', [v[i], length])]));
 }
 
-/** Turned by an angle in the plane. */
+/** Rotates by an angle in the plane. */
 export function rotateInPlane(graph: Graph, angle: Node, v: Axes): Axes {
   const [c, s] = [graph.make('cos', [angle]), graph.make('sin', [angle])];
   const times = (a: Node, b: Node) => graph.make('mul', [a, b]);
@@ -43,7 +43,7 @@ export function rotateInPlane(graph: Graph, angle: Node, v: Axes): Axes {
   ];
 }
 
-/** Turned by the unit quaternion (u, w): v + 2 u × (u × v + w v). */
+/** Rotates by the unit quaternion (u, w): v + 2 u × (u × v + w v). */
 export function rotateInSpace(graph: Graph, u: Axes, w: Node, v: Axes): Axes {
   const turned = cross(graph, u, v);
   const inner = eachAxis((i) => graph.make('add', [turned[i], graph.make('mul', [w, v[i]])]));

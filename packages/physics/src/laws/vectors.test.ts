@@ -1,4 +1,4 @@
-// Vectors of laws: what they mean in the plane and in space.
+// Vectors of laws in 2D and 3D.
 import { describe, expect, test } from 'vitest';
 import { crowd, expectSameBits, forcesNow, lawOf, rounderOf, WORLD_KINDS } from '../../../../test/support/law-lab.ts';
 import {
@@ -24,7 +24,7 @@ const flat = WORLD_KINDS.filter(({ dimensions }) => dimensions === 2);
 const deep = WORLD_KINDS.filter(({ dimensions }) => dimensions === 3);
 const none: Made = ({ velocity }) => velocity.mul(0);
 
-/** What a law makes of position and velocity, for bodies that differ in both; the third stands still. */
+/** Applies a law to position and velocity, for bodies that differ in both; the third is at rest. */
 function onVectors(kind: Kind, force: Made, torque: Made = none) {
   const { world, eids } = crowd([lawOf({ force, torque })], kind);
   const { Position, Velocity } = world.components;
@@ -166,7 +166,7 @@ describe.each(deep)('in space, $precision', (kind) => {
 });
 
 describe('one law in the plane and in space', () => {
-  /** Drag, a pull to the origin and a turn about z, for bodies that stay at z = 0. */
+  /** Drag, an attraction to the origin and a rotation about z, for bodies that stay at z = 0. */
   const law = defineLaw({
     name: 'a bit of everything',
     parameters: { wind: vector('m/s'), field: axialVector('T') },

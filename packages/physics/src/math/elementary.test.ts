@@ -2,14 +2,14 @@ import { describe, expect, test } from 'vitest';
 import { atan2, cos, exp, log, pow, sin } from './elementary.ts';
 import { createRandom } from './random.ts';
 
-/** Distance of two doubles in units in the last place of the second; 0 for equal ones, NaN and infinities included. */
+/** Distance of two f64 in units in the last place of the second; 0 if they are equal, NaN and infinities included. */
 function ulps(value: number, expected: number): number {
   if (Object.is(value, expected)) return 0;
   const bits = new BigInt64Array(new Float64Array([value, expected]).buffer);
   return Number((bits[0] as bigint) - (bits[1] as bigint));
 }
 
-/** The largest distance of many draws. */
+/** The largest distance of many random arguments. */
 function worst(count: number, draw: (r: ReturnType<typeof createRandom>) => readonly [number, number]): number {
   const random = createRandom(7);
   let most = 0;

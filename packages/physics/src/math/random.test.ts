@@ -22,7 +22,7 @@ describe('seeded random numbers', () => {
     const firsts = Array.from({ length: 1000 }, (_, seed) => createRandom(seed).uniform());
     expect(new Set(firsts).size).toBe(1000);
     const mean = firsts.reduce((sum, value) => sum + value, 0) / 1000;
-    // A uniform number has variance 1/12: three standard deviations of the mean of a thousand.
+    // A uniform number has variance 1/12: the bound is three standard deviations of the mean of a thousand.
     expect(Math.abs(mean - 0.5)).toBeLessThan(3 * Math.sqrt(1 / 12 / 1000));
   });
 
@@ -123,7 +123,7 @@ describe('seeded random numbers', () => {
   });
 });
 
-/** How many standard deviations the χ² of `bins` bins lies above its mean. */
+/** Number of standard deviations by which the χ² of `bins` bins exceeds its mean. */
 function chiSquared(bins: number, draw: () => number): number {
   const counts = new Float64Array(bins);
   for (let i = 0; i < N; i++) {

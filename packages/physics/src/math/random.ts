@@ -1,34 +1,36 @@
 // Seeded random numbers: xoshiro128** 1.1 (Blackman and Vigna, Scrambled Linear Pseudorandom Number Generators, ACM
-// TOMS 47, 2021). kernels/math/random.ts is its twin and works on the same four words.
+// TOMS 47, 2021). kernels/math/random.ts is the same generator and uses the same four words.
 import { checkWhole, type Vector } from '../errors/validate.ts';
 import { log } from './elementary.ts';
 
 /** A stream of random numbers. The same seed gives the same stream on every machine. */
 export interface Random {
-  /** Four words: all there is to the generator. Copy them to save it, write them to restore it. */
+  /** Four words: the complete state of the generator. Copy them to save it, write them to restore it. */
   readonly state: Uint32Array;
   /** The next 32 random bits, as an unsigned integer. */
   word(): number;
   /** Uniform in [min, max), by default [0, 1); one of 2³² equally spaced values. */
   uniform(min?: number, max?: number): number;
-  /** A whole number from `min` to `max`, both included, each equally likely. @throws PhysicsError E_TYPE, E_RANGE */
+  /** A uniformly distributed integer from `min` to `max`, both included. @throws PhysicsError E_TYPE, E_RANGE */
   integer(min: number, max: number): number;
   /** −1 or 1. */
   sign(): number;
   /** Normally distributed, by default with mean 0 and standard deviation 1. */
   gaussian(mean?: number, deviation?: number): number;
-  /** A point of the circle about the origin in the x-y plane, uniform by angle. */
+  /** A point on the circle about the origin in the x-y plane, uniform in angle. */
   onCircle(radius?: number): Vector;
-  /** A point of the sphere about the origin, uniform by area. */
+  /** A point on the sphere about the origin, uniform in area. */
   onSphere(radius?: number): Vector;
-  /** Another generator, seeded from this one: a stream of its own for a part that draws an unknown number of times. */
+  /**
+   * Returns another generator seeded from this one: a separate stream for code that draws an unknown number of times.
+   */
   split(): Random;
 }
 
 /**
- * A seeded generator.
- * @param seed whole number from 0 to 2⁵³ − 1
- * @param stream tells generators of one seed apart: 0, 1, 2…
+ * Creates a seeded generator.
+ * @param seed integer from 0 to 2⁵³ − 1
+ * @param stream distinguishes generators of one seed: 0, 1, 2…
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
 export function createRandom(seed: number, stream = 0): Random {
@@ -43,8 +45,8 @@ export function createRandom(seed: number, stream = 0): Random {
 export function seedWords(state: Uint32Array, seed: number, stream: number): void {
   const low = mix((seed >>> 0) ^ mix(stream));
   const high = mix(Math.floor(seed / 2 ** 32) + mix(stream ^ 0x5bd1e995));
-  // Each word takes up the one before it, so that all of the seed is in every word: the first number drawn depends on
-  // the second word alone.
+  // Each word depends on the one before it, so that all of the seed affects every word: the first number drawn depends
+  // on the second word only.
   let word = mix(low + GOLDEN);
   state[0] = word;
   word = mix((high ^ word) + 2 * GOLDEN);
@@ -58,7 +60,7 @@ export function seedWords(state: Uint32Array, seed: number, stream: number): voi
 /** 2³² divided by the golden ratio. */
 const GOLDEN = 0x9e3779b9;
 
-/** A bijection of 32 bits that lets every bit of its argument flip half of the result's (Wellons, lowbias32, 2018). */
+/** A bijection of 32 bits in which every input bit flips half of the output bits (Wellons, lowbias32, 2018). */
 function mix(value: number): number {
   let z = value | 0;
   z = Math.imul(z ^ (z >>> 16), 0x21f0aaad);
@@ -103,7 +105,7 @@ function generator(state: Uint32Array): Random {
   };
 }
 
-/** Draws that would favour the smaller numbers are thrown away. */
+/** Draws that would bias the result towards smaller numbers are rejected. */
 function drawInteger(state: Uint32Array, min: number, max: number): number {
   checkWhole(min, 'min', -Number.MAX_VALUE, Number.MAX_VALUE);
   checkWhole(max, 'max', min, min + 2 ** 32 - 1);
@@ -115,7 +117,10 @@ function drawInteger(state: Uint32Array, min: number, max: number): number {
   }
 }
 
-/** Marsaglia's polar method (SIAM Review 6, 260, 1964); its second value is let go, so that `state` is all there is. */
+/**
+ * Marsaglia's polar method (SIAM Review 6, 260, 1964); the second value is discarded, so that `state` is the complete
+ * state.
+ */
 function normal(unit: () => number): number {
   for (;;) {
     const x = 2 * unit() - 1;
@@ -125,7 +130,7 @@ function normal(unit: () => number): number {
   }
 }
 
-/** Von Neumann (1951): twice the angle of a point of the disc, without a sine. */
+/** Von Neumann (1951): the double angle of a point in the disc, without a sine. */
 function onCircle(unit: () => number, radius: number): Vector {
   for (;;) {
     const x = 2 * unit() - 1;

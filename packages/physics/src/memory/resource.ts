@@ -33,7 +33,8 @@ export function isImmutable(value: object): boolean {
  * kernels comes from `allocate(world.internal.arena, …)`.
  *
  * Snapshots save the contents of plain objects, arrays, maps and typed arrays, and drop resources created after them.
- * @param options.outlives excludes the resource from snapshots; for data that is not state of the world, such as event listeners
+ * @param options.outlives excludes the resource from snapshots; for data that is not state of the world, such as event
+ *   listeners
  */
 export function resource<T>(
   create: (world: PhysicsWorld) => T,

@@ -1,4 +1,4 @@
-// The kernels of mutual forces, on every world that has one.
+// The kernels of mutual forces, instantiated for worlds with such a force.
 import { KERNELS, type KernelExports } from '../kernels/n-body.gen.ts';
 import { kernelModule } from '../memory/kernel-module.ts';
 

@@ -5,10 +5,11 @@
 //
 //   k  Coulomb constant, N m²/C² (N m/C² for the law 1/r)      q  charge, C: equal signs repel
 //
-// Valid for charges at rest or slow against light, in vacuum. A charge without Mass pulls and stays where it is.
-// The tree's cells carry dipoles, which do not vanish where signs mix (centre: that of the absolute charges). In
-// matter that is neutral on average far fields cancel and an error is relative to what is left: the tree then opens
-// more and gains less than for gravity. Coulomb 1785; the tree is that of mutual-gravity.ts. Cost: as there.
+// Valid for charges at rest or slow compared with light, in vacuum. A charge without Mass exerts forces and stays
+// fixed. The tree's cells have dipoles, which do not vanish for mixed signs (the centre is that of the absolute
+// charges). In matter that is neutral on average the far fields cancel, and the error is relative to the remainder: the
+// tree then opens more cells and gains less than for gravity. Source: Coulomb 1785; the tree is that of
+// mutual-gravity.ts, at the same cost.
 import { checkNumber } from '../errors/validate.ts';
 import { COULOMB_CONSTANT } from '../forces/fixed-charges.ts';
 import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force.ts';
@@ -19,7 +20,7 @@ export interface MutualCoulombOptions extends MutualOptions {
 }
 
 /**
- * The electrostatic force between all bodies that have Charge.
+ * Creates the electrostatic force between all bodies with Charge.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function mutualCoulomb(options: MutualCoulombOptions = {}): MutualForce {

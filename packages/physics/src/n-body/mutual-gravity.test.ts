@@ -13,7 +13,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 import type { MutualForce } from './mutual-force.ts';
 import { mutualGravity } from './mutual-gravity.ts';
 
-/** Forces on all bodies as the world stands. */
+/** Returns the forces on all bodies in the present state. */
 function forcesIn(world: PhysicsWorld) {
   refreshRanges(world);
   world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
@@ -34,7 +34,7 @@ function manyIn(force: MutualForce, count: number, options: PhysicsWorldOptions 
   return { world, cloud: made };
 }
 
-/** Semi-major axis and eccentricity of the relative orbit of bodies 1 and 2. */
+/** Returns semi-major axis and eccentricity of the relative orbit of bodies 1 and 2. */
 function orbitOf({ components: { Position: p, Velocity: v } }: PhysicsWorld, mu: number) {
   const between = (c: { x: ArrayLike<number>; y: ArrayLike<number> }) =>
     [(c.x[2] as number) - (c.x[1] as number), (c.y[2] as number) - (c.y[1] as number)] as const;
@@ -85,7 +85,7 @@ describe('two bodies', () => {
   test('of the law 1/r circle at a speed that does not depend on the distance', () => {
     for (const distance of [1, 10]) {
       const world = createPhysicsWorld({ forces: [mutualGravity({ G: 2, law: 'inverse-distance' })] });
-      // Each of mass 1 feels G/d = v²/(d/2).
+      // Each of mass 1 has the acceleration G/d = v²/(d/2).
       spawn(world, { position: { x: distance / 2 }, velocity: { y: 1 }, mass: 1 });
       spawn(world, { position: { x: -distance / 2 }, velocity: { y: -1 }, mass: 1 });
       for (let i = 0; i < 1000; i++) step(world, (Math.PI * distance) / 1000);

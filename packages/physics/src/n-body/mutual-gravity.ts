@@ -6,15 +6,14 @@
 //   G  gravitational constant, N m²/kg² (N m/kg² for the law 1/r)      m  mass, kg
 //   ε  softening, m (Plummer 1911)                                     r  distance, m
 //
-// Valid for bodies that are points, or spheres that do not overlap; ε says below which distance a body stands for a
-// cloud of many. A body nearer than 10⁻¹² (f32; f64: 10⁻¹⁰⁰) of the system's extent to another counts as being at its
-// place, where the force is zero. Test particles feel the others and pull nobody, so that their momentum and energy
-// come from outside.
+// Valid for point masses, or spheres that do not overlap; below the distance ε a body represents a cloud of many.
+// Bodies closer than 10⁻¹² (f32; f64: 10⁻¹⁰⁰) of the system's extent count as coincident, where the force is zero. Test
+// particles feel forces and exert none, so their momentum and energy are not balanced by the sources.
 //
-// Direct sum: every pair once, forces equal and opposite. Tree: Barnes & Hut, Nature 324, 446 (1986), with quadrupoles
-// (Hernquist, ApJS 64, 715, 1987), one walk a group of bodies (Barnes, J. Comput. Phys. 87, 161, 1990) and cells
-// accepted by the error they make (Salmon & Warren, J. Comput. Phys. 111, 136, 1994). It does not conserve momentum
-// exactly: action and reaction are approximated separately. Cost: N²/2 pairs, or about N log N.
+// Direct summation: every pair once, forces equal and opposite. Tree: Barnes & Hut, Nature 324, 446 (1986), with
+// quadrupoles (Hernquist, ApJS 64, 715, 1987), one traversal per group of bodies (Barnes, J. Comput. Phys. 87, 161,
+// 1990) and cells accepted by their error (Salmon & Warren, J. Comput. Phys. 111, 136, 1994). It does not conserve
+// momentum exactly, because action and reaction are approximated separately. Cost: N²/2 pairs, or about N log N.
 import { checkNumber } from '../errors/validate.ts';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';
 import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force.ts';
@@ -25,7 +24,7 @@ export interface MutualGravityOptions extends MutualOptions {
 }
 
 /**
- * Gravity between all bodies that have Mass.
+ * Creates gravity between all bodies with Mass.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function mutualGravity(options: MutualGravityOptions = {}): MutualForce {

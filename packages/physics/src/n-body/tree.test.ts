@@ -26,11 +26,11 @@ function worldOf(force: MutualForce, made: Cloud, { precision = 'f64', dimension
   return world;
 }
 
-/** Accelerations of all bodies by one short step from rest. */
+/** Returns the accelerations of all bodies, from one short step from rest. */
 function accelerations(world: PhysicsWorld): [number, number, number][] {
   const dt = 2 ** -30;
   const force = world.forces[0] as MutualForce;
-  // A step moves the bodies; the force is read from what an evaluation at rest left.
+  // A step moves the bodies; the force is read from an evaluation at rest.
   force.rmsError(world);
   const { x, y, z } = world.components.Position;
   const before = [x.slice(), y.slice(), z.slice()];
@@ -90,7 +90,8 @@ describe('the error of the tree', () => {
       let beyond = 0;
       for (let s = 0; s < 40; s++) {
         const error = force.rmsError(world);
-        // A single body that is off by half makes 0.5/√500 of so few, and a look at the error comes every 32 steps only.
+        // One body with an error of a half contributes 0.5/√500 in such a small sample, and the error is measured only
+        // every 32 steps.
         expect(error, `${count} bodies, step ${s}`).toBeLessThan(0.025);
         if (error > 0.005) beyond++;
         step(world, 1e-3);
@@ -106,7 +107,7 @@ describe('the error of the tree', () => {
       return force.rmsError(worldOf(force, made, { dimensions: 2 }));
     };
     const apart = error();
-    // A millionth of a metre apart, so that their fields are 10⁹ times those of the rest.
+    // They are a millionth of a metre apart, so their fields are 10⁹ times the others.
     made.x[1] = (made.x[0] as number) + 1e-6;
     made.y[1] = made.y[0] as number;
     const close = error();
@@ -144,7 +145,7 @@ describe('the error of the tree', () => {
       const off = field.map((a, axis) => a - ((found[3 * k] as number[])[axis] as number));
       sum += (Math.hypot(...off) / Math.max(least, Math.hypot(...field))) ** 2;
     }
-    // Other bodies are sampled.
+    // The two measurements sample different bodies.
     expect(reported / Math.sqrt(sum / 1000)).toBeGreaterThan(0.5);
     expect(reported / Math.sqrt(sum / 1000)).toBeLessThan(2);
   });
@@ -169,7 +170,7 @@ describe('the tree', () => {
       const { cellPairs, bodyPairs } = force.report(world);
       return (cellPairs + bodyPairs) / count;
     });
-    // Pairs a body grow by about the same for each doubling, and far less than they would as N.
+    // The number of pairs per body grows by about the same amount for each doubling, far less than in proportion to N.
     for (let i = 1; i < pairs.length; i++) expect((pairs[i] as number) / (pairs[i - 1] as number)).toBeLessThan(1.35);
     expect((pairs[4] as number) / 32_000).toBeLessThan(0.04);
   });
@@ -210,7 +211,7 @@ describe('the tree', () => {
 
   test('sees a uniform ball from outside as a point', () => {
     const made = cloud('uniform', 8000, 3);
-    // A shell of test particles would move; one massless-looking body outside serves.
+    // A shell of test particles would move; one light body outside is enough.
     for (const column of [made.x, made.y, made.z]) column[0] = 0;
     made.x[0] = 8;
     made.mass[0] = 1e-6;
@@ -220,7 +221,7 @@ describe('the tree', () => {
     const [x, y, z] = [centre(made.x), centre(made.y), centre(made.z)];
     const d = Math.hypot(8 - x, y, z);
     const [ax] = accelerations(worldOf(gravityTree({ relativeError: 0.005 }), made))[0] as [number, number, number];
-    // A cube of side 2 departs from a ball only at the fourth power of 1/8; the tree may err by 0.5 %.
+    // A cube of side 2 differs from a ball only at the fourth power of 1/8; the tree may err by 0.5 %.
     expect(ax / ((-mass * (8 - x)) / d ** 3)).toBeCloseTo(1, 2);
   });
 
@@ -252,7 +253,7 @@ describe('the tree', () => {
     };
     const [one, other] = [run(), run()];
     expect(one.moved).toBeGreaterThan(0.05);
-    // The direct sum itself drifts by 3e-5 in this collapse from rest.
+    // Direct summation itself drifts by 3e-5 in this collapse from rest.
     expect(Math.abs(one.drift)).toBeLessThan(2e-4);
     expect(one.hash).toBe(other.hash);
   });

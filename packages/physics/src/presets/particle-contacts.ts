@@ -11,19 +11,19 @@ import { dispatchFaultEvents } from '../world/event-handlers.ts';
 import type { PhysicsWorld, Preset } from '../world/types.ts';
 
 /**
- * `standard` with collisions: round bodies meet each other, SegmentWalls and PlaneWalls; `contacts(world)` lists what
- * met. Walls given to `createPhysicsWorld`, such as `boxWalls`, come after the wall entities.
+ * `standard` with collisions: round bodies collide with each other, SegmentWalls and PlaneWalls; `contacts(world)`
+ * lists the contacts. Walls passed to `createPhysicsWorld`, such as `boxWalls`, run after the wall entities.
  *
- * Values are checked before bodies meet as well, so that what a force made of one body does not pass to another.
+ * Values are also validated before collisions, so that an invalid value from a force does not spread to other bodies.
  */
 export const particleContacts: Preset = /* @__PURE__ */ Object.assign(fill, {
-  // Others may need what a world has by default.
+  // The default memory is added, because other features may need it.
   bytesPerEntity: (dimensions: 2 | 3, precision: Precision) => 256 + contactBytesPerEntity(dimensions, precision),
 });
 
 function fill(world: PhysicsWorld): void {
   const { phases } = world;
-  // Takes the memory now, so that a world too small for contacts fails when it is made.
+  // Allocates the memory immediately, so that a world too small for contacts fails at its creation.
   enableContacts(world);
   phases.begin.push(enableContacts, beginStep);
   phases.integrate.push(integrate, integrateRotation);

@@ -4,7 +4,7 @@ import { beginStep, validateState } from '../dynamics/validate-state.ts';
 import { dispatchFaultEvents } from '../world/event-handlers.ts';
 import type { Preset } from '../world/types.ts';
 
-/** Bodies under forces, without contacts between them: particles, orbits, springs. */
+/** Bodies under forces without contacts between them: particles, orbits, springs. */
 export const standard: Preset = ({ phases }) => {
   phases.begin.push(beginStep);
   phases.integrate.push(integrate, integrateRotation);

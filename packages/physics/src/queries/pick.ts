@@ -3,17 +3,17 @@ import { bodies } from '../ecs/ranges.ts';
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** How a point picks a body. */
+/** Options of picking a body by a point. */
 export interface PickOptions {
-  /** Metres around a body that still count: fingers are broad. Default 0. */
+  /** Tolerance around a body, m: touch input is imprecise. Default 0. */
   readonly margin?: number;
 }
 
 /**
- * The body at a point: of those whose collider or drawn size holds it, the one whose centre is nearest, and of two as
- * near the one with the smaller id. Sees bodies made since the last step. Looks at every body.
- * @param point metres; in 2D only x and y count
- * @returns its entity id, 0 when there is none
+ * Returns the body at a point: of the bodies whose collider or drawn size contains it, the one with the nearest centre;
+ * of equally near bodies, the one with the smaller id. Includes bodies created since the last step. Tests every body.
+ * @param point metres; in 2D only x and y are used
+ * @returns its entity id, or 0 if there is none
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
  */
 export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOptions = {}): number {

@@ -30,7 +30,7 @@ export function noImage(): MemoryImage {
 }
 
 /** Granularity in bytes: one page, which most systems allocate only when it is first written. */
-const PIECE = 4096;
+const PAGE_BYTES = 4096;
 
 const TABLE_BYTES = 4 * TableColumn.end;
 
@@ -61,9 +61,9 @@ const layouts = new WeakMap<PhysicsWorld, Layout>();
 function layoutOf(world: PhysicsWorld, top: number): Layout {
   const last = layouts.get(world);
   // After a restore to a smaller arena, old ranges may lie beyond its end.
-  const known = last === undefined || top < last.top ? NOTHING : last;
-  if (known.top === top && coversAll(world, known.runs, top)) return known;
-  const made = extended(world, known.runs, top);
+  const previous = last === undefined || top < last.top ? NOTHING : last;
+  if (previous.top === top && coversAll(world, previous.runs, top)) return previous;
+  const made = extended(world, previous.runs, top);
   layouts.set(world, made);
   return made;
 }
@@ -72,10 +72,10 @@ function layoutOf(world: PhysicsWorld, top: number): Layout {
 function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: number): boolean {
   let at = RESERVED_BYTES;
   for (let r = 0; r < runs.length; r += 2) {
-    if (kernels.nextPiece(at, runs[r], PIECE, 1) < runs[r]) return false;
+    if (kernels.nextPiece(at, runs[r], PAGE_BYTES, 1) < runs[r]) return false;
     at = runs[r + 1];
   }
-  return at >= top || kernels.nextPiece(at, top, PIECE, 1) >= top;
+  return at >= top || kernels.nextPiece(at, top, PAGE_BYTES, 1) >= top;
 }
 
 /** Returns the given ranges extended by all non-zero pages. */
@@ -85,13 +85,13 @@ function extended({ kernels, memory: { buffer } }: PhysicsWorld, before: readonl
   let length = TABLE_BYTES;
   let b = 0;
   for (let at = RESERVED_BYTES; ; ) {
-    const from = Math.min(kernels.nextPiece(at, top, PIECE, 1), b < before.length ? before[b] : top);
+    const from = Math.min(kernels.nextPiece(at, top, PAGE_BYTES, 1), b < before.length ? before[b] : top);
     if (from >= top) break;
     at = from;
     for (let end = -1; end !== at; ) {
       end = at;
       for (; b < before.length && before[b] <= at; b += 2) at = Math.max(at, before[b + 1]);
-      if (at < top) at = kernels.nextPiece(at, top, PIECE, 0);
+      if (at < top) at = kernels.nextPiece(at, top, PAGE_BYTES, 0);
     }
     runs.push(from, at);
     views.push(new Uint8Array(buffer, from, at - from));
@@ -101,7 +101,7 @@ function extended({ kernels, memory: { buffer } }: PhysicsWorld, before: readonl
 }
 
 function fits(room: number, length: number): boolean {
-  return room >= length && room <= 2 * length + PIECE;
+  return room >= length && room <= 2 * length + PAGE_BYTES;
 }
 
 /** Restores an image: every byte has its saved value, and memory allocated since is free and zero. */
@@ -114,8 +114,8 @@ export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld,
   // Zeros are written only over non-zero bytes, because writing would commit untouched pages.
   const clear = (from: number, to: number) => {
     for (let at = from; at < to; ) {
-      const first = kernels.nextPiece(at, to, PIECE, 1);
-      at = kernels.nextPiece(first, to, PIECE, 0);
+      const first = kernels.nextPiece(at, to, PAGE_BYTES, 1);
+      at = kernels.nextPiece(first, to, PAGE_BYTES, 0);
       target.fill(0, first, at);
     }
   };
@@ -128,7 +128,7 @@ export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld,
     from += length;
     at = runs[r + 1];
   }
-  clear(at, Math.ceil(end / PIECE) * PIECE);
+  clear(at, Math.ceil(end / PAGE_BYTES) * PAGE_BYTES);
   arena.top = top;
   arena.staggered = staggered;
 }

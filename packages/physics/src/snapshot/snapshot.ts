@@ -25,7 +25,8 @@ export interface Snapshot {
  * Saves the world: bodies and their components, particle pools of emitters, random streams, contacts, state of
  * integrators, forces, systems, faults, and the objects passed to `keepState`. It does not save event handlers and
  * bitECS components that are not in the world's memory. Cost: one copy of the memory in use, and some microseconds.
- * @param spare a snapshot of this world that is no longer needed: it is overwritten and returned. Nothing is allocated then unless the world has grown
+ * @param spare a snapshot of this world that is no longer needed: it is overwritten and returned. Nothing is allocated
+ *   then unless the world has grown
  * @throws PhysicsError E_REENTRANT inside a step, E_TYPE, E_DESTROYED
  */
 export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {

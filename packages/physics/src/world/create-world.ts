@@ -75,7 +75,8 @@ const OPTIONS = [
 /**
  * Creates a world synchronously. It is a bitECS world: `addEntity(world)`, `addComponent(world, eid, set(…))` and
  * `query(world, […])` work on it.
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN for options; E_CAPACITY if the memory cannot be allocated
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN for options; E_CAPACITY if the memory cannot be
+ *   allocated
  */
 export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
   checkKeys(options, 'createPhysicsWorld', OPTIONS);
@@ -181,7 +182,7 @@ function bookkeeping(components: Components) {
   const zeros = () => Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
   return {
     counts: zeros(),
-    partialEntities: { unmoved: 0, strays: 0 },
+    partialEntities: { immovable: 0, withoutPose: 0 },
     deferredEdits: [],
     leaving: new Map(),
     thrown: [],

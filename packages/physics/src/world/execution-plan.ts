@@ -16,7 +16,8 @@ export function checkForces(forces: readonly unknown[], what: string, dimensions
 }
 
 /**
- * @throws PhysicsError E_TYPE for a value that is neither a law nor a force with `accumulate`; E_RANGE for a law of other dimensions
+ * @throws PhysicsError E_TYPE for a value that is neither a law nor a force with `accumulate`; E_RANGE for a law of
+ *   other dimensions
  */
 export function checkForce(force: unknown, what: string, dimensions?: 2 | 3): void {
   if (!isRecord(force) || !isRecord(force.law)) {
@@ -78,7 +79,7 @@ function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
   const { signature } = plan;
   let i = 0;
   if (signature[i++] !== world.integrator) return false;
-  if (signature[i++] !== world.internal.partialEntities.unmoved > 0) return false;
+  if (signature[i++] !== world.internal.partialEntities.immovable > 0) return false;
   for (let p = 0; p < PHASES.length; p++) {
     const phase = PHASES[p];
     const systems = world.phases[phase];
@@ -93,7 +94,7 @@ function makePlan(world: PhysicsWorld): Plan {
   checkForces(world.forces, 'world.forces', world.dimensions);
   checkIntegrator(world.integrator, 'world.integrator');
   for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
-  const signature: unknown[] = [world.integrator, world.internal.partialEntities.unmoved > 0];
+  const signature: unknown[] = [world.integrator, world.internal.partialEntities.immovable > 0];
   for (const phase of PHASES) signature.push(...world.phases[phase], phase);
   signature.push(...world.forces);
   const systems = Object.fromEntries(PHASES.map((phase) => [phase, [...world.phases[phase]]])) as Record<

@@ -64,8 +64,8 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
       times[DROPPED] += elapsed - frame + (wanted - times[WAITING]);
       let steps = 0;
       // A sum of frame times such as 1/30 + 1/30 may be below 4/60 by rounding, which must not lose a step.
-      const enough = dt * (1 - 1e-9);
-      while (times[WAITING] >= enough && world.state === 'idle') {
+      const threshold = dt * (1 - 1e-9);
+      while (times[WAITING] >= threshold && world.state === 'idle') {
         times[WAITING] = Math.max(0, times[WAITING] - dt);
         step(world, dt);
         steps++;

@@ -22,6 +22,6 @@ export function throwStepErrors(world: PhysicsWorld): void {
     const problem = `${field} of body ${entity} was ${value} ${phase === 'begin' ? 'before' : 'in'} step ${step}.`;
     errors.push(new PhysicsError(code, problem, { entity, field, value, hint }));
   }
-  const said = errors.slice(0, 3).map(String).join('; ');
-  throw new AggregateError(errors, `${count} error(s) during step ${tick}: ${said}${count > 3 ? '; …' : ''}`);
+  const messages = errors.slice(0, 3).map(String).join('; ');
+  throw new AggregateError(errors, `${count} error(s) during step ${tick}: ${messages}${count > 3 ? '; …' : ''}`);
 }

@@ -286,7 +286,7 @@ export interface WorldInternals {
    * Counts of entities with mass that forces cannot move, and of entities that have a velocity but no position or an
    * angular velocity but no angle.
    */
-  readonly partialEntities: { unmoved: number; strays: number };
+  readonly partialEntities: { immovable: number; withoutPose: number };
   /** Edits made during a step, deferred to its end. */
   readonly deferredEdits: (() => void)[];
   /** Entities removed at the end of this step, and bitECS's component set of each, which identifies the generation. */
