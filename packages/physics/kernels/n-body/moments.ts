@@ -135,14 +135,14 @@ function sumChildren(w: NBody, node: i32, next: i32, perFactor: f64): void {
 }
 
 function farthest(w: NBody, first: i32, last: i32): void {
-  let most: f64 = 0;
+  let maxSquare: f64 = 0;
   for (let i = first; i < last; i++) {
     const x = <f64>get(w.px, i) - centreX;
     const y = <f64>get(w.py, i) - centreY;
     const z = <f64>get(w.pz, i) - centreZ;
-    most = max<f64>(most, x * x + y * y + z * z);
+    maxSquare = max<f64>(maxSquare, x * x + y * y + z * z);
   }
-  reach = sqrt<f64>(most);
+  reach = sqrt<f64>(maxSquare);
 }
 
 function write(w: NBody, node: i32, factor: f64): void {

@@ -4,9 +4,9 @@
 // its version is pinned); a test compares the result with that of adding component by component.
 import { addEntity, type ComponentRef, type Query, type WorldContext } from 'bitecs';
 import { bitOf, type ComponentName } from '../components/all.ts';
-import { contextOf, queriesOf, removeWholly } from '../ecs/bitecs-adapter.ts';
+import { contextOf, queriesOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { ComponentSet } from '../ecs/component-set.ts';
-import { capacityError, makeRoom } from '../ecs/entity-capacity.ts';
+import { capacityError, ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { countPartialEntities } from '../ecs/partial-entities.ts';
 import { cleanRow } from '../ecs/rows.ts';
@@ -36,7 +36,7 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
       hint: 'Use spawn, or call it after the step.',
     });
   }
-  makeRoom(world, count);
+  ensureCapacity(world, count);
   const fillings = checkMany(world, values, count);
   const ids = new Uint32Array(count);
   try {
@@ -150,7 +150,7 @@ function undoSpawn(world: PhysicsWorld, ids: Uint32Array): void {
   if (world.state === 'destroyed') return;
   for (const eid of ids) {
     try {
-      removeWholly(world, eid);
+      removeEntityCompletely(world, eid);
     } catch {
       // Only the first exception is reported; a further one of an observer of removals is dropped.
     }

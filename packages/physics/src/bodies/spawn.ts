@@ -1,8 +1,8 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
 import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
-import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
-import { makeRoom } from '../ecs/entity-capacity.ts';
-import { isInhabited, staleError } from '../ecs/entity-ref.ts';
+import { contextOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { ensureCapacity } from '../ecs/entity-capacity.ts';
+import { hasAnyComponent, staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkValues, completeValues, initialValues } from '../ecs/values.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
@@ -48,7 +48,7 @@ export function componentOfKey(key: string, caller: string): ComponentName {
 export function spawn(world: PhysicsWorld, body: BodyInput): number {
   assertUsable(world);
   const checked = checkBody(world, body);
-  makeRoom(world, 1);
+  ensureCapacity(world, 1);
   const eid = addEntity(world);
   try {
     for (const [name, values] of checked) {
@@ -56,7 +56,7 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
       addComponent(world, eid, set(world.components[name], values));
     }
   } catch (error) {
-    removeWholly(world, eid);
+    removeEntityCompletely(world, eid);
     throw error;
   } finally {
     world.internal.checked = undefined;
@@ -96,8 +96,8 @@ export function despawn(world: PhysicsWorld, eid: number): void {
     despawnLater(world, eid);
     return;
   }
-  if (!isInhabited(world, eid)) throw staleError(eid, `there is no body ${String(eid)} in this world.`);
-  removeWholly(world, eid);
+  if (!hasAnyComponent(world, eid)) throw staleError(eid, `there is no body ${String(eid)} in this world.`);
+  removeEntityCompletely(world, eid);
 }
 
 function despawnLater(world: PhysicsWorld, eid: number): void {
@@ -110,7 +110,7 @@ function despawnLater(world: PhysicsWorld, eid: number): void {
   if (leaving.get(eid) === components) throw staleError(eid, `body ${eid} is already being removed.`);
   leaving.set(eid, components as Set<unknown>);
   deferredEdits.push(() => {
-    if (contextOf(world).entityComponents.get(eid) === components) removeWholly(world, eid);
+    if (contextOf(world).entityComponents.get(eid) === components) removeEntityCompletely(world, eid);
   });
 }
 

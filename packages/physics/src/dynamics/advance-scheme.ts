@@ -9,7 +9,7 @@ import type { StageData } from '../laws/scheme.ts';
 import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
 import { realColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
 import { evaluateForces } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
@@ -33,7 +33,7 @@ const intermediateColumns = resource(({ scratch: { at } }): number[] =>
 );
 
 /** The loops of a world whose integrator has fixed stages and whose forces are not all laws. */
-export const schemeLoops = keptWithPlan((world): SchemeLoops => {
+export const schemeLoops = cachedWithPlan((world): SchemeLoops => {
   const scheme = world.integrator.scheme as Scheme;
   const block = new ParameterBlock(world, [scheme], scheme.stages);
   const memory = schemeMemory(world, scheme);
@@ -130,7 +130,7 @@ function cut(
     let level = levels.get(node);
     if (level === undefined) {
       const stage = forces.findIndex((nodes) => nodes.has(node));
-      level = node.args.reduce((most, arg) => Math.max(most, levelOf(arg)), stage + 1);
+      level = node.args.reduce((max, arg) => Math.max(max, levelOf(arg)), stage + 1);
       levels.set(node, level);
     }
     return level;

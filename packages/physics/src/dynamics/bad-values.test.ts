@@ -53,27 +53,24 @@ function others({ world, eids }: { world: PhysicsWorld; eids: readonly number[] 
 }
 
 describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
-  test.each([0, 1, 2, 3, 9, 16])(
-    'a law that is not a number for body %i quarantines it alone, and is named',
-    (which) => {
-      const [good, bad] = [scene(kind), scene(kind)];
-      const eid = bad.eids[which];
-      steps(good.world, 2);
-      steps(bad.world, 2);
-      const { Position, Velocity, Charge } = bad.world.components;
-      const before = [Position.x[eid], Position.y[eid]];
-      Charge.value[eid] = -1;
-      steps(good.world, 5);
-      steps(bad.world, 5);
-      expect(bad.world.faults.faults).toHaveLength(1);
-      const [{ law, hint, ...fault }] = bad.world.faults.faults;
-      expect(fault).toMatchObject({ code: 'E_NONFINITE', entity: eid, phase: 'finish', step: 2 });
-      expect(law).toBe('root of the charge');
-      expect(hint).toMatch(/Check the law "root of the charge"/);
-      expect([Position.x[eid], Position.y[eid], Velocity.x[eid], Velocity.y[eid]]).toEqual([...before, 0, 0]);
-      expect(others(bad, eid)).toEqual(others(good, eid));
-    },
-  );
+  test.each([0, 1, 2, 3, 9, 16])('a law that is NaN for body %i quarantines only that body, and is named', (which) => {
+    const [good, bad] = [scene(kind), scene(kind)];
+    const eid = bad.eids[which];
+    steps(good.world, 2);
+    steps(bad.world, 2);
+    const { Position, Velocity, Charge } = bad.world.components;
+    const before = [Position.x[eid], Position.y[eid]];
+    Charge.value[eid] = -1;
+    steps(good.world, 5);
+    steps(bad.world, 5);
+    expect(bad.world.faults.faults).toHaveLength(1);
+    const [{ law, hint, ...fault }] = bad.world.faults.faults;
+    expect(fault).toMatchObject({ code: 'E_NONFINITE', entity: eid, phase: 'finish', step: 2 });
+    expect(law).toBe('root of the charge');
+    expect(hint).toMatch(/Check the law "root of the charge"/);
+    expect([Position.x[eid], Position.y[eid], Velocity.x[eid], Velocity.y[eid]]).toEqual([...before, 0, 0]);
+    expect(others(bad, eid)).toEqual(others(good, eid));
+  });
 
   test.each([
     ['Position', 'x', Number.NaN, 'E_NONFINITE'],
@@ -81,7 +78,7 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
     ['Velocity', 'x', Number.NaN, 'E_NONFINITE'],
     ['Velocity', 'y', -Infinity, 'E_NONFINITE'],
     ['Velocity', 'y', 1e300, kind.precision === 'f32' ? 'E_NONFINITE' : 'E_SPEED'],
-  ] as const)('%s.%s = %d that anybody wrote stays with its body: %s', (name, axis, value, code) => {
+  ] as const)('an invalid %s.%s = %d affects only its body: %s', (name, axis, value, code) => {
     const [good, bad] = [scene(kind), scene(kind)];
     const eid = bad.eids[6];
     steps(good.world, 1);
@@ -100,8 +97,8 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
 
   test.each([
     ['one loop', []],
-    ['pieces', [defineForce({ name: 'nothing', accumulate() {} })]],
-  ])('a law that is infinite without mass moves nothing that has none: %s', (_, more) => {
+    ['segments', [defineForce({ name: 'nothing', accumulate() {} })]],
+  ])('a law that is infinite without mass does not move bodies without mass: %s', (_, more) => {
     const world = createPhysicsWorld({ capacity: 50, ...kind, forces: [perMass, ...more] });
     const wall = spawn(world, { position: { x: 1, y: 2 } });
     const platform = spawn(world, { position: { x: 3 }, velocity: { x: 0.5 } });
@@ -116,10 +113,10 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
   });
 });
 
-describe('whose fault it is', () => {
+describe('the law at fault', () => {
   const kind = WORLD_KINDS[0];
 
-  test('the first law in the list that is not finite is named, whatever the integrator', () => {
+  test('the first non-finite law of the list is named, for every integrator', () => {
     for (const { create } of Object.values(INTEGRATORS)) {
       const integrator = create();
       if (integrator.scheme === undefined) continue;
@@ -130,7 +127,7 @@ describe('whose fault it is', () => {
     }
   });
 
-  test('a law that is too strong, but a number, is not blamed', () => {
+  test('a strong but finite law is not named', () => {
     const giant = defineLaw({ name: 'giant', force: () => vec3(1e300, 0) })();
     const world = createPhysicsWorld({ capacity: 10, forces: [giant] });
     const eid = spawn(world, { position: {}, velocity: {}, mass: 1e-20 });
@@ -140,7 +137,7 @@ describe('whose fault it is', () => {
     expect(fault.law).toBeUndefined();
   });
 
-  test('bodies of one vector may fail by different laws', () => {
+  test('bodies of one SIMD vector may fail by different laws', () => {
     const log = defineLaw({
       name: 'log',
       reads: { k: COMPONENTS.QuadraticDrag },

@@ -1,18 +1,18 @@
 // Finds the law that produced a non-finite force; called only after a step failed for that reason.
 
 import { AXES } from '../memory/axes.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { type LawLoop, makeLawLoop } from './evaluate-forces.ts';
 import { type LawForce, lawsOf } from './sum-of-laws.ts';
 
 /** A separate loop for each law of a world. */
-const singleLaws = keptWithPlan((world) =>
+const singleLaws = cachedWithPlan((world) =>
   lawsOf(world.forces).map((law): [LawForce, LawLoop] => [law, makeLawLoop(world, [law], false)]),
 );
 
 /** Returns by row the laws whose force or torque on a body of rows [first, last) is not finite in the present state. */
-export function blamedLaws(world: PhysicsWorld, first: number, last: number, dt: number): Map<number, string> {
+export function faultyLaws(world: PhysicsWorld, first: number, last: number, dt: number): Map<number, string> {
   const blamed = new Map<number, string>();
   const { kernels, scratch, addresses } = world;
   for (const axis of AXES[3]) kernels.copyColumn(scratch.at.startVelocity[axis], addresses.Velocity[axis], first, last);

@@ -9,7 +9,7 @@ import type { Axes } from '../laws/vector-algebra.ts';
 import { AXES } from '../memory/axes.ts';
 import { clearAxes } from '../memory/clear-axes.ts';
 import { resource } from '../memory/resource.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
 import { mathImports } from './math-imports.ts';
@@ -75,7 +75,7 @@ export function prepareForces(world: PhysicsWorld, dt: number): void {
 }
 
 /** The loop of all laws of a world; undefined if it has none. */
-export const lawLoopOf = keptWithPlan((world): LawLoop | undefined => {
+export const lawLoopOf = cachedWithPlan((world): LawLoop | undefined => {
   const laws = lawsOf(world.forces);
   return laws.length === 0 ? undefined : makeLawLoop(world, laws, laws.length < world.forces.length);
 });

@@ -3,10 +3,10 @@
 import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
 import { wordColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { Fusion, LocalSystem, PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
 import { schemeLoops } from './advance-scheme.ts';
-import { blamedLaws } from './blame-law.ts';
+import { faultyLaws } from './blame-law.ts';
 import { anyForceAppliesTorque, lawLoopOf } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
 import { mathImports } from './math-imports.ts';
@@ -36,7 +36,7 @@ interface StepLoop {
 const wallList = resource(({ internal, rows }) => wordColumn(internal.arena, rows / 2 + 16, 'bodies at walls'));
 
 /** The loop of a world's steps; rebuilt when the plan changes. */
-export const stepLoop = keptWithPlan((world): StepLoop => {
+export const stepLoop = cachedWithPlan((world): StepLoop => {
   const scheme = world.integrator.scheme as Scheme;
   const fusion = world.internal.plan?.fusion as Fusion;
   (fusion.walls as BoxSystem | undefined)?.prepare(world);
@@ -110,7 +110,7 @@ function runRows(world: PhysicsWorld, run: Loop, first: number, last: number, dt
 function stepInvalidVector(world: PhysicsWorld, run: Loop, first: number, dt: number): number {
   const last = first + (world.precision === 'f32' ? 4 : 2);
   repairRows(world, first, last, 'begin');
-  const blamed = blamedLaws(world, first, last, dt);
+  const blamed = faultyLaws(world, first, last, dt);
   run(first, last, 0);
   repairRows(world, first, last, 'finish', blamed);
   return last;

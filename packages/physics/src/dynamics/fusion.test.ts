@@ -78,7 +78,7 @@ const schemes = Object.values(INTEGRATORS)
 // The results are not bitwise equal. A fused loop multiplies a sum of accelerations by dt, and F by dt/m. Segments use
 // one force column, for which an acceleration is multiplied by the mass and later divided by it.
 describe.each([2, 3] as const)('in %i dimensions', (dimensions) => {
-  test.each(schemes)('$name goes the same way in one loop and in pieces', (integrator) => {
+  test.each(schemes)('$name gives the same trajectory in one loop and in segments', (integrator) => {
     const [whole, cut] = [laws(), [...laws(), nothing()]].map((forces) => worldOf(integrator, forces, dimensions));
     const start = states(whole);
     for (let i = 0; i < 200; i++) for (const world of [whole, cut]) step(world, 0.01 + (i % 3) * 0.001);
@@ -88,7 +88,7 @@ describe.each([2, 3] as const)('in %i dimensions', (dimensions) => {
   });
 });
 
-test('where forces alone act, and not in proportion to mass, one loop and pieces agree to the bit', () => {
+test('for forces independent of mass, one loop and segments are bitwise equal', () => {
   const { create } = INTEGRATORS.velocityVerlet;
   const forces = [spring({ k: 3 }), linearDrag(), magneticField({ z: 2 })];
   const worlds = [forces, [nothing(), ...forces]].map((all) => worldOf(create(), all, 3));
@@ -123,7 +123,7 @@ describe('an integrator in plain TypeScript', () => {
     expectNear(states(worlds[1]), states(worlds[0]), 1e-12);
   });
 
-  test('is asked, where it has a scheme as well', () => {
+  test('is used even if it also has a scheme', () => {
     let calls = 0;
     const both: Integrator = {
       ...INTEGRATORS.velocityVerlet.create(),
@@ -138,7 +138,7 @@ describe('an integrator in plain TypeScript', () => {
     expect(states(worlds[0])).toEqual(states(worlds[1]));
   });
 
-  test('may ask for laws at any time and state, and gets them there', () => {
+  test('may evaluate the laws at any time and state', () => {
     const asked: number[] = [];
     const curious: Integrator = {
       ...plainEuler,

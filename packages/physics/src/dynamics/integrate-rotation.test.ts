@@ -64,7 +64,7 @@ describe('in the plane', () => {
     expect(body.angle()).toBe((0.5 * 10 * (10 + 1 / 64)) / 2);
   });
 
-  test('what has no inertia does not yield to a torque, and spins on', () => {
+  test('a body without inertia ignores torque and keeps its spin', () => {
     const body = turning(2, { angularVelocity: { z: 2 }, inertia: 0 }, [constantTorque({ z: 1 })]);
     body.run(1 / 64, 64);
     expect([body.spin().z, body.angle()]).toEqual([2, 2]);
@@ -75,7 +75,7 @@ describe('in space, without a torque', () => {
   const [ω, dt, steps] = [7, 1 / 64, 640];
   const free = () => turning(3, { angularVelocity: { x: 2, y: -3, z: 6 } });
 
-  test('angular momentum I ω and energy I ω²/2 are kept to the bit', () => {
+  test('angular momentum I ω and energy I ω²/2 are conserved bitwise', () => {
     const body = free();
     body.run(dt, steps);
     expect(body.spin()).toEqual({ x: 2, y: -3, z: 6 });
@@ -83,7 +83,7 @@ describe('in space, without a torque', () => {
     expect(energy(body.world).kinetic).toBe((3 * ω ** 2) / 2);
   });
 
-  test('each step turns by 2 atan(ω dt/2) about ω', () => {
+  test('each step rotates by 2 atan(ω dt/2) about ω', () => {
     const body = free();
     body.run(dt, steps);
     const wanted = turnBy(2 * steps * Math.atan((ω * dt) / 2), AXIS);
@@ -105,7 +105,7 @@ describe('in space, without a torque', () => {
     }
   });
 
-  test('the quaternion keeps its length, however long it turns', () => {
+  test('the quaternion keeps unit length', () => {
     const body = free();
     // The quaternion is normalised in every step, with three roundings.
     body.run(0.5, 10_000);
@@ -123,7 +123,7 @@ describe('in space, under a torque', () => {
       torque: ({ angularVelocity: { x, y } }) => axial3(y.mul(-3 * Ω), x.mul(3 * Ω), 0),
     })({});
 
-  test('each step of a precession turns L by atan(Ω dt) and makes it √(1 + Ω² dt²) as long', () => {
+  test('each step of a precession rotates L by atan(Ω dt) and scales it by √(1 + Ω² dt²)', () => {
     const [Ω, dt, steps] = [2, 1 / 64, 320];
     const body = turning(3, { angularVelocity: { x: 4, z: 1 } }, [field(Ω)]);
     body.run(dt, steps);
@@ -136,7 +136,7 @@ describe('in space, under a torque', () => {
     expect(z).toBe(1);
   });
 
-  test('so that the precession of 2 rad/s is met to the first order', () => {
+  test('so the precession of 2 rad/s is accurate to first order', () => {
     const error = (count: number) => {
       const body = turning(3, { angularVelocity: { x: 4, z: 1 } }, [field(2)]);
       body.run(1 / count, count);

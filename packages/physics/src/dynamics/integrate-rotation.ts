@@ -13,13 +13,13 @@ export const integrateRotation: LocalSystem = {
   role: 'rotate',
   run: forEachRange((world, first, last, dt) => {
     if (world.internal.counts.AngularVelocity === 0) return;
-    if (anyForceAppliesTorque(world)) kickRun(world, first, last, dt);
-    turnRun(world, first, last, dt);
+    if (anyForceAppliesTorque(world)) kickRange(world, first, last, dt);
+    rotateRange(world, first, last, dt);
   }),
 };
 
 /** A body without inertia or without AngularVelocity does not rotate. */
-function kickRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
+function kickRange(world: PhysicsWorld, first: number, last: number, dt: number): void {
   const { kernels, addresses, scratch, internal } = world;
   const { AngularVelocity: w, Inertia } = addresses;
   const bit = bitOf('AngularVelocity');
@@ -34,7 +34,7 @@ function kickRun(world: PhysicsWorld, first: number, last: number, dt: number): 
 const SPIN_2D = ['z'] as const;
 const SPIN_3D = ['x', 'y', 'z'] as const;
 
-function turnRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
+function rotateRange(world: PhysicsWorld, first: number, last: number, dt: number): void {
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Orientation: q, Rotation } = addresses;
   if (world.dimensions === 2) kernels.driftAxis(Rotation.angle, w.z, dt, first, last);

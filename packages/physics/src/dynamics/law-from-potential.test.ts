@@ -47,7 +47,7 @@ function expectSame(derived: Force, written: Force): void {
   }
 }
 
-describe('the law of a potential is the law that was written', () => {
+describe('the law of a potential equals the hand-written law', () => {
   test('gravity', () => {
     const law = lawFromPotential({
       name: 'gravity',
@@ -163,19 +163,19 @@ describe('the derivative of', () => {
     }
   });
 
-  test('what has no slope is zero', () => {
+  test('the gradient is zero where no derivative exists', () => {
     const cusps = potentialLaw((r) => r.length().add(r.lengthSquared().sqrt()).add(r.x.abs()));
     expect(lawOn(cusps, { position: {} })).toMatchObject({ x: 0, y: 0 });
   });
 
-  test('what was not chosen may be infinite', () => {
+  test('the unselected branch may be infinite', () => {
     const core = potentialLaw((r) => select(r.length().less(1), r.lengthSquared(), r.length().log()));
     expect(lawOn(core, { position: {} })).toMatchObject({ x: 0, y: 0 });
     expect(lawOn(core, { position: { x: 2 } }).x).toBeCloseTo(-0.5, 14);
   });
 });
 
-test('refuse what is no potential', () => {
+test('invalid potentials are rejected', () => {
   const of = (potential: never) => () => lawFromPotential({ name: 'bad', potential });
   expect(of((({ velocity }: { velocity: VectorSymbol }) => velocity.lengthSquared()) as never)).toThrow(
     /depend on velocity/,

@@ -2,7 +2,7 @@
 // at whose time they are evaluated.
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
 
 /** An owner of parameters: a law at its index in the list of forces, or an integrator. */
@@ -27,7 +27,7 @@ const REGION_DOUBLES = 512;
 const regionOf = resource((world) => ({ at: allocateDoubles(world, REGION_DOUBLES), doubles: REGION_DOUBLES }));
 
 /** Number of f64 in use; a new plan starts at zero. */
-const takenOf = keptWithPlan(() => ({ doubles: 0 }));
+const takenOf = cachedWithPlan(() => ({ doubles: 0 }));
 
 function allocateDoubles(world: PhysicsWorld, doubles: number): number {
   return allocate(world.internal.arena, 8 * doubles, 'parameters of laws');

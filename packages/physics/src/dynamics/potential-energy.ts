@@ -3,7 +3,7 @@ import { compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
 import type { LoopSource } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
 import { mathImports } from './math-imports.ts';
@@ -17,7 +17,7 @@ interface EnergyLoop {
   readonly block: ParameterBlock;
 }
 
-const energyLoops = keptWithPlan(() => new Map<LawForce, EnergyLoop>());
+const energyLoops = cachedWithPlan(() => new Map<LawForce, EnergyLoop>());
 
 /** Returns the potential energy of all bodies under a law with a potential, J. */
 export function potentialEnergy(world: PhysicsWorld, force: LawForce): number {

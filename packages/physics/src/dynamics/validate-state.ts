@@ -21,16 +21,16 @@ type When = 'begin' | 'finish';
 const MAX_FORCE = 3e38;
 
 /** Saves poses, and repairs values written between steps. First system of every preset. */
-export const beginStep: LocalSystem = { name: 'begin', role: 'begin', run: forEachRange(beginRun) };
+export const beginStep: LocalSystem = { name: 'begin', role: 'begin', run: forEachRange(beginRange) };
 
 /** Finds invalid values that the step produced. Last system of every preset. */
-export const validateState: LocalSystem = { name: 'check finite', role: 'check', run: forEachRange(checkRun) };
+export const validateState: LocalSystem = { name: 'check finite', role: 'check', run: forEachRange(checkRange) };
 
-function beginRun(world: PhysicsWorld, first: number, last: number): void {
+function beginRange(world: PhysicsWorld, first: number, last: number): void {
   // The fused loop checks positions and velocities itself.
   const isFused = world.internal.plan?.fusion?.begin === true;
   const isGood = isFused || saveAxes(world, first, last) === 1;
-  if (!isGood || !anglesGood(world, first, last)) {
+  if (!isGood || !areAnglesValid(world, first, last)) {
     repairRows(world, first, last, 'begin');
     if (!isFused) saveAxes(world, first, last);
   }
@@ -77,10 +77,10 @@ function saveAngles(world: PhysicsWorld, first: number, last: number): void {
   for (const part in now) world.kernels.copyColumn(before[part], now[part], first, last);
 }
 
-function checkRun(world: PhysicsWorld, first: number, last: number): void {
+function checkRange(world: PhysicsWorld, first: number, last: number): void {
   clearMissing(world, first, last);
   const isChecked = world.internal.plan?.fusion?.check === true;
-  if ((isChecked || isInRange(world, first, last)) && anglesGood(world, first, last)) return;
+  if ((isChecked || isInRange(world, first, last)) && areAnglesValid(world, first, last)) return;
   repairRows(world, first, last, 'finish');
 }
 
@@ -102,15 +102,15 @@ function canRotate({ internal: { counts } }: PhysicsWorld): boolean {
   return counts.AngularVelocity > 0 || counts.Rotation > 0 || counts.Orientation > 0;
 }
 
-function anglesGood(world: PhysicsWorld, first: number, last: number): boolean {
+function areAnglesValid(world: PhysicsWorld, first: number, last: number): boolean {
   if (!canRotate(world)) return true;
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Rotation, Orientation: q } = addresses;
-  const most = MAX_ANGULAR_SPEED;
+  const maxSpin = MAX_ANGULAR_SPEED;
   const part = MAX_QUATERNION_PART;
   const good =
-    kernels.checkAxis(w.x, w.y, most, most, first, last) &
-    kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, most, first, last);
+    kernels.checkAxis(w.x, w.y, maxSpin, maxSpin, first, last) &
+    kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, maxSpin, first, last);
   if (world.dimensions === 2) return good === 1;
   const whole =
     kernels.checkAxis(q.x, q.y, part, part, first, last) & kernels.checkAxis(q.z, q.w, part, part, first, last);

@@ -94,7 +94,7 @@ export function isPrefab(world: PhysicsWorld, eid: number): boolean {
  * present. Calling it again continues after the observer that threw.
  * @throws the exception of the first observer, after the entity is removed
  */
-export function removeWholly(world: PhysicsWorld, eid: number): void {
+export function removeEntityCompletely(world: PhysicsWorld, eid: number): void {
   let first: { readonly error: unknown } | undefined;
   for (let left = contextOf(world).queries.size; left >= 0; left--) {
     try {

@@ -9,7 +9,7 @@ import { contextOf } from './bitecs-adapter.ts';
  * are moved to the bottom of the stack, where they do not block the others.
  * @throws PhysicsError E_CAPACITY
  */
-export function makeRoom(world: PhysicsWorld, count: number): void {
+export function ensureCapacity(world: PhysicsWorld, count: number): void {
   const { entityIndex } = contextOf(world);
   const { dense, aliveCount, maxId } = entityIndex;
   if (maxId <= world.capacity) {

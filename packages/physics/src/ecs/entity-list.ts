@@ -38,14 +38,14 @@ export function refreshEntityList(
 ): boolean {
   const { internal, versions, kernels } = world;
   if (entityList.version === versions.membership) return false;
-  const most = internal.counts[name];
-  if (most > entityList.room) {
-    const room = Math.min(world.rows, Math.ceil(most / 32) * 64);
+  const max = internal.counts[name];
+  if (max > entityList.room) {
+    const room = Math.min(world.rows, Math.ceil(max / 32) * 64);
     entityList.ids = allocate(internal.arena, room * (4 + bytes), `a list of ${name}`);
     entityList.at = entityList.ids + 4 * room;
     entityList.room = room;
   }
-  entityList.count = most === 0 ? 0 : kernels.listIds(internal.membersAt, bits, world.lastId + 1, entityList.ids);
+  entityList.count = max === 0 ? 0 : kernels.listIds(internal.membersAt, bits, world.lastId + 1, entityList.ids);
   entityList.version = versions.membership;
   return true;
 }

@@ -20,7 +20,7 @@ const ID_SPAN = 2 ** 24;
 export const MAX_CAPACITY = ID_SPAN - 1;
 
 /** Generations per row before references repeat: one row reused a thousand times a second for six days. */
-const LIVES = 2 ** 29;
+const MAX_GENERATIONS = 2 ** 29;
 
 /**
  * Returns the reference of a living body.
@@ -28,11 +28,11 @@ const LIVES = 2 ** 29;
  */
 export function entityRef(world: PhysicsWorld, eid: number): EntityRef {
   assertBody(world, eid);
-  return (lifeOf(world, eid) * ID_SPAN + eid) as EntityRef;
+  return (generationOf(world, eid) * ID_SPAN + eid) as EntityRef;
 }
 
-function lifeOf(world: PhysicsWorld, eid: number): number {
-  return world.internal.generations[eid] % LIVES;
+function generationOf(world: PhysicsWorld, eid: number): number {
+  return world.internal.generations[eid] % MAX_GENERATIONS;
 }
 
 /** Returns whether the referenced body still exists. @throws PhysicsError E_DESTROYED */
@@ -40,7 +40,7 @@ export function isAlive(world: PhysicsWorld, ref: EntityRef): boolean {
   assertUsable(world);
   if (!Number.isSafeInteger(ref)) return false;
   const eid = ref % ID_SPAN;
-  return hasBody(world, eid) && lifeOf(world, eid) === Math.floor(ref / ID_SPAN);
+  return hasBody(world, eid) && generationOf(world, eid) === Math.floor(ref / ID_SPAN);
 }
 
 /**
@@ -71,7 +71,7 @@ function isRow(world: PhysicsWorld, eid: number): boolean {
 }
 
 /** Returns whether `eid` has any component of the engine: it may be a body, a wall or a spring. */
-export function isInhabited(world: PhysicsWorld, eid: number): boolean {
+export function hasAnyComponent(world: PhysicsWorld, eid: number): boolean {
   return isRow(world, eid) && world.internal.members[eid] !== 0;
 }
 

@@ -9,7 +9,7 @@ import { contextOf, guardTables, isPrefab } from './bitecs-adapter.ts';
 import { capacityError } from './entity-capacity.ts';
 import { whenIdle } from './guards.ts';
 import { closeRow, isOpen, openRow, readRow, writeRow } from './rows.ts';
-import { asGiven, checkValues, completeValues, initialValues } from './values.ts';
+import { checkValues, completeValues, initialValues, toInputForm } from './values.ts';
 
 /** Registers the observers; called once when the world is created. */
 export function observeComponents(world: PhysicsWorld): void {
@@ -18,7 +18,7 @@ export function observeComponents(world: PhysicsWorld): void {
     observe(world, onAdd(component), (eid: number) => added(world, eid, name));
     observe(world, onSet(component), (eid: number, data: unknown) => assigned(world, eid, name, data));
     observe(world, onRemove(component), (eid: number) => removed(world, eid, name));
-    observe(world, onGet(component), (eid: number) => asGiven(name, present(world, eid, name)));
+    observe(world, onGet(component), (eid: number) => toInputForm(name, presentValues(world, eid, name)));
   }
   guardTables(world);
 }
@@ -59,11 +59,11 @@ function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: u
 
 function checkComplete(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): FieldValues {
   const values = checkValues(world, name, data, eid);
-  return completeValues(world, name, values, () => present(world, eid, name), eid);
+  return completeValues(world, name, values, () => presentValues(world, eid, name), eid);
 }
 
 /** The present values of a component: of a row, of a prefab, or the initial values of a row that is not in use. */
-function present(world: PhysicsWorld, eid: number, name: ComponentName): FieldValues {
+function presentValues(world: PhysicsWorld, eid: number, name: ComponentName): FieldValues {
   if (isOpen(world, eid, name)) return readRow(world, eid, name);
   const template = isPrefab(world, eid) ? world.internal.templates.get(eid)?.[name] : undefined;
   return { ...initialValues(name), ...template };

@@ -17,10 +17,10 @@ function isImmovable(bits: number): boolean {
 
 function lacksPose(world: PhysicsWorld, bits: number): boolean {
   const drifts = (bits & bitOf('Velocity')) !== 0 && (bits & bitOf('Position')) === 0;
-  return drifts || ((bits & bitOf('AngularVelocity')) !== 0 && (bits & turnBit(world)) === 0);
+  return drifts || ((bits & bitOf('AngularVelocity')) !== 0 && (bits & angularVelocityBit(world)) === 0);
 }
 
-function turnBit({ dimensions }: PhysicsWorld): number {
+function angularVelocityBit({ dimensions }: PhysicsWorld): number {
   return bitOf(ANGLES[dimensions]);
 }
 
@@ -51,5 +51,5 @@ export function clearMissing(world: PhysicsWorld, first: number, last: number): 
     kernels.zeroAbsent(addresses.Velocity[axis], at, bitOf('Velocity'), first, last);
   }
   const angles: Record<string, number> = addresses[ANGLES[dimensions]];
-  for (const part in angles) kernels.zeroAbsent(angles[part], at, turnBit(world), first, last);
+  for (const part in angles) kernels.zeroAbsent(angles[part], at, angularVelocityBit(world), first, last);
 }

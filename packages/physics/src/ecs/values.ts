@@ -85,7 +85,7 @@ export function checkField(space: WorldView, spec: FieldSpec, name: string, valu
  * Converts stored values to the form in which they are given: a mass stored as 0 was given as Infinity, and 0 would be
  * rejected.
  */
-export function asGiven(name: ComponentName, values: FieldValues): FieldValues {
+export function toInputForm(name: ComponentName, values: FieldValues): FieldValues {
   for (const [field, spec] of Object.entries<FieldSpec>(COMPONENTS[name].fields)) {
     const { above = -Infinity } = spec.bounds;
     if (values[field] === spec.infinite && !(values[field] > above)) values[field] = Infinity;

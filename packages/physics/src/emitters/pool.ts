@@ -1,7 +1,7 @@
 // The memory and the entities of an emitter's pool.
 
 import { spawnMany } from '../bodies/spawn-many.ts';
-import { removeWholly } from '../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -99,6 +99,6 @@ export function removeBodies(world: PhysicsWorld, { words }: EmitterRecord): voi
   const ids = new Uint32Array(buffer, words[W.ids], capacity);
   const mine = new Uint32Array(buffer, words[W.generation], capacity);
   for (let slot = 0; slot < capacity; slot++) {
-    if (world.internal.generations[ids[slot]] === mine[slot]) removeWholly(world, ids[slot]);
+    if (world.internal.generations[ids[slot]] === mine[slot]) removeEntityCompletely(world, ids[slot]);
   }
 }

@@ -88,11 +88,11 @@ export function bodySymbols(law: string, reads: Reads): BodySymbols & Readonly<R
     }
     symbols[key] = componentSymbol(knownComponent(reads[key], law));
   }
-  return refuseUnknown(symbols, law) as unknown as BodySymbols & Readonly<Record<string, unknown>>;
+  return rejectUnknown(symbols, law) as unknown as BodySymbols & Readonly<Record<string, unknown>>;
 }
 
 /** Makes access to an unknown name an error that lists the valid names, instead of `undefined`. */
-export function refuseUnknown(symbols: Record<string, unknown>, what: string): Record<string, unknown> {
+export function rejectUnknown(symbols: Record<string, unknown>, what: string): Record<string, unknown> {
   return new Proxy(symbols, {
     get(target, key) {
       if (typeof key === 'symbol' || Object.hasOwn(target, key)) return Reflect.get(target, key);
@@ -111,7 +111,7 @@ function componentSymbol(component: ComponentName | ComponentSpec): unknown {
   }
   if (fields.length === 1) return columnOf(component, fields[0]);
   const record = Object.fromEntries(fields.map((field) => [field, columnOf(component, field)]));
-  return refuseUnknown(record, typeof component === 'string' ? component : 'the component');
+  return rejectUnknown(record, typeof component === 'string' ? component : 'the component');
 }
 
 /** Creates the symbol of one field of a component. */

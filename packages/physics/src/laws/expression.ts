@@ -20,7 +20,7 @@ export abstract class Expression {
     readonly args: readonly Expression[],
     readonly data?: unknown,
   ) {
-    this.depth = 1 + args.reduce((most, arg) => Math.max(most, arg.depth), 0);
+    this.depth = 1 + args.reduce((max, arg) => Math.max(max, arg.depth), 0);
   }
 
   /**

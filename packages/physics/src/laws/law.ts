@@ -9,7 +9,7 @@ import {
   componentName,
   type ReadSymbols,
   type Reads,
-  refuseUnknown,
+  rejectUnknown,
 } from './body-symbols.ts';
 import { checkLaw } from './check-law.ts';
 import { Expression, kindOf, type Scalar, type Vector } from './expression.ts';
@@ -70,7 +70,7 @@ export function recordLaw(
       'fields' in parameter ? new Table(parameter as unknown as TableParameter) : symbolOf(parameter),
     ]),
   );
-  const given = refuseUnknown(symbols, `${name}.parameters`) as LawSymbols<Parameters>;
+  const given = rejectUnknown(symbols, `${name}.parameters`) as LawSymbols<Parameters>;
   const ask = <Result extends Expression>(part: 'force' | 'acceleration' | 'torque' | 'potential', shape: string) =>
     record<Result>(name, part, shape, options[part] as undefined | ((...symbols: unknown[]) => unknown), body, given);
   const parts = {

@@ -2,7 +2,7 @@
 // change without recompilation.
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Parameter, PhysicsWorld } from '../world/types.ts';
-import { refuseUnknown } from './body-symbols.ts';
+import { rejectUnknown } from './body-symbols.ts';
 import { constant, Scalar, type ScalarInput, Vector } from './expression.ts';
 
 /** Location of a table in a world's memory: rows of f64, one per field. */
@@ -59,7 +59,7 @@ export class Table<Field extends string = string> {
   sum(term: (row: { readonly [F in Field]: Scalar }) => Vector | ScalarInput): Vector | Scalar {
     const scope = new SumScope(this.parameter as unknown as TableParameter);
     const fields = this.parameter.fields.map((name, index) => [name, new Scalar('row', [], { scope, index })]);
-    const result = term(refuseUnknown(Object.fromEntries(fields), 'the row') as { readonly [F in Field]: Scalar });
+    const result = term(rejectUnknown(Object.fromEntries(fields), 'the row') as { readonly [F in Field]: Scalar });
     if (result instanceof Vector) return new Vector('sum', [result], scope);
     if (result instanceof Scalar) return new Scalar('sum', [result], scope);
     if (typeof result === 'number') return new Scalar('sum', [constant(result)], scope);

@@ -38,7 +38,7 @@ export function log(x: number): number {
 }
 
 /** Replaces cells[at] by its power y; a number passed and returned would create garbage. */
-export function raise(cells: Float64Array, at: number, y: number): void {
+export function powInPlace(cells: Float64Array, at: number, y: number): void {
   cells[at] = kernels().power(cells[at], y);
 }
 

@@ -12,7 +12,7 @@ function pair(charges: [number, number], k: number, distance: number) {
   return world;
 }
 
-test('like charges part with the relative speed √(2 k q²/(μ d)), momentum zero', () => {
+test('like charges separate at the relative speed √(2 k q²/(μ d)), with zero momentum', () => {
   const world = pair([1, 1], 1e4, 100);
   const before = energy(world).total;
   for (let i = 0; i < 20_000; i++) step(world, 0.01);
@@ -42,7 +42,7 @@ test('opposite charges at rest meet after (π/2) √(μ d³/(2k))', () => {
   expect(Math.abs(momentum(world).x)).toBeLessThan(1e-11);
 });
 
-test('a charge without mass pulls and stays, an uncharged mass feels nothing', () => {
+test('a charge without mass exerts forces and stays fixed, an uncharged mass feels no force', () => {
   const world = createPhysicsWorld({ forces: [mutualCoulomb({ k: 1 })] });
   spawn(world, { position: { x: 0 }, velocity: {}, charge: 2 });
   spawn(world, { position: { x: 1 }, velocity: {}, mass: 1, charge: 1 });

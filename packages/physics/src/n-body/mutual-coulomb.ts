@@ -9,7 +9,7 @@
 // fixed. The tree's cells have dipoles, which do not vanish for mixed signs (the centre is that of the absolute
 // charges). In matter that is neutral on average the far fields cancel, and the error is relative to the remainder: the
 // tree then opens more cells and gains less than for gravity. Source: Coulomb 1785; the tree is that of
-// mutual-gravity.ts, at the same cost.
+// mutual-gravity.ts. Cost: that of mutual-gravity.ts.
 import { checkNumber } from '../errors/validate.ts';
 import { COULOMB_CONSTANT } from '../forces/fixed-charges.ts';
 import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force.ts';

@@ -40,7 +40,7 @@ function apexes(count: number, restitution: number, options: PhysicsWorldOptions
 }
 
 describe.each(['f32', 'f64'] as const)('a ball that bounces on the floor, %s', (precision) => {
-  test('keeps e² of its height at each bounce', () => {
+  test('each bounce reaches e² of the previous height', () => {
     const expected = [275.2, 176.1, 112.7, 72.1];
     // The sampled height may be off by half a frame: g/8 px.
     apexes(5, 0.8, { precision }).forEach((apex, n) => {
@@ -48,7 +48,7 @@ describe.each(['f32', 'f64'] as const)('a ball that bounces on the floor, %s', (
     });
   });
 
-  test('comes to rest when the geometric series says, and then does not move at all', () => {
+  test('comes to rest at the time of the geometric series and then does not move', () => {
     const world = floor(0.1, { precision });
     const ball = spawn(world, {
       position: { y: 450 },
@@ -69,7 +69,7 @@ describe.each(['f32', 'f64'] as const)('a ball that bounces on the floor, %s', (
   });
 });
 
-test('an elastic bounce off a vertical wall at the instant of touching, speed unchanged to the last bit', () => {
+test('an elastic bounce off a vertical wall at the time of impact leaves the speed bitwise equal', () => {
   const world = createPhysicsWorld({ walls: [boxWalls({ max: { x: 400 } })] });
   const ball = spawn(world, {
     position: { x: 100, y: 100 },
@@ -85,7 +85,7 @@ test('an elastic bounce off a vertical wall at the instant of touching, speed un
   expect(Position.y[ball]).toBeCloseTo(100 + 50 * 1.5, 9);
 });
 
-test('an inelastic bounce takes (1 - e²) of the energy of the normal motion', () => {
+test('an inelastic bounce loses (1 - e²) of the energy of the normal motion', () => {
   const world = createPhysicsWorld({ walls: [boxWalls({ max: { x: 0 }, restitution: 0.8 })] });
   const ball = spawn(world, { position: { x: -30 }, velocity: { x: 200, y: 50 }, mass: 1, collider: 15 });
   const before = energy(world).kinetic;
@@ -118,7 +118,7 @@ describe('ten thousand elastic bounces', () => {
     expect(count).toBe(10_000);
   };
 
-  test('velocity Verlet keeps the energy to rounding', () => {
+  test('velocity Verlet conserves energy to rounding', () => {
     let worst = 0;
     bounces(undefined, (e) => {
       worst = Math.max(worst, Math.abs(e / (g * height) - 1));
@@ -127,16 +127,16 @@ describe('ten thousand elastic bounces', () => {
     expect(worst).toBeLessThan(2e-11);
   });
 
-  test('semi-implicit Euler keeps it within what the scheme itself is off', () => {
+  test('semi-implicit Euler conserves it within the error of the scheme', () => {
     // The scheme conserves v²/2 + g y - g v dt/2 exactly (v upwards), so the energy error is at most g |v| dt/2.
-    const most = 0.5 * g * dt * Math.sqrt(2 * g * height) * 1.1;
-    let [least, largest] = [Infinity, 0];
+    const maxError = 0.5 * g * dt * Math.sqrt(2 * g * height) * 1.1;
+    let [smallest, largest] = [Infinity, 0];
     bounces(semiImplicitEuler, (e) => {
-      least = Math.min(least, e);
+      smallest = Math.min(smallest, e);
       largest = Math.max(largest, e);
     });
-    expect(largest).toBeLessThan(g * height + most);
-    expect(least).toBeGreaterThan(g * height - 2 * most);
+    expect(largest).toBeLessThan(g * height + maxError);
+    expect(smallest).toBeGreaterThan(g * height - 2 * maxError);
   });
 });
 
@@ -144,7 +144,7 @@ describe('friction of a body that slides on the floor', () => {
   test.each([
     ['disc', 2, 0.5, 2 / 3],
     ['ball', 3, 0.4, 5 / 7],
-  ] as const)('a %s ends rolling with its share of the speed', (_, dimensions, factor, share) => {
+  ] as const)('a %s ends up rolling at the expected fraction of its speed', (_, dimensions, factor, share) => {
     const world = floor(10, { dimensions });
     const [mass, radius] = [2, 0.3];
     const body = spawn(world, {
@@ -165,7 +165,7 @@ describe('friction of a body that slides on the floor', () => {
   });
 
   test.each([{}, { inertia: 0, angularVelocity: {} }, { inertia: 1 }])(
-    'a body that cannot turn slides to rest: %o',
+    'a body that cannot rotate slides to rest: %o',
     (parts) => {
       const world = floor(10);
       const body = spawn(world, {
@@ -183,7 +183,7 @@ describe('friction of a body that slides on the floor', () => {
     },
   );
 
-  test('the wall’s coefficient and the body’s meet in the geometric mean', () => {
+  test('the friction coefficient is the geometric mean of wall and body', () => {
     const world = createPhysicsWorld({
       forces: [uniformGravity({ y: -10 })],
       walls: [boxWalls({ min: { y: 0 }, friction: 0.4 })],
@@ -199,7 +199,7 @@ describe('friction of a body that slides on the floor', () => {
   });
 });
 
-describe('what does not fit a step', () => {
+describe('edge cases within a step', () => {
   test.each(['f32', 'f64'] as const)(
     'a body that crosses the box many times in a step stays inside, %s',
     (precision) => {
@@ -227,7 +227,7 @@ describe('what does not fit a step', () => {
     expect(world.components.Velocity.y[body]).toBe(1);
   });
 
-  test('a body put far beyond a wall comes back with no more speed than it had', () => {
+  test('a body placed far beyond a wall returns at no more than its initial speed', () => {
     const world = floor(10);
     const body = spawn(world, {
       position: { y: -1000 },

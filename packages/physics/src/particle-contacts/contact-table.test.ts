@@ -21,7 +21,7 @@ function namesOf(file: object, enumeration: string): string[] {
   return Object.keys(words).filter((name) => name !== 'end' && Number.isNaN(Number(name)));
 }
 
-test('the tables are laid out as the kernels read them', () => {
+test('the table layouts match the kernels', () => {
   expect(fieldsOf('particle-contacts/table.ts', 'ContactTable')).toEqual([
     'previousDt',
     ...namesOf(contactTables, 'Word'),
@@ -36,7 +36,7 @@ describe.each([
   [3, 'f64'],
 ] as const)('the memory of contacts in %d D, %s', (dimensions, precision) => {
   test.each([1, 1000, 20_000])(
-    'has room for a dense packing of %d bodies, and half a KiB a body is left to others',
+    'holds a dense packing of %d bodies and leaves half a KiB per body to other features',
     (capacity) => {
       const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision, capacity });
       const { arena } = world.internal;

@@ -87,13 +87,13 @@ export interface ContactTable {
 }
 
 /** Maximum fraction of the free arena that contacts take, which leaves memory for other features. */
-const SHARE = 0.9;
+const MAX_ARENA_FRACTION = 0.9;
 
 /** Contact capacity per body: a dense packing has three contacts per disc and six per ball. */
-const CONTACTS_A_BODY = { 2: 4, 3: 8 } as const;
+const CONTACTS_PER_BODY = { 2: 4, 3: 8 } as const;
 
 /** In a world with spare memory contacts may use this fraction of it. */
-const SPARE = 0.25;
+const SPARE_FRACTION = 0.25;
 
 /** Minimum contact capacity: a hundred bodies at one point have 4950 contacts. */
 const MIN_CONTACTS = 8192;
@@ -104,14 +104,14 @@ const MIN_WALL_CONTACTS = 2048;
 /** Bytes per gathered body (kernels/particle-contacts/body.ts): fifteen reals and one word. */
 const bodyBytes = (bytes: number) => 16 * bytes;
 
-/** Bytes per contact, summed over the columns in `takeContacts`. */
+/** Bytes per contact, summed over the columns in `allocateContacts`. */
 const contactBytes = (bytes: number) => 40 + 6 * bytes + packedBytes(bytes);
 
 /** Bytes per contact in a block of wide contacts (kernels/particle-contacts/wide-contacts.ts). */
 const packedBytes = (bytes: number) => 8 * bytes;
 
 /**
- * Bytes per wall contact, summed over the columns in `takeWallContacts`. Large worlds have capacity for one wall
+ * Bytes per wall contact, summed over the columns in `allocateWallContacts`. Large worlds have capacity for one wall
  * contact per two bodies.
  */
 const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
@@ -120,8 +120,8 @@ const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
 export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): number {
   const bytes = realBytes(precision);
   const grid = 4 + 4 + 4 + Math.max(bodyBytes(bytes), 16 + 4);
-  const lists = CONTACTS_A_BODY[dimensions] * contactBytes(bytes) + wallContactBytes(bytes) / 2;
-  return Math.ceil((grid + lists) / SHARE);
+  const lists = CONTACTS_PER_BODY[dimensions] * contactBytes(bytes) + wallContactBytes(bytes) / 2;
+  return Math.ceil((grid + lists) / MAX_ARENA_FRACTION);
 }
 
 /** Allocates the memory at the first call. @throws PhysicsError E_CAPACITY */
@@ -130,10 +130,10 @@ export const contactTable = resource<ContactTable>((world) => {
   const take = (size: number) => allocate(arena, size, 'contacts');
   const table = take(8 + 4 * Word.end);
   const words = new Uint32Array(world.memory.buffer, table + 8, Word.end);
-  takeGrid(world, words, take);
-  takeWallContacts(world, words, take);
-  takeContacts(world, words, take);
-  takeSorted(world, words, take);
+  allocateGrid(world, words, take);
+  allocateWallContacts(world, words, take);
+  allocateContacts(world, words, take);
+  allocateSorted(world, words, take);
   const { startVelocity, stage2 } = world.scratch.at;
   words.set([startVelocity.x, startVelocity.y, startVelocity.z, stage2.x, stage2.y], Word.startX);
   return { table, words };
@@ -149,7 +149,7 @@ const SORTED = [Word.sortedX, Word.sortedY, Word.sortedZ, Word.sortedRadius, Wor
 
 type Take = (bytes: number) => number;
 
-function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const { rows } = world;
   let buckets = 1024;
   while (buckets < 2 * rows) buckets *= 2;
@@ -169,7 +169,7 @@ function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
 }
 
 /** The broad phase ends before the first contact is packed into a block, so both can share memory. */
-function takeSorted(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateSorted(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const column = sortedBytes(world) / SORTED.length;
   const region = sharesSorted(world, words[Word.capacity]) ? words[Word.blocks] : take(SORTED.length * column);
   for (const [i, list] of SORTED.entries()) words[list] = region + i * column;
@@ -180,7 +180,7 @@ const sortedBytes = ({ rows, precision }: PhysicsWorld) => SORTED.length * (rows
 const sharesSorted = (world: PhysicsWorld, capacity: number) =>
   capacity * packedBytes(realBytes(world.precision)) >= sortedBytes(world);
 
-function takeWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const capacity = Math.max(world.rows / 2, Math.min(2 * world.rows, MIN_WALL_CONTACTS));
   const bytes = realBytes(world.precision);
   words[Word.wallCapacity] = capacity;
@@ -193,16 +193,16 @@ function takeWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): 
   words[Word.wallSlot] = take(4 * capacity);
 }
 
-function takeContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const { dimensions, rows, precision, internal } = world;
   const bytes = realBytes(precision);
   // Columns of 4 KiB and more start at staggered addresses, which costs at most 8 KiB each.
-  const room = SHARE * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
-  const spare = (SPARE * room) / contactBytes(bytes);
-  const wanted = Math.max(MIN_CONTACTS, CONTACTS_A_BODY[dimensions] * rows, spare);
-  let most = Math.min(wanted, room / contactBytes(bytes));
-  if (!sharesSorted(world, most)) most = (room - sortedBytes(world)) / contactBytes(bytes);
-  const capacity = Math.max(256, Math.floor(most / 16) * 16);
+  const room = MAX_ARENA_FRACTION * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
+  const spare = (SPARE_FRACTION * room) / contactBytes(bytes);
+  const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY[dimensions] * rows, spare);
+  let max = Math.min(wanted, room / contactBytes(bytes));
+  if (!sharesSorted(world, max)) max = (room - sortedBytes(world)) / contactBytes(bytes);
+  const capacity = Math.max(256, Math.floor(max / 16) * 16);
   words[Word.capacity] = capacity;
   for (const list of [Word.a, Word.b, Word.slotA, Word.slotB]) words[list] = take(4 * capacity);
   for (const list of [Word.nx, Word.ny, Word.nz, Word.impulse, Word.holding]) words[list] = take(bytes * capacity);

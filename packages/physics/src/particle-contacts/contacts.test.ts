@@ -27,7 +27,7 @@ const pair = (world: PhysicsWorld, mass: number) => {
 };
 
 describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision) => {
-  test('name the pair by ascending id, the point, the normal and the impulse', () => {
+  test('list the pair by ascending id, the point, the normal and the impulse', () => {
     const world = make({ precision });
     const { a, b } = pair(world, 2);
     const found = contacts(world);
@@ -47,7 +47,7 @@ describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision)
     expect(found.count).toBe(0);
   });
 
-  test('come in ascending order of both ids', () => {
+  test('are sorted by both ids', () => {
     const world = make({ precision });
     const random = createRandom(1);
     const uniform = () => Float64Array.from({ length: 500 }, () => random.uniform(0, 20));
@@ -61,7 +61,7 @@ describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision)
     }
   });
 
-  test('with walls name the wall, 0 for a box', () => {
+  test('with walls list the wall, 0 for a box', () => {
     const world = make({ precision, walls: [boxWalls({ min: { x: -10 } })] });
     const wall = spawn(world, { segmentWall: { ax: -5, ay: 0, bx: 5, by: 0 } });
     const plane = spawn(world, { planeWall: { nx: -1, ny: 0, offset: -10 } });
@@ -94,7 +94,7 @@ describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision)
   });
 });
 
-test('handlers hear of each contact with its index, and may remove a body', () => {
+test('handlers receive the index of each contact, and may remove a body', () => {
   const world = make();
   const { a, b } = pair(world, 1);
   const heard: number[][] = [];
@@ -120,7 +120,7 @@ test('a world without contacts has none, and its walls keep no record', () => {
   expect(wallContacts(world).count).toBe(0);
 });
 
-test('more contacts than there is room for are counted, and room is a matter of arenaBytes', () => {
+test('contacts beyond the capacity are counted, and arenaBytes sets the capacity', () => {
   const crowd = (arenaBytes?: number) => {
     const world = make({ capacity: 5000, ...(arenaBytes === undefined ? {} : { arenaBytes }) });
     spawnMany(world, 5000, { position: {}, velocity: {}, mass: 1, collider: 1 });

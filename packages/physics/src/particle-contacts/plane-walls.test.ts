@@ -18,7 +18,7 @@ describe.each([
 ] as const)('in %d D, %s', (dimensions, precision) => {
   const digits = precision === 'f64' ? 10 : 4;
 
-  test('a ball is mirrored by an oblique plane, at the instant it touches', () => {
+  test('an oblique plane reflects a ball at the time of impact', () => {
     const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision });
     const [nx, ny, nz] = dimensions === 2 ? [0.6, 0.8, 0] : [0.48, 0.64, 0.6];
     spawn(world, { planeWall: { nx: 2 * nx, ny: 2 * ny, nz: 2 * nz, offset: 1, restitution: 0.5 } });
@@ -86,7 +86,7 @@ test('a ball on a slope slides or rolls by its friction', () => {
   expect(slope(1)).toBeCloseTo((5 / 7) * 6, 6);
 });
 
-test('nothing gets out of a wedge of planes', () => {
+test('bodies do not leave a wedge of planes', () => {
   const world = createPhysicsWorld({ preset: particleContacts, forces: [uniformGravity({ y: -10 })] });
   spawn(world, { planeWall: { nx: 1, ny: 0.5, offset: 0, restitution: 0.9 } });
   spawn(world, { planeWall: { nx: -1, ny: 0.5, offset: 0, restitution: 0.9 } });

@@ -59,8 +59,8 @@ function worldOf(bodies: readonly Body[], dimensions: 2 | 3, side: 1 | -1 = 1): 
   return world;
 }
 
-describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
-  test('keeps its momentum to rounding', () => {
+describe.each([2, 3] as const)('many bodies in %d D', (dimensions) => {
+  test('conserve momentum to rounding', () => {
     fc.assert(
       fc.property(crowd, (bodies) => {
         const world = worldOf(bodies, dimensions);
@@ -80,7 +80,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
     );
   });
 
-  test('gains no energy where no restitution exceeds one', () => {
+  test('gain no energy if no restitution exceeds one', () => {
     fc.assert(
       fc.property(crowd, (bodies) => {
         const world = worldOf(bodies, dimensions);
@@ -96,7 +96,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
     );
   });
 
-  test('goes the mirrored way in a mirror, to the bit', () => {
+  test('have bitwise mirrored trajectories in a mirrored scene', () => {
     fc.assert(
       fc.property(apart, (bodies) => {
         const [plain, mirrored] = [worldOf(bodies, dimensions), worldOf(bodies, dimensions, -1)];
@@ -115,7 +115,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
     );
   });
 
-  test('no speed takes a body through the walls of a box', () => {
+  test('a body does not tunnel through the walls of a box at any speed', () => {
     const fast = fc.record({
       speed: fc.record({ x: between(-1e5, 1e5), y: between(-1e5, 1e5), z: between(-1e5, 1e5) }),
       body: oneBody,
@@ -150,7 +150,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
   });
 });
 
-test('no speed takes a disc through the segments of a closed room', () => {
+test('a disc does not tunnel through the segments of a closed room at any speed', () => {
   const shot = fc.record({
     position: place,
     speed: between(1, 1e4),

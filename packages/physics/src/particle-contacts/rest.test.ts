@@ -47,7 +47,7 @@ describe.each([
   [3, 'f64', false],
   [2, 'f64', true],
 ] as const)('a stack of five in %d D, %s, Euler %s', (dimensions, precision, euler) => {
-  test.each([0, 0.5, 0.9])('with restitution %d each contact bears the weight above it', (restitution) => {
+  test.each([0, 0.5, 0.9])('with restitution %d each contact carries the weight above it', (restitution) => {
     const world = stackWorld({ dimensions, precision, euler });
     const ids = stack(world, [1, 2, 1, 3, 1], restitution);
     run(world, 400);
@@ -70,7 +70,7 @@ describe.each([
   });
 });
 
-test('a ball on the floor between two walls lies still to the last bit', () => {
+test('a ball on the floor between two walls stays bitwise at rest', () => {
   const world = stackWorld();
   const [ball] = stack(world, [1], 0.6);
   run(world, 200);
@@ -82,7 +82,7 @@ test('a ball on the floor between two walls lies still to the last bit', () => {
   }
 });
 
-describe.each(['f32', 'f64'] as const)('heaps, %s', (precision) => {
+describe.each(['f32', 'f64'] as const)('piles, %s', (precision) => {
   test.each([
     [0, 0],
     [0.4, 0.3],
@@ -155,7 +155,7 @@ test('a million times heavier ball rests on a light one', () => {
   }
 });
 
-test('a stack on a body that holds still bears its weight too', () => {
+test('a stack on an immovable body carries its weight too', () => {
   const world = createPhysicsWorld({ preset: particleContacts, forces: [uniformGravity({ y: -G })] });
   spawn(world, { position: {}, collider: 0.5 });
   const top = spawn(world, { position: { y: 1 }, velocity: {}, mass: 3, collider: 0.5 });
@@ -164,7 +164,7 @@ test('a stack on a body that holds still bears its weight too', () => {
   expect(world.components.Position.y[top]).toBeCloseTo(1, 6);
 });
 
-test('a step of another length starts from the same force', () => {
+test('a step of another length warm starts with the same force', () => {
   const world = stackWorld();
   const ids = stack(world, [1, 1, 1, 1, 1, 1], 0);
   run(world, 400);
@@ -175,7 +175,7 @@ test('a step of another length starts from the same force', () => {
   }
 });
 
-test('elastic balls that fall into a box keep their energy, but for steps in which floor and ball coincide', () => {
+test('elastic balls that fall into a box conserve energy, except in steps with simultaneous floor and ball contacts', () => {
   const world = stackWorld();
   const random = createRandom(3);
   for (let i = 0; i < 20; i++) {

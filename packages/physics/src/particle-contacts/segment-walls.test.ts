@@ -39,7 +39,7 @@ const INNER: readonly Ends[] = [
 ];
 
 describe.each(['f32', 'f64'] as const)('a ball that falls on an inclined wall, %s', (precision) => {
-  test('meets it and leaves it as the formulas say', () => {
+  test('hits and leaves it as the formulas predict', () => {
     const world = make({ precision, forces: [uniformGravity({ y: 100 })] });
     wall(world, [50, 200, 700, 500]);
     const ball = disc(world, 100, 50, 0, 0, 15, 0.8);
@@ -67,7 +67,7 @@ describe('sides and ends', () => {
     expect(p.y[ball]).toBeCloseTo((0.5 + 4 * 0.375) * side, 10);
   });
 
-  test('an end throws a ball along the line from the end to its centre', () => {
+  test('an end deflects a ball along the line from the end to its centre', () => {
     const world = make();
     wall(world, [0, -9, 0, 0]);
     const ball = disc(world, 0.6, 3, 0, -5, 1, 1);
@@ -78,7 +78,7 @@ describe('sides and ends', () => {
     expect(y[ball]).toBeCloseTo(1.4, 10);
   });
 
-  test('a wall of no length is a post', () => {
+  test('a wall of zero length is a post', () => {
     const world = make();
     wall(world, [0, 0, 0, 0]);
     const ball = disc(world, 0, 3, 0, -5, 1, 1);
@@ -100,7 +100,7 @@ describe('sides and ends', () => {
   });
 });
 
-describe('nothing gets through', () => {
+describe('no tunnelling', () => {
   test.each(['f32', 'f64'] as const)('a thousand balls of 1 at 10⁴ a second, %s', (precision) => {
     const world = make({ precision });
     for (const ends of [...BOX, ...INNER]) wall(world, ends, { restitution: 1 });
@@ -144,7 +144,7 @@ describe('nothing gets through', () => {
     expect(worst / (100 * 310)).toBeLessThan(1e-6);
   });
 
-  test('a crowd does not push anyone through the shelf it lies on', () => {
+  test('a pile does not push bodies through the shelf below it', () => {
     const world = make({ forces: [uniformGravity({ y: -10 })] });
     for (const ends of [
       [-2, 0, 2, 0],
@@ -183,7 +183,7 @@ test('a disc that does not slip rolls down at two thirds of g sin θ', () => {
   expect(0.6 * x[ball] + 0.8 * y[ball]).toBeCloseTo(0.5, 9);
 });
 
-test('a ball in a groove of two walls lies still', () => {
+test('a ball in a groove of two walls stays at rest', () => {
   for (const half of [1, 3, 0.4]) {
     const world = make({ forces: [uniformGravity({ y: -10 })] });
     wall(world, [0, 0, half, 1]);
@@ -203,7 +203,7 @@ test('a ball in a groove of two walls lies still', () => {
   }
 });
 
-test('far walls, which bring in the grid, change nothing', () => {
+test('distant walls, which enable the grid, change nothing', () => {
   const build = (extra: number) => {
     const world = make();
     const ball = disc(world, 100, 90, 300, 170, 4, 1);
@@ -220,7 +220,7 @@ test('far walls, which bring in the grid, change nothing', () => {
   expect(build(500)).toEqual(build(0));
 });
 
-test('walls made, moved and removed between steps count at once', () => {
+test('walls created, moved or removed between steps take effect immediately', () => {
   const world = make();
   const ball = disc(world, 0, 2, 0, -10, 0.5, 1);
   const floor = wall(world, [-5, 0, 5, 0]);
@@ -232,7 +232,7 @@ test('walls made, moved and removed between steps count at once', () => {
   expect(world.components.Velocity.y[ball]).toBeCloseTo(10, 12);
 });
 
-test('equal runs end in equal bits', () => {
+test('equal runs are bitwise equal', () => {
   const run = () => {
     const world = make({ precision: 'f32', forces: [uniformGravity({ y: 100 })] });
     for (const ends of [...BOX, ...INNER]) wall(world, ends, { friction: 0.5 });

@@ -11,7 +11,7 @@ import { collisionKernels } from './kernels.ts';
 
 /** Maximum number of grid cells along one axis, and of list entries per wall. */
 const MAX_SIDE = 64;
-const ITEMS_A_WALL = 16;
+const ITEMS_PER_WALL = 16;
 
 /** The words of `WallGrid` in kernels/particle-contacts/walls/wall-grid.ts. */
 const enum GridWord {
@@ -45,11 +45,11 @@ function gather(world: PhysicsWorld): SegmentList {
   const list = segmentList(world);
   if (list.tick === world.tick) return list;
   const size = 12 * realBytes(world.precision);
-  if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_A_WALL)) {
+  if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_PER_WALL)) {
     const { words, at, room } = list;
     words[GridWord.segments] = at;
     words[GridWord.items] = at + size * room;
-    words[GridWord.mostItems] = ITEMS_A_WALL * room;
+    words[GridWord.mostItems] = ITEMS_PER_WALL * room;
   }
   const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;
   collisionKernels(world).gatherSegments(list.grid, list.ids, list.count, ax, ay, bx, by, restitution, friction);

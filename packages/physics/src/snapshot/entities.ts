@@ -1,7 +1,7 @@
 // Saves the entities of bitECS and restores them through bitECS itself, so that queries and observers are updated.
 import { addComponent, addEntity, entityExists, removeComponent } from 'bitecs';
 import { bitOf, COMPONENT_NAMES } from '../components/all.ts';
-import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
+import { contextOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The saved entities, in arrays that later snapshots reuse. */
@@ -25,8 +25,8 @@ export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
   const { dense, aliveCount, maxId } = contextOf(world).entityIndex;
   const { members } = world.internal;
   const rows = world.lastId + 1;
-  if (into.dense.length < dense.length) into.dense = new Uint32Array(roomFor(dense.length));
-  if (into.members.length < rows) into.members = new Uint32Array(roomFor(rows));
+  if (into.dense.length < dense.length) into.dense = new Uint32Array(roundUpCapacity(dense.length));
+  if (into.members.length < rows) into.members = new Uint32Array(roundUpCapacity(rows));
   for (let i = 0; i < dense.length; i++) into.dense[i] = dense[i];
   for (let row = 0; row < rows; row++) into.members[row] = members[row];
   into.length = dense.length;
@@ -36,7 +36,7 @@ export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
 }
 
 /** Rounds the capacity up, so that a world that grows slowly does not reallocate each time. */
-function roomFor(count: number): number {
+function roundUpCapacity(count: number): number {
   return count + (count >> 3) + 16;
 }
 
@@ -56,8 +56,9 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
   if (!isSameIndex(world, saved)) {
     const wanted = new Set(saved.dense.subarray(0, saved.alive));
     const { dense, aliveCount } = contextOf(world).entityIndex;
-    for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeWholly(world, eid));
-    for (const eid of wanted) if (!entityExists(world, eid)) revive(world, eid);
+    for (const eid of dense.slice(0, aliveCount))
+      if (!wanted.has(eid)) attempt(() => removeEntityCompletely(world, eid));
+    for (const eid of wanted) if (!entityExists(world, eid)) recreateEntity(world, eid);
   }
   const { members } = world.internal;
   const rows = Math.max(saved.rows, world.lastId + 1);
@@ -77,7 +78,7 @@ function isSameIndex(world: PhysicsWorld, { dense, alive, maxId }: SavedEntities
 }
 
 /** Creates an entity with a given id: bitECS returns the first free id. */
-function revive(world: PhysicsWorld, eid: number): void {
+function recreateEntity(world: PhysicsWorld, eid: number): void {
   const index = contextOf(world).entityIndex;
   const { dense, sparse, aliveCount } = index;
   if (dense[sparse[eid]] !== eid) {

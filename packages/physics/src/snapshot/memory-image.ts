@@ -63,7 +63,7 @@ function layoutOf(world: PhysicsWorld, top: number): Layout {
   // After a restore to a smaller arena, old ranges may lie beyond its end.
   const previous = last === undefined || top < last.top ? NOTHING : last;
   if (previous.top === top && coversAll(world, previous.runs, top)) return previous;
-  const made = extended(world, previous.runs, top);
+  const made = extendRanges(world, previous.runs, top);
   layouts.set(world, made);
   return made;
 }
@@ -79,7 +79,7 @@ function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: numb
 }
 
 /** Returns the given ranges extended by all non-zero pages. */
-function extended({ kernels, memory: { buffer } }: PhysicsWorld, before: readonly number[], top: number): Layout {
+function extendRanges({ kernels, memory: { buffer } }: PhysicsWorld, before: readonly number[], top: number): Layout {
   const runs: number[] = [];
   const views = [new Uint8Array(buffer, TABLE_ADDRESS, TABLE_BYTES)];
   let length = TABLE_BYTES;

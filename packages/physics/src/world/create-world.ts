@@ -169,7 +169,7 @@ function worldParts(arena: Arena, precision: Precision, rows: number, own: reado
       generations,
       idsAt,
       rangesAt,
-      ...bookkeeping(components),
+      ...initialInternals(components),
       ownComponents: makeOwnColumns(arena, precision, rows, own),
       bodyList: { ids, count: 0 },
       plan: undefined,
@@ -178,7 +178,7 @@ function worldParts(arena: Arena, precision: Precision, rows: number, own: reado
 }
 
 /** The initial internal state of a world. */
-function bookkeeping(components: Components) {
+function initialInternals(components: Components) {
   const zeros = () => Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
   return {
     counts: zeros(),

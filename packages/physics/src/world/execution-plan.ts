@@ -65,7 +65,7 @@ export function currentPlan(world: PhysicsWorld): Plan {
 }
 
 /** Returns a getter of a value that is computed on first use and cached with the plan of a world. */
-export function keptWithPlan<T>(make: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
+export function cachedWithPlan<T>(make: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
   const key = {};
   return (world) => {
     const running = world.state === 'stepping' ? world.internal.plan : undefined;

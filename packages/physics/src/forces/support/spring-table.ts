@@ -1,6 +1,6 @@
 // What the spring kernels need of a world: where the columns are, and the list of springs, kept while nothing changes.
 import { bitOf } from '../../components/all.ts';
-import { removeWholly } from '../../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../../ecs/entity-list.ts';
 import { collectThrown } from '../../errors/collect-thrown.ts';
 import { allocate } from '../../memory/arena.ts';
@@ -58,7 +58,7 @@ export function removeLost(world: PhysicsWorld, table: SpringTable): void {
   table.removed = Array.from(ids);
   for (const spring of table.removed) {
     try {
-      removeWholly(world, spring);
+      removeEntityCompletely(world, spring);
     } catch (error) {
       collectThrown(world, error);
     }
