@@ -2,7 +2,7 @@
 
 import { spawnMany } from '../bodies/spawn-many.ts';
 import { bitOf } from '../components/all.ts';
-import { removeWholly } from '../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { allocate } from '../memory/arena.ts';
 import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
@@ -121,6 +121,6 @@ export function removeBodies(world: PhysicsWorld, { words }: MemoryRecord): void
   const ids = new Uint32Array(buffer, words[W.ids], capacity);
   const mine = new Uint32Array(buffer, words[W.generation], capacity);
   for (let slot = 0; slot < capacity; slot++) {
-    if (world.internal.generations[ids[slot]] === mine[slot]) removeWholly(world, ids[slot]);
+    if (world.internal.generations[ids[slot]] === mine[slot]) removeEntityCompletely(world, ids[slot]);
   }
 }

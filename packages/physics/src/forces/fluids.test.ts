@@ -267,7 +267,7 @@ describe('buoyancy on a polygon', () => {
 
   test('in space it is refused', () => {
     const make = () => createPhysicsWorld({ dimensions: 3, forces: [polygonBuoyancy(pool, hull)] });
-    expect(make).toThrow(/law "polygon buoyancy" is for worlds of 2 dimensions/);
+    expect(make).toThrow(/law "polygon buoyancy" requires 2 dimensions/);
   });
 
   test('refuse outlines without area', () => {

@@ -9,7 +9,7 @@
 // tolerance a sub-step. Where the force is singular or jumps, the step is crossed without error control and the log gets
 // an E_STEP that names the body. Sources: dormand-prince-tableau.ts.
 import { checkKeys, checkNumber, type Vector } from '../errors/validate.ts';
-import { raise } from '../math/elementary.ts';
+import { powInPlace } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
 import { EmbeddedErrorWord } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
@@ -130,7 +130,7 @@ function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: 
       if (passed < dt) begin(world, ranges, stages);
     } else {
       scalars[POWER] = error;
-      if (error < Infinity) raise(scalars, POWER, 0.17);
+      if (error < Infinity) powInPlace(scalars, POWER, 0.17);
       wanted = error < Infinity ? h / Math.min(5, scalars[POWER] / 0.9) : h / 5;
     }
   }
@@ -144,9 +144,9 @@ function findGrowth(scalars: Float64Array): void {
     return;
   }
   scalars[GROWTH] = scalars[RATIO] > 0 ? scalars[RATIO] : 1e-4;
-  raise(scalars, GROWTH, 0.04);
+  powInPlace(scalars, GROWTH, 0.04);
   scalars[POWER] = scalars[ERROR];
-  raise(scalars, POWER, 0.17);
+  powInPlace(scalars, POWER, 0.17);
   scalars[GROWTH] = Math.min(5, Math.max(0.2, (0.9 * scalars[GROWTH]) / scalars[POWER]));
 }
 

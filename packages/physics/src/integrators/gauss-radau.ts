@@ -12,7 +12,7 @@
 //
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import { raise } from '../math/elementary.ts';
+import { powInPlace } from '../math/elementary.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import {
   CHANGE,
@@ -220,7 +220,7 @@ function findNextLength(
     return;
   }
   scalars[NEXT] = (wanted * largest) / term;
-  raise(scalars, NEXT, 1 / 7);
+  powInPlace(scalars, NEXT, 1 / 7);
   scalars[NEXT] = Math.min(GROWTH * h, h * scalars[NEXT]);
 }
 

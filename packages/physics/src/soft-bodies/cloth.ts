@@ -1,7 +1,7 @@
 // A cloth: a grid of nodes with springs along the threads, and where wanted across the meshes (against shear) and from
 // each node to the next but one (against bending).
 
-import { makeRoom } from '../ecs/entity-capacity.ts';
+import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import {
@@ -84,7 +84,7 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   const columns = checkNumber(options.columns, 'cloth.columns', COUNTS);
   const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);
   // Its nodes and the springs between neighbours: lists of a cloth that is too large would fill the heap.
-  makeRoom(world, columns * rows + columns * (rows - 1) + rows * (columns - 1));
+  ensureCapacity(world, columns * rows + columns * (rows - 1) + rows * (columns - 1));
   const list = new SpringList();
   if (checkFlag(options.tethers, 'cloth.tethers')) addTethers(list, options, columns, rows);
   addBraces(list, options, columns, rows);

@@ -1,7 +1,7 @@
 // What all networks share: nodes that are bodies, springs between them, and how they are made.
 import type { ManyInput } from '../bodies/many.ts';
 import { spawnMany } from '../bodies/spawn-many.ts';
-import { makeRoom } from '../ecs/entity-capacity.ts';
+import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { type Bounds, checkNumber, checkObject } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -66,7 +66,7 @@ export function spawnNetwork(
   checkNumber(breakForce, 'breakForce', { min: 0, max: 1e30 });
   if (components !== undefined) checkObject(components, 'components');
   const springs = list.a.length;
-  makeRoom(world, count + springs);
+  ensureCapacity(world, count + springs);
   const nodes = spawnMany(world, count, { ...components, velocity: {}, ...bodies });
   const end = (ends: readonly number[]) => Uint32Array.from(ends, (node) => nodes[node]);
   const { stiffness, length, cord } = list;

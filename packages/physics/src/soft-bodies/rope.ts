@@ -6,7 +6,7 @@
 // every node to each held end (Kim, Chentanez, Müller: Long Range Attachments, SCA 2012). A rope satisfies them all
 // anyway, so they take its load without changing its motion; but it is not solved directly any more.
 
-import { makeRoom } from '../ecs/entity-capacity.ts';
+import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkChoice, checkFlag, checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -52,7 +52,7 @@ export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
   const from = checkVector(options.from, 'rope.from');
   const to = checkVector(options.to, 'rope.to');
   const count = checkNumber(options.nodes, 'rope.nodes', COUNTS);
-  makeRoom(world, 2 * count - 1);
+  ensureCapacity(world, 2 * count - 1);
   const mass = checkNumber(options.mass, 'rope.mass', { above: 0 }) / count;
   const [dx, dy, dz] = [to.x - from.x, to.y - from.y, to.z - from.z];
   const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
