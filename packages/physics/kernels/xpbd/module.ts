@@ -1,4 +1,4 @@
-// Springs solved as constraints, and what blows on, fills and breaks networks of them.
+// Springs solved as XPBD constraints, and the wind, gas pressure and breakage of the soft bodies that they form.
 export { arrangeConstraints } from './arrange';
 export { solveChainVelocities, solveChains } from './chain';
 export { enclosed, inflateEdges, inflateTriangles } from './gas';

@@ -1,24 +1,26 @@
-// Strips of a sheet: n meshes between two rows of nodes that follow each other, top t, t + 1, ... and bottom b, b + 1, ...
-// First come their upper triangles (t + i, b + i, t + i + 1), then as many lower ones (t + i + 1, b + i, b + i + 1). Both
-// of a mesh are looked at together: each node is read and pushed once for its side of the strip.
+// Quad strips of a sheet: n quads between two rows of consecutive nodes, top t, t + 1, ... and bottom b, b + 1, ...
+// First come the upper triangles (t + i, b + i, t + i + 1), then as many lower ones (t + i + 1, b + i, b + i + 1).
+// Both triangles of a quad are processed together, so each node is read and written only once per side of the strip.
 import { columns } from '../memory/columns';
 import { LANES, add, at, splat, sub } from '../memory/lanes';
-import { blow, breeze } from './blow';
+import { computeWindForce, windState } from './blow';
 import { corner } from './faces';
 import { word } from './table';
 
-// Whether all nodes of a strip still live.
-export function isWholeStrip(faces: usize, count: i32, first: i32, last: i32, generations: usize): bool {
-  const meshes = (last - first) >> 1;
-  const lives = faces + ((<usize>count * 3) << 2);
+// Tests whether all nodes of a strip still live.
+export function isStripAlive(faces: usize, count: i32, first: i32, last: i32, generations: usize): bool {
+  const quads = (last - first) >> 1;
+  const expectedGenerations = faces + ((<usize>count * 3) << 2);
   for (let k = 0; k < 2; k++) {
-    const row = lives + ((<usize>(k * count + first)) << 2);
-    if (!areAlike(row, generations + ((<usize>corner(faces, count, first, k)) << 2), meshes)) return false;
+    const row = expectedGenerations + ((<usize>(k * count + first)) << 2);
+    if (!areEqual(row, generations + ((<usize>corner(faces, count, first, k)) << 2), quads)) return false;
   }
-  return isSame(faces, count, first + meshes - 1, generations) && isSame(faces, count, last - 1, generations);
+  return (
+    isThirdAlive(faces, count, first + quads - 1, generations) && isThirdAlive(faces, count, last - 1, generations)
+  );
 }
 
-function areAlike(words: usize, others: usize, count: i32): bool {
+function areEqual(words: usize, others: usize, count: i32): bool {
   let i = 0;
   for (; i + 4 <= count; i += 4) {
     const o = (<usize>i) << 2;
@@ -28,35 +30,35 @@ function areAlike(words: usize, others: usize, count: i32): bool {
   return true;
 }
 
-// Whether the last corner of a face still lives.
+// Tests whether the third corner of a face still lives.
 // @ts-ignore: decorator
-@inline function isSame(faces: usize, count: i32, face: i32, generations: usize): bool {
+@inline function isThirdAlive(faces: usize, count: i32, face: i32, generations: usize): bool {
   return word(generations, corner(faces, count, face, 2)) == corner(faces, count, face, 5);
 }
 
-// Lanes whose mesh is one of the strip.
+// Returns the mask of the lanes that are below `count`, and thus belong to the strip.
 // @ts-ignore: decorator
-@inline function lanesBelow(count: i32): v128 {
+@inline function laneMask(count: i32): v128 {
   if (sizeof<real>() == 8) return i64x2.gt_s(i64x2.splat(count), i64x2(0, 1));
   return i32x4.gt_s(i32x4.splat(count), i32x4(0, 1, 2, 3));
 }
 
-// The values of the meshes to the left: the last one before, and all but the last of these.
+// Shifts values by one quad: the last of the previous vector, then all but the last of the current one.
 // @ts-ignore: decorator
-@inline function left(earlier: v128, these: v128): v128 {
-  if (sizeof<real>() == 8) return v128.shuffle<i64>(earlier, these, 1, 2);
-  return v128.shuffle<i32>(earlier, these, 3, 4, 5, 6);
+@inline function shiftByOne(previous: v128, current: v128): v128 {
+  if (sizeof<real>() == 8) return v128.shuffle<i64>(previous, current, 1, 2);
+  return v128.shuffle<i32>(previous, current, 3, 4, 5, 6);
 }
 
-// Adds what the meshes to the right and to the left of nodes do to them.
+// Adds the forces of the quads on both sides of the nodes.
 // @ts-ignore: decorator
-@inline function push(force: usize, a: v128, b: v128): void {
+@inline function addForces(force: usize, a: v128, b: v128): void {
   v128.store(force, add(v128.load(force), add(a, b)));
 }
 
-// The wind on a strip, added to the forces on its nodes.
-export function blowStrip(faces: usize, count: i32, first: i32, last: i32, fx: usize, fy: usize, fz: usize): void {
-  const meshes = (last - first) >> 1;
+// Adds the wind forces on a strip to its nodes.
+export function addWindToStrip(faces: usize, count: i32, first: i32, last: i32, fx: usize, fy: usize, fz: usize): void {
+  const quads = (last - first) >> 1;
   let t = at(corner(faces, count, first, 0));
   let b = at(corner(faces, count, first, 1));
   const c = columns();
@@ -67,16 +69,16 @@ export function blowStrip(faces: usize, count: i32, first: i32, last: i32, fx: u
   const vx = c.velocityX;
   const vy = c.velocityY;
   const vz = c.velocityZ;
-  // Of the meshes before: both triangles together, and the lower one.
+  // The forces of the previous quads: of both triangles, and of the lower one.
   let bothX = splat(0);
   let bothY = splat(0);
   let bothZ = splat(0);
   let lowerX = splat(0);
   let lowerY = splat(0);
   let lowerZ = splat(0);
-  // There is one node more than meshes.
-  for (let rest = meshes; rest >= 0; rest -= LANES) {
-    const is = lanesBelow(rest);
+  // There is one node more than quads.
+  for (let rest = quads; rest >= 0; rest -= LANES) {
+    const mask = laneMask(rest);
     const qx = v128.load(x + t + one);
     const qy = v128.load(y + t + one);
     const qz = v128.load(z + t + one);
@@ -86,11 +88,11 @@ export function blowStrip(faces: usize, count: i32, first: i32, last: i32, fx: u
     const rx = v128.load(x + b);
     const ry = v128.load(y + b);
     const rz = v128.load(z + b);
-    // Of the edge that both triangles share.
+    // Velocities of the edge that both triangles share.
     const ux = add(v128.load(vx + t + one), v128.load(vx + b));
     const uy = add(v128.load(vy + t + one), v128.load(vy + b));
     const uz = add(v128.load(vz + t + one), v128.load(vz + b));
-    blow(
+    computeWindForce(
       sub(rx, px),
       sub(ry, py),
       sub(rz, pz),
@@ -101,10 +103,10 @@ export function blowStrip(faces: usize, count: i32, first: i32, last: i32, fx: u
       add(uy, v128.load(vy + t)),
       add(uz, v128.load(vz + t)),
     );
-    const upperX = v128.and(breeze.fx, is);
-    const upperY = v128.and(breeze.fy, is);
-    const upperZ = v128.and(breeze.fz, is);
-    blow(
+    const upperX = v128.and(windState.fx, mask);
+    const upperY = v128.and(windState.fy, mask);
+    const upperZ = v128.and(windState.fz, mask);
+    computeWindForce(
       sub(rx, qx),
       sub(ry, qy),
       sub(rz, qz),
@@ -115,18 +117,18 @@ export function blowStrip(faces: usize, count: i32, first: i32, last: i32, fx: u
       add(uy, v128.load(vy + b + one)),
       add(uz, v128.load(vz + b + one)),
     );
-    const underX = v128.and(breeze.fx, is);
-    const underY = v128.and(breeze.fy, is);
-    const underZ = v128.and(breeze.fz, is);
+    const underX = v128.and(windState.fx, mask);
+    const underY = v128.and(windState.fy, mask);
+    const underZ = v128.and(windState.fz, mask);
     const sumX = add(upperX, underX);
     const sumY = add(upperY, underY);
     const sumZ = add(upperZ, underZ);
-    push(fx + t, upperX, left(bothX, sumX));
-    push(fy + t, upperY, left(bothY, sumY));
-    push(fz + t, upperZ, left(bothZ, sumZ));
-    push(fx + b, sumX, left(lowerX, underX));
-    push(fy + b, sumY, left(lowerY, underY));
-    push(fz + b, sumZ, left(lowerZ, underZ));
+    addForces(fx + t, upperX, shiftByOne(bothX, sumX));
+    addForces(fy + t, upperY, shiftByOne(bothY, sumY));
+    addForces(fz + t, upperZ, shiftByOne(bothZ, sumZ));
+    addForces(fx + b, sumX, shiftByOne(lowerX, underX));
+    addForces(fy + b, sumY, shiftByOne(lowerY, underY));
+    addForces(fz + b, sumZ, shiftByOne(lowerZ, underZ));
     bothX = sumX;
     bothY = sumY;
     bothZ = sumZ;
