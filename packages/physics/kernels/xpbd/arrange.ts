@@ -3,7 +3,7 @@
 // Springs along a line, with no body joining more than two, are a chain: ropes and pendulums. Chains are solved
 // directly, and so are polylines (polylines.ts); all other springs form groups (groups.ts).
 import { groupLinks } from './groups';
-import { hasRow, isMovable, linkAt, linkCount, appendPadding, putRow } from './links';
+import { appendPadding, hasRow, isMovable, linkAt, linkCount, putRow } from './links';
 import { ConstraintTable, putWord, tableAt, word } from './table';
 import { findPolylines } from './polylines';
 import { invalidateChecksum } from './checksum';

@@ -1,7 +1,7 @@
 // Gas in a closed ring of edges (2D, per metre of depth) or a closed surface of triangles (3D).
 import { columns, get, put } from '../memory/columns';
 import { LANES, at, mul, splat, sub } from '../memory/lanes';
-import { CHUNK, chunkAddress, corner, isFaceAlive, addChunkForces, readTriangles, triangles } from './faces';
+import { CHUNK, addChunkForces, chunkAddress, corner, isFaceAlive, readTriangles, triangles } from './faces';
 
 // Area of a ring or volume of a surface, relative to its first corner so that distant bodies lose no digits; 0 if a
 // corner was removed.

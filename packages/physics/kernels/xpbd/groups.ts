@@ -1,7 +1,7 @@
 // Springs that belong to no chain and no polyline: groups of four that share no movable body. LANES springs of a
 // group are solved at once, with the same result as in sequence. An immovable body is never written, so it causes no
 // conflict.
-import { hasRow, isMovable, linkAt, linkCount, putLink, appendPadding } from './links';
+import { appendPadding, hasRow, isMovable, linkAt, linkCount, putLink } from './links';
 import { ConstraintTable, OPEN_GROUPS, putWord, word } from './table';
 
 // The number of springs in a group: the lanes of f32, so that both precisions solve them in the same order.

@@ -20,14 +20,14 @@
 // square root per row, twice as much if taut.
 import { LANES, add, at, div, dot, larger, mul, splat, sub } from '../memory/lanes';
 import {
-  MIN_SQUARE,
   MIN_DISTANCE,
-  vectorAddress,
+  MIN_SQUARE,
   signMask,
   transpose0,
   transpose1,
   transpose2,
   transpose3,
+  vectorAddress,
 } from './packed-bodies';
 import { ConstraintTable, LAYERS, word } from './table';
 
@@ -38,11 +38,10 @@ class PolylineNode {
   y: v128;
   z: v128;
   inverse: v128;
-  // The vector r to the next body.
+  // The vector r to the next body, and 1 / |r|.
   rx: v128;
   ry: v128;
   rz: v128;
-  // 1 / d, with d the length of r.
   per: v128;
   // Natural length plus compliance times tension.
   rest: v128;
@@ -63,9 +62,8 @@ const MIN_PIVOT: real = sizeof<real>() == 4 ? 1e-4 : 1e-10;
 const MIN_END_LENGTH: real = 0.001;
 const ALL_LANES = i32x4.splat(-1);
 
-// Tolerances of the squared length: relative length errors of 0.1 % for a second solve of a batch,
+// Tolerances of the squared length: length errors of 0.1 % for a second solve of a batch, of 0.4 % for an iteration.
 const SOLVE_TOLERANCE: real = 2e-3;
-// and of 0.4 % for another iteration over all batches.
 const ITERATION_TOLERANCE: real = 8e-3;
 
 // @ts-ignore: decorator
@@ -146,12 +144,9 @@ function batchExceedsTolerance(t: ConstraintTable, first: i32, last: i32): bool 
     const expected = mul(rest, rest);
     const error = sub(dot(x, y, z, x, y, z), expected);
     // A tension-only row may be shorter than its natural length.
-    const isActive = v128.andnot(
-      v128.lt<real>(v128.load(t.gain + o), splat(Infinity)),
-      signMask(v128.and(error, length)),
-    );
+    const used = v128.andnot(v128.lt<real>(v128.load(t.gain + o), splat(Infinity)), signMask(v128.and(error, length)));
     const isOff = v128.gt<real>(v128.abs<real>(error), mul(splat(ITERATION_TOLERANCE), expected));
-    exceeding = v128.or(exceeding, v128.and(isOff, isActive));
+    exceeding = v128.or(exceeding, v128.and(isOff, used));
     a0 = b0;
     a1 = b1;
     a2 = b2;

@@ -3,7 +3,7 @@
 // movable body form a batch, which is solved in SIMD lanes: row j of polyline l is first + LANES j + l. Consecutive
 // batches that share no movable body form a pass, such as all polylines of a cloth in one direction.
 import { LANES } from '../memory/lanes';
-import { hasRow, isMovable, linkAt, linkCount, putLink, appendPadding } from './links';
+import { appendPadding, hasRow, isMovable, linkAt, linkCount, putLink } from './links';
 import { ConstraintTable, LAYERS, putWord, word } from './table';
 
 // The minimum number of springs of a polyline: a direct solve of three gains nothing.

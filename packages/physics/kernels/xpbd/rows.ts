@@ -2,7 +2,7 @@
 import { columns, get, put } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
 import { ConstraintTable, RIGID, putWord, tableAt, word } from './table';
-import { updateChecksum, invalidateChecksum } from './checksum';
+import { invalidateChecksum, updateChecksum } from './checksum';
 
 // The stiffness and inverse masses of the last row, and the coefficients that follow from them: most rows of a soft
 // body are alike, so the divisions are cached.

@@ -9,14 +9,14 @@
 import { get, put } from '../memory/columns';
 import { LANES, add, at, div, dot, mul, splat, sub } from '../memory/lanes';
 import {
-  MIN_SQUARE,
   MIN_DISTANCE,
-  vectorAddress,
+  MIN_SQUARE,
   signMask,
   transpose0,
   transpose1,
   transpose2,
   transpose3,
+  vectorAddress,
 } from './packed-bodies';
 import { orderPasses } from './passes';
 import { exceedsTolerance, solveBatches } from './polyline-batches';

@@ -1,7 +1,7 @@
 // Wind on a sheet of triangles.
 import { LANES, at } from '../memory/lanes';
-import { computeWindForce, windState, setWind } from './blow';
-import { CHUNK, chunkAddress, addChunkForces, readTriangles, triangles } from './faces';
+import { computeWindForce, setWind, windState } from './blow';
+import { CHUNK, addChunkForces, chunkAddress, readTriangles, triangles } from './faces';
 import { addWindToStrip, isStripAlive } from './strips';
 import { word } from './table';
 
