@@ -31,17 +31,17 @@ interface Hung {
   readonly stiffness?: number;
   readonly damping?: number;
   readonly length?: number;
-  readonly cord?: number;
+  readonly tensionOnly?: number;
   readonly body?: object;
 }
 
 /** A ball on a spring from a fixed point. */
 function hang(hung: Hung, forces: readonly Force[] = [], integrator: Integrator = velocityVerlet) {
-  const { stiffness = 1, damping = 0, length = 0, cord = 0 } = hung;
+  const { stiffness = 1, damping = 0, length = 0, tensionOnly = 0 } = hung;
   const world = createPhysicsWorld({ capacity: 5, forces: [...forces, springs()], integrator });
   const a = spawn(world, { position: hung.from });
   const b = spawn(world, { position: hung.at, velocity: hung.velocity ?? {}, mass: 1, ...hung.body });
-  spawn(world, { spring: { a, b, stiffness, damping, length, cord } });
+  spawn(world, { spring: { a, b, stiffness, damping, length, tensionOnly } });
   return { world, eid: b, ...read(world, b) };
 }
 
@@ -208,7 +208,7 @@ test('a stick figure: a body of 20 and a head of 10 on it balance a fifth of the
 });
 
 describe('ch08-bungee', () => {
-  const CORD = { from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, cord: 1 };
+  const CORD = { from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, tensionOnly: 1 };
   const jump = (quadratic: number) =>
     hang({ ...CORD, body: { mass: 90, quadraticDrag: quadratic } }, [uniformGravity({ y: 20 }), quadraticDrag()]);
 

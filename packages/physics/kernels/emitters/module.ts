@@ -1,4 +1,4 @@
-// Particle pools and what bears and ends their particles.
+// Particle pools: emitters, births, ageing and ends of particles.
 export { prepareEmitter } from './appearance';
 export { openPool } from './pool';
 export { stepEmitter } from './step';

@@ -8,60 +8,64 @@ import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterOptions } from './options.ts';
 import { type EmitterRecord, MAX_RAMPS, RECORD_BYTES, recordAt, W } from './record.ts';
 
-/** Bursts that wait for the next step, and the bytes of one (kernels/emitters/record.ts). */
+/** The maximum number of pending bursts, and the numbers per burst (kernels/emitters/record.ts). */
 export const MAX_BURSTS = 256;
 export const BURST_NUMBERS = 12;
 
-/** 256 shades of each ramp. */
+/** A lookup table of 256 colours per ramp. */
 const COLOR_BYTES = MAX_RAMPS * 1024;
 const SLOT_BYTES = 40;
 const ENDING_BYTES = 52;
 
-/** A piece of the world's memory for an emitter; it serves another when its own is destroyed. */
+/** A block of the world's memory for an emitter; it is reused after the emitter is destroyed. */
 export interface Block {
   readonly record: EmitterRecord;
   readonly capacity: number;
   readonly reports: boolean;
 }
 
-/** Blocks whose emitters were destroyed: the world's memory is never given back. */
+/** Free blocks of destroyed emitters: the world's memory is never released. */
 const idleBlocks = resource((): Block[] => []);
 
 /** @throws PhysicsError E_CAPACITY */
 export function takeBlock(world: PhysicsWorld, capacity: number, reports: boolean): Block {
-  const idle = idleBlocks(world);
+  const freeBlocks = idleBlocks(world);
   const fits = (block: Block) =>
     block.capacity >= capacity && block.capacity <= 2 * capacity + 64 && block.reports === reports;
-  const found = idle.findIndex(fits);
-  if (found >= 0) return idle.splice(found, 1)[0];
+  const found = freeBlocks.findIndex(fits);
+  if (found >= 0) return freeBlocks.splice(found, 1)[0];
   const { arena } = world.internal;
   const slots = capacity * (SLOT_BYTES + (reports ? ENDING_BYTES : 0));
   const bytes = RECORD_BYTES + MAX_BURSTS * BURST_NUMBERS * 8 + COLOR_BYTES + slots;
-  return { record: recordAt(arena, allocate(arena, bytes + 64, `an emitter of ${capacity}`)), capacity, reports };
+  return {
+    record: recordAt(arena, allocate(arena, bytes + 64, `an emitter of ${capacity} particles`)),
+    capacity,
+    reports,
+  };
 }
 
 export function returnBlock(world: PhysicsWorld, block: Block): void {
   idleBlocks(world).push(block);
 }
 
-/** Lays out the block's arrays for `capacity` slots: those of 8 bytes a slot first. */
+/** Lays out the block's arrays for `capacity` slots, the arrays of 8 bytes per slot first. */
 export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity: number): void {
   const { words, numbers } = record;
   let top = record.at + RECORD_BYTES;
-  const take = (bytes: number) => {
+  const allocateBytes = (bytes: number) => {
     top += bytes;
     return top - bytes;
   };
   words.fill(0);
   numbers.fill(0);
-  words[W.bursts] = take(MAX_BURSTS * BURST_NUMBERS * 8);
-  words[W.colors] = take(COLOR_BYTES);
-  words[W.bornAt] = take(capacity * 8);
-  if (reports) words[W.endedAt] = take(capacity * 48);
+  words[W.bursts] = allocateBytes(MAX_BURSTS * BURST_NUMBERS * 8);
+  words[W.colors] = allocateBytes(COLOR_BYTES);
+  words[W.bornAt] = allocateBytes(capacity * 8);
+  if (reports) words[W.endedAt] = allocateBytes(capacity * 48);
   for (const list of [W.ids, W.generation, W.free, W.older, W.newer, W.ramp, W.life, W.factor]) {
-    words[list] = take(capacity * 4);
+    words[list] = allocateBytes(capacity * 4);
   }
-  if (reports) words[W.endedIds] = take(capacity * 4);
+  if (reports) words[W.endedIds] = allocateBytes(capacity * 4);
   const { Position } = world.previousAddresses;
   const { color, size } = world.addresses.Appearance;
   words[W.previousX] = Position.x;
@@ -75,7 +79,7 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
 }
 
 /**
- * Makes the entities of a pool, ascending, all inert.
+ * Creates the entities of a pool, ascending, all inactive.
  * @throws PhysicsError as `spawnMany`
  */
 export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32Array {
@@ -92,13 +96,13 @@ export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32
   return ids.sort();
 }
 
-/** Removes those entities of a pool that are still its own. */
+/** Removes the entities that the pool still owns. */
 export function removeBodies(world: PhysicsWorld, { words }: EmitterRecord): void {
   const { buffer } = world.memory;
   const capacity = words[W.capacity];
   const ids = new Uint32Array(buffer, words[W.ids], capacity);
-  const mine = new Uint32Array(buffer, words[W.generation], capacity);
+  const ownGenerations = new Uint32Array(buffer, words[W.generation], capacity);
   for (let slot = 0; slot < capacity; slot++) {
-    if (world.internal.generations[ids[slot]] === mine[slot]) removeWholly(world, ids[slot]);
+    if (world.internal.generations[ids[slot]] === ownGenerations[slot]) removeWholly(world, ids[slot]);
   }
 }

@@ -3,10 +3,10 @@ import { expect, test } from 'vitest';
 import * as record from './record.ts';
 import { MAX_RAMPS, MAX_STOPS, W } from './record.ts';
 
-/** The enumerations as objects, which they are wherever files are compiled one by one, as here. */
+/** Vitest compiles files one by one, so the const enums are objects here. */
 const enumerations = record as unknown as Readonly<Record<'N' | 'W', object>>;
 
-/** The members of an enumeration without `count`, in order; those numbered from 0 that stand for several, each. */
+/** Returns the members of an enum without `count`, in order; a member that stands for several fields is expanded. */
 function namesOf(fields: object): string[] {
   const names = Object.entries(fields).filter(([, place]) => typeof place === 'number') as [string, number][];
   return names.slice(0, -1).flatMap(([name, place], i) => {
@@ -15,7 +15,7 @@ function namesOf(fields: object): string[] {
   });
 }
 
-test('the record has the fields of the kernel’s class, in its order, and its f64 are aligned', () => {
+test('the record has the fields of the kernel class in the same order, and its f64 are aligned', () => {
   const source = readFileSync(new URL('../../kernels/emitters/record.ts', import.meta.url), 'utf8');
   const [body] = source.slice(source.indexOf('class Emitter')).split('\n}');
   const fields = [...body.matchAll(/^ {2}(\w+): (\w+);/gm)];

@@ -1,11 +1,11 @@
 // An emitter's record in the world's memory: the class of kernels/emitters/record.ts, field by field.
 import type { Arena } from '../memory/arena.ts';
 
-/** Colour ramps an emitter can choose from, and stops of a ramp. */
+/** The maximum number of colour ramps of an emitter, and of stops of a ramp. */
 export const MAX_RAMPS = 8;
 export const MAX_STOPS = 4;
 
-/** Where the u32 fields stand in `record.words`, in order; a bundle has the numbers alone. */
+/** Indices of the u32 fields in `record.words`; a const enum, so that a bundle contains only the numbers. */
 export const enum W {
   ids,
   generation,
@@ -45,19 +45,19 @@ export const enum W {
   random1,
   random2,
   random3,
-  /** The stops of all ramps, and how many each has. */
+  /** The stops of all ramps, and the number of stops of each. */
   color0,
   stops0 = color0 + 32,
-  /** How many words there are. */
+  /** The number of words. */
   count = stops0 + 8,
 }
 
-/** Where the f64 fields stand in `record.numbers`, which follow the words. */
+/** Indices of the f64 fields in `record.numbers`, which follow the words. */
 export const enum N {
   clock,
   pending,
   owed,
-  /** What an emitter is told, in the order of `checkParameters`; up to four sizes, which are the end of it. */
+  /** The parameters in the order of `checkParameters`, the last of which are up to four sizes. */
   rate,
   lifeMin,
   lifeMax,
@@ -95,7 +95,7 @@ export const enum N {
   born,
   ended,
   lost,
-  /** How many there are. */
+  /** The number of f64 fields. */
   count,
 }
 

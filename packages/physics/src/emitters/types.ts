@@ -3,27 +3,27 @@ import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterParameters } from './options.ts';
 import type { Block } from './pool.ts';
 
-/** A source of particles and the pool of entities they live in. */
+/** A source of particles and its pool of entities. */
 export interface Emitter {
   readonly world: PhysicsWorld;
   readonly capacity: number;
-  /** The entities of the pool, ascending: living particles and inert ones alike. */
+  /** The entities of the pool, ascending, both living and inactive. */
   readonly ids: Uint32Array;
-  /** Not for users. */
+  /** For internal use. */
   readonly internal: EmitterInternals;
 }
 
 export interface EmitterInternals {
   readonly block: Block;
-  /** The body it follows, and its id. */
+  /** A reference to the followed body, and its id. */
   readonly followed: EntityRef | undefined;
   readonly entity: number;
   parameters: EmitterParameters;
-  /** Where bursts wait for the next step, twelve numbers each. */
+  /** The pending bursts, twelve numbers each. */
   readonly bursts: Float64Array;
-  /** What was reported last, once somebody asked; the same object every time. */
+  /** The result of `endings`, created on first use; the same object every time. */
   endings: { count: number; readonly ids: Uint32Array; readonly states: Float64Array } | undefined;
   destroyed: boolean;
-  /** How often the world had been restored when it was last seen to have this emitter. */
+  /** The world's number of restores when the emitter's existence was last checked. */
   timeline: number;
 }

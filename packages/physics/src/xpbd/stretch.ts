@@ -4,8 +4,8 @@ import { constraintTable } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 
 /**
- * Largest |d - L|/L of all springs at least as stiff as `stiffness`, N/m: how far from inextensible the world is. Slack
- * cords and springs without length do not count.
+ * Returns the largest strain |d - L|/L of all springs with at least `stiffness`, N/m. Slack tension-only springs and
+ * springs without length are excluded.
  * @throws PhysicsError E_DESTROYED
  */
 export function maxStrain(world: PhysicsWorld, stiffness = 0): number {
@@ -15,7 +15,7 @@ export function maxStrain(world: PhysicsWorld, stiffness = 0): number {
   return constraintKernels(world).maxStrain(at, stiffness);
 }
 
-/** The root of the mean square of the same, over the springs that count. @throws PhysicsError E_DESTROYED */
+/** Returns the root mean square strain of the same springs. @throws PhysicsError E_DESTROYED */
 export function rmsStrain(world: PhysicsWorld, stiffness = 0): number {
   const { at } = constraintTable(world);
   if (world.internal.counts.Spring === 0) return 0;

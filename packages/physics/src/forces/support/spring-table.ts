@@ -1,4 +1,5 @@
-// What the spring kernels need of a world: where the columns are, and the list of springs, kept while nothing changes.
+// The record that the spring kernels read: the addresses of the columns, and the list of springs, kept until springs
+// change.
 import { bitOf } from '../../components/all.ts';
 import { removeWholly } from '../../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../../ecs/entity-list.ts';
@@ -7,7 +8,7 @@ import { allocate } from '../../memory/arena.ts';
 import { resource } from '../../memory/resource.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 
-/** Words of the table before the two f64, in the order of the class in kernels/forces/springs.ts. */
+/** The number of words before the two f64, in the order of the class in kernels/forces/springs.ts. */
 const WORDS = 16;
 const TABLE_BYTES = WORDS * 4 + 16;
 const [IDS, LINKS, LOST, COUNT, ACTIVE, LOST_COUNT] = [9, 10, 11, 12, 13, 14];
@@ -18,10 +19,10 @@ export interface SpringTable {
   readonly words: Uint32Array;
   /** Largest stiffness over reduced mass, 1/s², and damping over reduced mass, 1/s. */
   readonly stiffest: Float64Array;
-  /** The two and the step, s, that the integrator `passedBy` was last found to be stable with. */
+  /** The values of `stiffest` and the step, s, with which the integrator `passedBy` was last stable. */
   readonly passed: Float64Array;
   passedBy: object | undefined;
-  /** Springs removed before the last step because they lost an end. */
+  /** The springs removed before the last step because they lost an end. */
   removed: number[];
 }
 
@@ -29,19 +30,22 @@ export const springTable = resource((world): SpringTable => {
   const { arena } = world.internal;
   const at = allocate(arena, TABLE_BYTES, 'springs');
   const words = new Uint32Array(arena.memory.buffer, at, WORDS);
-  const { a, b, aLife, bLife, stiffness, damping, length, cord } = world.addresses.Spring;
+  const { a, b, aLife, bLife, stiffness, damping, length, tensionOnly } = world.addresses.Spring;
   const generations = world.internal.generations.byteOffset;
-  words.set([a, b, aLife, bLife, stiffness, damping, length, cord, generations, 0, 0, 0, 0, 0, 0, world.rows]);
+  words.set([a, b, aLife, bLife, stiffness, damping, length, tensionOnly, generations, 0, 0, 0, 0, 0, 0, world.rows]);
   const stiffest = new Float64Array(arena.memory.buffer, at + WORDS * 4, 2);
   const passed = new Float64Array(3).fill(Number.NaN);
   return { at, words, stiffest, passed, passedBy: undefined, removed: [], entityList: emptyEntityList() };
 });
 
-/** Lists the springs whose ends both live, and looks at each: ends and stiffness may have been changed in place. */
+/**
+ * Lists the springs whose ends both live, and the largest stiffness: ends and stiffness may have been changed in
+ * place.
+ */
 export function scanSprings(world: PhysicsWorld): SpringTable {
   const table = springTable(world);
   const { entityList, words } = table;
-  // Behind the ids: 12 bytes each for the springs that act, 4 for those that lost an end.
+  // Behind the ids: 12 bytes per active spring, 4 per spring that lost an end.
   if (refreshEntityList(world, entityList, 'Spring', 16)) {
     words.set([entityList.ids, entityList.at, entityList.at + entityList.room * 12], IDS);
     words[COUNT] = entityList.count;
@@ -50,7 +54,7 @@ export function scanSprings(world: PhysicsWorld): SpringTable {
   return table;
 }
 
-/** Removes springs that lost an end: their entities go with the body. */
+/** Removes the springs that lost an end, with their entities. */
 export function removeLost(world: PhysicsWorld, table: SpringTable): void {
   const lost = table.words[LOST_COUNT];
   if (lost === 0 && table.removed.length === 0) return;
@@ -65,7 +69,7 @@ export function removeLost(world: PhysicsWorld, table: SpringTable): void {
   }
 }
 
-/** The springs that act, as triples: id of the spring, body a, body b. */
+/** Returns the active springs as triples: id of the spring, body a, body b. */
 export function activeSprings(world: PhysicsWorld, { words }: SpringTable): Uint32Array {
   return new Uint32Array(world.memory.buffer, words[LINKS], 3 * words[ACTIVE]);
 }
