@@ -1,4 +1,4 @@
-// The force laws beyond those every world carries: a module of its own, so that a game without them does not pay.
+// Kernels of force laws that not every world needs, in a separate module to keep other bundles small.
 export { gatherCharges } from './charges';
 export { burnFuel, blast } from './external-forces';
 export { restoreOutside, zeroOutside } from './restrict-force';

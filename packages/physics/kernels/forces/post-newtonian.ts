@@ -1,7 +1,7 @@
-// First post-Newtonian correction of the pull of one body on all others.
+// First post-Newtonian correction to the gravity of one body on all others.
 import { columns, get, put } from '../memory/columns';
 
-// F += m mu/(c^2 r^3) [(4 mu/r - v^2) r + 4 (r.v) v], with r and v from row `central`. In two dimensions fz is 0.
+// F += m mu/(c^2 r^3) [(4 mu/r - v^2) r + 4 (r.v) v], with r and v relative to row `central`. In 2D fz is 0.
 export function postNewtonian(
   fx: usize,
   fy: usize,

@@ -1,10 +1,10 @@
-// Drag of a medium, still or moving at the wind w.
+// Drag of a medium at rest or moving with the wind w.
 //
 //   linear     F = -c (v - w)            slow, viscous: Re < 1     c, kg/s: 6 π η r for a sphere (Stokes 1851)
 //   quadratic  F = -k |v - w| (v - w)    fast: Re > 1000           k, kg/m: ρ C_d A / 2 (Rayleigh)
 //
-// The coefficients are the columns LinearDrag and QuadraticDrag; zero, or no component, feels nothing.
-// Cost: linear one multiply-add an axis; quadratic one square root more.
+// The coefficients are the columns LinearDrag and QuadraticDrag; zero, or an absent component, means no drag. Cost:
+// linear one multiply-add per axis; quadratic one square root more.
 import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { Force } from '../world/types.ts';
@@ -18,7 +18,7 @@ const linear = /* @__PURE__ */ defineLaw({
   source,
   reads: { c: LinearDrag },
   parameters: {
-    /** Velocity w of the medium, m/s, or a function of time, s, that gives it; default still. */
+    /** Velocity w of the medium, m/s, or a function of time, s; default at rest. */
     wind: windParameter,
   },
   force: ({ velocity, c }, { wind }) => velocity.sub(wind).mul(c).negate(),
@@ -30,7 +30,7 @@ const quadratic = /* @__PURE__ */ defineLaw({
   source,
   reads: { k: QuadraticDrag },
   parameters: {
-    /** Velocity w of the medium, m/s, or a function of time, s, that gives it; default still. */
+    /** Velocity w of the medium, m/s, or a function of time, s; default at rest. */
     wind: windParameter,
   },
   force: ({ velocity, k }, { wind }) => {
@@ -39,12 +39,12 @@ const quadratic = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** Drag in proportion to the speed. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/** Drag proportional to the speed. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function linearDrag(wind: Wind = {}): Force {
   return linear({ wind });
 }
 
-/** Drag in proportion to the square of the speed. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/** Drag proportional to the square of the speed. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function quadraticDrag(wind: Wind = {}): Force {
   return quadratic({ wind });
 }

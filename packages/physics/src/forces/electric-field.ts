@@ -1,12 +1,12 @@
 // A uniform electric field, steady or changing with time.
 //
-//   F = q E(t)        potential  U = -q E·r   (zero at the origin; only of a steady field)
+//   F = q E(t)        potential  U = -q E·r   (zero at the origin; only for a steady field)
 //
 //   q  charge, C    E  field, V/m (= N/C)
 //
-// Valid between plates wide against their distance, and for fields that change slowly against the time light takes
-// across the scene: no radiation, no induced magnetic field. Griffiths, Introduction to Electrodynamics, chapter 2.
-// Cost: one multiply-add an axis.
+// Valid between plates that are wide compared to their distance, and for fields that change slowly compared to the
+// light travel time across the scene: no radiation, no induced magnetic field. Griffiths, Introduction to
+// Electrodynamics, chapter 2. Cost: one multiply-add per axis.
 import { Charge } from '../components/charge.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { LawOptions } from '../laws/law.ts';

@@ -1,13 +1,13 @@
-// Lift of a wing: across the flow, and with the square of its speed.
+// Lift of a wing: perpendicular to the flow and proportional to the square of its speed.
 //
-//   F = k |w| (s × w)        in the plane:  F = k |w| (-w_y, w_x), the flow turned a quarter anticlockwise
+//   F = k |w| (s × w)        in 2D:  F = k |w| (-w_y, w_x), the flow rotated by 90° anticlockwise
 //
-//   k = ½ ρ C_L A, kg/m: the column Lift    w  velocity through the medium, m/s    s  unit vector along the span, from
+//   k = ½ ρ C_L A, kg/m: the column Lift    w  velocity relative to the medium, m/s    s  unit vector along the span, from
 //   the left wing tip to the right: a body that flies along +x with s = +z is lifted along +y.
 //
-// Kutta (1902), Joukowski (1906); the coefficient is constant, so the angle of attack must be small and steady, or the
-// game changes `Lift.coefficient`. It does no work. Anderson, Fundamentals of Aerodynamics, section 1.5.
-// Cost: one square root and a cross product a body; in the body's axes in 3D two cross products more.
+// Kutta (1902), Joukowski (1906); the coefficient is constant, so the angle of attack must be small and steady, or
+// the game changes `Lift.coefficient`. Lift does no work. Anderson, Fundamentals of Aerodynamics, section 1.5. Cost:
+// one square root and a cross product per body; in the body's axes in 3D two cross products more.
 import { Lift } from '../components/lift.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkVector, type Vector, type VectorInput } from '../errors/validate.ts';
@@ -20,9 +20,9 @@ import { type Wind, windParameter } from './support/wind.ts';
 export interface LiftOptions {
   /** Span axis s; default +z. In 2D it is +z. */
   readonly span?: VectorInput;
-  /** Whether s is an axis of the world (default) or of the body, turning with its Orientation. */
+  /** Whether s is in axes of the world (default) or of the body, rotating with its Orientation. */
   readonly frame?: 'world' | 'body';
-  /** How the medium moves, m/s; default not. */
+  /** Velocity of the medium, m/s; default at rest. */
   readonly wind?: Wind;
 }
 

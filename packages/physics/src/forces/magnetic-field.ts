@@ -1,16 +1,16 @@
 // The magnetic part of the Lorentz force in a uniform field, steady or changing with time.
 //
-//   F = q v × B(t)        in the plane, B = B_z out of it:  F = q B_z (v_y, -v_x)
+//   F = q v × B(t)        in 2D, B = B_z normal to the plane:  F = q B_z (v_y, -v_x)
 //
 //   q  charge, C    v  velocity, m/s    B  flux density, T
 //
 // It does no work: a charge circles with radius m v/(|q| B) and period 2π m/(|q| B). As a force it works with every
-// integrator, but none of them knows that the speed must not change: with Ω = q B/m, semi-implicit and explicit Euler
-// gain (Ω dt)²/2 of it a step, velocity Verlet is stable with a bounded error, Runge-Kutta 4 loses (Ω dt)⁶/144 a step.
-// Boris's integrator turns the velocity instead and keeps the speed to rounding for any dt: prefer it for many turns,
-// and then leave this force out. A field that changes with time induces an electric one, which is not included.
-// Lorentz (1895); Jackson, Classical Electrodynamics, section 12.2; Birdsall and Langdon, Plasma Physics via Computer
-// Simulation, section 4.3. Cost: four to twelve operations a body.
+// integrator, but none of them conserves the speed exactly: with Ω = q B/m, semi-implicit and explicit Euler gain (Ω
+// dt)²/2 of it per step, velocity Verlet is stable with a bounded error, Runge-Kutta 4 loses (Ω dt)⁶/144 per step.
+// Boris's integrator rotates the velocity instead and conserves the speed to rounding for any dt: prefer it for many
+// periods, and omit this force then. The electric field induced by a changing magnetic field is not included. Lorentz
+// (1895); Jackson, Classical Electrodynamics, section 12.2; Birdsall and Langdon, Plasma Physics via Computer
+// Simulation, section 4.3. Cost: four to twelve operations per body.
 import { Charge } from '../components/charge.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { axialVectorOverTime } from '../laws/parameter.ts';
@@ -24,7 +24,7 @@ const law = /* @__PURE__ */ defineLaw({
   source: 'Jackson, Classical Electrodynamics, section 12.2.',
   reads: { charge: Charge },
   parameters: {
-    /** Flux density B, T, or a function of the time, s, that gives it; in 2D its z. */
+    /** Flux density B, T, or a function of time, s, that returns it; in 2D only its z is used. */
     field: axialVectorOverTime('T', ANY),
   },
   force: ({ velocity, charge }, { field }) => velocity.mul(charge).cross(field),

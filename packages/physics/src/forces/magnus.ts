@@ -1,13 +1,13 @@
-// The Magnus force: a ball that spins is pushed across its path.
+// The Magnus force on a spinning ball, perpendicular to its path.
 //
 //   F = C π ρ r³ (ω × w)
 //
 //   ρ  density of the fluid, kg/m³    r  radius of the collider, m    ω  angular velocity, rad/s
-//   w  velocity through the fluid, m/s    C  coefficient, 1 for slow flow
+//   w  velocity relative to the fluid, m/s    C  coefficient, 1 for slow flow
 //
 // Rubinow and Keller, J. Fluid Mech. 11, 447 (1961), for Re ≪ 1, where C = 1 exactly. Sports balls at Re of 10⁵ have
-// C from 0.1 to 1 by spin and roughness: Mehta, Annual Review of Fluid Mechanics 17, 151 (1985). It does no work and,
-// here, does not slow the spin: add `angularDrag`. Cost: a cross product a body.
+// C from 0.1 to 1, depending on spin and roughness: Mehta, Annual Review of Fluid Mechanics 17, 151 (1985). The force
+// does no work and does not slow the spin: add `angularDrag`. Cost: a cross product per body.
 import { Collider } from '../components/collider.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { scalar } from '../laws/parameter.ts';
@@ -20,7 +20,7 @@ export interface MagnusOptions {
   readonly density: number;
   /** C; default 1. */
   readonly coefficient?: number;
-  /** How the fluid moves, m/s; default not. */
+  /** Velocity of the fluid, m/s; default at rest. */
   readonly wind?: Wind;
 }
 

@@ -1,13 +1,14 @@
-// The pseudo-Newtonian pull of a black hole, which has the innermost stable circular orbit of a Schwarzschild hole.
+// The pseudo-Newtonian attraction of a black hole, with the innermost stable circular orbit of the Schwarzschild
+// metric.
 //
 //   F = -m μ r̂/(r - r_s)²        U = -m μ/(r - r_s)
 //
 //   m  mass, kg    μ = G M, m³/s²    r_s  Schwarzschild radius, m; 2 μ/c² by default    r  distance, m
 //
 // Circular orbits are stable beyond 3 r_s and bound beyond 2 r_s, as in general relativity; time and light are
-// Newton's. At r_s and inside there is no force and no potential: the body is swallowed, and should be removed.
+// Newtonian. At r_s and inside there is neither force nor potential: the body is captured, and should be removed.
 // Paczyński and Wiita, Astronomy and Astrophysics 88, 23 (1980). Cost: one square root, two divisions and 19 more
-// operations a body.
+// operations per body.
 import { MAX_SPEED } from '../components/velocity.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { scalar } from '../laws/parameter.ts';

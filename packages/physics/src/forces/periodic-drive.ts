@@ -1,11 +1,11 @@
-// A force that swings with time, the same on every body with mass.
+// A force that oscillates with time, the same on every body with mass.
 //
 //   F = A cos Ωt + B sin Ωt
 //
 //   A, B  amplitudes, N    Ω  angular frequency, rad/s; 0 is a constant force A    t  time, s
 //
 // A driven oscillator of mass m, stiffness k and damping c settles to the amplitude |A|/√((k - mΩ²)² + c²Ω²): Landau
-// and Lifshitz, Mechanics, section 26. For some bodies only, wrap it in `restrictForce`. Cost: two operations an axis.
+// and Lifshitz, Mechanics, section 26. To select bodies, wrap it in `restrictForce`. Cost: two operations per axis.
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
 import { select, vec3 } from '../laws/expression.ts';
@@ -14,11 +14,11 @@ import type { Force } from '../world/types.ts';
 import { ANY } from './support/bounds.ts';
 
 export interface PeriodicDriveOptions {
-  /** A, N; default none. */
+  /** Amplitude A, N; default zero. */
   readonly cosine?: VectorInput;
-  /** B, N; default none. */
+  /** Amplitude B, N; default zero. */
   readonly sine?: VectorInput;
-  /** Ω, rad/s. */
+  /** Angular frequency Ω, rad/s. */
   readonly angularFrequency: number;
 }
 

@@ -1,13 +1,14 @@
-// First post-Newtonian correction of the pull of one dominant body: what turns Mercury's perihelion by 43″ a century.
+// First post-Newtonian correction to the gravity of a dominant body: it advances Mercury's perihelion by 43″ per
+// century.
 //
 //   F = m μ/(c² r³) [(4 μ/r - v²) r + 4 (r·v) v]
 //
-//   m  mass, kg    μ = G M of the dominant body, m³/s²    r, v  position and velocity from it    c  speed of light, m/s
+//   m  mass, kg    μ = G M of the dominant body, m³/s²    r, v  position and velocity relative to it    c  speed of light, m/s
 //
-// An addition to Newton's attraction, on every body with mass except the dominant one; its own recoil, smaller by the
-// ratio of the masses, is left out. Valid for v²/c² and μ/(c² r) far below one, and one body far heavier than all others.
-// In the harmonic gauge of general relativity: Einstein, Infeld, Hoffmann (1938); Will, Theory and Experiment in
-// Gravitational Physics, section 6.2. No potential: the force depends on velocity. Cost: a square root a body.
+// It is added to Newtonian attraction, on every body with mass except the dominant one, whose recoil, smaller by the
+// mass ratio, is neglected. Valid for v²/c² and μ/(c² r) far below 1, and one body far heavier than all others. In
+// the harmonic gauge of general relativity: Einstein, Infeld, Hoffmann (1938); Will, Theory and Experiment in
+// Gravitational Physics, section 6.2. No potential: the force depends on velocity. Cost: a square root per body.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import type { Force } from '../world/types.ts';
 import { GRAVITATIONAL_CONSTANT } from './enclosed-mass-gravity.ts';

@@ -1,16 +1,15 @@
-// Rockets: thrust from mass thrown out, and the mass goes.
+// Rocket engines: thrust from expelled mass, which reduces fuel and Mass.
 //
 //   F = v_e μ n,   dm/dt = -μ        Δv = v_e ln(m₀/m₁)  (Tsiolkovsky 1903)
 //
-//   v_e  exhaust speed, m/s    μ = burnRate × throttle, kg/s    n  direction of the push    m  mass, kg
+//   v_e  exhaust speed, m/s    μ = burnRate × throttle, kg/s    n  direction of the thrust    m  mass, kg
 //
-// All of it is the component Engine. At the start of a step fuel and Mass fall by what the step burns, to the last
-// kilogram: an engine whose fuel ends inside the step burns what is left. The thrust is the constant force that gives
-// the remaining mass v_e ln(m₀/m₁) in that step, so Δv is exact with every integrator and every dt. Gravity does not care
-// when in the step the mass went; a force that does not grow with mass, such as drag, sees the mass at the end of the
-// step. Exhaust far slower than light. A body that gets rid of all its mass keeps a millionth of it.
-// Cost: one logarithm a firing engine and step, and the turn of
-// a vector a body.
+// All quantities are in the component Engine. At the start of a step fuel and Mass decrease by the burnt mass; an
+// engine whose fuel ends within the step burns the rest. The thrust is the constant force that gives the remaining
+// mass v_e ln(m₀/m₁) in that step, so Δv is exact with every integrator and every dt. Gravity is independent of the
+// time of the mass loss within the step; a force not proportional to mass, such as drag, acts on the mass at the end
+// of the step. Valid for exhaust far slower than light. A body that burns all its mass keeps a millionth of it. Cost:
+// one logarithm per firing engine and step, and the rotation of a vector per body.
 import { Engine } from '../components/propulsion.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys } from '../errors/validate.ts';
@@ -50,7 +49,7 @@ export function rocketEngines(options: RocketOptions = {}): Force {
   return frame === 'body' ? ofBody() : ofWorld();
 }
 
-/** Burns the fuel of one step, and leaves the thrust of it in the columns that the law reads. */
+/** Burns the fuel of a step, and writes its thrust to the columns that the law reads. */
 function burn(world: PhysicsWorld, dt: number): void {
   if (world.internal.counts.Engine === 0) return;
   const e = world.addresses.Engine;

@@ -1,11 +1,11 @@
-// A steady force on each body, its own: jets, oars, a hand on the tiller.
+// A steady force on each body, from a column of its own: jets, oars, a rudder.
 //
-//   F = T        or, with T in the body's own axes,  F = R T
+//   F = T        or, with T in the body's axes,  F = R T
 //
 //   T  the column Thrust, N: write it to steer    R  rotation of the body, from Rotation or Orientation
 //
-// No mass is spent: `rocketEngines` for that. Cost: one addition an axis; in the body's axes a sine and a cosine in 2D,
-// two cross products in 3D.
+// No mass is consumed; see `rocketEngines`. Cost: one addition per axis; in the body's axes a sine and a cosine in
+// 2D, two cross products in 3D.
 import { Thrust } from '../components/propulsion.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys } from '../errors/validate.ts';

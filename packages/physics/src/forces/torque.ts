@@ -1,12 +1,12 @@
-// Torques: a steady one on every body that can turn, and drag on the turning.
+// Torques: a constant one on every body that can rotate, and drag on rotation.
 //
 //   constantTorque  τ = T        angularDrag  τ = -k ω
 //
 //   τ  torque, N m    k  the column AngularDrag, N m s; Stokes: 8 π η r³ for a sphere    ω  angular velocity, rad/s
 //
-// A body turns when it has Inertia and AngularVelocity: dω/dt = τ/I, by semi-implicit Euler, with one moment of inertia
-// for all axes. In 2D only z. Keep k dt/I below 1. Goldstein, Classical Mechanics, section 5.
-// Cost: one multiply-add an axis.
+// A body with Inertia and AngularVelocity rotates: dω/dt = τ/I, by semi-implicit Euler, with one moment of inertia
+// for all axes. In 2D only z. Keep k dt/I below 1. Goldstein, Classical Mechanics, section 5. Cost: one multiply-add
+// per axis.
 import { AngularDrag } from '../components/drag.ts';
 import { Inertia } from '../components/inertia.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
@@ -46,7 +46,7 @@ export function constantTorque(torque: VectorInput): Force {
   return constantLaw({ torque });
 }
 
-/** Drag on the turning of bodies with `AngularDrag`. */
+/** Drag on the rotation of bodies with `AngularDrag`. */
 export function angularDrag(): Force {
   return dragLaw();
 }

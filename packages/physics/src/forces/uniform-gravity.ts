@@ -1,11 +1,11 @@
-// Uniform gravity: every body with mass feels the same acceleration.
+// Uniform gravity: every body with mass has the same acceleration.
 //
 //   F = m g            potential  U = -m g·r   (zero at the origin)
 //
 //   m  mass, kg        g  acceleration, m/s²
 //
-// Valid near the surface of a planet, over heights small against its radius (over 1 km g falls by 0.03 %).
-// Cost: one multiply-add an axis.
+// Valid near the surface of a planet, over heights small compared to its radius (over 1 km g decreases by 0.03 %).
+// Cost: one multiply-add per axis.
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
 import { vector } from '../laws/parameter.ts';

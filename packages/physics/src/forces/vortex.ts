@@ -1,14 +1,15 @@
-// A whirl that throws out what is in its core and draws in what is outside.
+// A vortex that pushes out bodies in its core and draws in bodies outside.
 //
 //   r ≤ r₀  F = m k r        U = -m k r²/2
 //   r > r₀  F = -m k (r₀/r)⁴ r    U = -m k r₀⁴/(2r²)
 //
 //   m  mass, kg    k  strength, 1/s² (the square of the core's angular speed)    r₀  radius of the core, m
 //
-// The core turns as a solid body, and its centrifugal force wins; outside, the pressure of a free vortex (speed 1/r)
-// draws inwards. So at r₀ the force is m k r₀ on either side but jumps from outward to inward: bodies gather on the rim,
-// and a step that crosses it errs by the first order. The potential is continuous. For the flow itself, and drag in it,
-// give `turbulentDrag` or `quadraticDrag` a wind. Cost: one square root, one division and 17 more operations a body.
+// The core rotates as a rigid body, and its centrifugal force dominates; outside, the pressure gradient of a free
+// vortex (speed 1/r) acts inwards. At r₀ the force is m k r₀ on both sides but flips from outward to inward: bodies
+// gather on the rim, and a step across it has a first-order error. The potential is continuous. For the flow itself,
+// and drag in it, pass a wind to `turbulentDrag` or `quadraticDrag`. Cost: one square root, one division and 17 more
+// operations per body.
 import { select } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
@@ -16,7 +17,7 @@ import { ANY, LENGTHS } from './support/bounds.ts';
 import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
 export interface VortexOptions extends CentreOptions {
-  /** k, 1/s². */
+  /** Strength k, 1/s². */
   readonly strength: number;
   /** Radius r₀ of the core, m. */
   readonly radius: number;

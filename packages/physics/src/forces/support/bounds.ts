@@ -1,4 +1,4 @@
-// Bounds that the parameters of many laws share. 10³⁸ is where f32 ends.
+// Bounds shared by the parameters of many laws. 10³⁸ is close to the largest f32.
 import { MAX_POSITION } from '../../components/position.ts';
 import { MAX_SPEED } from '../../components/velocity.ts';
 

@@ -1,4 +1,4 @@
-// A fluid with a level surface, as laws see it: how much of a body is under it.
+// A fluid with a level surface, and the immersed fraction of a body in it.
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { type Scalar, select, type Vector as VectorSymbol } from '../../laws/expression.ts';
 import { scalar, vector } from '../../laws/parameter.ts';
@@ -6,25 +6,28 @@ import { ANY, PLACES, POSITIVE, SPEEDS } from './bounds.ts';
 import { STANDARD_GRAVITY } from './standard-gravity.ts';
 import { unit } from './unit-vector.ts';
 
-/** A body of water, or the air when there is no level. Give the same record to all forces of one pool. */
+/** A body of water, or the air if there is no level. Give the same record to all forces of a fluid. */
 export interface FluidVolume {
   /** Density ρ, kg/m³. */
   readonly density: number;
-  /** Gravity, m/s²; default standard gravity downwards. It says where up is. */
+  /** Gravity, m/s²; default standard gravity downwards. It defines the upward direction. */
   readonly gravity?: VectorInput;
-  /** Height of the surface along up, m: y of the surface when gravity points down. Left out, the fluid is everywhere. */
+  /** Height of the surface along up, m: its y if gravity points down. By default the fluid is unbounded. */
   readonly level?: number;
-  /** How the fluid moves, m/s; default not. */
+  /** Velocity of the fluid, m/s; default at rest. */
   readonly flow?: VectorInput;
 }
 
-/** Parameters of laws of a fluid: size of gravity, and the unit vector against it. Their values are checked before. */
+/**
+ * Parameters of laws of a fluid: magnitude of gravity, and the unit vector against it. The values are validated
+ * before.
+ */
 export const FLUID = /* @__PURE__ */ { density: scalar('kg/m³'), gravity: scalar('m/s²'), up: vector('') };
 
-/** Those of a fluid with a surface. */
+/** Parameters of laws of a fluid with a surface. */
 export const POOL = /* @__PURE__ */ { ...FLUID, level: scalar('m') };
 
-/** What the laws of a pool are given. */
+/** The validated values of these parameters. */
 export interface FluidVolumeValues {
   readonly fluid: { readonly density: number; readonly gravity: number; readonly up: Vector };
   readonly level: number | undefined;
@@ -38,14 +41,14 @@ export function fluidVolumeValues(pool: FluidVolume, caller: string): FluidVolum
   const given = checkVector(pool.gravity ?? { y: -STANDARD_GRAVITY }, `${caller}.gravity`, ANY);
   const down = unit(given, `${caller}.gravity`);
   const gravity = given.x * down.x + given.y * down.y + given.z * down.z;
-  // Not the negative, which may be -0.
+  // 0 - x instead of -x, which may be -0.
   const up = { x: 0 - down.x, y: 0 - down.y, z: 0 - down.z };
   const level = pool.level === undefined ? undefined : checkNumber(pool.level, `${caller}.level`, PLACES);
   const flow = checkVector(pool.flow ?? {}, `${caller}.flow`, SPEEDS);
   return { fluid: { density, gravity, up }, level, flow };
 }
 
-/** What a body that can be in a fluid shows of itself: reads `{ hull: Hull, collider: Collider }`. */
+/** The columns of a body that can float: reads `{ hull: Hull, collider: Collider }`. */
 export interface HullSymbols {
   readonly position: VectorSymbol;
   readonly hull: { readonly volume: Scalar; readonly halfHeight: Scalar; readonly shape: Scalar };
@@ -58,23 +61,23 @@ export interface SurfaceSymbols {
   readonly level: Scalar;
 }
 
-/** How far a body is in the fluid. */
+/** The immersion of a body. */
 export interface Immersion {
   /** Depth of the centre, m. */
   readonly depth: Scalar;
   /** Half the body's height, m. */
   readonly half: Scalar;
-  /** Depth over half height, within -1 and 1. */
+  /** Depth over half height, from -1 to 1. */
   readonly relative: Scalar;
-  /** Share of the volume under the surface. */
+  /** Immersed fraction of the volume. */
   readonly share: Scalar;
 }
 
-/** A sphere has shape 0; whatever else there is counts as an upright box. */
+/** Computes the immersion. Shape 0 is a sphere; all others count as an upright box. */
 export function immersion({ position, hull, collider }: HullSymbols, { up, level }: SurfaceSymbols): Immersion {
   const depth = level.sub(up.dot(position));
   const half = select(hull.halfHeight.greater(0), hull.halfHeight, collider.radius);
-  // A point is in or out.
+  // A point is either in or out.
   const ofPoint = select(depth.greater(0), 1, -1);
   const d = select(half.greater(0), depth.div(half).min(1).max(-1), ofPoint);
   const ofSphere = d.mul(d.square().negate().add(3)).mul(0.25).add(0.5);

@@ -1,5 +1,5 @@
-// The kernels of the laws beyond drag, springs, attraction and uniform gravity: a module of its own, made when a world
-// first uses one of them.
+// The kernels of laws beyond drag, springs, attraction and uniform gravity: a separate module, instantiated when a
+// world first uses it.
 import { KERNELS, type KernelExports } from '../../kernels/forces.gen.ts';
 import { kernelModule } from '../../memory/kernel-module.ts';
 

@@ -1,4 +1,4 @@
-// How a medium moves: steadily, or as a function of time.
+// The velocity of a medium, constant or as a function of time.
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { vectorOverTime } from '../../laws/parameter.ts';
 import type { VectorOverTime } from '../../laws/time-vector.ts';
@@ -11,20 +11,20 @@ export type Wind = VectorOverTime;
 /** The velocity of a medium as a parameter of a law. */
 export const windParameter = vectorOverTime('m/s', { default: {}, ...SPEEDS });
 
-/** Turbulence: how it is drawn. */
+/** The options of `gusts`. */
 export interface GustOptions {
   /** Mean wind, m/s. */
   readonly mean?: VectorInput;
-  /** Each axis is drawn uniformly within this much of the mean, m/s. */
+  /** Half range of the uniform distribution about the mean, per axis, m/s. */
   readonly spread: VectorInput;
-  /** How long a gust lasts, s; default 0.1. */
+  /** Duration of a gust, s; default 0.1. */
   readonly interval?: number;
-  /** Default 1. */
+  /** Seed; default 1. */
   readonly seed?: number;
 }
 
 /**
- * Wind in gusts: a new velocity is drawn every `interval` seconds. It depends on the time alone, not on the step.
+ * Wind in gusts: a new velocity is drawn every `interval` seconds. It depends only on the time, not on the step.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function gusts(options: GustOptions): (time: number) => Vector {
