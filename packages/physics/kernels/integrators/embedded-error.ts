@@ -1,8 +1,8 @@
-// How far the two solutions of an embedded pair differ, body by body, against how far each body has come.
+// The difference of the two solutions of an embedded pair, relative to the magnitude of each body's state.
 import { add, at, LANES, mul, splat } from '../memory/lanes';
 
-// Adds one axis: to `errorX` and `errorV` the squares of the differences (sums of columns, as in combineAxis), to
-// `sizeX` and `sizeV` the squares of the larger of the values before and after the step.
+// Adds one axis: to `errorX` and `errorV` the squares of the differences (weighted sums of columns, as in
+// combineAxis), to `sizeX` and `sizeV` the squares of the larger of the values before and after the step.
 export function embeddedErrorAxis(
   errorX: usize,
   errorV: usize,
@@ -34,8 +34,8 @@ export function embeddedErrorAxis(
     }
     addSquare(errorX + o, differenceX);
     addSquare(errorV + o, differenceV);
-    addSquare(sizeX + o, larger(v128.load(x + o), v128.load(startX + o)));
-    addSquare(sizeV + o, larger(v128.load(v + o), v128.load(startV + o)));
+    addSquare(sizeX + o, maxMagnitude(v128.load(x + o), v128.load(startX + o)));
+    addSquare(sizeV + o, maxMagnitude(v128.load(v + o), v128.load(startV + o)));
   }
 }
 
@@ -45,19 +45,19 @@ export function embeddedErrorAxis(
 }
 
 // @ts-ignore: decorator
-@inline function larger(a: v128, b: v128): v128 {
+@inline function maxMagnitude(a: v128, b: v128): v128 {
   return v128.max<real>(v128.abs<real>(a), v128.abs<real>(b));
 }
 
-// The row with the worst error of the last `worstError`.
+// The row with the largest error of the last call of `worstError`.
 let worstRow: i32 = 0;
 
 export function rowOfWorstError(): i32 {
   return worstRow;
 }
 
-// The larger of `most` and the largest ratio of error to size over all bodies, positions and velocities alike; infinite
-// where a value is not finite. A body that is at rest in the origin and feels nothing has no error.
+// Returns the larger of `most` and the largest ratio of error to magnitude over all bodies, positions and velocities;
+// infinite if a value is not finite. A body at rest in the origin without force has no error.
 export function worstError(
   errorX: usize,
   errorV: usize,
@@ -69,18 +69,18 @@ export function worstError(
   first: i32,
   last: i32,
 ): f64 {
-  let worst = most * most;
+  let largest = most * most;
   for (let row = first; row < last; row++) {
     const o = at(row);
-    const ofX = ratio(load<real>(errorX + o), load<real>(sizeX + o), floorX);
-    const ofV = ratio(load<real>(errorV + o), load<real>(sizeV + o), floorV);
-    const here = max<f64>(ofX, ofV);
-    if (here > worst) {
-      worst = here;
+    const errorOfX = ratio(load<real>(errorX + o), load<real>(sizeX + o), floorX);
+    const errorOfV = ratio(load<real>(errorV + o), load<real>(sizeV + o), floorV);
+    const rowError = max<f64>(errorOfX, errorOfV);
+    if (rowError > largest) {
+      largest = rowError;
       worstRow = row;
     }
   }
-  return sqrt<f64>(worst);
+  return sqrt<f64>(largest);
 }
 
 // @ts-ignore: decorator

@@ -1,4 +1,4 @@
-// The schemes of many stages: a module of its own, so that a game without them does not pay.
+// Kernels of multi-stage schemes, in a separate module to keep other bundles small.
 export { accelerationAxis, addScaledColumn, combineAxis, implicitResidualAxis, scaleColumn } from './combine';
 export { embeddedErrorAxis, rowOfWorstError, worstError } from './embedded-error';
 export {

@@ -2,9 +2,9 @@
 //
 //   x½ = x + v dt/2        v' = v + F(x½, t½)/m dt        x' = x½ + v' dt/2
 //
-// Second order, symplectic and reversible for forces of position alone, with a single evaluation: the cheapest scheme
-// of its order. A force that depends on velocity makes it first order. Hairer, Lubich, Wanner: Geometric Numerical
-// Integration, I.1.4.
+// Second order, symplectic and reversible for forces that depend only on position, with a single evaluation: the
+// cheapest scheme of its order. A force that depends on velocity makes it first order. Hairer, Lubich, Wanner:
+// Geometric Numerical Integration, I.1.4.
 import { compose, isStableComposition } from './support/composition.ts';
 import { defineIntegrator } from './support/define-integrator.ts';
 

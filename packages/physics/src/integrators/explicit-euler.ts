@@ -1,10 +1,10 @@
-// Explicit (forward) Euler: both moves use the state at the start.
+// Explicit (forward) Euler: both updates use the state at the start.
 //
 //   x' = x + v dt        v' = v + F(x, v, t)/m dt
 //
 // First order. Not symplectic: every step multiplies the amplitude of an oscillator by √(1 + ω² dt²), so its energy
-// grows without bound. For comparison, and for what only decays. Euler, Institutionum calculi integralis I (1768),
-// §650; Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, I.7.
+// grows without bound. For comparison, and for pure decay. Euler, Institutionum calculi integralis I (1768), §650;
+// Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, I.7.
 import { defineIntegrator } from './support/define-integrator.ts';
 
 export const explicitEuler = /* @__PURE__ */ defineIntegrator(
@@ -13,7 +13,7 @@ export const explicitEuler = /* @__PURE__ */ defineIntegrator(
     order: 1,
     symplectic: false,
     evaluations: 1,
-    // x(n+1) - x(n) = v(n) dt: the velocity is ahead, that of the middle of the step to come.
+    // x(n+1) - x(n) = v(n) dt: the stored velocity is that of the middle of the next step.
     velocityLag: -0.5,
   },
   ({ position, velocity, dt }, kick) => ({

@@ -1,10 +1,11 @@
-// Heun's second-order method: the mean of the derivatives at the start and, by explicit Euler, at the end of the step.
+// Heun's second-order method: the mean of the derivatives at the start and, predicted by explicit Euler, at the end
+// of the step.
 //
 //   k₁ = f(t, y)        k₂ = f(t + dt, y + k₁ dt)        y' = y + (k₁ + k₂) dt/2        y = (x, v),  f = (v, F/m)
 //
-// Second order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
-// oscillator grows by (ω dt)⁴/4 a step. Heun, Z. Math. Phys. 45, 23 (1900); Hairer, Nørsett, Wanner: Solving Ordinary
-// Differential Equations I, II.1.
+// Second order for any smooth force, including forces that depend on velocity and time. Not symplectic: the energy of
+// an oscillator grows by (ω dt)⁴/4 per step. Heun, Z. Math. Phys. 45, 23 (1900); Hairer, Nørsett, Wanner: Solving
+// Ordinary Differential Equations I, II.1.
 import { defineIntegrator } from './support/define-integrator.ts';
 
 export const heun = /* @__PURE__ */ defineIntegrator(

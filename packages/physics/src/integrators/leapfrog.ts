@@ -2,10 +2,10 @@
 //
 //   v½ = v + F(x, t)/m dt/2        x' = x + v½ dt        v' = v½ + F(x', t')/m dt/2
 //
-// Second order, symplectic and reversible for forces of position alone, when it is velocity Verlet to the last rounding.
-// A force that depends on velocity makes it first order: take velocity Verlet then. Two evaluations, because contacts
-// and users may move bodies between steps. Verlet, Phys. Rev. 159, 98 (1967); Hairer, Lubich, Wanner: Geometric
-// Numerical Integration, I.1.4.
+// Second order, symplectic and reversible for forces that depend only on position, where it equals velocity Verlet up
+// to rounding. A force that depends on velocity makes it first order: use velocity Verlet then. Two evaluations,
+// because contacts and users may move bodies between steps. Verlet, Phys. Rev. 159, 98 (1967); Hairer, Lubich,
+// Wanner: Geometric Numerical Integration, I.1.4.
 import { isStableComposition } from './support/composition.ts';
 import { defineIntegrator } from './support/define-integrator.ts';
 

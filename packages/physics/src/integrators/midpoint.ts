@@ -1,10 +1,10 @@
-// The explicit midpoint rule: the derivative in the middle of the step, reached by half a step of explicit Euler.
+// The explicit midpoint rule: the derivative in the middle of the step, predicted by half a step of explicit Euler.
 //
 //   k₁ = f(t, y)        y' = y + dt f(t + dt/2, y + k₁ dt/2)        y = (x, v),  f = (v, F/m)
 //
-// Second order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
-// oscillator grows by (ω dt)⁴/4 a step. Runge, Math. Ann. 46, 167 (1895); Hairer, Nørsett, Wanner: Solving Ordinary
-// Differential Equations I, II.1.
+// Second order for any smooth force, including forces that depend on velocity and time. Not symplectic: the energy of
+// an oscillator grows by (ω dt)⁴/4 per step. Runge, Math. Ann. 46, 167 (1895); Hairer, Nørsett, Wanner: Solving
+// Ordinary Differential Equations I, II.1.
 import { defineIntegrator } from './support/define-integrator.ts';
 
 export const midpoint = /* @__PURE__ */ defineIntegrator(

@@ -1,10 +1,11 @@
-// Semi-implicit (symplectic) Euler in its other ordering: drift with the old velocity, then kick with the force there.
+// Semi-implicit (symplectic) Euler, position first: drift with the old velocity, then kick with the force at the new
+// position.
 //
 //   x' = x + v dt        v' = v + F(x', v, t')/m dt
 //
-// First order, symplectic, one evaluation: the adjoint of the velocity-first ordering, which run backwards in time it
-// is. The energy error of an oscillator stays within ω dt/2 of the energy for ever.
-// Hairer, Lubich, Wanner: Geometric Numerical Integration, I.1.2 and VI.3.1.
+// First order, symplectic, one evaluation: the adjoint of the velocity-first variant, which it becomes when run
+// backwards in time. The energy error of an oscillator stays within ω dt/2 of the energy for ever. Hairer, Lubich,
+// Wanner: Geometric Numerical Integration, I.1.2 and VI.3.1.
 import { defineIntegrator } from './support/define-integrator.ts';
 
 export const positionFirstEuler = /* @__PURE__ */ defineIntegrator(
@@ -13,9 +14,9 @@ export const positionFirstEuler = /* @__PURE__ */ defineIntegrator(
     order: 1,
     symplectic: true,
     evaluations: 1,
-    // x(n+1) - x(n) = v(n) dt: the velocity is ahead, that of the middle of the step to come.
+    // x(n+1) - x(n) = v(n) dt: the stored velocity is that of the middle of the next step.
     velocityLag: -0.5,
-    // The same trace and determinant as with the other ordering.
+    // Trace and determinant equal those of the velocity-first variant.
     isStable: (stiffness, damping) => stiffness + 2 * damping <= 4,
   },
   ({ position, velocity, dt }, kick) => {

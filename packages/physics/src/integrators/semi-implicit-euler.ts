@@ -2,8 +2,8 @@
 //
 //   v' = v + F(x, v)/m dt        x' = x + v' dt
 //
-// First order; symplectic for forces that depend on position alone: the energy error of an oscillator stays within
-// ω dt/2 of the energy for ever. One force evaluation. Hairer, Lubich, Wanner: Geometric Numerical Integration, I.1.2.
+// First order; symplectic for forces that depend only on position: the energy error of an oscillator stays within ω
+// dt/2 of the energy for ever. One force evaluation. Hairer, Lubich, Wanner: Geometric Numerical Integration, I.1.2.
 import { defineIntegrator } from './support/define-integrator.ts';
 
 export const semiImplicitEuler = /* @__PURE__ */ defineIntegrator(
@@ -12,7 +12,7 @@ export const semiImplicitEuler = /* @__PURE__ */ defineIntegrator(
     order: 1,
     symplectic: true,
     evaluations: 1,
-    // x(n+1) - x(n) = v(n+1) dt: the velocity is that of the middle of the step.
+    // x(n+1) - x(n) = v(n+1) dt: the stored velocity is that of the middle of the step.
     velocityLag: 0.5,
     // The step multiplies (x, v dt) by a matrix of trace 2 - γ dt - ω² dt² and determinant 1 - γ dt; its eigenvalues lie in
     // the unit circle when |trace| <= 1 + determinant and |determinant| <= 1 (Jury).

@@ -2,9 +2,10 @@
 //
 //   x' = x + v dt + a dt²/2        v' = v + (a + a') dt/2
 //
-// with a' the acceleration at x'. A force that depends on velocity sees the predictor v + a dt there, which keeps the
-// scheme second order. For forces of position alone it is symplectic and exactly reversible; constant force is exact.
-// Two force evaluations: nothing is carried over from the last step, because contacts and users may have moved bodies.
+// with a' the acceleration at x'. A force that depends on velocity is evaluated there with the predictor v + a dt,
+// which keeps the scheme second order. For forces that depend only on position it is symplectic and exactly
+// reversible; a constant force is exact. Two force evaluations: none is reused, because contacts and users may have
+// moved bodies.
 import { defineIntegrator } from './support/define-integrator.ts';
 
 export const velocityVerlet = /* @__PURE__ */ defineIntegrator(
@@ -14,7 +15,7 @@ export const velocityVerlet = /* @__PURE__ */ defineIntegrator(
     symplectic: true,
     evaluations: 2,
     isStable: (w, g) => {
-      // Trace and determinant of the matrix by which a step multiplies (x, v dt), with w = ω² dt² and g = γ dt.
+      // Trace and determinant of the step matrix of (x, v dt), with w = ω² dt² and g = γ dt.
       const trace = 2 - w - g + (g * g) / 2 + (w * g) / 4;
       const determinant =
         (1 - w / 2) * (1 - w / 2 - g + (g * g) / 2 + (w * g) / 4) + (1 - g / 2) * w * (1 - w / 4 - g / 2);
@@ -26,7 +27,7 @@ export const velocityVerlet = /* @__PURE__ */ defineIntegrator(
     const first = kick(position, velocity, 0, half);
     const kicked = velocity.add(first);
     const drifted = position.add(kicked.mul(dt));
-    // The force at the end sees the velocity that the acceleration at the start would lead to.
+    // The force at the end is evaluated with the velocity predicted from the acceleration at the start.
     return { position: drifted, velocity: kicked.add(kick(drifted, kicked.add(first), 1, half)) };
   },
 );

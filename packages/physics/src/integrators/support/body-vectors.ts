@@ -1,5 +1,5 @@
-// Vectors with an entry for every body and axis, as columns: what iterative solvers calculate with. Numbers come from
-// cells of arrays and go to them: one that is handed to a function, or returned, becomes garbage.
+// Vectors over all bodies and axes, as columns, for iterative solvers. Numbers are passed in array cells, because a
+// number passed to a function, or returned, becomes garbage.
 import { AXES } from '../../memory/axes.ts';
 import type { AxisAddresses } from '../../memory/columns.ts';
 import type { PhysicsWorld, Ranges } from '../../world/types.ts';

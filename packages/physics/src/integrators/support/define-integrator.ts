@@ -5,11 +5,11 @@ import type { Integrator, Scheme } from '../../world/types.ts';
 type Facts = Omit<Integrator, 'scheme' | 'advance'>;
 
 /**
- * An integrator of fixed stages, written as expressions: it becomes one loop with the laws of a world. `index.ts` exports
- * it as `defineIntegrator`.
- * @param facts what is known of it
- * @param step from the state at the start to the state at the end; called once, now, with symbols
- * @throws PhysicsError E_TYPE for what is no function, or for what a method of a symbol does not take
+ * Defines an integrator of fixed stages by expressions, which are fused with the laws of a world into one loop.
+ * `index.ts` exports it as `defineIntegrator`.
+ * @param facts the properties of the integrator
+ * @param step maps the state at the start to the state at the end; called once, now, with symbols
+ * @throws PhysicsError E_TYPE for a value that is no function, or for an invalid argument of a symbol's method
  */
 export function defineCheckedIntegrator(facts: Facts, step: SchemeFunction, options?: SchemeOptions): Integrator {
   checkFunction(step, 'defineIntegrator: step');
@@ -17,8 +17,7 @@ export function defineCheckedIntegrator(facts: Facts, step: SchemeFunction, opti
 }
 
 /**
- * The same for an integrator of this package: its step is called when a world first uses it, so that a page does not wait
- * for schemes that it does not use.
+ * Defines a built-in integrator; its step is recorded on first use, so that a page does not pay for unused schemes.
  */
 export function defineIntegrator(facts: Facts, step: SchemeFunction, options?: SchemeOptions): Integrator {
   let recorded: Scheme | undefined;

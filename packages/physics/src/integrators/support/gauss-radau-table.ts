@@ -1,4 +1,4 @@
-// The constants of the fifteenth-order Gauss-Radau scheme, and the memory it needs.
+// The constants of the Gauss-Radau scheme of order 15, and its memory.
 import type { RealColumn } from '../../components/define.ts';
 import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
@@ -8,8 +8,8 @@ import type { PhysicsWorld } from '../../world/types.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
 /**
- * The nodes, in steps: the roots of (P7(x) + P8(x))/(1 + x) with x = 2h - 1, P Legendre's polynomials, after the start
- * itself. The end of the step is no node but has weights too.
+ * The nodes, in steps: 0 and the roots of (P7(x) + P8(x))/(1 + x) with x = 2h - 1, P Legendre's polynomials. The end
+ * of the step is not a node but has weights too.
  */
 export const NODES = [
   0, 0.05626256053692214, 0.1802406917368924, 0.3526247171131696, 0.5471536263305554, 0.7342101772154105,
@@ -19,17 +19,20 @@ export const NODES = [
 const TERMS = 7;
 const AXIS_COLUMNS = 19;
 
-/** Columns of reals in three dimensions. */
+/** Number of real columns in 3D. */
 export const RADAU_COLUMNS = 3 * AXIS_COLUMNS;
 
-/** What a world remembers: the wanted length, that of the last sub-step (0: none). */
+/** State kept between sub-steps: wanted length, and last length (0: none). */
 export const WANTED = 0;
 export const LENGTH = 1;
-/** The sub-step being tried: when in the step it starts, its length, and the length that would have met the tolerance. */
+/**
+ * The attempted sub-step: its start within the step, its length, and the length that would have met the tolerance,
+ * s.
+ */
 export const PASSED = 2;
 export const STEP = 3;
 export const NEXT = 4;
-/** By how much a sweep over the nodes changed the last term, in parts of the largest acceleration. */
+/** Change of the last term by a sweep over the nodes, relative to the largest acceleration. */
 export const CHANGE = 5;
 const SCALARS = 6;
 
@@ -77,7 +80,10 @@ function makeRadau(world: PhysicsWorld) {
   return { table, scalars, kernels: integratorKernels(world) };
 }
 
-/** Integrals of 1, h, … h⁷ from the start to h: twice for positions (8 weights), once for velocities (8 more). */
+/**
+ * Returns the integrals of 1, h, … h⁷ from 0 to h: double integrals for positions (8 weights), single ones for
+ * velocities (8 more).
+ */
 function weightsAt(h: number): number[] {
   const powers = [h];
   for (let k = 1; k <= TERMS + 1; k++) powers.push(powers[k - 1] * h);
@@ -87,12 +93,12 @@ function weightsAt(h: number): number[] {
   ];
 }
 
-/** 1/(h - h_k) for the nodes before, padded to 8. */
+/** Returns 1/(h - h_k) for the earlier nodes, padded to 8. */
 function reciprocalsAt(h: number, s: number): number[] {
   return NODES.map((node, k) => (k < s ? 1 / (h - node) : 0));
 }
 
-/** Row k: the coefficients of h, h², … h⁷ in h (h - h₁) … (h - h_k). */
+/** Returns in row k the coefficients of h, h², … h⁷ in h (h - h₁) … (h - h_k). */
 export function newtonPolynomials(): number[][] {
   const rows: number[][] = [];
   let polynomial = [1];

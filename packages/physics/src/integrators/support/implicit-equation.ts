@@ -1,4 +1,4 @@
-// The equation that a step of implicit Euler solves, and the columns its solution needs.
+// The equation of a step of implicit Euler, and the columns of its solver.
 import { AXES } from '../../memory/axes.ts';
 import { axisColumns } from '../../memory/columns.ts';
 import { resource } from '../../memory/resource.ts';
@@ -6,26 +6,26 @@ import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts'
 import { addScaled, type BodyVector, copyVector } from './body-vectors.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
-/** Dimensions of the space in which a linear system is solved: as many force evaluations at most. */
+/** Maximum dimension of the Krylov space: the maximum number of force evaluations per linear system. */
 export const BASIS = 64;
 
-/** Vectors of an equation. */
+/** Number of vectors of an equation. */
 export const VECTORS = BASIS + 1 + 7;
 
-/** Where the numbers of a solution are, in `scalars`. */
+/** Indices of the scalars of a solution, in `scalars`. */
 export const enum Scalar {
   /** Length of the step, s. */
   step,
-  /** Of the residual of the best velocities, and of those being tried. */
+  /** Norm of the residual of the best velocities, and of the trial velocities. */
   size,
   trialSize,
-  /** What is left of the linear system. */
+  /** Remaining residual of the linear system. */
   left,
-  /** The part of the Newton step that is tried. */
+  /** Fraction of the Newton step that is tried. */
   part,
-  /** A factor for the next operation. */
+  /** Factor of the next vector operation. */
   factor,
-  /** Lengths of two vectors that are compared. */
+  /** Norms of two vectors to compare. */
   one,
   other,
   count,
@@ -48,7 +48,7 @@ function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
     best: make('velocity')[1],
     residual,
     residualColumns,
-    /** Velocities being tried, and their residual. */
+    /** The trial velocities, and their residual. */
     trial: make('trial')[1],
     trialResidual: make('residual of the trial')[1],
     /** The Newton step. */
@@ -64,7 +64,7 @@ function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
   };
 }
 
-/** Gives the bodies velocities v and the positions they lead to in a step: x = start + v dt. */
+/** Sets the bodies to velocities v and the positions after a step with them: x = start + v dt. */
 export function moveTo(world: PhysicsWorld, ranges: Ranges, equation: Equation, v: BodyVector, dt: number): void {
   const { Position, Velocity } = world.addresses;
   copyVector(world, ranges, Velocity, v);
@@ -72,7 +72,7 @@ export function moveTo(world: PhysicsWorld, ranges: Ranges, equation: Equation, 
   addScaled(world, ranges, Position, equation.from, v, equation.scalars, Scalar.step);
 }
 
-/** R(v) = v - start - F/m dt with the forces where velocities v lead. */
+/** Computes R(v) = v - start - F/m dt with the forces at the positions after the step. */
 export function residualAt(
   world: PhysicsWorld,
   ranges: Ranges,
