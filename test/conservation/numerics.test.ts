@@ -1,4 +1,4 @@
-/** What stays and how exactly: positions far out, scale, energy and momentum. */
+/** Conserved quantities and their accuracy: distant positions, scale, energy and momentum. */
 import {
   boxWalls,
   createPhysicsWorld,
@@ -30,7 +30,7 @@ describe('numerics', () => {
     expect(Math.abs(world.components.Position.x[eid] - 1e6 - 2)).toBeLessThanOrEqual(60 * 2 ** -34);
   });
 
-  /** Bodies on springs, tossed in a box, with all lengths in units of `unit` metres. */
+  /** Bodies on springs, moving in a box, with all lengths in units of `unit` metres. */
   function scaledPositions(unit: number): number[] {
     const world = createPhysicsWorld({
       capacity: 100,
@@ -65,7 +65,7 @@ describe('numerics', () => {
   });
 });
 
-/** A pull of -ω² x on every body. */
+/** A force of -ω² x per mass on every body. */
 function harmonic(omega: number) {
   return defineForce({
     name: 'harmonic',
@@ -79,7 +79,7 @@ describe('energy', () => {
   const [omega, dt, count] = [3, 0.02, 20_000];
   const phase = omega * dt;
 
-  /** Largest relative error of v² + ω² x² over the run, and the error at its end. */
+  /** Returns the largest relative error of v² + ω² x² over the run, and the error at its end. */
   function drift(integrator: Integrator): { worst: number; last: number } {
     const world = createPhysicsWorld({ capacity: 10, integrator, forces: [harmonic(omega)] });
     const eid = spawn(world, { position: { x: 1 }, velocity: {}, mass: 2 });

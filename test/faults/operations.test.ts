@@ -1,4 +1,4 @@
-/** Random operations, by the API and by bitECS's own functions, against what must hold after each of them. */
+/** Random operations, through the API and through bitECS, with the invariants checked after each. */
 import {
   bodies,
   COMPONENT_NAMES,
@@ -34,7 +34,7 @@ const NAMES = ['Position', 'Velocity', 'Mass', 'Rotation', 'AngularVelocity', 'C
 
 interface Model {
   readonly world: PhysicsWorld;
-  /** References ever taken, with whether the body should still be there. */
+  /** All references ever taken, and whether their body should still exist. */
   readonly refs: Map<EntityRef, boolean>;
 }
 
@@ -42,7 +42,7 @@ type Operation = readonly [kind: string, a: number, b: number];
 
 const name = (b: number): (typeof NAMES)[number] => NAMES[b % NAMES.length];
 
-/** An id in use, or any id when `a` says so. */
+/** Returns an id in use, or any id if `a` says so. */
 function pick({ world }: Model, a: number): number {
   const all = getAllEntities(world);
   return all.length === 0 || a % 10 === 0 ? a % (CAPACITY + 5) : all[a % all.length];
@@ -107,7 +107,7 @@ const OPERATIONS: Record<string, (model: Model, a: number, b: number) => void> =
   },
 };
 
-/** Refusals are part of the game; anything else is a failure, as is an AggregateError of something else. */
+/** Refusals are expected; any other error fails, as does an AggregateError of others. */
 function attempt(model: Model, [kind, a, b]: Operation): void {
   try {
     OPERATIONS[kind](model, a, b);
@@ -153,7 +153,7 @@ function checkBodies(world: PhysicsWorld): void {
     const [first, end] = [ranges.bounds[2 * r], ranges.bounds[2 * r + 1]];
     expect(first % 16 === 0 && end % 16 === 0 && first >= before && end > first).toBe(true);
     const within = found.filter((eid) => eid >= first && eid < end);
-    // Both ends of a run hold bodies: it covers what it must and not a block more.
+    // Both ends of a range are bodies: it covers no unnecessary block.
     expect(within[0] < first + 16 && within[within.length - 1] >= end - 16).toBe(true);
     inside.push(...within);
     before = end;

@@ -17,7 +17,7 @@ import { TestParticle } from './test-particle.ts';
 import { Velocity } from './velocity.ts';
 import { PlaneWall, SegmentWall } from './wall.ts';
 
-/** Every component of a world, in the order of their membership bits. At most 31, as in one mask of bitECS. */
+/** Every component of a world, in the order of its membership bits. At most 31, as in one mask of bitECS. */
 export const COMPONENTS = {
   Position,
   Velocity,
@@ -47,17 +47,17 @@ export const COMPONENTS = {
 
 export type ComponentName = keyof typeof COMPONENTS;
 
-/** `world.components`: per component, one typed array a field, indexed by entity id. */
+/** The type of `world.components`: per component a typed array per field, indexed by entity id. */
 export type Components = { readonly [Name in ComponentName]: ColumnsOf<(typeof COMPONENTS)[Name]> };
 
-/** The same shape, with the byte address of each column in the world's memory: what kernels take. */
+/** The same shape with the byte address of each column in the world's memory, for kernels. */
 export type Addresses = {
   readonly [Name in ComponentName]: { readonly [Field in keyof Components[Name]]: number };
 };
 
 export const COMPONENT_NAMES = Object.keys(COMPONENTS) as ComponentName[];
 
-/** A component's name as `spawn(world, { … })` and messages write it: Position is position there. */
+/** Returns a component's name as in `spawn(world, { … })` and in messages: `position` for Position. */
 export function keyOf(name: ComponentName): string {
   return name[0].toLowerCase() + name.slice(1);
 }
@@ -67,7 +67,7 @@ const BITS = Object.fromEntries(COMPONENT_NAMES.map((name, at) => [name, (1 << a
   number
 >;
 
-/** The membership bit of a component. */
+/** Returns the membership bit of a component. */
 export function bitOf(name: ComponentName): number {
   return BITS[name];
 }

@@ -1,7 +1,7 @@
 import { checkNumber } from '../errors/validate.ts';
 import { defineComponent, real, u32 } from './define.ts';
 
-/** How a body is drawn. Physics never reads it; renderers do. */
+/** The appearance of a body, which only renderers read. */
 export const Appearance = defineComponent({
   visual: true,
   scalar: 'color',

@@ -1,8 +1,8 @@
 import { defineComponent, real } from './define.ts';
 
 /**
- * Moment of inertia about the centre, kg m²: a disc has m r²/2, a solid sphere 2 m r²/5. Zero, or no component, locks
- * the rotation: contacts do not turn the body.
+ * Moment of inertia about the centre, kg m²: m r²/2 for a disc, 2 m r²/5 for a solid sphere. Zero, or an absent
+ * component, locks the rotation: contacts do not rotate the body.
  */
 export const Inertia = defineComponent({
   scalar: 'value',

@@ -1,9 +1,9 @@
 import { defineComponent, real } from './define.ts';
 
-/** Largest |coordinate| a world takes, metres: 100 light-years would not fit, the solar system does a hundred times. */
+/** Maximum |coordinate|, m: a hundred times the size of the solar system, and less than 100 light-years. */
 export const MAX_POSITION = 1e15;
 
-/** Where the centre of mass is, metres. Having it makes an entity a body. In 2D `z` is zero. */
+/** Position of the centre of mass, m. An entity with Position is a body. In 2D `z` is zero. */
 export const Position = defineComponent({
   fields: {
     x: real('m', { bounds: { min: -MAX_POSITION, max: MAX_POSITION } }),

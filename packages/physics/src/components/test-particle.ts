@@ -1,6 +1,6 @@
 import { defineComponent } from './define.ts';
 
-/** Marks a body that feels mutual forces but exerts none: it follows the field of the others. */
+/** Marks a test particle: mutual forces act on it, but it exerts none. */
 export const TestParticle = defineComponent({
   fields: {},
 });

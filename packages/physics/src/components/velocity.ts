@@ -1,6 +1,6 @@
 import { defineComponent, real } from './define.ts';
 
-/** The speed of light in vacuum, m/s, exact (SI): nothing moves faster along an axis, and a value beyond is capped. */
+/** The speed of light in vacuum, m/s, exact (SI): the maximum speed along an axis; larger values are clamped. */
 export const MAX_SPEED = 299_792_458;
 
 /** Velocity of the centre of mass, m/s. */

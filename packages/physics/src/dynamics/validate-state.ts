@@ -5,7 +5,7 @@
 // the rows anyway; the code here runs for rows that failed.
 import { addComponent, entityExists, hasComponent, set } from 'bitecs';
 import { MAX_POSITION } from '../components/position.ts';
-import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_PART } from '../components/rotation.ts';
+import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_COMPONENT } from '../components/rotation.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import { clearMissing } from '../ecs/partial-entities.ts';
 import { forEachRange } from '../ecs/ranges.ts';
@@ -104,7 +104,7 @@ function anglesGood(world: PhysicsWorld, first: number, last: number): boolean {
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Rotation, Orientation: q } = addresses;
   const most = MAX_ANGULAR_SPEED;
-  const part = MAX_QUATERNION_PART;
+  const part = MAX_QUATERNION_COMPONENT;
   const good =
     kernels.checkAxis(w.x, w.y, most, most, first, last) &
     kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, most, first, last);
@@ -117,7 +117,7 @@ function anglesGood(world: PhysicsWorld, first: number, last: number): boolean {
 /** The largest size of what a row of a body holds. */
 const LIMITS = [
   ['Position', MAX_POSITION],
-  ['Orientation', MAX_QUATERNION_PART],
+  ['Orientation', MAX_QUATERNION_COMPONENT],
   ['Rotation', MAX_ANGLE],
   ['Velocity', MAX_SPEED],
   ['AngularVelocity', MAX_ANGULAR_SPEED],
