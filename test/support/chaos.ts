@@ -1,4 +1,6 @@
-/** Scenes whose smallest difference grows: for tests that two runs are the same to the last bit. No test library here. */
+/**
+ * Chaotic scenes that amplify any difference, to test that two runs are equal to the last bit. Uses no test library.
+ */
 import {
   attractors,
   bodies,
@@ -19,7 +21,7 @@ import {
 
 const SIDE = 20;
 
-/** Discs or balls on springs that collide, tossed about by three attractors in a box: errors grow with every contact. */
+/** Discs or balls on springs that collide in a box with three attractors: errors grow with every contact. */
 export function chaoticWorld(dimensions: 2 | 3, precision: Precision, seed = 7, count = 120): PhysicsWorld {
   const world = createPhysicsWorld({
     preset: particleContacts,
@@ -55,15 +57,15 @@ export function chaoticWorld(dimensions: 2 | 3, precision: Precision, seed = 7, 
   return world;
 }
 
-/** The hash after `count` steps of 1/60 s. */
+/** Returns the hash after `count` steps of 1/60 s. */
 export function hashAfter(world: PhysicsWorld, count: number): string {
   for (let i = 0; i < count; i++) step(world, 1 / 60);
   return stateHash(world);
 }
 
 /**
- * A hash of where all bodies are and how they move, 16 hexadecimal digits. Unlike `stateHash` it does not change when the
- * project gains a component: it is for values that are kept for years.
+ * Returns a hash of positions and velocities of all bodies, 16 hexadecimal digits. Unlike `stateHash` it is
+ * independent of the project's components, so that values can be kept for years.
  */
 export function motionHash(world: PhysicsWorld): string {
   const { Position, Velocity, AngularVelocity } = world.components;
@@ -81,7 +83,7 @@ export function motionHash(world: PhysicsWorld): string {
   return [high, low].map((word) => (word >>> 0).toString(16).padStart(8, '0')).join('');
 }
 
-/** The end of each kind of chaotic world: what a browser must find as well. */
+/** The final hash of each chaotic world, which a browser must reproduce. */
 export function chaosHashes(count = 1500): Record<string, string> {
   const hashes: Record<string, string> = {};
   for (const dimensions of [2, 3] as const) {

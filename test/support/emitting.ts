@@ -9,7 +9,7 @@ import {
   step,
 } from '../../packages/physics/src/index.ts';
 
-/** Worlds with an emitter in a line, and what tests ask of them. */
+/** Short constructors of worlds with an emitter, and measurements of it. */
 export function emitting(options: Partial<EmitterOptions> = {}, more: PhysicsWorldOptions = {}) {
   const world = createPhysicsWorld({ capacity: 5000, ...more });
   return { world, emitter: createEmitter(world, { capacity: 1000, ...options }) };
@@ -20,7 +20,7 @@ export function run(world: PhysicsWorld, seconds: number, dt = 1 / 60): void {
   for (let i = 0; i < steps; i++) step(world, dt);
 }
 
-/** Ids of the particles alive: an inert one has no mass. */
+/** Returns the ids of living particles; an inactive entity has no mass. */
 export function living({ world, ids }: Emitter): number[] {
   return [...ids].filter((eid) => world.components.Mass.value[eid] > 0);
 }

@@ -1,4 +1,4 @@
-/** Problems with exact solutions, on which integrators are measured. */
+/** Problems with exact solutions, to measure integrators. */
 import {
   attractors,
   createPhysicsWorld,
@@ -11,7 +11,7 @@ import {
   step,
 } from '@principia/physics';
 
-/** One body in the plane, and the world it is in. */
+/** A body in 2D, and its world. */
 export interface Single {
   readonly world: PhysicsWorld;
   readonly body: number;
@@ -41,7 +41,7 @@ export function kepler(integrator: Integrator, e: number, options: PhysicsWorldO
   return { world, body: spawn(world, { position: { x: 1 - e }, velocity, mass: 1 }) };
 }
 
-/** Where it is after `time`, by Kepler's equation. */
+/** Returns its position after `time`, by Kepler's equation. */
 export function keplerExact(e: number, time: number): State {
   let anomaly = time;
   for (let i = 0; i < 100; i++) anomaly -= (anomaly - e * Math.sin(anomaly) - time) / (1 - e * Math.cos(anomaly));
@@ -93,7 +93,7 @@ export function oscillatorExact(stiffness: number, damping: number, time: number
   return [x, 0, fade * w * (b * cos - sin) - g * x, 0];
 }
 
-/** The order of the error between three step lengths, each half the one before. */
+/** Returns the order of convergence from three step lengths, each half the previous one. */
 export function orders(error: (steps: number) => number, steps: number): number[] {
   const [a, b, c] = [error(steps), error(2 * steps), error(4 * steps)];
   return [Math.log2(a / b), Math.log2(b / c)];

@@ -7,18 +7,18 @@
  */
 import { atan2, cos, exp, log, pow, sin } from '@principia/physics';
 
-/** A real number of a body. */
+/** A real number per body. */
 export interface Real {
   readonly value: number;
-  /** The same for all bodies. */
+  /** Whether it is the same for all bodies. */
   readonly isUniform: boolean;
-  /** Known when the law is written. */
+  /** Whether it is a constant of the law. */
   readonly isConstant: boolean;
-  /** Zero because the world has two dimensions. */
+  /** Whether it is zero because the world is 2D. */
   readonly isZero: boolean;
 }
 
-/** A condition of a body. */
+/** A condition per body. */
 export interface Truth {
   readonly holds: boolean;
   readonly isUniform: boolean;

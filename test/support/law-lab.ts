@@ -1,4 +1,4 @@
-/** What tests of the language of laws share: crowds of bodies with holes between them, and the force that a law gives. */
+/** Shared by tests of the law language: crowds of bodies with gaps, and the force of a law. */
 import {
   bodies,
   COMPONENTS,
@@ -25,7 +25,7 @@ export const WORLD_KINDS = [
 export type WorldKind = (typeof WORLD_KINDS)[number];
 export type Axis = 'x' | 'y' | 'z';
 
-/** The law as a force. */
+/** Returns the law as a force. */
 export function lawOf(options: LawOptions<never, never> | object, parameters: object = {}): Force {
   const make = defineLaw({ name: 'law of a test', ...options } as never) as unknown as (given: object) => Force;
   return make(parameters);
@@ -59,7 +59,7 @@ export function crowd(forces: readonly Force[], options: PhysicsWorldOptions = {
   return { world, eids: left };
 }
 
-/** Lets the world evaluate its forces; the columns they are in. */
+/** Evaluates the world's forces and returns their columns. */
 export function forcesNow(world: PhysicsWorld, time = world.time) {
   bodies(world);
   const { scratch, kernels, addresses, ranges, rows } = world;
@@ -70,7 +70,7 @@ export function forcesNow(world: PhysicsWorld, time = world.time) {
   return scratch.force;
 }
 
-/** A number as a world keeps it. */
+/** Returns a number rounded to the world's precision. */
 export function rounderOf(precision: 'f32' | 'f64'): (value: number) => number {
   return precision === 'f32' ? Math.fround : (value) => value;
 }

@@ -6,15 +6,15 @@ import type { Force, PhysicsWorld, PhysicsWorldOptions } from '@principia/physic
 import * as physics from '@principia/physics';
 import { bodies, createPhysicsWorld, spawn } from '@principia/physics';
 
-/** How a law is made: `make(...args)` with other arguments makes others of it. */
+/** A law and its arguments; `make(...args)` with other arguments makes a variant. */
 export interface LawRecord {
-  /** The exported function, or it and what is particular. */
+  /** The name of the exported function, with the variant if any. */
   readonly title: string;
   readonly maker: string;
   readonly args: readonly unknown[];
-  /** Where it works in one number of dimensions only. */
+  /** Dimensions, if it works in 2D or 3D only. */
   readonly dimensions?: 2 | 3;
-  /** What must happen in a world before it acts. */
+  /** Setup of a world before the law acts. */
   readonly arrange?: (force: Force, world: PhysicsWorld, subject: number) => void;
 }
 
@@ -24,7 +24,7 @@ const triangle = [
   { x: 1, y: -1 },
   { x: 0, y: 1 },
 ];
-/** Ids of `lawWorld`: its bodies are made in this order. */
+/** Ids of `lawWorld`, whose bodies are created in this order. */
 const [SOURCE, SUBJECT, SECOND, THIRD, FOURTH] = [1, 2, 3, 4, 5];
 const TETRAHEDRON = [SUBJECT, SECOND, FOURTH, SUBJECT, THIRD, SECOND, SUBJECT, FOURTH, THIRD, SECOND, THIRD, FOURTH];
 
@@ -40,7 +40,7 @@ function law(maker: string, ...args: unknown[]): LawRecord {
   return { title: maker, maker, args };
 }
 
-/** Every law with arguments that make it act on the subject of `lawWorld`. */
+/** Every law with arguments for which it acts on the subject of `lawWorld`. */
 export const LAW_RECORDS: readonly LawRecord[] = [
   law('uniformGravity', { x: 1, y: -10, z: 2 }),
   law('mutualGravity', { G: 1, softening: 0.1, law: 'inverse-square', relativeError: 0.005, method: 'auto' }),
@@ -118,22 +118,22 @@ export const LAW_RECORDS: readonly LawRecord[] = [
 
 type Maker = (...args: readonly unknown[]) => Force;
 
-/** The force of a record, or of other arguments than its own. */
+/** Returns the force of a record, or of other arguments. */
 export function makeLaw({ maker, args }: LawRecord, other: readonly unknown[] = args): Force {
   return (physics as unknown as Record<string, Maker>)[maker](...other);
 }
 
-/** The numbers of dimensions a law works in. */
+/** Returns the dimensions in which a law works. */
 export function dimensionsOf({ dimensions }: LawRecord): readonly (2 | 3)[] {
   return dimensions === undefined ? [2, 3] : [dimensions];
 }
 
-/** Every law in every number of dimensions it works in. */
+/** Every law in each of its dimensions. */
 export const LAW_CASES = LAW_RECORDS.flatMap((record) =>
   dimensionsOf(record).map((dimensions) => ({ name: `${record.title}, ${dimensions}D`, record, dimensions })),
 );
 
-/** All that laws read, of a body that moves. */
+/** All components that laws read, for a moving body. */
 const BODY = {
   mass: 2,
   charge: 0.5,
@@ -149,7 +149,7 @@ const BODY = {
   angularDrag: 0.1,
 };
 
-/** Where the four moving bodies are: outside everything's singularity, the subject half in the pool. */
+/** Positions of the four moving bodies: outside of singularities, the subject half immersed. */
 export const PLACES = [
   { x: 1.1, y: 0.3, z: 0.2 },
   { x: 2.3, y: 0.6, z: -0.4 },
@@ -160,9 +160,9 @@ export const PLACES = [
 export interface LawWorld {
   readonly world: PhysicsWorld;
   readonly force: Force;
-  /** The body that is looked at. */
+  /** The body under test. */
   readonly subject: number;
-  /** All that move. */
+  /** All moving bodies. */
   readonly moving: readonly number[];
 }
 

@@ -1,4 +1,4 @@
-/** What tests of force laws share: one body under some forces, the force on it, and how it goes on. */
+/** Shared by tests of force laws: a body under given forces, the force on it, and its motion. */
 import {
   bodies,
   createPhysicsWorld,
@@ -13,14 +13,14 @@ import { prepareForces } from '../../packages/physics/src/dynamics/evaluate-forc
 
 export type Body = Parameters<typeof spawn>[1];
 
-/** A world with one body, which is at rest at the origin with mass 1 unless said otherwise. */
+/** Creates a world with one body, by default at rest at the origin with mass 1. */
 export function single(forces: readonly Force[], body: Body = {}, options: PhysicsWorldOptions = {}) {
   const world = createPhysicsWorld({ capacity: 20, forces, ...options });
   const eid = spawn(world, { position: {}, velocity: {}, mass: 1, ...body });
   return { world, eid, ...read(world, eid) };
 }
 
-/** Where a body is and how fast. */
+/** Returns position and velocity of a body. */
 export function read(world: PhysicsWorld, eid: number) {
   const { Position: p, Velocity: v } = world.components;
   return {
@@ -30,7 +30,7 @@ export function read(world: PhysicsWorld, eid: number) {
   };
 }
 
-/** Goes on for some seconds in equal steps of at most `dt`. */
+/** Steps for some seconds in equal steps of at most `dt`. */
 export function run(world: PhysicsWorld, seconds: number, dt = 1 / 60, each?: () => void): void {
   const steps = Math.ceil(seconds / dt - 1e-9);
   for (let i = 0; i < steps; i++) {
@@ -39,7 +39,7 @@ export function run(world: PhysicsWorld, seconds: number, dt = 1 / 60, each?: ()
   }
 }
 
-/** The force on a body now, N, and the torque, N m. */
+/** Returns the force on a body, N, and the torque, N m. */
 export function forceOn(world: PhysicsWorld, eid: number, time = world.time) {
   bodies(world);
   world.internal.sweptRows = 16 * Math.ceil((world.lastId + 1) / 16);
@@ -55,17 +55,20 @@ export function forceOn(world: PhysicsWorld, eid: number, time = world.time) {
   }
   evaluateForces(world, world.ranges, time);
   const { force, torque } = scratch;
-  // No force has no direction: of minus zero this makes zero.
+  // Adding 0 converts -0 to 0.
   return { x: force.x[eid] + 0, y: force.y[eid] + 0, z: force.z[eid] + 0, torque: torque.z[eid] + 0 };
 }
 
-/** The force that a law puts on one body, 2D unless the body says otherwise. */
+/** Returns the force of a law on a body, 2D by default. */
 export function lawOn(law: Force, body: Body, options: PhysicsWorldOptions = {}) {
   const { world, eid } = single([law], body, options);
   return forceOn(world, eid);
 }
 
-/** Minus the gradient of the energy of all forces at a body, by central differences: what a conservative force must be. */
+/**
+ * Returns minus the gradient of the energy of all forces at a body, by central differences: the expected
+ * conservative force.
+ */
 export function slope(world: PhysicsWorld, eid: number, h = 1e-5) {
   const energy = () => world.forces.reduce((sum, force) => sum + (force.potential?.(world) ?? Number.NaN), 0);
   const along = (axis: 'x' | 'y' | 'z') => {

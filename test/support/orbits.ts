@@ -1,17 +1,17 @@
-/** What tests of orbits measure. */
+/** Measurements of orbits. */
 import { type PhysicsWorld, step } from '@principia/physics';
 
 export interface Turn {
-  /** Least and greatest distance. */
+  /** Minimum and maximum distance. */
   readonly near: number;
   readonly far: number;
-  /** Time from one least distance to the next, s; NaN when there was but one. */
+  /** Time between two minima of the distance, s; NaN if there is only one. */
   readonly period: number;
-  /** Angle turned about the centre in that time, rad. */
+  /** Angle about the centre in that time, rad. */
   readonly angle: number;
 }
 
-/** Follows the distance of a body from a point; its extremes are found between steps by a parabola through three. */
+/** Measures the distance of a body from a point; extremes are interpolated by a parabola. */
 export function measureOrbit(
   world: PhysicsWorld,
   eid: number,
@@ -36,7 +36,7 @@ export function measureOrbit(
     far = Math.max(far, after.r);
     if (before !== undefined && (here.r - before.r) * (after.r - here.r) <= 0) {
       const bend = before.r - 2 * here.r + after.r;
-      // On a circle there is no extreme to find.
+      // A circle has no extremes.
       const at = bend === 0 ? 0 : (before.r - after.r) / (2 * bend);
       const extreme = bend === 0 ? here.r : here.r - (after.r - before.r) ** 2 / 8 / bend;
       near = Math.min(near, extreme);
@@ -55,7 +55,7 @@ export function measureOrbit(
   };
 }
 
-/** Times at which a body crosses a value of a coordinate upwards, by a straight line between steps. */
+/** Returns the times at which a coordinate of a body crosses a value upwards, by linear interpolation. */
 export function crossings(
   world: PhysicsWorld,
   coordinate: () => number,

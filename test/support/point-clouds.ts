@@ -1,4 +1,4 @@
-// Clouds of bodies of known shapes, and the plain direct sum to judge forces by.
+// Clouds of bodies of known shapes, and the direct sum as a reference for forces.
 import { createRandom } from '../../packages/physics/src/math/random.ts';
 
 export interface Cloud {

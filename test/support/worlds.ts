@@ -1,4 +1,6 @@
-/** Worlds for tests in a line, and what every fault must leave behind: an untouched witness and a living world. */
+/**
+ * Short constructors of test worlds, and the invariants after every fault: an unchanged witness and a working world.
+ */
 import {
   boxWalls,
   COMPONENT_NAMES,
@@ -16,7 +18,7 @@ import { expect } from 'vitest';
 
 export const DT = 1 / 60;
 
-/** The kinds of world a fault is tried in: both precisions, both numbers of dimensions. */
+/** The kinds of world for faults: both precisions, 2D and 3D. */
 export const KINDS = [
   { dimensions: 2, precision: 'f64' },
   { dimensions: 3, precision: 'f32' },
@@ -32,7 +34,7 @@ export function groundWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
   });
 }
 
-/** Nothing acts on anything. */
+/** A world without forces. */
 export function emptySpace(options: PhysicsWorldOptions = {}): PhysicsWorld {
   return createPhysicsWorld({ capacity: 1000, ...options });
 }
@@ -46,19 +48,19 @@ export function steps(world: PhysicsWorld, count: number, dt = DT): void {
   for (let i = 0; i < count; i++) step(world, dt);
 }
 
-/** Every bit of one body: the numbers of all its columns. Two bodies with equal states have equal texts. */
+/** Returns the values of all columns of a body as text. Bodies with equal states have equal texts. */
 export function bodyState(world: PhysicsWorld, eid: number): string {
   const parts: string[] = [];
   for (const name of COMPONENT_NAMES) {
     for (const [field, column] of Object.entries(world.components[name])) {
-      // `+ 0` makes -0 and 0 alike; otherwise equal texts mean equal bits.
+      // `+ 0` converts -0 to 0; otherwise equal texts mean equal bits.
       if (column[eid] !== 0) parts.push(`${name}.${field}=${column[eid] + 0}`);
     }
   }
   return parts.join(' ');
 }
 
-/** All that a refused call must leave as it was. */
+/** Returns all state that a refused call must not change. */
 export function worldState(world: PhysicsWorld): unknown {
   const entities = getAllEntities(world).map((eid) => [
     eid,
@@ -77,7 +79,7 @@ export function worldState(world: PhysicsWorld): unknown {
   };
 }
 
-/** The PhysicsError that `act` throws. */
+/** Returns the PhysicsError that `act` throws. */
 export function refusal(act: () => unknown): PhysicsError {
   let thrown: unknown;
   try {
@@ -89,7 +91,7 @@ export function refusal(act: () => unknown): PhysicsError {
   return thrown as PhysicsError;
 }
 
-/** Expects a PhysicsError with these details, and the world as it was. */
+/** Expects a PhysicsError with these details, and an unchanged world. */
 export function assertRefused(
   world: PhysicsWorld,
   act: () => unknown,
@@ -103,7 +105,7 @@ export function assertRefused(
   expect(worldState(world)).toEqual(before);
 }
 
-/** A fresh body still falls and lands: for worlds with gravity and a floor at y = 0. */
+/** Expects a new body to fall and land, in a world with gravity and a floor at y = 0. */
 export function assertWorldAlive(world: PhysicsWorld): void {
   const eid = spawn(world, { position: { x: -300, y: 0.5 }, velocity: {}, mass: 1, collider: { radius: 0.1 } });
   const { Position, Velocity } = world.components;
@@ -111,7 +113,7 @@ export function assertWorldAlive(world: PhysicsWorld): void {
   expect(Position.y[eid]).toBeLessThan(0.5);
   // From 0.4 m above the floor it falls for sqrt(0.8 / 9.8) = 0.29 s, and lies still after the bounce that is none.
   steps(world, 30);
-  // It rests on the floor: the wall puts it there exactly, up to the rounding of 0.1 to f32 (relative 6e-8).
+  // It rests on the floor exactly, up to the rounding of 0.1 to f32 (relative 6e-8).
   expect(Math.abs(Position.y[eid] - 0.1)).toBeLessThan(1e-8);
   expect(Math.abs(Velocity.y[eid])).toBeLessThan(1e-6);
 }
