@@ -5,7 +5,7 @@
 // this file handles rows that failed.
 import { addComponent, entityExists, hasComponent, set } from 'bitecs';
 import { MAX_POSITION } from '../components/position.ts';
-import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_PART } from '../components/rotation.ts';
+import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_COMPONENT } from '../components/rotation.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import { clearMissing } from '../ecs/partial-entities.ts';
 import { forEachRange } from '../ecs/ranges.ts';
@@ -107,7 +107,7 @@ function areAnglesValid(world: PhysicsWorld, first: number, last: number): boole
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Rotation, Orientation: q } = addresses;
   const maxSpin = MAX_ANGULAR_SPEED;
-  const part = MAX_QUATERNION_PART;
+  const part = MAX_QUATERNION_COMPONENT;
   const good =
     kernels.checkAxis(w.x, w.y, maxSpin, maxSpin, first, last) &
     kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, maxSpin, first, last);
@@ -120,7 +120,7 @@ function areAnglesValid(world: PhysicsWorld, first: number, last: number): boole
 /** The largest magnitude of each column of a body. */
 const LIMITS = [
   ['Position', MAX_POSITION],
-  ['Orientation', MAX_QUATERNION_PART],
+  ['Orientation', MAX_QUATERNION_COMPONENT],
   ['Rotation', MAX_ANGLE],
   ['Velocity', MAX_SPEED],
   ['AngularVelocity', MAX_ANGULAR_SPEED],

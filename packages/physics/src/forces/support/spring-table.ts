@@ -24,8 +24,8 @@ export interface SpringTable {
 
 export const springTable = resource((world): SpringTable => {
   const { at, words, numbers } = allocateRecord(world.internal.arena, SPRING_TABLE_BYTES, 'springs');
-  const { a, b, aLife, bLife, stiffness, damping, length, cord } = world.addresses.Spring;
-  words.set([a, b, aLife, bLife, stiffness, damping, length, cord], Word.a);
+  const { a, b, aLife, bLife, stiffness, damping, length, tensionOnly } = world.addresses.Spring;
+  words.set([a, b, aLife, bLife, stiffness, damping, length, tensionOnly], Word.a);
   words[Word.generations] = world.internal.generations.byteOffset;
   words[Word.rows] = world.rows;
   const stiffest = numbers.subarray(SpringTableNumber.stiffest, SpringTableNumber.mostDamped + 1);
