@@ -47,7 +47,7 @@ test('ch05-forces-object: the forces of a world add, axis by axis', () => {
   expect(Math.abs(sum.y - each.reduce((total, { y }) => total + y, 0))).toBeLessThan(1e-14);
 });
 
-test('ch05-projectile-drag: apex at 4.700 s, and where it is after 10 s', () => {
+test('ch05-projectile-drag: apex at 4.700 s, and position after 10 s', () => {
   for (const integrator of [velocityVerlet, rungeKutta4]) {
     const body = { position: { x: 50, y: 400 }, velocity: { x: 60, y: -60 }, linearDrag: 0.1 };
     const { world, at, going } = single([uniformGravity({ y: 10 }), linearDrag()], body, { integrator });
@@ -66,7 +66,7 @@ test('ch05-projectile-drag: apex at 4.700 s, and where it is after 10 s', () => 
   }
 });
 
-test('ch05-projectile-drag: what the first order makes of it at 60 steps a second', () => {
+test('ch05-projectile-drag: result of the first-order scheme at 60 steps per second', () => {
   const body = { position: { x: 50, y: 400 }, velocity: { x: 60, y: -60 }, linearDrag: 0.1 };
   const options = { integrator: positionFirstEuler };
   const { world, at } = single([uniformGravity({ y: 10 }), linearDrag()], body, options);
@@ -117,7 +117,7 @@ test.each([
   }
 });
 
-test('ch07-floating-ball: quadratic drag lets the bob fade as 1/t, so that it still bobs after 60 s', () => {
+test('ch07-floating-ball: quadratic drag damps the oscillation as 1/t, so that it persists after 60 s', () => {
   const { forces, body } = floatingBall(10, 20, 100, 1.5, { x: 50, y: 50 });
   const { world, at, going } = single(forces, body, { integrator: rungeKutta4 });
   const turns: { time: number; amplitude: number }[] = [];

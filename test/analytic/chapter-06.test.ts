@@ -31,7 +31,7 @@ function launch(x: number, y: number, integrator: Integrator = rungeKutta4) {
   return { world, planet };
 }
 
-test('ch06-gravity-law: doubling the distance quarters the force, and action is reaction', () => {
+test('ch06-gravity-law: doubling the distance quarters the force, and action equals reaction', () => {
   const pull = (r: number) => {
     const world = createPhysicsWorld({ capacity: 5, forces: [mutualGravity({ G: 1 })] });
     const a = spawn(world, { position: {}, velocity: {}, mass: 3 });
@@ -115,7 +115,7 @@ describe('ch06-two-masses', () => {
     const b = spawn(world, { position: { x: 350, y: 200 }, velocity: { y: v2 }, mass: m2 });
     return { world, a, b };
   };
-  /** Time between two least distances. */
+  /** Returns the time between two minima of the distance. */
   const period = ({ world, a, b }: ReturnType<typeof pair>, seconds: number) => {
     const { x, y } = world.components.Position;
     const times: number[] = [];
@@ -216,7 +216,7 @@ describe('ch06-rocket', () => {
     expect(peak / 339.69).toBeCloseTo(1, 3);
   });
 
-  test('the columns of the thrust hold it while the engine fires, and zero from then on', () => {
+  test('the thrust columns hold the thrust while the engine fires, and zero afterwards', () => {
     const { world, eid } = rocket();
     const { fuel, thrustX, thrustY } = world.components.Engine;
     run(world, 6.5, 1 / 64);

@@ -20,7 +20,7 @@ import { forceOn, lawOn, run, single } from '../support/laws.ts';
 
 const accurate = { integrator: rungeKutta4 };
 
-test('ch07-normal-tension: a block on a slope, and a mass that hangs', () => {
+test('ch07-normal-tension: a block on a slope, and a hanging mass', () => {
   const angle = 0.4;
   const normal = { x: Math.sin(angle), y: Math.cos(angle) };
   const block = single([uniformGravity({ y: -10 }), planeSupport({ normal })], { mass: 3 });
@@ -149,7 +149,7 @@ test('ch07-terminal-velocity: mg/k and √(mg/k)', () => {
   expect(fall({ quadraticDrag: 0.01 })).toBeCloseTo(31.62, 2);
 });
 
-test('ch07-parachute: 30 before opening, 10 after, and the way between', () => {
+test('ch07-parachute: 30 before opening, 10 after, and the distance between', () => {
   const forces = [uniformGravity({ y: 10 }), buoyancy({ density: 0.1, gravity: { y: 10 } }), quadraticDrag()];
   const { world, eid, speed } = single(forces, { hull: 1, quadraticDrag: 0.01 });
   run(world, 5);
@@ -231,7 +231,7 @@ test('ch07-bubbles-wind: still-air rise speeds, and the drift in a wind', () => 
 
 describe('ch07-bubbles-turbulence', () => {
   const options = { mean: { x: 20 }, spread: { x: 500, y: 500 }, interval: 0.125, seed: 4 };
-  /** Standard deviation of what is uniform within ±500. */
+  /** Standard deviation of the uniform distribution within ±500. */
   const deviation = 500 / Math.sqrt(3);
 
   test('ch07-bubbles-turbulence: gusts of mean (20, 0) ± 289/√N', () => {
@@ -281,7 +281,7 @@ describe('ch07-bubbles-turbulence', () => {
   );
 });
 
-test('ch07-vortex: k r₀ on either side of the rim, outwards within and inwards beyond', () => {
+test('ch07-vortex: k r₀ on both sides of the rim, outwards inside and inwards outside', () => {
   const law = vortex({ strength: 3, radius: 2 });
   expect(lawOn(law, { position: { x: 2 } }).x).toBe(6);
   expect(lawOn(law, { position: { x: 2 * (1 + 1e-12) } }).x).toBeCloseTo(-6, 9);

@@ -31,21 +31,21 @@ interface Hung {
   readonly stiffness?: number;
   readonly damping?: number;
   readonly length?: number;
-  readonly cord?: number;
+  readonly tensionOnly?: number;
   readonly body?: object;
 }
 
-/** A ball on a spring from a fixed point. */
+/** Makes a ball on a spring from a fixed point. */
 function hang(hung: Hung, forces: readonly Force[] = [], integrator: Integrator = velocityVerlet) {
-  const { stiffness = 1, damping = 0, length = 0, cord = 0 } = hung;
+  const { stiffness = 1, damping = 0, length = 0, tensionOnly = 0 } = hung;
   const world = createPhysicsWorld({ capacity: 5, forces: [...forces, springs()], integrator });
   const a = spawn(world, { position: hung.from });
   const b = spawn(world, { position: hung.at, velocity: hung.velocity ?? {}, mass: 1, ...hung.body });
-  spawn(world, { spring: { a, b, stiffness, damping, length, cord } });
+  spawn(world, { spring: { a, b, stiffness, damping, length, tensionOnly } });
   return { world, eid: b, ...read(world, b) };
 }
 
-test('ch08-basic-oscillator: T = 2π whatever the amplitude, through the centre, or an ellipse about it', () => {
+test('ch08-basic-oscillator: T = 2π for any amplitude, through the centre or on an ellipse about it', () => {
   for (const velocity of [{}, { x: 200 }]) {
     for (const at of [
       { x: 100, y: 50 },
@@ -114,7 +114,7 @@ describe('damped', () => {
   const damped = (integrator: Integrator, c = 0.5, velocity = {}) =>
     hang({ ...FREE, velocity, stiffness: 10, body: { linearDrag: c } }, [linearDrag()], integrator);
 
-  test('ch08-damped: period 1.993156 s, ratio 0.607569 a period; critical and beyond do not swing', () => {
+  test('ch08-damped: period 1.993156 s, ratio 0.607569 a period; critical and stronger damping do not oscillate', () => {
     for (const integrator of [velocityVerlet, rungeKutta4]) {
       const { world, at } = damped(integrator);
       run(world, 1.993156, 1e-2 / 6);
@@ -196,7 +196,7 @@ describe('damped', () => {
   });
 });
 
-test('a stick figure: a body of 20 and a head of 10 on it balance a fifth of the way up', () => {
+test('a stick figure with a body of 20 and a head of 10 balances at a fifth of its height', () => {
   const world = createPhysicsWorld({ capacity: 5 });
   for (const [radius, y] of [
     [20, 0],
@@ -208,9 +208,9 @@ test('a stick figure: a body of 20 and a head of 10 on it balance a fifth of the
 });
 
 describe('ch08-bungee', () => {
-  const CORD = { from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, cord: 1 };
+  const BUNGEE = { from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, tensionOnly: 1 };
   const jump = (quadratic: number) =>
-    hang({ ...CORD, body: { mass: 90, quadraticDrag: quadratic } }, [uniformGravity({ y: 20 }), quadraticDrag()]);
+    hang({ ...BUNGEE, body: { mass: 90, quadraticDrag: quadratic } }, [uniformGravity({ y: 20 }), quadraticDrag()]);
 
   test('ch08-bungee: free fall to 63.246 in 3.162 s, lowest at 361.94, or 356.1 with drag; rest at 222', () => {
     const free = jump(0);
@@ -230,7 +230,7 @@ describe('ch08-bungee', () => {
     }
     const forces = [uniformGravity({ y: 20 }), linearDrag()];
     const body = { mass: 90, linearDrag: 90 };
-    const resting = hang({ ...CORD, body }, forces);
+    const resting = hang({ ...BUNGEE, body }, forces);
     run(resting.world, 80);
     // Damped by exp(-t/2), it comes to rest where its steps are less than half an ulp, 1.4e-14: at 60 · 1.4e-14 a
     // second, the drag of which holds 90/25 of that.
@@ -238,7 +238,7 @@ describe('ch08-bungee', () => {
   });
 });
 
-test('ch08-drag-spring: rests at 270, bobs with 2π, and is let go without a jump', () => {
+test('ch08-drag-spring: rests at 270, oscillates with 2π, and is released without a jump', () => {
   const hand = pointerPull();
   const forces = [uniformGravity({ y: 20 }), quadraticDrag(), hand];
   const figure = (drag: number) =>
@@ -280,7 +280,7 @@ describe('ch08-coupled-chain', () => {
     return y;
   };
 
-  test('ch08-coupled-chain: hangs at rest, also after settling', () => {
+  test('ch08-coupled-chain: starts and stays in equilibrium', () => {
     rests.forEach((rest, i) => {
       expect(restOf(i)).toBeCloseTo(rest, 2);
     });

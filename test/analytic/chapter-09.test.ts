@@ -41,7 +41,7 @@ test('a rim from 40 to 50 turns with I = m (40² + 50²)/2, a disc less a disc',
   expect(world.components.AngularVelocity.z[eid]).toBeCloseTo(3, 12);
 });
 
-test('ch09-rolling-wheel: without slip the point of contact rests, and a turn takes it 2πR', () => {
+test('ch09-rolling-wheel: without slip the contact point is at rest, and a revolution moves it by 2πR', () => {
   for (const [factor, slip] of [
     [1, 0],
     [0.5, -25],
@@ -127,7 +127,7 @@ test('ch09-circular-orbit: periods, radius over 500 s, and the launch at 45°', 
   expect(period).toBeCloseTo(24.8365, 2);
 });
 
-test('ch09-car-bend: up to 27.386 it stays on the bend, faster it slides out', () => {
+test('ch09-car-bend: up to 27.386 it stays on the circle, and slides outwards at higher speed', () => {
   const grip = corneringGrip({ centre: { x: 200, y: 100 }, friction: 1, gravity: 10 });
   const car = (speed: number) => {
     const body = { position: { x: 275, y: 100 }, velocity: { y: speed }, mass: 90 };

@@ -27,7 +27,7 @@ import { describe, expect, test } from 'vitest';
 import { forceOn, read, run, single } from '../support/laws.ts';
 import { crossings, measureOrbit } from '../support/orbits.ts';
 
-test('ch10-field-of-a-particle: no work round a closed loop; the same flux wherever the mass is inside', () => {
+test('ch10-field-of-a-particle: no work on a closed loop; the same flux for any position of the mass inside', () => {
   const world = createPhysicsWorld({ capacity: 5, dimensions: 3, forces: [attractors()] });
   const source = spawn(world, { position: {}, attractor: 1e6 });
   const probe = spawn(world, { position: {}, velocity: {}, mass: 1 });
@@ -78,7 +78,7 @@ function revolution(world: PhysicsWorld, eid: number, centre: { x: number; y: nu
   }
 }
 
-test('ch10-multiple-orbiters: periods and eccentricities of three planets, whatever they weigh', () => {
+test('ch10-multiple-orbiters: periods and eccentricities of three planets, independent of their mass', () => {
   for (const [position, velocity, mass, period, e] of [
     [{ x: 400, y: 50 }, { x: 65 }, 10, 27.09, 0.0563],
     [{ x: 500, y: 300 }, { y: 100 }, 3, 6.283, 0],
@@ -102,7 +102,7 @@ test('ch10-multiple-orbiters: periods and eccentricities of three planets, whate
   }
 });
 
-test('ch10-multiple-attractors: energies between two suns, and the swing on their bisector', () => {
+test('ch10-multiple-attractors: energies between two suns, and the oscillation on their bisector', () => {
   const launch = (position: object, velocity: object) => {
     const world = createPhysicsWorld({ capacity: 5, forces: [attractors()], integrator: rungeKutta4 });
     for (const x of [300, 500]) spawn(world, { position: { x, y: 300 }, attractor: 1e6 });
@@ -239,7 +239,7 @@ describe('ch10-charge-pair', () => {
     return { world, gap: () => read(world, b).at().x - read(world, a).at().x, a, b };
   };
 
-  test('ch10-charge-pair: like charges part at 20.0 in the end', () => {
+  test('ch10-charge-pair: like charges separate at a final speed of 20.0', () => {
     const { world, a, b, gap } = pair(1);
     run(world, 2000, 0.02);
     const speed = read(world, b).going().x - read(world, a).going().x;
@@ -250,7 +250,7 @@ describe('ch10-charge-pair', () => {
     expect(momentum(world).x).toBeCloseTo(0, 12);
   }, 30_000);
 
-  test('ch10-charge-pair: opposite ones meet after 7.854 s', () => {
+  test('ch10-charge-pair: opposite charges meet after 7.854 s', () => {
     const { world, gap } = pair(-1);
     while (gap() > 0.2) step(world, gap() > 20 ? 1e-3 : 1e-5);
     expect(Math.abs(world.time / 7.854 - 1)).toBeLessThan(0.005);
@@ -278,7 +278,7 @@ describe('ch10-electric-charges', () => {
     expect(steps).toBeGreaterThan(40 * 60);
   });
 
-  test('ch10-electric-charges: a neutral body goes straight', () => {
+  test('ch10-electric-charges: a neutral body moves in a straight line', () => {
     const { world } = field();
     const neutral = spawn(world, { position: {}, velocity: { x: 50, y: 20 }, mass: 1 });
     const { at } = read(world, neutral);
@@ -343,7 +343,7 @@ describe('ch10-magnetic-lorentz', () => {
     expect(wide.at().y).toBeCloseTo(450 - 400, 1);
   });
 
-  test('ch10-magnetic-lorentz: the force with an accurate scheme goes the same way', () => {
+  test('ch10-magnetic-lorentz: the force with an accurate scheme gives the same path', () => {
     const turned = inField(0.5);
     const forced = single([magneticField({ z: 0.5 })], START, { integrator: rungeKutta4 });
     run(turned.world, 5, 1e-3);
@@ -388,7 +388,7 @@ test.each([
   expect(energy(world).total / before).toBeCloseTo(1, 7);
 });
 
-test('ch10-spring-gravity: everything is back after 2π', () => {
+test('ch10-spring-gravity: every body returns after 2π', () => {
   for (const [integrator, bound] of [
     [positionFirstEuler, 0.01],
     [rungeKutta4, 4e-7],
@@ -441,7 +441,7 @@ describe('ch10-mixed-force-laws', () => {
     expect(energy(world).total).toBeCloseTo(start, 4);
   });
 
-  test('ch10-mixed-force-laws: with a moving centre there is no energy to keep, but every replay is the same', () => {
+  test('ch10-mixed-force-laws: with a moving centre energy is not conserved, but every replay is identical', () => {
     const moving = { centreVelocity: { x: 10, y: -10 } };
     const play = () => {
       const world = crowd(laws(moving), velocityVerlet);

@@ -1,4 +1,4 @@
-// Numerical integration: what each scheme does to the same few motions.
+// Numerical integration: each scheme on the same few problems.
 import {
   attractors,
   boxWalls,
@@ -26,7 +26,7 @@ import { measureOrbit } from '../support/orbits.ts';
 
 const DT = 1 / 60;
 
-/** Distance from the exact place of a projectile with drag after 10 s. */
+/** Returns the distance from the exact position of a projectile with drag after 10 s. */
 function projectileError(integrator: Integrator, steps = 600): number {
   const world = createPhysicsWorld({
     capacity: 10,
@@ -108,7 +108,7 @@ test('ch14-semi-implicit-euler: both orderings stay bounded, with an energy erro
   }
 });
 
-test('ch14-springs: errors of place and velocity at t = 1 in 60, 120 and 240 steps', () => {
+test('ch14-springs: errors of position and velocity at t = 1 in 60, 120 and 240 steps', () => {
   for (const [integrator, wanted] of [
     [explicitEuler, [1.67, 0.835, 0.417]],
     [velocityVerlet, [4.99e-3, 1.25e-3, 3.12e-4]],
@@ -183,7 +183,7 @@ describe('ch14-orbits', () => {
   });
 });
 
-test('ch14-projectile-verlet: the exact parabola, and what leaving out half a step of gravity would cost', () => {
+test('ch14-projectile-verlet: the exact parabola, and the error without half a step of gravity at the start', () => {
   const world = createPhysicsWorld({
     capacity: 10,
     integrator: positionVerlet,
@@ -240,7 +240,7 @@ function rope(integrator: Integrator, dt: number, time = 60) {
   return { fastest, faults: world.faults.faults.length, x: Position.x[ids[8]], y: Position.y[ids[8]] };
 }
 
-test('ch14-rope-euler: explicit Euler holds below dt = c/k, semi-implicit far beyond, implicit everywhere', () => {
+test('ch14-rope-euler: explicit Euler is stable below dt = c/k, semi-implicit far beyond, implicit everywhere', () => {
   expect(rope(explicitEuler, 0.038, 600).fastest).toBeLessThan(1e-3);
   expect(rope(explicitEuler, 0.05).fastest).toBeGreaterThan(20);
   expect(rope(explicitEuler, 0.1, 4).fastest).toBeGreaterThan(100);
@@ -275,7 +275,7 @@ test('ch14-timestep-tips: an apex after a bounce is off by less than g dt², bec
   }
 });
 
-test('ch14-scale-model: 200 px at 400 px/s² take a second', () => {
+test('ch14-scale-model: 200 px at 400 px/s² take one second', () => {
   const world = createPhysicsWorld({ capacity: 10, forces: [uniformGravity({ y: 400 })] });
   const ball = spawn(world, { position: { x: 300, y: 96 }, velocity: {}, mass: 1 });
   for (let i = 0; i < 60; i++) step(world, DT);

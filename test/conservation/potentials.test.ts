@@ -1,4 +1,4 @@
-// Each conservative force carries its potential: asked of every law of the package.
+// Every conservative force of the package has a potential that matches it.
 import { constantTorque, type Force, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import { lawForce } from '../../packages/physics/src/dynamics/define-law.ts';
@@ -9,14 +9,14 @@ import { structureOf } from '../../packages/physics/src/laws/structure.ts';
 import { LAW_CASES, type LawWorld, lawWorld } from '../support/law-records.ts';
 import { forceOn, slope } from '../support/laws.ts';
 
-/** Where the first body is moved to, m: inside and outside what has a rim at 1, in and out of the pool. */
+/** Positions of the first body, m: inside and outside of radius 1, in and out of the fluid. */
 const MOVES = [
   { x: 0, y: 0, z: 0 },
   { x: -0.5, y: 0.4, z: 0.3 },
   { x: 0.9, y: -0.35, z: 0.5 },
 ];
 
-/** Their energy is that of fuel, batteries and muscles, of which a world knows nothing. */
+/** Their energy is that of fuel, batteries or muscles, which a world does not model. */
 const DRIVEN = ['thrust', 'rocketEngines'];
 
 const axesOf = ({ world }: LawWorld) => (world.dimensions === 2 ? (['x', 'y'] as const) : (['x', 'y', 'z'] as const));
@@ -27,14 +27,14 @@ function moveBy({ world, subject }: LawWorld, by: { x: number; y: number; z: num
   }
 }
 
-/** Extrapolated from two steps: what is left is of fourth order, 10⁻¹² of the energy, and its rounding, 10⁻¹² too. */
+/** Extrapolated from two steps: the error is of fourth order, 10⁻¹² of the energy, as is the rounding. */
 function gradient({ world }: LawWorld, eid: number): Record<'x' | 'y' | 'z', number> {
   const [wide, narrow] = [2e-4, 1e-4].map((h) => slope(world, eid, h));
   const at = (axis: 'x' | 'y' | 'z') => (4 * narrow[axis] - wide[axis]) / 3;
   return { x: at('x'), y: at('y'), z: at('z') };
 }
 
-/** The same for the turn of the body. */
+/** The same for the rotation of the body. */
 function torqueOf({ world, force, subject }: LawWorld): number {
   const { angle } = world.components.Rotation;
   const at = (turn: number) => {
@@ -68,7 +68,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
         moveBy(stage, by, -1);
       }
     });
-    test('and the derivative of its expression', () => {
+    test('the force is the derivative of its expression', () => {
       const { law } = built().force;
       if (law?.potential === undefined) return;
       const derived = () => lawWorld(record, dimensions, { still: true, wrap: derivedLaw });
@@ -77,7 +77,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
         for (const stage of [stated, found]) moveBy(stage, by);
         for (const eid of stated.moving) {
           const [a, b] = [forceOn(stated.world, eid), forceOn(found.world, eid)];
-          // Tens of roundings of terms that may cancel.
+          // The bound is tens of roundings of terms that may cancel.
           const within = 1e-12 * (1 + Math.hypot(a.x, a.y, a.z));
           expect(Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z)).toBeLessThan(within);
         }
@@ -86,12 +86,12 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
     return;
   }
 
-  test('it has no potential, because it has none', () => {
+  test('it has no potential, because the force is not conservative', () => {
     expect(DRIVEN.includes(record.maker) || needsNone(built(), () => built())).toBe(true);
   });
 });
 
-/** The law whose force is derived from the potential that the given one states. */
+/** The law whose force is derived from the potential of the given law. */
 function derivedLaw(force: Force): Force {
   const { law, sources, ...rest } = force as LawForce;
   const parts = { force: gradientOf(law.potential as NonNullable<typeof law.potential>, constant(-1)) };
@@ -99,7 +99,7 @@ function derivedLaw(force: Force): Force {
   return lawForce({ ...others, ...parts, structure: structureOf(law.parameters, parts) }, sources, rest);
 }
 
-/** Whether a law does nothing to what is at rest, or depends on velocity or time, or does work round a closed loop. */
+/** Tests whether a law has no effect at rest, depends on velocity or time, or does work on a closed loop. */
 function needsNone(stage: LawWorld, again: () => LawWorld): boolean {
   const { world, subject } = stage;
   const rests = MOVES.map((by) => {
@@ -141,6 +141,6 @@ function curl(stage: LawWorld): number {
   );
 }
 
-test('a torque has no potential: it is another after each turn', () => {
+test('a constant torque has no potential: it would change with each revolution', () => {
   expect(constantTorque({ z: 1 }).potential).toBeUndefined();
 });

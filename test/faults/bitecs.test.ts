@@ -1,4 +1,4 @@
-/** What else can be done to a world through bitECS's own functions. */
+/** What users can do to a world through bitECS's own functions. */
 import { createPhysicsWorld, energy, spawn, stateHash, step, totalMass } from '@principia/physics';
 import {
   addComponent,
@@ -27,7 +27,7 @@ import {
 } from '../support/worlds.ts';
 
 describe('components of another world', () => {
-  it('are refused, so that nobody writes columns over there', () => {
+  it('are refused, so that they cannot write to columns of that world', () => {
     const [here, there] = [groundWorld(), groundWorld()];
     const other = ball(there, 0, 1);
     const eid = ball(here, 0, 1);
@@ -41,7 +41,7 @@ describe('components of another world', () => {
     assertWorldAlive(there);
   });
 
-  it('a component of your own may be in as many worlds as you like', () => {
+  it('a user-defined component can be in several worlds', () => {
     const tag = { value: [] as number[] };
     for (const world of [groundWorld(), groundWorld()]) {
       const eid = ball(world, 0, 1);
@@ -50,7 +50,7 @@ describe('components of another world', () => {
     }
   });
 
-  it('more components than one of bitECS’s masks holds do not disturb ours', () => {
+  it('more components than a bitECS mask holds do not affect built-in ones', () => {
     const world = groundWorld();
     const tags = Array.from({ length: 70 }, () => ({}));
     const eid = addEntity(world);
@@ -62,11 +62,11 @@ describe('components of another world', () => {
   });
 });
 
-describe('a world that bitECS was told to reset or delete', () => {
+describe('a world that was reset or deleted by bitECS', () => {
   it.each([
     ['resetWorld', resetWorld],
     ['deleteWorld', deleteWorld],
-  ])('%s: every call says E_DESTROYED and how to do it', (_, end) => {
+  ])('%s: every call throws E_DESTROYED with a hint', (_, end) => {
     const world = groundWorld();
     ball(world, 0, 1);
     end(world);
@@ -77,14 +77,14 @@ describe('a world that bitECS was told to reset or delete', () => {
     expect(refusal(() => spawn(world, {})).code).toBe('E_DESTROYED');
   });
 
-  it.each([[createWorld()], [{}], [null], [undefined], [5], ['world']])('%s is no physics world', (world) => {
+  it.each([[createWorld()], [{}], [null], [undefined], [5], ['world']])('%s is not a physics world', (world) => {
     expect(refusal(() => step(world as never, DT)).code).toBe('E_TYPE');
     expect(refusal(() => spawn(world as never, {})).code).toBe('E_TYPE');
   });
 });
 
 describe('prefabs', () => {
-  it('are no bodies: they fill no row, move nothing and weigh nothing', () => {
+  it('are not bodies: they use no row, do not move and have no mass', () => {
     const world = groundWorld();
     const prefab = addPrefab(world);
     const { Position, Velocity, Mass } = world.components;
@@ -99,7 +99,7 @@ describe('prefabs', () => {
     assertWorldAlive(world);
   });
 
-  it('hand their values on to what is an instance of them', () => {
+  it('pass their values on to their instances', () => {
     const world = groundWorld();
     const prefab = addPrefab(world);
     const { Position, Mass, Collider } = world.components;
@@ -115,7 +115,7 @@ describe('prefabs', () => {
     expect(world.components.Position.y[eid]).toBe(8); // infinite mass stays put
   });
 
-  it('refuse bad values like bodies do', () => {
+  it('refuse invalid values like bodies', () => {
     const world = groundWorld();
     const prefab = addPrefab(world);
     expect(refusal(() => addComponent(world, prefab, set(world.components.LinearDrag, -1))).code).toBe('E_RANGE');
@@ -125,8 +125,8 @@ describe('prefabs', () => {
   });
 });
 
-describe('refused values', () => {
-  it('take the component they came with, also when observers of the user did something in between', () => {
+describe('invalid values', () => {
+  it('remove their component, even if user observers acted in between', () => {
     const world = groundWorld();
     const { Position, Velocity } = world.components;
     const other = ball(world, 0, 1);
@@ -137,7 +137,7 @@ describe('refused values', () => {
     expect([...query(world, [Position])]).toEqual([other, eid]);
   });
 
-  it('inside a step leave no component behind either', () => {
+  it('leave no component behind during a step either', () => {
     const world = groundWorld();
     const eid = spawn(world, { position: { y: 1 } });
     const { Velocity } = world.components;
@@ -149,10 +149,10 @@ describe('refused values', () => {
   });
 });
 
-describe('keys that every object has', () => {
+describe('keys inherited from Object', () => {
   const HOSTILE = ['constructor', 'toString', 'hasOwnProperty', '__proto__', 'valueOf'];
 
-  it.each(HOSTILE)('"%s" is no field, no component and no option', (key) => {
+  it.each(HOSTILE)('"%s" is not a field, component or option', (key) => {
     const world = groundWorld();
     const eid = ball(world, 0, 1);
     const object = JSON.parse(`{ "${key}": 5 }`);
@@ -166,8 +166,8 @@ describe('keys that every object has', () => {
   });
 });
 
-describe('columns of rows that nobody has', () => {
-  it('row 0 and rows of no body may hold anything: no body notices, and the next tenant starts clean', () => {
+describe('rows without a body', () => {
+  it('can hold any values without effect, and the next body starts clean', () => {
     const world = groundWorld();
     const control = groundWorld();
     const [eid, same] = [world, control].map((w) => ball(w, 0, 1, { x: 1 }));

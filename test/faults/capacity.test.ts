@@ -23,7 +23,7 @@ const tooSmall = new WebAssembly.Memory({ initial: 1 });
 const FULL = { code: 'E_CAPACITY', field: 'capacity', hint: /larger `capacity`/ };
 
 describe('capacity', () => {
-  it.each([1, 15, 16, 1023, 1024])('65 a world filled to its capacity of %d steps', (capacity) => {
+  it.each([1, 15, 16, 1023, 1024])('65 a world at its capacity of %d bodies steps', (capacity) => {
     const world = fullWorld(capacity);
     step(world, DT);
     expect([world.lastId, world.faults.faults.length]).toEqual([capacity, 0]);
@@ -33,7 +33,7 @@ describe('capacity', () => {
     assertWorldAlive(world);
   });
 
-  it('66 one more than the capacity is refused and the world still steps', () => {
+  it('66 a body beyond the capacity is refused, and the world still steps', () => {
     const world = fullWorld(100);
     assertRefused(world, () => ball(world, 0, 1), FULL);
     assertRefused(world, () => spawnMany(world, 1, { position: {} }), FULL);
@@ -45,7 +45,7 @@ describe('capacity', () => {
     assertWorldAlive(world);
   });
 
-  it('66 an entity made raw beyond the capacity is refused its first component', () => {
+  it('66 a raw entity beyond the capacity is refused its first component', () => {
     const world = fullWorld(100);
     const { Position } = world.components;
     const eid = addEntity(world);
@@ -56,7 +56,7 @@ describe('capacity', () => {
     assertWorldAlive(world);
   });
 
-  it('66 ids beyond the capacity that were freed do not stand in the way of others', () => {
+  it('66 freed ids beyond the capacity do not block other ids', () => {
     const world = groundWorld({ capacity: 20 });
     const raw = Array.from({ length: 40 }, () => addEntity(world));
     for (const eid of raw) removeEntity(world, eid);
@@ -70,7 +70,7 @@ describe('capacity', () => {
     assertWorldAlive(world);
   });
 
-  it('66 inside a step as well: the step is complete and the error comes out of it', () => {
+  it('66 during a step as well: the step completes and then throws', () => {
     const world = fullWorld(10);
     world.phases.input.push(() => ball(world, 0, 1));
     expect(() => step(world, DT)).toThrow(/E_CAPACITY/);
@@ -80,7 +80,7 @@ describe('capacity', () => {
     assertWorldAlive(world);
   });
 
-  it('66 room that a progress callback takes away is not written beyond', () => {
+  it('66 capacity used up by a progress callback is respected', () => {
     const world = groundWorld({ capacity: 70_000 });
     const steal = () => {
       if (world.internal.counts.Position === 0) spawnMany(world, 1000, { position: {} });
@@ -98,7 +98,7 @@ describe('capacity', () => {
       },
     ],
     ['is too small', () => tooSmall],
-  ])('68 memory that %s at creation gives E_CAPACITY and leaves other worlds alone', (_, makeMemory) => {
+  ])('68 memory that %s at creation gives E_CAPACITY without affecting other worlds', (_, makeMemory) => {
     const other = fullWorld(10);
     const replaced = vi.spyOn(WebAssembly, 'Memory').mockImplementation(function allocate() {
       return makeMemory();
@@ -110,12 +110,12 @@ describe('capacity', () => {
     assertWorldAlive(other);
   });
 
-  it('68 a world beyond the address space is refused before anything is tried', () => {
+  it('68 a world beyond the address space is refused before any allocation', () => {
     expect(refusal(() => createPhysicsWorld({ capacity: 2 ** 24 - 1 })).code).toBe('E_CAPACITY');
     expect(refusal(() => createPhysicsWorld({ capacity: 2 ** 24 })).code).toBe('E_RANGE');
   });
 
-  it('70 faults nobody reads stay bounded, and the rest is counted', () => {
+  it('70 unread faults are bounded, and the others are counted', () => {
     const world = groundWorld();
     const ids = spawnMany(world, 20, { position: { y: 5 }, velocity: {} });
     for (let i = 0; i < 1000; i++) {
@@ -130,7 +130,7 @@ describe('capacity', () => {
     assertWorldAlive(world);
   });
 
-  it('70 handlers hear of every fault, also when the log is full', () => {
+  it('70 handlers receive every fault, even if the log is full', () => {
     const world = groundWorld();
     const eid = spawn(world, { position: { y: 5 }, velocity: {} });
     let heard = 0;
@@ -144,7 +144,7 @@ describe('capacity', () => {
     expect([heard, world.faults.droppedCount]).toEqual([1500, 476]);
   });
 
-  it('70 nothing grows in a hundred thousand steps of a world that nobody asks anything', () => {
+  it('70 memory does not grow in a hundred thousand steps', () => {
     const world = groundWorld({ capacity: 20 });
     ball(world, 0, 1, { x: 1 });
     steps(world, 100_000);

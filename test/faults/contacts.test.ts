@@ -1,4 +1,4 @@
-/** Bodies that touch: faults stay with their body, crowds cost a bounded amount, overlaps come apart gently. */
+/** Bodies in contact: faults do not spread, crowds have bounded cost, and overlaps separate gently. */
 import {
   clearFaults,
   contactCapacity,
@@ -29,14 +29,14 @@ function allFinite({ components: { Position, Velocity, AngularVelocity }, lastId
   );
 }
 
-/** Largest speed of the bodies with these ids. */
+/** Returns the largest speed of the bodies with these ids. */
 function topSpeed({ components: { Velocity } }: PhysicsWorld, ids: ArrayLike<number>): number {
   return Math.max(...Array.from(ids, (eid) => Math.hypot(Velocity.x[eid], Velocity.y[eid], Velocity.z[eid])));
 }
 
 describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
   it.each(['Position.x', 'Velocity.y', 'AngularVelocity.z', 'Mass.value', 'Inertia.value'] as const)(
-    '6 NaN in %s of a body does not pass to the ones it touches',
+    '6 NaN in %s of a body does not spread to bodies in contact',
     (path) => {
       const world = touching(kind);
       const row = Array.from({ length: 5 }, (_, i) =>
@@ -55,7 +55,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
       (world.components as unknown as Record<string, Record<string, Float64Array>>)[name][field][row[2]] = NaN;
       steps(world, 30);
       expect(allFinite(world)).toBe(true);
-      // The row may be pushed about by the one that was put back, but is not in quarantine.
+      // The restored body may push this one, but must not quarantine it.
       expect(row.filter((eid) => world.components.Quarantined.step[eid] > 0 && eid !== row[2])).toEqual([]);
       const alone = touching(kind);
       const same = ball(alone, 50, 3);
@@ -66,7 +66,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
   );
 
   it.each(['radius', 'restitution', 'friction'] as const)(
-    '29 NaN in Collider.%s of a body does not pass to the ones it touches',
+    '29 NaN in Collider.%s of a body does not spread to bodies in contact',
     (field) => {
       const world = touching(kind);
       const row = Array.from({ length: 5 }, (_, i) =>
@@ -91,7 +91,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     },
   );
 
-  it('13 a body teleported into another comes apart from it at bounded speed', () => {
+  it('13 a body teleported into another separates from it at bounded speed', () => {
     const world = space(kind);
     const still = spawn(world, { position: {}, velocity: {}, mass: 1, collider: { radius: 0.5 } });
     const moved = spawn(world, { position: { x: 20 }, velocity: {}, mass: 1, collider: { radius: 0.5 } });
@@ -109,7 +109,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     expect(topSpeed(world, [still, moved])).toBeLessThan(3);
   });
 
-  it('67 thirty thousand coincident particles: tests and contacts of a step are bounded, and what is lost is counted', () => {
+  it('67 thirty thousand coincident particles: pair tests and contacts per step are bounded, and dropped ones are counted', () => {
     const world = space({ ...kind, capacity: 30_000 });
     spawnMany(world, 30_000, { position: { x: 1, y: 1 }, velocity: {}, mass: 1, collider: 0.1 });
     step(world, DT);
@@ -122,8 +122,8 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     expect(world.faults.faults).toEqual([]);
   });
 
-  it('69 contacts beyond the room for them are counted, not dropped silently; a larger arena holds them all', () => {
-    // Every two of 129 bodies in one place touch: the most neighbours that are looked for are 128.
+  it('69 contacts beyond capacity are counted, not dropped silently; a larger arena holds all', () => {
+    // All of 129 coincident bodies touch each other: the maximum number of neighbours is 128.
     const pairs = (129 * 128) / 2;
     const crowd = (arenaBytes: number) => {
       const world = space({ ...kind, capacity: 129, arenaBytes });
@@ -137,7 +137,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     expect(found.count + found.droppedCount).toBe(pairs);
     const roomy = crowd(2 ** 23).found;
     expect([roomy.count, roomy.droppedCount]).toEqual([pairs, 0]);
-    // Where some are left out the others still come apart, until there is room for all.
+    // Dropped contacts only delay the separation of the others, until all fit.
     steps(world, 600);
     expect(found.droppedCount).toBe(0);
     expect(allFinite(world)).toBe(true);
@@ -145,7 +145,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     expect(topSpeed(world, ids)).toBeLessThan(3);
   });
 
-  it('88 a hundred coincident bodies come apart below 3 m/s', () => {
+  it('88 a hundred coincident bodies separate below 3 m/s', () => {
     const world = space({ ...kind, capacity: 100 });
     const ids = spawnMany(world, 100, { position: {}, velocity: {}, mass: 1, collider: 0.1 });
     const { x, y, z } = world.components.Position;
@@ -191,7 +191,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     expect(allFinite(world)).toBe(true);
   });
 
-  it('31 a body a million times heavier on a light one: finite, and no worse than a tenth of overlap in the end', () => {
+  it('31 a body a million times heavier on a light one: finite, with a final overlap of at most 10 %', () => {
     const world = touching(kind);
     const light = spawn(world, { position: { y: 0.1 }, velocity: {}, mass: 1e-3, collider: 0.1 });
     const heavy = spawn(world, { position: { y: 0.3 }, velocity: {}, mass: 1e3, collider: 0.1 });
@@ -201,7 +201,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     expect(y[heavy] - y[light]).toBeGreaterThan(0.9 * 0.2);
   });
 
-  it('87 a collision keeps the momentum of the pair to 1e-12', () => {
+  it('87 a collision conserves the momentum of the pair to 1e-12', () => {
     const world = space({ ...kind, precision: 'f64' });
     const body = (x: number, v: number, mass: number) =>
       spawn(world, {
@@ -222,7 +222,7 @@ describe.each(KINDS)('contacts, $dimensions D $precision', (kind) => {
     }
     expect(met).toBeGreaterThan(0);
     const end = momentum(world);
-    // Relative to the 33 kg m/s that go to and fro.
+    // Relative to the 33 kg m/s of exchanged momentum.
     for (const axis of ['x', 'y', 'z'] as const) expect(Math.abs(end[axis] - start[axis])).toBeLessThan(33e-12);
   });
 });
@@ -240,7 +240,7 @@ describe('handlers of contacts', () => {
     collider: { radius: 0.5, restitution: 1 },
   });
 
-  it('55 a handler may remove the bodies that met, once each', () => {
+  it('55 a handler can remove the bodies in contact, once each', () => {
     const { world, ids } = meeting();
     on(world, 'contact', (index) => {
       const { a, b } = contacts(world);
@@ -251,7 +251,7 @@ describe('handlers of contacts', () => {
     expect(contacts(world).count).toBe(0);
   });
 
-  it('56 a handler may make bodies where they met', () => {
+  it('56 a handler can create bodies at the contact', () => {
     const { world } = meeting();
     const made: number[] = [];
     on(world, 'contact', (index) => {

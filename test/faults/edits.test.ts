@@ -1,4 +1,4 @@
-/** Edits of the world from inside a step, and users' code that throws there. */
+/** Edits of the world during a step, and exceptions of user code there. */
 import {
   bodies,
   createPhysicsWorld,
@@ -37,7 +37,7 @@ import {
   worldState,
 } from '../support/worlds.ts';
 
-/** What the step threw. */
+/** Returns the exception of a step. */
 function thrownBy(world: PhysicsWorld): unknown[] {
   try {
     step(world, DT);
@@ -48,7 +48,7 @@ function thrownBy(world: PhysicsWorld): unknown[] {
 }
 
 describe('edits during a step', () => {
-  /** Ways of a user's code to run inside a step. */
+  /** Places where user code runs during a step. */
   const INSIDE: readonly [string, (world: PhysicsWorld, act: () => void) => void][] = [
     ['a system', (world, act) => world.phases.input.push(once(act))],
     ['a handler', inHandler],
@@ -71,12 +71,12 @@ describe('edits during a step', () => {
   }
 
   function inLoop(world: PhysicsWorld, act: () => void): void {
-    // bitECS's array is live: bodies made in the loop join it, so the loop must know when to stop.
+    // bitECS's array is live: new bodies join it, so the loop needs an end condition.
     const loop = query(world, [world.components.Position]);
     for (let i = 0, count = loop.length; i < count; i++) act();
   }
 
-  it.each(INSIDE)('55 a body removed in %s goes when the step ends', (_, inside) => {
+  it.each(INSIDE)('55 a body removed in %s is removed when the step ends', (_, inside) => {
     const world = groundWorld();
     const eid = ball(world, 0, 1);
     const other = ball(world, 1, 1);
@@ -94,7 +94,7 @@ describe('edits during a step', () => {
     assertWorldAlive(world);
   });
 
-  it.each(INSIDE)('55 a body removed raw in %s goes when the step ends', (_, inside) => {
+  it.each(INSIDE)('55 a body removed raw in %s is removed when the step ends', (_, inside) => {
     const world = groundWorld();
     const eid = ball(world, 0, 1);
     ball(world, 1, 1);
@@ -117,7 +117,7 @@ describe('edits during a step', () => {
     assertWorldAlive(world);
   });
 
-  it('55 an observer that removes the body it is told of, and others', () => {
+  it('55 an observer can remove its body and others', () => {
     const world = groundWorld();
     const [a, b, c] = [0, 1, 2].map((x) => ball(world, x, 1));
     observe(world, onRemove(world.components.Position), (eid) => {
@@ -125,14 +125,14 @@ describe('edits during a step', () => {
     });
     observe(world, onAdd(world.components.LinearDrag), (eid) => despawn(world, eid));
     despawn(world, a);
-    // bitECS itself trips over an observer that removes the very entity being added to; nothing is left of it.
+    // bitECS itself fails if an observer removes the entity that is being added to; no trace of it remains.
     expect(() => addComponent(world, c, world.components.LinearDrag)).toThrow(TypeError);
     expect([a, b, c].map((eid) => isBody(world, eid))).toEqual([false, false, false]);
     expect(world.internal.counts.LinearDrag).toBe(0);
     assertWorldAlive(world);
   });
 
-  it.each(INSIDE)('56 a body made in %s appears in the next step', (_, inside) => {
+  it.each(INSIDE)('56 a body created in %s appears in the next step', (_, inside) => {
     const world = groundWorld();
     ball(world, 0, 5);
     let made = 0;
@@ -148,7 +148,7 @@ describe('edits during a step', () => {
     expect(world.components.Position.y[made]).toBeLessThan(5);
   });
 
-  it('56 a body made and removed in the same step was never there', () => {
+  it('56 a body created and removed in the same step leaves no trace', () => {
     const world = groundWorld();
     ball(world, 0, 5);
     world.phases.events.push(() => despawn(world, ball(world, 20, 5)));
@@ -157,7 +157,7 @@ describe('edits during a step', () => {
     expect([bodies(world).count, world.internal.counts.Mass]).toEqual([before, 1]);
   });
 
-  it('56 a body removed raw and another made on its id in one step: only the new one is left', () => {
+  it('56 a body removed raw whose id is reused in the same step: only the new body remains', () => {
     const world = groundWorld();
     const eid = ball(world, 0, 5, { x: 3 });
     const last = ball(world, 9, 5);
@@ -175,7 +175,7 @@ describe('edits during a step', () => {
     expect(isBody(world, last)).toBe(true);
   });
 
-  it('57 a velocity set in a handler counts from the next step', () => {
+  it('57 a velocity set in a handler takes effect in the next step', () => {
     const world = emptySpace();
     const eid = ball(world, 0, 0, { x: 1 });
     inHandler(world, () => addComponent(world, eid, set(world.components.Velocity, { x: 5 })));
@@ -186,7 +186,7 @@ describe('edits during a step', () => {
     expect(Position.x[eid]).toBe(3);
   });
 
-  it('57 edits of a body that is being removed leave nothing behind', () => {
+  it('57 edits of a body that is being removed leave no trace', () => {
     const world = groundWorld();
     const eid = ball(world, 0, 1);
     const last = ball(world, 1, 1);
@@ -202,7 +202,7 @@ describe('edits during a step', () => {
     expect([bodyState(world, eid), world.internal.counts.LinearDrag, world.lastId]).toEqual(['', 0, last]);
   });
 
-  it('58 a step inside a step is refused with E_REENTRANT, also when edits take effect', () => {
+  it('58 a nested step is refused with E_REENTRANT, also while edits take effect', () => {
     const world = groundWorld();
     const eid = ball(world, 0, 1);
     const codes: string[] = [];
@@ -211,7 +211,7 @@ describe('edits during a step', () => {
     observe(world, onRemove(world.components.Position), attempt);
     world.phases.input.push(() => isBody(world, eid) && despawn(world, eid));
     step(world, DT);
-    // The observer hears of the removal from bitECS at once, or when the edit takes effect: inside the step either way.
+    // The observer runs at the removal by bitECS, or when the edit takes effect: during the step in both cases.
     expect(codes).toEqual(['E_REENTRANT', 'E_REENTRANT']);
     expect(world.tick).toBe(1);
     assertWorldAlive(emptied(world));
@@ -222,7 +222,7 @@ describe('edits during a step', () => {
     return world;
   }
 
-  it('59 a handler that throws: the step is complete, the others are told, and the world goes on', () => {
+  it('59 a handler that throws: the step completes, other handlers run, and the world continues', () => {
     const world = groundWorld();
     const eid = ball(world, 0, 1);
     const heard: string[] = [];
@@ -241,7 +241,7 @@ describe('edits during a step', () => {
     assertWorldAlive(world);
   });
 
-  it('59 handlers may come and go while they are told', () => {
+  it('59 handlers can be added and removed during dispatch', () => {
     const world = groundWorld();
     const heard: string[] = [];
     const offFirst = on(world, 'fault', () => {
@@ -263,7 +263,7 @@ describe('edits during a step', () => {
     expect(heard).toEqual(['first', 'second', 'second', 'late']);
   });
 
-  it('59 an observer that throws does not leave half a body', () => {
+  it('59 an observer that throws leaves no partial body', () => {
     const world = groundWorld();
     const { Position, Velocity } = world.components;
     const kept = ball(world, 3, 1);
@@ -284,7 +284,7 @@ describe('edits during a step', () => {
     expect([entityExists(world, kept), bodyState(world, kept), world.internal.counts.Mass]).toEqual([false, '', 0]);
   });
 
-  it('59 with onFault "throw" a fault comes out of the step as well', () => {
+  it('59 with onFault "throw" the step throws the fault as well', () => {
     const world = groundWorld({ onFault: 'throw' });
     const eid = ball(world, 0, 1);
     world.components.Velocity.y[eid] = NaN;

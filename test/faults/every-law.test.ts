@@ -1,4 +1,4 @@
-// Cases 16 to 22 of every law of the package: what is wrong with one body, or with what a law is given, stays there.
+// Cases 16 to 22 for every law of the package: an invalid state or parameter affects only its own body.
 import {
   COMPONENTS,
   type ComponentName,
@@ -14,7 +14,7 @@ import { describe, expect, it } from 'vitest';
 import { LAW_CASES, LAW_RECORDS, type LawRecord, type LawWorld, lawWorld, makeLaw } from '../support/law-records.ts';
 import { bodyState, refusal } from '../support/worlds.ts';
 
-/** Single precision in space, double in the plane: what a world may be, once each. */
+/** The kinds of world: single precision in 3D, double precision in 2D. */
 const precisionOf = (dimensions: 2 | 3) => (dimensions === 2 ? 'f64' : 'f32');
 
 function expectFinite({ world, moving }: LawWorld): void {
@@ -27,7 +27,7 @@ function expectFinite({ world, moving }: LawWorld): void {
   }
 }
 
-/** Ten steps; a law that reports by throwing may. */
+/** Runs ten steps; a law that reports by an exception may throw. */
 function runOn({ world }: LawWorld): void {
   for (let i = 0; i < 10; i++) {
     try {
@@ -40,7 +40,7 @@ function runOn({ world }: LawWorld): void {
   }
 }
 
-/** The real columns of the components that a law reads, of those that this world uses. */
+/** Returns the real columns of the components that a law reads, as far as this world uses them. */
 function columnsOf({ world, force }: LawWorld): Float64Array[] {
   return force.reads.flatMap((component) => {
     const columns = world.components[component as ComponentName] as unknown as Record<string, Float64Array>;
@@ -54,7 +54,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
   const precision = precisionOf(dimensions);
   const build = () => lawWorld(record, dimensions, { precision });
 
-  it('16, 17 NaN, infinity and the greatest number in a column it reads stay with their body', () => {
+  it('16, 17 NaN, infinity and the largest number in a column that it reads affect only their body', () => {
     const count = columnsOf(build()).length;
     for (let i = 0; i < count; i++) {
       for (const bad of [Number.NaN, Infinity, precision === 'f64' ? 1e308 : 1e38, -1e30]) {
@@ -66,7 +66,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
         if (!force.local || record.maker === 'postNewtonian') continue;
         const control = build();
         runOn(control);
-        // A local law reads nothing but its own body.
+        // A local law reads only its own body.
         for (const eid of moving)
           if (eid !== subject) expect(bodyState(world, eid)).toBe(bodyState(control.world, eid));
       }
@@ -90,7 +90,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
     }
   });
 
-  it('18, 19 at r = 0, and all bodies at one place: finite, the same each time, and equal bodies go one way', () => {
+  it('18, 19 at r = 0 and for coincident bodies: finite, reproducible, and equal for equal bodies', () => {
     const play = () => {
       const stage = build();
       const { Position, Velocity } = stage.world.components;
@@ -108,7 +108,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
     expect(play()).toEqual(play());
   });
 
-  it('leaves a body without mass alone, in its centre and beside it', () => {
+  it('does not move a body without mass, in its centre or beside it', () => {
     const stage = build();
     const { world } = stage;
     const { maker } = record;
@@ -121,7 +121,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
     expectFinite(stage);
   });
 
-  it('goes on when the bodies it acts on are removed', () => {
+  it('continues if the bodies that it acts on are removed', () => {
     const stage = build();
     const { world, subject } = stage;
     step(world, 1 / 60);
@@ -130,7 +130,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
     expectFinite({ ...stage, moving: stage.moving.slice(1) });
   });
 
-  it('22 with any of its numbers at 10¹⁵ everything stays finite, or it says so', () => {
+  it('22 with any parameter at 10¹⁵ the state stays finite, or an error is thrown', () => {
     for (const [at, options] of record.args.entries()) {
       if (typeof options !== 'object' || options === null) continue;
       for (const [key, value] of Object.entries(options)) {
@@ -157,10 +157,10 @@ function attempt(make: () => Force): Force | PhysicsError {
   }
 }
 
-/** One record of each maker that takes arguments: its first. */
+/** The first record of each function that takes arguments. */
 const MAKERS = LAW_RECORDS.filter((record, i) => LAW_RECORDS.findIndex(({ maker }) => maker === record.maker) === i);
 
-/** The options a maker says it knows: those of the hint when it is given one it does not. */
+/** Returns the valid options of a function, from the hint of its error for an unknown option. */
 function keysOf(record: LawRecord, at: number): string[] {
   const given = record.args[at];
   const args = record.args.map((arg, i) => (i === at ? { ...(given as object), colour: 1 } : arg));
@@ -169,7 +169,7 @@ function keysOf(record: LawRecord, at: number): string[] {
   return (hint ?? '').replace(/^Valid: |\.$/g, '').split(', ');
 }
 
-describe('what laws are given', () => {
+describe('arguments of laws', () => {
   it.each(MAKERS.filter(({ args }) => args.length > 0))('20, 21 $title refuses NaN in each argument', (record) => {
     for (const [at, given] of record.args.entries()) {
       const refused = (value: unknown) => {
@@ -187,7 +187,7 @@ describe('what laws are given', () => {
     }
   });
 
-  it('a world is not made of, nor changed to, a law that was refused', () => {
+  it('a refused law neither creates nor changes a world', () => {
     const { world, force } = lawWorld(LAW_RECORDS[0], 2);
     expect(() => world.forces.splice(0, 1, makeLaw(LAW_RECORDS[0], [{ y: Number.NaN }]))).toThrow(PhysicsError);
     expect(world.forces).toEqual([force]);

@@ -1,4 +1,5 @@
-// Cases 20 and 21 of integrators, walls and networks: each option that is NaN, of another type or unknown is refused.
+// Cases 20 and 21 for integrators, walls and networks: each option that is NaN, of a wrong type or unknown is
+// refused.
 import { readdirSync, readFileSync } from 'node:fs';
 import * as physics from '@principia/physics';
 import { createPhysicsWorld, PhysicsError } from '@principia/physics';
@@ -8,7 +9,7 @@ import { refusal, worldState } from '../support/worlds.ts';
 
 type Maker = (...args: unknown[]) => unknown;
 
-/** What each maker needs to be content. Laws have a list of their own. */
+/** Valid options of each function. Laws have a list of their own. */
 const GOOD: Record<string, object> = {
   boris: { field: { z: 1 } },
   dormandPrince: {},
@@ -21,7 +22,7 @@ const GOOD: Record<string, object> = {
   correlatedGusts: { deviation: { x: 1 }, time: 1 },
 };
 
-/** The same of those that make something in a world. */
+/** Valid options of the functions that create something in a world. */
 const GOOD_IN_WORLD: Record<string, object> = {
   createRope: { from: {}, to: { x: 1 }, nodes: 3, mass: 1 },
   createCloth: { corner: {}, columns: 3, rows: 3, spacing: 1, mass: 1 },
@@ -61,7 +62,7 @@ function check(call: (options: object) => unknown, good: object): void {
 }
 
 describe('20, 21', () => {
-  it('the lists are of all that take options', () => {
+  it('the lists contain every function with options', () => {
     const rest = ['createPhysicsWorld'];
     expect(Object.keys(GOOD).toSorted()).toEqual(
       makers('')
@@ -77,7 +78,7 @@ describe('20, 21', () => {
     check(make, good);
   });
 
-  it.each(Object.entries(GOOD_IN_WORLD))('%s leaves the world as it was', (name, good) => {
+  it.each(Object.entries(GOOD_IN_WORLD))('%s does not change the world', (name, good) => {
     const make = (physics as unknown as Record<string, Maker>)[name];
     const world = createPhysicsWorld({ dimensions: name === 'createCloth' ? 3 : 2, capacity: 200 });
     const before = worldState(world);

@@ -23,7 +23,7 @@ import {
   withWitness,
 } from '../support/worlds.ts';
 
-/** Pushes one body with `newtons` along x. */
+/** Returns a force on one body, with `newtons` along x. */
 function push(eid: number, newtons: number): Force {
   return defineForce({
     name: 'push',
@@ -33,7 +33,7 @@ function push(eid: number, newtons: number): Force {
   });
 }
 
-/** A push of nobody. */
+/** A force on no body. */
 function calm(world: PhysicsWorld): void {
   world.forces.push(push(0, 0));
 }
@@ -49,7 +49,7 @@ function errorsOf(world: PhysicsWorld): unknown[] {
 }
 
 describe.each(KINDS)('forces, $dimensions D $precision', (kind) => {
-  it('16 a NaN force stops its body, says so once, and reaches no other', () => {
+  it('16 a NaN force stops its body, is reported once, and does not spread', () => {
     const { world, victim } = withWitness(({ world, victim }) => world.forces.push(push(victim, NaN)), kind, 20, calm);
     expect(world.faults.faults).toMatchObject([
       { code: 'E_NONFINITE', entity: victim, value: NaN, step: 0, phase: 'finish' },
@@ -57,7 +57,7 @@ describe.each(KINDS)('forces, $dimensions D $precision', (kind) => {
     expect(world.components.Position.x[victim]).toBe(0);
   });
 
-  it('17 a force of 1e308 N leaves everything finite', () => {
+  it('17 a force of 1e308 N keeps the state finite', () => {
     const { world, victim } = withWitness(
       ({ world, victim }) => world.forces.push(push(victim, 1e308)),
       kind,
@@ -79,7 +79,7 @@ describe.each(KINDS)('forces, $dimensions D $precision', (kind) => {
     assertRefused(world, () => addComponent(world, eid, set(QuadraticDrag, -1)), { ...refused, entity: eid });
   });
 
-  it('20 a drag coefficient of -1e9 or NaN in the column stays with its body', () => {
+  it('20 a drag coefficient of -1e9 or NaN in the column affects only its body', () => {
     for (const bad of [-1e9, NaN]) {
       const { world } = withWitness(({ world, victim }) => {
         world.forces.push(linearDrag({ x: 1 }), quadraticDrag({ x: 1 }));
@@ -102,7 +102,7 @@ describe.each(KINDS)('forces, $dimensions D $precision', (kind) => {
     assertWorldAlive(world);
   });
 
-  it('23 a force that throws comes out of the step, which is complete, and the world goes on', () => {
+  it('23 a force that throws makes the step throw after completion, and the world continues', () => {
     const world = groundWorld(kind);
     const eid = ball(world, 0, 5);
     const oops = new Error('oops');
@@ -115,14 +115,14 @@ describe.each(KINDS)('forces, $dimensions D $precision', (kind) => {
       }),
     );
     expect(errorsOf(world)[0]).toBe(oops);
-    // Gravity acted all the same: v = -g dt.
+    // Gravity acted nevertheless: v = -g dt.
     expect(world.components.Velocity.y[eid]).toBeCloseTo(-9.80665 * DT, 6);
     expect([world.tick, world.state]).toEqual([1, 'idle']);
     world.forces.pop();
     assertWorldAlive(world);
   });
 
-  it('23 a million exceptions a step are counted, not kept', () => {
+  it('23 a million exceptions per step are counted, not stored', () => {
     const world = createPhysicsWorld({ ...kind, capacity: 100 });
     ball(world, 0, 5);
     for (let i = 0; i < 1000; i++) {
@@ -141,7 +141,7 @@ describe.each(KINDS)('forces, $dimensions D $precision', (kind) => {
   });
 });
 
-describe('what is no force, system or integrator', () => {
+describe('invalid forces, systems and integrators', () => {
   const NO_FORCES: readonly [string, unknown][] = [
     ['undefined', undefined],
     ['null', null],
@@ -151,7 +151,7 @@ describe('what is no force, system or integrator', () => {
     ['the maker instead of what it makes', uniformGravity],
   ];
 
-  it.each(NO_FORCES)('23 %s among the forces is refused, naming its place, until it is taken out', (_, bad) => {
+  it.each(NO_FORCES)('23 %s among the forces is refused with its index, until it is removed', (_, bad) => {
     const world = groundWorld();
     ball(world, 0, 1);
     world.forces.push(bad as Force);
@@ -160,13 +160,13 @@ describe('what is no force, system or integrator', () => {
     assertWorldAlive(world);
   });
 
-  it('23 a hole in the forces is refused', () => {
+  it('23 a sparse array of forces is refused', () => {
     const world = groundWorld();
     world.forces[3] = uniformGravity();
     assertRefused(world, () => step(world, DT), { code: 'E_TYPE', field: 'world.forces[1]' });
   });
 
-  it('23 a system that is none is refused', () => {
+  it('23 an invalid system is refused', () => {
     const world = groundWorld();
     world.phases.input.push(undefined as never);
     assertRefused(world, () => step(world, DT), { code: 'E_TYPE', field: 'world.phases.input[0]' });
@@ -174,7 +174,7 @@ describe('what is no force, system or integrator', () => {
     assertWorldAlive(world);
   });
 
-  it('23 an integrator that is none is refused, and the world goes on with a good one', () => {
+  it('23 an invalid integrator is refused, and the world continues with a valid one', () => {
     const world = groundWorld();
     ball(world, 0, 1);
     const { integrator } = world;
@@ -184,7 +184,7 @@ describe('what is no force, system or integrator', () => {
     assertWorldAlive(world);
   });
 
-  it('23 a world is not made with them', () => {
+  it('23 a world is not created with them', () => {
     expect(refusal(() => createPhysicsWorld({ forces: [uniformGravity(), 5 as never] }))).toMatchObject({
       code: 'E_TYPE',
       field: 'forces[1]',

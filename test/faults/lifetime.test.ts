@@ -39,7 +39,7 @@ import {
 } from '../support/worlds.ts';
 
 describe('references', () => {
-  it('51 a body removed twice gives E_STALE and the hash does not change', () => {
+  it('51 removing a body twice gives E_STALE and does not change the hash', () => {
     const world = groundWorld();
     ball(world, 0, 1);
     const eid = ball(world, 1, 1);
@@ -48,7 +48,7 @@ describe('references', () => {
     assertWorldAlive(world);
   });
 
-  it('52 a stale reference reads and writes nothing, though its id is in use again', () => {
+  it('52 a stale reference reads and writes nothing, even if its id is reused', () => {
     const world = groundWorld();
     const first = entityRef(world, ball(world, 0, 1));
     despawn(world, resolve(world, first));
@@ -59,7 +59,7 @@ describe('references', () => {
     expect(resolve(world, entityRef(world, heir))).toBe(heir);
   });
 
-  it('52 a row written through an id kept too long does not show in the heir', () => {
+  it('52 a row written through a stale id does not affect the next body', () => {
     const world = emptySpace();
     ball(world, 0, 0);
     const eid = ball(world, 1, 1, { x: 1 });
@@ -70,7 +70,7 @@ describe('references', () => {
     expect(bodyState(world, eid)).toBe('Position.x=2');
   });
 
-  it.each([0, -1, 1.5, NaN, 1e9, '1', null, undefined, {}, 2n])('52 %s is no body and no reference', (bad) => {
+  it.each([0, -1, 1.5, NaN, 1e9, '1', null, undefined, {}, 2n])('52 %s is neither a body nor a reference', (bad) => {
     const world = groundWorld();
     ball(world, 0, 1);
     const eid = bad as number;
@@ -80,7 +80,7 @@ describe('references', () => {
     assertRefused(world, () => resolve(world, bad as never), { code: 'E_STALE' });
   });
 
-  it('52 references of one row stay apart over many lives', () => {
+  it('52 references to a row stay distinct over many generations', () => {
     const world = emptySpace({ capacity: 10 });
     const seen = new Set<number>();
     world.internal.generations.fill(2 ** 29 - 1000); // near the end of the numbers
@@ -95,7 +95,7 @@ describe('references', () => {
 });
 
 describe('the end of a world', () => {
-  it('60 a world destroyed inside a step ends when the step does', () => {
+  it('60 a world destroyed during a step is destroyed when the step ends', () => {
     const world = groundWorld();
     const eid = ball(world, 0, 5);
     let made = 0;
@@ -109,7 +109,7 @@ describe('the end of a world', () => {
     expect(refusal(() => step(world, DT)).code).toBe('E_DESTROYED');
   });
 
-  it('60 a world destroyed by an observer while edits take effect', () => {
+  it('60 an observer can destroy the world while edits take effect', () => {
     const world = groundWorld();
     const [a, b] = [ball(world, 0, 1), ball(world, 1, 1)];
     observe(world, onRemove(world.components.Position), () => destroyWorld(world));
@@ -121,7 +121,7 @@ describe('the end of a world', () => {
     expect(world.state).toBe('destroyed');
   });
 
-  it('60 destroying twice does nothing', () => {
+  it('60 destroying twice has no effect', () => {
     const world = groundWorld();
     destroyWorld(world);
     destroyWorld(world);
@@ -130,8 +130,8 @@ describe('the end of a world', () => {
   });
 });
 
-describe('bitECS by hand', () => {
-  it('62 adding twice and removing what is absent change nothing', () => {
+describe('direct use of bitECS', () => {
+  it('62 adding twice and removing an absent component change nothing', () => {
     const world = groundWorld();
     const eid = ball(world, 0, 1);
     const { Position, LinearDrag } = world.components;
@@ -149,7 +149,7 @@ describe('bitECS by hand', () => {
     expect(worldState(world)).toEqual(before);
   });
 
-  it('63 an entity removed raw is gone with its row, its counts and its references', () => {
+  it('63 an entity removed raw loses its row, its counts and its references', () => {
     const world = groundWorld();
     const keep = ball(world, 0, 1);
     const eid = ball(world, 1, 1);
@@ -162,7 +162,7 @@ describe('bitECS by hand', () => {
     assertWorldAlive(world);
   });
 
-  it('63 removeQuery does not cut the rows off', () => {
+  it('63 removeQuery does not disconnect the rows', () => {
     const world = groundWorld();
     const { Position } = world.components;
     const eid = ball(world, 1, 1);
@@ -174,7 +174,7 @@ describe('bitECS by hand', () => {
     expect([...query(world, [Position])]).toEqual([next]);
   });
 
-  it('a component without values gets its initial ones', () => {
+  it('a component without values gets its default values', () => {
     const world = groundWorld();
     const eid = addEntity(world);
     const { Position, Mass, Orientation } = world.components;
@@ -185,7 +185,7 @@ describe('bitECS by hand', () => {
     expect(getComponent(world, eid, Mass)).toEqual({ value: 1 });
   });
 
-  it('components copied the bitECS way keep what infinity means', () => {
+  it('components copied by bitECS keep the meaning of infinity', () => {
     const world = groundWorld();
     const wall = spawn(world, { position: {}, mass: Infinity });
     const copy = addEntity(world);
@@ -196,7 +196,7 @@ describe('bitECS by hand', () => {
 });
 
 describe('many worlds', () => {
-  it('64 a thousand worlds live side by side', { timeout: 60_000 }, () => {
+  it('64 a thousand worlds coexist', { timeout: 60_000 }, () => {
     const worlds = Array.from({ length: 1000 }, (_, i) => {
       const world = createPhysicsWorld({ capacity: 8, arenaBytes: 0 });
       spawn(world, { position: { x: i }, velocity: { x: 1 } });

@@ -20,8 +20,8 @@ describe.each(KINDS)('mass and material, $dimensions D $precision', (kind) => {
     assertWorldAlive(world);
   };
 
-  it('24 mass 0 is refused, with the way to a static body', () => {
-    refuse({ mass: 0 }, { code: 'E_RANGE', field: 'mass', hint: /leave Mass out/ });
+  it('24 mass 0 is refused, with a hint for static bodies', () => {
+    refuse({ mass: 0 }, { code: 'E_RANGE', field: 'mass', hint: /omit Mass/ });
     const world = groundWorld(kind);
     const eid = ball(world, 0, 1);
     assertRefused(world, () => addComponent(world, eid, set(world.components.Mass, 0)), {
@@ -30,7 +30,7 @@ describe.each(KINDS)('mass and material, $dimensions D $precision', (kind) => {
     });
   });
 
-  it('24 a mass too small for the column to hold is refused too', () => {
+  it('24 a mass that the column cannot represent is refused too', () => {
     refuse({ mass: 1e-46 }, { code: 'E_RANGE', field: 'mass' });
   });
 
@@ -71,7 +71,7 @@ describe.each(KINDS)('mass and material, $dimensions D $precision', (kind) => {
     assertWorldAlive(world);
   });
 
-  it('28 zero inertia locks the rotation: friction slows the body and does not turn it', () => {
+  it('28 zero inertia locks the rotation: friction slows the body without rotating it', () => {
     const slide = (inertia: number) => {
       const world = groundWorld({ ...kind, walls: [boxWalls({ min: { y: 0 } })] });
       const eid = spawn(world, {
@@ -82,7 +82,7 @@ describe.each(KINDS)('mass and material, $dimensions D $precision', (kind) => {
         inertia,
         collider: { radius: 0.1, friction: 0.5 },
       });
-      // Friction acts when the body presses on the floor; a few steps are enough to see it.
+      // Friction acts while the body presses on the floor; a few steps suffice.
       steps(world, 10);
       return [world.components.Velocity.x[eid], world.components.AngularVelocity.z[eid]];
     };
@@ -93,7 +93,7 @@ describe.each(KINDS)('mass and material, $dimensions D $precision', (kind) => {
     expect(freeSpin).toBeLessThan(0);
   });
 
-  it('28 negative, NaN inertia is refused; infinite is zero', () => {
+  it('28 negative and NaN inertia are refused; infinite means zero', () => {
     refuse({ inertia: -1 }, { code: 'E_RANGE', field: 'inertia' });
     refuse({ inertia: NaN }, { code: 'E_NONFINITE', field: 'inertia' });
     const world = groundWorld(kind);
@@ -119,7 +119,7 @@ describe.each(KINDS)('mass and material, $dimensions D $precision', (kind) => {
   });
 
   it.each(['radius', 'restitution', 'friction'] as const)(
-    '29 NaN in the column Collider.%s reaches no other body',
+    '29 NaN in the column Collider.%s does not spread',
     (field) => {
       const { world, victim } = withWitness(
         ({ world, victim }) => {

@@ -1,4 +1,4 @@
-/** Forces between bodies: what is singular stays finite, what is bad stays with its body. */
+/** Forces between bodies: singular configurations stay finite, and faults do not spread. */
 import {
   attractors,
   createPhysicsWorld,
@@ -25,7 +25,7 @@ import {
   withWitness,
 } from '../support/worlds.ts';
 
-/** Laws that are summed up round together, so both worlds must have the same. */
+/** Laws that are summed together, so both worlds must have the same ones. */
 function withAttraction(world: PhysicsWorld): void {
   world.forces.push(attractors());
 }
@@ -39,7 +39,7 @@ function finiteBodies(world: PhysicsWorld): boolean {
 }
 
 describe.each(KINDS)('forces between bodies, $dimensions D $precision', (kind) => {
-  it.each([0, 0.01])('18 a body in the very centre of an attractor, softening %d, feels no pull', (softening) => {
+  it.each([0, 0.01])('18 a body in the centre of an attractor, softening %d, gets no force', (softening) => {
     const world = createPhysicsWorld({ ...kind, capacity: 10, forces: [attractors()] });
     spawn(world, { position: { x: 1, y: 2 }, attractor: { mu: 1e9, softening } });
     const eid = spawn(world, { position: { x: 1, y: 2 }, velocity: {}, mass: 1 });
@@ -48,7 +48,7 @@ describe.each(KINDS)('forces between bodies, $dimensions D $precision', (kind) =
     expect(Number.isFinite(energy(world).total)).toBe(true);
   });
 
-  it('18 a dive through an attractor without softening stays finite', () => {
+  it('18 a fall through an attractor without softening stays finite', () => {
     const world = createPhysicsWorld({ ...kind, capacity: 10, forces: [attractors()] });
     spawn(world, { position: {}, attractor: { mu: 1e6 } });
     spawn(world, { position: { x: 1, y: 1e-9 }, velocity: {}, mass: 1 });
@@ -58,7 +58,7 @@ describe.each(KINDS)('forces between bodies, $dimensions D $precision', (kind) =
     }
   });
 
-  it('19 two bodies in one place, joined by a spring, part along x, the same way each time', () => {
+  it('19 coincident bodies joined by a spring separate along x, reproducibly', () => {
     const run = () => {
       const world = createPhysicsWorld({ ...kind, capacity: 10, forces: [springs()] });
       const [a, b] = [0, 1].map(() => spawn(world, { position: { x: 5 }, velocity: {}, mass: 1 }));
@@ -82,7 +82,7 @@ describe.each(KINDS)('forces between bodies, $dimensions D $precision', (kind) =
     assertWorldAlive(world);
   });
 
-  it.each([NaN, Infinity, 1e30])('6 an attractor whose own x is %d pulls nobody along', (bad) => {
+  it.each([NaN, Infinity, 1e30])('6 an attractor whose x is %d does not affect other bodies', (bad) => {
     const { world, victim } = withWitness(
       ({ world, victim }) => {
         world.forces.push(attractors());
@@ -99,7 +99,7 @@ describe.each(KINDS)('forces between bodies, $dimensions D $precision', (kind) =
   });
 
   it.each(['mu', 'softening'] as const)(
-    '16 NaN in Attractor.%s is put right, said once, and pulls nobody along',
+    '16 NaN in Attractor.%s is reset, reported once, and does not affect other bodies',
     (field) => {
       const { world, victim } = withWitness(
         ({ world, victim }) => {
@@ -116,7 +116,7 @@ describe.each(KINDS)('forces between bodies, $dimensions D $precision', (kind) =
     },
   );
 
-  it('16 a NaN force on one body of a chain is not handed on by the springs', () => {
+  it('16 a NaN force on a body of a chain does not spread through springs', () => {
     const chain = (poisoned: boolean) => {
       const world = createPhysicsWorld({ ...kind, capacity: 20, forces: [springs()] });
       const ids = Array.from({ length: 8 }, (_, i) =>
@@ -144,14 +144,14 @@ describe.each(KINDS)('forces between bodies, $dimensions D $precision', (kind) =
   });
 });
 
-describe('bodies that lack what a force would change', () => {
+describe('partial bodies', () => {
   const stage = (dimensions: 2 | 3) => {
     const world = groundWorld({ dimensions });
     ball(world, 0, 5); // a body that has everything, in the same block of rows
     return world;
   };
 
-  it.each([2, 3] as const)('mass without velocity stays where it is, %d D', (dimensions) => {
+  it.each([2, 3] as const)('mass without velocity does not move, %d D', (dimensions) => {
     const world = stage(dimensions);
     const eid = spawn(world, { position: { x: 1, y: 5 } });
     addComponent(world, eid, set(world.components.Mass, 2));
@@ -162,7 +162,7 @@ describe('bodies that lack what a force would change', () => {
     expect(world.components.Position.y[eid]).toBeLessThan(5);
   });
 
-  it.each([2, 3] as const)('what has no position goes nowhere, %d D', (dimensions) => {
+  it.each([2, 3] as const)('an entity without position does not move, %d D', (dimensions) => {
     const world = stage(dimensions);
     const eid = spawn(world, { velocity: { x: 3 }, mass: 2, angularVelocity: { z: 1 } });
     steps(world, 10);
@@ -176,7 +176,7 @@ describe('springs and the bodies they join', () => {
     return { world, a: spawn(world, { position: {} }), b: spawn(world, { position: { x: 1 } }) };
   };
 
-  it('53 a spring to a body that is gone, to itself, to nobody or to another kind of entity is refused', () => {
+  it('53 a spring to a removed body, to itself, to id 0 or to another kind of entity is refused', () => {
     const { world, a, b } = stage();
     const gone = spawn(world, { position: {} });
     despawn(world, gone);
@@ -190,7 +190,7 @@ describe('springs and the bodies they join', () => {
     assertRefused(world, () => spawn(world, { spring: { a: -1, b } }), { code: 'E_RANGE' });
   });
 
-  it('54 a body that goes takes its springs along, and they are listed', () => {
+  it('54 the springs of a removed body are removed and listed', () => {
     const { world, a, b } = stage();
     const c = spawn(world, { position: { x: 2 } });
     const [ab, bc] = [spawn(world, { spring: { a, b } }), spawn(world, { spring: { a: b, b: c } })];
@@ -206,7 +206,7 @@ describe('springs and the bodies they join', () => {
     expect(removedSprings(world)).toEqual([]);
   });
 
-  it('53 ends written into the columns that are no bodies join nothing', () => {
+  it('53 invalid ends written to the columns have no effect', () => {
     const { world, a, b } = stage();
     const spring = spawn(world, { spring: { a, b, stiffness: 5 } });
     for (const nonsense of [0, 19, 1e6, 0xffffffff]) {

@@ -44,7 +44,7 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
     refuse({ position: { x: 1e30 } }, 'E_RANGE', 'position.x');
   });
 
-  it.each(NO_NUMBERS)('4 a coordinate that is %s is refused with E_TYPE', (_, bad) => {
+  it.each(NO_NUMBERS)('4 a coordinate of %s is refused with E_TYPE', (_, bad) => {
     refuse({ position: { x: bad } }, 'E_TYPE', 'position.x');
     refuse({ position: {}, velocity: { y: bad } }, 'E_TYPE', 'velocity.y');
   });
@@ -59,17 +59,17 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
     assertWorldAlive(world);
   });
 
-  it('5 refused values leave no half of a new component behind', () => {
+  it('5 refused values leave no partial component', () => {
     const world = groundWorld(kind);
     const eid = addEntity(world);
     const { Position } = world.components;
     assertRefused(world, () => addComponent(world, eid, set(Position, { x: NaN })), { code: 'E_NONFINITE' });
     addComponent(world, eid, Position);
-    // Added before, by a call of its own: it stays.
+    // It was added before by another call, so it stays.
     assertRefused(world, () => addComponent(world, eid, set(Position, { x: NaN })), { code: 'E_NONFINITE' });
   });
 
-  it.each(['x', 'y'] as const)('6 NaN written into Position.%s quarantines the body within one step', (axis) => {
+  it.each(['x', 'y'] as const)('6 NaN in Position.%s quarantines the body within one step', (axis) => {
     const { world, victim } = withWitness(({ world, victim }) => {
       step(world, DT);
       const last = [world.components.Position.x[victim], world.components.Position.y[victim]];
@@ -79,7 +79,7 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
       expect(world.faults.faults).toMatchObject([
         { code: 'E_NONFINITE', entity: victim, field: `Position.${axis}`, value: NaN, step: 1, phase: 'begin' },
       ]);
-      // Put back to the last good pose, stopped, and then a step of free fall: g dt² / 2 is 1.4 mm.
+      // The body was reset to its last valid pose and stopped, and then fell for a step: g dt² / 2 is 1.4 mm.
       expect(Position.x[victim]).toBeCloseTo(last[0], 12);
       expect(Math.abs(Position.y[victim] - last[1])).toBeLessThan(2e-3);
     }, kind);
@@ -95,7 +95,7 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
     expect(world.components.Position.x[victim]).toBe(0);
   });
 
-  it('6 a body put in order again is in quarantine no longer', () => {
+  it('6 a repaired body is no longer quarantined', () => {
     const world = groundWorld(kind);
     const eid = ball(world, 0, 1);
     world.components.Position.x[eid] = NaN;
@@ -154,7 +154,7 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
     expect(previous.Position.x[eid]).not.toBe(Position.x[eid]);
     addComponent(world, eid, set(Position, { x: 400, y: 70 }));
     expect([previous.Position.x[eid], previous.Position.y[eid]]).toEqual([400, 70]);
-    // The same when the set comes from inside a step.
+    // The same holds for a set during a step.
     world.phases.events.push(() => addComponent(world, eid, set(Position, { x: -40 })));
     step(world, DT);
     expect([previous.Position.x[eid], Position.x[eid]]).toEqual([-40, -40]);
@@ -173,7 +173,7 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
 describe('orientation', () => {
   const stage = () => groundWorld({ dimensions: 3 });
 
-  it('12 a quaternion that is not of length 1 is normalised', () => {
+  it('12 a quaternion of another length than 1 is normalised', () => {
     const world = stage();
     const eid = spawn(world, { position: { y: 1 }, orientation: { x: 3, y: 0, z: 0, w: 4 } });
     const { x, w } = world.components.Orientation;
@@ -194,7 +194,7 @@ describe('orientation', () => {
     assertWorldAlive(world);
   });
 
-  it.each([NaN, 1e30])('12 %d written into a quaternion is put right within one step', (bad) => {
+  it.each([NaN, 1e30])('12 %d in a quaternion is reset within one step', (bad) => {
     const { world, victim } = withWitness(
       ({ world, victim }) => {
         addComponent(world, victim, set(world.components.Orientation, { x: 0.6, w: 0.8 }));
@@ -209,7 +209,7 @@ describe('orientation', () => {
 });
 
 describe('in two dimensions', () => {
-  it('an angle written into the column is checked and interpolated though nothing spins', () => {
+  it('an angle in the column is validated and interpolated without angular velocity', () => {
     const world = groundWorld();
     const eid = spawn(world, { position: { y: 1 }, rotation: 1 });
     step(world, DT);
@@ -222,7 +222,7 @@ describe('in two dimensions', () => {
     expect(world.faults.faults).toMatchObject([{ code: 'E_NONFINITE', field: 'Rotation.angle' }]);
   });
 
-  it('a third coordinate other than zero is refused, with the way to a third dimension', () => {
+  it('a nonzero z is refused, with a hint for 3D', () => {
     const world = groundWorld();
     const expected = { code: 'E_RANGE', hint: /dimensions: 3/ };
     assertRefused(world, () => spawn(world, { position: { z: 1 } }), expected);

@@ -1,4 +1,4 @@
-/** Every public function against a destroyed world, against what is no world, and against unknown keys. */
+/** Every public function with a destroyed world, with an invalid world, and with unknown keys. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import * as physics from '@principia/physics';
@@ -27,7 +27,7 @@ const sources = readdirSync(folder, { recursive: true, encoding: 'utf8' })
 
 type AnyFunction = (...args: unknown[]) => unknown;
 
-/** Public functions whose first parameter is declared as `parameter`, so that none can be forgotten here. */
+/** Returns the public functions whose first parameter is declared as `parameter`, so that none is missing here. */
 function publicFunctions(parameter: string): [string, AnyFunction][] {
   return Object.entries(physics).flatMap(([name, value]): [string, AnyFunction][] => {
     const declared = new RegExp(`export function ${name}(<[^(]*>)?\\(\\s*${parameter}\\b`).test(sources);
@@ -35,13 +35,13 @@ function publicFunctions(parameter: string): [string, AnyFunction][] {
   });
 }
 
-/** `destroyWorld` may come twice, which a test of its own says. */
+/** `destroyWorld` can be called twice, which has its own test. */
 const onWorlds = publicFunctions('world: PhysicsWorld').filter(([name]) => name !== 'destroyWorld');
 const onEmitters = publicFunctions('emitter: Emitter');
 onWorlds.push(['a resource', resource(() => ({ count: 0 })) as AnyFunction]);
 
 describe('61 use after destroy', () => {
-  it('61 the functions under test are found', () => {
+  it('61 the list of functions is complete', () => {
     const names = onWorlds.map(([name]) => name);
     expect(names).toEqual(
       expect.arrayContaining(['spawn', 'spawnMany', 'step', 'stateHash', 'on', 'bodies', 'energy']),
@@ -53,7 +53,7 @@ describe('61 use after destroy', () => {
     const world = groundWorld();
     ball(world, 0, 1);
     destroyWorld(world);
-    // Whatever the other arguments are: the world is looked at first.
+    // The world is validated before the other arguments.
     expect(refusal(() => call(world)).code).toBe('E_DESTROYED');
   });
 
@@ -64,13 +64,13 @@ describe('61 use after destroy', () => {
     expect(refusal(() => call(emitter)).code).toBe('E_DESTROYED');
   });
 
-  it.each(onWorlds)('%s refuses what is no world with E_TYPE', (_, call) => {
+  it.each(onWorlds)('%s refuses an invalid world with E_TYPE', (_, call) => {
     for (const bad of [undefined, null, {}, 5]) expect(refusal(() => call(bad)).code).toBe('E_TYPE');
   });
 });
 
 describe('arguments', () => {
-  it('spawn refuses what is no description of a body, and lists the valid keys', () => {
+  it('spawn refuses an invalid description of a body and lists the valid keys', () => {
     const world = groundWorld();
     ball(world, 0, 1);
     for (const bad of [null, undefined, 5, 'ball', [], () => 0]) {
@@ -108,7 +108,7 @@ describe('arguments', () => {
     expect(refusal(() => createPhysicsWorld(options as never))).toMatchObject({ code, field });
   });
 
-  it('on refuses an event there is not and a handler that is none', () => {
+  it('on refuses unknown events and invalid handlers', () => {
     const world = groundWorld();
     expect(refusal(() => on(world, 'colision' as never, () => {}))).toMatchObject({
       code: 'E_UNKNOWN',
@@ -118,7 +118,7 @@ describe('arguments', () => {
     expect(refusal(() => on(world, 'fault', undefined as never)).code).toBe('E_TYPE');
   });
 
-  it('the small ones refuse what they cannot use', () => {
+  it('small functions refuse invalid arguments', () => {
     const world = groundWorld();
     expect(refusal(() => startProfile(world, performance as never)).code).toBe('E_TYPE');
     expect(refusal(() => localSystem('mine', undefined as never)).code).toBe('E_TYPE');
@@ -130,11 +130,11 @@ describe('arguments', () => {
     expect(refusal(() => physics.angularMomentum(world, { x: NaN })).code).toBe('E_NONFINITE');
   });
 
-  it('an error says what, where, which value, and what to do', () => {
+  it('an error names the problem, the field, the value and a remedy', () => {
     const error = refusal(() => spawn(groundWorld(), { mass: 0 }));
     expect(error).toMatchObject({ name: 'PhysicsError', code: 'E_RANGE', field: 'mass', value: 0 });
     expect(error.message).toBe(
-      'E_RANGE: mass must be greater than 0, got 0. For a body that forces do not move, leave Mass out.',
+      'E_RANGE: mass must be greater than 0, got 0. For a body that forces do not move, omit Mass.',
     );
   });
 });

@@ -47,7 +47,7 @@ const LAWS: [string, () => Force][] = [
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   describe.each(LAWS)('%s', (_, law) => {
-    it('18, 19 is finite in its centre, among bodies at one place, and leaves what has no mass alone', () => {
+    it('18, 19 is finite in its centre and for coincident bodies, and does not move bodies without mass', () => {
       const world = createPhysicsWorld({ precision, capacity: 20, forces: [law()] });
       spawn(world, { position: {}, attractor: 1, charge: 1 });
       const body = { velocity: {}, mass: 1, charge: 1 };
@@ -66,14 +66,14 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
         }
       }
       expect([Position.x[massless], Velocity.x[massless]]).toEqual([0, 0]);
-      // Bodies that are the same in all but their id go the same way, whichever way that is.
+      // Bodies that differ only in their id move alike, in any direction.
       expect(new Set(inside.map((eid) => Position.x[eid])).size).toBe(1);
-      // Nothing was not finite on the way either.
+      // The state was finite in every step.
       expect(world.faults.faults.filter(({ code }) => code === 'E_NONFINITE')).toEqual([]);
     });
   });
 
-  it('22 springs without length between bodies at one place pull nowhere, and too stiff ones are told of', () => {
+  it('22 springs without length between coincident bodies exert no force, and too stiff ones are reported', () => {
     const world = createPhysicsWorld({ precision, capacity: 20, forces: [springs()] });
     const [a, b] = [0, 1].map(() => spawn(world, { position: { x: 1 }, velocity: {}, mass: 1 }));
     const spring = spawn(world, { spring: { a, b, length: 0, stiffness: 10 } });

@@ -47,7 +47,7 @@ function bodyOf(i: number): BodyInput {
   };
 }
 
-/** Everything a user can register before bodies are made. */
+/** Registers everything that a user can observe. */
 function watched(world: PhysicsWorld) {
   const { Position, Velocity, Mass, LinearDrag } = world.components;
   const tag = {};
@@ -74,7 +74,7 @@ function watched(world: PhysicsWorld) {
   return { results, told };
 }
 
-/** What observers know in the end: one by one, bodies also join and leave queries on the way, which at once they do not. */
+/** Returns the final state of observers: created one by one, bodies also join and leave queries in between. */
 function net(told: readonly string[]): unknown {
   const sums = new Map<string, number>();
   for (const text of told) sums.set(text.slice(1), (sums.get(text.slice(1)) ?? 0) + (text[0] === '+' ? 1 : -1));
@@ -112,7 +112,7 @@ describe('bulk creation', () => {
     expect(outcomes[0]).toEqual(outcomes[1]);
   });
 
-  it('tells onAdd observers of complete bodies', () => {
+  it('passes complete bodies to onAdd observers', () => {
     const world = emptySpace();
     const { Position, Velocity } = world.components;
     const seen: number[][] = [];
@@ -125,7 +125,7 @@ describe('bulk creation', () => {
     ]);
   });
 
-  it('takes everything back when an observer or the progress callback throws', () => {
+  it('undoes everything if an observer or the progress callback throws', () => {
     const world = emptySpace();
     const { Position } = world.components;
     churn(world);
@@ -142,17 +142,17 @@ describe('bulk creation', () => {
     spawnMany(world, 5, { position: {} });
   });
 
-  it('does not write over other bodies when recycled ids come out of order', () => {
+  it('does not overwrite other bodies if recycled ids are out of order', () => {
     const world = emptySpace();
     for (let i = 0; i < 12; i++) spawn(world, { position: { x: 100 + i } });
-    // bitECS hands out the id freed last: 2, 9, 1 and 5, whose ends are as far apart as four in a row.
+    // bitECS reuses the id freed last: 2, 9, 1 and 5, whose ends are as far apart as four consecutive ids.
     for (const eid of [5, 1, 9, 2]) despawn(world, eid);
     expect([...spawnMany(world, 4, { position: { x: -1 } })]).toEqual([2, 9, 1, 5]);
     const { x } = world.components.Position;
     expect([...x.subarray(1, 13)]).toEqual([-1, -1, 102, 103, -1, 105, 106, 107, -1, 109, 110, 111]);
   });
 
-  it('zero bodies are no bodies', () => {
+  it('zero bodies are allowed', () => {
     const world = emptySpace();
     const before = worldState(world);
     expect(spawnMany(world, 0, { position: { x: [] } })).toHaveLength(0);

@@ -18,7 +18,7 @@ function bouncing(): PhysicsWorld {
 }
 
 describe('time', () => {
-  it('44 step(0) does nothing at all', () => {
+  it('44 step(0) has no effect', () => {
     const world = bouncing();
     step(world, DT);
     const before = worldState(world);
@@ -27,19 +27,19 @@ describe('time', () => {
     expect(worldState(world)).toEqual(before);
   });
 
-  it.each([-1, -1e-300])('45 a negative dt (%d) throws and nothing moves', (dt) => {
+  it.each([-1, -1e-300])('45 a negative dt (%d) throws without moving bodies', (dt) => {
     const world = bouncing();
     assertRefused(world, () => step(world, dt), { code: 'E_RANGE', field: 'dt', value: dt });
     assertWorldAlive(world);
   });
 
-  it.each([NaN, Infinity, -Infinity])('46 dt %d throws and nothing moves', (dt) => {
+  it.each([NaN, Infinity, -Infinity])('46 dt %d throws without moving bodies', (dt) => {
     const world = bouncing();
     assertRefused(world, () => step(world, dt), { code: 'E_NONFINITE', field: 'dt', value: dt });
     assertWorldAlive(world);
   });
 
-  it.each([undefined, '0.016', 1n, null])('46 a dt that is no number (%s) throws and nothing moves', (dt) => {
+  it.each([undefined, '0.016', 1n, null])('46 a dt of another type (%s) throws without moving bodies', (dt) => {
     const world = bouncing();
     assertRefused(world, () => step(world, dt as never), { code: 'E_TYPE', field: 'dt' });
   });
@@ -48,7 +48,7 @@ describe('time', () => {
     assertRefused(bouncing(), () => step(bouncing(), dt), { code: 'E_RANGE', field: 'dt' });
   });
 
-  it('46 a world time that somebody made NaN is refused until it is a number again', () => {
+  it('46 a NaN world time is refused until it is finite again', () => {
     const world = bouncing();
     world.time = NaN;
     expect(refusal(() => step(world, DT)).code).toBe('E_NONFINITE');
@@ -56,7 +56,7 @@ describe('time', () => {
     assertWorldAlive(world);
   });
 
-  it('47 10 s through the runner are clamped and the rest is counted', () => {
+  it('47 a frame of 10 s is clamped by the runner and the rest is counted', () => {
     const world = bouncing();
     const runner = createRunner(world);
     expect(runner.advance(10)).toBe(15);
@@ -65,7 +65,7 @@ describe('time', () => {
     assertWorldAlive(world);
   });
 
-  it('48 a step of 1e-12 s moves bodies by v dt, and nothing is lost', () => {
+  it('48 a step of 1e-12 s moves bodies by v dt without loss', () => {
     const world = bouncing();
     const { Position, Velocity } = world.components;
     const [x, v] = [Position.x[1], Velocity.x[1]];
@@ -76,7 +76,7 @@ describe('time', () => {
     assertWorldAlive(world);
   });
 
-  it('48 the shortest step is 1e-20 s; below is refused rather than divided by', () => {
+  it('48 a step below the minimum of 1e-20 s is refused', () => {
     const world = groundWorld({ precision: 'f32' });
     ball(world, 0, 0.05, { y: -3 }); // into the floor: the wall divides by dt
     step(world, 1e-20);
@@ -85,12 +85,12 @@ describe('time', () => {
     assertWorldAlive(world);
   });
 
-  it('48 a runner whose dt would take more than a million steps a frame is refused', () => {
+  it('48 a runner with more than a million steps per frame is refused', () => {
     expect(refusal(() => createRunner(bouncing(), { dt: 1e-12 }))).toMatchObject({ code: 'E_RANGE', field: 'dt' });
     expect(createRunner(bouncing(), { dt: 1e-6, maxFrame: 1e-3 }).advance(1)).toBe(1000);
   });
 
-  it('49 a tab hidden for an hour costs one clamped frame', () => {
+  it('49 an hour in a hidden tab costs a single clamped frame', () => {
     const world = bouncing();
     const runner = createRunner(world);
     runner.advance(1 / 60);
@@ -99,7 +99,7 @@ describe('time', () => {
     expect(runner.droppedTime).toBeCloseTo(3600 - 0.25, 9);
   });
 
-  it('50 frame times of 1, 1, 50, 0, 0 and 3 ms give the trajectory of constant frames', () => {
+  it('50 irregular frame times give the trajectory of constant ones', () => {
     // 60 times 55 ms are 3.3 s, and so are 200 times 16.5 ms: 198 steps of 1/60 s, the last one only just.
     const play = (frames: readonly number[], times: number) => {
       const world = bouncing();
@@ -136,7 +136,7 @@ describe('time', () => {
     expect(refusal(() => createRunner(bouncing(), options as never)).code).toBe(code);
   });
 
-  it('a runner goes on after a step that threw, and saves up no more than a frame', () => {
+  it('a runner continues after a step that threw, and accumulates at most a frame', () => {
     const world = bouncing();
     const runner = createRunner(world);
     world.phases.input.push(() => {
@@ -146,11 +146,11 @@ describe('time', () => {
     expect(world.tick).toBe(100);
     world.phases.input.pop();
     expect(runner.advance(0)).toBeLessThanOrEqual(15 + 1);
-    // Every second handed in was simulated, dropped, or waits for the next step.
+    // All time passed in was simulated, dropped, or remains for the next step.
     expect(world.time + runner.droppedTime + runner.alpha * runner.dt).toBeCloseTo(25, 9);
   });
 
-  it('a runner inside a step is refused, and one whose world ends in a step stops there', () => {
+  it('a runner during a step is refused, and stops if its world is destroyed in a step', () => {
     const world = bouncing();
     const runner = createRunner(world);
     let inner: string | undefined;

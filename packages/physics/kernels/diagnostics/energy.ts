@@ -1,4 +1,4 @@
-// Sums over bodies in f64, ascending id, so that a diagnostic is as deterministic as the state it describes.
+// Sums over bodies in f64 and ascending id, so that diagnostics are as deterministic as the state.
 import { Columns, columns } from '../memory/columns';
 
 // @ts-ignore: decorator

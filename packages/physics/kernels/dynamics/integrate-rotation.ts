@@ -1,4 +1,4 @@
-// Turning of bodies at their angular velocity. Symplectic Euler for the spin: omega += torque/I dt, then the angle.
+// Rotation of bodies by semi-implicit (symplectic) Euler: omega += torque/I dt, then the angle with the new omega.
 import { columns } from '../memory/columns';
 import { at } from '../memory/lanes';
 

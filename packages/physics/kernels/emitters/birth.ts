@@ -1,8 +1,8 @@
-// Birth of one particle: where, how fast and in which direction.
+// The birth of a particle: position, speed and direction.
 import { columns, put } from '../memory/columns';
 import { turn, turned } from '../math/elementary';
 import { randomUnit } from '../math/random';
-import { dress } from './appearance';
+import { applyAppearance } from './appearance';
 import { NONE, link, nextGeneration, takeSlot } from './pool';
 import { Emitter, putWord, word } from './record';
 
@@ -13,27 +13,28 @@ let directionY: f64 = 0;
 let directionZ: f64 = 0;
 
 // @ts-ignore: decorator
-@inline function draws(e: Emitter): usize {
+@inline function randomState(e: Emitter): usize {
   return changetype<usize>(e) + offsetof<Emitter>('random0');
 }
 
 // @ts-ignore: decorator
-@inline function between(e: Emitter, low: f64, high: f64): f64 {
-  return low + (high - low) * randomUnit(draws(e));
+@inline function drawBetween(e: Emitter, low: f64, high: f64): f64 {
+  return low + (high - low) * randomUnit(randomState(e));
 }
 
-// Uniform by angle within the wedge about the emitter's direction.
+// Draws a direction, uniform by angle within the wedge about the emitter's direction.
 function aim2d(e: Emitter): void {
-  turn(e.spread * between(e, -1, 1));
+  turn(e.spread * drawBetween(e, -1, 1));
   directionX = e.directionX * turned.cosine - e.directionY * turned.sine;
   directionY = e.directionX * turned.sine + e.directionY * turned.cosine;
   directionZ = 0;
 }
 
-// Uniform by solid angle within the cone about the emitter's direction d: with u and w normal to d and to each other.
+// Draws a direction, uniform by solid angle within the cone about the emitter's direction d; u and w are normal to d
+// and to each other.
 function aim3d(e: Emitter): void {
-  const c = between(e, 1, e.cosSpread);
-  turn(TWO_PI * randomUnit(draws(e)));
+  const c = drawBetween(e, 1, e.cosSpread);
+  turn(TWO_PI * randomUnit(randomState(e)));
   const s = sqrt<f64>(max<f64>(0, 1 - c * c));
   const upright = abs<f64>(e.directionZ) > 0.9;
   let ux = upright ? 0 : e.directionY;
@@ -53,11 +54,11 @@ function aim3d(e: Emitter): void {
   directionZ = c * e.directionZ + a * uz + b * wz;
 }
 
-// Bears a particle that left (x, y, z) `age` seconds ago and has moved since at the velocity it left with, to which
-// (vx, vy, vz) is added. Every particle takes the same number of draws in the plane and in space, dead at birth or not,
-// so that the step's length does not change who comes next. A `given` velocity, three f64 times `scale`, replaces the
-// drawn one.
-export function bear(
+// Creates a particle that left (x, y, z) `age` seconds ago and has moved since at its initial velocity, to which (vx,
+// vy, vz) is added. Every particle draws the same count of random numbers in 2D and 3D, even if it is dead at birth,
+// so that the step's length does not change the next particle. A `given` velocity, three f64 times `scale`, replaces
+// the drawn velocity.
+export function createParticle(
   e: Emitter,
   x: f64,
   y: f64,
@@ -70,10 +71,10 @@ export function bear(
   given: usize = 0,
   scale: f64 = 1,
 ): void {
-  const life = between(e, e.lifeMin, e.lifeMax);
-  const speed = between(e, e.speedMin, e.speedMax);
-  const factor = between(e, e.factorMin, e.factorMax);
-  const chosen = ramp >= 0 ? ramp : <i32>(randomUnit(draws(e)) * <f64>e.rampCount);
+  const life = drawBetween(e, e.lifeMin, e.lifeMax);
+  const speed = drawBetween(e, e.speedMin, e.speedMax);
+  const factor = drawBetween(e, e.factorMin, e.factorMax);
+  const chosen = ramp >= 0 ? ramp : <i32>(randomUnit(randomState(e)) * <f64>e.rampCount);
   if (e.dimensions == 2) aim2d(e);
   else aim3d(e);
   if (given != 0) {
@@ -85,12 +86,12 @@ export function bear(
     directionY *= speed;
     directionZ *= speed;
   }
-  const ux = directionX + e.scatterX * between(e, -1, 1) + vx;
-  const uy = directionY + e.scatterY * between(e, -1, 1) + vy;
-  const uz = directionZ + e.scatterZ * between(e, -1, 1) + vz;
-  const px = x + e.areaX * between(e, -1, 1) + ux * age;
-  const py = y + e.areaY * between(e, -1, 1) + uy * age;
-  const pz = z + e.areaZ * between(e, -1, 1) + uz * age;
+  const ux = directionX + e.scatterX * drawBetween(e, -1, 1) + vx;
+  const uy = directionY + e.scatterY * drawBetween(e, -1, 1) + vy;
+  const uz = directionZ + e.scatterZ * drawBetween(e, -1, 1) + vz;
+  const px = x + e.areaX * drawBetween(e, -1, 1) + ux * age;
+  const py = y + e.areaY * drawBetween(e, -1, 1) + uy * age;
+  const pz = z + e.areaZ * drawBetween(e, -1, 1) + uz * age;
   e.born += 1;
   if (age >= life) {
     e.ended += 1;
@@ -103,7 +104,7 @@ export function bear(
     return;
   }
   const row = word(e.ids, slot);
-  place(e, row, px, py, pz);
+  setPosition(e, row, px, py, pz);
   const c = columns();
   put(c.velocityX, row, <real>ux);
   put(c.velocityY, row, <real>uy);
@@ -116,12 +117,12 @@ export function bear(
   putWord(e.ramp, slot, chosen);
   nextGeneration(e, slot);
   link(e, slot);
-  dress(e, slot, row, age / life);
+  applyAppearance(e, slot, row, age / life);
   e.changed = 1;
 }
 
-// The previous pose is the pose: a renderer must not draw the way from where the row's last life ended.
-function place(e: Emitter, row: u32, x: f64, y: f64, z: f64): void {
+// Sets the previous pose to the new one: a renderer must not interpolate from the end of the row's last life.
+function setPosition(e: Emitter, row: u32, x: f64, y: f64, z: f64): void {
   const c = columns();
   put(c.positionX, row, <real>x);
   put(c.positionY, row, <real>y);

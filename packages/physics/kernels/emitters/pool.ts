@@ -1,17 +1,17 @@
-// The slots of a pool: a queue of free ones, the longest free first, and a list of the living ones by age.
+// The slots of a pool: a first-in-first-out queue of free slots, and a linked list of living ones by age.
 import { columns, get, put } from '../memory/columns';
 import { Emitter, putWord, word } from './record';
 
 export const NONE: u32 = 0xffffffff;
 
-// Makes all slots free, in order of id.
+// Marks all slots free, in order of id.
 export function openPool(emitter: usize): void {
   const e = changetype<Emitter>(emitter);
   for (let slot: i32 = 0; slot < e.capacity; slot++) {
     putWord(e.free, slot, slot);
     putWord(e.generation, slot, word(e.generations, word(e.ids, slot)));
     store<f32>(e.life + ((<usize>slot) << 2), 0);
-    rest(e, word(e.ids, slot));
+    deactivate(e, word(e.ids, slot));
   }
   e.freeHead = 0;
   e.freeCount = e.capacity;
@@ -19,8 +19,8 @@ export function openPool(emitter: usize): void {
   e.newest = NONE;
 }
 
-// A row that nothing moves, touches or draws.
-function rest(e: Emitter, row: u32): void {
+// Clears a row so that nothing moves, touches or draws it.
+function deactivate(e: Emitter, row: u32): void {
   const c = columns();
   put(c.mass, row, 0);
   put(c.radius, row, 0);
@@ -30,13 +30,13 @@ function rest(e: Emitter, row: u32): void {
   put(e.size, row, 0);
 }
 
-// Whether the entity of a slot is still the one we made: somebody may have removed it, and its id be in use again.
+// Tests whether the pool still owns the entity of a slot: it may have been removed, and its id reused.
 // @ts-ignore: decorator
-@inline export function isOurs(e: Emitter, slot: u32): bool {
+@inline export function ownsEntity(e: Emitter, slot: u32): bool {
   return word(e.generations, word(e.ids, slot)) == word(e.generation, slot);
 }
 
-// A reference somebody holds to the row's last life must not reach the next one.
+// Increments the generation, so that references to the row's last life become stale.
 export function nextGeneration(e: Emitter, slot: u32): void {
   const row = word(e.ids, slot);
   const generation = word(e.generations, row) + 1;
@@ -64,13 +64,13 @@ export function link(e: Emitter, slot: u32): void {
   e.alive++;
 }
 
-// Ends the particle of a slot. A slot whose entity is not ours any more is forgotten.
+// Ends the particle of a slot. A slot whose entity was removed is dropped.
 export function end(e: Emitter, slot: u32): void {
   unlink(e, slot);
-  if (!isOurs(e, slot)) return;
+  if (!ownsEntity(e, slot)) return;
   const row = word(e.ids, slot);
   report(e, row);
-  rest(e, row);
+  deactivate(e, row);
   nextGeneration(e, slot);
   let tail = e.freeHead + e.freeCount;
   if (tail >= e.capacity) tail -= e.capacity;
@@ -94,7 +94,7 @@ function report(e: Emitter, row: u32): void {
   e.endedNow++;
 }
 
-// The slot free for longest, or that of the oldest particle, or none.
+// Returns the slot that has been free for longest, or that of the oldest particle, or NONE.
 export function takeSlot(e: Emitter): u32 {
   for (;;) {
     if (e.freeCount == 0) {
@@ -105,7 +105,7 @@ export function takeSlot(e: Emitter): u32 {
     const slot = word(e.free, e.freeHead);
     e.freeHead = e.freeHead + 1 == e.capacity ? 0 : e.freeHead + 1;
     e.freeCount--;
-    if (isOurs(e, slot)) return slot;
+    if (ownsEntity(e, slot)) return slot;
   }
   return NONE;
 }

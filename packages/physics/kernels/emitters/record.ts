@@ -1,34 +1,35 @@
-// One emitter: its parameters, its counters, and where its pool's arrays and the columns are. All state is here, in the
-// world's memory, so that a copy of the memory is a copy of every emitter.
+// The record of an emitter: parameters, counters, and addresses of its pool's arrays and of columns. All state is in
+// the world's memory, so that a copy of the memory is a copy of every emitter.
 
-export const MOST_STOPS: i32 = 4;
-export const MOST_RAMPS: i32 = 8;
+export const MAX_STOPS: i32 = 4;
+export const MAX_RAMPS: i32 = 8;
 
-// A pool has `capacity` slots; slot and entity id stand in `ids`.
+// A pool has `capacity` slots; `ids` maps a slot to its entity.
 @unmanaged
 export class Emitter {
-  // u32 per slot: the entity; the generation of it that is ours; the next in the queue of free slots; neighbours in
+  // u32 per slot: the entity; its generation owned by the pool; the next in the queue of free slots; neighbours in
   // the list of the living by age.
   ids: usize;
   generation: usize;
   free: usize;
   older: usize;
   newer: usize;
-  // Per slot: f64 time of birth by the emitter's clock, f32 lifetime (0 for a free slot), f32 factor of the size, u32 ramp.
+  // Per slot: f64 time of birth by the emitter's clock, f32 lifetime (0 for a free slot), f32 factor of the size, u32
+  // ramp.
   bornAt: usize;
   life: usize;
   factor: usize;
   ramp: usize;
-  // Per ramp, 256 u32 colours of a life.
+  // Per ramp, a lookup table of 256 u32 colours over a life.
   colors: usize;
-  // Columns that are not in the table of columns.
+  // Addresses of columns outside the table of columns.
   previousX: usize;
   previousY: usize;
   previousZ: usize;
   color: usize;
   size: usize;
   generations: usize;
-  // Who ended in this step, and where, when somebody wants to know: u32 ids, and x, y, z, vx, vy, vz as f64.
+  // The particles that ended in this step, if reported: u32 ids, and x, y, z, vx, vy, vz as f64.
   endedIds: usize;
   endedAt: usize;
   endedNow: i32;
@@ -46,7 +47,7 @@ export class Emitter {
   rampCount: i32;
   sizeStops: i32;
   changed: i32;
-  // 1 when colours or sizes were set anew: the living are painted once more.
+  // 1 if colours or sizes were changed, so that living particles need an update.
   repaint: i32;
   random0: u32;
   random1: u32;
@@ -92,11 +93,11 @@ export class Emitter {
   stops5: u32;
   stops6: u32;
   stops7: u32;
-  // Time of the emitter, time since it last emitted, and births due but not made, a fraction of one.
+  // The emitter's clock, s; the time since it last emitted, s; the pending fraction of a birth.
   clock: f64;
   pending: f64;
   owed: f64;
-  // What the emitter was told, in the order of src/emitters/options.ts. The direction is a unit vector, the spread the
+  // The parameters, in the order of src/emitters/options.ts. The direction is a unit vector, the spread the
   // half-angle of the cone.
   rate: f64;
   lifeMin: f64;
@@ -121,10 +122,10 @@ export class Emitter {
   size1: f64;
   size2: f64;
   size3: f64;
-  // Cosine of the spread, and the radius of the colliders.
+  // Cosine of the spread, and radius of the colliders, m.
   cosSpread: f64;
   radius: f64;
-  // Where it is, where it was, and the velocity every particle gets of it.
+  // Position now and at the last step, and the velocity that particles inherit.
   x: f64;
   y: f64;
   z: f64;
@@ -139,11 +140,11 @@ export class Emitter {
   lost: f64;
 }
 
-// A burst asked for: kept until the next step.
+// A requested burst, kept until the next step.
 @unmanaged
 export class Burst {
   count: f64;
-  // 1 when it has a place of its own; the ramp to use, or -1.
+  // 1 if it has its own position; the ramp to use, or -1.
   placed: f64;
   ramp: f64;
   x: f64;
@@ -152,7 +153,7 @@ export class Burst {
   velocityX: f64;
   velocityY: f64;
   velocityZ: f64;
-  // Where its pattern is, 0 for none: three f64 a velocity; how many there are; the factor of them.
+  // Address of its pattern, three f64 per velocity, or 0; number of velocities; factor of the velocities.
   pattern: f64;
   patternCount: f64;
   scale: f64;

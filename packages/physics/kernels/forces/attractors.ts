@@ -1,7 +1,7 @@
-// Centres of attraction as rows of numbers that the law reads: src/forces/attractors.ts.
+// Centres of attraction as a table for the law: src/forces/attractors.ts.
 import { columns, get } from '../memory/columns';
 
-// A centre as it was when the step began. All f64, whatever the columns are.
+// A centre at the start of the step. All fields are f64 in both precisions.
 @unmanaged
 export class Centre {
   x: f64;
@@ -17,11 +17,11 @@ export class Centre {
 
 const CENTRE_BYTES: usize = offsetof<Centre>();
 
-// Copies the attractors with the given ids: the pull of a step must not depend on which of them moved before.
-// One whose values are not finite pulls nothing, lest it take every body along; returns how many there are.
+// Copies the attractors with the given ids, so that the force of a step does not depend on which centres moved
+// before. Centres with non-finite values are zeroed, because they would spoil every body; returns their number.
 export function gatherAttractors(ids: usize, count: i32, mu: usize, softening: usize, centres: usize): i32 {
   const c = columns();
-  let bad = 0;
+  let invalidCount = 0;
   for (let i = 0; i < count; i++) {
     const row = load<i32>(ids + ((<usize>i) << 2));
     const centre = changetype<Centre>(centres + <usize>i * CENTRE_BYTES);
@@ -38,7 +38,7 @@ export function gatherAttractors(ids: usize, count: i32, mu: usize, softening: u
     const sum = centre.x + centre.y + centre.z + centre.vx + centre.vy + centre.vz + centre.mu + soft;
     if (sum - sum == 0) continue;
     memory.fill(changetype<usize>(centre), 0, offsetof<Centre>('entity'));
-    bad++;
+    invalidCount++;
   }
-  return bad;
+  return invalidCount;
 }

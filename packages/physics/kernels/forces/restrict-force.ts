@@ -1,8 +1,8 @@
-// A force for some bodies only: what it did to the others is undone.
+// Restricts a force to some bodies by undoing its effect on all others.
 import { columns, get, put } from '../memory/columns';
 
-// Where a force acts. A kind of region: 0 everywhere, 1 a box (a = lowest corner, b = highest), 2 a ball (a = centre,
-// bx = radius squared). All f64.
+// The limits of a force. Kind of region: 0 none, 1 a box (a = minimum, b = maximum), 2 a ball (a = centre, bx =
+// radius squared). All f64.
 @unmanaged
 export class Limits {
   ax: f64;
@@ -16,7 +16,7 @@ export class Limits {
 }
 
 // @ts-ignore: decorator
-@inline function within(l: Limits, row: i32): bool {
+@inline function isInside(l: Limits, row: i32): bool {
   const c = columns();
   if ((load<u32>(c.members + ((<usize>row) << 2)) & l.group) != l.group) return false;
   if (l.kind == 0) return true;
@@ -30,18 +30,18 @@ export class Limits {
   return dx * dx + dy * dy + dz * dz <= l.bx;
 }
 
-// Puts the saved values back on the rows where the force does not act; `shift` rows separate a row from its save.
+// Restores the saved values in the rows where the force does not act.
 export function restoreOutside(limits: usize, column: usize, saved: usize, first: i32, last: i32): void {
   const l = changetype<Limits>(limits);
   for (let row = first; row < last; row++) {
-    if (!within(l, row)) put(column, row, get(saved, row));
+    if (!isInside(l, row)) put(column, row, get(saved, row));
   }
 }
 
-// Zeroes a column on the rows outside the group: bodies without coefficients have no potential.
+// Zeroes a column in the rows outside the group: bodies without coefficients have no potential.
 export function zeroOutside(limits: usize, column: usize, first: i32, last: i32): void {
   const l = changetype<Limits>(limits);
   for (let row = first; row < last; row++) {
-    if (!within(l, row)) put(column, row, 0);
+    if (!isInside(l, row)) put(column, row, 0);
   }
 }

@@ -1,7 +1,7 @@
-// Damped springs between two bodies, one after the other in ascending id: bodies share springs, so order is meaning.
+// Damped springs between two bodies, in ascending id: springs share bodies, so the order of sums matters.
 import { columns, get, put } from '../memory/columns';
 
-// What the springs of a world need; src/forces/support/spring-table.ts writes the addresses and reads the counts.
+// The record of a world's springs; src/forces/support/spring-table.ts writes the addresses and reads the counts.
 @unmanaged
 export class SpringTable {
   a: usize;
@@ -11,11 +11,11 @@ export class SpringTable {
   stiffness: usize;
   damping: usize;
   length: usize;
-  cord: usize;
+  tensionOnly: usize;
   generations: usize;
   // Ids of all springs, ascending.
   ids: usize;
-  // Per spring with two living ends: its id, and the rows of its ends.
+  // The active springs, those with two living ends: id, and the rows of both ends.
   links: usize;
   // Ids of springs that lost an end.
   lost: usize;
@@ -34,27 +34,27 @@ export class SpringTable {
 }
 
 // @ts-ignore: decorator
-@inline function lives(members: usize, body: u32, generations: usize, life: u32, position: u32): bool {
+@inline function isAlive(members: usize, body: u32, generations: usize, life: u32, position: u32): bool {
   return (word(members, body) & position) != 0 && word(generations, body) == life;
 }
 
-// Sorts the springs into those with two living ends and those that lost one, and finds the stiffest. A spring that was
-// never given ends (a = b = 0), or whose ends somebody overwrote with nonsense, joins nothing.
+// Separates the springs with two living ends from those that lost an end, and finds the stiffest. A spring without
+// ends (a = b = 0), or with ends overwritten by invalid values, is skipped.
 export function scanSprings(table: usize, position: u32): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
   let active = 0;
   let lost = 0;
   let stiffest: f64 = 0;
-  let mostDamped: f64 = 0;
+  let maxDamping: f64 = 0;
   for (let i = 0; i < t.count; i++) {
     const spring = word(t.ids, i);
     const a = word(t.a, spring);
     const b = word(t.b, spring);
     if (a == 0 || b == 0 || a == b || a >= <u32>t.rows || b >= <u32>t.rows) continue;
     if (
-      !lives(c.members, a, t.generations, word(t.aLife, spring), position) ||
-      !lives(c.members, b, t.generations, word(t.bLife, spring), position)
+      !isAlive(c.members, a, t.generations, word(t.aLife, spring), position) ||
+      !isAlive(c.members, b, t.generations, word(t.bLife, spring), position)
     ) {
       store<u32>(t.lost + ((<usize>lost) << 2), spring);
       lost++;
@@ -67,12 +67,12 @@ export function scanSprings(table: usize, position: u32): void {
     active++;
     const inverse = inverseMass(get(c.mass, a)) + inverseMass(get(c.mass, b));
     stiffest = max<f64>(stiffest, <f64>get(t.stiffness, spring) * inverse);
-    mostDamped = max<f64>(mostDamped, <f64>get(t.damping, spring) * inverse);
+    maxDamping = max<f64>(maxDamping, <f64>get(t.damping, spring) * inverse);
   }
   t.active = active;
   t.lostCount = lost;
   t.stiffest = stiffest;
-  t.mostDamped = mostDamped;
+  t.mostDamped = maxDamping;
 }
 
 // @ts-ignore: decorator
@@ -80,16 +80,16 @@ export function scanSprings(table: usize, position: u32): void {
   return mass > 0 ? 1 / <f64>mass : 0;
 }
 
-// Pull between the ends for a distance d that grows at `rate`; a slack cord pulls nothing, a taut one never pushes.
+// Tension at a distance d that grows at `rate`. A slack tension-only spring exerts none, and a taut one never pushes.
 // @ts-ignore: decorator
 @inline function tension(t: SpringTable, spring: u32, d: real, rate: real): real {
   const extension = d - get(t.length, spring);
-  const pull = get(t.stiffness, spring) * extension + get(t.damping, spring) * rate;
-  if (word(t.cord, spring) == 0) return pull;
-  return extension > 0 && pull > 0 ? pull : 0;
+  const force = get(t.stiffness, spring) * extension + get(t.damping, spring) * rate;
+  if (word(t.tensionOnly, spring) == 0) return force;
+  return extension > 0 && force > 0 ? force : 0;
 }
 
-// Ends in one place have no direction between them: x is taken.
+// Coincident ends have no direction; the x axis is used instead.
 export function springForces2d(table: usize, fx: usize, fy: usize): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
@@ -104,11 +104,11 @@ export function springForces2d(table: usize, fx: usize, fy: usize): void {
     const ny: real = d > 0 ? y / d : 0;
     const vx = get(c.velocityX, b) - get(c.velocityX, a);
     const vy = get(c.velocityY, b) - get(c.velocityY, a);
-    const pull = tension(t, load<u32>(link), d, vx * nx + vy * ny);
-    put(fx, a, get(fx, a) + pull * nx);
-    put(fy, a, get(fy, a) + pull * ny);
-    put(fx, b, get(fx, b) - pull * nx);
-    put(fy, b, get(fy, b) - pull * ny);
+    const force = tension(t, load<u32>(link), d, vx * nx + vy * ny);
+    put(fx, a, get(fx, a) + force * nx);
+    put(fy, a, get(fy, a) + force * ny);
+    put(fx, b, get(fx, b) - force * nx);
+    put(fy, b, get(fy, b) - force * ny);
   }
 }
 
@@ -129,20 +129,20 @@ export function springForces3d(table: usize, fx: usize, fy: usize, fz: usize): v
     const vx = get(c.velocityX, b) - get(c.velocityX, a);
     const vy = get(c.velocityY, b) - get(c.velocityY, a);
     const vz = get(c.velocityZ, b) - get(c.velocityZ, a);
-    const pull = tension(t, load<u32>(link), d, vx * nx + vy * ny + vz * nz);
-    put(fx, a, get(fx, a) + pull * nx);
-    put(fy, a, get(fy, a) + pull * ny);
-    put(fz, a, get(fz, a) + pull * nz);
-    put(fx, b, get(fx, b) - pull * nx);
-    put(fy, b, get(fy, b) - pull * ny);
-    put(fz, b, get(fz, b) - pull * nz);
+    const force = tension(t, load<u32>(link), d, vx * nx + vy * ny + vz * nz);
+    put(fx, a, get(fx, a) + force * nx);
+    put(fy, a, get(fy, a) + force * ny);
+    put(fz, a, get(fz, a) + force * nz);
+    put(fx, b, get(fx, b) - force * nx);
+    put(fy, b, get(fy, b) - force * ny);
+    put(fz, b, get(fz, b) - force * nz);
   }
 }
 
-// A stiffness from here on is a rod's, whose length is held by a constraint.
+// Minimum stiffness of a rod, N/m; a constraint holds the length of a rod.
 const RIGID: f64 = 1e29;
 
-// Sum of k (d - L)^2 / 2, J; slack cords hold none, and rods do not stretch.
+// Sum of k (d - L)^2 / 2, J; slack tension-only springs have none, and rods do not stretch.
 export function springPotential(table: usize): f64 {
   const t = changetype<SpringTable>(table);
   const c = columns();
@@ -157,7 +157,7 @@ export function springPotential(table: usize): f64 {
     const z = <f64>get(c.positionZ, b) - <f64>get(c.positionZ, a);
     const extension = sqrt<f64>(x * x + y * y + z * z) - <f64>get(t.length, spring);
     const stiffness = <f64>get(t.stiffness, spring);
-    if (stiffness >= RIGID || (extension < 0 && word(t.cord, spring) != 0)) continue;
+    if (stiffness >= RIGID || (extension < 0 && word(t.tensionOnly, spring) != 0)) continue;
     sum += 0.5 * stiffness * extension * extension;
   }
   return sum;

@@ -1,6 +1,6 @@
-// Sums of columns, for schemes of many stages: columns that belong together lie `stride` bytes apart in one block, and
-// their coefficients, reals, one after the other in memory.
-import { accelerationOf, add, at, LANES, mul, splat, sub } from '../memory/lanes';
+// Weighted sums of columns, for multi-stage schemes: the columns lie `stride` bytes apart in one block, and their
+// coefficients, reals, are consecutive in memory.
+import { LANES, accelerationOf, add, at, mul, splat, sub } from '../memory/lanes';
 
 // to = base + sum of coefficient[k] column[k], for k < count.
 export function combineAxis(
@@ -44,7 +44,7 @@ export function addScaledColumn(to: usize, a: usize, b: usize, factor: real, fir
   }
 }
 
-// residual = v - start - dt F/m: zero where v is the velocity of implicit Euler.
+// residual = v - start - dt F/m: zero if v is the velocity of implicit Euler.
 export function implicitResidualAxis(
   residual: usize,
   v: usize,

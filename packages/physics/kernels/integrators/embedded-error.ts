@@ -1,7 +1,7 @@
-// How far the two solutions of an embedded pair differ, body by body, against how far each body has come.
+// The difference of the two solutions of an embedded pair, relative to the magnitude of each body's state.
 import { add, at, LANES, mul, splat } from '../memory/lanes';
 
-// What the kernels of this file need of a world; src/integrators/support/dormand-prince-stages.ts fills it.
+// The record of a world's error estimate; src/integrators/support/dormand-prince-stages.ts fills it.
 @unmanaged
 export class EmbeddedError {
   // Columns of sums over the axes.
@@ -23,8 +23,8 @@ export class EmbeddedError {
   floorV: f64;
 }
 
-// Adds one axis: to `errorX` and `errorV` the squares of the differences (sums of columns, as in combineAxis), to
-// `sizeX` and `sizeV` the squares of the larger of the values before and after the step.
+// Adds one axis: to `errorX` and `errorV` the squares of the differences (weighted sums of columns, as in
+// combineAxis), to `sizeX` and `sizeV` the squares of the larger of the values before and after the step.
 // `start` is the first column of the axis: positions at the start of the step, then velocities, then accelerations.
 export function embeddedErrorAxis(table: usize, start: usize, x: usize, v: usize, first: i32, last: i32): void {
   const e = changetype<EmbeddedError>(table);
@@ -52,8 +52,8 @@ export function embeddedErrorAxis(table: usize, start: usize, x: usize, v: usize
     }
     addSquare(errorX + o, differenceX);
     addSquare(errorV + o, differenceV);
-    addSquare(sizeX + o, larger(v128.load(x + o), v128.load(start + o)));
-    addSquare(sizeV + o, larger(v128.load(v + o), v128.load(startV + o)));
+    addSquare(sizeX + o, maxMagnitude(v128.load(x + o), v128.load(start + o)));
+    addSquare(sizeV + o, maxMagnitude(v128.load(v + o), v128.load(startV + o)));
   }
 }
 
@@ -63,12 +63,12 @@ export function embeddedErrorAxis(table: usize, start: usize, x: usize, v: usize
 }
 
 // @ts-ignore: decorator
-@inline function larger(a: v128, b: v128): v128 {
+@inline function maxMagnitude(a: v128, b: v128): v128 {
   return v128.max<real>(v128.abs<real>(a), v128.abs<real>(b));
 }
 
-// Raises `worst` to the largest ratio of error to size over all bodies, positions and velocities alike; infinite
-// where a value is not finite. A body that is at rest in the origin and feels nothing has no error.
+// Raises `worst` to the largest ratio of error to magnitude over all bodies, positions and velocities; infinite if a
+// value is not finite. A body at rest in the origin without force has no error.
 export function worstError(table: usize, first: i32, last: i32): void {
   const e = changetype<EmbeddedError>(table);
   const errorX = e.errorX;
@@ -77,18 +77,18 @@ export function worstError(table: usize, first: i32, last: i32): void {
   const sizeV = e.sizeV;
   const floorX = e.floorX;
   const floorV = e.floorV;
-  let worst = e.worst * e.worst;
+  let largest = e.worst * e.worst;
   for (let row = first; row < last; row++) {
     const o = at(row);
-    const ofX = ratio(load<real>(errorX + o), load<real>(sizeX + o), floorX);
-    const ofV = ratio(load<real>(errorV + o), load<real>(sizeV + o), floorV);
-    const here = max<f64>(ofX, ofV);
-    if (here > worst) {
-      worst = here;
+    const errorOfX = ratio(load<real>(errorX + o), load<real>(sizeX + o), floorX);
+    const errorOfV = ratio(load<real>(errorV + o), load<real>(sizeV + o), floorV);
+    const rowError = max<f64>(errorOfX, errorOfV);
+    if (rowError > largest) {
+      largest = rowError;
       e.worstRow = row;
     }
   }
-  e.worst = sqrt<f64>(worst);
+  e.worst = sqrt<f64>(largest);
 }
 
 // @ts-ignore: decorator

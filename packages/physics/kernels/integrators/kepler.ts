@@ -1,14 +1,14 @@
 // Motion along a Kepler orbit of any kind (ellipse, parabola, hyperbola) by universal variables: with Stumpff's
 // functions c0 ... c3 and G_n = s^n c_n(beta s^2), the time equation r0 s + eta G2 + zeta G3 = dt is solved for s.
 // Stumpff, Himmelsmechanik I (1959); Danby, Fundamentals of Celestial Mechanics (1988), section 6.9; Rein and Tamayo,
-// MNRAS 452, 376 (2015), section 2. Only + - * / sqrt: the same bits everywhere.
+// MNRAS 452, 376 (2015), section 2. It uses only + - * / sqrt, for the same bits on every machine.
 
 let c0: f64 = 0;
 let c1: f64 = 0;
 let c2: f64 = 0;
 let c3: f64 = 0;
 
-// c_n(z) = 1/n! - z/(n+2)! + z^2/(n+4)! - ..., with z divided by 4 until the series is short.
+// c_n(z) = 1/n! - z/(n+2)! + z^2/(n+4)! - ..., with z divided by 4 until the series converges fast.
 function stumpff(argument: f64): void {
   let z = argument;
   let quarters = 0;
@@ -33,8 +33,8 @@ function stumpff(argument: f64): void {
   }
 }
 
-// Largest number of iterations: the bracket halves at worst, and doubles hold 53 halvings and some thousand exponents.
-const MOST = 200;
+// Maximum number of iterations: the bracket halves at worst, and an f64 has 53 bits and about a thousand exponents.
+const MAX_ITERATIONS = 200;
 
 // A body on its orbit about a centre of mu = G M at the origin.
 @unmanaged
@@ -47,8 +47,8 @@ export class Orbit {
   vz: f64;
 }
 
-// Moves a body on by `dt`; false, and the body unmoved, for one in the centre, or when a value is not finite. Few
-// divisions: they are what the time goes into.
+// Advances a body by `dt`; returns false, without a change, for a body in the centre, or if a value is not finite.
+// Divisions dominate the cost, so they are few.
 export function advanceKepler(o: Orbit, mu: f64, dt: f64): bool {
   const x = o.x;
   const y = o.y;
@@ -65,12 +65,12 @@ export function advanceKepler(o: Orbit, mu: f64, dt: f64): bool {
   if (!solveTime(r0, inverse, beta, eta, zeta, dt)) return false;
   const r = r0 + eta * g1 + zeta * g2;
   if (!(r > 0) || !(r < Infinity)) return false;
-  // Lagrange's f - 1, g, f', g' - 1: differences, so that short steps lose nothing.
-  const pull = -mu / r;
+  // Lagrange's f - 1, g, f', g' - 1: differences, so that short steps lose no digits.
+  const acceleration = -mu / r;
   const f = -mu * g2 * inverse;
   const g = dt - mu * g3;
-  const fd = pull * g1 * inverse;
-  const gd = pull * g2;
+  const fd = acceleration * g1 * inverse;
+  const gd = acceleration * g2;
   o.x = x + (f * x + g * vx);
   o.y = y + (f * y + g * vy);
   o.z = z + (f * z + g * vz);
@@ -85,37 +85,38 @@ let g1: f64 = 0;
 let g2: f64 = 0;
 let g3: f64 = 0;
 
-// Finds s with t(s) = dt; false when there is none in the range of numbers. t grows with s everywhere (dt/ds = r > 0), so
-// a bracket and Halley's steps inside it find it.
+// Solves t(s) = dt for s; returns false if there is no finite solution. t is monotonic (dt/ds = r > 0), so Halley's
+// method within a bracket converges.
 function solveTime(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f64): bool {
-  // Backwards is forwards with the velocity turned round: eta, G1 and G3 change their signs.
+  // A negative dt is a positive one with reversed velocity: eta, G1 and G3 change their signs.
   const sign: f64 = dt < 0 ? -1 : 1;
-  const turned = sign * eta;
+  const signedEta = sign * eta;
   const time = abs<f64>(dt);
   let low: f64 = 0;
   let high: f64 = Infinity;
-  let s = guess(r0, inverse, beta, turned, zeta, time);
-  for (let i = 0; i < MOST; i++) {
+  let s = guess(r0, inverse, beta, signedEta, zeta, time);
+  for (let i = 0; i < MAX_ITERATIONS; i++) {
     stumpff(beta * s * s);
     const G1 = s * c1;
     const G2 = s * s * c2;
     const G3 = s * s * s * c3;
-    const miss = r0 * s + turned * G2 + zeta * G3 - time;
-    const r = r0 + turned * G1 + zeta * G2;
-    // An s that is far too large overflows to NaN.
-    if (miss <= 0) low = s;
+    const error = r0 * s + signedEta * G2 + zeta * G3 - time;
+    const r = r0 + signedEta * G1 + zeta * G2;
+    // A far too large s overflows to NaN, and counts as too large.
+    if (error <= 0) low = s;
     else high = s;
-    const bend = miss * (turned * c0 + zeta * G1);
-    const slope = 2 * r * r - bend;
-    const d = slope > r * r ? (-2 * miss * r) / slope : -miss / r;
+    const curvature = error * (signedEta * c0 + zeta * G1);
+    const slope = 2 * r * r - curvature;
+    const d = slope > r * r ? (-2 * error * r) / slope : -error / r;
     if (abs<f64>(d) <= 2e-6 * s) {
-      // Halley's error is the cube of its step, so this is the last; three terms of Taylor carry the functions there.
+      // The error of Halley's method is cubic in its step, so this step is the last; a Taylor series of three terms
+      // updates the functions.
       const half = 0.5 * d;
       const third = d * (1.0 / 3);
       const G0 = c0;
-      const bent = beta * G1;
-      g1 = sign * (G1 + d * (G0 - half * (bent + third * beta * G0)));
-      g2 = G2 + d * (G1 + half * (G0 - third * bent));
+      const betaG1 = beta * G1;
+      g1 = sign * (G1 + d * (G0 - half * (betaG1 + third * beta * G0)));
+      g2 = G2 + d * (G1 + half * (G0 - third * betaG1));
       g3 = sign * (G3 + d * (G2 + half * (G1 + third * G0)));
       return true;
     }
@@ -125,7 +126,7 @@ function solveTime(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f6
   return false;
 }
 
-// Four terms of the series of s in dt where the step is short against the orbit, else the mean motion.
+// Initial guess: four terms of the series of s in dt for a short step, else the mean motion.
 // @ts-ignore: decorator
 @inline function guess(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f64): f64 {
   const first = dt * inverse;

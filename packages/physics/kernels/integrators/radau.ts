@@ -1,10 +1,10 @@
-// The inner loops of the fifteenth-order Gauss-Radau scheme; src/integrators/gauss-radau.ts says what it does.
+// The inner loops of the Gauss-Radau scheme of order 15: src/integrators/gauss-radau.ts.
 //
 // Within a step of length dt the acceleration is a(h) = a0 + b0 h + b1 h^2 + ... + b6 h^7, h from 0 to 1. The same
-// polynomial in Newton's form has divided differences g0 ... g6, of which g[s-1] depends on the first s nodes alone.
+// polynomial in Newton's form has divided differences g0 ... g6, of which g[s-1] depends only on the first s nodes.
 import { accelerationOf, add, at, LANES, mul, splat, sub } from '../memory/lanes';
 
-// Where the columns of one axis begin in its block, in columns.
+// Offsets of the columns of an axis in its block, in columns.
 const B: usize = 0;
 const G: usize = 7;
 const A0: usize = 14;
@@ -13,7 +13,7 @@ const START_V: usize = 16;
 const CARRY_X: usize = 17;
 const CARRY_V: usize = 18;
 
-// What a world's integrator knows; src/integrators/support/gauss-radau-table.ts writes it.
+// The record of a world's integrator; src/integrators/support/gauss-radau-table.ts writes it.
 @unmanaged
 export class RadauTable {
   positionX: usize;
@@ -31,8 +31,8 @@ export class RadauTable {
   mass: usize;
   stride: usize;
   axes: usize;
-  // Reals: per node 8 weights for x and 8 for v; per node the reciprocals of its distances to the nodes before it (8);
-  // the 7 x 7 coefficients that turn a divided difference into powers of h.
+  // Reals: per node 8 weights for x and 8 for v; per node the reciprocals of its distances to the earlier nodes (8);
+  // the 7 x 7 coefficients that convert a divided difference to powers of h.
   weights: usize;
   reciprocals: usize;
   powers: usize;
@@ -48,7 +48,7 @@ export class RadauTable {
   return v128.load_splat<real>(column + at(index));
 }
 
-// Keeps the state at the start of a step, and the acceleration there.
+// Saves the state at the start of a step, and its acceleration.
 export function radauBegin(table: usize, first: i32, last: i32): void {
   const t = changetype<RadauTable>(table);
   for (let axis: usize = 0; axis < t.axes; axis++) {
@@ -59,23 +59,23 @@ export function radauBegin(table: usize, first: i32, last: i32): void {
     for (let row = first; row < last; row += LANES) {
       const o = at(row);
       v128.store(block + A0 * t.stride + o, accelerationOf(v128.load(force + o), v128.load(t.mass + o)));
-      begins(block + o, START_X, CARRY_X, t.stride, v128.load(x + o));
-      begins(block + o, START_V, CARRY_V, t.stride, v128.load(v + o));
+      saveStart(block + o, START_X, CARRY_X, t.stride, v128.load(x + o));
+      saveStart(block + o, START_V, CARRY_V, t.stride, v128.load(v + o));
     }
   }
 }
 
-// What rounding left is kept only where it can belong to this value: somebody may have moved the body.
+// Keeps the rounding error only if it is plausible for this value: the body may have been moved since.
 // @ts-ignore: decorator
-@inline function begins(block: usize, start: usize, carry: usize, stride: usize, value: v128): void {
+@inline function saveStart(block: usize, start: usize, carry: usize, stride: usize, value: v128): void {
   const kept = block + carry * stride;
-  const left = v128.load(kept);
+  const carried = v128.load(kept);
   const most = mul(v128.abs<real>(value), splat(sizeof<real>() == 4 ? <real>1.2e-7 : <real>2.3e-16));
-  v128.store(kept, v128.and(left, v128.le<real>(v128.abs<real>(left), most)));
+  v128.store(kept, v128.and(carried, v128.le<real>(v128.abs<real>(carried), most)));
   v128.store(block + start * stride, value);
 }
 
-// Moves the bodies to where the polynomial says they are at a node; node 8 is the end of the step.
+// Moves the bodies to the positions of the polynomial at a node; node 8 is the end of the step.
 export function radauState(table: usize, node: i32, h: f64, dt: f64, first: i32, last: i32): void {
   const t = changetype<RadauTable>(table);
   const w = t.weights + at(node << 4);
@@ -88,8 +88,8 @@ export function radauState(table: usize, node: i32, h: f64, dt: f64, first: i32,
     for (let row = first; row < last; row += LANES) {
       const start = block + at(row);
       const v0 = v128.load(start + START_V * t.stride);
-      const dx = mul(weighted(start, t.stride, w), step);
-      const dv = mul(weighted(start, t.stride, w + at(8)), step);
+      const dx = mul(weightedSum(start, t.stride, w), step);
+      const dv = mul(weightedSum(start, t.stride, w + at(8)), step);
       const moved = add(mul(v0, time), mul(dx, step));
       v128.store(
         x + at(row),
@@ -100,9 +100,9 @@ export function radauState(table: usize, node: i32, h: f64, dt: f64, first: i32,
   }
 }
 
-// w7 b6 + ... + w1 b0 + w0 a0, the small terms first.
+// w7 b6 + ... + w1 b0 + w0 a0, summed from the smallest term.
 // @ts-ignore: decorator
-@inline function weighted(start: usize, stride: usize, w: usize): v128 {
+@inline function weightedSum(start: usize, stride: usize, w: usize): v128 {
   let sum = mul(v128.load(start + 6 * stride), constant(w, 7));
   sum = add(sum, mul(v128.load(start + 5 * stride), constant(w, 6)));
   sum = add(sum, mul(v128.load(start + 4 * stride), constant(w, 5)));
@@ -113,15 +113,15 @@ export function radauState(table: usize, node: i32, h: f64, dt: f64, first: i32,
   return add(sum, mul(v128.load(start + A0 * stride), constant(w, 0)));
 }
 
-// Largest |a| met by the last `radauRefine`.
+// The largest |a| in the last call of `radauRefine`.
 let largest: f64 = 0;
 
 export function radauLargest(): f64 {
   return largest;
 }
 
-// Learns from the force at node s: its divided difference, and with it b0 ... b[s-1]. Returns the largest change of the
-// difference, infinite where a value is not finite.
+// Updates the divided difference of node s from the force, and with it b0 ... b[s-1]. Returns the largest change of
+// the difference, infinite if a value is not finite.
 export function radauRefine(table: usize, s: i32, first: i32, last: i32): f64 {
   const t = changetype<RadauTable>(table);
   const reciprocals = t.reciprocals + at(s << 3);
@@ -156,7 +156,7 @@ export function radauRefine(table: usize, s: i32, first: i32, last: i32): f64 {
   return largestLane(change);
 }
 
-// f64x2.max and f32x4.max hand NaN on, so one comparison at the end finds it.
+// f64x2.max and f32x4.max propagate NaN, so one comparison at the end detects it.
 // @ts-ignore: decorator
 @inline function largestLane(v: v128): f64 {
   let most: f64 = max<f64>(v128.extract_lane<real>(v, 0), v128.extract_lane<real>(v, 1));
@@ -166,7 +166,7 @@ export function radauRefine(table: usize, s: i32, first: i32, last: i32): f64 {
   return most < Infinity ? most : Infinity;
 }
 
-// The largest value of one of the columns: 6 for b6, which says how fast the series converges, 14 for a0.
+// Returns the largest magnitude in a column: 6 for b6, which measures convergence, 14 for a0.
 export function radauLargestOf(table: usize, column: i32, first: i32, last: i32): f64 {
   const t = changetype<RadauTable>(table);
   let most = splat(0);
@@ -179,7 +179,7 @@ export function radauLargestOf(table: usize, column: i32, first: i32, last: i32)
   return largestLane(most);
 }
 
-// The body whose |b6| is the largest, or not finite.
+// Returns the body whose |b6| is largest, or not finite.
 export function radauWorstRow(table: usize, first: i32, last: i32): i32 {
   const t = changetype<RadauTable>(table);
   let worst = 0;
@@ -198,8 +198,8 @@ export function radauWorstRow(table: usize, first: i32, last: i32): i32 {
   return worst;
 }
 
-// Guesses the polynomial of the next step from that of the last: `ratio` is the length of the next over that of the
-// last. With `onwards` the next begins where the last ended; without, both begin together (the last was too long).
+// Predicts the polynomial of the next step from the last: `ratio` is the ratio of their lengths. With `onwards` the
+// next step begins at the end of the last; without, at its start (a repeated step).
 export function radauPredict(table: usize, ratio: f64, onwards: bool, first: i32, last: i32): void {
   const t = changetype<RadauTable>(table);
   for (let axis: usize = 0; axis < t.axes; axis++) {
@@ -218,8 +218,8 @@ export function radauPredict(table: usize, ratio: f64, onwards: bool, first: i32
   }
 }
 
-// Powers of h - 1 in place of powers of h: b[k] = sum over j >= k of (j+1 over k+1) b[j], by repeated addition: once
-// through all terms for a0, which is not kept, then for b0, b1, and so on.
+// Shifts the origin to h = 1: b[k] = sum over j >= k of (j+1 over k+1) b[j], by repeated addition: one pass through
+// all terms for a0, which is not stored, then one for b0, b1, and so on.
 // @ts-ignore: decorator
 @inline function shiftToEnd(start: usize, stride: usize): void {
   for (let pass: usize = 0; pass < 7; pass++) {
@@ -233,7 +233,7 @@ export function radauPredict(table: usize, ratio: f64, onwards: bool, first: i32
   }
 }
 
-// g from b, highest power first.
+// Computes g from b, highest power first.
 // @ts-ignore: decorator
 @inline function differences(t: RadauTable, start: usize): void {
   const g = start + G * t.stride;
@@ -248,8 +248,8 @@ export function radauPredict(table: usize, ratio: f64, onwards: bool, first: i32
   }
 }
 
-// Ends a step: x and v move by the integrals of the polynomial, and what rounding loses is carried to the next step
-// (Kahan, Comm. ACM 8, 40, 1965).
+// Ends a step: x and v change by the integrals of the polynomial, with compensated summation (Kahan, Comm. ACM 8, 40,
+// 1965).
 export function radauEnd(table: usize, dt: f64, first: i32, last: i32): void {
   const t = changetype<RadauTable>(table);
   const w = t.weights + at(8 << 4);
@@ -261,23 +261,23 @@ export function radauEnd(table: usize, dt: f64, first: i32, last: i32): void {
     for (let row = first; row < last; row += LANES) {
       const start = block + at(row);
       const v0 = v128.load(start + START_V * t.stride);
-      const dx = mul(add(v0, mul(weighted(start, t.stride, w), step)), step);
-      const dv = mul(weighted(start, t.stride, w + at(8)), step);
-      compensated(x + at(row), v128.load(start + START_X * t.stride), dx, start + CARRY_X * t.stride);
-      compensated(v + at(row), v0, dv, start + CARRY_V * t.stride);
+      const dx = mul(add(v0, mul(weightedSum(start, t.stride, w), step)), step);
+      const dv = mul(weightedSum(start, t.stride, w + at(8)), step);
+      addCompensated(x + at(row), v128.load(start + START_X * t.stride), dx, start + CARRY_X * t.stride);
+      addCompensated(v + at(row), v0, dv, start + CARRY_V * t.stride);
     }
   }
 }
 
 // @ts-ignore: decorator
-@inline function compensated(to: usize, from: v128, change: v128, carry: usize): void {
+@inline function addCompensated(to: usize, from: v128, change: v128, carry: usize): void {
   const y = sub(change, v128.load(carry));
   const sum = add(from, y);
   v128.store(carry, sub(sub(sum, from), y));
   v128.store(to, sum);
 }
 
-// Forgets the polynomial of the last step.
+// Clears the polynomial of the last step.
 export function radauForget(table: usize, first: i32, last: i32): void {
   const t = changetype<RadauTable>(table);
   for (let axis: usize = 0; axis < t.axes; axis++) {

@@ -1,10 +1,10 @@
-// Kepler drifts and interaction kicks in Jacobi coordinates; src/integrators/wisdom-holman.ts says what they are for.
-// Arithmetic is f64 whatever the columns are.
+// Kepler drifts and interaction kicks in Jacobi coordinates: src/integrators/wisdom-holman.ts. Arithmetic is f64 in
+// both precisions.
 import { columns, get, put } from '../memory/columns';
 import { advanceKepler, Orbit } from './kepler';
 
-// One body: its Jacobi position and velocity, its mass, the mass of it and all before it, and G times the mass that
-// its Kepler orbit feels.
+// A body: Jacobi position and velocity, mass, total mass up to and including it, and G times the mass of its Kepler
+// orbit.
 @unmanaged
 export class Planet {
   x: f64;
@@ -20,14 +20,14 @@ export class Planet {
   unused: i32;
 }
 
-const SIZE: usize = offsetof<Planet>();
+const PLANET_BYTES: usize = offsetof<Planet>();
 
 // @ts-ignore: decorator
 @inline function planet(list: usize, index: i32): Planet {
-  return changetype<Planet>(list + <usize>index * SIZE);
+  return changetype<Planet>(list + <usize>index * PLANET_BYTES);
 }
 
-// Lists bodies with mass: `central` first, then the others by ascending id. Returns how many.
+// Lists bodies with mass: `central` first, then the others by ascending id. Returns their number.
 export function gatherPlanets(list: usize, ids: usize, count: i32, central: i32, G: f64): i32 {
   const c = columns();
   let n = 1;
@@ -51,8 +51,8 @@ export function gatherPlanets(list: usize, ids: usize, count: i32, central: i32,
   return n;
 }
 
-// Position and velocity columns to Jacobi coordinates: each body from the centre of mass of those before it; the first
-// from the origin to the centre of mass of all.
+// Converts the columns to Jacobi coordinates: each body relative to the centre of mass of the bodies before it; the
+// first is the centre of mass of all.
 export function toJacobi(list: usize, n: i32): void {
   const c = columns();
   let x: f64 = 0;
@@ -69,13 +69,13 @@ export function toJacobi(list: usize, n: i32): void {
     p.vx = <f64>get(c.velocityX, p.row) - vx;
     p.vy = <f64>get(c.velocityY, p.row) - vy;
     p.vz = <f64>get(c.velocityZ, p.row) - vz;
-    const share = p.mass / p.enclosed;
-    x += share * p.x;
-    y += share * p.y;
-    z += share * p.z;
-    vx += share * p.vx;
-    vy += share * p.vy;
-    vz += share * p.vz;
+    const fraction = p.mass / p.enclosed;
+    x += fraction * p.x;
+    y += fraction * p.y;
+    z += fraction * p.z;
+    vx += fraction * p.vx;
+    vy += fraction * p.vy;
+    vz += fraction * p.vz;
   }
   const sun = planet(list, 0);
   sun.x = x;
@@ -86,7 +86,7 @@ export function toJacobi(list: usize, n: i32): void {
   sun.vz = vz;
 }
 
-// And back.
+// Converts Jacobi coordinates back to the columns.
 export function fromJacobi(list: usize, n: i32): void {
   const c = columns();
   const sun = planet(list, 0);
@@ -98,13 +98,13 @@ export function fromJacobi(list: usize, n: i32): void {
   let vz = sun.vz;
   for (let i = n - 1; i > 0; i--) {
     const p = planet(list, i);
-    const share = p.mass / p.enclosed;
-    x -= share * p.x;
-    y -= share * p.y;
-    z -= share * p.z;
-    vx -= share * p.vx;
-    vy -= share * p.vy;
-    vz -= share * p.vz;
+    const fraction = p.mass / p.enclosed;
+    x -= fraction * p.x;
+    y -= fraction * p.y;
+    z -= fraction * p.z;
+    vx -= fraction * p.vx;
+    vy -= fraction * p.vy;
+    vz -= fraction * p.vz;
     write(p.row, x + p.x, y + p.y, z + p.z, vx + p.vx, vy + p.vy, vz + p.vz);
   }
   write(sun.row, x, y, z, vx, vy, vz);
@@ -121,22 +121,22 @@ export function fromJacobi(list: usize, n: i32): void {
   put(c.velocityZ, row, <real>vz);
 }
 
-// Drift: every body along its Kepler orbit, the centre of mass straight on. Returns the row of a body whose orbit could
-// not be followed, or 0; such a body stays where it is.
+// Drift: every body along its Kepler orbit, the centre of mass along a straight line. Returns the row of a body whose
+// orbit failed, which stays in place, or 0.
 export function driftKepler(list: usize, n: i32, dt: f64): i32 {
   const sun = planet(list, 0);
   sun.x += sun.vx * dt;
   sun.y += sun.vy * dt;
   sun.z += sun.vz * dt;
-  let lost = 0;
+  let failedRow = 0;
   for (let i = 1; i < n; i++) {
     const p = planet(list, i);
-    if (!advanceKepler(changetype<Orbit>(p), p.mu, dt) && lost == 0) lost = p.row;
+    if (!advanceKepler(changetype<Orbit>(p), p.mu, dt) && failedRow == 0) failedRow = p.row;
   }
-  return lost;
+  return failedRow;
 }
 
-// Kick: the Jacobi part of all forces, without the attraction that the Kepler drift has dealt with already.
+// Kick: the Jacobi part of all forces, without the attraction of the Kepler drift.
 export function kickJacobi(list: usize, n: i32, fx: usize, fy: usize, fz: usize, dt: f64): void {
   let ax: f64 = 0;
   let ay: f64 = 0;
@@ -154,10 +154,10 @@ export function kickJacobi(list: usize, n: i32, fx: usize, fy: usize, fz: usize,
       p.vy += dt * (y + k * p.y);
       p.vz += dt * (z + k * p.z);
     }
-    const share = p.mass / p.enclosed;
-    ax += share * x;
-    ay += share * y;
-    az += share * z;
+    const fraction = p.mass / p.enclosed;
+    ax += fraction * x;
+    ay += fraction * y;
+    az += fraction * z;
   }
   const sun = planet(list, 0);
   sun.vx += dt * ax;

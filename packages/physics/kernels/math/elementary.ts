@@ -23,7 +23,7 @@ class Turned {
   sine: f64;
 }
 
-// What `turn` was asked for last.
+// Results of the last call of `turn`.
 export const turned = changetype<Turned>(memory.data(offsetof<Turned>(), 8));
 
 // The argument reduction of fdlibm begins beyond this angle, just above pi / 4.

@@ -1,4 +1,4 @@
-// The table of column addresses at the start of the world's memory, for kernels that touch too many columns to take
+// The table of column addresses at the start of the world's memory, for kernels that use too many columns to pass
 // each as a parameter. src/memory/column-table.ts writes it.
 import { COLUMN_TABLE } from './low-memory-map';
 

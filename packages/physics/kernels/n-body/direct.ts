@@ -1,8 +1,8 @@
-// The direct sum: every pair once, with forces that are equal and opposite to the last bit.
+// Direct summation: every pair is computed once, with forces that are equal and opposite to the last bit.
 //
-// Two bodies i, broadcast, meet the bodies j of a tile, a vector at a time. The vector of j that holds i itself is
-// met one way only, by every i in it, so that no lane needs a mask: a body is at distance 0 of itself and pulls in no
-// direction. A tile stays in the first-level cache, and sums over tiles round less than one long sum.
+// Two bodies i are broadcast against the bodies j of a tile, one vector at a time. The vector of j that contains i
+// itself is computed in one direction only, by every i in it, so that no lane needs a mask: a body at distance 0 from
+// itself exerts no force. A tile fits the first-level cache, and sums over tiles round less than one long sum.
 import { get, put } from '../memory/columns';
 import { LANES, add, at, div, mul, splat, sub } from '../memory/lanes';
 import { NBody } from './workspace';
@@ -16,9 +16,10 @@ const TILE: i32 = 512;
   return <real>(low + (f32x4.extract_lane(v, 2) + f32x4.extract_lane(v, 3)));
 }
 
-// Strength over distance cubed (inverse square) or squared (inverse distance), from the softened distance squared.
+// Returns the strength over distance cubed (inverse square) or squared (inverse distance), from the squared softened
+// distance u.
 // @ts-ignore: decorator
-@inline export function pull(strength: v128, u: v128, inverseSquare: bool): v128 {
+@inline export function scaledStrength(strength: v128, u: v128, inverseSquare: bool): v128 {
   return div(strength, inverseSquare ? mul(u, v128.sqrt<real>(u)) : u);
 }
 
@@ -62,7 +63,7 @@ function clearResults(w: NBody): void {
     let dx = sub(x, x0);
     let dy = sub(y, y0);
     let dz = sub(z, z0);
-    let k = pull(mul(s, s0), add(add(mul(dx, dx), mul(dy, dy)), add(mul(dz, dz), soft)), true);
+    let k = scaledStrength(mul(s, s0), add(add(mul(dx, dx), mul(dy, dy)), add(mul(dz, dz), soft)), true);
     dx = mul(dx, k);
     dy = mul(dy, k);
     dz = mul(dz, k);
@@ -72,7 +73,7 @@ function clearResults(w: NBody): void {
     let ex = sub(x, x1);
     let ey = sub(y, y1);
     let ez = sub(z, z1);
-    k = pull(mul(s, s1), add(add(mul(ex, ex), mul(ey, ey)), add(mul(ez, ez), soft)), true);
+    k = scaledStrength(mul(s, s1), add(add(mul(ex, ex), mul(ey, ey)), add(mul(ez, ez), soft)), true);
     ex = mul(ex, k);
     ey = mul(ey, k);
     ez = mul(ez, k);
@@ -93,7 +94,7 @@ function clearResults(w: NBody): void {
   put(w.az, i + 1, get(w.az, i + 1) + laneSum(az1));
 }
 
-// Forces between the bodies that pull, in space, by the law 1/r².
+// Computes the forces between the sources in 3D for the law 1/r².
 export function direct3d(w: NBody): void {
   clearResults(w);
   const n = w.tests;
@@ -132,14 +133,14 @@ export function direct3d(w: NBody): void {
     const s = v128.load(ss + o);
     let dx = sub(x, x0);
     let dy = sub(y, y0);
-    let k = pull(mul(s, s0), add(mul(dx, dx), add(mul(dy, dy), soft)), inverseSquare);
+    let k = scaledStrength(mul(s, s0), add(mul(dx, dx), add(mul(dy, dy), soft)), inverseSquare);
     dx = mul(dx, k);
     dy = mul(dy, k);
     ax0 = add(ax0, dx);
     ay0 = add(ay0, dy);
     let ex = sub(x, x1);
     let ey = sub(y, y1);
-    k = pull(mul(s, s1), add(mul(ex, ex), add(mul(ey, ey), soft)), inverseSquare);
+    k = scaledStrength(mul(s, s1), add(mul(ex, ex), add(mul(ey, ey), soft)), inverseSquare);
     ex = mul(ex, k);
     ey = mul(ey, k);
     ax1 = add(ax1, ex);
@@ -169,7 +170,7 @@ export function direct3d(w: NBody): void {
   }
 }
 
-// Forces between the bodies that pull, in the plane, by the law 1/r² or 1/r.
+// Computes the forces between the sources in 2D for the law 1/r² or 1/r.
 export function direct2d(w: NBody, inverseSquare: bool): void {
   if (inverseSquare) sum2d(w, true);
   else sum2d(w, false);

@@ -1,11 +1,11 @@
-// The acceleration of a group from its lists in the plane, by the law 1/r² or 1/r; see evaluate-3d.ts.
+// The acceleration of a group from its interaction lists in 2D, for the law 1/r² or 1/r; see evaluate-3d.ts.
 //
 // For 1/r, with w = 1/u, S' = 2S and T' = tr S'/2:
 //   body  a = s d w
 //   cell  a = d (M w - T' w² + 2 (d·S'd) w³) - S'd w²      + dipole D w - 2 d (D·d) w²
-// Cost a target: 27 operations a cell, 11 a body, and no square root.
+// Cost per target: 27 operations per cell, 11 per body, and no square root.
 import { LANES, add, at, div, mul, splat, sub } from '../memory/lanes';
-import { pull } from './direct';
+import { scaledStrength } from './direct';
 import { NBody, REAL } from './workspace';
 
 // @ts-ignore: decorator
@@ -56,7 +56,7 @@ import { NBody, REAL } from './workspace';
       const dx = sub(v128.load_splat<real>(p), x);
       const dy = sub(v128.load_splat<real>(p + REAL), y);
       const u = add(mul(dx, dx), add(mul(dy, dy), soft));
-      const k = pull(v128.load_splat<real>(p + 3 * REAL), u, inverseSquare);
+      const k = scaledStrength(v128.load_splat<real>(p + 3 * REAL), u, inverseSquare);
       ax = add(ax, mul(dx, k));
       ay = add(ay, mul(dy, k));
     }
@@ -66,7 +66,7 @@ import { NBody, REAL } from './workspace';
         const dx = sub(v128.load_splat<real>(w.px + o), x);
         const dy = sub(v128.load_splat<real>(w.py + o), y);
         const u = add(mul(dx, dx), add(mul(dy, dy), soft));
-        const k = pull(v128.load_splat<real>(w.ps + o), u, inverseSquare);
+        const k = scaledStrength(v128.load_splat<real>(w.ps + o), u, inverseSquare);
         ax = add(ax, mul(dx, k));
         ay = add(ay, mul(dy, k));
       }

@@ -129,7 +129,7 @@ const sum = changetype<Acceleration>(memory.data(48, 16));
     addCells(w, x, y, z, dipole);
     addPoints(w, x, y, z);
     addRanges(w, x, y, z);
-    // The last vector may reach into the next group, which is written after this one.
+    // The last vector may extend into the next group, which is written afterwards.
     v128.store(w.ax + at(t), sum.x);
     v128.store(w.ay + at(t), sum.y);
     v128.store(w.az + at(t), sum.z);

@@ -1,8 +1,8 @@
-// The field of all bodies that pull at one point, summed directly: for test particles, and to know the tree's error.
+// The field of all sources at one point by direct summation: for test particles, and to measure the tree's error.
 import { get, put } from '../memory/columns';
 import { LANES, add, at, mul, sub, splat } from '../memory/lanes';
-import { laneSum, pull } from './direct';
-import { middleOf } from './approximate-median';
+import { laneSum, scaledStrength } from './direct';
+import { approximateMedian } from './approximate-median';
 import { NBody, SAMPLES } from './workspace';
 
 @unmanaged
@@ -37,7 +37,7 @@ const TILE: i32 = 1024;
       const dy = sub(v128.load(w.y + at(j)), y);
       const dz = sub(v128.load(w.z + at(j)), z);
       const u = add(add(mul(dx, dx), mul(dy, dy)), add(mul(dz, dz), soft));
-      const k = pull(v128.load(w.s + at(j)), u, inverseSquare);
+      const k = scaledStrength(v128.load(w.s + at(j)), u, inverseSquare);
       ax = add(ax, mul(dx, k));
       ay = add(ay, mul(dy, k));
       az = add(az, mul(dz, k));
@@ -51,13 +51,13 @@ const TILE: i32 = 1024;
   field.z = sumZ;
 }
 
-// Acceleration, in units of strength over length^power, at a point given in units of length.
+// Computes the acceleration, in units of strength over length^power, at a point given in units of length.
 export function fieldAt(w: NBody, x: real, y: real, z: real, inverseSquare: bool): void {
   if (inverseSquare) sumField(w, x, y, z, true);
   else sumField(w, x, y, z, false);
 }
 
-// Accelerations of the test particles, directly.
+// Computes the accelerations of the test particles directly.
 export function directOntoTests(w: NBody, inverseSquare: bool): void {
   for (let slot = w.tests; slot < w.end; slot++) {
     fieldAt(w, get(w.x, slot), get(w.y, slot), get(w.z, slot), inverseSquare);
@@ -67,39 +67,39 @@ export function directOntoTests(w: NBody, inverseSquare: bool): void {
   }
 }
 
-// A body whose field nearly cancels counts as if it felt this share of the median field.
-const LEAST_FIELD: f64 = 0.1;
+// The error of a body in a weak field is taken relative to at least this fraction of the median field.
+const MIN_FIELD_FRACTION: f64 = 0.1;
 
-// Steps of the golden section, in parts of 2³²: never the same bodies again, and evenly between those of before.
-const SHIFT: u32 = 0x9e3779b9;
+// Golden-ratio sequence in units of 2⁻³²: successive samples select different bodies and are evenly spread.
+const GOLDEN_SHIFT: u32 = 0x9e3779b9;
 
-// RMS over `samples` bodies, evenly spread over the order of the results, of their error over the size of the field
-// summed directly: that of the tree, or the rounding of the direct sum. Other bodies for each `choice`.
+// Returns the RMS relative error at `samples` bodies, evenly spread over the results, against the direct sum. It
+// measures the error of the tree, or the rounding of the direct sum. Each `choice` selects other bodies.
 export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: bool): f64 {
   const n = min(min(samples, SAMPLES), w.bodies);
   if (n == 0) return 0;
-  // Where in its part of the order each is, of 2³²: in the middle for choice 0.
-  const within = <u64>(<u32>(1 << 31) + <u32>choice * SHIFT);
+  // Offset of the sample within its interval, in units of 2⁻³²; choice 0 takes the middle.
+  const offset = <u64>(<u32>(1 << 31) + <u32>choice * GOLDEN_SHIFT);
   for (let k = 0; k < n; k++) {
-    const body = <i32>((((((<u64>k) << 32) + within) / <u64>n) * <u64>w.bodies) >> 32);
-    const place = w.resultsByTree || body < w.sources ? body : body - w.sources + w.tests;
-    if (w.resultsByTree) fieldAt(w, get(w.px, place), get(w.py, place), get(w.pz, place), inverseSquare);
-    else fieldAt(w, get(w.x, place), get(w.y, place), get(w.z, place), inverseSquare);
-    // The direct sum has forces where the tree has accelerations.
-    const per = w.resultsByTree || place >= w.sources ? 1 : 1 / <f64>get(w.s, place);
-    const dx = <f64>get(w.ax, place) * per - field.x;
-    const dy = <f64>get(w.ay, place) * per - field.y;
-    const dz = <f64>get(w.az, place) * per - field.z;
+    const body = <i32>((((((<u64>k) << 32) + offset) / <u64>n) * <u64>w.bodies) >> 32);
+    const position = w.resultsByTree || body < w.sources ? body : body - w.sources + w.tests;
+    if (w.resultsByTree) fieldAt(w, get(w.px, position), get(w.py, position), get(w.pz, position), inverseSquare);
+    else fieldAt(w, get(w.x, position), get(w.y, position), get(w.z, position), inverseSquare);
+    // The direct sum stores forces where the tree stores accelerations.
+    const per = w.resultsByTree || position >= w.sources ? 1 : 1 / <f64>get(w.s, position);
+    const dx = <f64>get(w.ax, position) * per - field.x;
+    const dy = <f64>get(w.ay, position) * per - field.y;
+    const dz = <f64>get(w.az, position) * per - field.z;
     const at = w.sample + ((<usize>k) << 4);
     store<f64>(at, dx * dx + dy * dy + dz * dz);
     store<real>(at, <real>sqrt<f64>(field.x * field.x + field.y * field.y + field.z * field.z), 8);
   }
-  const least = LEAST_FIELD * middleOf(w.counts, w.sample + 8, 16, n);
-  if (least == 0) return 0;
+  const minField = MIN_FIELD_FRACTION * approximateMedian(w.counts, w.sample + 8, 16, n);
+  if (minField == 0) return 0;
   let sum: f64 = 0;
   for (let k = 0; k < n; k++) {
     const at = w.sample + ((<usize>k) << 4);
-    const size = max<f64>(least, <f64>load<real>(at, 8));
+    const size = max<f64>(minField, <f64>load<real>(at, 8));
     sum += load<f64>(at) / (size * size);
   }
   return sqrt<f64>(sum / <f64>n);

@@ -1,14 +1,14 @@
-// Packs the bodies of a mutual force and hands its results back. Bodies come in ascending id: first those that pull,
-// then test particles. Values that are not finite stay out: they neither pull nor feel until they are put right.
+// Packs the bodies of a mutual force and scatters its results. Bodies are in ascending id: first the sources, then test
+// particles. Bodies with non-finite values are left out until they are corrected.
 import { columns, get, put } from '../memory/columns';
 import { LANES } from '../memory/lanes';
 import { NBody, coincident2 } from './workspace';
 
 let changed: bool = false;
 
-// Stores a value and notes whether it is another one.
+// Stores a value and records whether it changed.
 // @ts-ignore: decorator
-@inline function keep(column: usize, slot: i32, value: real): void {
+@inline function storeIfChanged(column: usize, slot: i32, value: real): void {
   if (get(column, slot) != value) {
     changed = true;
     put(column, slot, value);
@@ -21,18 +21,18 @@ let changed: bool = false;
   return sum == 0 && s != 0;
 }
 
-// The power of two above a positive number.
+// Returns the smallest power of two above a positive number.
 function powerAbove(value: f64): f64 {
   const exponent = <i64>((reinterpret<u64>(value) >> 52) & 0x7ff) - 1022;
-  const most: i64 = sizeof<real>() == 4 ? 120 : 1000;
-  const clamped = min<i64>(most, max<i64>(-most, exponent));
+  const maxExponent: i64 = sizeof<real>() == 4 ? 120 : 1000;
+  const clamped = min<i64>(maxExponent, max<i64>(-maxExponent, exponent));
   return reinterpret<f64>((<u64>(clamped + 1023)) << 52);
 }
 
 let count: i32 = 0;
 let testCount: i32 = 0;
 
-// Finds extent and units; counts the bodies.
+// Determines extent and units, and counts the bodies.
 function survey(w: NBody, column: usize, required: u32, testBit: u32, rows: i32): void {
   const c = columns();
   let lowX: real = Infinity;
@@ -98,16 +98,16 @@ function pack(w: NBody, column: usize, required: u32, testBit: u32, wanted: u32,
     const idAt = w.ids + ((<usize>slot) << 2);
     if (load<u32>(idAt) != row) changed = true;
     store<u32>(idAt, row);
-    keep(w.x, slot, x * perLength);
-    keep(w.y, slot, y * perLength);
-    keep(w.z, slot, z * perLength);
-    keep(w.s, slot, wanted != 0 ? 0 : s * perStrength);
+    storeIfChanged(w.x, slot, x * perLength);
+    storeIfChanged(w.y, slot, y * perLength);
+    storeIfChanged(w.z, slot, z * perLength);
+    storeIfChanged(w.s, slot, wanted != 0 ? 0 : s * perStrength);
     slot++;
   }
   return slot;
 }
 
-// Empties slots [slot, end): no strength, at the place of an actual body.
+// Pads slots [slot, end) with zero strength at the position of an existing body.
 function pad(w: NBody, slot: i32, end: i32): void {
   const from = slot > 0 ? slot - 1 : 0;
   for (; slot < end; slot++) {
@@ -119,8 +119,8 @@ function pad(w: NBody, slot: i32, end: i32): void {
   }
 }
 
-// Packs rows [0, rows) that have all `required` bits, with strengths from `column`. Returns how many bodies there are;
-// where anything differs from the last time, results and tree are no longer valid.
+// Packs rows [0, rows) that have all `required` bits, with strengths from `column`. Returns the number of bodies; if
+// any value changed, results and tree become invalid.
 export function nBodyGather(
   address: usize,
   column: usize,
@@ -156,7 +156,7 @@ export function nBodyGather(
   return bodies;
 }
 
-// Adds the results to the force columns, N. `coefficient` makes newtons of strength²/length^power.
+// Adds the results to the force columns, N. `coefficient` converts strength²/length^power to newtons.
 export function nBodyScatter(
   address: usize,
   column: usize,
@@ -170,15 +170,15 @@ export function nBodyScatter(
   const perLength = power == 2 ? 1 / (w.length * w.length) : 1 / w.length;
   const scale = coefficient * w.strength * perLength;
   const last = w.resultsByTree ? w.bodies : w.end;
-  for (let place = 0; place < last; place++) {
-    const slot = w.resultsByTree ? load<i32>(w.order + ((<usize>place) << 2)) : place;
+  for (let position = 0; position < last; position++) {
+    const slot = w.resultsByTree ? load<i32>(w.order + ((<usize>position) << 2)) : position;
     const row = load<u32>(w.ids + ((<usize>slot) << 2));
     if (row == 0) continue;
-    // The direct sum holds forces between the bodies that pull, equal and opposite to the last bit.
+    // The direct sum stores forces between the sources, which are equal and opposite to the last bit.
     const own = w.resultsByTree || slot >= w.tests ? <f64>get(column, row) : w.strength;
     const k = scale * own;
-    put(fx, row, get(fx, row) + <real>(k * <f64>get(w.ax, place)));
-    put(fy, row, get(fy, row) + <real>(k * <f64>get(w.ay, place)));
-    if (fz != 0) put(fz, row, get(fz, row) + <real>(k * <f64>get(w.az, place)));
+    put(fx, row, get(fx, row) + <real>(k * <f64>get(w.ax, position)));
+    put(fy, row, get(fy, row) + <real>(k * <f64>get(w.ay, position)));
+    if (fz != 0) put(fz, row, get(fz, row) + <real>(k * <f64>get(w.az, position)));
   }
 }

@@ -1,10 +1,10 @@
-// Which cells and bodies act on a group: one walk for all bodies of the group, and lists they share.
+// Interaction lists: the cells and bodies that act on a group, from one traversal for all bodies of the group.
 //
-// A cell acts as a whole when the group is beyond its farthest body and the moment it neglects is small against the
-// field: with B = (sum |s| x²) b, b the farthest body, the octupole's force is of the order B/d⁵ (1/r²) or B/d⁴ (1/r),
-// with d the distance from the cell's centre to the nearest point of the group's box. It must be at most `tolerance`
-// times the field's scale at the group (Salmon & Warren, J. Comput. Phys. 111, 136, 1994: an absolute bound a cell
-// spends the same error with fewer cells than one opening angle for all). Cost: one visit a cell met.
+// A cell is accepted if the group is beyond its farthest body and its neglected moment is small against the field: with
+// B = (sum |s| x²) b, b the distance of the farthest body, the octupole force is of the order B/d⁵ (1/r²) or B/d⁴
+// (1/r), with d the distance from the cell's centre to the nearest point of the group's box. It must be at most
+// `tolerance` times the field scale of the group (Salmon & Warren, J. Comput. Phys. 111, 136, 1994: an absolute bound
+// per cell reaches the same error with fewer cells than a fixed opening angle). Cost: one visit per cell.
 import { get } from '../memory/columns';
 import { LINK_BYTES, NBody, NEAR2, NODE_BYTES, REAL, SIZE } from './workspace';
 
@@ -15,7 +15,7 @@ let halfX: real = 0;
 let halfY: real = 0;
 let halfZ: real = 0;
 
-// The box around the places [first, last), as centre and half sides.
+// Computes the bounding box of positions [first, last) in tree order, as centre and half sides.
 export function boundGroup(w: NBody, first: i32, last: i32): void {
   let lowX = get(w.px, first);
   let lowY = get(w.py, first);
@@ -43,8 +43,8 @@ export function boundGroup(w: NBody, first: i32, last: i32): void {
   halfZ = half * (highZ - lowZ);
 }
 
-// The size of the field at the centre of the group bounded last, from a coarse walk. No cell pulls harder than it would
-// at the box's corners: two bodies that meet by the centre do not make the field of the others.
+// Returns the magnitude of the field at the centre of the current group, from a coarse traversal. The contribution of a
+// cell is limited to its value at the box's corners, so that a close pair near the centre does not dominate.
 export function fieldScale(w: NBody, inverseSquare: bool): real {
   let ax: f64 = 0;
   let ay: f64 = 0;
@@ -72,9 +72,9 @@ export function fieldScale(w: NBody, inverseSquare: bool): real {
   return <real>sqrt<f64>(ax * ax + ay * ay + az * az);
 }
 
-// Fills the lists for the group bounded last: node addresses in `cells` and, of bodies at one place, in `points`; runs of
-// places in `ranges`.
-export function walkGroup(w: NBody, allowed: real, inverseSquare: bool): void {
+// Fills the lists of the current group: node addresses in `cells` and, for coincident bodies, in `points`; index ranges
+// of bodies in `ranges`.
+export function listInteractions(w: NBody, allowed: real, inverseSquare: bool): void {
   const nodeCount = w.nodeCount;
   const nodes = w.nodes;
   const links = w.links;

@@ -1,4 +1,4 @@
-// Mutual forces between many bodies: a module of its own, because only worlds with such a force need it.
+// Mutual forces between many bodies form a separate module, because only worlds with such a force need it.
 export { nBodyBegin, nBodyBytes } from './workspace';
 export { nBodyGather, nBodyScatter } from './gather';
 export { nBodyError, nBodyEvaluate } from './forces';

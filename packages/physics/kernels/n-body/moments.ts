@@ -1,20 +1,21 @@
-// Strength, centre, dipole, second moments and size of every node, from the leaves up.
+// Strength, centre, dipole, second moments and size of every node, computed from the leaves up.
 //
-// The centre is that of the absolute strengths, so that it lies among the bodies also where charges cancel; with one
-// sign the dipole about it vanishes. Second moments S = sum s x x keep their trace, because softened laws and 1/r² in
-// the plane are not harmonic.
+// The centre is weighted by absolute strengths, so that it lies among the bodies even if charges cancel; for strengths
+// of one sign the dipole about it vanishes. Second moments S = sum s x x keep their trace, because softened laws and
+// 1/r² in 2D are not harmonic.
 import { get } from '../memory/columns';
 import { LINK_BYTES, NBody, NEAR2, NODE_BYTES, REAL, SIZE, SUM_BYTES } from './workspace';
 
-// Nodes up to this many bodies know their farthest body exactly; larger ones, a bound from their children's.
-const EXACT_REACH: i32 = 512;
+// Nodes up to this many bodies store the exact distance of their farthest body; larger nodes a bound from their
+// children.
+const MAX_EXACT_BODIES: i32 = 512;
 
-// A cell may act on a group this share of its reach from its centre, where the bound on its error allows it. The face
-// of a cube is 0.58 of the way to its corners: the group lies outside, though it may be nearer than the farthest body.
-// Measured at equal error: 0.65 needs a third fewer cells than 1.05.
-const REACH_SHARE: f64 = 0.65;
+// A cell may be accepted by a group closer than its farthest body, down to this fraction of the cell's radius, if the
+// error bound allows it. The faces of a cube are at 0.58 of the distance of its corners, so the group still lies
+// outside. Measured at equal error: 0.65 needs a third fewer cells than 1.05.
+const ACCEPTANCE_FRACTION: f64 = 0.65;
 
-// Sums of the node at work.
+// Sums of the current node.
 let strength: f64 = 0;
 let weight: f64 = 0;
 let centreX: f64 = 0;
@@ -46,16 +47,16 @@ function clear(): void {
   centreZ += by * z;
 }
 
-// Rounds the centre to how it is stored, so that moments are about that very point; a node of test particles alone has
-// no strength, and stands at the first of them.
-function settleCentre(x: real, y: real, z: real): void {
+// Rounds the centre to its stored precision, so that the moments refer to the stored point. A node of test particles
+// has no strength, so its centre is its first body.
+function roundCentre(x: real, y: real, z: real): void {
   const by = weight > 0 ? 1 / weight : 0;
   centreX = weight > 0 ? <f64>(<real>(centreX * by)) : <f64>x;
   centreY = weight > 0 ? <f64>(<real>(centreY * by)) : <f64>y;
   centreZ = weight > 0 ? <f64>(<real>(centreZ * by)) : <f64>z;
 }
 
-// Bodies at one place, as many as there may be: one point.
+// Sums coincident bodies, of any number, into one point.
 function sumPoint(w: NBody, first: i32, last: i32): void {
   for (let i = first; i < last; i++) {
     const s = <f64>get(w.ps, i);
@@ -72,7 +73,7 @@ function sumBodies(w: NBody, first: i32, last: i32): void {
     const s = <f64>get(w.ps, i);
     addCentre(s, abs<f64>(s), <f64>get(w.px, i), <f64>get(w.py, i), <f64>get(w.pz, i));
   }
-  settleCentre(get(w.px, first), get(w.py, first), get(w.pz, first));
+  roundCentre(get(w.px, first), get(w.py, first), get(w.pz, first));
   for (let i = first; i < last; i++) {
     const s = <f64>get(w.ps, i);
     const x = <f64>get(w.px, i) - centreX;
@@ -107,7 +108,7 @@ function sumChildren(w: NBody, node: i32, next: i32, perFactor: f64): void {
     addCentre(num(p, 3), load<f64>(w.sums + <usize>c * SUM_BYTES), num(p, 0), num(p, 1), num(p, 2));
   }
   const one = w.nodes + <usize>(node + 1) * NODE_BYTES;
-  settleCentre(load<real>(one), load<real>(one + REAL), load<real>(one + 2 * REAL));
+  roundCentre(load<real>(one), load<real>(one + REAL), load<real>(one + 2 * REAL));
   for (let c = node + 1; c < next; c = nextOf(w, c)) {
     const p = w.nodes + <usize>c * NODE_BYTES;
     const aside = w.sums + <usize>c * SUM_BYTES;
@@ -134,14 +135,14 @@ function sumChildren(w: NBody, node: i32, next: i32, perFactor: f64): void {
 }
 
 function farthest(w: NBody, first: i32, last: i32): void {
-  let most: f64 = 0;
+  let maxSquare: f64 = 0;
   for (let i = first; i < last; i++) {
     const x = <f64>get(w.px, i) - centreX;
     const y = <f64>get(w.py, i) - centreY;
     const z = <f64>get(w.pz, i) - centreZ;
-    most = max<f64>(most, x * x + y * y + z * z);
+    maxSquare = max<f64>(maxSquare, x * x + y * y + z * z);
   }
-  reach = sqrt<f64>(most);
+  reach = sqrt<f64>(maxSquare);
 }
 
 function write(w: NBody, node: i32, factor: f64): void {
@@ -164,13 +165,13 @@ function write(w: NBody, node: i32, factor: f64): void {
   store<f64>(aside, weight);
   store<f64>(aside, spread, 8);
   store<f64>(aside, reach, 16);
-  // What the first neglected moment may be; nodes of test particles alone are passed over.
+  // The size that bounds the first neglected moment; nodes of test particles alone are skipped.
   store<real>(p + SIZE, weight > 0 ? <real>(spread * reach) : -1);
-  const near = max<f64>(reach * REACH_SHARE, w.grain);
+  const near = max<f64>(reach * ACCEPTANCE_FRACTION, w.grain);
   store<real>(p + NEAR2, <real>(near * near));
 }
 
-// Fills in all nodes; second moments are stored times `factor`.
+// Fills all nodes; second moments are stored times `factor`.
 export function moments(w: NBody, factor: f64): void {
   for (let node = w.nodeCount - 1; node >= 0; node--) {
     const link = w.links + <usize>node * LINK_BYTES;
@@ -181,7 +182,7 @@ export function moments(w: NBody, factor: f64): void {
     if (load<i32>(link, 12)) sumPoint(w, first, last);
     else if (next == node + 1) sumBodies(w, first, last);
     else sumChildren(w, node, next, 1 / factor);
-    if (load<i32>(link, 12) == 0 && (last - first <= EXACT_REACH || next == node + 1)) farthest(w, first, last);
+    if (load<i32>(link, 12) == 0 && (last - first <= MAX_EXACT_BODIES || next == node + 1)) farthest(w, first, last);
     write(w, node, factor);
   }
 }

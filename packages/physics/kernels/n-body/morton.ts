@@ -1,5 +1,5 @@
-// Morton keys of the packed bodies, and a radix sort by them: bodies near in space come near in memory, and every cell
-// of a quadtree or octree is one run of the order. 21 bits an axis in space, 32 in the plane (Morton 1966).
+// Morton keys of the packed bodies and a radix sort by them: bodies near in space become near in memory, and every cell
+// of a quadtree or octree is one contiguous range. 21 bits per axis in 3D, 32 in 2D (Morton 1966).
 import { get, put } from '../memory/columns';
 import { NBody } from './workspace';
 
@@ -25,7 +25,7 @@ import { NBody } from './workspace';
   return (v | (v << 1)) & 0x5555555555555555;
 }
 
-// Cell number of an offset from the root's corner.
+// Returns the cell index of an offset from the root's corner.
 // @ts-ignore: decorator
 @inline function cellOf(offset: f64, perLength: f64, last: f64): u64 {
   return <u64>max<f64>(0, min<f64>(last, offset * perLength));
@@ -35,35 +35,35 @@ let lowX: f64 = 0;
 let lowY: f64 = 0;
 let lowZ: f64 = 0;
 
-// Keys of places [first, last) in a root cell of the given side at the corner noted last.
+// Writes the keys of positions [first, last) in a root cell of the given side at the current corner.
 function writeKeys(w: NBody, first: i32, last: i32, dimensions: i32, side: f64): void {
   const cells: f64 = dimensions == 3 ? 2097152 : 4294967296;
   const perLength = cells / side;
-  for (let place = first; place < last; place++) {
-    const x = cellOf(<f64>get(w.px, place) - lowX, perLength, cells - 1);
-    const y = cellOf(<f64>get(w.py, place) - lowY, perLength, cells - 1);
-    const z = cellOf(<f64>get(w.pz, place) - lowZ, perLength, cells - 1);
+  for (let position = first; position < last; position++) {
+    const x = cellOf(<f64>get(w.px, position) - lowX, perLength, cells - 1);
+    const y = cellOf(<f64>get(w.py, position) - lowY, perLength, cells - 1);
+    const z = cellOf(<f64>get(w.pz, position) - lowZ, perLength, cells - 1);
     const key = dimensions == 3 ? (spread3(z) << 2) | (spread3(y) << 1) | spread3(x) : (spread2(y) << 1) | spread2(x);
-    store<u64>(w.keys + ((<usize>place) << 3), key);
+    store<u64>(w.keys + ((<usize>position) << 3), key);
   }
 }
 
-// Six passes take all 64 bits, and the counts stay in the first-level cache.
-const DIGIT: i32 = 11;
-const DIGITS: i32 = 1 << DIGIT;
+// Six passes of this many bits cover 64 bits, and the counts stay in the first-level cache.
+const DIGIT_BITS: i32 = 11;
+const DIGIT_COUNT: i32 = 1 << DIGIT_BITS;
 
-// One pass of a least-significant-digit radix sort of places [first, last): stable, so equal keys stay in ascending
-// slot. Returns whether anything moved, which is then in the spare arrays.
+// One pass of a least-significant-digit radix sort of positions [first, last). It is stable, so equal keys stay in
+// ascending slot order. Returns whether anything moved; the result is then in the spare arrays.
 function sortPass(w: NBody, first: i32, last: i32, shift: i32): bool {
   const counts = w.counts;
-  const mask: u64 = DIGITS - 1;
-  memory.fill(counts, 0, (<usize>DIGITS) << 2);
+  const mask: u64 = DIGIT_COUNT - 1;
+  memory.fill(counts, 0, (<usize>DIGIT_COUNT) << 2);
   for (let i = first; i < last; i++) {
     const at = counts + ((<usize>((load<u64>(w.keys + ((<usize>i) << 3)) >> shift) & mask)) << 2);
     store<i32>(at, load<i32>(at) + 1);
   }
   let sum = first;
-  for (let digit = 0; digit < DIGITS; digit++) {
+  for (let digit = 0; digit < DIGIT_COUNT; digit++) {
     const at = counts + ((<usize>digit) << 2);
     const count = load<i32>(at);
     if (count == last - first) return false;
@@ -81,7 +81,7 @@ function sortPass(w: NBody, first: i32, last: i32, shift: i32): bool {
   return true;
 }
 
-function exchange(w: NBody): void {
+function swapBuffers(w: NBody): void {
   const keys = w.keys;
   w.keys = w.spareKeys;
   w.spareKeys = keys;
@@ -90,55 +90,55 @@ function exchange(w: NBody): void {
   w.spareOrder = order;
 }
 
-function sortPlaces(w: NBody, first: i32, last: i32): void {
+function sortRange(w: NBody, first: i32, last: i32): void {
   let moved = false;
-  for (let shift = 0; shift < 64; shift += DIGIT) {
+  for (let shift = 0; shift < 64; shift += DIGIT_BITS) {
     if (!sortPass(w, first, last, shift)) continue;
-    exchange(w);
+    swapBuffers(w);
     moved = !moved;
   }
   if (!moved) return;
-  // An odd number of passes left a part of the order in what were the spare arrays: it goes back to the rest.
-  exchange(w);
+  // After an odd number of passes the range is in the former spare arrays and is copied back.
+  swapBuffers(w);
   const from = <usize>first;
   const count = <usize>(last - first);
   memory.copy(w.keys + (from << 3), w.spareKeys + (from << 3), count << 3);
   memory.copy(w.order + (from << 2), w.spareOrder + (from << 2), count << 2);
 }
 
-function fetchPlaces(w: NBody, first: i32, last: i32): void {
-  for (let place = first; place < last; place++) {
-    const slot = load<i32>(w.order + ((<usize>place) << 2));
-    put(w.px, place, get(w.x, slot));
-    put(w.py, place, get(w.y, slot));
-    put(w.pz, place, get(w.z, slot));
-    put(w.ps, place, get(w.s, slot));
+function gatherRange(w: NBody, first: i32, last: i32): void {
+  for (let position = first; position < last; position++) {
+    const slot = load<i32>(w.order + ((<usize>position) << 2));
+    put(w.px, position, get(w.x, slot));
+    put(w.py, position, get(w.y, slot));
+    put(w.pz, position, get(w.z, slot));
+    put(w.ps, position, get(w.s, slot));
   }
 }
 
-// Puts the bodies into Morton order. The extent is at most one unit of length, so the root cell has that side.
+// Sorts the bodies into Morton order. The extent is at most one unit of length, which is the side of the root cell.
 export function sortBodies(w: NBody, dimensions: i32): void {
   const n = w.bodies;
-  for (let place = 0; place < n; place++) {
-    store<i32>(w.order + ((<usize>place) << 2), place < w.sources ? place : place - w.sources + w.tests);
+  for (let position = 0; position < n; position++) {
+    store<i32>(w.order + ((<usize>position) << 2), position < w.sources ? position : position - w.sources + w.tests);
   }
-  fetchPlaces(w, 0, n);
+  gatherRange(w, 0, n);
   lowX = w.lowX;
   lowY = w.lowY;
   lowZ = w.lowZ;
   writeKeys(w, 0, n, dimensions, 1);
-  sortPlaces(w, 0, n);
-  fetchPlaces(w, 0, n);
-  // Vectors of targets may reach past the end.
-  for (let place = n; place < n + 8; place++) {
-    put(w.px, place, get(w.px, n - 1));
-    put(w.py, place, get(w.py, n - 1));
-    put(w.pz, place, get(w.pz, n - 1));
-    put(w.ps, place, 0);
+  sortRange(w, 0, n);
+  gatherRange(w, 0, n);
+  // Vectors of targets may extend past the end.
+  for (let position = n; position < n + 8; position++) {
+    put(w.px, position, get(w.px, n - 1));
+    put(w.py, position, get(w.py, n - 1));
+    put(w.pz, position, get(w.pz, n - 1));
+    put(w.ps, position, 0);
   }
 }
 
-// The largest side of the box around places [first, last), whose corner is noted.
+// Returns the largest side of the bounding box of positions [first, last), and stores its corner.
 export function extentOf(w: NBody, first: i32, last: i32): f64 {
   lowX = Infinity;
   lowY = Infinity;
@@ -146,10 +146,10 @@ export function extentOf(w: NBody, first: i32, last: i32): f64 {
   let highX: f64 = -Infinity;
   let highY: f64 = -Infinity;
   let highZ: f64 = -Infinity;
-  for (let place = first; place < last; place++) {
-    const x = <f64>get(w.px, place);
-    const y = <f64>get(w.py, place);
-    const z = <f64>get(w.pz, place);
+  for (let position = first; position < last; position++) {
+    const x = <f64>get(w.px, position);
+    const y = <f64>get(w.py, position);
+    const z = <f64>get(w.pz, position);
     lowX = min<f64>(lowX, x);
     lowY = min<f64>(lowY, y);
     lowZ = min<f64>(lowZ, z);
@@ -160,11 +160,11 @@ export function extentOf(w: NBody, first: i32, last: i32): f64 {
   return max<f64>(highX - lowX, max<f64>(highY - lowY, highZ - lowZ));
 }
 
-// Orders places [first, last) by keys of their own: the cell is too small for those of the whole.
+// Sorts positions [first, last) by separate keys, because the cell is too small for the keys of the root.
 export function sortWithin(w: NBody, first: i32, last: i32, dimensions: i32): void {
   const side = extentOf(w, first, last);
-  // The farthest body lies in the last cell, not beyond it.
+  // The farthest body is in the last cell, not beyond it.
   writeKeys(w, first, last, dimensions, side);
-  sortPlaces(w, first, last);
-  fetchPlaces(w, first, last);
+  sortRange(w, first, last);
+  gatherRange(w, first, last);
 }

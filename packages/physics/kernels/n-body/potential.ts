@@ -1,11 +1,11 @@
-// Potential energy of a mutual force, summed in f64: directly, or by the lists the forces use.
+// Potential energy of a mutual force, summed in f64: directly, or with the interaction lists of the forces.
 //
-// W = sum over pairs s s' psi, plus the strength of each test particle times psi of all that pull, with psi = u^(-1/2)
-// for the law 1/r² and -ln(u)/2 for 1/r, u = d² + ε² in units of the system's length. A diagnostic: scalar, 5 ns a
-// pair, 30 ns with a logarithm. Without softening, bodies at one place have no energy between them, as no force.
+// W = sum over pairs s s' psi, plus the strength of each test particle times psi of all sources, with psi = u^(-1/2)
+// for the law 1/r² and -ln(u)/2 for 1/r, u = d² + ε² in units of the system's length. A diagnostic: scalar, 5 ns per
+// pair, 30 ns with a logarithm. Without softening, coincident bodies have no mutual energy, as they have no force.
 import { get } from '../memory/columns';
 import { logarithm } from '../math/elementary';
-import { listGroup, prepareTree } from './forces';
+import { listGroupInteractions, prepareTree } from './forces';
 import { LINK_BYTES, NBody, NODE_BYTES, REAL, coincident2 } from './workspace';
 
 // @ts-ignore: decorator
@@ -15,7 +15,7 @@ import { LINK_BYTES, NBody, NODE_BYTES, REAL, coincident2 } from './workspace';
   return law == 2 ? 1 / sqrt<f64>(u) : -0.5 * logarithm(u);
 }
 
-// Sum of s psi over places [first, last) of the columns, without the body at `self`.
+// Sum of s psi over positions [first, last) of the columns, excluding the body at `self`.
 function ofBodies(
   xs: usize,
   ys: usize,
@@ -47,7 +47,7 @@ function ofBodies(
   return <f64>load<real>(node + index * REAL);
 }
 
-// A cell's expansion to second order; `walk.ts` and `evaluate-3d.ts` have the notation.
+// A cell's expansion to second order, in the notation of evaluate-3d.ts.
 function ofCell(p: usize, x: f64, y: f64, z: f64, soft: f64, law: i32): f64 {
   const dx = num(p, 0) - x;
   const dy = num(p, 1) - y;
@@ -68,7 +68,7 @@ function ofCell(p: usize, x: f64, y: f64, z: f64, soft: f64, law: i32): f64 {
   return -0.5 * num(p, 3) * logarithm(u) + (0.5 * ds * w - 0.5 * trace - dipole) * w;
 }
 
-// Bodies at one place; the body at place `self` may be one of them.
+// Coincident bodies; the body at position `self` may be among them.
 function ofPoint(w: NBody, p: usize, self: i32, law: i32): f64 {
   const dx = num(p, 0) - <f64>get(w.px, self);
   const dy = num(p, 1) - <f64>get(w.py, self);
@@ -86,7 +86,7 @@ function direct(w: NBody, column: usize, law: i32): f64 {
     if (row == 0) continue;
     const pulls = i < w.sources;
     const weight = pulls ? <f64>get(w.s, i) : <f64>get(column, row) / w.strength;
-    // Pairs of bodies that pull count once; a test particle meets all of them.
+    // Pairs of sources count once; a test particle interacts with all sources.
     const last = pulls ? i : w.sources;
     const x = <f64>get(w.x, i);
     const y = <f64>get(w.y, i);
@@ -101,7 +101,7 @@ function byTree(w: NBody, column: usize, dimensions: i32, law: i32): f64 {
   let sum: f64 = 0;
   for (let g = 0; g < w.groupCount; g++) {
     const group = w.groups + ((<usize>g) << 3);
-    listGroup(w, g, law);
+    listGroupInteractions(w, g, law);
     for (let i = load<i32>(group); i < load<i32>(group, 4); i++) {
       const x = <f64>get(w.px, i);
       const y = <f64>get(w.py, i);
@@ -125,7 +125,7 @@ function byTree(w: NBody, column: usize, dimensions: i32, law: i32): f64 {
   return sum;
 }
 
-// Sum of s s' over the pairs W counts: what a change of the unit of length adds to a logarithmic potential.
+// Sum of s s' over the pairs of W: the change of a logarithmic potential with the unit of length.
 function pairStrength(w: NBody, column: usize): f64 {
   let total: f64 = 0;
   let squares: f64 = 0;
@@ -141,7 +141,8 @@ function pairStrength(w: NBody, column: usize): f64 {
   return 0.5 * (total * total - squares) + tests * total;
 }
 
-// W of the packed bodies, which were evaluated before, in strength²/m for the law 1/r², strength² with distances in metres for 1/r.
+// Returns W of the packed bodies, which must have been evaluated: in strength²/m for the law 1/r², in strength² with
+// distances in metres for 1/r.
 export function nBodyPotential(address: usize, column: usize, dimensions: i32, law: i32): f64 {
   const w = changetype<NBody>(address);
   if (w.bodies == 0) return 0;

@@ -1,22 +1,22 @@
-// The tree: cells of the Morton order, depth first. A node's subtree is the run of nodes up to its `next` link, so a
-// walk is a loop and needs no stack. Levels at which all bodies of a cell lie in one child are left out, so the tree of
-// a cluster is no deeper than its bodies make it. A cell too small for the keys gets keys of its own; bodies at one place
-// share one leaf, however many they are.
+// The tree: cells of the Morton order, depth first. A node's subtree extends to its `next` link, so a traversal is a
+// loop without a stack. Levels at which all bodies of a cell are in one child are omitted, so the tree of a cluster is
+// no deeper than its bodies require. A cell too small for the root's keys gets separate keys; coincident bodies share
+// one leaf of any size.
 import { moments } from './moments';
 import { extentOf, sortBodies, sortWithin } from './morton';
 import { LINK_BYTES, NBody, coincident2 } from './workspace';
 
-// Bodies up to which a cell is not split.
-const BUCKET: i32 = 16;
-// Bodies that share one walk, at most.
-const GROUP: i32 = 64;
+// Cells up to this many bodies are not split.
+const LEAF_SIZE: i32 = 16;
+// Maximum number of bodies that share one traversal.
+const GROUP_SIZE: i32 = 64;
 
 // @ts-ignore: decorator
-@inline function keyAt(w: NBody, place: i32): u64 {
-  return load<u64>(w.keys + ((<usize>place) << 3));
+@inline function keyAt(w: NBody, position: i32): u64 {
+  return load<u64>(w.keys + ((<usize>position) << 3));
 }
 
-// The first place after `first` whose key differs at or above the digit at `shift`.
+// Returns the first position after `first` whose key differs at or above the digit at `shift`.
 function endOfCell(w: NBody, first: i32, last: i32, shift: i32): i32 {
   const cell = keyAt(w, first) >> shift;
   let low = first + 1;
@@ -30,16 +30,16 @@ function endOfCell(w: NBody, first: i32, last: i32, shift: i32): i32 {
 }
 
 function addGroup(w: NBody, first: i32, last: i32): void {
-  // Bodies at one place come in a leaf of any size.
-  for (let from = first; from < last; from += GROUP) {
+  // Coincident bodies form a leaf of any size.
+  for (let from = first; from < last; from += GROUP_SIZE) {
     const at = w.groups + ((<usize>w.groupCount) << 3);
     w.groupCount++;
     store<i32>(at, from);
-    store<i32>(at, min(from + GROUP, last), 4);
+    store<i32>(at, min(from + GROUP_SIZE, last), 4);
   }
 }
 
-// Splits the cell of places [first, last) and all below it. `grouped`: its bodies belong to a group already.
+// Splits the cell of positions [first, last) recursively. `grouped` means that its bodies already belong to a group.
 function split(w: NBody, first: i32, last: i32, bitsPerLevel: i32, grouped: bool, level: i32): void {
   const node = w.nodeCount++;
   const link = w.links + <usize>node * LINK_BYTES;
@@ -47,8 +47,8 @@ function split(w: NBody, first: i32, last: i32, bitsPerLevel: i32, grouped: bool
   store<i32>(link, last, 8);
   let atOnePlace = false;
   let differing = keyAt(w, first) ^ keyAt(w, last - 1);
-  if (last - first > BUCKET && differing == 0) {
-    // The keys are at their end: new ones for the cell's own extent, or bodies at one place.
+  if (last - first > LEAF_SIZE && differing == 0) {
+    // The key bits are used up: the cell gets new keys for its extent, or its bodies coincide.
     const extent = extentOf(w, first, last);
     atOnePlace = extent * extent <= coincident2();
     if (!atOnePlace) {
@@ -58,7 +58,7 @@ function split(w: NBody, first: i32, last: i32, bitsPerLevel: i32, grouped: bool
   }
   store<i32>(link, i32(atOnePlace), 12);
   const full = w.nodeCount + 8 + (level << 3) > w.nodeCapacity;
-  if (last - first > BUCKET && differing != 0 && !full) {
+  if (last - first > LEAF_SIZE && differing != 0 && !full) {
     if (level > w.deepest) w.deepest = level;
     const top = 63 - <i32>clz<u64>(differing);
     const shift = top - (top % bitsPerLevel);
@@ -66,8 +66,8 @@ function split(w: NBody, first: i32, last: i32, bitsPerLevel: i32, grouped: bool
     let from = first;
     while (from < last) {
       const to = endOfCell(w, from, last, shift);
-      const small = to - from <= GROUP;
-      if (!grouped && (!small || to - groupFirst > GROUP)) {
+      const small = to - from <= GROUP_SIZE;
+      if (!grouped && (!small || to - groupFirst > GROUP_SIZE)) {
         if (from > groupFirst) addGroup(w, groupFirst, from);
         groupFirst = small ? from : to;
       }
@@ -87,8 +87,8 @@ export function buildTree(w: NBody, dimensions: i32, factor: f64): void {
   w.nodeCount = 0;
   w.groupCount = 0;
   w.deepest = 0;
-  split(w, 0, w.bodies, dimensions, w.bodies <= GROUP, 0);
-  if (w.bodies <= GROUP) addGroup(w, 0, w.bodies);
+  split(w, 0, w.bodies, dimensions, w.bodies <= GROUP_SIZE, 0);
+  if (w.bodies <= GROUP_SIZE) addGroup(w, 0, w.bodies);
   moments(w, factor);
   w.treeValid = 1;
 }

@@ -1,7 +1,8 @@
 // Relative position and motion of the two bodies of a contact, with the values that the step has reached so far.
 import { Body } from './body';
 
-// From a to b: position, velocity, mean acceleration of the step; the unit normal and the distance of the centres.
+// All vectors point from a to b: relative position d, velocity v, mean acceleration a over the step, and the unit
+// normal n. `distance` is between the centres.
 @unmanaged
 class Approach {
   x: real;
@@ -19,11 +20,11 @@ class Approach {
   distance: real;
 }
 
-// What was read last.
+// Results of the last calls of `readSeparation` and `readRelativeMotion`.
 export const approach = changetype<Approach>(memory.data(offsetof<Approach>(), 8));
 
 // @ts-ignore: decorator
-@inline export function readPlace(a: Body, b: Body): void {
+@inline export function readSeparation(a: Body, b: Body): void {
   const x = b.x - a.x;
   const y = b.y - a.y;
   const z = b.z - a.z;
@@ -33,9 +34,10 @@ export const approach = changetype<Approach>(memory.data(offsetof<Approach>(), 8
   approach.distance = sqrt<real>(x * x + y * y + z * z);
 }
 
-// The normal of the place that was read, and the motions. `idA` and `idB` decide for two bodies in one place, `flat` in
-// the plane; `lag` is the time by which the integrator's velocities lag its positions.
-export function readApproach(a: Body, b: Body, idA: i32, idB: i32, flat: bool, lag: real): void {
+// Computes the unit normal from the separation read last, and the relative motion. The ids choose the normal of two
+// bodies at the same point; `flat` restricts it to the plane. `lag` is the time by which the integrator's velocities
+// lag its positions.
+export function readRelativeMotion(a: Body, b: Body, idA: i32, idB: i32, flat: bool, lag: real): void {
   const distance = approach.distance;
   if (distance > 0) {
     approach.nx = approach.x / distance;

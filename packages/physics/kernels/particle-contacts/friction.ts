@@ -1,20 +1,20 @@
-// Coulomb friction between two round bodies that touch at a point, with spin.
+// Coulomb friction at the contact point of two round bodies, including spin.
 //
-// With n from a to b, the surfaces slip at
-//     u = v_b - v_a - omega_b x (r_b n) - omega_a x (r_a n),
-// and stopping the tangential part u_t takes an impulse of |u_t| / (1/m_a + 1/m_b + r_a^2/I_a + r_b^2/I_b), because the
-// same impulse turns the bodies. Coulomb's law limits it to mu times the normal impulse. A body whose rotation is locked
-// has no such term; a wall is a body without mass, radius or motion.
-// In 2D n_z = 0 and omega = (0, 0, omega_z), and the same lines serve.
+// With n from a to b, the relative surface velocity is
+//     u = v_b - v_a - omega_b x (r_b n) - omega_a x (r_a n).
+// The impulse that stops its tangential part u_t is |u_t| / (1/m_a + 1/m_b + r_a^2/I_a + r_b^2/I_b), because it also
+// changes the spins. Coulomb's law limits it to mu times the normal impulse. A body with locked rotation has no inertia
+// term; a wall is a body with zero 1/m, radius and velocity. In 2D n_z = 0 and omega = (0, 0, omega_z), so the same
+// code applies.
 import { Columns } from '../memory/columns';
-import { Body, bodyAtWall, kick, nobody, readMotion, writeMotion } from './body';
+import { Body, wallContactBody, applyVelocityChange, staticBody, loadMotion, storeMotion } from './body';
 import { FINITE } from './table';
 
-// The tangential velocity of b's surface past a's, and the impulse per speed that stops it.
+// Tangential velocity of b's surface relative to a's, and the tangential effective mass (impulse per unit slip speed).
 let slipX: real = 0;
 let slipY: real = 0;
 let slipZ: real = 0;
-let stop: real = 0;
+let tangentMass: real = 0;
 
 function readSlip(a: Body, b: Body, nx: real, ny: real, nz: real): void {
   const sx = a.radius * a.wx + b.radius * b.wx;
@@ -27,69 +27,69 @@ function readSlip(a: Body, b: Body, nx: real, ny: real, nz: real): void {
   slipX = ux - un * nx;
   slipY = uy - un * ny;
   slipZ = uz - un * nz;
-  stop = <real>1 / (a.inverseMass + b.inverseMass + a.turning * a.radius + b.turning * b.radius);
+  tangentMass = <real>1 / (a.inverseMass + b.inverseMass + a.radiusOverInertia * a.radius + b.radiusOverInertia * b.radius);
 }
 
-// Applies the friction that goes with the normal impulse `impulse` of an impact a time `time` ago.
-export function rub(a: Body, b: Body, nx: real, ny: real, nz: real, friction: real, impulse: real, time: real): void {
+// Applies the friction impulse of an impact with normal impulse `impulse` that happened `time` ago.
+export function applyFriction(a: Body, b: Body, nx: real, ny: real, nz: real, friction: real, impulse: real, time: real): void {
   if (!(friction * impulse > 0)) return;
   readSlip(a, b, nx, ny, nz);
   const slip = sqrt<real>(slipX * slipX + slipY * slipY + slipZ * slipZ);
-  const size = min<real>(stop * slip, friction * impulse);
+  const size = min<real>(tangentMass * slip, friction * impulse);
   if (!(size > 0 && size < FINITE && slip < FINITE)) return;
   const scale = -size / slip;
-  apply(a, b, nx, ny, nz, slipX * scale, slipY * scale, slipZ * scale, time);
+  applyTangentImpulse(a, b, nx, ny, nz, slipX * scale, slipY * scale, slipZ * scale, time);
 }
 
-// Brings the friction of a contact that lasts up to date: `sum` holds three f32, the tangential impulse on b so far in
-// this step, which may not exceed `limit`.
-export function hold(a: Body, b: Body, nx: real, ny: real, nz: real, limit: real, sum: usize, time: real): void {
+// Updates the friction of a persistent contact. `accumulated` points to the accumulated tangential impulse on b in this step
+// (three f32), whose magnitude must not exceed `limit`.
+export function solveFriction(a: Body, b: Body, nx: real, ny: real, nz: real, limit: real, accumulated: usize, time: real): void {
   readSlip(a, b, nx, ny, nz);
-  const oldX = <real>load<f32>(sum);
-  const oldY = <real>load<f32>(sum, 4);
-  const oldZ = <real>load<f32>(sum, 8);
-  const x = oldX - slipX * stop;
-  const y = oldY - slipY * stop;
-  const z = oldZ - slipZ * stop;
+  const oldX = <real>load<f32>(accumulated);
+  const oldY = <real>load<f32>(accumulated, 4);
+  const oldZ = <real>load<f32>(accumulated, 8);
+  const x = oldX - slipX * tangentMass;
+  const y = oldY - slipY * tangentMass;
+  const z = oldZ - slipZ * tangentMass;
   const size = sqrt<real>(x * x + y * y + z * z);
   if (!(size < FINITE)) return;
   const scale = size > limit ? limit / size : <real>1;
-  store<f32>(sum, <f32>(x * scale));
-  store<f32>(sum, <f32>(y * scale), 4);
-  store<f32>(sum, <f32>(z * scale), 8);
-  // What is stored is what has been applied, to the bit.
-  apply(
+  store<f32>(accumulated, <f32>(x * scale));
+  store<f32>(accumulated, <f32>(y * scale), 4);
+  store<f32>(accumulated, <f32>(z * scale), 8);
+  // The applied impulse is the difference of the stored f32 values, so that both agree to the bit.
+  applyTangentImpulse(
     a,
     b,
     nx,
     ny,
     nz,
-    <real>load<f32>(sum) - oldX,
-    <real>load<f32>(sum, 4) - oldY,
-    <real>load<f32>(sum, 8) - oldZ,
+    <real>load<f32>(accumulated) - oldX,
+    <real>load<f32>(accumulated, 4) - oldY,
+    <real>load<f32>(accumulated, 8) - oldZ,
     time,
   );
 }
 
-function apply(a: Body, b: Body, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real, time: real): void {
-  push(a, -a.inverseMass, nx, ny, nz, jx, jy, jz, time);
-  push(b, b.inverseMass, nx, ny, nz, jx, jy, jz, time);
+function applyTangentImpulse(a: Body, b: Body, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real, time: real): void {
+  applyToBody(a, -a.inverseMass, nx, ny, nz, jx, jy, jz, time);
+  applyToBody(b, b.inverseMass, nx, ny, nz, jx, jy, jz, time);
 }
 
-// Both bodies turn the same way: the impulse is opposite and so is the arm. omega -= r/I (n x j).
-function push(b: Body, w: real, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real, time: real): void {
-  kick(b, w * jx, w * jy, w * jz, time);
-  const k = b.turning;
+// Both bodies receive the same angular impulse, because impulse and lever arm are both opposite: omega -= r/I (n x j).
+function applyToBody(b: Body, signedInverseMass: real, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real, time: real): void {
+  applyVelocityChange(b, signedInverseMass * jx, signedInverseMass * jy, signedInverseMass * jz, time);
+  const k = b.radiusOverInertia;
   b.wx -= k * (ny * jz - nz * jy);
   b.wy -= k * (nz * jx - nx * jz);
   b.wz -= k * (nx * jy - ny * jx);
 }
 
-// Friction of the body of a row at a wall, in the columns; positions stay.
-export function rubWall(c: Columns, row: i32, nx: real, ny: real, nz: real, friction: real, impulse: real): void {
+// Applies wall friction to the columns of one row; positions do not change.
+export function applyWallFriction(c: Columns, row: i32, nx: real, ny: real, nz: real, friction: real, impulse: real): void {
   if (!(friction * impulse > 0)) return;
-  const b = bodyAtWall();
-  readMotion(c, row, b);
-  rub(nobody(), b, nx, ny, nz, friction, impulse, 0);
-  writeMotion(c, row, b);
+  const b = wallContactBody();
+  loadMotion(c, row, b);
+  applyFriction(staticBody(), b, nx, ny, nz, friction, impulse, 0);
+  storeMotion(c, row, b);
 }

@@ -1,41 +1,41 @@
-// The uniform grid of the broad phase: how large its cells are, and its bodies in the order of their cells.
+// The uniform grid of the broad phase: it chooses the cell size and assigns each body to a bucket.
 //
-// A cell is as wide as the largest diameter, so that bodies that touch lie in the same or in neighbouring cells. A few
-// bodies much larger than the rest would make every cell a crowd: at most 16 of them stay out of the grid and are tested
-// against everything. Cells are kept in a table of buckets, a power of two long: cell (i, j, k) is bucket
-// i + stride j + layer k, wrapped round. Neighbours in x are therefore neighbours in memory, no extent of the scene
-// costs memory, and far cells that share a bucket cost a few tests. `stride` and `layer` keep the buckets of the 9 (27)
-// neighbouring cells apart, so that no pair is found twice. After Green, "Particle Simulation using CUDA" (2010).
+// A cell is as wide as the largest diameter, so that touching bodies lie in the same or in adjacent cells. A few much
+// larger bodies would overfill every cell: at most 16 of them stay out of the grid and are tested against all bodies.
+// Cells map to a power-of-two table of buckets: cell (i, j, k) is bucket (i + stride j + layer k) mod size. Neighbours
+// in x are therefore adjacent in memory, the extent of the scene costs no memory, and distant cells that share a bucket
+// only cost extra tests. `stride` and `layer` keep the buckets of the 9 (27) adjacent cells distinct, so that no pair
+// is found twice. Source: Green, "Particle Simulation using CUDA" (2010).
 import { Columns, get } from '../memory/columns';
 import { LANES, at, splat } from '../memory/lanes';
-import { ContactTable, REACH, putWord, word } from './table';
+import { ContactTable, CONTACT_MARGIN, putWord, word } from './table';
 
-const MOST_LARGE: i32 = 16;
+const MAX_LARGE_BODIES: i32 = 16;
 const BINS: i32 = 256;
-const LEAST_BUCKETS: i32 = 1024;
+const MIN_BUCKETS: i32 = 1024;
 
-// Beyond this the square of a radius could overflow.
-const MOST_RADIUS: real = 1e13;
+// The square of a larger radius could overflow.
+const MAX_RADIUS: real = 1e13;
 
-// What `measure` finds, over all bodies with a collider.
-let least: real = 0;
-let most: real = 0;
+// Results of `measure` over all bodies with a collider.
+let minRadius: real = 0;
+let maxRadius: real = 0;
 let width: f64 = 0;
 let height: f64 = 0;
 
 // Cells per metre.
-let rate: f64 = 0;
-// Bodies with a larger radius stay out of the grid.
-let limit: real = 0;
+let cellsPerMetre: f64 = 0;
+// Bodies with a larger radius (m) stay out of the grid.
+let maxGridRadius: real = 0;
 
-// Whether a row is a body with a collider: Position is the first component, its bit is 1.
+// A row is a body with a collider if its radius is valid and it has Position, the first component, whose bit is 1.
 // @ts-ignore: decorator
-@inline function isRound(c: Columns, row: i32): bool {
+@inline function hasCollider(c: Columns, row: i32): bool {
   const radius = get(c.radius, row);
-  return radius > 0 && radius <= MOST_RADIUS && (word(c.members, row) & 1) != 0;
+  return radius > 0 && radius <= MAX_RADIUS && (word(c.members, row) & 1) != 0;
 }
 
-// Smallest and largest radius, and the extents of the scene. Rows without a collider hold a radius of zero.
+// Finds the smallest and largest radius and the extents of the scene. Rows without a collider have radius zero.
 function measure(c: Columns, rows: i32): void {
   const infinite = splat(<real>Infinity);
   let smallest = infinite;
@@ -48,7 +48,7 @@ function measure(c: Columns, rows: i32): void {
     const radius = v128.load(c.radius + at(row));
     const x = v128.load(c.positionX + at(row));
     const y = v128.load(c.positionY + at(row));
-    const round = v128.and(v128.gt<real>(radius, splat(0)), v128.le<real>(radius, splat(MOST_RADIUS)));
+    const round = v128.and(v128.gt<real>(radius, splat(0)), v128.le<real>(radius, splat(MAX_RADIUS)));
     smallest = v128.min<real>(smallest, v128.bitselect(radius, smallest, round));
     largest = v128.max<real>(largest, v128.and(radius, round));
     lowX = v128.min<real>(lowX, v128.bitselect(x, lowX, round));
@@ -56,55 +56,56 @@ function measure(c: Columns, rows: i32): void {
     highX = v128.max<real>(highX, v128.bitselect(x, highX, round));
     highY = v128.max<real>(highY, v128.bitselect(y, highY, round));
   }
-  least = leastOf(smallest);
-  most = -leastOf(v128.neg<real>(largest));
-  width = -(<f64>leastOf(v128.neg<real>(highX))) - <f64>leastOf(lowX);
-  height = -(<f64>leastOf(v128.neg<real>(highY))) - <f64>leastOf(lowY);
+  minRadius = minLane(smallest);
+  maxRadius = -minLane(v128.neg<real>(largest));
+  width = -(<f64>minLane(v128.neg<real>(highX))) - <f64>minLane(lowX);
+  height = -(<f64>minLane(v128.neg<real>(highY))) - <f64>minLane(lowY);
 }
 
 // @ts-ignore: decorator
-@inline function leastOf(v: v128): real {
-  let least = min<real>(v128.extract_lane<real>(v, 0), v128.extract_lane<real>(v, 1));
+@inline function minLane(v: v128): real {
+  let minRadius = min<real>(v128.extract_lane<real>(v, 0), v128.extract_lane<real>(v, 1));
   if (sizeof<real>() == 4) {
-    least = min<real>(least, <real>min<f32>(f32x4.extract_lane(v, 2), f32x4.extract_lane(v, 3)));
+    minRadius = min<real>(minRadius, <real>min<f32>(f32x4.extract_lane(v, 2), f32x4.extract_lane(v, 3)));
   }
-  return least;
+  return minRadius;
 }
 
-// Bin of a radius: its binary exponent.
+// The histogram bin of a radius is its binary exponent.
 // @ts-ignore: decorator
 @inline function binOf(radius: real): i32 {
   return (reinterpret<i32>(<f32>radius) >> 23) & 255;
 }
 
-// The largest radius that belongs into the grid: of all bodies, or of all but the few of the highest bins.
+// Returns the largest radius that the grid accepts: the largest of all bodies, or of all except the few in the highest
+// bins.
 function limitRadius(c: Columns, t: ContactTable, rows: i32): real {
-  if (most <= <real>2 * least) return most;
+  if (maxRadius <= <real>2 * minRadius) return maxRadius;
   memory.fill(t.histogram, 0, BINS << 2);
   for (let row = 0; row < rows; row++) {
-    if (!isRound(c, row)) continue;
+    if (!hasCollider(c, row)) continue;
     const bin = binOf(get(c.radius, row));
     putWord(t.histogram, bin, word(t.histogram, bin) + 1);
   }
   let above = 0;
   let bin = BINS - 1;
-  while (bin > 0 && above + word(t.histogram, bin) <= MOST_LARGE) above += word(t.histogram, bin--);
+  while (bin > 0 && above + word(t.histogram, bin) <= MAX_LARGE_BODIES) above += word(t.histogram, bin--);
   let largest: real = 0;
   for (let row = 0; row < rows; row++) {
     const radius = get(c.radius, row);
-    if (isRound(c, row) && binOf(radius) <= bin) largest = max<real>(largest, radius);
+    if (hasCollider(c, row) && binOf(radius) <= bin) largest = max<real>(largest, radius);
   }
   return largest;
 }
 
-// Chooses cells and buckets for the `count` bodies in rows [0, rows), in `dimensions` 2 or 3.
+// Chooses cell size and bucket count for the `count` bodies in rows [0, rows), in 2 or 3 `dimensions`.
 export function chooseGrid(c: Columns, t: ContactTable, rows: i32, count: i32, dimensions: i32): void {
   measure(c, rows);
-  limit = most > 0 ? limitRadius(c, t, rows) : <real>0;
-  // A hair wider, so that rounding cannot put two that touch two cells apart.
-  const cell = <f64>limit * 2 * <f64>REACH * (1 + 1e-9);
-  rate = cell > 0 ? 1 / cell : 0;
-  let buckets = LEAST_BUCKETS;
+  maxGridRadius = maxRadius > 0 ? limitRadius(c, t, rows) : <real>0;
+  // The small margin prevents rounding from placing two touching bodies two cells apart.
+  const cell = <f64>maxGridRadius * 2 * <f64>CONTACT_MARGIN * (1 + 1e-9);
+  cellsPerMetre = cell > 0 ? 1 / cell : 0;
+  let buckets = MIN_BUCKETS;
   let bits = 10;
   while (buckets < 2 * count && buckets < t.maxBuckets) {
     buckets <<= 1;
@@ -112,8 +113,8 @@ export function chooseGrid(c: Columns, t: ContactTable, rows: i32, count: i32, d
   }
   t.buckets = buckets;
   const quarter = <f64>(buckets >> 2);
-  const columns = floor<f64>(width * rate) + 3;
-  const layers = columns * (floor<f64>(height * rate) + 3);
+  const columns = floor<f64>(width * cellsPerMetre) + 3;
+  const layers = columns * (floor<f64>(height * cellsPerMetre) + 3);
   if (dimensions == 2) {
     t.stride = columns <= quarter ? <i32>columns : (1 << (bits >> 1)) + 1;
     t.layer = 0;
@@ -123,20 +124,21 @@ export function chooseGrid(c: Columns, t: ContactTable, rows: i32, count: i32, d
   t.layer = layers <= quarter ? <i32>layers : (1 << ((2 * bits) / 3)) + 1;
 }
 
-// Coordinates in cells, as i32 in the low lanes. In f64, so that neighbouring cells stay neighbours far from the origin.
-// Adding 1.5 * 2^52 leaves a whole number in the low bits of the mantissa: it wraps round beyond 2^31 cells.
+// Converts coordinates to cell indices, as i32 in the low lanes. The computation is in f64, so that adjacent cells stay
+// adjacent far from the origin. Adding 1.5 * 2^52 leaves an integer in the low bits of the mantissa; it wraps beyond
+// 2^31 cells.
 // @ts-ignore: decorator
 @inline function cellsOf(x: v128): v128 {
   const magic = f64x2.splat(6755399441055744);
   const low = sizeof<real>() == 4 ? f64x2.promote_low_f32x4(x) : x;
-  const a = f64x2.add(f64x2.floor(f64x2.mul(low, f64x2.splat(rate))), magic);
+  const a = f64x2.add(f64x2.floor(f64x2.mul(low, f64x2.splat(cellsPerMetre))), magic);
   if (sizeof<real>() == 8) return i32x4.shuffle(a, a, 0, 2, 0, 2);
   const high = f64x2.promote_low_f32x4(i32x4.shuffle(x, x, 2, 3, 2, 3));
-  const b = f64x2.add(f64x2.floor(f64x2.mul(high, f64x2.splat(rate))), magic);
+  const b = f64x2.add(f64x2.floor(f64x2.mul(high, f64x2.splat(cellsPerMetre))), magic);
   return i32x4.shuffle(a, b, 0, 2, 4, 6);
 }
 
-// The buckets of bodies at (x, y); with `addLayer`, of bodies at (x, y, z).
+// Returns the buckets of bodies at (x, y); `addLayer` extends them to (x, y, z).
 // @ts-ignore: decorator
 @inline function bucketsOf(t: ContactTable, x: v128, y: v128): v128 {
   return v128.and(i32x4.add(cellsOf(x), i32x4.mul(cellsOf(y), i32x4.splat(t.stride))), i32x4.splat(t.buckets - 1));
@@ -147,22 +149,22 @@ export function chooseGrid(c: Columns, t: ContactTable, rows: i32, count: i32, d
   return v128.and(i32x4.add(buckets, i32x4.mul(cellsOf(z), i32x4.splat(t.layer))), i32x4.splat(t.buckets - 1));
 }
 
-// Stores the words of one vector of rows.
+// Stores one 32-bit word for each lane.
 // @ts-ignore: decorator
 @inline function storeWords(to: usize, words: v128): void {
   if (sizeof<real>() == 4) v128.store(to, words);
   else v128.store_lane<i64>(to, words, 0);
 }
 
-// Notes the bucket of each row in `rowWords`: -1 for one that takes no part, -2 for one too large for the grid.
+// Stores the bucket of each row in `rowWords`: -1 for a row without a collider, -2 for a body too large for the grid.
 function findBuckets(c: Columns, t: ContactTable, rows: i32): void {
   const one = i32x4.splat(1);
   for (let row = 0; row < rows; row += LANES) {
     const radius = v128.load(c.radius + at(row));
     let bucket = bucketsOf(t, v128.load(c.positionX + at(row)), v128.load(c.positionY + at(row)));
     if (t.layer != 0) bucket = addLayer(t, bucket, v128.load(c.positionZ + at(row)));
-    let round = v128.and(v128.gt<real>(radius, splat(0)), v128.le<real>(radius, splat(MOST_RADIUS)));
-    let small = v128.le<real>(radius, splat(limit));
+    let round = v128.and(v128.gt<real>(radius, splat(0)), v128.le<real>(radius, splat(MAX_RADIUS)));
+    let small = v128.le<real>(radius, splat(maxGridRadius));
     if (sizeof<real>() == 8) {
       round = i32x4.shuffle(round, round, 0, 2, 0, 2);
       small = i32x4.shuffle(small, small, 0, 2, 0, 2);
@@ -174,8 +176,8 @@ function findBuckets(c: Columns, t: ContactTable, rows: i32): void {
   }
 }
 
-// Counts the bodies of each bucket and notes where each bucket begins: starts[bucket + 1], which whoever places the
-// bodies moves on to where it ends.
+// Counts the bodies of each bucket and stores the start of each bucket in starts[bucket + 1]. Placing the bodies
+// advances this entry to the end of the bucket.
 export function countBuckets(c: Columns, t: ContactTable, rows: i32): void {
   findBuckets(c, t, rows);
   const starts = t.starts;

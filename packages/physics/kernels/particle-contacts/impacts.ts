@@ -1,53 +1,53 @@
-// Impacts: contacts whose rebound the step can resolve, each at the instant the surfaces met.
+// Impacts are contacts whose rebound the step can resolve. Each is solved at the instant the surfaces met.
 //
-// Looking back from the end of the step, the bodies touched a time `since` ago, with normal n and closing speed s. The
-// impulse of a collision with restitution e is
-//     J = (1 + e) s / (1/m_a + 1/m_b),
-// and as the new velocities hold since then, positions change by (change of velocity) * since. An isolated pair is thus
-// exact under any constant acceleration, momentum is kept to rounding, and energy where e = 1.
+// Seen from the end of the step, the bodies touched a time t ago, with normal n and closing speed s. The impulse of a
+// collision with restitution e is
+//     J = (1 + e) s / (1/m_a + 1/m_b).
+// The new velocities hold since then, so positions change by (change of velocity) * t. An isolated pair is therefore
+// exact under any constant acceleration; momentum is conserved to rounding, and so is energy where e = 1.
 //
-// The earliest come first, in slices of dt/64; within a slice in ascending (a, b). Collisions may set off others, so the
-// contacts of bodies that collided are looked at again, at most three times more; what is left then collides in the next
-// step. What happens elsewhere makes no difference.
+// Impacts are solved in time slices of dt/64, earliest first, and within a slice in ascending (a, b). A collision can
+// cause others, so the contacts of bodies that collided are tested again, at most three more times; later collisions
+// are left to the next step. Impacts elsewhere in the scene do not affect the result.
 //
-// With `pull` the speed that presses the two together in a step, a rebound at e s is back after 2 e s dt / pull. Where
-// that is within the step the bodies are at rest on each other and `rest.ts` holds them; one that came in fast still
-// gives up its speed here, at the right instant.
+// If `pressingSpeed` is the speed by which external forces press the two together in a step, a rebound at e s returns
+// after 2 e s dt / pressingSpeed. If that is within the step, the contact is at rest and resting-contacts.ts solves it;
+// a body that arrives fast still loses its speed here, at the exact instant.
 import { Columns, get, put } from '../memory/columns';
-import { approach, readApproach, readPlace } from './approach';
-import { body, kick } from './body';
-import { rub } from './friction';
+import { approach, readRelativeMotion, readSeparation } from './approach';
+import { body, applyVelocityChange } from './body';
+import { applyFriction } from './friction';
 import { ContactTable, FINITE, putWord, word } from './table';
-import { touch, touchTime } from './time-of-impact';
+import { roundImpact, timeSinceRoundImpact } from './time-of-impact';
 
-// A contact's flag in this step.
+// Flag of a contact that collided in this step.
 const COLLIDED: i32 = 1;
 
 const SLICES: i32 = 64;
-const MOST_SWEEPS: i32 = 4;
+const MAX_PASSES: i32 = 4;
 
 export function resolveImpacts(c: Columns, t: ContactTable, dt: real, lag: real): void {
   const count = orderByTime(t, dt, lag);
   if (count == 0) return;
   memory.fill(t.rowWords, 0, (<usize>t.bodyCount) << 2);
-  let hit = 0;
-  for (let k = 0; k < count; k++) hit += collide(c, t, word(t.order, k), dt, lag, 1);
-  for (let sweep = 1; sweep < MOST_SWEEPS && hit > 0; sweep++) {
-    hit = 0;
+  let hitCount = 0;
+  for (let k = 0; k < count; k++) hitCount += collide(c, t, word(t.order, k), dt, lag, 1);
+  for (let pass = 1; pass < MAX_PASSES && hitCount > 0; pass++) {
+    hitCount = 0;
     for (let i = 0; i < t.count; i++) {
       const latest = max<i32>(word(t.rowWords, word(t.slotA, i)), word(t.rowWords, word(t.slotB, i)));
-      if (latest >= sweep) hit += collide(c, t, i, dt, lag, sweep + 1);
+      if (latest >= pass) hitCount += collide(c, t, i, dt, lag, pass + 1);
     }
   }
 }
 
-// Lists the contacts that may collide, earliest slice first, and returns their number.
+// Lists the contacts that may collide, earliest slice first, and returns their count.
 function orderByTime(t: ContactTable, dt: real, lag: real): i32 {
   const ends = t.histogram;
   memory.fill(ends, 0, (SLICES + 1) << 2);
-  const rate = <real>1 / dt;
+  const inverseDt = <real>1 / dt;
   for (let i = 0; i < t.count; i++) {
-    const slice = sliceOf(t, i, dt, rate, lag);
+    const slice = sliceOf(t, i, dt, inverseDt, lag);
     putWord(t.flags, i, slice << 2);
     if (slice >= 0) putWord(ends, slice + 1, word(ends, slice + 1) + 1);
   }
@@ -57,25 +57,25 @@ function orderByTime(t: ContactTable, dt: real, lag: real): i32 {
     const slice = word(t.flags, i) >> 2;
     putWord(t.flags, i, 0);
     if (slice < 0) continue;
-    const place = word(ends, slice);
-    putWord(ends, slice, place + 1);
-    putWord(t.order, place, i);
+    const position = word(ends, slice);
+    putWord(ends, slice, position + 1);
+    putWord(t.order, position, i);
   }
   return total;
 }
 
-// The slice of the step in which a contact happened, 0 the earliest; -1 for one that cannot collide.
-function sliceOf(t: ContactTable, i: i32, dt: real, rate: real, lag: real): i32 {
+// Returns the time slice in which a contact happened, 0 being the earliest, or -1 if it cannot collide.
+function sliceOf(t: ContactTable, i: i32, dt: real, inverseDt: real, lag: real): i32 {
   const a = body(t, word(t.slotA, i));
   const b = body(t, word(t.slotB, i));
-  readPlace(a, b);
-  readApproach(a, b, word(t.a, i), word(t.b, i), t.layer == 0, lag);
+  readSeparation(a, b);
+  readRelativeMotion(a, b, word(t.a, i), word(t.b, i), t.layer == 0, lag);
   put(t.nx, i, approach.nx);
   put(t.ny, i, approach.ny);
   put(t.nz, i, approach.nz);
   const reach = a.radius + b.radius;
   if (!(approach.distance < reach)) return -1;
-  const since = touchTime(
+  const timeSinceImpact = timeSinceRoundImpact(
     approach.x,
     approach.y,
     approach.z,
@@ -88,25 +88,26 @@ function sliceOf(t: ContactTable, i: i32, dt: real, rate: real, lag: real): i32 
     reach,
     dt,
   );
-  if (since >= 0) return max<i32>(0, SLICES - 1 - <i32>(since * rate * <real>SLICES));
+  if (timeSinceImpact >= 0) return max<i32>(0, SLICES - 1 - <i32>(timeSinceImpact * inverseDt * <real>SLICES));
   return approach.vx * approach.nx + approach.vy * approach.ny + approach.vz * approach.nz < 0 ? 0 : -1;
 }
 
-// Lets contact i collide when it can, and notes with its bodies that they did in this `turn`. Returns 1 when it did.
-function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, turn: i32): i32 {
+// Solves the impact of contact i if there is one, and marks its bodies with the number of this `pass`. Returns 1 if the
+// bodies collided.
+function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, pass: i32): i32 {
   const a = body(t, word(t.slotA, i));
   const b = body(t, word(t.slotB, i));
   const reach = a.radius + b.radius;
-  readPlace(a, b);
+  readSeparation(a, b);
   if (!(approach.distance < reach)) return 0;
   const rowA = word(t.a, i);
   const rowB = word(t.b, i);
-  readApproach(a, b, rowA, rowB, t.layer == 0, lag);
+  readRelativeMotion(a, b, rowA, rowB, t.layer == 0, lag);
   const closing = -(approach.vx * approach.nx + approach.vy * approach.ny + approach.vz * approach.nz);
   const flags = word(t.flags, i);
-  // Bodies that passed each other within the step move apart by now; those that have collided also do.
+  // Bodies that passed through each other within the step are separating by now, as are bodies that already collided.
   if (!(closing > 0) && (flags & COLLIDED) != 0) return 0;
-  let since = touchTime(
+  let timeSinceImpact = timeSinceRoundImpact(
     approach.x,
     approach.y,
     approach.z,
@@ -123,24 +124,25 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, turn:
   let y = approach.ny;
   let z = approach.nz;
   let speed = closing;
-  if (since >= 0) {
-    x = touch.x;
-    y = touch.y;
-    z = touch.z;
-    speed = touch.speed;
+  if (timeSinceImpact >= 0) {
+    x = roundImpact.nx;
+    y = roundImpact.ny;
+    z = roundImpact.nz;
+    speed = roundImpact.speed;
   } else {
-    // They touched before the step began, and moved into each other for all of it.
-    since = dt;
+    // The bodies touched before the step began and overlapped for all of it.
+    timeSinceImpact = dt;
   }
   if (!(speed > 0)) return 0;
   let e = max<real>(get(c.restitution, rowA), get(c.restitution, rowB));
   const wa = a.inverseMass;
   const wb = b.inverseMass;
-  // What presses on a pile comes through it, and is not yet seen in the accelerations: the last step tells.
-  const pressed = get(t.holding, i) * (wa + wb);
-  const pull = max<real>(pressed, -(approach.ax * x + approach.ay * y + approach.az * z) * dt);
-  if (e * speed <= <real>0.5 * pull) {
-    if (speed <= <real>2 * pull) return 0;
+  // The weight of a pile acts through its contacts and is not part of the accelerations yet; the resting impulse of the
+  // last step estimates it.
+  const restingSpeed = get(t.accumulatedImpulse, i) * (wa + wb);
+  const pressingSpeed = max<real>(restingSpeed, -(approach.ax * x + approach.ay * y + approach.az * z) * dt);
+  if (e * speed <= <real>0.5 * pressingSpeed) {
+    if (speed <= <real>2 * pressingSpeed) return 0;
     e = 0;
   }
   const impulse = ((<real>1 + e) * speed) / (wa + wb);
@@ -150,12 +152,12 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, turn:
   put(t.nz, i, z);
   put(t.impulse, i, get(t.impulse, i) + impulse);
   putWord(t.flags, i, flags | COLLIDED);
-  if (wa > 0) putWord(t.rowWords, word(t.slotA, i), turn);
-  if (wb > 0) putWord(t.rowWords, word(t.slotB, i), turn);
+  if (wa > 0) putWord(t.rowWords, word(t.slotA, i), pass);
+  if (wb > 0) putWord(t.rowWords, word(t.slotB, i), pass);
   const ja = -impulse * wa;
   const jb = impulse * wb;
-  kick(a, ja * x, ja * y, ja * z, since);
-  kick(b, jb * x, jb * y, jb * z, since);
-  rub(a, b, x, y, z, sqrt<real>(get(c.friction, rowA) * get(c.friction, rowB)), impulse, since);
+  applyVelocityChange(a, ja * x, ja * y, ja * z, timeSinceImpact);
+  applyVelocityChange(b, jb * x, jb * y, jb * z, timeSinceImpact);
+  applyFriction(a, b, x, y, z, sqrt<real>(get(c.friction, rowA) * get(c.friction, rowB)), impulse, timeSinceImpact);
   return 1;
 }

@@ -3,5 +3,5 @@ export { findPairs } from './pairs';
 export { beginContacts, beginWallContacts, sortContacts } from './order';
 export { respond } from './respond';
 export { gatherSegments } from './walls/wall-grid';
-export { confineToSegments, segmentWalls } from './walls/segments';
+export { clampToSegments, segmentWalls } from './walls/segments';
 export { planeWalls } from './walls/planes';

@@ -1,28 +1,28 @@
-// Puts the pairs into ascending order of (a, b), whatever the grid looked like: the order of the contacts, and so every
-// bit of the result, depends on ids alone.
+// Sorts the pairs by (a, b), so that the order of the contacts, and with it every bit of the result, depends on the ids
+// alone and not on the grid.
 import { put } from '../memory/columns';
 import { contactTable, putWord, word } from './table';
 
-// Keeps the contacts of the last step for the new ones to start from, and empties the list.
+// Saves the contacts of the last step for warm starting, and clears the list.
 export function beginContacts(): void {
   const t = contactTable();
   const words = (<usize>t.count) << 2;
   memory.copy(t.previousA, t.a, words);
   memory.copy(t.previousB, t.b, words);
-  memory.copy(t.previousHolding, t.holding, <usize>t.count * sizeof<real>());
+  memory.copy(t.previousAccumulatedImpulse, t.accumulatedImpulse, <usize>t.count * sizeof<real>());
   t.previousCount = t.count;
   t.count = 0;
-  t.lost = 0;
+  t.droppedCount = 0;
 }
 
-// Forgets the contacts with walls of the last step.
+// Clears the wall contacts of the last step.
 export function beginWallContacts(): void {
   const t = contactTable();
   t.wallCount = 0;
-  t.wallLost = 0;
+  t.wallDroppedCount = 0;
 }
 
-// Counting sort by a, then insertion by b within the few of each a. `lastId` is the highest id there is.
+// Sorts by a with a counting sort, then by b with insertion within each a. `lastId` is the highest entity id.
 export function sortContacts(lastId: i32): void {
   const t = contactTable();
   const count = t.count;
@@ -39,26 +39,26 @@ export function sortContacts(lastId: i32): void {
     putWord(cursor, row, sum);
     sum += size;
   }
-  // A place that is still empty must not look like one of this a.
+  // Unwritten entries must not compare equal to any a.
   memory.fill(t.a, 0, (<usize>count) << 2);
   for (let i = 0; i < count; i++) {
     const a = word(t.slotA, i);
     const b = word(t.slotB, i);
-    let place = word(cursor, a);
-    putWord(cursor, a, place + 1);
-    putWord(t.a, place, a);
-    while (place > 0 && word(t.a, place - 1) == a && word(t.b, place - 1) > b) {
-      putWord(t.b, place, word(t.b, place - 1));
-      place--;
+    let position = word(cursor, a);
+    putWord(cursor, a, position + 1);
+    putWord(t.a, position, a);
+    while (position > 0 && word(t.a, position - 1) == a && word(t.b, position - 1) > b) {
+      putWord(t.b, position, word(t.b, position - 1));
+      position--;
     }
-    putWord(t.b, place, b);
+    putWord(t.b, position, b);
   }
   memory.fill(t.impulse, 0, <usize>count * sizeof<real>());
-  memory.fill(t.holding, 0, <usize>count * sizeof<real>());
+  memory.fill(t.accumulatedImpulse, 0, <usize>count * sizeof<real>());
 }
 
-// The holding impulse of each contact that was there in the last step: both lists ascend, so one pass joins them.
-// Impulses grow with the step: `scale` is this dt over the last.
+// Copies the resting impulse of each contact that persists from the last step. Both lists are sorted, so one pass
+// merges them. Impulses are proportional to the step: `scale` is the ratio of this dt to the last.
 export function joinPrevious(scale: real): void {
   const t = contactTable();
   let p = 0;
@@ -71,7 +71,7 @@ export function joinPrevious(scale: real): void {
       p++;
     }
     if (p < t.previousCount && word(t.previousA, p) == a && word(t.previousB, p) == b) {
-      put(t.holding, i, load<real>(t.previousHolding + <usize>p * sizeof<real>()) * scale);
+      put(t.accumulatedImpulse, i, load<real>(t.previousAccumulatedImpulse + <usize>p * sizeof<real>()) * scale);
     }
   }
 }

@@ -1,22 +1,22 @@
-// Broad phase for discs and balls: the pairs of bodies closer than REACH times the sum of their radii.
+// Broad phase for discs and balls: finds the pairs of bodies closer than CONTACT_MARGIN times the sum of their radii.
 //
-// Bodies lie in the order of their cells, as columns. Each is tested against those after it in its own cell and against
-// half of the neighbouring cells: the next in x, and of the rows of three above it one in 2D and four in 3D. Those too
-// large for the grid come last, and are tested against all before them.
+// Bodies are stored as columns in the order of their cells. Each body is tested against the bodies after it in its own
+// cell and against half of the adjacent cells: the next in x, and rows of three cells, one row in 2D and four in 3D.
+// Bodies too large for the grid come last and are tested against all bodies before them.
 import { Columns, columns, get, put } from '../memory/columns';
 import { add, at, mul, splat, sub } from '../memory/lanes';
 import { chooseGrid, countBuckets } from './grid';
-import { ContactTable, REACH, contactTable, putWord, word } from './table';
+import { ContactTable, CONTACT_MARGIN, contactTable, putWord, word } from './table';
 
-// A heap of bodies in one place has a number of pairs that grows with its square: candidates looked at for one body, and
-// contacts kept for it as the one that found them. What is left out is counted in `lost`, never silent.
-const MOST_TESTS: i32 = 4096;
-const MOST_CONTACTS: i32 = 128;
+// Many bodies at one point have a number of pairs that grows quadratically. These limits apply to the candidates tested
+// for one body and to the contacts found from it. Dropped candidates are counted in `droppedCount`.
+const MAX_TESTS_PER_BODY: i32 = 4096;
+const MAX_CONTACTS_PER_BODY: i32 = 128;
 
-// The number of contacts at which the body whose neighbours are looked at has enough.
-let enough: i32 = 0;
+// The contact count at which the search for the current body stops.
+let contactLimit: i32 = 0;
 
-// Finds the pairs among the `count` bodies in rows [0, rows) into the raw list, in `dimensions` 2 or 3.
+// Writes the pairs among the `count` bodies in rows [0, rows) to the unsorted list, in 2 or 3 `dimensions`.
 export function findPairs(rows: i32, count: i32, dimensions: i32): void {
   const c = columns();
   const t = contactTable();
@@ -27,13 +27,13 @@ export function findPairs(rows: i32, count: i32, dimensions: i32): void {
   for (let i = t.gridCount; i < t.gridCount + t.largeCount; i++) findNeighbours(c, t, i, 0);
 }
 
-// Finds the pairs of body i with those in so many `groups` of neighbouring cells; of a large body, which has none, with
-// all before it.
+// Finds the pairs of body i with the bodies of its `groups` groups of adjacent cells. A large body has no groups and is
+// tested against all bodies before it.
 function findNeighbours(c: Columns, t: ContactTable, i: i32, groups: i32): void {
   const buckets = t.buckets;
   const bucket = word(t.sortedBucket, i);
-  let tests = groups == 0 ? i32.MAX_VALUE : MOST_TESTS;
-  enough = groups == 0 ? i32.MAX_VALUE : t.count + MOST_CONTACTS;
+  let tests = groups == 0 ? i32.MAX_VALUE : MAX_TESTS_PER_BODY;
+  contactLimit = groups == 0 ? i32.MAX_VALUE : t.count + MAX_CONTACTS_PER_BODY;
   const x = splat(get(t.sortedX, i));
   const y = splat(get(t.sortedY, i));
   const z = splat(t.layer == 0 ? <real>0 : get(t.sortedZ, i));
@@ -42,20 +42,20 @@ function findNeighbours(c: Columns, t: ContactTable, i: i32, groups: i32): void 
   let start = groups == 0 ? 0 : i + 1;
   let end = bucket + 2;
   while (true) {
-    // The cells of a group follow each other, but for where the table of buckets ends.
+    // The cells of a group are contiguous except where the bucket table wraps.
     const last = groups == 0 ? i : word(t.starts, min<i32>(end, buckets));
-    const limit = start + (t.count < min<i32>(t.capacity, enough) ? min<i32>(last - start, tests) : 0);
-    if (limit != last) t.lost += last - limit;
+    const limit = start + (t.count < min<i32>(t.capacity, contactLimit) ? min<i32>(last - start, tests) : 0);
+    if (limit != last) t.droppedCount += last - limit;
     tests -= limit - start;
-    // Four at a time: most groups are no larger, so that no branch is hard to foresee; the first four without asking
-    // whether there are any.
+    // Four bodies are tested at a time. Most groups are no larger, so the branch is predictable; the first four are
+    // tested without checking whether the group is empty.
     let j = start;
     do {
       let near = nearby(t, j, x, y, z, radius);
       if (sizeof<real>() == 8) near |= nearby(t, j + 2, x, y, z, radius) << 2;
       near &= 15 >> min<i32>(4, max<i32>(0, 4 - (limit - j)));
-      if (near != 0 && !keep(c, t, i, j, near)) {
-        t.lost += max<i32>(0, limit - j - 4);
+      if (near != 0 && !addPairs(c, t, i, j, near)) {
+        t.droppedCount += max<i32>(0, limit - j - 4);
         break;
       }
       j += 4;
@@ -66,7 +66,7 @@ function findNeighbours(c: Columns, t: ContactTable, i: i32, groups: i32): void 
       continue;
     }
     if (++group >= groups) return;
-    // Of three cells each: above; and in the next layer below, level and above.
+    // Each group has three cells: above in the same layer, then below, level and above in the next layer.
     const middle = bucket + (group == 1 ? t.stride : t.layer + (group - 3) * t.stride);
     const first = (middle - 1) & (buckets - 1);
     start = word(t.starts, first);
@@ -74,18 +74,18 @@ function findNeighbours(c: Columns, t: ContactTable, i: i32, groups: i32): void 
   }
 }
 
-// Sorts the bodies into buckets. Rows ascend within a bucket because they are placed in order.
+// Sorts the bodies into buckets. Rows are placed in order, so they ascend within a bucket.
 function sortBodies(c: Columns, t: ContactTable, rows: i32): void {
   let end = t.gridCount;
   for (let row = 0; row < rows; row++) {
     const bucket = word(t.rowWords, row);
     if (bucket == -1) continue;
-    let place = end;
+    let position = end;
     if (bucket >= 0) {
-      place = word(t.starts, bucket + 1);
-      putWord(t.starts, bucket + 1, place + 1);
+      position = word(t.starts, bucket + 1);
+      putWord(t.starts, bucket + 1, position + 1);
     } else end++;
-    putWord(t.sortedRow, place, row);
+    putWord(t.sortedRow, position, row);
   }
   for (let i = 0; i < end; i++) {
     const row = word(t.sortedRow, i);
@@ -97,7 +97,7 @@ function sortBodies(c: Columns, t: ContactTable, rows: i32): void {
   }
 }
 
-// The bodies from j, one bit a lane, that come near.
+// Returns a bit mask of the bodies from j that are within the contact margin.
 // @ts-ignore: decorator
 @inline function nearby(t: ContactTable, j: i32, x: v128, y: v128, z: v128, radius: v128): i32 {
   const o = at(j);
@@ -108,26 +108,26 @@ function sortBodies(c: Columns, t: ContactTable, rows: i32): void {
     const dz = sub(v128.load(t.sortedZ + o), z);
     square = add(square, mul(dz, dz));
   }
-  const reach = mul(add(v128.load(t.sortedRadius + o), radius), splat(REACH));
+  const reach = mul(add(v128.load(t.sortedRadius + o), radius), splat(CONTACT_MARGIN));
   const near = v128.lt<real>(square, mul(reach, reach));
   return sizeof<real>() == 4 ? i32x4.bitmask(near) : i64x2.bitmask(near);
 }
 
-// Adds the pairs of body i and the bodies j + k for the bits k of `near`, smaller row first, unless neither of the two
-// can move. False when that was enough for one body.
-function keep(c: Columns, t: ContactTable, i: i32, j: i32, near: i32): bool {
+// Adds the pairs of body i and the bodies j + k for the bits k of `near`, smaller row first, unless both are immovable.
+// Returns false once the body has reached its contact limit.
+function addPairs(c: Columns, t: ContactTable, i: i32, j: i32, near: i32): bool {
   const p = word(t.sortedRow, i);
   for (; near != 0; near &= near - 1) {
     const q = word(t.sortedRow, j + ctz(near));
     if (!(get(c.mass, p) > 0 || get(c.mass, q) > 0)) continue;
     const k = t.count;
     if (k >= t.capacity) {
-      t.lost++;
+      t.droppedCount++;
       continue;
     }
     t.count = k + 1;
     putWord(t.slotA, k, min<i32>(p, q));
     putWord(t.slotB, k, max<i32>(p, q));
   }
-  return t.count < enough;
+  return t.count < contactLimit;
 }

@@ -1,18 +1,18 @@
-// The response to the contacts of a step, after the broad phase found and ordered them.
+// Collision response for the contacts that the broad phase found and sorted.
 import { columns, get, put } from '../memory/columns';
-import { approach, readPlace } from './approach';
+import { approach, readSeparation } from './approach';
 import { body, gatherBodies, scatterBodies } from './body';
 import { resolveImpacts } from './impacts';
 import { joinPrevious } from './order';
-import { holdResting } from './resting-contacts';
-import { separate } from './position-correction';
+import { solveRestingContacts } from './resting-contacts';
+import { correctPositions } from './position-correction';
 import { linkWalls } from './wall-reactions';
 import { ContactTable, contactTable, putWord, word } from './table';
 
-// Impacts, resting contacts, overlaps; then only those contacts stay in the list that touched. `lag` is the time by
-// which the integrator's velocities lag its positions, `lastId` the highest id. With `remember`, where
-// the bodies were is kept for `confineToSegments`.
-export function respond(dt: real, lag: real, lastId: i32, remember: bool): void {
+// Solves impacts, resting contacts and overlaps, then removes the contacts that did not touch. `lag` is the time by
+// which the integrator's velocities lag its positions, `lastId` the highest entity id. With `savePositions` the positions
+// before the response are saved for `clampToSegments`.
+export function respond(dt: real, lag: real, lastId: i32, savePositions: bool): void {
   const c = columns();
   const t = contactTable();
   const scale: real = t.previousDt > 0 ? <real>(<f64>dt / t.previousDt) : 0;
@@ -22,23 +22,23 @@ export function respond(dt: real, lag: real, lastId: i32, remember: bool): void 
     gatherBodies(c, dt, lastId);
     linkWalls(t, dt);
     resolveImpacts(c, t, dt, lag);
-    holdResting(c, t, dt, lag);
-    separate(t, dt);
-    keepTouching(t);
-    scatterBodies(c, t, remember);
+    solveRestingContacts(c, t, dt, lag);
+    correctPositions(t, dt);
+    compactContacts(t);
+    scatterBodies(c, t, savePositions);
   } else {
     t.bodyCount = 0;
   }
-  keepTouchingWalls(t);
+  compactWallContacts(t);
 }
 
-// Drops the contacts that were only near, and works out the points of the others.
-function keepTouching(t: ContactTable): void {
+// Removes the contacts that were near but did not touch, and computes the contact points of the others.
+function compactContacts(t: ContactTable): void {
   let kept = 0;
   for (let i = 0; i < t.count; i++) {
     const a = body(t, word(t.slotA, i));
     const b = body(t, word(t.slotB, i));
-    readPlace(a, b);
+    readSeparation(a, b);
     const overlap = a.radius + b.radius - approach.distance;
     const impulse = get(t.impulse, i);
     if (!(impulse > 0 || overlap > 0)) continue;
@@ -51,18 +51,18 @@ function keepTouching(t: ContactTable): void {
     put(t.ny, kept, ny);
     put(t.nz, kept, nz);
     put(t.impulse, kept, impulse);
-    put(t.holding, kept, get(t.holding, i));
+    put(t.accumulatedImpulse, kept, get(t.accumulatedImpulse, i));
     const arm = a.radius - <real>0.5 * overlap;
     put(t.x, kept, a.x + nx * arm);
     put(t.y, kept, a.y + ny * arm);
-    // In 2D z shares the zeros of nz.
+    // In 2D z shares the zero column of nz.
     if (t.z != t.nz) put(t.z, kept, a.z + nz * arm);
     kept++;
   }
   t.count = kept;
 }
 
-function keepTouchingWalls(t: ContactTable): void {
+function compactWallContacts(t: ContactTable): void {
   let kept = 0;
   for (let k = 0; k < t.wallCount; k++) {
     const impulse = get(t.wallImpulse, k);

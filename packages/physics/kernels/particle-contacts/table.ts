@@ -1,72 +1,72 @@
-// What the contacts of a world are kept in: a table of counters and addresses in the world's memory.
-// src/particle-contacts/contact-table.ts makes it.
+// The contact table of a world: counters and addresses of columns in the world's memory.
+// src/particle-contacts/contact-table.ts creates it.
 import { columns } from '../memory/columns';
 
 @unmanaged
 export class ContactTable {
   // Length of the last step, s.
   previousDt: f64;
-  // Contacts between bodies: ids a < b, unit normal from a to b, impulse of this step along it (N s), the part of the
-  // impulse that holds a resting contact, from which the next step starts, and what friction has done (RUBBING_SIZE).
+  // Contacts between bodies: ids a < b, unit normal from a to b, normal impulse of this step (N s), the part of it from
+  // resting contact, which warm starts the next step, and the friction state (FRICTION_STATE_SIZE bytes).
   capacity: i32;
   count: i32;
-  // Candidates this step had no room or no time for.
-  lost: u32;
+  // Count of candidates dropped because a limit was reached.
+  droppedCount: u32;
   a: usize;
   b: usize;
   nx: usize;
   ny: usize;
   nz: usize;
   impulse: usize;
-  holding: usize;
-  rubbing: usize;
-  // Where the two bodies of a contact are in `bodies`; before that, the pairs as the grid finds them.
+  accumulatedImpulse: usize;
+  frictionState: usize;
+  // Slots of the two bodies in `bodies`; earlier in the step, the unsorted pairs from the grid.
   slotA: usize;
   slotB: usize;
-  // The contacts of the last step; then an order of this step's, their flags, then levels, and their gaps; then points
-  // of contact.
+  // Contacts of the last step; then the solving order, flags (later levels) and gaps of this step's contacts; then the
+  // contact points.
   previousCount: i32;
   previousA: usize;
   previousB: usize;
-  previousHolding: usize;
+  previousAccumulatedImpulse: usize;
   order: usize;
   flags: usize;
   gap: usize;
   x: usize;
   y: usize;
   z: usize;
-  // Contacts with walls: body, wall (0 for a box), normal out of the wall, impulse, part that holds a resting body, and
-  // the gap to a wall that is near but was not touched; then the speed at which the body may come to it.
+  // Wall contacts: body, wall (0 for a box), normal out of the wall, impulse, the part of it from resting contact, and
+  // the gap to a wall that is near but was not touched, replaced later by the allowed approach speed.
   wallCapacity: i32;
   wallCount: i32;
-  wallLost: u32;
+  wallDroppedCount: u32;
   wallBody: usize;
   wallId: usize;
   wallNx: usize;
   wallNy: usize;
   wallNz: usize;
   wallImpulse: usize;
-  wallHolding: usize;
+  wallAccumulatedImpulse: usize;
   wallGap: usize;
-  // Its coefficient of friction, the impulse that friction was reckoned with already, the friction since (three f32), and
-  // where its body is in `bodies`.
+  // Friction coefficient, the normal impulse for which friction has been applied, the friction impulse applied since (three
+  // f32), and the slot of the body in `bodies`.
   wallFriction: usize;
-  wallRubbed: usize;
-  wallRubbing: usize;
+  wallFrictionApplied: usize;
+  wallTangentImpulse: usize;
   wallSlot: usize;
-  // Resting contacts packed by levels (abreast.ts), LANES a block, and the most keys there is room to count in `levels`.
+  // Resting contacts packed by levels into blocks of LANES (wide-contacts.ts), and the capacity of `levels` in keys.
   blocks: usize;
   levels: usize;
-  mostLevels: i32;
-  // Bodies with contacts, gathered, and their rows.
+  maxLevels: i32;
+  // Gathered bodies that have contacts, and their rows.
   bodies: usize;
   bodyRows: usize;
   bodyCount: i32;
-  // Grid: one word a row, first body of each bucket, bodies in the order of their buckets. The last two lie where
-  // `bodies` come later.
+  // Grid: one word per row, and the first body of each bucket. `starts` shares memory with `bodies`, which are gathered
+  // later.
   rowWords: usize;
   starts: usize;
-  // The same bodies as columns. They lie where the blocks come later.
+  // Bodies in bucket order, as columns. They share memory with the blocks, which are packed later.
   sortedX: usize;
   sortedY: usize;
   sortedZ: usize;
@@ -74,15 +74,15 @@ export class ContactTable {
   sortedBucket: usize;
   sortedRow: usize;
   maxBuckets: i32;
-  // Chosen each step: buckets (a power of two), distance in buckets between neighbours in y and z, bodies in the grid,
-  // bodies too large for it.
+  // Grid parameters of this step: bucket count (a power of two), distance in buckets between neighbours in y and in z,
+  // number of bodies in the grid, number of bodies too large for it.
   buckets: i32;
   stride: i32;
   layer: i32;
   gridCount: i32;
   largeCount: i32;
   histogram: usize;
-  // Columns of the scratch: velocity at the start of the step, position before contacts.
+  // Scratch columns: velocity at the start of the step, position before the contact response.
   startX: usize;
   startY: usize;
   startZ: usize;
@@ -90,12 +90,12 @@ export class ContactTable {
   fromY: usize;
 }
 
-// Friction of a contact between bodies: the tangential impulse so far as three f32, and the coefficient.
-export const RUBBING_SIZE: usize = 16;
+// Bytes of friction state per contact: the accumulated tangential impulse (three f32) and the friction coefficient.
+export const FRICTION_STATE_SIZE: usize = 16;
 
 // @ts-ignore: decorator
-@inline export function rubbing(t: ContactTable, i: i32): usize {
-  return t.rubbing + <usize>i * RUBBING_SIZE;
+@inline export function frictionStateAt(t: ContactTable, i: i32): usize {
+  return t.frictionState + <usize>i * FRICTION_STATE_SIZE;
 }
 
 // @ts-ignore: decorator
@@ -113,12 +113,13 @@ export const RUBBING_SIZE: usize = 16;
   store<i32>(column + ((<usize>i) << 2), value);
 }
 
-// Larger than any sound result and smaller than what overflows when it is used once more.
+// Larger than any valid result, and small enough not to overflow in the next operation.
 export const FINITE: real = sizeof<real>() == 4 ? <real>1e37 : <real>1e300;
 
-// Contacts are looked for out to this multiple of the radius, or of the sum of the radii: bodies that lie on each other
-// keep their contact, and the impulse that holds them, while they come apart by less than this.
-export const REACH: real = 1.01;
+// Contacts are found up to this multiple of the radius or of the sum of the radii. Resting bodies keep their contact
+// and its accumulated impulse while their separation is below this margin.
+export const CONTACT_MARGIN: real = 1.01;
 
-// Walls are noted out to this multiple of the radius: what lies on a body may press it there within the step.
-export const WALL_REACH: real = 1.1;
+// Walls are recorded up to this multiple of the radius, because another body may press a body against the wall within
+// the step.
+export const WALL_MARGIN: real = 1.1;

@@ -1,23 +1,23 @@
-// When two round things that move under constant acceleration came to touch, looking back from the end of the step.
+// Time of impact of two round bodies under constant acceleration, measured back from the end of the step.
 //
-// With d, v and a the relative position, velocity and acceleration at the end, the distance a time t earlier is
-// |d - v t + a t^2 / 2|. Without acceleration the entry is the larger root of a quadratic; with it, three Newton steps
-// from that root find it to rounding.
+// With d, v and a the relative position, velocity and acceleration at the end, the distance a time t earlier is |d - v
+// t + a t^2 / 2|. Without acceleration the entry is the larger root of a quadratic; with acceleration, three Newton
+// iterations from that root converge to rounding.
 
-// Unit normal from the first thing to the second at the touch, and the speed at which they met along it.
+// Unit normal from the first body to the second at the impact, and their closing speed along it.
 @unmanaged
-class Touch {
-  x: real;
-  y: real;
-  z: real;
+class RoundImpact {
+  nx: real;
+  ny: real;
+  nz: real;
   speed: real;
 }
 
-// The last touch that was found.
-export const touch = changetype<Touch>(memory.data(offsetof<Touch>(), 8));
+// The last roundImpact that was found.
+export const roundImpact = changetype<RoundImpact>(memory.data(offsetof<RoundImpact>(), 8));
 
-// Time since the centres came to the distance `reach`, or -1 when that was not within the last `dt`.
-export function touchTime(
+// Returns the time since the centres were `reach` apart, or -1 if that was not within the last `dt`.
+export function timeSinceRoundImpact(
   dx: real,
   dy: real,
   dz: real,
@@ -36,7 +36,7 @@ export function touchTime(
   const discriminant = along * along - square * gap;
   if (!(discriminant >= 0) || !(square > 0)) return -1;
   const root = sqrt<real>(discriminant);
-  // The second form keeps its digits where the first subtracts nearly equal numbers.
+  // The second form avoids the cancellation that the first has for nearly equal terms.
   let time = along < 0 && gap < 0 ? -gap / (root - along) : (along + root) / square;
   if (ax != 0 || ay != 0 || az != 0) {
     for (let i = 0; i < 3; i++) {
@@ -59,9 +59,9 @@ export function touchTime(
   const nx = px / length;
   const ny = py / length;
   const nz = pz / length;
-  touch.x = nx;
-  touch.y = ny;
-  touch.z = nz;
-  touch.speed = -((vx - ax * time) * nx + (vy - ay * time) * ny + (vz - az * time) * nz);
+  roundImpact.nx = nx;
+  roundImpact.ny = ny;
+  roundImpact.nz = nz;
+  roundImpact.speed = -((vx - ax * time) * nx + (vy - ay * time) * ny + (vz - az * time) * nz);
   return time;
 }

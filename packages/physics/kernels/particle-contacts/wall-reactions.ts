@@ -1,31 +1,30 @@
-// Bodies that lie on walls give way only along them.
+// Wall reactions: a body supported by a wall can move only along it.
 //
-// An impulse along n on a body that a wall with normal m holds is answered by the wall, at once and in full: what is
-// left is the part along the wall, n - (n.m) m, and the body's inverse mass along n shrinks to w (1 - (n.m)^2). Solving
-// the two together is exact and costs nothing; solved in turns, a heavy ball on a light one on the floor would take as
-// many sweeps as the ratio of their masses.
+// The wall with normal m cancels the component of an impulse along n into the wall: the direction becomes n - (n.m) m,
+// and the inverse mass along n is scaled by 1 - (n.m)^2. This solves both contacts together exactly; solved in turn, a
+// heavy ball on a light ball on the floor would need as many iterations as the ratio of their masses.
 import { get, put } from '../memory/columns';
 import { Body, body } from './body';
 import { ContactTable, putWord, word } from './table';
 
-// What is left of the direction given to `leave`, the share of the inverse mass, and the wall (-1 without one) with the
-// cosine it answers by.
+// Results of `constrainToWall`: the constrained direction, the remaining fraction of the inverse mass, the wall contact
+// (-1 if none) and the cosine between direction and wall normal.
 @unmanaged
 class Reaction {
   x: real;
   y: real;
   z: real;
-  share: real;
+  massFraction: real;
   cosine: real;
   wall: i32;
 }
 
-// The result of the last `leave`.
+// The result of the last call.
 export const reaction = changetype<Reaction>(memory.data(offsetof<Reaction>(), 8));
 
-// Notes for each body with contacts which contact with a wall holds it most, and for each contact with a wall where its
-// body is, -1 where no other body touches that one, and how fast the body may come: as fast as closes the gap by the end
-// of the next step, or as it does already, for that is a matter of the next step's impact.
+// Stores for each body the wall contact that supports it most, and for each wall contact the slot of its body (-1 if
+// the body has no other contact) and the allowed approach speed. That speed closes the gap by the end of the next step;
+// a higher present speed is allowed, because the next step's impact handles it.
 export function linkWalls(t: ContactTable, dt: real): void {
   for (let k = 0; k < t.wallCount; k++) {
     const slot = word(t.rowWords, word(t.wallBody, k)) - 1;
@@ -37,17 +36,17 @@ export function linkWalls(t: ContactTable, dt: real): void {
       const speed = b.vx * get(t.wallNx, k) + b.vy * get(t.wallNy, k) + b.vz * get(t.wallNz, k);
       put(t.wallGap, k, max<real>(gap / dt, -speed));
     }
-    if (b.wall == 0 || get(t.wallHolding, k) > get(t.wallHolding, b.wall - 1)) b.wall = k + 1;
+    if (b.wall == 0 || get(t.wallAccumulatedImpulse, k) > get(t.wallAccumulatedImpulse, b.wall - 1)) b.wall = k + 1;
   }
 }
 
-// How far a body can follow a push in direction (x, y, z). It lies on its wall when it comes as fast as it may; `slow`
-// is a speed that makes no difference.
-export function leave(t: ContactTable, b: Body, x: real, y: real, z: real, slow: real): void {
+// Projects the direction (x, y, z) onto the wall that supports the body. The body is supported if it approaches the
+// wall at the allowed speed to within `speedTolerance`.
+export function constrainToWall(t: ContactTable, b: Body, x: real, y: real, z: real, speedTolerance: real): void {
   reaction.x = x;
   reaction.y = y;
   reaction.z = z;
-  reaction.share = 1;
+  reaction.massFraction = 1;
   const wall = b.wall - 1;
   reaction.wall = wall;
   if (wall < 0) return;
@@ -55,21 +54,21 @@ export function leave(t: ContactTable, b: Body, x: real, y: real, z: real, slow:
   const my = get(t.wallNy, wall);
   const mz = get(t.wallNz, wall);
   const cosine = x * mx + y * my + z * mz;
-  const off = b.vx * mx + b.vy * my + b.vz * mz;
-  if (!(cosine < 0) || off + get(t.wallGap, wall) > slow) {
+  const speedAway = b.vx * mx + b.vy * my + b.vz * mz;
+  if (!(cosine < 0) || speedAway + get(t.wallGap, wall) > speedTolerance) {
     reaction.wall = -1;
     return;
   }
   reaction.x = x - cosine * mx;
   reaction.y = y - cosine * my;
   reaction.z = z - cosine * mz;
-  reaction.share = max<real>(0, <real>1 - cosine * cosine);
+  reaction.massFraction = max<real>(0, <real>1 - cosine * cosine);
   reaction.cosine = cosine;
 }
 
-// Adds to what a wall bears.
+// Adds to the impulse of a wall.
 // @ts-ignore: decorator
-@inline export function bear(t: ContactTable, k: i32, impulse: real): void {
-  put(t.wallHolding, k, get(t.wallHolding, k) + impulse);
+@inline export function addWallImpulse(t: ContactTable, k: i32, impulse: real): void {
+  put(t.wallAccumulatedImpulse, k, get(t.wallAccumulatedImpulse, k) + impulse);
   put(t.wallImpulse, k, get(t.wallImpulse, k) + impulse);
 }

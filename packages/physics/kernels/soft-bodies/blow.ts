@@ -1,15 +1,15 @@
-// The wind on LANES triangles.
+// The aerodynamic force of the wind on LANES triangles.
 //
 //   F = rho A |u| (c_n (u.n) n + c_t (u - (u.n) n)) / 2, a third on each corner, u: wind minus mean velocity
 import { add, div, dot, larger, mul, splat, sub } from '../memory/lanes';
 
-// What blows, and, after `blow`, the force on each corner.
+// The wind, and, after `computeWindForce`, the force on each corner.
 @unmanaged
-class Breeze {
+class WindState {
   x: v128;
   y: v128;
   z: v128;
-  // rho / 12: a normal is as long as twice the area, and a force goes to three corners.
+  // rho / 12, since the normal is as long as twice the area and the force is split over three corners.
   strength: v128;
   // c_n - c_t, and c_t.
   across: v128;
@@ -19,23 +19,24 @@ class Breeze {
   fz: v128;
 }
 
-export const breeze = changetype<Breeze>(memory.data(144, 16));
+export const windState = changetype<WindState>(memory.data(144, 16));
 
-// A square of twice an area that is as good as none, m^4: what it divides is smaller still.
-const LEAST: real = 1e-36;
+// Minimum square of twice an area, m^4: smaller triangles are degenerate, and what is divided by it is smaller still.
+const MIN_SQUARE: real = 1e-36;
 
-export function setBreeze(x: f64, y: f64, z: f64, density: f64, normal: f64, tangential: f64): void {
-  breeze.x = splat(<real>x);
-  breeze.y = splat(<real>y);
-  breeze.z = splat(<real>z);
-  breeze.strength = splat(<real>(density / 12));
-  breeze.across = splat(<real>normal - <real>tangential);
-  breeze.along = splat(<real>tangential);
+export function setWind(x: f64, y: f64, z: f64, density: f64, normal: f64, tangential: f64): void {
+  windState.x = splat(<real>x);
+  windState.y = splat(<real>y);
+  windState.z = splat(<real>z);
+  windState.strength = splat(<real>(density / 12));
+  windState.across = splat(<real>normal - <real>tangential);
+  windState.along = splat(<real>tangential);
 }
 
-// By the ways b and d from the first corner to the two others, and the sum v of the velocities of all three.
+// Computes the force from the vectors b and d from the first corner to the two others, and the sum v of the corners'
+// velocities.
 // @ts-ignore: decorator
-@inline export function blow(
+@inline export function computeWindForce(
   bx: v128,
   by: v128,
   bz: v128,
@@ -52,15 +53,15 @@ export function setBreeze(x: f64, y: f64, z: f64, density: f64, normal: f64, tan
   const ny = sub(mul(bz, dx), mul(bx, dz));
   const nz = sub(mul(bx, dy), mul(by, dx));
   const square = dot(nx, ny, nz, nx, ny, nz);
-  const ux = sub(breeze.x, mul(vx, third));
-  const uy = sub(breeze.y, mul(vy, third));
-  const uz = sub(breeze.z, mul(vz, third));
-  const scale = mul(breeze.strength, v128.sqrt<real>(mul(square, dot(ux, uy, uz, ux, uy, uz))));
-  const push = v128.and(scale, v128.gt<real>(square, splat(0)));
-  const across = mul(breeze.across, dot(ux, uy, uz, nx, ny, nz));
-  const part = mul(push, div(across, larger(square, splat(LEAST))));
-  const along = mul(push, breeze.along);
-  breeze.fx = add(mul(part, nx), mul(along, ux));
-  breeze.fy = add(mul(part, ny), mul(along, uy));
-  breeze.fz = add(mul(part, nz), mul(along, uz));
+  const ux = sub(windState.x, mul(vx, third));
+  const uy = sub(windState.y, mul(vy, third));
+  const uz = sub(windState.z, mul(vz, third));
+  const scale = mul(windState.strength, v128.sqrt<real>(mul(square, dot(ux, uy, uz, ux, uy, uz))));
+  const strength = v128.and(scale, v128.gt<real>(square, splat(0)));
+  const across = mul(windState.across, dot(ux, uy, uz, nx, ny, nz));
+  const normalPart = mul(strength, div(across, larger(square, splat(MIN_SQUARE))));
+  const tangentPart = mul(strength, windState.along);
+  windState.fx = add(mul(normalPart, nx), mul(tangentPart,  ux));
+  windState.fy = add(mul(normalPart, ny), mul(tangentPart,  uy));
+  windState.fz = add(mul(normalPart, nz), mul(tangentPart,  uz));
 }

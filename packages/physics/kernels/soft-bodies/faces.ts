@@ -1,13 +1,13 @@
-// Faces of networks: edges or triangles between bodies, as src/soft-bodies/faces.ts puts them into the memory: the ids of all
-// first corners, of all second ones and so on, then as many lives.
+// Faces of soft bodies: edges or triangles between bodies, as src/soft-bodies/faces.ts lays them out: the ids of all
+// first corners, of all second corners and so on, then the generations of the corners in the same order.
 //
-// Triangles are read LANES at a time. Those of a cloth follow each other, corner by corner: then a corner of all is one
-// vector of each column. Others are picked body by body.
+// LANES triangles are read at a time. The corners of a cloth's triangles have consecutive ids, so that one corner of
+// LANES triangles is one vector of each column. Other triangles are gathered body by body.
 import { columns, get, put } from '../memory/columns';
 import { LANES, add, at, sub } from '../memory/lanes';
 import { word } from '../xpbd/table';
 
-// Of LANES triangles: the ways from the first corner to the two others, and the sum of the corners' velocities.
+// LANES triangles: the vectors from the first corner to the two others, and the sum of the corners' velocities.
 @unmanaged
 class Triangles {
   bx: v128;
@@ -23,43 +23,44 @@ class Triangles {
 
 export const triangles = changetype<Triangles>(memory.data(144, 16));
 
-// Corner `k` of a face, or, from the number of corners on, the life it had.
+// Id of corner `k` of a face, or, if `k` is at least the number of corners, the generation of corner `k` minus that
+// number.
 // @ts-ignore: decorator
 @inline export function corner(faces: usize, count: i32, face: i32, k: i32): u32 {
   return word(faces, k * count + face);
 }
 
-// Bits where corner k of LANES faces is no run of bodies that all live.
+// Sets bits where corner k of LANES faces is not a run of consecutive, living bodies.
 // @ts-ignore: decorator
-@inline function strays(faces: usize, count: i32, face: i32, k: i32, generations: usize): v128 {
+@inline function findStrays(faces: usize, count: i32, face: i32, k: i32, generations: usize): v128 {
   const ids = faces + ((<usize>(k * count + face)) << 2);
-  const lives = ids + ((<usize>count * 3) << 2);
+  const expectedGenerations = ids + ((<usize>count * 3) << 2);
   const first = load<u32>(ids);
   const now = generations + ((<usize>first) << 2);
   if (sizeof<real>() == 8) {
     const expected = i32x4.add(i32x4.splat(first), i32x4(0, 1, 0, 0));
     return v128.or(
       v128.xor(v128.load64_zero(ids), v128.and(expected, i32x4(-1, -1, 0, 0))),
-      v128.xor(v128.load64_zero(lives), v128.load64_zero(now)),
+      v128.xor(v128.load64_zero(expectedGenerations), v128.load64_zero(now)),
     );
   }
   const expected = i32x4.add(i32x4.splat(first), i32x4(0, 1, 2, 3));
-  return v128.or(v128.xor(v128.load(ids), expected), v128.xor(v128.load(lives), v128.load(now)));
+  return v128.or(v128.xor(v128.load(ids), expected), v128.xor(v128.load(expectedGenerations), v128.load(now)));
 }
 
-// Reads LANES triangles from `face` on into `triangles`; those that lost a corner, and those from `end` on, have no
-// extent. Returns whether each corner of them is a run.
+// Reads LANES triangles from `face` on into `triangles`. Triangles with a removed corner, and those from `end` on,
+// read as degenerate. Returns whether each corner is a run of consecutive bodies.
 export function readTriangles(faces: usize, count: i32, face: i32, end: i32, generations: usize): bool {
   if (
     face + LANES > end ||
     v128.any_true(
       v128.or(
-        strays(faces, count, face, 0, generations),
-        v128.or(strays(faces, count, face, 1, generations), strays(faces, count, face, 2, generations)),
+        findStrays(faces, count, face, 0, generations),
+        v128.or(findStrays(faces, count, face, 1, generations), findStrays(faces, count, face, 2, generations)),
       ),
     )
   ) {
-    for (let lane = 0; lane < LANES; lane++) readOne(faces, count, face + lane, end, generations, lane);
+    for (let lane = 0; lane < LANES; lane++) readTriangle(faces, count, face + lane, end, generations, lane);
     return false;
   }
   const c = columns();
@@ -87,13 +88,13 @@ export function readTriangles(faces: usize, count: i32, face: i32, end: i32, gen
   return add(add(v128.load(column + a), v128.load(column + b)), v128.load(column + d));
 }
 
-function readOne(faces: usize, count: i32, face: i32, end: i32, generations: usize, lane: i32): void {
+function readTriangle(faces: usize, count: i32, face: i32, end: i32, generations: usize, lane: i32): void {
   const c = columns();
   const to = changetype<usize>(triangles) + at(lane);
-  const isThere = face < end && isWhole(faces, count, face, 3, generations);
-  const a = isThere ? corner(faces, count, face, 0) : 0;
-  const b = isThere ? corner(faces, count, face, 1) : 0;
-  const d = isThere ? corner(faces, count, face, 2) : 0;
+  const exists = face < end && isFaceAlive(faces, count, face, 3, generations);
+  const a = exists ? corner(faces, count, face, 0) : 0;
+  const b = exists ? corner(faces, count, face, 1) : 0;
+  const d = exists ? corner(faces, count, face, 2) : 0;
   readAxis(to, c.positionX, c.velocityX, a, b, d);
   readAxis(to + 16, c.positionY, c.velocityY, a, b, d);
   readAxis(to + 32, c.positionZ, c.velocityZ, a, b, d);
@@ -107,26 +108,28 @@ function readOne(faces: usize, count: i32, face: i32, end: i32, generations: usi
   store<real>(to, get(velocity, a) + get(velocity, b) + get(velocity, d), 96);
 }
 
-// Whether all corners of a face still live.
-export function isWhole(faces: usize, count: i32, face: i32, corners: i32, generations: usize): bool {
+// Tests whether all corners of a face still live.
+export function isFaceAlive(faces: usize, count: i32, face: i32, corners: i32, generations: usize): bool {
   for (let k = 0; k < corners; k++) {
-    const life = word(generations, corner(faces, count, face, k));
-    if (life != corner(faces, count, face, k + corners)) return false;
+    const generation = word(generations, corner(faces, count, face, k));
+    if (generation != corner(faces, count, face, k + corners)) return false;
   }
   return true;
 }
 
-// Faces whose forces are found before any is added: what was just written cannot be read at once in other fours.
+// Faces per chunk: their forces are computed before any is added, since a vector load that overlaps a recent store
+// stalls.
 export const CHUNK: i32 = 32 * LANES;
 
-// Where the forces of a chunk stand, behind the lives: x, then y, then z.
+// Address of the forces of a chunk, behind the generations: x, then y, then z.
 // @ts-ignore: decorator
-@inline export function chunkOf(faces: usize, count: i32): usize {
+@inline export function chunkAddress(faces: usize, count: i32): usize {
   return faces + ((<usize>count * 24 + 15) & ~15);
 }
 
-// Adds the forces of a chunk to each corner of its faces; a bit of `runs` is set where LANES faces have runs of corners.
-export function pushChunk(
+// Adds the forces of a chunk to each corner of its faces; a set bit of `runs` marks LANES faces whose corners are
+// runs.
+export function addChunkForces(
   faces: usize,
   count: i32,
   first: i32,
@@ -137,15 +140,15 @@ export function pushChunk(
   fz: usize,
 ): void {
   for (let k = 0; k < 3; k++) {
-    let by = chunkOf(faces, count);
+    let by = chunkAddress(faces, count);
     let bits = runs;
     for (let face = first; face < last; face += LANES) {
       if ((bits & 1) != 0) {
         const body = at(corner(faces, count, face, k));
-        push(fx + body, by);
-        push(fy + body, by + at(CHUNK));
-        push(fz + body, by + at(2 * CHUNK));
-      } else pushEach(faces, count, face, last, k, by, fx, fy, fz);
+        addForce(fx + body, by);
+        addForce(fy + body, by + at(CHUNK));
+        addForce(fz + body, by + at(2 * CHUNK));
+      } else addForcesEach(faces, count, face, last, k, by, fx, fy, fz);
       by += 16;
       bits >>= 1;
     }
@@ -153,11 +156,11 @@ export function pushChunk(
 }
 
 // @ts-ignore: decorator
-@inline function push(force: usize, by: usize): void {
+@inline function addForce(force: usize, by: usize): void {
   v128.store(force, add(v128.load(force), v128.load(by)));
 }
 
-function pushEach(
+function addForcesEach(
   faces: usize,
   count: i32,
   face: i32,

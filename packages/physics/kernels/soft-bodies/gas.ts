@@ -1,12 +1,12 @@
 // Gas in a closed ring of edges (2D, per metre of depth) or a closed surface of triangles (3D).
 import { columns, get, put } from '../memory/columns';
 import { LANES, at, mul, splat, sub } from '../memory/lanes';
-import { CHUNK, chunkOf, corner, isWhole, pushChunk, readTriangles, triangles } from './faces';
+import { CHUNK, addChunkForces, chunkAddress, corner, isFaceAlive, readTriangles, triangles } from './faces';
 
-// Area of a ring or volume of a surface, seen from its first corner so that far-off bodies lose no digits; 0 when a
-// corner is gone.
+// Area of a ring or volume of a surface, relative to its first corner so that distant bodies lose no digits; 0 if a
+// corner was removed.
 export function enclosed(faces: usize, count: i32, corners: i32, generations: usize): f64 {
-  for (let i = 0; i < count; i++) if (!isWhole(faces, count, i, corners, generations)) return 0;
+  for (let i = 0; i < count; i++) if (!isFaceAlive(faces, count, i, corners, generations)) return 0;
   const c = columns();
   const first = corner(faces, count, 0, 0);
   const ox = <f64>get(c.positionX, first);
@@ -43,14 +43,14 @@ export function inflateEdges(edges: usize, count: i32, fx: usize, fy: usize, pre
     const b = corner(edges, count, i, 1);
     const x = (pressure * (<f64>get(c.positionY, b) - <f64>get(c.positionY, a))) / 2;
     const y = (pressure * (<f64>get(c.positionX, a) - <f64>get(c.positionX, b))) / 2;
-    add(fx, a, x);
-    add(fx, b, x);
-    add(fy, a, y);
-    add(fy, b, y);
+    addForce(fx, a, x);
+    addForce(fx, b, x);
+    addForce(fy, a, y);
+    addForce(fy, b, y);
   }
 }
 
-// Adds pressure times area, a third on each corner: in a closed surface that is the gradient of the volume.
+// Adds pressure times area, a third to each corner: in a closed surface this is the gradient of the volume.
 export function inflateTriangles(
   faces: usize,
   count: i32,
@@ -62,23 +62,23 @@ export function inflateTriangles(
 ): void {
   const t = triangles;
   const sixth = splat(<real>(pressure / 6));
-  const to = chunkOf(faces, count);
+  const to = chunkAddress(faces, count);
   for (let first = 0; first < count; first += CHUNK) {
     const last = min<i32>(first + CHUNK, count);
     let runs: u32 = 0;
-    let place = to;
+    let address = to;
     for (let face = first, bit: u32 = 1; face < last; face += LANES, bit <<= 1) {
       if (readTriangles(faces, count, face, count, generations)) runs |= bit;
-      v128.store(place, mul(sixth, sub(mul(t.by, t.dz), mul(t.bz, t.dy))));
-      v128.store(place + at(CHUNK), mul(sixth, sub(mul(t.bz, t.dx), mul(t.bx, t.dz))));
-      v128.store(place + at(2 * CHUNK), mul(sixth, sub(mul(t.bx, t.dy), mul(t.by, t.dx))));
-      place += 16;
+      v128.store(address, mul(sixth, sub(mul(t.by, t.dz), mul(t.bz, t.dy))));
+      v128.store(address + at(CHUNK), mul(sixth, sub(mul(t.bz, t.dx), mul(t.bx, t.dz))));
+      v128.store(address + at(2 * CHUNK), mul(sixth, sub(mul(t.bx, t.dy), mul(t.by, t.dx))));
+      address += 16;
     }
-    pushChunk(faces, count, first, last, runs, fx, fy, fz);
+    addChunkForces(faces, count, first, last, runs, fx, fy, fz);
   }
 }
 
 // @ts-ignore: decorator
-@inline function add(force: usize, body: u32, by: f64): void {
+@inline function addForce(force: usize, body: u32, by: f64): void {
   put(force, body, <real>(<f64>get(force, body) + by));
 }

@@ -1,8 +1,8 @@
 // Wind on a sheet of triangles.
 import { LANES, at } from '../memory/lanes';
-import { blow, breeze, setBreeze } from './blow';
-import { CHUNK, chunkOf, pushChunk, readTriangles, triangles } from './faces';
-import { blowStrip, isWholeStrip } from './strips';
+import { computeWindForce, setWind, windState } from './blow';
+import { CHUNK, addChunkForces, chunkAddress, readTriangles, triangles } from './faces';
+import { addWindToStrip, isStripAlive } from './strips';
 import { word } from '../xpbd/table';
 
 // A sheet of `count` triangles, its parts, and the columns of forces; velocity and density of the air; the coefficients
@@ -24,8 +24,8 @@ export class SheetInWind {
   tangential: f64;
 }
 
-// Of each part of the faces two words: its first face, and whether it is a strip; behind the last, the number of faces.
-// A triangle that lost a corner feels nothing.
+// Adds the wind forces. `parts` has two words per part of the faces: its first face, and whether it is a quad strip;
+// behind the last, the number of faces. A triangle with a removed corner receives no force.
 export function blowTriangles(sheet: usize): void {
   const s = changetype<SheetInWind>(sheet);
   const faces = s.faces;
@@ -35,18 +35,18 @@ export function blowTriangles(sheet: usize): void {
   const fx = s.forceX;
   const fy = s.forceY;
   const fz = s.forceZ;
-  setBreeze(s.windX, s.windY, s.windZ, s.density, s.normal, s.tangential);
+  setWind(s.windX, s.windY, s.windZ, s.density, s.normal, s.tangential);
   let first = 0;
   for (let part = 0; first < count; part++) {
     const last = <i32>word(parts, 2 * part + 2);
-    const isStrip = word(parts, 2 * part + 1) != 0 && isWholeStrip(faces, count, first, last, generations);
-    if (isStrip) blowStrip(faces, count, first, last, fx, fy, fz);
-    else blowEach(faces, count, first, last, generations, fx, fy, fz);
+    const isStrip = word(parts, 2 * part + 1) != 0 && isStripAlive(faces, count, first, last, generations);
+    if (isStrip) addWindToStrip(faces, count, first, last, fx, fy, fz);
+    else addWindToEach(faces, count, first, last, generations, fx, fy, fz);
     first = last;
   }
 }
 
-function blowEach(
+function addWindToEach(
   faces: usize,
   count: i32,
   first: i32,
@@ -57,19 +57,19 @@ function blowEach(
   fz: usize,
 ): void {
   const t = triangles;
-  const to = chunkOf(faces, count);
+  const to = chunkAddress(faces, count);
   for (let chunk = first; chunk < last; chunk += CHUNK) {
     const end = min<i32>(chunk + CHUNK, last);
     let runs: u32 = 0;
-    let place = to;
+    let address = to;
     for (let face = chunk, bit: u32 = 1; face < end; face += LANES, bit <<= 1) {
       if (readTriangles(faces, count, face, last, generations)) runs |= bit;
-      blow(t.bx, t.by, t.bz, t.dx, t.dy, t.dz, t.vx, t.vy, t.vz);
-      v128.store(place, breeze.fx);
-      v128.store(place + at(CHUNK), breeze.fy);
-      v128.store(place + at(2 * CHUNK), breeze.fz);
-      place += 16;
+      computeWindForce(t.bx, t.by, t.bz, t.dx, t.dy, t.dz, t.vx, t.vy, t.vz);
+      v128.store(address, windState.fx);
+      v128.store(address + at(CHUNK), windState.fy);
+      v128.store(address + at(2 * CHUNK), windState.fz);
+      address += 16;
     }
-    pushChunk(faces, count, chunk, end, runs, fx, fy, fz);
+    addChunkForces(faces, count, chunk, end, runs, fx, fy, fz);
   }
 }

@@ -1,26 +1,26 @@
-// Orders the springs for the solver, whenever springs or bodies came or went.
+// Assigns springs to rows of the solver, whenever springs or bodies were added or removed.
 //
-// Springs that follow each other along a line, no body joining more than two, are a chain: ropes and pendulums. Chains
-// are solved directly, and so are threads (threads.ts); all others in groups (groups.ts).
+// Springs along a line, with no body joining more than two, are a chain: ropes and pendulums. Chains are solved
+// directly, and so are polylines (polylines.ts); all other springs form groups (groups.ts).
 import { groupLinks } from './groups';
-import { hasRow, isMovable, linkAt, linkCount, putNothing, putRow } from './links';
+import { appendPadding, hasRow, isMovable, linkAt, linkCount, putRow } from './links';
 import { ConstraintTable, putWord, tableAt, word } from './table';
-import { findThreads } from './polylines';
-import { forgetSum } from './checksum';
+import { findPolylines } from './polylines';
+import { invalidateChecksum } from './checksum';
 
-// Writes all rows and returns how many are in chains; `movable` are the membership bits of a body that forces can move,
-// `lastId` the highest id.
+// Writes all rows and returns how many are in chains. `movable` are the membership bits of a body that forces can
+// move, `lastId` is the highest id.
 export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32 {
   const t = tableAt(table);
-  forgetSum(t);
+  invalidateChecksum(t);
   const links = linkCount(t);
   const bodies = <usize>(lastId + 1);
   memory.fill(t.degree, 0, bodies << 2);
   memory.fill(t.masks, 0, bodies << 3);
   memory.fill(t.state, 0, (<usize>links) << 2);
   for (let link = 0; link < links; link++) {
-    join(t, load<u32>(linkAt(t, link), 4), link);
-    join(t, load<u32>(linkAt(t, link), 8), link);
+    countSpring(t, load<u32>(linkAt(t, link), 4), link);
+    countSpring(t, load<u32>(linkAt(t, link), 8), link);
   }
   t.nodeCount = 0;
   t.looseCount = 0;
@@ -30,19 +30,19 @@ export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32
   }
   t.rowCount = 0;
   findChains(t, links, movable);
-  fillUp(t);
-  const spare = findThreads(t, movable, lastId);
-  fillUp(t);
+  padRows(t);
+  const spare = findPolylines(t, movable, lastId);
+  padRows(t);
   groupLinks(t, movable, spare);
   return word(t.chains, t.chainCount);
 }
 
-// Rows of nothing up to the next multiple of four.
-function fillUp(t: ConstraintTable): void {
-  putNothing(t, -t.rowCount & 3);
+// Pads the rows to a multiple of four.
+function padRows(t: ConstraintTable): void {
+  appendPadding(t, -t.rowCount & 3);
 }
 
-function join(t: ConstraintTable, body: u32, link: i32): void {
+function countSpring(t: ConstraintTable, body: u32, link: i32): void {
   const degree = word(t.degree, body);
   if (degree < 2) putWord(t.joined, body * 2 + degree, link);
   putWord(t.degree, body, degree + 1);
@@ -54,20 +54,20 @@ function findChains(t: ConstraintTable, links: i32, movable: u32): void {
     if (hasRow(t, link)) continue;
     const a = load<u32>(linkAt(t, link), 4);
     const b = load<u32>(linkAt(t, link), 8);
-    const start = isEnd(t, a, movable) ? a : isEnd(t, b, movable) ? b : 0;
-    if (start == 0 || !walk(t, link, start, movable, false)) continue;
+    const start = isChainEnd(t, a, movable) ? a : isChainEnd(t, b, movable) ? b : 0;
+    if (start == 0 || !followChain(t, link, start, movable, false)) continue;
     putWord(t.chains, t.chainCount++, t.rowCount);
-    walk(t, link, start, movable, true);
+    followChain(t, link, start, movable, true);
   }
   putWord(t.chains, t.chainCount, t.rowCount);
 }
 
-function isEnd(t: ConstraintTable, body: u32, movable: u32): bool {
+function isChainEnd(t: ConstraintTable, body: u32, movable: u32): bool {
   return !isMovable(body, movable) || word(t.degree, body) == 1;
 }
 
-// Follows a line of springs from one end of it; false when it branches. Writes its rows if asked to.
-function walk(t: ConstraintTable, link: i32, from: u32, movable: u32, write: bool): bool {
+// Follows a chain from one of its ends; returns false if it branches. Writes its rows if `write` is set.
+function followChain(t: ConstraintTable, link: i32, from: u32, movable: u32, write: bool): bool {
   let node = from;
   let current = link;
   let ended = false;
@@ -79,7 +79,7 @@ function walk(t: ConstraintTable, link: i32, from: u32, movable: u32, write: boo
       putWord(t.state, current, 1);
       putRow(t, t.rowCount++, load<u32>(p), node, other);
     }
-    ended = isEnd(t, other, movable);
+    ended = isChainEnd(t, other, movable);
     if (!ended && word(t.degree, other) > 2) return false;
     const first = word(t.joined, other * 2);
     current = first == current ? word(t.joined, other * 2 + 1) : first;

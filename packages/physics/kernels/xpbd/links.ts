@@ -1,4 +1,4 @@
-// The springs of the list, and the rows they are given.
+// The links (springs between two living bodies) and the rows that the solver assigns to them.
 import { columns } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
 import { ConstraintTable, putWord, word } from './table';
@@ -23,7 +23,7 @@ import { ConstraintTable, putWord, word } from './table';
   return (word(columns().members, body) & movable) == movable;
 }
 
-// Row `row` becomes that of a spring of the list.
+// Writes link `link` into row `row`.
 export function putLink(t: ConstraintTable, row: i32, link: i32): void {
   const p = linkAt(t, link);
   putRow(t, row, load<u32>(p), load<u32>(p, 4), load<u32>(p, 8));
@@ -37,7 +37,7 @@ export function putRow(t: ConstraintTable, row: i32, spring: u32, a: u32, b: u32
   store<real>(t.tension + <usize>row * sizeof<real>(), 0);
 }
 
-// That many rows of nothing.
-export function putNothing(t: ConstraintTable, count: i32): void {
+// Appends `count` padding rows, which belong to no spring.
+export function appendPadding(t: ConstraintTable, count: i32): void {
   for (let i = 0; i < count; i++) putRow(t, t.rowCount++, 0, 0, 0);
 }

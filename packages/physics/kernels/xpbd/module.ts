@@ -1,4 +1,4 @@
-// Springs solved as constraints, and which of them break.
+// Springs solved as XPBD constraints, and their breakage.
 export { arrangeConstraints } from './arrange';
 export { solveChainVelocities, solveChains } from './chain';
 export { kickNodes, packBodies, unpackBodies } from './nodes';

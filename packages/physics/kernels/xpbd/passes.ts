@@ -1,32 +1,32 @@
-// In which order the layers of threads are solved: what pulled hardest in the sub-step before goes first.
+// The order in which the passes of polylines are solved: the highest tension of the previous sub-step first.
 import { get, put } from '../memory/columns';
 import { LANES, add, at, laneOf, splat } from '../memory/lanes';
 import { ConstraintTable, LAYERS, putWord, word } from './table';
 
-// To be called while the rows still hold the tensions of the sub-step before. Layers that pull alike keep their order.
-export function orderLayers(t: ConstraintTable): void {
+// Sorts the passes; must run while the rows hold the tensions of the previous sub-step. The sort is stable.
+export function orderPasses(t: ConstraintTable): void {
   const order = t.layers + ((<usize>(LAYERS + 1)) << 2);
-  const pulls = order + ((<usize>(LAYERS + 1)) << 2);
-  for (let layer = 0; layer < t.layerCount; layer++) {
-    const pull = pullOf(t, layer);
-    put(pulls, layer, pull);
-    let place = layer;
-    for (; place > 0; place--) {
-      const before = word(order, place - 1);
-      if (get(pulls, before) >= pull) break;
-      putWord(order, place, before);
+  const tensions = order + ((<usize>(LAYERS + 1)) << 2);
+  for (let pass = 0; pass < t.layerCount; pass++) {
+    const tension = meanTension(t, pass);
+    put(tensions, pass, tension);
+    let index = pass;
+    for (; index > 0; index--) {
+      const previous = word(order, index - 1);
+      if (get(tensions, previous) >= tension) break;
+      putWord(order, index, previous);
     }
-    putWord(order, place, layer);
+    putWord(order, index, pass);
   }
 }
 
-// Mean tension of a layer's rows.
-function pullOf(t: ConstraintTable, layer: i32): real {
-  const first = <i32>word(t.strands, word(t.layers, layer));
-  const last = <i32>word(t.strands, word(t.layers, layer + 1));
+// Returns the mean tension of a pass.
+function meanTension(t: ConstraintTable, pass: i32): real {
+  const first = <i32>word(t.strands, word(t.layers, pass));
+  const last = <i32>word(t.strands, word(t.layers, pass + 1));
   let sum = splat(0);
   for (let row = first; row < last; row += LANES) sum = add(sum, v128.load(t.tension + at(row)));
-  let pull: real = 0;
-  for (let lane = 0; lane < LANES; lane++) pull += laneOf(sum, lane);
-  return last > first ? pull / <real>(last - first) : 0;
+  let tension: real = 0;
+  for (let lane = 0; lane < LANES; lane++) tension += laneOf(sum, lane);
+  return last > first ? tension / <real>(last - first) : 0;
 }

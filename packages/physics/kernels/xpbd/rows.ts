@@ -1,33 +1,35 @@
-// What the rows take from the columns, whenever stiffness, length or mass was changed in place.
+// Copies stiffness, length and mass from the columns into the rows, whenever one was changed in place.
 import { columns, get, put } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
 import { ConstraintTable, RIGID, putWord, tableAt, word } from './table';
-import { areUnchanged, forgetSum } from './checksum';
+import { invalidateChecksum, updateChecksum } from './checksum';
 
-// Stiffness and inverse masses of the row read last, and what follows from them: most rows of a network are alike.
+// The stiffness and inverse masses of the last row, and the coefficients that follow from them: most rows of a soft
+// body are alike, so the divisions are cached.
 let stiffness: real = 0;
 let inverseA: real = -1;
 let inverseB: real = -1;
 let gain: real = 0;
 let softness: real = 0;
-// For a row of a strand: sum of the inverse masses plus flexibility, and flexibility.
+// For a row of a batch: the sum of the inverse masses plus the compliance term, and the compliance term.
 let diagonal: real = 0;
-let flexibility: real = 0;
+let compliance: real = 0;
 let isRod: bool = false;
-let rods: i32 = 0;
+let rodCount: i32 = 0;
 
-// A k h^2 whose inverse is finite in f32.
-const LEAST_STIFFNESS: f64 = 1e-30;
+// The minimum of k h^2 whose inverse is finite in f32.
+const MIN_STIFFNESS: f64 = 1e-30;
 
-// Reads all springs for sub-steps of h seconds, unless they are what they were; 0 when one joins other bodies than its
-// row says.
+// Reads all springs for sub-steps of h seconds, unless their checksum is unchanged. Returns 0 if a spring joins
+// bodies other than its row says.
 //
 // With w the sum of the inverse masses and s = k h^2, a row changes its tension by gain C - softness tension, where
-// gain = s / (s w + 1) and softness = 1 / (s w + 1). A rod's are 1 / w and 0. Rows of strands hold w + 1 / s and 1 / s
-// in their place, infinity and 0 where nothing pulls.
+// gain = s / (s w + 1) and softness = 1 / (s w + 1): gain is 1 / (w + alpha) and softness alpha gain, with the XPBD
+// compliance alpha = 1 / s. For a rod they are 1 / w and 0. Rows of batches store w + alpha and alpha instead, or
+// infinity and 0 where the spring has no effect.
 export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   const t = tableAt(table);
-  if (areUnchanged(t, h)) return 1;
+  if (updateChecksum(t, h)) return 1;
   const springs = changetype<SpringTable>(t.springs);
   const c = columns();
   for (let i = 0; i < t.nodeCount; i++) {
@@ -37,63 +39,63 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
     put(t.inverse, body, moves ? 1 / mass : 0);
   }
   inverseA = -1;
-  rods = 0;
+  rodCount = 0;
   t.damped = 0;
   t.breakable = 0;
   for (let row = 0; row < t.rowCount; row++) {
     if (readRow(t, springs, row, h)) continue;
-    forgetSum(t);
+    invalidateChecksum(t);
     return 0;
   }
-  const chained = word(t.chains, t.chainCount);
-  t.rigid = i32(rods == chained && <u32>t.rowCount < chained + 4);
+  const chainedCount = word(t.chains, t.chainCount);
+  t.rigid = i32(rodCount == chainedCount && <u32>t.rowCount < chainedCount + 4);
   return 1;
 }
 
-// False when the spring joins other bodies than its row says.
+// Returns false if the spring joins bodies other than its row says.
 // @ts-ignore: decorator
 @inline function readRow(t: ConstraintTable, springs: SpringTable, row: i32, h: f64): bool {
   const spring = word(t.source, row);
-  const isInStrand = <u32>row >= word(t.strands, 0) && <u32>row < word(t.strands, t.strandCount);
+  const isInBatch = <u32>row >= word(t.strands, 0) && <u32>row < word(t.strands, t.strandCount);
   if (spring == 0) {
-    put(t.gain, row, isInStrand ? Infinity : 0);
+    put(t.gain, row, isInBatch ? Infinity : 0);
     return true;
   }
   const a = word(t.a, row);
   const b = word(t.b, row);
-  const isA = word(springs.a, spring);
-  const isB = word(springs.b, spring);
-  if (!((isA == a && isB == b) || (isA == b && isB == a))) return false;
+  const currentA = word(springs.a, spring);
+  const currentB = word(springs.b, spring);
+  if (!((currentA == a && currentB == b) || (currentA == b && currentB == a))) return false;
   const length = get(springs.length, spring);
-  put(t.length, row, word(springs.cord, spring) != 0 ? -length : length);
+  put(t.length, row, word(springs.tensionOnly, spring) != 0 ? -length : length);
   const k = get(springs.stiffness, spring);
   const wa = get(t.inverse, a);
   const wb = get(t.inverse, b);
-  if (wa != inverseA || wb != inverseB || k != stiffness) weigh(k, wa, wb, h);
-  put(t.gain, row, isInStrand ? diagonal : gain);
-  put(t.softness, row, isInStrand ? flexibility : softness);
-  if (isRod) rods++;
+  if (wa != inverseA || wb != inverseB || k != stiffness) updateCoefficients(k, wa, wb, h);
+  put(t.gain, row, isInBatch ? diagonal : gain);
+  put(t.softness, row, isInBatch ? compliance : softness);
+  if (isRod) rodCount++;
   else if (get(springs.damping, spring) > 0) t.damped++;
   if (get(t.breakForce, spring) > 0) t.breakable++;
   return true;
 }
 
-function weigh(k: real, wa: real, wb: real, h: f64): void {
+function updateCoefficients(k: real, wa: real, wb: real, h: f64): void {
   stiffness = k;
   inverseA = wa;
   inverseB = wb;
   isRod = <f64>k >= RIGID;
   const w = <f64>wa + <f64>wb;
   const s = <f64>k * h * h;
-  const per: f64 = w > 0 ? 1 / (isRod ? w : s * w + 1) : 0;
-  gain = <real>(isRod ? per : s * per);
-  softness = isRod ? 0 : <real>per;
-  const pulls = w > 0 && s > LEAST_STIFFNESS;
-  flexibility = isRod || !pulls ? 0 : <real>(1 / s);
-  diagonal = pulls ? <real>(isRod ? w : w + 1 / s) : Infinity;
+  const scale: f64 = w > 0 ? 1 / (isRod ? w : s * w + 1) : 0;
+  gain = <real>(isRod ? scale : s * scale);
+  softness = isRod ? 0 : <real>scale;
+  const isEffective = w > 0 && s > MIN_STIFFNESS;
+  compliance = isRod || !isEffective ? 0 : <real>(1 / s);
+  diagonal = isEffective ? <real>(isRod ? w : w + 1 / s) : Infinity;
 }
 
-// Lists the springs pulled harder than they bear; `h` is the sub-step the tensions belong to.
+// Lists the springs whose tension exceeds their breaking force; `h` is the sub-step of the stored tensions, s.
 export function findBroken(table: usize, h: f64): i32 {
   const t = tableAt(table);
   let count = 0;
@@ -106,7 +108,7 @@ export function findBroken(table: usize, h: f64): i32 {
   return count;
 }
 
-// The same where springs are forces, by Hooke's law.
+// Lists the same for springs that act as forces, by Hooke's law.
 export function findOverloaded(table: usize): i32 {
   const t = tableAt(table);
   const springs = changetype<SpringTable>(t.springs);
@@ -133,35 +135,36 @@ export function findOverloaded(table: usize): i32 {
   return sqrt<f64>(x * x + y * y + z * z) - <f64>get(springs.length, load<u32>(link));
 }
 
-// Largest |d - L| / L of the springs stiffer than `stiffness`.
+// Returns the largest |d - L| / L of the springs with at least `stiffness`.
 export function maxStrain(table: usize, stiffness: f64): f64 {
   const springs = changetype<SpringTable>(tableAt(table).springs);
-  let most: f64 = 0;
-  for (let i = 0; i < springs.active; i++) most = max<f64>(most, stretchOf(springs, i, stiffness));
-  return most;
+  let largest: f64 = 0;
+  for (let i = 0; i < springs.active; i++) largest = max<f64>(largest, strainOf(springs, i, stiffness));
+  return largest;
 }
 
-// The root of the mean square of the same.
+// Returns the root mean square of |d - L| / L of the springs with at least `stiffness`.
 export function rmsStrain(table: usize, stiffness: f64): f64 {
   const springs = changetype<SpringTable>(tableAt(table).springs);
   let sum: f64 = 0;
   let count = 0;
   for (let i = 0; i < springs.active; i++) {
-    const stretch = stretchOf(springs, i, stiffness);
-    if (stretch < 0) continue;
-    sum += stretch * stretch;
+    const strain = strainOf(springs, i, stiffness);
+    if (strain < 0) continue;
+    sum += strain * strain;
     count++;
   }
   return count == 0 ? 0 : sqrt<f64>(sum / <f64>count);
 }
 
-// Below zero for a spring that does not count: a softer one, one without length, a slack cord.
+// Returns -1 for a spring that does not count: one softer than `stiffness`, without length, or slack and
+// tension-only.
 // @ts-ignore: decorator
-@inline function stretchOf(springs: SpringTable, i: i32, stiffness: f64): f64 {
+@inline function strainOf(springs: SpringTable, i: i32, stiffness: f64): f64 {
   const spring = load<u32>(springs.links + <usize>i * 12);
   const length = <f64>get(springs.length, spring);
   if (length == 0 || <f64>get(springs.stiffness, spring) < stiffness) return -1;
   const extension = extensionOf(springs, i);
-  if (extension < 0 && word(springs.cord, spring) != 0) return -1;
+  if (extension < 0 && word(springs.tensionOnly, spring) != 0) return -1;
   return abs<f64>(extension) / length;
 }

@@ -1,37 +1,47 @@
-// Gauss-Seidel sweeps of XPBD over what is no chain: the groups of rows, then the threads, each thread as a whole
-// (strands.ts). Rows of a group share no movable body, so LANES of them are solved at once, with the same result as one
-// after the other.
+// Gauss-Seidel sweeps of XPBD over the rows outside chains: first the groups of rows, then the polylines, each solved
+// as a whole (polyline-batches.ts). The rows of a group share no movable body, so LANES of them are solved at once,
+// with the same result as in sequence.
 //
 //   tension += gain (d - L) - softness tension        x_a += w_a n dtension        x_b -= w_b n dtension
 //
-// A cord's tension is never below zero. Ends closer than 1e-15 m have no direction between them: x is taken.
+// The tension of a tension-only row is never below zero. Ends closer than 1e-15 m have no direction; the x axis is
+// used instead.
 import { get, put } from '../memory/columns';
 import { LANES, add, at, div, dot, mul, splat, sub } from '../memory/lanes';
-import { NEAR, NEAR_ROOT, placeOf, signs, turned0, turned1, turned2, turned3 } from './packed-bodies';
-import { orderLayers } from './passes';
-import { areStretched, solveStrands } from './polyline-batches';
-import { ConstraintTable, isCord, packedAt, part, putPart, tableAt, word } from './table';
+import {
+  MIN_DISTANCE,
+  MIN_SQUARE,
+  signMask,
+  transpose0,
+  transpose1,
+  transpose2,
+  transpose3,
+  vectorAddress,
+} from './packed-bodies';
+import { orderPasses } from './passes';
+import { exceedsTolerance, solveBatches } from './polyline-batches';
+import { ConstraintTable, isTensionOnly, packedAt, packedComponent, putPackedComponent, tableAt, word } from './table';
 
-// Turns that threads take beyond those asked for, at most, until they keep their lengths.
-const AGAIN: i32 = 20;
+// The maximum number of extra iterations of the polylines until they keep their lengths.
+const MAX_EXTRA_ITERATIONS: i32 = 20;
 
-// Sweeps so many times, from tensions of zero. To start from those of the last sub-step would be unstable: what is left
-// of an error would be added up sub-step by sub-step.
+// Runs `sweeps` Gauss-Seidel sweeps from tensions of zero. Warm starting from the last sub-step is unstable: the
+// remaining error would accumulate from sub-step to sub-step.
 export function sweepConstraints(table: usize, sweeps: i32): void {
   const t = tableAt(table);
   const first = t.groupsFirst;
-  orderLayers(t);
-  clear(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, first);
-  clear(t, t.serialFirst, t.rowCount);
+  orderPasses(t);
+  clearTensions(t, (<i32>word(t.chains, t.chainCount) + 3) & ~3, first);
+  clearTensions(t, t.serialFirst, t.rowCount);
   for (let s = 0; s < sweeps; s++) {
     solveGroups(t, first, t.serialFirst, s == 0);
     for (let row = t.serialFirst; row < t.rowCount; row++) solveRow(t, row);
-    solveStrands(t);
+    solveBatches(t);
   }
-  for (let turn = 0; turn < AGAIN && areStretched(t); turn++) solveStrands(t);
+  for (let iteration = 0; iteration < MAX_EXTRA_ITERATIONS && exceedsTolerance(t); iteration++) solveBatches(t);
 }
 
-function clear(t: ConstraintTable, first: i32, last: i32): void {
+function clearTensions(t: ConstraintTable, first: i32, last: i32): void {
   const size = sizeof<real>();
   if (last > first) memory.fill(t.tension + <usize>first * size, 0, <usize>(last - first) * size);
 }
@@ -41,51 +51,51 @@ export function solveRow(t: ConstraintTable, row: i32): void {
   if (gain == 0) return;
   const pa = packedAt(t, word(t.a, row));
   const pb = packedAt(t, word(t.b, row));
-  const x = part(pb, 0) - part(pa, 0);
-  const y = part(pb, 1) - part(pa, 1);
-  const z = part(pb, 2) - part(pa, 2);
+  const x = packedComponent(pb, 0) - packedComponent(pa, 0);
+  const y = packedComponent(pb, 1) - packedComponent(pa, 1);
+  const z = packedComponent(pb, 2) - packedComponent(pa, 2);
   const length = get(t.length, row);
   const tension = get(t.tension, row);
   let next = tension + gain * (sqrt<real>(x * x + y * y + z * z) - abs<real>(length)) - get(t.softness, row) * tension;
-  if (isCord(length) && next < 0) next = 0;
+  if (isTensionOnly(length) && next < 0) next = 0;
   put(t.tension, row, next);
-  pull(t, row, next - tension);
+  applyTension(t, row, next - tension);
 }
 
-// Draws the ends of a row together.
-function pull(t: ConstraintTable, row: i32, by: real): void {
+// Applies the positional impulse `by` of a row to its two ends.
+function applyTension(t: ConstraintTable, row: i32, by: real): void {
   const pa = packedAt(t, word(t.a, row));
   const pb = packedAt(t, word(t.b, row));
-  let x = part(pb, 0) - part(pa, 0);
-  let y = part(pb, 1) - part(pa, 1);
-  let z = part(pb, 2) - part(pa, 2);
+  let x = packedComponent(pb, 0) - packedComponent(pa, 0);
+  let y = packedComponent(pb, 1) - packedComponent(pa, 1);
+  let z = packedComponent(pb, 2) - packedComponent(pa, 2);
   const square = x * x + y * y + z * z;
   let scale = by;
-  if (square < NEAR) {
+  if (square < MIN_SQUARE) {
     x = 1;
     y = 0;
     z = 0;
   } else scale = by / sqrt<real>(square);
-  const wa = part(pa, 3) * scale;
-  const wb = part(pb, 3) * scale;
-  putPart(pa, 0, part(pa, 0) + wa * x);
-  putPart(pa, 1, part(pa, 1) + wa * y);
-  putPart(pa, 2, part(pa, 2) + wa * z);
-  putPart(pb, 0, part(pb, 0) - wb * x);
-  putPart(pb, 1, part(pb, 1) - wb * y);
-  putPart(pb, 2, part(pb, 2) - wb * z);
+  const wa = packedComponent(pa, 3) * scale;
+  const wb = packedComponent(pb, 3) * scale;
+  putPackedComponent(pa, 0, packedComponent(pa, 0) + wa * x);
+  putPackedComponent(pa, 1, packedComponent(pa, 1) + wa * y);
+  putPackedComponent(pa, 2, packedComponent(pa, 2) + wa * z);
+  putPackedComponent(pb, 0, packedComponent(pb, 0) - wb * x);
+  putPackedComponent(pb, 1, packedComponent(pb, 1) - wb * y);
+  putPackedComponent(pb, 2, packedComponent(pb, 2) - wb * z);
 }
 
 // @ts-ignore: decorator
 @inline function putBodies(p0: usize, p1: usize, p2: usize, p3: usize, x: v128, y: v128, z: v128, w: v128): void {
-  v128.store(p0, turned0(x, y, z, w));
-  v128.store(p1, turned1(x, y, z, w));
-  v128.store(p2, turned2(x, y, z, w));
-  v128.store(p3, turned3(x, y, z, w));
+  v128.store(p0, transpose0(x, y, z, w));
+  v128.store(p1, transpose1(x, y, z, w));
+  v128.store(p2, transpose2(x, y, z, w));
+  v128.store(p3, transpose3(x, y, z, w));
 }
 
-// Groups of LANES rows that share no movable body. A fresh row's tension is zero, whatever is stored.
-function solveGroups(t: ConstraintTable, first: i32, last: i32, fresh: bool): void {
+// Solves groups of LANES rows that share no movable body. If `isFirst`, tensions count as zero, whatever is stored.
+function solveGroups(t: ConstraintTable, first: i32, last: i32, isFirst: bool): void {
   const packed = t.packed;
   const lengths = t.length;
   const gains = t.gain;
@@ -95,14 +105,14 @@ function solveGroups(t: ConstraintTable, first: i32, last: i32, fresh: bool): vo
   let b = t.b + ((<usize>first) << 2);
   const end = at(last);
   for (let o = at(first); o < end; o += 16) {
-    const p0 = placeOf(packed, a, 0);
-    const p1 = placeOf(packed, a, 1);
-    const p2 = placeOf(packed, a, 2);
-    const p3 = placeOf(packed, a, 3);
-    const q0 = placeOf(packed, b, 0);
-    const q1 = placeOf(packed, b, 1);
-    const q2 = placeOf(packed, b, 2);
-    const q3 = placeOf(packed, b, 3);
+    const p0 = vectorAddress(packed, a, 0);
+    const p1 = vectorAddress(packed, a, 1);
+    const p2 = vectorAddress(packed, a, 2);
+    const p3 = vectorAddress(packed, a, 3);
+    const q0 = vectorAddress(packed, b, 0);
+    const q1 = vectorAddress(packed, b, 1);
+    const q2 = vectorAddress(packed, b, 2);
+    const q3 = vectorAddress(packed, b, 3);
     const a0 = v128.load(p0);
     const a1 = v128.load(p1);
     const a2 = v128.load(p2);
@@ -111,33 +121,33 @@ function solveGroups(t: ConstraintTable, first: i32, last: i32, fresh: bool): vo
     const b1 = v128.load(q1);
     const b2 = v128.load(q2);
     const b3 = v128.load(q3);
-    const xa = turned0(a0, a1, a2, a3);
-    const ya = turned1(a0, a1, a2, a3);
-    const za = turned2(a0, a1, a2, a3);
-    const wa = turned3(a0, a1, a2, a3);
-    const xb = turned0(b0, b1, b2, b3);
-    const yb = turned1(b0, b1, b2, b3);
-    const zb = turned2(b0, b1, b2, b3);
-    const wb = turned3(b0, b1, b2, b3);
+    const xa = transpose0(a0, a1, a2, a3);
+    const ya = transpose1(a0, a1, a2, a3);
+    const za = transpose2(a0, a1, a2, a3);
+    const wa = transpose3(a0, a1, a2, a3);
+    const xb = transpose0(b0, b1, b2, b3);
+    const yb = transpose1(b0, b1, b2, b3);
+    const zb = transpose2(b0, b1, b2, b3);
+    const wb = transpose3(b0, b1, b2, b3);
     let x = sub(xb, xa);
     let y = sub(yb, ya);
     let z = sub(zb, za);
     let square = dot(x, y, z, x, y, z);
-    const near = v128.lt<real>(square, splat(NEAR));
-    if (i32x4.bitmask(near) != 0) {
-      x = v128.bitselect(splat(NEAR_ROOT), x, near);
-      y = v128.andnot(y, near);
-      z = v128.andnot(z, near);
-      square = v128.bitselect(splat(NEAR), square, near);
+    const isDegenerate = v128.lt<real>(square, splat(MIN_SQUARE));
+    if (i32x4.bitmask(isDegenerate) != 0) {
+      x = v128.bitselect(splat(MIN_DISTANCE), x, isDegenerate);
+      y = v128.andnot(y, isDegenerate);
+      z = v128.andnot(z, isDegenerate);
+      square = v128.bitselect(splat(MIN_SQUARE), square, isDegenerate);
     }
     const d = v128.sqrt<real>(square);
     const length = v128.load(lengths + o);
-    const drawn = mul(v128.load(gains + o), sub(d, v128.abs<real>(length)));
-    const tension = fresh ? splat(0) : v128.load(tensions + o);
-    const wanted = fresh ? drawn : add(sub(tension, mul(v128.load(softnesses + o), tension)), drawn);
-    const total = v128.andnot(wanted, signs(v128.and(wanted, length)));
-    v128.store(tensions + o, total);
-    const scale = div(fresh ? total : sub(total, tension), d);
+    const elastic = mul(v128.load(gains + o), sub(d, v128.abs<real>(length)));
+    const tension = isFirst ? splat(0) : v128.load(tensions + o);
+    const wanted = isFirst ? elastic : add(sub(tension, mul(v128.load(softnesses + o), tension)), elastic);
+    const newTension = v128.andnot(wanted, signMask(v128.and(wanted, length)));
+    v128.store(tensions + o, newTension);
+    const scale = div(isFirst ? newTension : sub(newTension, tension), d);
     const byA = mul(wa, scale);
     const byB = mul(wb, scale);
     const toXa = add(xa, mul(byA, x));

@@ -1,26 +1,27 @@
-// The memory of a world's constraints; src/xpbd/constraint-table.ts writes the addresses.
+// The record of a world's constraints; src/xpbd/constraint-table.ts writes the addresses.
 //
-// A row is one spring as the solver sees it. Rows stand in this order: first chains, row after row along each; then
-// strands of threads that are solved side by side; then groups of four that share no movable body, some filled
-// up with rows of nothing; then the few that found no group. Bodies are packed
-// as x, y, z, inverse mass.
+// A row is one spring as the solver sees it. Rows have this order: the chains, row after row along each; the batches
+// of polylines (`strands`), whose rows are interleaved; the groups of four that share no movable body, padded where a
+// group is incomplete; last the few springs that fit into no group. A packed body is x, y, z, inverse mass.
 
 @unmanaged
 export class ConstraintTable {
   // The list of springs: kernels/forces/springs.ts.
   springs: usize;
   breakForce: usize;
-  // Ids of the bodies that springs join, ascending.
+  // Ids of the nodes, ascending. A node is a body at the end of a spring.
   nodes: usize;
-  // Per body: x, y, z, inverse mass; inverse mass; open groups it is in; number of springs; the first two of them.
+  // Per body: packed x, y, z, inverse mass; inverse mass; bitmask of the open groups that contain it; number of
+  // springs; the first two of them.
   packed: usize;
   inverse: usize;
   masks: usize;
   degree: usize;
   joined: usize;
-  // Per spring of the list: whether it has its row.
+  // Per link: 1 if it has a row.
   state: usize;
-  // Per row: id of the spring (0: nothing), its ends, natural length (negative for a cord), gain, softness, tension h^2.
+  // Per row: id of the spring (0 is padding), its ends, natural length (negative if tension-only), gain, softness,
+  // tension times h^2.
   source: usize;
   a: usize;
   b: usize;
@@ -28,28 +29,29 @@ export class ConstraintTable {
   gain: usize;
   softness: usize;
   tension: usize;
-  // First row of each chain, of each strand, and, after the last, the end of all; next row of each open group.
+  // First row of each chain and of each batch, each list closed by the end of the last; next free row of each open
+  // group.
   chains: usize;
   strands: usize;
   open: usize;
-  // The first strand of each layer and, after the last, the end of all; LAYERS + 1 words behind, in which order layers
-  // are solved; behind as many again, how hard each pulls.
+  // The first batch of each pass, closed by the end of the last; from word LAYERS + 1 on, the order in which the
+  // passes are solved; from word 2 (LAYERS + 1) on, the mean tension of each.
   layers: usize;
-  // What solving keeps of a chain or a strand.
+  // Scratch memory of the solver for one chain or one batch.
   work: usize;
-  // What unchanged.ts knows of the springs.
+  // The checksum of the springs: checksum.ts.
   sum: usize;
-  // Ids of springs pulled beyond their limit.
+  // Ids of the springs that exceed their breaking force.
   broken: usize;
   nodeCount: i32;
-  // Bodies that forces can move and no spring joins.
+  // The number of movable bodies without springs.
   looseCount: i32;
   chainCount: i32;
   strandCount: i32;
   layerCount: i32;
-  // Rows of the longest thread.
+  // The length of the longest polyline, in rows.
   longest: i32;
-  // All there is are rods in chains.
+  // 1 if every spring is a rod in a chain.
   rigid: i32;
   groupsFirst: i32;
   serialFirst: i32;
@@ -58,13 +60,13 @@ export class ConstraintTable {
   breakable: i32;
 }
 
-// Groups that are open at once, at most.
+// The maximum number of groups that are open at once: one bit each in a u64.
 export const OPEN_GROUPS: i32 = 64;
 
-// Layers there are; strands beyond them belong to the last.
+// The maximum number of passes; further batches join the last.
 export const LAYERS: i32 = 15;
 
-// A stiffness from here on is a rod's: src/components/spring.ts stores infinity as 1e30.
+// Minimum stiffness of a rod, N/m: src/components/spring.ts stores infinity as 1e30.
 export const RIGID: f64 = 1e29;
 
 // @ts-ignore: decorator
@@ -82,23 +84,23 @@ export const RIGID: f64 = 1e29;
   store<u32>(column + ((<usize>row) << 2), value);
 }
 
-// Where the x of a body is packed.
+// Address of the packed x of a body.
 // @ts-ignore: decorator
 @inline export function packedAt(t: ConstraintTable, body: u32): usize {
   return t.packed + <usize>body * (4 * sizeof<real>());
 }
 
 // @ts-ignore: decorator
-@inline export function part(packed: usize, index: i32): real {
+@inline export function packedComponent(packed: usize, index: i32): real {
   return load<real>(packed + <usize>index * sizeof<real>());
 }
 
 // @ts-ignore: decorator
-@inline export function putPart(packed: usize, index: i32, value: real): void {
+@inline export function putPackedComponent(packed: usize, index: i32, value: real): void {
   store<real>(packed + <usize>index * sizeof<real>(), value);
 }
 
 // @ts-ignore: decorator
-@inline export function isCord(length: real): bool {
+@inline export function isTensionOnly(length: real): bool {
   return copysign<real>(1, length) < 0;
 }

@@ -1,43 +1,45 @@
-// Chains so taut that waves across them outrun the sub-step, solved implicitly: the minimum of
+// Chains so taut that transverse waves cross a link within the sub-step, solved implicitly: the minimum of
 //
-//   E(x) = sum m |x - x~|^2 / 2 + sum U_j(d_j)      x~ where bodies go without springs, U_j the energy of row j times h^2
+//   E(x) = sum m |x - x~|^2 / 2 + sum U_j(d_j)      x~ positions without springs, U_j energy of row j times h^2
 //
-// which is backward Euler's step, stable however taut. Newton's method on all places and tensions T of a chain, from one
-// end to the other: what hangs above row j moves like one body of mobility P_j (3 x 3, inverse mass), so that, with
-// n the row's direction, e = 1/(k h^2) its flexibility and g = T/d, by which tension resists being turned,
+// which is the backward Euler step, stable at any tension. Newton's method on all positions and tensions T of a
+// chain, from one end to the other: everything above row j moves like a single body of mobility P_j (3 x 3, inverse
+// mass), so that, with n the row's direction, e = 1/(k h^2) its compliance and g = T/d its transverse stiffness,
 //
-//   S_j = (P_j + e n n' + (1 - n n')/g)^-1            what row and all above it put against moving the next body b
+//   S_j = (P_j + e n n' + (1 - n n')/g)^-1            resistance of row j and all above it to motion of the next body b
 //   P_j+1 = (m_b + S_j)^-1                            F_j = S_j (dx_b - P_j r_j + C_j n)        C = d - L
 //   r_j+1 = m_b (x~_b - x_b) + S_j (P_j r_j - C_j n)  and back: dx_a = P_j (r_j + F_j)          T_j = n.F_j
 //
-// Sums of positive definite matrices only: nothing cancels, however many links and however rigid. A chain of N links with
-// the directions that it starts with, as chain.ts has them, is unstable once N g h^2 exceeds a link. First order: what
-// swings at w loses about w^2 h/2 of its amplitude a second. Cost: 250 operations a link and iteration, of two to four.
+// All are sums of positive definite matrices: nothing cancels, however many links and however rigid. A chain of N
+// links with the start directions of chain.ts is unstable once N g h^2 exceeds a link. First order: a swing of
+// angular frequency w loses about w^2 h/2 of its amplitude per second. Cost: 250 operations per link and iteration,
+// of two to four.
 import { get, put } from '../memory/columns';
-import { ConstraintTable, isCord, packedAt, part, putPart, word } from './table';
+import { ConstraintTable, isTensionOnly, packedAt, packedComponent, putPackedComponent, word } from './table';
 
-// Bytes a body of a chain takes of `work`.
-const NODE: usize = 232;
-// Tensions along directions that are not yet those at the end take a second iteration, whatever the lengths.
-const LEAST_ITERATIONS: i32 = 2;
-const MOST_ITERATIONS: i32 = 12;
-// How far from its length a row may be left.
+// Bytes of scratch memory per body of a chain.
+const NODE_BYTES: usize = 232;
+// The first tensions act along directions that are not yet the final ones, so a second iteration is needed even if
+// all lengths fit.
+const MIN_ITERATIONS: i32 = 2;
+const MAX_ITERATIONS: i32 = 12;
+// The maximum relative length error of an accepted solution.
 const TOLERANCE: f64 = 1e-3;
-// Least flexibility times the mass: a body on a rod from an anchor moves by no more than rounding.
-const RIGID_ENOUGH: f64 = 1e-12;
-// Resistance to turning, over the mass, that counts as none.
-const LEAST_ACROSS: f64 = 1e-4;
+// Minimum compliance times mass: a body on a rod from an anchor moves by no more than rounding.
+const MIN_COMPLIANCE: f64 = 1e-12;
+// Transverse stiffness over mass below which it is neglected.
+const MIN_TRANSVERSE: f64 = 1e-4;
 
 @unmanaged
 class Node {
-  // Where it is, and where it would be.
+  // Position, and predicted position without springs.
   x: f64;
   y: f64;
   z: f64;
   toX: f64;
   toY: f64;
   toZ: f64;
-  // P and r.
+  // P and r of the header.
   xx: f64;
   xy: f64;
   xz: f64;
@@ -66,43 +68,44 @@ class Node {
 
 // @ts-ignore: decorator
 @inline function nodeOf(t: ConstraintTable, row: i32): Node {
-  return changetype<Node>(t.work + <usize>row * NODE);
+  return changetype<Node>(t.work + <usize>row * NODE_BYTES);
 }
 
-// Whether rows [first, last) were pulled so hard in the last sub-step that explicit directions would be unstable: a wave
-// crosses a link in sqrt(L m/T), and at 2 that is the sub-step.
-const TAUT: f64 = 0.5;
+// The ratio T w/L above which explicit directions would be unstable: a transverse wave crosses a link in sqrt(L m/T),
+// the sub-step if the ratio is 2.
+const TAUT_RATIO: f64 = 0.5;
 
 export function isTaut(t: ConstraintTable, first: i32, last: i32): bool {
   for (let row = first; row < last; row++) {
-    const w = <f64>part(packedAt(t, word(t.a, row)), 3) + <f64>part(packedAt(t, word(t.b, row)), 3);
-    if (<f64>get(t.tension, row) * w > TAUT * abs<f64>(<f64>get(t.length, row))) return true;
+    const w =
+      <f64>packedComponent(packedAt(t, word(t.a, row)), 3) + <f64>packedComponent(packedAt(t, word(t.b, row)), 3);
+    if (<f64>get(t.tension, row) * w > TAUT_RATIO * abs<f64>(<f64>get(t.length, row))) return true;
   }
   return false;
 }
 
-// Solves the chain of rows [first, last) to what reals can say; tensions start from those of the last sub-step. False,
-// and no body moved, where that fails.
+// Solves the chain of rows [first, last) to the precision of `real`, starting from the tensions of the last sub-step.
+// On failure returns false and moves no body.
 export function solveTautChain(t: ConstraintTable, first: i32, last: i32): bool {
-  const enough: f64 = sizeof<real>() == 4 ? 1e-5 : 1e-11;
+  const tolerance: f64 = sizeof<real>() == 4 ? 1e-5 : 1e-11;
   loadBodies(t, first, last);
   let error = Infinity;
-  for (let i = 0; i <= MOST_ITERATIONS; i++) {
-    error = setUp(t, first, last, i > 0);
+  for (let i = 0; i <= MAX_ITERATIONS; i++) {
+    error = updateRows(t, first, last, i > 0);
 
-    if ((i >= LEAST_ITERATIONS && error <= enough) || i == MOST_ITERATIONS) break;
+    if ((i >= MIN_ITERATIONS && error <= tolerance) || i == MAX_ITERATIONS) break;
     eliminate(t, first, last);
     substitute(t, first, last);
   }
   if (!(error <= TOLERANCE)) return false;
   for (let row = first; row <= last; row++) {
     const node = nodeOf(t, row);
-    if (row < last && isCord(get(t.length, row))) put(t.tension, row, max<real>(0, get(t.tension, row)));
+    if (row < last && isTensionOnly(get(t.length, row))) put(t.tension, row, max<real>(0, get(t.tension, row)));
     if (node.mass == 0) continue;
     const p = packedAt(t, bodyOf(t, row, last));
-    putPart(p, 0, <real>node.x);
-    putPart(p, 1, <real>node.y);
-    putPart(p, 2, <real>node.z);
+    putPackedComponent(p, 0, <real>node.x);
+    putPackedComponent(p, 1, <real>node.y);
+    putPackedComponent(p, 2, <real>node.z);
   }
   return true;
 }
@@ -116,18 +119,18 @@ function loadBodies(t: ConstraintTable, first: i32, last: i32): void {
   for (let row = first; row <= last; row++) {
     const node = nodeOf(t, row);
     const p = packedAt(t, bodyOf(t, row, last));
-    const w = <f64>part(p, 3);
+    const w = <f64>packedComponent(p, 3);
     node.mass = w > 0 ? 1 / w : 0;
-    node.x = node.toX = <f64>part(p, 0);
-    node.y = node.toY = <f64>part(p, 1);
-    node.z = node.toZ = <f64>part(p, 2);
+    node.x = node.toX = <f64>packedComponent(p, 0);
+    node.y = node.toY = <f64>packedComponent(p, 1);
+    node.z = node.toZ = <f64>packedComponent(p, 2);
   }
 }
 
-// Directions and errors of the rows; returns the largest error by the length. A string that was taut in an iteration stays
-// so to the end of the sub-step, or it would be taut and slack by turns.
-function setUp(t: ConstraintTable, first: i32, last: i32, again: bool): f64 {
-  let worst: f64 = 0;
+// Computes directions and errors of the rows; returns the largest relative length error. A tension-only row that was
+// taut in an iteration stays taut for the sub-step; otherwise it could alternate between taut and slack for ever.
+function updateRows(t: ConstraintTable, first: i32, last: i32, isRepeated: bool): f64 {
+  let largestError: f64 = 0;
   for (let row = first; row < last; row++) {
     const a = nodeOf(t, row);
     const b = nodeOf(t, row + 1);
@@ -135,30 +138,30 @@ function setUp(t: ConstraintTable, first: i32, last: i32, again: bool): f64 {
     const y = b.y - a.y;
     const z = b.z - a.z;
     const d = sqrt<f64>(x * x + y * y + z * z);
-    const apart = d >= 1e-15;
-    const per = apart ? 1 / d : 0;
-    a.nx = apart ? x * per : 1;
+    const isSeparate = d >= 1e-15;
+    const per = isSeparate ? 1 / d : 0;
+    a.nx = isSeparate ? x * per : 1;
     a.ny = y * per;
     a.nz = z * per;
     const gain = <f64>get(t.gain, row);
     const length = get(t.length, row);
-    const rest = abs<f64>(<f64>length);
+    const restLength = abs<f64>(<f64>length);
     const tension = <f64>get(t.tension, row);
     const e = gain > 0 ? <f64>get(t.softness, row) / gain : 0;
-    const slack = isCord(length) && d <= rest && tension <= 0 && !(again && a.active > 0);
+    const slack = isTensionOnly(length) && d <= restLength && tension <= 0 && !(isRepeated && a.active > 0);
     const active = gain > 0 && !slack;
     const mass = a.mass + b.mass;
     const across = abs<f64>(tension) * per;
-    a.error = d - rest;
-    a.flexibility = max<f64>(e, RIGID_ENOUGH / mass);
-    a.across = across > LEAST_ACROSS * mass ? across : 0;
+    a.error = d - restLength;
+    a.flexibility = max<f64>(e, MIN_COMPLIANCE / mass);
+    a.across = across > MIN_TRANSVERSE * mass ? across : 0;
     a.active = active ? 1 : 0;
-    if (active) worst = max<f64>(worst, abs<f64>(d - rest - e * tension) / (d + rest));
+    if (active) largestError = max<f64>(largestError, abs<f64>(d - restLength - e * tension) / (d + restLength));
   }
-  return worst;
+  return largestError;
 }
 
-// Downwards.
+// Forward elimination.
 function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   for (let row = first; row <= last; row++) {
     const node = nodeOf(t, row);
@@ -172,13 +175,13 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
     if (m > 0) {
       invert(mobilityOf(node), node.xx, node.xy, node.xz, node.yy, node.yz, node.zz);
     } else node.xx = node.xy = node.xz = node.yy = node.yz = node.zz = 0;
-    if (row < last) weighRow(node);
+    if (row < last) computeRowStiffness(node);
   }
 }
 
-// S of the row below a body, from its P.
+// Computes S of the row below a body from the body's P.
 // @ts-ignore: decorator
-@inline function weighRow(node: Node): void {
+@inline function computeRowStiffness(node: Node): void {
   const x = node.nx;
   const y = node.ny;
   const z = node.nz;
@@ -211,7 +214,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   invert(stiffnessOf(node), xx, xy, xz, yy, yz, zz);
 }
 
-// The six numbers of a symmetric matrix, as they stand in a node.
+// A symmetric matrix, laid out as in a node.
 @unmanaged
 class Symmetric {
   xx: f64;
@@ -232,8 +235,8 @@ class Symmetric {
   return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('sxx'));
 }
 
-// Of a positive definite matrix, by its factors L D L'. By cofactors a matrix that is a thousand million times as stiff one way
-// as the others would have a determinant of rounding only.
+// Inverts a positive definite matrix by its factors L D L'. If one direction is 1e9 times as stiff as the others, the
+// determinant of the cofactor formula would be rounding error only.
 // @ts-ignore: decorator
 @inline function invert(to: Symmetric, xx: f64, xy: f64, xz: f64, yy: f64, yz: f64, zz: f64): void {
   const a = 1 / xx;
@@ -252,7 +255,7 @@ class Symmetric {
   to.xx = a + yx * yx * b + back * back * c;
 }
 
-// Adds S of the row above, and what it wants, to a body.
+// Adds S and the right-hand side of the row above to a body.
 // @ts-ignore: decorator
 @inline function addAbove(a: Node, node: Node): void {
   const x = a.xx * a.rx + a.xy * a.ry + a.xz * a.rz - a.error * a.nx;
@@ -269,7 +272,8 @@ class Symmetric {
   node.zz += a.szz;
 }
 
-// Upwards: moves the bodies by the forces of the rows below them, whose part along the row is the tension.
+// Back substitution: moves the bodies by the forces of the rows below them, whose component along the row is the
+// tension.
 function substitute(t: ConstraintTable, first: i32, last: i32): void {
   let dx: f64 = 0;
   let dy: f64 = 0;

@@ -1,9 +1,9 @@
-// The damping of springs, one row after the other.
+// The viscous damping of springs, one row after the other.
 import { columns, get, put } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
-import { ConstraintTable, RIGID, isCord, packedAt, part, tableAt, word } from './table';
+import { ConstraintTable, RIGID, isTensionOnly, packedAt, packedComponent, tableAt, word } from './table';
 
-// Viscous damping of springs, implicit: of the rate u a share c h w / (1 + c h w) goes, so no damping is too strong.
+// Damps implicitly: removes the share c h w / (1 + c h w) of the extension rate u, which is stable at any damping.
 export function dampConstraints(table: usize, h: f64): void {
   const t = tableAt(table);
   const springs = changetype<SpringTable>(t.springs);
@@ -12,15 +12,16 @@ export function dampConstraints(table: usize, h: f64): void {
     if (spring == 0) continue;
     const damping = <f64>get(springs.damping, spring);
     if (damping == 0 || <f64>get(springs.stiffness, spring) >= RIGID) continue;
-    if (isCord(get(t.length, row)) && get(t.tension, row) <= 0) continue;
-    const w = <f64>part(packedAt(t, word(t.a, row)), 3) + <f64>part(packedAt(t, word(t.b, row)), 3);
+    if (isTensionOnly(get(t.length, row)) && get(t.tension, row) <= 0) continue;
+    const w =
+      <f64>packedComponent(packedAt(t, word(t.a, row)), 3) + <f64>packedComponent(packedAt(t, word(t.b, row)), 3);
     const rate = damping * h * w;
-    slow(t, row, rate / (1 + rate), isCord(get(t.length, row)));
+    dampRow(t, row, rate / (1 + rate), isTensionOnly(get(t.length, row)));
   }
 }
 
-// Takes a share of the rate of extension; where the row only pulls, only if it extends.
-function slow(t: ConstraintTable, row: i32, share: f64, onlyPulls: bool): void {
+// Removes a share of the extension rate; a tension-only row only resists extension.
+function dampRow(t: ConstraintTable, row: i32, share: f64, tensionOnly: bool): void {
   const c = columns();
   const a = word(t.a, row);
   const b = word(t.b, row);
@@ -28,21 +29,21 @@ function slow(t: ConstraintTable, row: i32, share: f64, onlyPulls: bool): void {
   const y = <f64>get(c.positionY, b) - <f64>get(c.positionY, a);
   const z = <f64>get(c.positionZ, b) - <f64>get(c.positionZ, a);
   const square = x * x + y * y + z * z;
-  const wa = <f64>part(packedAt(t, a), 3);
-  const wb = <f64>part(packedAt(t, b), 3);
+  const wa = <f64>packedComponent(packedAt(t, a), 3);
+  const wb = <f64>packedComponent(packedAt(t, b), 3);
   if (!(square > 1e-30) || wa + wb == 0) return;
   const rate =
     x * (<f64>get(c.velocityX, b) - <f64>get(c.velocityX, a)) +
     y * (<f64>get(c.velocityY, b) - <f64>get(c.velocityY, a)) +
     z * (<f64>get(c.velocityZ, b) - <f64>get(c.velocityZ, a));
-  if (onlyPulls && rate < 0) return;
+  if (tensionOnly && rate < 0) return;
   const impulse = (share * rate) / (square * (wa + wb));
-  push(a, impulse * wa, x, y, z);
-  push(b, -impulse * wb, x, y, z);
+  addVelocity(a, impulse * wa, x, y, z);
+  addVelocity(b, -impulse * wb, x, y, z);
 }
 
 // @ts-ignore: decorator
-@inline function push(body: u32, by: f64, x: f64, y: f64, z: f64): void {
+@inline function addVelocity(body: u32, by: f64, x: f64, y: f64, z: f64): void {
   const c = columns();
   put(c.velocityX, body, <real>(<f64>get(c.velocityX, body) + by * x));
   put(c.velocityY, body, <real>(<f64>get(c.velocityY, body) + by * y));

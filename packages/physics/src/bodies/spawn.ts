@@ -1,8 +1,8 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
 import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
-import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
-import { makeRoom } from '../ecs/entity-capacity.ts';
-import { isInhabited, staleError } from '../ecs/entity-ref.ts';
+import { contextOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { ensureCapacity } from '../ecs/entity-capacity.ts';
+import { hasAnyComponent, staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkValues, completeValues, initialValues } from '../ecs/values.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
@@ -30,7 +30,7 @@ export type BodyInput = {
 
 const NAME_OF_KEY = new Map<string, ComponentName>(COMPONENT_NAMES.map((name) => [keyOf(name), name]));
 
-/** The component a key of `spawn` names. @throws PhysicsError E_UNKNOWN */
+/** Returns the component for a key of `spawn`. @throws PhysicsError E_UNKNOWN */
 export function componentOfKey(key: string, caller: string): ComponentName {
   const name = NAME_OF_KEY.get(key);
   if (name === undefined) throw unknownName(caller, 'option', key, [...NAME_OF_KEY.keys()]);
@@ -38,16 +38,17 @@ export function componentOfKey(key: string, caller: string): ComponentName {
 }
 
 /**
- * Makes one entity with the given components. A component given as `{}` gets its initial values; one left out, or
- * undefined, is absent; but a body with mass gets a velocity, at rest. All values are checked before anything is made. During a step the body appears when the step
- * ends. An exception of an observer of yours takes the entity back and comes out of here.
+ * Creates one entity with the given components. A component given as `{}` gets its initial values; an omitted or
+ * undefined component is absent, except that a body with mass gets a zero velocity. All values are validated first.
+ * During a step the body is created at the end of the step. An exception of a user's observer removes the entity and
+ * propagates.
  * @returns the entity id
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_DESTROYED
  */
 export function spawn(world: PhysicsWorld, body: BodyInput): number {
   assertUsable(world);
   const checked = checkBody(world, body);
-  makeRoom(world, 1);
+  ensureCapacity(world, 1);
   const eid = addEntity(world);
   try {
     for (const [name, values] of checked) {
@@ -55,7 +56,7 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
       addComponent(world, eid, set(world.components[name], values));
     }
   } catch (error) {
-    removeWholly(world, eid);
+    removeEntityCompletely(world, eid);
     throw error;
   } finally {
     world.internal.checked = undefined;
@@ -77,18 +78,18 @@ function checkBody(world: PhysicsWorld, body: BodyInput): [ComponentName, FieldV
 }
 
 /**
- * Whoever gives a body mass means it to move: without Velocity it would hang in the air. Only the two spawn functions
- * add what they were not given; components attached by hand stay as they are.
+ * A body with mass is meant to move: without Velocity forces would have no effect. Only the two spawn functions add
+ * components that were not given; components attached by hand stay as they are.
  */
 export function lacksVelocity(names: readonly ComponentName[]): boolean {
   return names.includes('Position') && names.includes('Mass') && !names.includes('Velocity');
 }
 
 /**
- * Removes a body (or a wall, or a spring) and its entity. During a step it goes when the step ends; until then it
- * takes part in the step, but `isAlive` is false for it, and removing it again does nothing.
- * @throws PhysicsError E_STALE when there is nothing with this id, E_DESTROYED; and what an observer of yours throws,
- *   when the entity is gone
+ * Removes a body (or a wall, or a spring) and its entity. During a step it is removed at the end of the step; until then
+ * it takes part in the step, but `isAlive` is false for it, and removing it again does nothing.
+ * @throws PhysicsError E_STALE if there is no entity with this id, E_DESTROYED; and exceptions of user observers, after
+ *   the entity is removed
  */
 export function despawn(world: PhysicsWorld, eid: number): void {
   assertUsable(world);
@@ -96,21 +97,21 @@ export function despawn(world: PhysicsWorld, eid: number): void {
     despawnLater(world, eid);
     return;
   }
-  if (!isInhabited(world, eid)) throw staleError(eid, `there is no body ${String(eid)} in this world.`);
-  removeWholly(world, eid);
+  if (!hasAnyComponent(world, eid)) throw staleError(eid, `there is no body ${String(eid)} in this world.`);
+  removeEntityCompletely(world, eid);
 }
 
 function despawnLater(world: PhysicsWorld, eid: number): void {
   const { leaving, deferredEdits } = world.internal;
-  // bitECS knows better than the rows: bodies made in this step have none yet, and others may be gone already.
+  // Asks bitECS rather than the rows: bodies created in this step have no rows yet, and others may be removed already.
   if (!Number.isInteger(eid) || !entityExists(world, eid) || !hasAny(world, eid)) {
     throw staleError(eid, `there is no body ${String(eid)} in this world.`);
   }
-  const life = contextOf(world).entityComponents.get(eid);
-  if (leaving.get(eid) === life) return;
-  leaving.set(eid, life as Set<unknown>);
+  const components = contextOf(world).entityComponents.get(eid);
+  if (leaving.get(eid) === components) return;
+  leaving.set(eid, components as Set<unknown>);
   deferredEdits.push(() => {
-    if (contextOf(world).entityComponents.get(eid) === life) removeWholly(world, eid);
+    if (contextOf(world).entityComponents.get(eid) === components) removeEntityCompletely(world, eid);
   });
 }
 

@@ -1,7 +1,7 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Bounds } from '../errors/validate.ts';
 
-/** A column of real numbers: f32 or f64 by the world's precision. */
+/** A column of real numbers: f32 or f64 according to the world's precision. */
 export type RealColumn = Float32Array | Float64Array;
 
 /** One field of a component. */
@@ -9,27 +9,27 @@ export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
   readonly kind: Kind;
   /** SI unit; empty for a pure number. */
   readonly unit: string;
-  /** The value a row gets when the component is added without one. */
+  /** The default value. */
   readonly initial: number;
-  /** What a value given through the API must keep. */
+  /** The bounds of a value given through the API. */
   readonly bounds: Bounds;
-  /** Said when a value is refused. */
+  /** The hint of the error for an invalid value. */
   readonly hint?: string | undefined;
-  /** Infinity is taken and stored as this number. */
+  /** The number that represents infinity; by default infinity is invalid. */
   readonly infinite?: number | undefined;
-  /** Only 0 is taken in a world of two dimensions. */
+  /** Whether the field must be 0 in 2D. */
   readonly spatial?: boolean | undefined;
-  /** The field that notes which life of the body it names: this one is the id of a body of the world. */
+  /** For the id of a body: the name of the field with the generation of that body. */
   readonly life?: string | undefined;
 }
 
-/** A component: its fields, and the one a bare number sets. `COMPONENTS` names it. */
+/** A component: its fields, and the field set by a plain number. `COMPONENTS` names it. */
 export interface ComponentSpec<Fields extends Record<string, FieldSpec> = Record<string, FieldSpec>> {
   readonly fields: Fields;
   readonly scalar?: (keyof Fields & string) | undefined;
-  /** A row's values changed how a body looks, not only where it is. */
+  /** Whether its values affect the appearance of a body, not only its pose. */
   readonly visual?: boolean | undefined;
-  /** A last look at all given values together, after each was found valid; may normalise them in place. */
+  /** Validates all values together after each was validated; may normalise them in place. */
   readonly complete?: ((values: Record<string, number>, entity: number | undefined) => void) | undefined;
 }
 
@@ -58,14 +58,14 @@ export function u32(unit: string, options: FieldOptions = {}): FieldSpec<'u32'> 
   return { ...field, kind: 'u32', bounds: { min: 0, max: 0xffffffff, integer: true, ...field.bounds } };
 }
 
-/** A field that names a body by its id. The field `life` notes the body's generation: ids are given again, lives not. */
+/** A field with the id of a body. The field `life` stores its generation, because ids are reused. */
 export function bodyId(life: string): FieldSpec<'u32'> {
   return { ...u32('id', { bounds: { min: 1 } }), life };
 }
 
 /**
- * Makes fields that are a direction together one of length 1.
- * @param hint said of what has no direction
+ * Normalises fields that form a direction to length 1.
+ * @param hint the hint of the error for a zero direction
  * @throws PhysicsError E_RANGE
  */
 export function normaliseFields(
@@ -77,8 +77,8 @@ export function normaliseFields(
 ): void {
   const length = Math.sqrt(fields.reduce((sum, field) => sum + values[field] * values[field], 0));
   if (!(length > 1e-12 && length < Infinity)) {
-    const given = fields.map((field) => values[field]).join(', ');
-    throw new PhysicsError('E_RANGE', `${what} (${given}) has no direction.`, {
+    const components = fields.map((field) => values[field]).join(', ');
+    throw new PhysicsError('E_RANGE', `${what} (${components}) has no direction: its length is ${length}.`, {
       entity,
       field: what,
       value: values,

@@ -1,8 +1,8 @@
 import { defineComponent, real } from './define.ts';
 
 /**
- * Mass, kg. Forces and contacts move what has Position, Velocity and Mass. A body without Mass (the column holds 0) is
- * static, or kinematic when it has a velocity; infinity is taken and means the same.
+ * Mass, kg. Forces and contacts move bodies with Position, Velocity and Mass. A body without Mass (the column holds
+ * 0) is static, or kinematic if it has a velocity; infinity means the same.
  */
 export const Mass = defineComponent({
   scalar: 'value',
@@ -12,7 +12,7 @@ export const Mass = defineComponent({
       // Below 1e-37 kg an f32 world would store zero, which means static.
       bounds: { above: 0, min: 1e-37, max: 1e38 },
       infinite: 0,
-      hint: 'For a body that forces do not move, leave Mass out.',
+      hint: 'For a body that forces do not move, omit Mass.',
     }),
   },
 });

@@ -1,21 +1,21 @@
 import { defineComponent, normaliseFields, real } from './define.ts';
 
-/** Largest |angular velocity| about an axis, rad/s; a value beyond is capped. */
+/** Maximum |angular velocity| about an axis, rad/s; larger values are clamped. */
 export const MAX_ANGULAR_SPEED = 1e9;
 
-/** Largest |angle| a world takes, radians; f32 tells no directions apart long before. */
+/** Maximum |angle|, rad; f32 cannot resolve directions long before. */
 export const MAX_ANGLE = 1e12;
 
-/** Largest |part| of a quaternion found in a column: those of a unit one stay within 1, and a little drift is put right. */
-export const MAX_QUATERNION_PART = 2;
+/** Maximum |component| of a quaternion in a column: unit quaternions stay within 1, and small drift is normalised. */
+export const MAX_QUATERNION_COMPONENT = 2;
 
-/** 2D: angle of the body, radians, anticlockwise from +x. */
+/** Angle of the body in 2D, rad, anticlockwise from +x. */
 export const Rotation = defineComponent({
   scalar: 'angle',
   fields: { angle: real('rad', { bounds: { min: -MAX_ANGLE, max: MAX_ANGLE } }) },
 });
 
-/** 3D: unit quaternion from the body's frame to the world's. Given values are normalised. */
+/** Orientation in 3D: the unit quaternion from the body's frame to the world's. Given values are normalised. */
 export const Orientation = defineComponent({
   fields: { x: real(''), y: real(''), z: real(''), w: real('', { initial: 1 }) },
   complete(values, entity) {
@@ -23,13 +23,13 @@ export const Orientation = defineComponent({
       values,
       ['x', 'y', 'z', 'w'],
       'orientation',
-      'Give a quaternion of length 1; { w: 1 } is "not rotated".',
+      'Give a quaternion of length 1; { w: 1 } is the identity.',
       entity,
     );
   },
 });
 
-/** Angular velocity, rad/s. In 2D only `z` turns the body, anticlockwise. */
+/** Angular velocity, rad/s. In 2D only `z` rotates the body, anticlockwise. */
 export const AngularVelocity = defineComponent({
   scalar: 'z',
   fields: {

@@ -2,31 +2,34 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { bodyId, defineComponent, real, u32 } from './define.ts';
 
 /**
- * A damped Hooke spring between two bodies. The entity that has it is the spring, and goes when one of its bodies goes.
- * A body without mass is an anchor.
+ * A damped Hooke spring between two bodies. The entity with this component is the spring, and is removed with either
+ * of its bodies. A body without mass is an anchor.
  */
 export const Spring = defineComponent({
   fields: {
-    /** The bodies it joins, by id. */
+    /** The ids of the bodies that it joins. */
     a: bodyId('aLife'),
     b: bodyId('bLife'),
-    /** Which life of those ids is meant; filled in by the engine. */
+    /** The generations of these ids, filled in by the engine. */
     aLife: u32(''),
     bLife: u32(''),
-    /** Force per extension, N/m. Infinity makes a rod, or an inextensible string: for the integrator `xpbd` only. */
+    /** Force per extension, N/m. Infinity makes a rod, or an inextensible string: only for the integrator `xpbd`. */
     stiffness: real('N/m', { bounds: { min: 0, max: 1e30 }, infinite: 1e30 }),
-    /** Force per speed of extension, N s/m. */
+    /** Force per rate of extension, N s/m. */
     damping: real('N s/m', { bounds: { min: 0, max: 1e30 } }),
     /** Natural length, m. */
     length: real('m', { bounds: { min: 0, max: 1e12 } }),
-    /** 1 for a cord, which pulls when longer than its natural length and never pushes. */
-    cord: u32('', { bounds: { max: 1 } }),
-    /** Pull at which it breaks where the system `breakSprings` runs, N; 0 for never. */
+    /**
+     * 1 for a spring that only pulls, like a rope: it exerts no force below its natural length. 0 for a spring that
+     * also pushes.
+     */
+    tensionOnly: u32('', { bounds: { max: 1 } }),
+    /** Tension at which the spring breaks, N, if the system `breakSprings` runs; 0 for never. */
     breakForce: real('N', { bounds: { min: 0, max: 1e30 } }),
   },
   complete({ a, b }, entity) {
     if (a !== 0 && b !== 0 && a !== b) return;
-    const problem = a === b && a !== 0 ? `spring joins body ${a} to itself.` : 'spring needs two bodies.';
+    const problem = a === b && a !== 0 ? `spring joins body ${a} to itself.` : 'spring needs two bodies, a and b.';
     throw new PhysicsError('E_RANGE', problem, {
       entity,
       field: 'spring.b',

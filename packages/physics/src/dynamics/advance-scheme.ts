@@ -1,6 +1,6 @@
-// Steps of a scheme where some force is no law: the scheme is cut at each evaluation of the forces into pieces. A piece
-// is a loop that moves the bodies to the state at which the forces are asked for next, and keeps in scratch columns what
-// later pieces need.
+// Runs a fixed-stage scheme if some force is not a law. The scheme is split at each force evaluation: each segment is a
+// loop that moves the bodies to the state of the next evaluation, and stores intermediate values for later segments in
+// scratch columns.
 import type { CompiledLoop, Loop } from '../laws/compile.ts';
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
@@ -9,7 +9,7 @@ import type { StageData } from '../laws/scheme.ts';
 import { type Axes, eachAxis, zeroVector } from '../laws/vector-algebra.ts';
 import { realColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
 import { evaluateForces } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
@@ -23,39 +23,45 @@ import { makeWorldLoop } from './world-loop.ts';
 interface SchemeLoops {
   readonly compiled: readonly CompiledLoop[];
   readonly block: ParameterBlock;
-  /** The pieces: one more than there are evaluations. */
-  readonly pieces: readonly Loop[];
+  /** The segments: one more than the evaluations. */
+  readonly segments: readonly Loop[];
 }
 
-/** Columns for what pieces hand on: those of the scratch first, then others, which the next scheme uses again. */
-const handedOn = resource(({ scratch: { at } }): number[] =>
+/** Columns for intermediate values: those of the scratch first, then additional ones, which later schemes reuse. */
+const intermediateColumns = resource(({ scratch: { at } }): number[] =>
   [at.stage1, at.stage2].flatMap(({ x, y, z }) => [x, y, z]),
 );
 
 /** The loops of a world whose integrator has fixed stages and whose forces are not all laws. */
-export const schemeLoops = keptWithPlan((world): SchemeLoops => {
+export const schemeLoops = cachedWithPlan((world): SchemeLoops => {
   const scheme = world.integrator.scheme as Scheme;
   const block = new ParameterBlock(world, [scheme], scheme.stages);
   const memory = schemeMemory(world, scheme);
   const sources = cutScheme(new WorldColumns(world, block, () => scheme), scheme, memory);
-  const key = JSON.stringify(['pieces', layoutOf(world, block), handedOn(world), memory.columns, scheme.structure]);
+  const key = JSON.stringify([
+    'pieces',
+    layoutOf(world, block),
+    intermediateColumns(world),
+    memory.columns,
+    scheme.structure,
+  ]);
   const variant = JSON.stringify(variantOf(scheme));
   const loops = sources.map((source, i) => makeWorldLoop(world, `${key} ${i} ${variant}`, () => source));
-  return { block, compiled: loops.map(({ compiled }) => compiled), pieces: loops.map(({ run }) => run) };
+  return { block, compiled: loops.map(({ compiled }) => compiled), segments: loops.map(({ run }) => run) };
 });
 
-/** Moves all bodies by one step. */
+/** Advances all bodies by one step. */
 export function advanceScheme(world: PhysicsWorld, ranges: Ranges, dt: number): void {
-  const { block, pieces } = schemeLoops(world);
+  const { block, segments } = schemeLoops(world);
   const { stages } = world.integrator.scheme as Scheme;
   block.write(dt, world.time, lastStepOf(world, world.integrator.scheme as Scheme, dt));
-  for (let p = 0; p < pieces.length; p++) {
-    for (let r = 0; r < ranges.count; r++) pieces[p](ranges.bounds[2 * r], ranges.bounds[2 * r + 1], 0);
+  for (let p = 0; p < segments.length; p++) {
+    for (let r = 0; r < ranges.count; r++) segments[p](ranges.bounds[2 * r], ranges.bounds[2 * r + 1], 0);
     if (p < stages.length) evaluateForces(world, ranges, world.time + stages[p] * dt);
   }
 }
 
-/** The pieces of a scheme as arithmetic. */
+/** Builds the arithmetic of the segments of a scheme. */
 function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeMemory): LoopSource[] {
   const { graph, world } = columns;
   const { addresses, previousAddresses, scratch } = world;
@@ -78,12 +84,12 @@ function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeMemory):
     },
     kick(position, velocity, duration, { stage }: StageData) {
       stages[stage] = { position, velocity };
-      // A column of its own for each evaluation, as far as the graph knows: the forces there are others each time.
+      // The graph treats the force columns of each evaluation as distinct columns, because their values differ.
       const force = eachAxis((i) => graph.make('real', [], forceColumn(world, stage, i)));
       forces[stage] = [...force];
-      // What stands in the force columns comes from anybody: only bodies that forces move must feel it.
-      const felt = eachAxis((i) => graph.make('keep', [columns.isMovable, force[i]]));
-      const flat: Axes = world.dimensions === 2 ? [felt[0], felt[1], graph.zero] : felt;
+      // User code may write any value to the force columns, so the force is masked to the bodies that forces move.
+      const maskedForce = eachAxis((i) => graph.make('keep', [columns.isMovable, force[i]]));
+      const flat: Axes = world.dimensions === 2 ? [maskedForce[0], maskedForce[1], graph.zero] : maskedForce;
       return velocityChange(columns, { force: flat, acceleration: none, torque: none }, duration);
     },
   });
@@ -103,12 +109,12 @@ function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeMemory):
   );
 }
 
-/** The force column as the evaluation `stage` leaves it: an address that differs from stage to stage. */
+/** A symbolic address for the force column after evaluation `stage`; it differs between stages. */
 function forceColumn({ scratch }: PhysicsWorld, stage: number, axis: number): number {
   return scratch.at.force['xyz'[axis] as 'x'] + stage / 1024;
 }
 
-/** Divides the work among the pieces: each node is computed in the first piece that can, and handed on if it is needed later. */
+/** Assigns each node to the first segment that can compute it, and stores its value if a later segment needs it. */
 function cut(
   { graph, world, block }: WorldColumns,
   roots: readonly Store[][],
@@ -119,16 +125,16 @@ function cut(
     let level = levels.get(node);
     if (level === undefined) {
       const stage = forces.findIndex((nodes) => nodes.has(node));
-      level = node.args.reduce((most, arg) => Math.max(most, levelOf(arg)), stage + 1);
+      level = node.args.reduce((max, arg) => Math.max(max, levelOf(arg)), stage + 1);
       levels.set(node, level);
     }
     return level;
   };
-  const columns = handedOn(world);
+  const columns = intermediateColumns(world);
   const places = new Map<Node, number>();
   const extra: Store[][] = roots.map(() => []);
-  // What a later piece reads of an earlier one: a column where the earlier one left it.
-  const handOn = (node: Node): Node => {
+  // Replaces a value of an earlier segment by the column that stores it.
+  const storeForLater = (node: Node): Node => {
     let place = places.get(node);
     if (place === undefined) {
       place = places.size;
@@ -138,7 +144,7 @@ function cut(
     }
     return graph.make('real', [], columns[place]);
   };
-  const moved = roots.map((stores, piece) => {
+  const moved = roots.map((stores, segment) => {
     const done = new Map<Node, Node>();
     const rewrite = (node: Node): Node => {
       let made = done.get(node);
@@ -150,27 +156,27 @@ function cut(
     };
     const rewriteNode = (node: Node): Node => {
       const isForce = forces.some((nodes) => nodes.has(node));
-      if (isForce && levelOf(node) === piece) return graph.make('real', [], Math.floor(node.value));
+      if (isForce && levelOf(node) === segment) return graph.make('real', [], Math.floor(node.value));
       if (node.args.length === 0 && !isForce) return node;
-      if (levelOf(node) < piece && levelOf(node) > 0 && !node.isUniform) {
-        // The state at which the forces were asked for stands in the columns of the bodies.
-        const left = roots[piece - 1].find((store) => store.node === node);
-        return left === undefined ? handOn(node) : graph.make('real', [], left.address);
+      if (levelOf(node) < segment && levelOf(node) > 0 && !node.isUniform) {
+        // The state of the evaluation is in the bodies' own columns.
+        const left = roots[segment - 1].find((store) => store.node === node);
+        return left === undefined ? storeForLater(node) : graph.make('real', [], left.address);
       }
       return graph.make(node.op, node.args.map(rewrite), node.value, node.over ?? node.scope);
     };
     return { rewrite, stores: stores.map(({ address, node }) => ({ address, node: rewrite(node) })) };
   });
-  // From the last piece to the first: what is handed on may need what was handed on before.
+  // Segments are processed from last to first, because a stored value may depend on values stored earlier.
   const kept: Store[][] = [];
-  for (let piece = roots.length - 1; piece >= 0; piece--) {
-    kept[piece] = extra[piece].map(({ address, node }) => ({ address, node: moved[piece].rewrite(node) }));
+  for (let segment = roots.length - 1; segment >= 0; segment--) {
+    kept[segment] = extra[segment].map(({ address, node }) => ({ address, node: moved[segment].rewrite(node) }));
   }
   const { precision } = world;
-  return moved.map(({ stores }, piece) => ({
+  return moved.map(({ stores }, segment) => ({
     name: 'piece',
     types: { stored: precision, computed: precision },
-    stores: [...stores, ...kept[piece]],
+    stores: [...stores, ...kept[segment]],
     noteOf: notesOf(world, block),
   }));
 }

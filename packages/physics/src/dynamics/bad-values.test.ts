@@ -1,5 +1,5 @@
-// A law that goes wrong for one body, and bad numbers that anybody wrote: the body alone stops, its neighbours in the
-// same vector of lanes go on as if nothing had happened.
+// Tests a law that fails for one body, and invalid values written by user code: only that body stops; its neighbours in
+// the same SIMD vector continue unchanged.
 import { describe, expect, test } from 'vitest';
 import { crowd, WORLD_KINDS, type WorldKind } from '../../../../test/support/law-lab.ts';
 import { bodyState, steps } from '../../../../test/support/worlds.ts';
@@ -19,14 +19,14 @@ import {
   vec3,
 } from '../index.ts';
 
-/** Gives a body with negative charge a force that is not a number, and others one that depends on them. */
+/** Gives a body with negative charge a NaN force, and the others a force that depends on their charge. */
 const root = defineLaw({
   name: 'root of the charge',
   reads: { q: COMPONENTS.Charge },
   force: ({ position, velocity, q }) => velocity.sub(position).mul(q.sqrt()),
 })();
 
-/** Infinite for a body without mass, and for a row in which there is no body. */
+/** Infinite for a body without mass, and for a row without a body. */
 const perMass = defineLaw({
   name: 'per mass',
   force: ({ position, mass }) => position.add(vec3(1, 2, 3)).div(mass),
@@ -47,33 +47,30 @@ function scene(kind: WorldKind, all: readonly Force[] = forces(), integrator = I
   return { world, eids };
 }
 
-/** All bodies but some, to the bit. */
+/** Returns the state of all other bodies, for bitwise comparison. */
 function others({ world, eids }: { world: PhysicsWorld; eids: readonly number[] }, bad: number): string[] {
   return eids.filter((eid) => eid !== bad).map((eid) => bodyState(world, eid));
 }
 
 describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
-  test.each([0, 1, 2, 3, 9, 16])(
-    'a law that is not a number for body %i quarantines it alone, and is named',
-    (which) => {
-      const [good, bad] = [scene(kind), scene(kind)];
-      const eid = bad.eids[which];
-      steps(good.world, 2);
-      steps(bad.world, 2);
-      const { Position, Velocity, Charge } = bad.world.components;
-      const before = [Position.x[eid], Position.y[eid]];
-      Charge.value[eid] = -1;
-      steps(good.world, 5);
-      steps(bad.world, 5);
-      expect(bad.world.faults.faults).toHaveLength(1);
-      const [{ law, hint, ...fault }] = bad.world.faults.faults;
-      expect(fault).toMatchObject({ code: 'E_NONFINITE', entity: eid, phase: 'finish', step: 2 });
-      expect(law).toBe('root of the charge');
-      expect(hint).toMatch(/Look at the law "root of the charge"/);
-      expect([Position.x[eid], Position.y[eid], Velocity.x[eid], Velocity.y[eid]]).toEqual([...before, 0, 0]);
-      expect(others(bad, eid)).toEqual(others(good, eid));
-    },
-  );
+  test.each([0, 1, 2, 3, 9, 16])('a law that is NaN for body %i quarantines only that body, and is named', (which) => {
+    const [good, bad] = [scene(kind), scene(kind)];
+    const eid = bad.eids[which];
+    steps(good.world, 2);
+    steps(bad.world, 2);
+    const { Position, Velocity, Charge } = bad.world.components;
+    const before = [Position.x[eid], Position.y[eid]];
+    Charge.value[eid] = -1;
+    steps(good.world, 5);
+    steps(bad.world, 5);
+    expect(bad.world.faults.faults).toHaveLength(1);
+    const [{ law, hint, ...fault }] = bad.world.faults.faults;
+    expect(fault).toMatchObject({ code: 'E_NONFINITE', entity: eid, phase: 'finish', step: 2 });
+    expect(law).toBe('root of the charge');
+    expect(hint).toMatch(/Check the law "root of the charge"/);
+    expect([Position.x[eid], Position.y[eid], Velocity.x[eid], Velocity.y[eid]]).toEqual([...before, 0, 0]);
+    expect(others(bad, eid)).toEqual(others(good, eid));
+  });
 
   test.each([
     ['Position', 'x', Number.NaN, 'E_NONFINITE'],
@@ -81,7 +78,7 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
     ['Velocity', 'x', Number.NaN, 'E_NONFINITE'],
     ['Velocity', 'y', -Infinity, 'E_NONFINITE'],
     ['Velocity', 'y', 1e300, kind.precision === 'f32' ? 'E_NONFINITE' : 'E_SPEED'],
-  ] as const)('%s.%s = %d that anybody wrote stays with its body: %s', (name, axis, value, code) => {
+  ] as const)('an invalid %s.%s = %d affects only its body: %s', (name, axis, value, code) => {
     const [good, bad] = [scene(kind), scene(kind)];
     const eid = bad.eids[6];
     steps(good.world, 1);
@@ -100,8 +97,8 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
 
   test.each([
     ['one loop', []],
-    ['pieces', [defineForce({ name: 'nothing', accumulate() {} })]],
-  ])('a law that is infinite without mass moves nothing that has none: %s', (_, more) => {
+    ['segments', [defineForce({ name: 'nothing', accumulate() {} })]],
+  ])('a law that is infinite without mass does not move bodies without mass: %s', (_, more) => {
     const world = createPhysicsWorld({ capacity: 50, ...kind, forces: [perMass, ...more] });
     const wall = spawn(world, { position: { x: 1, y: 2 } });
     const platform = spawn(world, { position: { x: 3 }, velocity: { x: 0.5 } });
@@ -110,16 +107,16 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
     const { Position: p, Velocity: v } = world.components;
     expect([p.x[wall], p.y[wall], p.x[platform], v.x[platform], v.y[platform]]).toEqual([1, 2, 4, 0.5, 0]);
     expect(v.y[falling]).not.toBe(0);
-    // Rows without a body hold zeros, as everybody may rely on.
+    // Rows without a body hold zeros; all kernels rely on this.
     expect([p.x[0], v.x[0], p.x[falling + 1], v.x[falling + 1]]).toEqual([0, 0, 0, 0]);
     expect(world.faults.faults).toEqual([]);
   });
 });
 
-describe('whose fault it is', () => {
+describe('the law at fault', () => {
   const kind = WORLD_KINDS[0];
 
-  test('the first law in the list that is not finite is named, whatever the integrator', () => {
+  test('the first non-finite law of the list is named, for every integrator', () => {
     for (const { create } of Object.values(INTEGRATORS)) {
       const integrator = create();
       if (integrator.scheme === undefined) continue;
@@ -130,7 +127,7 @@ describe('whose fault it is', () => {
     }
   });
 
-  test('a law that is too strong, but a number, is not blamed', () => {
+  test('a strong but finite law is not named', () => {
     const giant = defineLaw({ name: 'giant', force: () => vec3(1e300, 0) })();
     const world = createPhysicsWorld({ capacity: 10, forces: [giant] });
     const eid = spawn(world, { position: {}, velocity: {}, mass: 1e-20 });
@@ -140,7 +137,7 @@ describe('whose fault it is', () => {
     expect(fault.law).toBeUndefined();
   });
 
-  test('bodies of one vector may fail by different laws', () => {
+  test('bodies of one SIMD vector may fail by different laws', () => {
     const log = defineLaw({
       name: 'log',
       reads: { k: COMPONENTS.QuadraticDrag },

@@ -1,18 +1,18 @@
-// Finds the law that gave a body a force which is not a number: called when a step failed for it, never otherwise.
+// Finds the law that produced a non-finite force; called only after a step failed for that reason.
 
 import { AXES } from '../memory/axes.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { type LawLoop, makeLawLoop } from './evaluate-forces.ts';
 import { type LawForce, lawsOf } from './sum-of-laws.ts';
 
-/** Each law of a world in a loop of its own. */
-const singleLaws = keptWithPlan((world) =>
+/** A separate loop for each law of a world. */
+const singleLaws = cachedWithPlan((world) =>
   lawsOf(world.forces).map((law): [LawForce, LawLoop] => [law, makeLawLoop(world, [law], false)]),
 );
 
-/** The laws whose force or torque on a body of rows [first, last) is not finite as the bodies are now, by row. */
-export function blamedLaws(world: PhysicsWorld, first: number, last: number, dt: number): Map<number, string> {
+/** Returns by row the laws whose force or torque on a body of rows [first, last) is not finite in the present state. */
+export function faultyLaws(world: PhysicsWorld, first: number, last: number, dt: number): Map<number, string> {
   const blamed = new Map<number, string>();
   const { kernels, scratch, addresses } = world;
   for (const axis of AXES[3]) kernels.copyColumn(scratch.at.startVelocity[axis], addresses.Velocity[axis], first, last);

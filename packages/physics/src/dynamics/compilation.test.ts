@@ -1,4 +1,4 @@
-// What is compiled, and when: structure and layout decide, values do not.
+// Tests that structure and layout determine when code is compiled, and values do not.
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { forcesNow, lawOf } from '../../../../test/support/law-lab.ts';
 import { steps, worldState } from '../../../../test/support/worlds.ts';
@@ -37,14 +37,14 @@ beforeEach(() => {
 });
 afterEach(() => void vi.restoreAllMocks());
 
-/** How many modules something compiles. */
+/** Counts the modules that a call compiles. */
 function countOf(act: () => void): number {
   const before = compilations;
   act();
   return compilations - before;
 }
 
-/** Laws no other test of this process has: structures are remembered for its life. */
+/** Makes structures unique, because the process caches them. */
 let unlike = 0;
 function pushLaw() {
   const odd = 1000 + unlike++;
@@ -64,7 +64,7 @@ describe('compilation', () => {
     expect(countOf(() => steps(world, 3))).toBe(0);
   });
 
-  test('another value of a parameter compiles nothing, and counts', () => {
+  test('another value of a parameter takes effect without compilation', () => {
     const push = pushLaw();
     const { world, eid } = worldWith([push({ k: 1 })]);
     step(world, 0.1);
@@ -78,7 +78,7 @@ describe('compilation', () => {
     expect(world.components.Velocity.y[eid] - before).toBeCloseTo(0.7, 12);
   });
 
-  test('a world of the same laws and layout compiles nothing', () => {
+  test('a world with the same laws and layout does not compile', () => {
     const push = pushLaw();
     const first = worldWith([push({ k: 1 }), linearDrag()]);
     step(first.world, 0.1);
@@ -92,7 +92,7 @@ describe('compilation', () => {
     ['number of dimensions', { dimensions: 3 }],
     ['integrator', { integrator: semiImplicitEuler }],
     ['capacity', { capacity: 5000 }],
-  ] as const)('another %s is another loop', (_, options) => {
+  ] as const)('another %s needs another loop', (_, options) => {
     const push = pushLaw();
     const first = worldWith([push({ k: 1 })]);
     step(first.world, 0.1);
@@ -100,7 +100,7 @@ describe('compilation', () => {
     expect(countOf(() => step(second.world, 0.1))).toBeGreaterThan(0);
   });
 
-  test('a force more is another loop, and to go back to the first is none', () => {
+  test('an additional force needs another loop, and its removal does not', () => {
     const push = pushLaw();
     const { world } = worldWith([push({ k: 1 })]);
     step(world, 0.1);
@@ -110,7 +110,7 @@ describe('compilation', () => {
     expect(countOf(() => step(world, 0.1))).toBe(0);
   });
 
-  test('a vector that is steady, has a zero, or changes with time, each has code of its own and the right result', () => {
+  test('constant vectors, zero axes and functions of time have separate code and correct results', () => {
     const odd = 1000 + unlike++;
     const wind = defineLaw({
       name: 'wind',
@@ -129,7 +129,7 @@ describe('compilation', () => {
     expect(pushOf({ w: { x: 4, y: 5 } })).toEqual([4, 5]);
   });
 
-  test('columns of one’s own at other addresses are read where they are', () => {
+  test('custom columns at other addresses are read correctly', () => {
     const [Heat, Glow] = [0, 1].map(() => defineComponent({ fields: { value: realField('') } }));
     const law = lawOf({
       reads: { heat: Heat, glow: Glow },
@@ -148,7 +148,7 @@ describe('compilation', () => {
   });
 });
 
-describe('a law of a user', () => {
+describe('a user law', () => {
   const own = defineLaw({
     name: 'my own drag',
     reads: { k: COMPONENTS.QuadraticDrag },
@@ -160,7 +160,7 @@ describe('a law of a user', () => {
   });
 
   test.each(['f32', 'f64'] as const)(
-    'of the formula of quadraticDrag gives its bits, %s, and shares its code',
+    'with the formula of quadraticDrag gives the same bits, %s, and shares its code',
     (precision) => {
       const [given, mine] = [quadraticDrag({ x: 0.3 }), own({ w: { x: 0.3 } })].map((force) =>
         worldWith([force], { precision }),
@@ -174,8 +174,8 @@ describe('a law of a user', () => {
   );
 });
 
-describe('a page that forbids to compile WebAssembly', () => {
-  /** As Chromium does it. */
+describe('a page that forbids WebAssembly compilation', () => {
+  /** This mimics Chromium. */
   class Forbidden {
     constructor() {
       const policy = 'violates the following Content Security policy directive';
@@ -187,8 +187,8 @@ describe('a page that forbids to compile WebAssembly', () => {
 
   test.each([
     ['one loop', []],
-    ['pieces', [defineForce({ name: 'nothing', accumulate() {} })]],
-  ])('gets one sentence that says what to add, and nothing has moved: %s', (_, others) => {
+    ['segments', [defineForce({ name: 'nothing', accumulate() {} })]],
+  ])('gets an error that says what to add, and nothing moved: %s', (_, others) => {
     const { world, eid } = worldWith([pushLaw()({ k: 1 }), ...others]);
     const before = worldState(world);
     vi.spyOn(WebAssembly, 'Module').mockImplementation(Forbidden as never);

@@ -1,5 +1,5 @@
-// Evaluates all forces of a world into the force columns: first what is no law, kernel by kernel, then all laws in one
-// loop. For integrators that choose their own stages, and for worlds in which some force is no law.
+// Evaluates all forces of a world into the force columns: first the forces that are not laws, kernel by kernel, then
+// all laws in one loop. Used by integrators that choose their own stages, and if some force is not a law.
 
 import { clearForcesOfImmovable } from '../ecs/partial-entities.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
@@ -8,7 +8,7 @@ import { type Axes, zeroVector } from '../laws/vector-algebra.ts';
 import { AXES } from '../memory/axes.ts';
 import { clearAxes } from '../memory/clear-axes.ts';
 import { resource } from '../memory/resource.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
 import { notesOf } from './notes.ts';
@@ -18,7 +18,7 @@ import { quarantineBadForces } from './validate-state.ts';
 import { WorldColumns } from './world-columns.ts';
 import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 
-/** Length of the step for which forces were prepared last, s. */
+/** Length of the step for which forces were last prepared, s. */
 const preparedFor = resource(() => ({ dt: 0 }));
 
 export const evaluateForces: EvaluateForces = (world, ranges, time) => {
@@ -31,10 +31,10 @@ export const evaluateForces: EvaluateForces = (world, ranges, time) => {
   for (let r = 0; r < ranges.count; r++) finish(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
 };
 
-/** Puts the columns at zero, and lets every force that is no law add to them. */
+/** Clears the columns and calls every force that is not a law. */
 function accumulateKernels(world: PhysicsWorld, ranges: Ranges, time: number): void {
   const { force, torque } = world.scratch.at;
-  const turns = anyForceTurns(world);
+  const turns = anyForceAppliesTorque(world);
   for (let r = 0; r < ranges.count; r++) {
     const [first, last] = [ranges.bounds[2 * r], ranges.bounds[2 * r + 1]];
     clearAxes(world, force, AXES[world.dimensions], first, last);
@@ -55,13 +55,13 @@ function accumulateKernels(world: PhysicsWorld, ranges: Ranges, time: number): v
 
 function finish(world: PhysicsWorld, first: number, last: number): void {
   clearForcesOfImmovable(world, first, last);
-  // Forces that read one body leave a bad one alone with it, unless the scheme mixes bodies, as Jacobi coordinates do.
-  const isAlone = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
-  if (!isAlone && !world.internal.isTrial) quarantineBadForces(world, first, last);
+  // Forces that read one body confine a bad value to it, unless the scheme couples bodies, as Jacobi coordinates do.
+  const confinesBadForces = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
+  if (!confinesBadForces && !world.internal.isTrial) quarantineBadForces(world, first, last);
 }
 
-/** Whether some force of the world adds torque. */
-export function anyForceTurns({ forces }: PhysicsWorld): boolean {
+/** Returns whether any force of the world adds torque. */
+export function anyForceAppliesTorque({ forces }: PhysicsWorld): boolean {
   for (let f = 0; f < forces.length; f++) if (forces[f].appliesTorque === true) return true;
   return false;
 }
@@ -77,8 +77,8 @@ export function prepareForces(world: PhysicsWorld, dt: number): void {
   for (let f = 0; f < forces.length; f++) if (forces[f].consumes !== undefined) forces[f].prepare?.(world, dt);
 }
 
-/** The loop of all laws of a world; undefined where it has none. */
-export const lawLoopOf = keptWithPlan((world): LawLoop | undefined => {
+/** The loop of all laws of a world; undefined if it has none. */
+export const lawLoopOf = cachedWithPlan((world): LawLoop | undefined => {
   const laws = lawsOf(world.forces);
   return laws.length === 0 ? undefined : makeLawLoop(world, laws, laws.length < world.forces.length);
 });
@@ -88,11 +88,11 @@ export interface LawLoop extends WorldLoop {
   readonly addsToColumns: boolean;
 }
 
-/** A loop that writes, or adds, the force of laws to the force columns. */
+/** Builds a loop that writes the force of laws to the force columns, or adds it. */
 export function makeLawLoop(world: PhysicsWorld, laws: readonly LawForce[], addsToColumns: boolean): LawLoop {
   const owners = new Map(laws.map((force): [object, ParameterOwner] => [force, ownerOf(force)]));
   const block = new ParameterBlock(world, [...owners.values()], [0]);
-  const hasTorque = anyForceTurns(world);
+  const hasTorque = anyForceAppliesTorque(world);
   const sources = [...owners.values()].map(variantOf);
   const layout = [layoutOf(world, block), addsToColumns, hasTorque];
   const key = JSON.stringify(['forces', layout, laws.map(({ law }) => law.structure), sources]);

@@ -1,4 +1,4 @@
-// What a law may use in whatever way it is evaluated: sums in the stages of a scheme, and the length of the step.
+// Tests values that a law may use in every evaluation mode: sums in the stages of a scheme, and the length of the step.
 import { describe, expect, test } from 'vitest';
 import { read, run } from '../../../../test/support/laws.ts';
 import { spawn } from '../bodies/spawn.ts';
@@ -36,7 +36,7 @@ describe('a sum over a table', () => {
     acceleration: ({ position }) => position.mul(-1).add(position.sub(vec3(2, 0)).mul(-3)),
   });
 
-  test('is another in each stage of a scheme', () => {
+  test('is evaluated separately in each stage of a scheme', () => {
     const [a, b] = [summed(), written()].map((law) => moving({ forces: [law], integrator: rungeKutta4 }));
     run(a.world, 1, 0.01);
     run(b.world, 1, 0.01);
@@ -48,7 +48,7 @@ describe('a sum over a table', () => {
 describe('the length of the step', () => {
   const law = defineLaw({ name: 'by dt', acceleration: ({ dt }) => vec3(dt, 0) });
 
-  test('is known to a law beside a force that is none, and to an integrator of one’s own', () => {
+  test('is available to a law beside a custom force, and to a custom integrator', () => {
     const nothing = defineForce({ name: 'nothing', accumulate: () => {} });
     const byHand: Integrator = {
       name: 'by hand',

@@ -1,4 +1,4 @@
-// What a world says of its own step: for people, so the text must be whole and name what people know.
+// Tests the description of a step. It is read by people, so it must be complete and use public names.
 import { describe, expect, test } from 'vitest';
 import { lawOf } from '../../../../test/support/law-lab.ts';
 import {
@@ -31,17 +31,17 @@ function textOf(forces: readonly Force[], options: PhysicsWorldOptions = {}): st
   return explain(world);
 }
 
-/** Opens and closes of everything that must be closed, line by line; how deep it goes. */
-function depthsOf(text: string): { readonly most: number; readonly end: number } {
-  let [depth, most] = [0, 0];
+/** Counts the nesting depth of brackets line by line. */
+function depthsOf(text: string): { readonly deepest: number; readonly end: number } {
+  let [depth, deepest] = [0, 0];
   for (const line of text.split('\n')) {
     const word = line.trim().split(' ')[0].replace(/\)+$/, '');
     if (/^(block|loop|if)$/.test(word)) depth++;
     if (word === 'end') depth--;
     expect(depth).toBeGreaterThanOrEqual(0);
-    most = Math.max(most, depth);
+    deepest = Math.max(deepest, depth);
   }
-  return { most, end: depth };
+  return { deepest, end: depth };
 }
 
 function brackets(text: string): number {
@@ -55,7 +55,7 @@ describe('formulas', () => {
     expect(formulaOf(uniformGravity())).toEqual(['a = acceleration', 'U = −acceleration·r m']);
   });
 
-  test('of drag, linear and quadratic, with the names that the law gave', () => {
+  test('of drag, linear and quadratic, with the names of the law', () => {
     expect(formulaOf(linearDrag())).toEqual(['F = −c (v − wind)']);
     expect(formulaOf(quadraticDrag())).toEqual(['F = −|v − wind| k (v − wind)']);
   });
@@ -77,7 +77,7 @@ describe('formulas', () => {
     expect(formulaOf(fall({ k: 1 }))).toEqual(['F = k r/√(m)']);
   });
 
-  test('brackets stand where the order of operations needs them, and nowhere else', () => {
+  test('brackets appear only where operator precedence requires them', () => {
     const law = defineLaw({
       name: 'order',
       reads: { a: COMPONENTS.Charge, b: COMPONENTS.LinearDrag },
@@ -96,7 +96,7 @@ describe('formulas', () => {
     expect(formulaOf(law())).toEqual(['F = (v if m < 1, else r) + Σ qᵢ v']);
   });
 
-  test('that would be endless when they are written out name their parts', () => {
+  test('of exponential size name their subexpressions', () => {
     const growing = lawOf({
       force: ({ velocity, mass }: never) => {
         let k = (mass as { mul(b: unknown): never }).mul(2);
@@ -119,31 +119,31 @@ describe('explain', () => {
     ['in the plane', {}],
     ['in space, f32', { dimensions: 3, precision: 'f32' }],
     ['with walls', { walls: [boxWalls({ min: { x: 0, y: 0 }, max: { x: 1, y: 1 } })] }],
-  ] as const)('shows one loop in which everything that opens is closed: %s', (_, options) => {
+  ] as const)('shows one loop with balanced brackets: %s', (_, options) => {
     const text = textOf(everything(), options as PhysicsWorldOptions);
-    expect(text).toContain('All of it is one loop:');
+    expect(text).toContain('The whole step is one loop:');
     expect(text.match(/\(module/g)).toHaveLength(1);
     const code = text.slice(text.indexOf('(module')).replace(/;;.*/g, '');
     expect(brackets(code)).toBe(0);
-    const { most, end } = depthsOf(code);
+    const { deepest, end } = depthsOf(code);
     expect(end).toBe(0);
-    expect(most).toBeGreaterThanOrEqual(2);
+    expect(deepest).toBeGreaterThanOrEqual(2);
   });
 
-  test('says what every force is, in the order of the list, and by what the bodies are moved', () => {
+  test('describes every force in list order, and the integrator', () => {
     const text = textOf([...everything(), defineForce({ name: 'wand', accumulate() {} })]);
     expect(text).toMatch(/^A step in 2D, f64, by velocity Verlet\./);
     const lines = ['uniform gravity: a = acceleration', 'linear drag: F = −c (v − wind)', 'wand: a function, called'];
     const at = lines.map((line) => text.indexOf(line));
     expect(at.every((place) => place > 0)).toBe(true);
     expect(at).toEqual([...at].sort((a, b) => a - b));
-    expect(text).toContain('Forces and integrator are loops of their own:');
-    // The laws, and three pieces: before, between and after the two evaluations.
+    expect(text).toContain('Forces and integrator are separate loops:');
+    // One module for the laws, and three segments: before, between and after the two evaluations.
     expect(text.match(/\(module/g)).toHaveLength(4);
     expect(depthsOf(text.replace(/;;.*/g, '')).end).toBe(0);
   });
 
-  test('names the columns and parameters that are read, and those that are written', () => {
+  test('names the columns and parameters that are read or written', () => {
     const text = textOf(everything());
     for (const name of ['Position.x', 'Velocity.y', 'Mass.value', 'LinearDrag.coefficient', 'wind of quadratic drag']) {
       expect(text).toMatch(new RegExp(`load.* ;; .*${name.replace('.', '\\.')}`));
@@ -151,7 +151,7 @@ describe('explain', () => {
     expect(text).toMatch(/v128\.store.* ;; .*Position\.x/);
   });
 
-  test('shows only instructions that the compiled code has: a law without a sine calls none', () => {
+  test('shows only instructions of the compiled code: a law without a sine calls no sine', () => {
     expect(textOf(everything())).not.toContain('call $');
     const wave = lawOf({ force: ({ time }: never) => vec3((time as { sin(): never }).sin(), 0) });
     expect(textOf([wave])).toContain('(import "math" "sin" (func $sin (param f64) (result f64)))');
@@ -169,7 +169,7 @@ describe('explain', () => {
     expect(asked.tick).toBe(1);
   });
 
-  test('is refused in a step, and for a world that ended', () => {
+  test('is rejected during a step and for a destroyed world', () => {
     const world = createPhysicsWorld({ capacity: 10 });
     world.phases.input.push((each) => void explain(each));
     expect(() => step(world, 0.1)).toThrow(/E_REENTRANT/);

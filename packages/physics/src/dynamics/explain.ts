@@ -1,4 +1,4 @@
-// Says what a step of a world is made of.
+// Describes the step of a world.
 
 import { assertIdle } from '../ecs/guards.ts';
 import type { CompiledLoop } from '../laws/compile.ts';
@@ -11,9 +11,9 @@ import { lawLoopOf } from './evaluate-forces.ts';
 import { stepLoop } from './fused-step.ts';
 
 /**
- * What a step of the world computes: the formulas of its laws, and the loops they were compiled to, in the text format
- * of WebAssembly with the names of columns. For reading, not for programs: the text may change from release to release.
- * @throws PhysicsError E_DESTROYED; E_REENTRANT inside a step; what the next step would throw
+ * Returns what a step of the world computes: the formulas of its laws, and their compiled loops in WebAssembly text
+ * format with column names. The text is for people and may change between releases.
+ * @throws PhysicsError E_DESTROYED; E_REENTRANT inside a step; and the errors of the next step
  */
 export function explain(world: PhysicsWorld): string {
   assertIdle(world, 'explain');
@@ -27,7 +27,7 @@ export function explain(world: PhysicsWorld): string {
         ? [`  ${name}: a function, called for each evaluation`]
         : formulasOf(law).map((f) => `  ${name}: ${f}`),
     ),
-    ...(fusion === undefined ? ['Forces and integrator are loops of their own:'] : ['All of it is one loop:']),
+    ...(fusion === undefined ? ['Forces and integrator are separate loops:'] : ['The whole step is one loop:']),
     ...loops.map(({ source }) => printModule(source)),
   ];
   return lines.join('\n');
@@ -37,6 +37,6 @@ function compiledLoops(world: PhysicsWorld, isFused: boolean): readonly Compiled
   if (isFused) return [stepLoop(world).compiled];
   const laws = lawLoopOf(world);
   const { scheme, advance } = world.integrator;
-  const pieces = scheme === undefined || advance !== undefined ? [] : schemeLoops(world).compiled;
-  return [...(laws === undefined ? [] : [laws.compiled]), ...pieces];
+  const segments = scheme === undefined || advance !== undefined ? [] : schemeLoops(world).compiled;
+  return [...(laws === undefined ? [] : [laws.compiled]), ...segments];
 }

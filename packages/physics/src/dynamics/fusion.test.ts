@@ -1,5 +1,5 @@
-// One loop for the whole step, pieces around forces that are no laws, and integrators in plain TypeScript: all of them
-// must lead to the same places.
+// Compares one loop for the whole step, segments around forces that are not laws, and integrators in plain TypeScript:
+// all must give the same trajectories.
 import { describe, expect, test } from 'vitest';
 import {
   createPhysicsWorld,
@@ -34,7 +34,7 @@ const tide = defineLaw({
   acceleration: ({ time }, { field }) => field.add(vec3(time.sin(), time.mul(0.1))),
 });
 
-/** Forces of every kind: of position, of velocity, of time, in proportion to mass and not. */
+/** Forces of every kind: dependent on position, velocity or time, with and without proportionality to mass. */
 const laws = (): Force[] => [
   uniformGravity({ x: 0.1, y: -1 }),
   spring({ k: 3 }),
@@ -50,7 +50,7 @@ function worldOf(integrator: Integrator, forces: readonly Force[], dimensions: 2
     const body = { mass: 1 + i / 3, charge: i - 4, linearDrag: 0.1 * a, quadraticDrag: 0.05 * b };
     const z = dimensions === 3 ? i / 5 - 1 : 0;
     spawn(world, { position: { x: a - 2, y: b - 1, z }, velocity: { x: b / 3, y: -a / 4, z: -z / 2 }, ...body });
-    // What forces do not move: without mass, and without velocity.
+    // Bodies that forces do not move: without mass, and without velocity.
     if (i % 4 === 0) spawn(world, { position: { x: i }, velocity: { y: 0.5 } });
     if (i % 4 === 1) spawn(world, { position: { y: i } });
   }
@@ -75,10 +75,10 @@ const schemes = Object.values(INTEGRATORS)
   .map(({ create }) => create())
   .filter(({ scheme }) => scheme !== undefined);
 
-// Not to the bit: a fused loop multiplies a sum of accelerations by dt, and F by dt/m. Pieces have one column of forces,
-// in which an acceleration is multiplied by the mass first, and divided by it afterwards.
+// The results are not bitwise equal. A fused loop multiplies a sum of accelerations by dt, and F by dt/m. Segments use
+// one force column, for which an acceleration is multiplied by the mass and later divided by it.
 describe.each([2, 3] as const)('in %i dimensions', (dimensions) => {
-  test.each(schemes)('$name goes the same way in one loop and in pieces', (integrator) => {
+  test.each(schemes)('$name gives the same trajectory in one loop and in segments', (integrator) => {
     const [whole, cut] = [laws(), [...laws(), nothing()]].map((forces) => worldOf(integrator, forces, dimensions));
     const start = states(whole);
     for (let i = 0; i < 200; i++) for (const world of [whole, cut]) step(world, 0.01 + (i % 3) * 0.001);
@@ -88,7 +88,7 @@ describe.each([2, 3] as const)('in %i dimensions', (dimensions) => {
   });
 });
 
-test('where forces alone act, and not in proportion to mass, one loop and pieces agree to the bit', () => {
+test('for forces independent of mass, one loop and segments are bitwise equal', () => {
   const { create } = INTEGRATORS.velocityVerlet;
   const forces = [spring({ k: 3 }), linearDrag(), magneticField({ z: 2 })];
   const worlds = [forces, [nothing(), ...forces]].map((all) => worldOf(create(), all, 3));
@@ -97,7 +97,7 @@ test('where forces alone act, and not in proportion to mass, one loop and pieces
 });
 
 describe('an integrator in plain TypeScript', () => {
-  /** As in docs/adding-an-integrator.md. */
+  /** The example of docs/adding-an-integrator.md. */
   const plainEuler: Integrator = {
     name: 'explicit Euler',
     order: 1,
@@ -123,7 +123,7 @@ describe('an integrator in plain TypeScript', () => {
     expectNear(states(worlds[1]), states(worlds[0]), 1e-12);
   });
 
-  test('is asked, where it has a scheme as well', () => {
+  test('is used even if it also has a scheme', () => {
     let calls = 0;
     const both: Integrator = {
       ...INTEGRATORS.velocityVerlet.create(),
@@ -138,7 +138,7 @@ describe('an integrator in plain TypeScript', () => {
     expect(states(worlds[0])).toEqual(states(worlds[1]));
   });
 
-  test('may ask for laws at any time and state, and gets them there', () => {
+  test('may evaluate the laws at any time and state', () => {
     const asked: number[] = [];
     const curious: Integrator = {
       ...plainEuler,

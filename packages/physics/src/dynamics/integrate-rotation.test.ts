@@ -1,5 +1,5 @@
-// Bodies that turn: closed forms of the motion, and what the scheme of kernels/integrators/spin.ts makes of them. Every
-// body has one moment of inertia for all axes, so that without a torque ω itself is constant: nothing nutates.
+// Compares rotating bodies with closed forms and with the error terms of the scheme of kernels/integrators/spin.ts.
+// Every body has equal moments of inertia about all axes, so ω is constant without torque and there is no nutation.
 import { describe, expect, test } from 'vitest';
 import {
   angularMomentum,
@@ -15,7 +15,7 @@ import {
 
 type Turning = { readonly angularVelocity: { x?: number; y?: number; z?: number }; readonly inertia?: number };
 
-/** A body of 3 kg m² that turns under some torques. */
+/** Creates a body of 3 kg m² that rotates under given torques. */
 function turning(dimensions: 2 | 3, body: Turning, forces: readonly Force[] = []) {
   const world = createPhysicsWorld({ capacity: 3, dimensions, forces });
   const pose = dimensions === 2 ? { rotation: {} } : { orientation: {} };
@@ -33,7 +33,7 @@ function turning(dimensions: 2 | 3, body: Turning, forces: readonly Force[] = []
   };
 }
 
-/** The quaternion of a turn by an angle about an axis of length 1: w, x, y, z. */
+/** The quaternion (w, x, y, z) of a rotation by an angle about a unit axis. */
 const turnBy = (angle: number, axis: readonly number[]) => [
   Math.cos(angle / 2),
   ...axis.map((part) => part * Math.sin(angle / 2)),
@@ -45,14 +45,14 @@ function apart(a: readonly number[], b: readonly number[]): number {
   return 4 * Math.asin(Math.min(1, difference / 2));
 }
 
-/** The axis of 2, -3 and 6 over 7. */
+/** The unit axis (2, -3, 6) / 7. */
 const AXIS = [2 / 7, -3 / 7, 6 / 7];
 
 describe('in the plane', () => {
   test('a constant spin is exact', () => {
     const body = turning(2, { angularVelocity: { z: 0.375 } });
     body.run(1 / 64, 1000);
-    // Binary fractions all: no rounding.
+    // All values are binary fractions, so nothing rounds.
     expect(body.spin().z).toBe(0.375);
     expect(body.angle()).toBe((0.375 * 1000) / 64);
   });
@@ -64,7 +64,7 @@ describe('in the plane', () => {
     expect(body.angle()).toBe((0.5 * 10 * (10 + 1 / 64)) / 2);
   });
 
-  test('what has no inertia does not yield to a torque, and spins on', () => {
+  test('a body without inertia ignores torque and keeps its spin', () => {
     const body = turning(2, { angularVelocity: { z: 2 }, inertia: 0 }, [constantTorque({ z: 1 })]);
     body.run(1 / 64, 64);
     expect([body.spin().z, body.angle()]).toEqual([2, 2]);
@@ -75,7 +75,7 @@ describe('in space, without a torque', () => {
   const [ω, dt, steps] = [7, 1 / 64, 640];
   const free = () => turning(3, { angularVelocity: { x: 2, y: -3, z: 6 } });
 
-  test('angular momentum I ω and energy I ω²/2 are kept to the bit', () => {
+  test('angular momentum I ω and energy I ω²/2 are conserved bitwise', () => {
     const body = free();
     body.run(dt, steps);
     expect(body.spin()).toEqual({ x: 2, y: -3, z: 6 });
@@ -83,11 +83,11 @@ describe('in space, without a torque', () => {
     expect(energy(body.world).kinetic).toBe((3 * ω ** 2) / 2);
   });
 
-  test('each step turns by 2 atan(ω dt/2) about ω', () => {
+  test('each step rotates by 2 atan(ω dt/2) about ω', () => {
     const body = free();
     body.run(dt, steps);
     const wanted = turnBy(2 * steps * Math.atan((ω * dt) / 2), AXIS);
-    // Some ten roundings of 2⁻⁵³ in each of 640 steps: 7e-13.
+    // About ten roundings of 2⁻⁵³ in each of 640 steps give 7e-13.
     body.quaternion().forEach((part, i) => {
       expect(Math.abs(part - wanted[i])).toBeLessThan(1e-12);
     });
@@ -105,42 +105,44 @@ describe('in space, without a torque', () => {
     }
   });
 
-  test('the quaternion keeps its length, however long it turns', () => {
+  test('the quaternion keeps unit length', () => {
     const body = free();
-    // Normalised in every step: three roundings.
+    // The quaternion is normalised in every step, with three roundings.
     body.run(0.5, 10_000);
     expect(Math.abs(Math.hypot(...body.quaternion()) - 1)).toBeLessThan(4 * 2 ** -53);
   });
 });
 
 describe('in space, under a torque', () => {
-  /** τ = Ω ẑ × L, as a magnet along its spin has in a field along z: L goes round z at Ω (Larmor 1897). */
+  /**
+   * τ = Ω ẑ × L, as for a magnetic moment along the spin in a field along z: L precesses about z at Ω (Larmor 1897).
+   */
   const field = (Ω: number) =>
     defineLaw({
       name: 'larmor',
       torque: ({ angularVelocity: { x, y } }) => axial3(y.mul(-3 * Ω), x.mul(3 * Ω), 0),
     })({});
 
-  test('each step of a precession turns L by atan(Ω dt) and makes it √(1 + Ω² dt²) as long', () => {
+  test('each step of a precession rotates L by atan(Ω dt) and scales it by √(1 + Ω² dt²)', () => {
     const [Ω, dt, steps] = [2, 1 / 64, 320];
     const body = turning(3, { angularVelocity: { x: 4, z: 1 } }, [field(Ω)]);
     body.run(dt, steps);
     const { x, y, z } = body.spin();
     const size = 4 * (1 + (Ω * dt) ** 2) ** (steps / 2);
     const angle = steps * Math.atan(Ω * dt);
-    // Four roundings of 2⁻⁵³ in each of 320 steps, of 4.7: 7e-13.
+    // Four roundings of 2⁻⁵³ in each of 320 steps, of magnitude 4.7, give 7e-13.
     expect(Math.abs(x - size * Math.cos(angle))).toBeLessThan(1e-12);
     expect(Math.abs(y - size * Math.sin(angle))).toBeLessThan(1e-12);
     expect(z).toBe(1);
   });
 
-  test('so that the precession of 2 rad/s is met to the first order', () => {
+  test('so the precession of 2 rad/s is accurate to first order', () => {
     const error = (count: number) => {
       const body = turning(3, { angularVelocity: { x: 4, z: 1 } }, [field(2)]);
       body.run(1 / count, count);
       return Math.hypot(body.spin().x - 4 * Math.cos(2), body.spin().y - 4 * Math.sin(2));
     };
-    // Length: Ω² dt t/2 of it; the angle errs by Ω³ dt² t/3 only. What follows is some Ω dt of that.
+    // The length errs by the factor Ω² dt t/2, the angle by Ω³ dt² t/3 only. The next terms are smaller by about Ω dt.
     for (const count of [256, 512, 1024]) {
       expect(Math.abs(error(count) / ((4 * 4) / 2 / count) - 1)).toBeLessThan(2 / count);
       expect(Math.abs(Math.log2(error(count) / error(2 * count)) - 1)).toBeLessThan(4 / count);
@@ -153,11 +155,11 @@ describe('in space, under a torque', () => {
       const body = turning(3, { angularVelocity: {} }, [constantTorque({ x, y, z })]);
       body.run(1 / count, count);
       const { x: wx, y: wy, z: wz } = body.spin();
-      // One rounding a step.
+      // One rounding per step.
       expect(Math.abs(Math.hypot(wx, wy, wz) - 1)).toBeLessThan(count * 2 ** -53);
       return apart(body.quaternion(), turnBy(0.5, AXIS));
     };
-    // θ = t (t + dt)/2: ahead by dt/2, less ω³ dt²/12 of every second.
+    // θ = t (t + dt)/2: it leads by dt/2, less ω³ dt²/12 per second.
     for (const count of [64, 128, 256]) expect(Math.abs(error(count) / (0.5 / count) - 1)).toBeLessThan(0.1 / count);
   });
 });

@@ -1,24 +1,25 @@
-// Turns bodies: the torque of the last evaluation of the forces kicks the angular velocity, then the angle in 2D or the
-// quaternion in 3D moves with the new one. Semi-implicit Euler, first order; nothing to do while no body spins.
+// Integrates rotation: the torque of the last force evaluation changes the angular velocity, then the angle (2D) or
+// quaternion (3D) advances with the new angular velocity. Semi-implicit Euler, first order; skipped while no body
+// rotates.
 //
 //   ω' = ω + τ/I dt        θ' = θ + ω' dt
 import { bitOf } from '../components/all.ts';
 import { forEachRange } from '../ecs/ranges.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
-import { anyForceTurns } from './evaluate-forces.ts';
+import { anyForceAppliesTorque } from './evaluate-forces.ts';
 
 export const integrateRotation: LocalSystem = {
   name: 'turn',
   role: 'rotate',
   run: forEachRange((world, first, last, dt) => {
     if (world.internal.counts.AngularVelocity === 0) return;
-    if (anyForceTurns(world)) kickRun(world, first, last, dt);
-    turnRun(world, first, last, dt);
+    if (anyForceAppliesTorque(world)) kickRange(world, first, last, dt);
+    rotateRange(world, first, last, dt);
   }),
 };
 
-/** A body without inertia, or without AngularVelocity, does not turn. */
-function kickRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
+/** A body without inertia or without AngularVelocity does not rotate. */
+function kickRange(world: PhysicsWorld, first: number, last: number, dt: number): void {
   const { kernels, addresses, scratch, internal } = world;
   const { AngularVelocity: w, Inertia } = addresses;
   const bit = bitOf('AngularVelocity');
@@ -33,7 +34,7 @@ function kickRun(world: PhysicsWorld, first: number, last: number, dt: number): 
 const SPIN_2D = ['z'] as const;
 const SPIN_3D = ['x', 'y', 'z'] as const;
 
-function turnRun(world: PhysicsWorld, first: number, last: number, dt: number): void {
+function rotateRange(world: PhysicsWorld, first: number, last: number, dt: number): void {
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Orientation: q, Rotation } = addresses;
   if (world.dimensions === 2) kernels.driftAxis(Rotation.angle, w.z, dt, first, last);

@@ -35,7 +35,7 @@ const bodyAt = (at: { x: number; y: number; z: number }, dimensions: 2 | 3): Bod
   ...(dimensions === 2 ? { rotation: 0.3 } : { orientation: { x: 0.3, y: -0.2, z: 0.5, w: 1 } }),
 });
 
-/** Both derived by other ways: some tens of roundings of the largest term. */
+/** The two forces are derived differently, so they differ by some tens of roundings of the largest term. */
 function expectSame(derived: Force, written: Force): void {
   for (const dimensions of [2, 3] as const) {
     for (const at of PLACES) {
@@ -47,7 +47,7 @@ function expectSame(derived: Force, written: Force): void {
   }
 }
 
-describe('the law of a potential is the law that was written', () => {
+describe('the law of a potential equals the hand-written law', () => {
   test('gravity', () => {
     const law = lawFromPotential({
       name: 'gravity',
@@ -155,7 +155,7 @@ describe('the derivative of', () => {
         const { world, eid } = single([potentialLaw(POTENTIALS[name])], bodyAt(at, dimensions), { dimensions });
         const force = forceOn(world, eid);
         const fall = slope(world, eid, 1e-5);
-        // Central differences: h² times the third derivative, which is at most some hundreds here.
+        // Central differences err by h² times the third derivative, which is at most some hundreds here.
         expect(Math.abs(force.x - fall.x), `x in ${dimensions}D`).toBeLessThan(1e-7);
         expect(Math.abs(force.y - fall.y), `y in ${dimensions}D`).toBeLessThan(1e-7);
         if (dimensions === 3) expect(Math.abs(force.z - fall.z)).toBeLessThan(1e-7);
@@ -163,24 +163,24 @@ describe('the derivative of', () => {
     }
   });
 
-  test('what has no slope is zero', () => {
+  test('the gradient is zero where no derivative exists', () => {
     const cusps = potentialLaw((r) => r.length().add(r.lengthSquared().sqrt()).add(r.x.abs()));
     expect(lawOn(cusps, { position: {} })).toMatchObject({ x: 0, y: 0 });
   });
 
-  test('what was not chosen may be infinite', () => {
+  test('the unselected branch may be infinite', () => {
     const core = potentialLaw((r) => select(r.length().less(1), r.lengthSquared(), r.length().log()));
     expect(lawOn(core, { position: {} })).toMatchObject({ x: 0, y: 0 });
     expect(lawOn(core, { position: { x: 2 } }).x).toBeCloseTo(-0.5, 14);
   });
 });
 
-test('refuse what is no potential', () => {
+test('invalid potentials are rejected', () => {
   const of = (potential: never) => () => lawFromPotential({ name: 'bad', potential });
   expect(of((({ velocity }: { velocity: VectorSymbol }) => velocity.lengthSquared()) as never)).toThrow(
     /depend on velocity/,
   );
-  expect(of((({ mass }: { mass: ScalarSymbol }) => mass) as never)).toThrow(/same everywhere/);
+  expect(of((({ mass }: { mass: ScalarSymbol }) => mass) as never)).toThrow(/does not depend on position/);
   expect(of((({ position }: { position: VectorSymbol }) => position) as never)).toThrow(PhysicsError);
   expect(of(3 as never)).toThrow(PhysicsError);
 });

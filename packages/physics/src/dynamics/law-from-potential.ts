@@ -1,4 +1,4 @@
-// Laws of a potential: the force F = -∇U is worked out from the expression of the energy.
+// Laws defined by a potential: the force F = -∇U is derived from the expression of the energy.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, mustBe } from '../errors/validate.ts';
 import type { BodySymbols, ReadSymbols, Reads } from '../laws/body-symbols.ts';
@@ -8,7 +8,7 @@ import type { LawOptions, LawSymbols } from '../laws/law.ts';
 import type { Parameters } from '../laws/parameter.ts';
 import { defineCheckedLaw, type LawFactory } from './define-law.ts';
 
-/** What a law says of itself that has a potential and nothing else. */
+/** Options of a law that has only a potential. */
 export interface PotentialOptions<R extends Reads, P extends Parameters>
   extends Pick<LawOptions<R, P>, 'name' | 'formula' | 'source' | 'reads' | 'parameters' | 'dimensions' | 'prepare'> {
   /** Potential energy of the body, J. */
@@ -17,13 +17,13 @@ export interface PotentialOptions<R extends Reads, P extends Parameters>
 
 const KEYS = ['name', 'formula', 'source', 'reads', 'parameters', 'dimensions', 'prepare', 'potential'];
 
-/** State on which an energy that is potential does not depend. */
+/** State on which a potential energy must not depend. */
 const MOTION = new Set(['velocity', 'startVelocity', 'angularVelocity', 'force', 'acceleration', 'dt', 'noise']);
 
 /**
- * Defines the law of a potential: its force is F = -∇U by the position, with all else that U reads held constant. No
- * torque is worked out, so U must not depend on how a body is turned.
- * @returns a function that makes the force, as `defineLaw` does
+ * Defines the law of a potential: its force is F = -∇U with respect to position, with everything else that U reads held
+ * constant. No torque is derived, so U must not depend on orientation.
+ * @returns a function that creates the force, like `defineLaw`
  * @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN, naming the law
  */
 export function lawFromPotential<
@@ -43,7 +43,9 @@ export function lawFromPotential<
   });
 }
 
-/** @throws PhysicsError E_TYPE for an energy that depends on motion, or on no position */
+/**
+ * @throws PhysicsError E_TYPE for an energy that depends on motion or does not depend on position
+ */
 function checkEnergy(energy: Scalar): void {
   const seen = new Set<Expression>();
   const visit = (expression: Expression) => {
@@ -55,6 +57,8 @@ function checkEnergy(energy: Scalar): void {
   };
   visit(energy);
   if (![...seen].some(({ op }) => op === 'position')) {
-    throw new PhysicsError('E_TYPE', 'a potential that is the same everywhere has no force.', { field: 'potential' });
+    throw new PhysicsError('E_TYPE', 'the potential does not depend on position, so it has no force.', {
+      field: 'potential',
+    });
   }
 }

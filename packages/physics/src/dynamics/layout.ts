@@ -1,9 +1,9 @@
-// Where the columns of a world are: worlds of the same layout run the same code.
+// Layout of the columns of a world: worlds of equal layout share compiled code.
 import { componentNumber } from '../laws/structure.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { ParameterBlock } from './parameter-block.ts';
 
-/** What of a world the addresses in a loop depend on. */
+/** Returns everything that the addresses in a loop depend on. */
 export function layoutOf(
   { dimensions, precision, rows, addresses, internal }: PhysicsWorld,
   block: ParameterBlock,
@@ -12,5 +12,5 @@ export function layoutOf(
     componentNumber(component),
     columns.addresses,
   ]);
-  return [dimensions, precision, rows, addresses.Position.x, block.at, internal.partialEntities.unmoved > 0, own];
+  return [dimensions, precision, rows, addresses.Position.x, block.at, internal.partialEntities.immovable > 0, own];
 }

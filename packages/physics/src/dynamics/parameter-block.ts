@@ -1,39 +1,39 @@
-// The doubles that a fused loop reads: length and time of the step, and the parameters of its laws, for every stage at
-// whose time they are evaluated.
+// The f64 values that a fused loop reads: length and time of the step, and the parameters of its laws for every stage
+// at whose time they are evaluated.
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
 
-/** What can own parameters: a law in its place in the list of forces, or an integrator. */
+/** An owner of parameters: a law at its index in the list of forces, or an integrator. */
 export interface ParameterOwner {
   readonly parameters: readonly Parameter[];
   readonly sources: readonly ParameterSource[];
   readonly names?: readonly string[];
 }
 
-/** What of an owner's parameters the code depends on: all but their values. */
+/** Everything of an owner's parameters that the code depends on, which excludes their values. */
 export function variantOf({ sources }: ParameterOwner): unknown {
   return sources.map(({ when, zeros }) => [when, zeros]);
 }
 
-/** Doubles before the parameters. */
+/** Indices of the header values that precede the parameters. */
 const [DT, TIME, TICK, LAST_DT, HEADER] = [0, 1, 2, 3, 4];
 
-/** Room for a world's parameters: more is taken when it is needed. */
+/** Initial capacity for a world's parameters, in f64; more is allocated when needed. */
 const REGION_DOUBLES = 512;
 
 /** The memory that the blocks of the present plan share. */
 const regionOf = resource((world) => ({ at: allocateDoubles(world, REGION_DOUBLES), doubles: REGION_DOUBLES }));
 
-/** Doubles of it that are taken: a new plan begins at its start. */
-const takenOf = keptWithPlan(() => ({ doubles: 0 }));
+/** Number of f64 in use; a new plan starts at zero. */
+const takenOf = cachedWithPlan(() => ({ doubles: 0 }));
 
 function allocateDoubles(world: PhysicsWorld, doubles: number): number {
   return allocate(world.internal.arena, 8 * doubles, 'parameters of laws');
 }
 
-/** Bytes of a world's memory for parameters, unless it has very many. */
+/** Bytes of a world's memory reserved for parameters. */
 export const PARAMETER_BYTES = 8 * REGION_DOUBLES + 64;
 
 function takeDoubles(world: PhysicsWorld, doubles: number): number {
@@ -55,7 +55,7 @@ interface Writer {
   readonly fraction: number;
 }
 
-/** Where the parameters of one loop are. */
+/** The addresses of the parameters of one loop. */
 export class ParameterBlock {
   readonly at: number;
   readonly #values: Float64Array;
@@ -63,7 +63,9 @@ export class ParameterBlock {
   readonly #writers: Writer[] = [];
   readonly #stages: readonly number[];
 
-  /** @param stages fractions of the step at which the laws are evaluated */
+  /**
+   * @param stages fractions of the step at which the laws are evaluated
+   */
   constructor(
     readonly world: PhysicsWorld,
     owners: readonly ParameterOwner[],
@@ -97,7 +99,7 @@ export class ParameterBlock {
     return this.at + 8 * LAST_DT;
   }
 
-  /** What stands at an address of the block, for people. */
+  /** Describes the value at an address of the block, for printed loops. */
   noteOf(address: number): string | undefined {
     const index = (address - this.at) / 8;
     if (index < HEADER) return ['length of the step', 'time', 'number of the step', 'length of the last step'][index];
@@ -110,7 +112,7 @@ export class ParameterBlock {
     return undefined;
   }
 
-  /** Address of a number of a parameter, at a stage. */
+  /** Address of one number of a parameter, at a stage. */
   addressOf(owner: ParameterOwner, parameter: Parameter, index: number, stage: number): number {
     const p = owner.parameters.indexOf(parameter);
     const start = (this.#starts.get(owner) as readonly number[])[p];
@@ -118,7 +120,7 @@ export class ParameterBlock {
     return this.at + 8 * (start + copy * parameter.size + index);
   }
 
-  /** Writes what changes from step to step; the step begins at `time`. */
+  /** Writes the values that change from step to step; the step begins at `time`. */
   write(dt: number, time: number, lastDt: number): void {
     const values = this.#values;
     values[DT] = dt;

@@ -1,9 +1,9 @@
-// The potential energy of a law, summed over all bodies that forces move: in doubles, whatever the columns are.
+// The potential energy of a law, summed in f64 over all bodies that forces move.
 import type { Loop } from '../laws/compile.ts';
 import type { LoopSource } from '../laws/emit-loop.ts';
 import { Lowering } from '../laws/lower.ts';
 import { zeroVector } from '../laws/vector-algebra.ts';
-import { keptWithPlan } from '../world/execution-plan.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
 import { notesOf } from './notes.ts';
@@ -17,9 +17,9 @@ interface EnergyLoop {
   readonly block: ParameterBlock;
 }
 
-const energyLoops = keptWithPlan(() => new Map<LawForce, EnergyLoop>());
+const energyLoops = cachedWithPlan(() => new Map<LawForce, EnergyLoop>());
 
-/** Potential energy of all bodies under a law that states one, J. */
+/** Returns the potential energy of all bodies under a law with a potential, J. */
 export function potentialEnergy(world: PhysicsWorld, force: LawForce): number {
   const loops = energyLoops(world);
   let loop = loops.get(force);

@@ -1,11 +1,11 @@
-// Values anyone may have written, or a force may have produced, made good again.
+// Finds and repairs invalid values that user code wrote or a force produced.
 //
-// Before a step every row is looked at as its pose is saved, so that a bad value someone wrote never enters a force or
-// a contact; after the step once more, so that nobody ever reads a bad one. Both looks are part of kernels that touch
-// the rows anyway; the code here runs for rows that failed.
+// Every row is checked before a step, when its pose is saved, so that an invalid value never reaches a force or
+// contact; and again after the step, so that no reader sees one. Kernels that process the rows anyway make both checks;
+// this file handles rows that failed.
 import { addComponent, entityExists, hasComponent, set } from 'bitecs';
 import { MAX_POSITION } from '../components/position.ts';
-import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_PART } from '../components/rotation.ts';
+import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_COMPONENT } from '../components/rotation.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import { clearMissing } from '../ecs/partial-entities.ts';
 import { forEachRange } from '../ecs/ranges.ts';
@@ -17,29 +17,29 @@ import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 
 type When = 'begin' | 'finish';
 
-/** Largest |force| along an axis, N; f32 ends a little above. */
+/** Largest |force| along an axis, N; slightly below the limit of f32. */
 const MAX_FORCE = 3e38;
 
-/** Saves poses, and puts right what was written between steps. First system of every preset. */
-export const beginStep: LocalSystem = { name: 'begin', role: 'begin', run: forEachRange(beginRun) };
+/** Saves poses, and repairs values written between steps. First system of every preset. */
+export const beginStep: LocalSystem = { name: 'begin', role: 'begin', run: forEachRange(beginRange) };
 
-/** Finds what the step itself made bad. Last system of every preset. */
-export const validateState: LocalSystem = { name: 'check finite', role: 'check', run: forEachRange(checkRun) };
+/** Finds invalid values that the step produced. Last system of every preset. */
+export const validateState: LocalSystem = { name: 'check finite', role: 'check', run: forEachRange(checkRange) };
 
-function beginRun(world: PhysicsWorld, first: number, last: number): void {
-  // Positions and velocities are the business of the loop that reads them anyway.
+function beginRange(world: PhysicsWorld, first: number, last: number): void {
+  // The fused loop checks positions and velocities itself.
   const isFused = world.internal.plan?.fusion?.begin === true;
   const isGood = isFused || saveAxes(world, first, last) === 1;
-  if (!isGood || !anglesGood(world, first, last)) {
+  if (!isGood || !areAnglesValid(world, first, last)) {
     repairRows(world, first, last, 'begin');
     if (!isFused) saveAxes(world, first, last);
   }
-  if (canTurn(world)) saveAngles(world, first, last);
+  if (canRotate(world)) saveAngles(world, first, last);
 }
 
 /**
- * Looks at rows one by one, caps speeds and quarantines bodies that cannot go on.
- * @param laws by row, the law that is to blame
+ * Checks rows one by one, clamps speeds and quarantines bodies that cannot continue.
+ * @param laws the law that caused the fault, by row
  */
 export function repairRows(
   world: PhysicsWorld,
@@ -51,7 +51,10 @@ export function repairRows(
   for (let row = first; row < last; row++) repairRow(world, row, phase, laws?.get(row));
 }
 
-/** Saves positions and velocities; 1 when all were good. A bad position is not saved: the last good one stays. */
+/**
+ * Saves positions and velocities, and returns 1 if all were valid. An invalid position is not saved: the last valid one
+ * stays.
+ */
 function saveAxes(world: PhysicsWorld, first: number, last: number): number {
   const { kernels, addresses, previousAddresses, scratch } = world;
   const { Position, Velocity } = addresses;
@@ -74,14 +77,14 @@ function saveAngles(world: PhysicsWorld, first: number, last: number): void {
   for (const part in now) world.kernels.copyColumn(before[part], now[part], first, last);
 }
 
-function checkRun(world: PhysicsWorld, first: number, last: number): void {
+function checkRange(world: PhysicsWorld, first: number, last: number): void {
   clearMissing(world, first, last);
   const isChecked = world.internal.plan?.fusion?.check === true;
-  if ((isChecked || isInRange(world, first, last)) && anglesGood(world, first, last)) return;
+  if ((isChecked || isInRange(world, first, last)) && areAnglesValid(world, first, last)) return;
   repairRows(world, first, last, 'finish');
 }
 
-/** Whether all positions and velocities are numbers within their limits. */
+/** Returns whether all positions and velocities are finite and within their limits. */
 export function isInRange(world: PhysicsWorld, first: number, last: number): boolean {
   const { kernels, addresses } = world;
   const { Position, Velocity } = addresses;
@@ -94,36 +97,36 @@ export function isInRange(world: PhysicsWorld, first: number, last: number): boo
   return good === 1;
 }
 
-/** Whether any body has an angle or turns: most worlds of particles pay nothing for those that do. */
-function canTurn({ internal: { counts } }: PhysicsWorld): boolean {
+/** Returns whether any body has an orientation or angular velocity; other worlds skip the checks of rotation. */
+function canRotate({ internal: { counts } }: PhysicsWorld): boolean {
   return counts.AngularVelocity > 0 || counts.Rotation > 0 || counts.Orientation > 0;
 }
 
-function anglesGood(world: PhysicsWorld, first: number, last: number): boolean {
-  if (!canTurn(world)) return true;
+function areAnglesValid(world: PhysicsWorld, first: number, last: number): boolean {
+  if (!canRotate(world)) return true;
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Rotation, Orientation: q } = addresses;
-  const most = MAX_ANGULAR_SPEED;
-  const part = MAX_QUATERNION_PART;
+  const maxSpin = MAX_ANGULAR_SPEED;
+  const part = MAX_QUATERNION_COMPONENT;
   const good =
-    kernels.checkAxis(w.x, w.y, most, most, first, last) &
-    kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, most, first, last);
+    kernels.checkAxis(w.x, w.y, maxSpin, maxSpin, first, last) &
+    kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, maxSpin, first, last);
   if (world.dimensions === 2) return good === 1;
   const whole =
     kernels.checkAxis(q.x, q.y, part, part, first, last) & kernels.checkAxis(q.z, q.w, part, part, first, last);
   return (good & whole) === 1;
 }
 
-/** The largest size of what a row of a body holds. */
+/** The largest magnitude of each column of a body. */
 const LIMITS = [
   ['Position', MAX_POSITION],
-  ['Orientation', MAX_QUATERNION_PART],
+  ['Orientation', MAX_QUATERNION_COMPONENT],
   ['Rotation', MAX_ANGLE],
   ['Velocity', MAX_SPEED],
   ['AngularVelocity', MAX_ANGULAR_SPEED],
 ] as const;
 
-/** Caps speeds beyond their limit; with anything else that is wrong a body cannot go on. */
+/** Clamps speeds to their limit; any other invalid value quarantines the body. */
 function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string): void {
   for (const [name, limit] of LIMITS) {
     const columns: Columns = world.components[name];
@@ -143,7 +146,7 @@ function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string):
   }
 }
 
-/** Puts a body to rest where it was when the step began. */
+/** Stops a body at its position at the start of the step. */
 function quarantine(
   world: PhysicsWorld,
   row: number,
@@ -153,32 +156,32 @@ function quarantine(
   law: string | undefined,
 ): void {
   copyPose(world.previous, world.components, row);
-  // What was good when it was last drawn may be another pose than that.
+  // The restored pose may differ from the one that renderers read last.
   world.versions.pose++;
   for (const axis of AXES[3]) {
     world.components.Velocity[axis][row] = 0;
     world.components.AngularVelocity[axis][row] = 0;
   }
-  tag(world, row, field, value, phase, law);
+  reportOnce(world, row, field, value, phase, law);
 }
 
-/** Reports a body that went wrong, once for as long as nobody puts it in order. */
-function tag(world: PhysicsWorld, row: number, field: string, value: number, phase: When, law?: string): void {
+/** Reports the fault of a body, once until its values are corrected. */
+function reportOnce(world: PhysicsWorld, row: number, field: string, value: number, phase: When, law?: string): void {
   const { Quarantined } = world.components;
-  // bitECS is asked, not the rows: those learn of a quarantine, or of an entity's end, when the step is over.
+  // Asks bitECS rather than the rows, which are updated only at the end of the step.
   const isBody = isOpen(world, row, 'Position') && entityExists(world, row);
   if (!isBody || hasComponent(world, row, Quarantined)) return;
   const code = Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
   const blame =
-    law === undefined ? {} : { law, hint: `Look at the law "${law}": its force on the body is not a finite number.` };
+    law === undefined ? {} : { law, hint: `Check the law "${law}": its force on the body is not a finite number.` };
   reportFault(world, { code, entity: row, field, value, phase, ...blame });
   addComponent(world, row, set(Quarantined, { step: world.tick }));
 }
 
 /**
- * Drops forces that are not finite, of bodies that others are joined to: a spring would carry them on before the step
- * is over. Called after each evaluation where forces or the integrator look at more than one body; elsewhere a bad force
- * stays with its body, and is found when the step ends.
+ * Clears non-finite forces on bodies that are coupled to others, because a spring would propagate them within the step.
+ * Called after each evaluation if forces or the integrator couple bodies; otherwise a bad force affects its own body
+ * only and is found at the end of the step.
  */
 export function quarantineBadForces(world: PhysicsWorld, first: number, last: number): void {
   const { x, y, z } = world.scratch.at.force;
@@ -190,7 +193,7 @@ export function quarantineBadForces(world: PhysicsWorld, first: number, last: nu
   for (let row = first; row < last; row++) {
     for (const axis of AXES[world.dimensions]) {
       if (Math.abs(force[axis][row]) <= MAX_FORCE) continue;
-      tag(world, row, `force.${axis}`, force[axis][row], 'finish');
+      reportOnce(world, row, `force.${axis}`, force[axis][row], 'finish');
       for (const each of AXES[world.dimensions]) force[each][row] = 0;
     }
   }

@@ -1,4 +1,4 @@
-// The columns and parameters of a world as leaves of a graph: what the names of laws stand for in this world.
+// The columns and parameters of a world as leaves of a graph: binds the names used by laws to a world.
 
 import { ownColumns } from '../ecs/own-components.ts';
 import { MOVABLE } from '../ecs/partial-entities.ts';
@@ -17,7 +17,7 @@ import type { ParameterBlock, ParameterOwner } from './parameter-block.ts';
 export class WorldColumns {
   readonly graph = new Graph();
   readonly mass: Node;
-  /** The body has mass; and, in a world where that is not so of all, a position and a velocity. */
+  /** The body has mass and, in a world with partial entities, a position and a velocity. */
   readonly isMovable: Node;
 
   constructor(
@@ -28,7 +28,7 @@ export class WorldColumns {
     const { graph } = this;
     this.mass = graph.make('real', [], world.addresses.Mass.value);
     const hasMass = graph.make('less', [graph.constant(0), this.mass]);
-    const isPartial = world.internal.partialEntities.unmoved > 0;
+    const isPartial = world.internal.partialEntities.immovable > 0;
     this.isMovable = isPartial ? graph.make('and', [hasMass, this.#has(MOVABLE)]) : hasMass;
   }
 
@@ -40,14 +40,14 @@ export class WorldColumns {
     return this.graph.make('load', [], address);
   }
 
-  /** Three columns; in two dimensions z is none. */
+  /** Three columns; in 2D z is undefined. */
   axes(at: Readonly<AxisAddresses>): Axes {
     const { graph } = this;
     const column = (address: number) => graph.make('real', [], address);
     return [column(at.x), column(at.y), this.world.dimensions === 2 ? graph.zero : column(at.z)];
   }
 
-  /** `fraction` of a step after its start. */
+  /** The time at `fraction` of a step after its start. */
   timeAt(fraction: number): Node {
     const { graph, block } = this;
     const start = this.load(block.time);
@@ -73,12 +73,12 @@ export class WorldColumns {
     };
   }
 
-  /** The columns of positions, velocities and the like, by their addresses. */
+  /** The axes of positions and velocities, by which their addresses are named. */
   get axisNames(): readonly ('x' | 'y' | 'z')[] {
     return AXES[this.world.dimensions];
   }
 
-  /** In two dimensions a torque is about z alone. */
+  /** In 2D a torque has a z component only. */
   torqueStores(torque: Axes): Store[] {
     const { x, y, z } = this.world.scratch.at.torque;
     const aboutZ = { address: z, node: torque[2] };
@@ -95,7 +95,7 @@ export class WorldColumns {
   }
 }
 
-/** Of no component: the bits that say which components an entity has. */
+/** The component '' stands for the column of component bits. */
 function addressOf(world: PhysicsWorld, component: ColumnData['component'] | '', field: string): number {
   if (component === '') return world.internal.membersAt;
   if (typeof component !== 'string') return ownColumns(world, component).addresses[field];

@@ -1,5 +1,5 @@
-// What the engine needs of bitECS beyond its public functions. bitECS keeps its tables under a public symbol, and its
-// version is pinned; all that reaches into them is here and in bodies/spawn-many.ts, held by tests.
+// Access to bitECS internals beyond its public functions. bitECS exposes its tables under a public symbol, and its
+// version is pinned. All such access is in this file and in bodies/spawn-many.ts, and is covered by tests.
 import {
   $internal,
   type ComponentRef,
@@ -13,12 +13,12 @@ import { bitOf, COMPONENT_NAMES, type ComponentName } from '../components/all.ts
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** bitECS's tables of a world; undefined once `deleteWorld` was called. */
+/** bitECS's tables of a world; undefined after `deleteWorld`. */
 export function contextOf(world: PhysicsWorld): WorldContext {
   return (world as unknown as { [$internal]: WorldContext })[$internal];
 }
 
-/** The component that columns are, and the world they belong to. */
+/** The component name and the world of each component object. */
 const owners = new WeakMap<object, { readonly world: PhysicsWorld; readonly name: ComponentName }>();
 
 /** The membership bit of a component of `world`; 0 for any other. */
@@ -27,7 +27,7 @@ export function bitIn(world: PhysicsWorld, component: ComponentRef): number {
   return owner?.world === world ? bitOf(owner.name) : 0;
 }
 
-/** Guards bitECS's tables of a new world, when our observers are registered and before anybody else's. */
+/** Guards bitECS's tables of a new world, after our observers are registered and before any others. */
 export function guardTables(world: PhysicsWorld): void {
   for (const name of COMPONENT_NAMES) owners.set(world.components[name], { world, name });
   guardComponents(world);
@@ -35,8 +35,8 @@ export function guardTables(world: PhysicsWorld): void {
 }
 
 /**
- * A component of another world would be taken silently, and whoever wrote its columns would move bodies over there.
- * `addComponent` looks its component up first: so a call that adds is told from a later one that only sets.
+ * bitECS would accept a component of another world, and writing its columns would move bodies of that world.
+ * `addComponent` looks its component up first, which distinguishes a call that adds from a later call that only sets.
  */
 function guardComponents(world: PhysicsWorld): void {
   const { componentMap } = contextOf(world);
@@ -52,17 +52,17 @@ function guardComponents(world: PhysicsWorld): void {
 function foreignError(name: ComponentName): PhysicsError {
   return new PhysicsError('E_TYPE', `this ${name} belongs to another world.`, {
     field: name,
-    hint: 'Columns belong to one world: use `world.components` of the world the entity is in.',
+    hint: 'Columns belong to one world: use `world.components` of the world of the entity.',
   });
 }
 
-/** Our observers hang on bitECS's query of each component, which `removeQuery` would take from under them. */
+/** Our observers depend on bitECS's query of each component, which `removeQuery` would remove. */
 function guardQueries(world: PhysicsWorld): void {
   const { queries } = contextOf(world);
   const { unobserved } = world.internal;
   const ours = new Set<Query>();
   for (const name of COMPONENT_NAMES) {
-    // The first that bitECS made for a component.
+    // The first query that bitECS made for the component.
     const [query] = queriesOf(world, name);
     ours.add(query);
     unobserved.add(query);
@@ -76,22 +76,25 @@ function guardQueries(world: PhysicsWorld): void {
   queries.delete = (query) => !ours.has(query) && remove(query);
 }
 
-/** bitECS's queries that ask for a component. */
+/** bitECS's queries that include a component. */
 export function queriesOf(world: PhysicsWorld, name: ComponentName): Query[] {
   return [...(contextOf(world).componentMap.get(world.components[name])?.queries ?? [])];
 }
 
-/** Whether an entity is a bitECS prefab: a pattern for others, which no query finds and which is no body. */
+/**
+ * Returns whether an entity is a bitECS prefab: a template for other entities, which no query finds and which is not a
+ * body.
+ */
 export function isPrefab(world: PhysicsWorld, eid: number): boolean {
   return hasComponent(world, eid, Prefab);
 }
 
 /**
- * Removes an entity even if an observer of a user throws: bitECS would stop half way, with some rows closed and the
- * entity still there. Called again, it goes on after the observer that threw.
- * @throws what the first observer threw, when the entity is gone
+ * Removes an entity even if a user's observer throws: bitECS would stop with some rows closed and the entity still
+ * present. Calling it again continues after the observer that threw.
+ * @throws the exception of the first observer, after the entity is removed
  */
-export function removeWholly(world: PhysicsWorld, eid: number): void {
+export function removeEntityCompletely(world: PhysicsWorld, eid: number): void {
   let first: { readonly error: unknown } | undefined;
   for (let left = contextOf(world).queries.size; left >= 0; left--) {
     try {

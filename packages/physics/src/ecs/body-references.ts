@@ -1,31 +1,31 @@
-// Fields that name a body, as the ends of a spring do.
+// Fields that refer to a body, such as the ends of a spring.
 //
-// An id is given again when its body is gone; a name kept in a column must not pass to the heir. So a component that
-// names bodies keeps beside each id the generation of the body it meant, and whoever follows the id compares.
+// An id is reused when its body is removed, and a reference stored in a column must not pass to the new body. So a
+// component that refers to bodies stores the generation beside each id, and readers compare it.
 import { hasComponent } from 'bitecs';
 import type { ComponentSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 
-/** What checking needs to know of the world. */
+/** The parts of a world that validation needs. */
 export type WorldView = Pick<PhysicsWorld, 'dimensions' | 'capacity' | 'components' | 'internal'>;
 
 /**
- * Asks bitECS rather than the rows, so that bodies made in the running step count.
- * @throws PhysicsError E_STALE when no body has this id
+ * Queries bitECS rather than the rows, so that bodies created in the running step count.
+ * @throws PhysicsError E_STALE if no body has this id
  */
 export function checkBodyId(space: WorldView, name: string, id: number, entity: number | undefined): void {
   const world = space as PhysicsWorld;
   if (id <= space.capacity && hasComponent(world, id, space.components.Position)) return;
-  throw new PhysicsError('E_STALE', `${name} names body ${id}, which is not in this world.`, {
+  throw new PhysicsError('E_STALE', `${name} refers to body ${id}, which does not exist in this world.`, {
     entity,
     field: name,
     value: id,
-    hint: 'Make both bodies first.',
+    hint: 'Create both bodies first.',
   });
 }
 
-/** Writes the life of every body that `given` names to `values`. */
+/** Writes to `values` the generation of every body that `given` refers to. */
 export function recordGenerations(
   space: WorldView,
   spec: ComponentSpec,

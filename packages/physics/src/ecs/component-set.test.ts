@@ -4,8 +4,8 @@ import { spawnMany } from '../bodies/spawn-many.ts';
 import { createPhysicsWorld } from '../world/create-world.ts';
 import { ComponentSet } from './component-set.ts';
 
-describe('the components of a body made in bulk', () => {
-  it('are what bitECS lists for a body made by hand, also of a user’s own', () => {
+describe('the components of a body created in bulk', () => {
+  it('equal those that bitECS lists for a single body, including custom components', () => {
     const world = createPhysicsWorld({ capacity: 10 });
     const { Position, Velocity, Mass, Charge } = world.components;
     const Player = {};

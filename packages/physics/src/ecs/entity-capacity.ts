@@ -3,13 +3,13 @@ import type { PhysicsWorld } from '../world/types.ts';
 import { contextOf } from './bitecs-adapter.ts';
 
 /**
- * Sees to it that the next `count` calls of `addEntity` give ids within capacity.
+ * Ensures that the next `count` calls of `addEntity` return ids within capacity.
  *
- * bitECS hands out the id freed last. A world whose user went past its capacity with `addEntity` has freed ids that no
- * row exists for; they go to the bottom of that pile, where they do not block the others.
+ * bitECS returns the id freed last. If the user exceeded the capacity with `addEntity`, freed ids may have no row; they
+ * are moved to the bottom of the stack, where they do not block the others.
  * @throws PhysicsError E_CAPACITY
  */
-export function makeRoom(world: PhysicsWorld, count: number): void {
+export function ensureCapacity(world: PhysicsWorld, count: number): void {
   const { entityIndex } = contextOf(world);
   const { dense, aliveCount, maxId } = entityIndex;
   if (maxId <= world.capacity) {
@@ -28,10 +28,14 @@ export function makeRoom(world: PhysicsWorld, count: number): void {
 }
 
 export function capacityError(world: PhysicsWorld, more: number, entity?: number): PhysicsError {
-  return new PhysicsError('E_CAPACITY', `no room for ${more} more: the world holds ${world.capacity} entities.`, {
-    entity,
-    field: 'capacity',
-    value: world.capacity,
-    hint: 'Make the world with a larger `capacity`.',
-  });
+  return new PhysicsError(
+    'E_CAPACITY',
+    `cannot add ${more} more: the capacity of the world is ${world.capacity} entities.`,
+    {
+      entity,
+      field: 'capacity',
+      value: world.capacity,
+      hint: 'Create the world with a larger `capacity`.',
+    },
+  );
 }

@@ -2,33 +2,35 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { contextOf } from './bitecs-adapter.ts';
 
-/** @throws PhysicsError E_DESTROYED, or E_TYPE for something that is no world */
+/**
+ * @throws PhysicsError E_DESTROYED, or E_TYPE if the argument is not a world
+ */
 export function assertUsable(world: PhysicsWorld): void {
   if (world?.internal === undefined) {
     throw new PhysicsError('E_TYPE', 'the first argument must be a world made by createPhysicsWorld.');
   }
   if (world.state === 'destroyed') throw new PhysicsError('E_DESTROYED', 'this world was destroyed.');
   if (contextOf(world)?.componentMap !== world.internal.componentMap) {
-    throw new PhysicsError('E_DESTROYED', 'bitECS was told to delete or reset this world behind its back.', {
-      hint: 'Use destroyWorld(world), and make a new world instead of resetting one.',
+    throw new PhysicsError('E_DESTROYED', 'this world was deleted or reset through bitECS.', {
+      hint: 'Use destroyWorld(world), and create a new world instead of resetting one.',
     });
   }
 }
 
-/** Makes an edit now, or, while a step runs, when it ends: nothing changes under its feet. */
+/** Applies an edit now or, during a step, at the end of the step, so that rows do not change while systems run. */
 export function whenIdle({ state, internal }: PhysicsWorld, edit: () => void): void {
   if (state === 'stepping') internal.deferredEdits.push(edit);
   else edit();
 }
 
 /**
- * Also refuses a world in the middle of a step.
+ * Rejects a destroyed world and a world that is in a step.
  * @throws PhysicsError E_REENTRANT, E_DESTROYED, E_TYPE
  */
 export function assertIdle(world: PhysicsWorld, what: string): void {
   assertUsable(world);
   if (world.state === 'idle') return;
-  throw new PhysicsError('E_REENTRANT', `${what} was called inside a step.`, {
-    hint: 'Let the running step end; from a handler, set a flag and act on it afterwards.',
+  throw new PhysicsError('E_REENTRANT', `${what} must not be called inside a step.`, {
+    hint: 'Call it after the step; a handler can set a flag for this.',
   });
 }

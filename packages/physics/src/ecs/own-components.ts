@@ -1,5 +1,5 @@
-// Components of a user's own whose columns lie in the world's memory: laws read them, snapshots keep them, and bitECS
-// adds and removes them as any other.
+// Custom components whose columns are in the world's memory: laws read them, snapshots save them, and bitECS adds and
+// removes them like built-in components.
 import { observe, onAdd, onRemove, onSet } from 'bitecs';
 import type { ColumnsOf, ComponentSpec, FieldSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -10,7 +10,9 @@ import { realColumn, wordColumn } from '../memory/columns.ts';
 import type { OwnColumns, OwnComponents, PhysicsWorld } from '../world/types.ts';
 import { assertUsable, whenIdle } from './guards.ts';
 
-/** @throws PhysicsError E_TYPE for what is no list of components */
+/**
+ * @throws PhysicsError E_TYPE if the argument is not a list of components
+ */
 export function checkOwnComponents(components: unknown): readonly ComponentSpec[] {
   checkList(components, 'components');
   const list = (components ?? []) as readonly unknown[];
@@ -21,12 +23,12 @@ export function checkOwnComponents(components: unknown): readonly ComponentSpec[
   return list as readonly ComponentSpec[];
 }
 
-/** How many columns they take. */
+/** The number of columns of the components. */
 export function ownColumnCount(components: readonly ComponentSpec[]): number {
   return components.reduce((sum, { fields }) => sum + Object.keys(fields).length, 0);
 }
 
-/** Columns for the components that a world is made with. */
+/** Allocates the columns of the components that a world is created with. */
 export function makeOwnColumns(
   arena: Arena,
   precision: Precision,
@@ -49,7 +51,7 @@ export function makeOwnColumns(
   );
 }
 
-/** Lets bitECS fill and clear the rows: called once, when the world is made. */
+/** Registers observers that fill and clear the rows; called once when the world is created. */
 export function observeOwnComponents(world: PhysicsWorld): void {
   for (const [{ fields }, { columns }] of world.internal.ownComponents) {
     const write = (eid: number, values: Readonly<Record<string, number>>) =>
@@ -89,21 +91,24 @@ function checkedValues(
 }
 
 /**
- * The columns of a component of your own, one typed array a field: a bitECS component, to be added, set and removed.
- * @throws PhysicsError E_UNKNOWN when the world was made without it, E_TYPE, E_DESTROYED
+ * Returns the columns of a custom component, one typed array per field: a bitECS component that can be added, set and
+ * removed.
+ * @throws PhysicsError E_UNKNOWN if the world was created without it, E_TYPE, E_DESTROYED
  */
 export function columnsOf<const Spec extends ComponentSpec>(world: PhysicsWorld, component: Spec): ColumnsOf<Spec> {
   assertUsable(world);
   return ownColumns(world, component).columns as ColumnsOf<Spec>;
 }
 
-/** @throws PhysicsError E_UNKNOWN when the world was made without it */
+/**
+ * @throws PhysicsError E_UNKNOWN if the world was created without it
+ */
 export function ownColumns({ internal }: PhysicsWorld, component: ComponentSpec): OwnColumns {
   const found = internal.ownComponents.get(component);
   if (found !== undefined) return found;
   const fields = Object.keys(component?.fields ?? {}).join(', ');
-  throw new PhysicsError('E_UNKNOWN', `this world was made without the component { ${fields} }.`, {
+  throw new PhysicsError('E_UNKNOWN', `this world was created without the component { ${fields} }.`, {
     field: 'components',
-    hint: 'List it: createPhysicsWorld({ components: [MyComponent] }).',
+    hint: 'Pass it to createPhysicsWorld: createPhysicsWorld({ components: [MyComponent] }).',
   });
 }

@@ -1,55 +1,55 @@
-// Entities that lack a component which the step would write to for those they have.
+// Entities that lack a component which the step would write to.
 //
-// Forces move what has Position, Velocity and Mass. Kernels sweep columns without asking who has what, which is right
-// as long as the coefficients of the absent are zero; Mass without Velocity, or Velocity without Position, would fill
-// columns the entity does not have. Such entities are counted as components come and go, and while there are any, the
-// step zeroes what they do not have: they cost nothing when there are none.
+// Forces move entities with Position, Velocity and Mass. Kernels process columns without checking components, which is
+// correct as long as absent components have zero coefficients. Mass without Velocity, or Velocity without Position,
+// would make the step write to columns that the entity does not have. Such entities are counted as components are added
+// and removed, and while there are any, the step clears these columns; otherwise they cost nothing.
 import { bitOf } from '../components/all.ts';
 import { ANGLES, AXES } from '../memory/axes.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** What forces move. */
+/** Components of an entity that forces move. */
 export const MOVABLE = bitOf('Position') | bitOf('Velocity');
 
 function isImmovable(bits: number): boolean {
   return (bits & bitOf('Mass')) !== 0 && (bits & MOVABLE) !== MOVABLE;
 }
 
-function isStray(world: PhysicsWorld, bits: number): boolean {
+function lacksPose(world: PhysicsWorld, bits: number): boolean {
   const drifts = (bits & bitOf('Velocity')) !== 0 && (bits & bitOf('Position')) === 0;
-  return drifts || ((bits & bitOf('AngularVelocity')) !== 0 && (bits & turnBit(world)) === 0);
+  return drifts || ((bits & bitOf('AngularVelocity')) !== 0 && (bits & angularVelocityBit(world)) === 0);
 }
 
-function turnBit({ dimensions }: PhysicsWorld): number {
+function angularVelocityBit({ dimensions }: PhysicsWorld): number {
   return bitOf(ANGLES[dimensions]);
 }
 
-/** Keeps the counts when `rows` rows go from one set of components to another. */
+/** Updates the counts when `rows` rows change from one set of components to another. */
 export function countPartialEntities(world: PhysicsWorld, from: number, to: number, rows = 1): void {
   const { partialEntities } = world.internal;
-  partialEntities.unmoved += rows * (Number(isImmovable(to)) - Number(isImmovable(from)));
-  partialEntities.strays += rows * (Number(isStray(world, to)) - Number(isStray(world, from)));
+  partialEntities.immovable += rows * (Number(isImmovable(to)) - Number(isImmovable(from)));
+  partialEntities.withoutPose += rows * (Number(lacksPose(world, to)) - Number(lacksPose(world, from)));
 }
 
-/** Takes the force from what forces do not move; called whenever forces were evaluated. */
+/** Clears the force on entities that forces do not move; called after every force evaluation. */
 export function clearForcesOfImmovable(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, internal, scratch } = world;
-  if (internal.partialEntities.unmoved === 0) return;
+  if (internal.partialEntities.immovable === 0) return;
   for (const axis of AXES[world.dimensions]) {
     kernels.zeroAbsent(scratch.at.force[axis], internal.membersAt, MOVABLE, first, last);
   }
 }
 
-/** Zeroes what the step wrote for entities that do not have the component. */
+/** Clears what the step wrote for entities that do not have the component. */
 export function clearMissing(world: PhysicsWorld, first: number, last: number): void {
   const { kernels, internal, addresses, dimensions } = world;
-  const { unmoved, strays } = internal.partialEntities;
-  if (unmoved === 0 && strays === 0) return;
+  const { immovable, withoutPose } = internal.partialEntities;
+  if (immovable === 0 && withoutPose === 0) return;
   const at = internal.membersAt;
   for (const axis of AXES[dimensions]) {
     kernels.zeroAbsent(addresses.Position[axis], at, bitOf('Position'), first, last);
     kernels.zeroAbsent(addresses.Velocity[axis], at, bitOf('Velocity'), first, last);
   }
   const angles: Record<string, number> = addresses[ANGLES[dimensions]];
-  for (const part in angles) kernels.zeroAbsent(angles[part], at, turnBit(world), first, last);
+  for (const part in angles) kernels.zeroAbsent(angles[part], at, angularVelocityBit(world), first, last);
 }

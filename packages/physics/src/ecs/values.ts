@@ -1,4 +1,4 @@
-// Values of a component as a caller gives them, checked before the world is touched.
+// Validation of component values, before the world changes.
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -7,7 +7,7 @@ import type { FieldValues } from '../world/types.ts';
 import { checkBodyId, recordGenerations, type WorldView } from './body-references.ts';
 
 /**
- * The values a caller gave, checked one by one; fields left out stay out.
+ * Validates the given values one by one; omitted fields stay omitted.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function checkValues(space: WorldView, name: ComponentName, data: unknown, entity?: number): FieldValues {
@@ -15,7 +15,7 @@ export function checkValues(space: WorldView, name: ComponentName, data: unknown
   const given = normalise(name, data, entity);
   const values: FieldValues = {};
   for (const field of Object.keys(given)) {
-    // Not `spec.fields[field]` alone: "constructor" would be found there, and a function be written to.
+    // A lookup in `spec.fields` alone would find "constructor" in the prototype.
     if (!Object.hasOwn(spec.fields, field)) {
       throw unknownName(keyOf(name), 'field', field, Object.keys(spec.fields), entity);
     }
@@ -26,7 +26,7 @@ export function checkValues(space: WorldView, name: ComponentName, data: unknown
 }
 
 /**
- * The values together as the component wants them (a quaternion normalised, say), with `present()` for what was left out.
+ * Completes the values of a component (such as a normalised quaternion), with `present()` for omitted fields.
  * @throws PhysicsError E_RANGE
  */
 export function completeValues(
@@ -51,19 +51,19 @@ const INITIAL = Object.fromEntries(
   ]),
 ) as Record<ComponentName, Readonly<FieldValues>>;
 
-/** What a row holds when its component was added without values. */
+/** The values of a component that was added without values. */
 export function initialValues(name: ComponentName): Readonly<FieldValues> {
   return INITIAL[name];
 }
 
-/** A field as messages name it: "position.x", or "mass" where a bare number sets it. */
+/** The name of a field in messages: "position.x", or "mass" if a bare number sets it. */
 export function fieldName(name: ComponentName, field: string): string {
   const { scalar }: ComponentSpec = COMPONENTS[name];
   return field === scalar ? keyOf(name) : `${keyOf(name)}.${field}`;
 }
 
 /**
- * One value as it will be stored.
+ * Validates one value and returns it as it will be stored.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
 export function checkField(space: WorldView, spec: FieldSpec, name: string, value: unknown, entity?: number): number {
@@ -71,18 +71,21 @@ export function checkField(space: WorldView, spec: FieldSpec, name: string, valu
   const checked = checkNumber(value, name, spec.bounds, entity, spec.hint);
   if (spec.life !== undefined) checkBodyId(space, name, checked, entity);
   if (checked !== 0 && spec.spatial === true && space.dimensions === 2) {
-    throw new PhysicsError('E_RANGE', `${name} must be 0 in a world of two dimensions, got ${checked}.`, {
+    throw new PhysicsError('E_RANGE', `${name} must be 0 in a 2D world, got ${checked}.`, {
       entity,
       field: name,
       value,
-      hint: 'Make the world with `dimensions: 3`.',
+      hint: 'Create the world with `dimensions: 3`.',
     });
   }
   return checked;
 }
 
-/** Stored values as a caller would give them: a mass stored as 0 was given as Infinity, and 0 would be refused. */
-export function asGiven(name: ComponentName, values: FieldValues): FieldValues {
+/**
+ * Converts stored values to the form in which they are given: a mass stored as 0 was given as Infinity, and 0 would be
+ * rejected.
+ */
+export function toInputForm(name: ComponentName, values: FieldValues): FieldValues {
   for (const [field, spec] of Object.entries<FieldSpec>(COMPONENTS[name].fields)) {
     const { above = -Infinity } = spec.bounds;
     if (values[field] === spec.infinite && !(values[field] > above)) values[field] = Infinity;

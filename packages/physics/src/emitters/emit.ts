@@ -11,10 +11,13 @@ import { dropIncomplete } from './pool.ts';
 import { N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
-/** The emitters of a world, in the order they were made, and how many there ever were: the stream of the next. */
+/**
+ * The emitters of a world, in order of creation, and the number ever made, which selects the random stream of the
+ * next.
+ */
 export const emittersOf = resource(() => ({ list: [] as Emitter[], made: 0 }));
 
-/** Ages, ends and bears the particles of all emitters. */
+/** Ages particles of all emitters, ends those whose life is over and creates new ones. */
 export function emitParticles(world: PhysicsWorld, dt: number): void {
   const { list } = emittersOf(world);
   for (let i = 0; i < list.length; i++) {
@@ -24,27 +27,27 @@ export function emitParticles(world: PhysicsWorld, dt: number): void {
       emitter.internal.membership = world.versions.membership;
       dropIncomplete(world, record);
     }
-    if (emitter.internal.followed !== undefined) follow(world, emitter, record);
-    carry(record);
+    if (emitter.internal.followed !== undefined) followBody(world, emitter, record);
+    computeVelocity(record);
     const born = record.numbers[N.born];
     emitterKernels(world).stepEmitter(record.at, dt);
     if (record.words[W.changed] !== 0) world.versions.style++;
-    // Its previous pose is the place of its birth, and not where the row's last life ended.
+    // The previous pose of a new particle is its position of birth, which changes the previous-pose column.
     if (record.numbers[N.born] !== born) world.versions.pose++;
-    if (world.internal.counts.Quarantined > 0) releaseInert(world, emitter);
+    if (world.internal.counts.Quarantined > 0) clearQuarantine(world, emitter);
   }
 }
 
-/** Puts the emitter where its body was at the last step and is now; without the body it stops. */
-function follow(world: PhysicsWorld, { internal }: Emitter, { words, numbers }: MemoryRecord): void {
+/** Moves the emitter to its body, now and at the last step; without the body it stops. */
+function followBody(world: PhysicsWorld, { internal }: Emitter, { words, numbers }: MemoryRecord): void {
   if (internal.followed === undefined || !isAlive(world, internal.followed)) {
     words[W.emits] = 0;
     return;
   }
   const eid = internal.entity;
   const { x, y, z } = world.components.Position;
-  // Nobody has looked at the body in this step yet: what is no place is not gone to.
-  if (!isPlace(x[eid]) || !isPlace(y[eid]) || !isPlace(z[eid])) return;
+  // The state of this step is not validated yet, so a position that is not finite is ignored.
+  if (!isValidCoordinate(x[eid]) || !isValidCoordinate(y[eid]) || !isValidCoordinate(z[eid])) return;
   const from = world.previous.Position;
   numbers[N.x] = x[eid];
   numbers[N.y] = y[eid];
@@ -54,12 +57,12 @@ function follow(world: PhysicsWorld, { internal }: Emitter, { words, numbers }: 
   numbers[N.lastZ] = from.z[eid];
 }
 
-function isPlace(coordinate: number): boolean {
+function isValidCoordinate(coordinate: number): boolean {
   return Math.abs(coordinate) <= MAX_POSITION;
 }
 
-/** The velocity particles inherit: that of the emitter's way since the last step. */
-function carry({ numbers }: MemoryRecord): void {
+/** Computes the inherited velocity: the emitter's displacement since the last step over the time. */
+function computeVelocity({ numbers }: MemoryRecord): void {
   const pending = numbers[N.pending];
   const factor = pending > 0 ? numbers[N.inheritVelocity] / pending : 0;
   numbers[N.velocityX] = (numbers[N.x] - numbers[N.lastX]) * factor;
@@ -67,8 +70,8 @@ function carry({ numbers }: MemoryRecord): void {
   numbers[N.velocityZ] = (numbers[N.z] - numbers[N.lastZ]) * factor;
 }
 
-/** A particle's quarantine ends with its life. */
-function releaseInert(world: PhysicsWorld, { ids }: Emitter): void {
+/** Ends the quarantine of particles whose life is over. */
+function clearQuarantine(world: PhysicsWorld, { ids }: Emitter): void {
   const { members } = world.internal;
   const mass = world.components.Mass.value;
   const bit = bitOf('Quarantined');

@@ -25,7 +25,7 @@ import type { EmitterOptions } from './options.ts';
 import { W } from './record.ts';
 
 describe('a particle', () => {
-  test('is born at the emitter and flies as a body does, under gravity and drag', () => {
+  test('starts at the emitter and moves like a body under gravity and drag', () => {
     const { world, emitter } = emitting(
       { speed: 3, direction: { x: 4, y: 3 }, spread: 0, mass: 2, quadraticDrag: 0.1, lifetime: 10, position: { x: 5 } },
       { forces: [uniformGravity({ y: -10 }), quadraticDrag()] },
@@ -40,7 +40,7 @@ describe('a particle', () => {
     expect(Velocity.y[eid]).toBeCloseTo(Velocity.y[twin], 12);
   });
 
-  test('is not drawn coming from where the last life of its entity ended', () => {
+  test('is not interpolated from the end of the previous life of its entity', () => {
     const { world, emitter } = emitting({ capacity: 1, lifetime: 0.05, speed: 100, spread: 0 });
     for (let i = 0; i < 20; i++) {
       burst(emitter, 1);
@@ -53,7 +53,7 @@ describe('a particle', () => {
     expect(emitterCounts(emitter).ended).toBeGreaterThan(3);
   });
 
-  test('when it ends it is inert: no mass, speed, size or collider', () => {
+  test('has no mass, speed, size or collider after it ended', () => {
     const collider = { radius: 0.2, restitution: 0.5 };
     const { world, emitter } = emitting({ capacity: 10, size: 2, lifetime: 0.1, collider });
     const { Mass, Velocity, Appearance, Collider } = world.components;
@@ -71,7 +71,7 @@ describe('a particle', () => {
     expect(momentum(world).y).toBe(0);
   });
 
-  test('a reference to it dies with it and never names its successor', () => {
+  test('invalidates references to it when it ends', () => {
     const { world, emitter } = emitting({ capacity: 1, lifetime: 0.1 });
     const idle = entityRef(world, emitter.ids[0]);
     burst(emitter, 1);
@@ -86,7 +86,7 @@ describe('a particle', () => {
     expect(isAlive(world, ref)).toBe(false);
   });
 
-  test('passes through its colours and sizes', () => {
+  test('follows its ramps of colour and size', () => {
     const color = [rgba(1, 0, 0), rgba(0, 1, 0, 0.5), rgba(0, 0, 0, 0)];
     const { world, emitter } = emitting({ capacity: 1, lifetime: 1, color, size: [1, 3, 0], sizeFactor: 2 });
     const [eid] = emitter.ids;
@@ -109,7 +109,7 @@ describe('a particle', () => {
     expect(seen[8][1]).toBe(0);
   });
 
-  test.each([Math.PI, 1.5, 1e-9])('leaves at the very angle that was drawn, within %d rad', (spread) => {
+  test.each([Math.PI, 1.5, 1e-9])('leaves at an accurate angle within a spread of %d rad', (spread) => {
     const { emitter, world } = emitting({ capacity: 5000, spread, direction: { x: 1 } });
     const random = createRandom(0);
     random.state.set(emitter.internal.block.record.words.subarray(W.random0, W.random0 + 4));
@@ -124,7 +124,7 @@ describe('a particle', () => {
     }
   });
 
-  test('directions fill the wedge in the plane and the cone in space evenly', () => {
+  test('has a uniform direction in the wedge in 2D and in the cone in 3D', () => {
     const plane = emitting({ spread: 0.5, direction: { x: 1 } });
     burst(plane.emitter, 1000);
     step(plane.world, 1e-9);
@@ -153,7 +153,7 @@ describe('a particle', () => {
 });
 
 describe('an emitter', () => {
-  test('follows its body, hands on its velocity, and stops when it goes', () => {
+  test('follows its body, passes on its velocity, and stops when the body is removed', () => {
     const world = createPhysicsWorld({ capacity: 1000 });
     const ship = spawn(world, { position: {}, velocity: { x: 10 }, mass: 1 });
     const emitter = createEmitter(world, {
@@ -177,7 +177,7 @@ describe('an emitter', () => {
     expect(emitterCounts(emitter).born).toBe(born);
   });
 
-  test('is the same for the same seed, and differs from its neighbour', () => {
+  test('is the same for the same seed, and differs from other emitters', () => {
     const result = (seed: number) => {
       const world = createPhysicsWorld({ capacity: 1000, seed });
       const [a, b] = [0, 1].map(() => createEmitter(world, { capacity: 100, rate: 50, speed: [1, 2] }));
@@ -190,7 +190,7 @@ describe('an emitter', () => {
     expect(result(3)).not.toBe(result(4));
   });
 
-  test('changes while it runs; bad values change nothing', () => {
+  test('changes at run time; invalid values change nothing', () => {
     const { world, emitter } = emitting({ rate: 10, lifetime: 100, speed: 1 });
     run(world, 1, 0.1);
     setRate(emitter, 100);
@@ -208,7 +208,7 @@ describe('an emitter', () => {
     );
   });
 
-  test('bursts where it is told to, with a velocity and colours of their own', () => {
+  test('bursts at a given position, with its own velocity and colours', () => {
     const { world, emitter } = emitting({ color: [[1], [2, 3]], speed: 0, lifetime: 5 });
     burst(emitter, 10, { position: { x: 7 }, velocity: { x: 1, y: 2 }, ramp: 0 });
     step(world, 0.5);
@@ -223,7 +223,7 @@ describe('an emitter', () => {
     expect(codeOf(() => burst(emitter, 1))).toBe('E_CAPACITY');
   });
 
-  test('says who ended and where, for shells that burst (ch12-fireworks)', () => {
+  test('reports ended particles and their states (ch12-fireworks)', () => {
     const { world, emitter } = emitting({ capacity: 10, reportEndings: true, lifetime: 0.5, speed: 2, spread: 0 });
     const sparks = createEmitter(world, { capacity: 1000, velocitySpread: { x: 75, y: 50 }, speed: 0 });
     burst(emitter, 10);
@@ -243,7 +243,7 @@ describe('an emitter', () => {
     expect(codeOf(() => endings(sparks))).toBe('E_RANGE');
   });
 
-  test('with bad options is not made, and leaves nothing behind', () => {
+  test('is not created with invalid options and leaves no trace', () => {
     const world = createPhysicsWorld({ capacity: 100 });
     const hash = stateHash(world);
     const bad: [object, string][] = [
@@ -280,7 +280,7 @@ describe('an emitter', () => {
     step(world, 0.1);
   });
 
-  test('destroyed gives its entities back, and its memory to the next', () => {
+  test('frees its entities when destroyed, and its memory for the next', () => {
     const world = createPhysicsWorld({ capacity: 1100 });
     let top = 0;
     for (let i = 0; i < 20; i++) {
@@ -296,7 +296,7 @@ describe('an emitter', () => {
     step(world, 0.1);
   });
 
-  test('never touches an id of its pool that was removed and given to another', () => {
+  test('never touches a removed entity of its pool whose id was reused', () => {
     const { world, emitter } = emitting({ capacity: 10, rate: 100, lifetime: 0.2 });
     run(world, 1);
     const [eid] = emitter.ids;
@@ -311,7 +311,7 @@ describe('an emitter', () => {
     expect(world.internal.counts.Position).toBe(1);
   });
 
-  test('makes and removes no entity while it runs', () => {
+  test('adds and removes no entity at run time', () => {
     const { world } = emitting({ rate: 2000, lifetime: [0.1, 0.4] });
     run(world, 0.5);
     const { membership } = world.versions;

@@ -33,13 +33,13 @@ import { BURST_BYTES, MAX_STOPS, N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
 /**
- * Makes an emitter and, once and for all, the entities of its particles. From then on particles are born and end in
- * the `emit` phase without an entity made or removed and without a byte of garbage.
+ * Creates an emitter and the entities of all its particles. Afterwards particles are born and end in the `emit`
+ * phase without adding or removing an entity and without garbage.
  *
- * Births happen at their own moments between two steps, `1/rate` apart, and appear at the next step where they have got
- * to. An inert entity of the pool has no mass, speed, size or collider.
+ * Births happen at their own times between two steps, `1/rate` apart, and appear at the next step where they have
+ * moved to. An inactive entity of the pool has no mass, speed, size or collider.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE (entity), E_CAPACITY, E_REENTRANT (during a
- *   step), E_DESTROYED: nothing is made
+ *   step), E_DESTROYED: nothing is created
  */
 export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   assertUsable(world);
@@ -63,7 +63,7 @@ function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
     returnBlock(world, block);
     throw error;
   }
-  openRecord(world, block, options, checked, ids);
+  initializeRecord(world, block, options, checked, ids);
   const emitter = {
     world,
     capacity,
@@ -85,7 +85,7 @@ function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   return emitter;
 }
 
-function openRecord(
+function initializeRecord(
   world: PhysicsWorld,
   block: Block,
   options: EmitterOptions,
@@ -101,7 +101,7 @@ function openRecord(
   seedWords(record.words.subarray(W.random0, W.random0 + 4), world.seed, stream);
   writeParameters(world, record, checked);
   record.numbers.set(checked.position, N.x);
-  comeToRest(record);
+  stopMotion(record);
   new Uint32Array(world.memory.buffer, record.words[W.ids], ids.length).set(ids);
   emitterKernels(world).openPool(record.at);
   world.versions.style++;
@@ -120,8 +120,8 @@ function writeParameters(world: PhysicsWorld, { at, words, numbers }: MemoryReco
   words[W.repaint] = 1;
 }
 
-/** No way lies behind the emitter. */
-function comeToRest({ numbers }: MemoryRecord): void {
+/** Sets the last position to the position, so that the emitter has no velocity. */
+function stopMotion({ numbers }: MemoryRecord): void {
   numbers.copyWithin(N.lastX, N.x, N.x + 3);
 }
 
@@ -130,13 +130,16 @@ function recordOf(emitter: Emitter): MemoryRecord {
   if (emitter?.internal === undefined) throw mustBe('an emitter made by createEmitter', emitter, 'emitter');
   const { world, internal } = emitter;
   assertUsable(world);
-  noticeRestore(emitter);
-  if (internal.destroyed) throw new PhysicsError('E_STALE', 'this emitter was destroyed.', { field: 'emitter' });
+  checkRestored(emitter);
+  if (internal.destroyed)
+    throw new PhysicsError('E_STALE', 'this emitter was destroyed. Create another with createEmitter.', {
+      field: 'emitter',
+    });
   return internal.block.record;
 }
 
-/** A world restored to a time before the emitter was made has it no longer. */
-function noticeRestore(emitter: Emitter): void {
+/** Marks the emitter destroyed if the world was restored to a time before it was created. */
+function checkRestored(emitter: Emitter): void {
   const { world, internal } = emitter;
   if (internal.timeline === world.versions.restored) return;
   internal.timeline = world.versions.restored;
@@ -144,8 +147,8 @@ function noticeRestore(emitter: Emitter): void {
 }
 
 /**
- * Changes parameters while the world runs, as a slider does; those left out stay. A new colour or size shows on living
- * particles too. A new position is moved to, see `moveEmitter`.
+ * Changes parameters at run time, as a slider does; omitted ones stay. A new colour or size also applies to living
+ * particles. A new position is moved to, see `moveEmitter`.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED: nothing is changed
  */
 export function setEmitter(emitter: Emitter, changes: EmitterParameters): void {
@@ -159,7 +162,7 @@ export function setEmitter(emitter: Emitter, changes: EmitterParameters): void {
 }
 
 /**
- * Sets the births a second.
+ * Sets the number of births per second.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_STALE, E_DESTROYED
  */
 export function setRate(emitter: Emitter, rate: number): void {
@@ -167,53 +170,54 @@ export function setRate(emitter: Emitter, rate: number): void {
 }
 
 /**
- * Moves the emitter. The births until the next step are spread along the way, and inherit the velocity of the way; with
- * `jump` it is there at once. An emitter that follows a body is where the body is.
+ * Moves the emitter. The births until the next step are spread along the path, and inherit its velocity; with `jump`
+ * the emitter has no path. An emitter that follows a body is always at the body.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED
  */
 export function moveEmitter(emitter: Emitter, position: VectorInput, jump = false): void {
   setEmitter(emitter, { position });
-  if (jump) comeToRest(emitter.internal.block.record);
+  if (jump) stopMotion(emitter.internal.block.record);
 }
 
-/** What a burst can have of its own. */
+/** Options of a single burst. */
 export interface BurstOptions {
-  /** Where, m; default where the emitter is. */
+  /** Position, m; default the position of the emitter. */
   readonly position?: VectorInput;
   /** Added to each particle's velocity, m/s. */
   readonly velocity?: VectorInput;
-  /** Which of the emitter's lists of colours; default each particle draws. */
+  /** Index of the emitter's colour ramp; by default each particle draws a ramp. */
   readonly ramp?: number;
-  /** The velocities of its particles, one after another, instead of the emitter's speed and direction. */
+  /** The velocities of its particles in turn, instead of the emitter's speed and direction. */
   readonly pattern?: BurstPattern | undefined;
   /** Factor of the pattern's velocities. Default 1. */
   readonly scale?: number;
 }
 
 /**
- * Bears `count` particles together, at the next step.
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond 256 bursts a step
+ * Creates `count` particles at once, at the next step.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond 256 bursts per step
  */
 export function burst(emitter: Emitter, count: number, options: BurstOptions = NOTHING): void {
-  const { words, at } = recordOf(emitter);
+  const { words } = recordOf(emitter);
   const { world, internal, capacity } = emitter;
   checkWhole(count, 'count', 0, capacity);
   checkKeys(options, 'burst', BURST_OPTIONS);
   const { ramp = -1, pattern, scale = 1, position = NOTHING, velocity = NOTHING } = options;
   checkWhole(ramp, 'ramp', -1, words[W.rampCount] - 1);
-  checkNumber(scale, 'scale', SCALES);
+  checkNumber(scale, 'scale', SCALE_BOUNDS);
   if (pattern !== undefined) checkPattern(world, pattern);
-  const waiting = words[W.burstCount];
-  if (waiting >= MAX_BURSTS) {
-    throw new PhysicsError('E_CAPACITY', `${MAX_BURSTS} bursts of emitter ${at} wait for the next step already.`, {
-      field: 'burst',
-      value: count,
-    });
+  const pendingCount = words[W.burstCount];
+  if (pendingCount >= MAX_BURSTS) {
+    throw new PhysicsError(
+      'E_CAPACITY',
+      `the emitter already has ${MAX_BURSTS} bursts pending, the maximum per step. Call step, or merge bursts.`,
+      { field: 'burst', value: count },
+    );
   }
   const { bursts } = internal;
-  const start = (waiting * BURST_BYTES) / 8;
-  readVector(bursts, start + BurstNumber.x, position, 'position', PLACES);
-  readVector(bursts, start + BurstNumber.velocityX, velocity, 'velocity', SPEEDS);
+  const start = (pendingCount * BURST_BYTES) / 8;
+  readVector(bursts, start + BurstNumber.x, position, 'position', POSITION_BOUNDS);
+  readVector(bursts, start + BurstNumber.velocityX, velocity, 'velocity', VELOCITY_BOUNDS);
   const z = bursts[start + BurstNumber.z] === 0 ? bursts[start + BurstNumber.velocityZ] : bursts[start + BurstNumber.z];
   if (world.dimensions === 2 && z !== 0) checkNumber(z, 'burst z', { min: 0, max: 0 });
   bursts[start + BurstNumber.count] = count;
@@ -222,26 +226,26 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
   bursts[start + BurstNumber.pattern] = pattern?.at ?? 0;
   bursts[start + BurstNumber.patternCount] = pattern?.count ?? 0;
   bursts[start + BurstNumber.scale] = scale;
-  words[W.burstCount] = waiting + 1;
+  words[W.burstCount] = pendingCount + 1;
 }
 
 const BURST_OPTIONS = ['ramp', 'pattern', 'scale', 'position', 'velocity'];
 const NOTHING = {};
-const SCALES = { min: -1e6, max: 1e6 };
-const PLACES = { min: -1e15, max: 1e15 };
-const SPEEDS = { min: -1e9, max: 1e9 };
+const SCALE_BOUNDS = { min: -1e6, max: 1e6 };
+const POSITION_BOUNDS = { min: -1e15, max: 1e15 };
+const VELOCITY_BOUNDS = { min: -1e9, max: 1e9 };
 
-/** Particles alive now. @throws PhysicsError E_STALE, E_DESTROYED */
+/** Returns the number of living particles. @throws PhysicsError E_STALE, E_DESTROYED */
 export function aliveCount(emitter: Emitter): number {
   return recordOf(emitter).words[W.alive];
 }
 
-/** Particles of an emitter since it was made. */
+/** Numbers of particles since the emitter was created. */
 export interface EmitterCounts {
   readonly alive: number;
   readonly born: number;
   readonly ended: number;
-  /** Births that found no room. */
+  /** Births that were dropped because the pool was full. */
   readonly lost: number;
 }
 
@@ -254,16 +258,16 @@ export function emitterCounts(emitter: Emitter): EmitterCounts {
 /** Particles that ended in the last step. */
 export interface Endings {
   readonly count: number;
-  /** Ids of pool entities, in use again or not: the first `count` of them. */
+  /** Ids of pool entities, which may be in use again; only the first `count` are valid. */
   readonly ids: Uint32Array;
-  /** Six numbers each: x, y, z, m, and the velocity, m/s, of the last moment. */
+  /** Six numbers per particle: final position x, y, z, m, and velocity, m/s. */
   readonly states: Float64Array;
 }
 
 /**
- * Who ended in the last step and where: what shells that burst are made of. For emitters with `reportEndings`. It is
- * the same object every time, written anew by each step.
- * @throws PhysicsError E_RANGE without that, E_STALE, E_DESTROYED
+ * Returns the particles that ended in the last step and where, for example to burst shells. Needs `reportEndings`.
+ * It is the same object on every call, overwritten by each step.
+ * @throws PhysicsError E_RANGE without `reportEndings`, E_STALE, E_DESTROYED
  */
 export function endings(emitter: Emitter): Endings {
   const { words } = recordOf(emitter);
@@ -285,14 +289,14 @@ export function endings(emitter: Emitter): Endings {
 }
 
 /**
- * Removes the emitter and all entities of its pool; during a step, when the step ends. Twice is once.
+ * Removes the emitter and all entities of its pool; during a step, when the step ends. A second call has no effect.
  * @throws PhysicsError E_DESTROYED
  */
 export function destroyEmitter(emitter: Emitter): void {
   const { world, internal } = emitter;
   assertUsable(world);
   whenIdle(world, () => {
-    noticeRestore(emitter);
+    checkRestored(emitter);
     if (internal.destroyed) return;
     internal.destroyed = true;
     const { list } = emittersOf(world);

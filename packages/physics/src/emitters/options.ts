@@ -4,46 +4,51 @@ import { checkKeys, checkNumber, checkVector, checkWhole, mustBe, type VectorInp
 import type { PhysicsWorld } from '../world/types.ts';
 import { MAX_RAMPS, MAX_STOPS } from './record.ts';
 
-/** A number, or a range within which each particle draws its own. */
+/** A number, or a range from which each particle draws a value. */
 export type Range = number | readonly [min: number, max: number];
 
-/** What an emitter can be told at any time. */
+/** The parameters of an emitter, which can be changed at any time. */
 export interface EmitterParameters {
-  /** Where particles are born, m. Default the origin. */
+  /** Position of births, m. Default the origin. */
   readonly position?: VectorInput;
-  /** Particles born a second, 1/s. Default 0: bursts only. */
+  /** Particles born per second, 1/s. Default 0: bursts only. */
   readonly rate?: number;
-  /** How long a particle lives, s. Default 1. */
+  /** Lifetime of a particle, s. Default 1. */
   readonly lifetime?: Range;
   /** Speed at birth, m/s. Default 1. */
   readonly speed?: Range;
-  /** Mean direction at birth; any length. Default upwards. */
+  /** Mean direction at birth, of any length. Default upwards. */
   readonly direction?: VectorInput;
-  /** Half-angle about the direction, rad: 0 a jet, π (the default) all around. */
+  /** Half-angle about the direction, rad: 0 is a jet, π (the default) is all directions. */
   readonly spread?: number;
-  /** Births are spread uniformly over a box of this half size about the position, m. Default none. */
+  /** Half extent of the box about the position in which births are distributed uniformly, m. Default none. */
   readonly positionSpread?: VectorInput;
-  /** Each axis of the velocity gets up to this much more or less, m/s. Default none. */
+  /** Half range of a uniform random velocity, per axis, m/s. Default none. */
   readonly velocitySpread?: VectorInput;
-  /** Part of the emitter's own velocity that particles are born with. Default 0. */
+  /** Fraction of the emitter's velocity that particles inherit. Default 0. */
   readonly inheritVelocity?: number;
   /** Mass of a particle, kg. Default 1. */
   readonly mass?: number;
-  /** Colour (see `rgba`), or 2 to 4 colours that a particle passes through in its life, or up to 8 such lists to draw from. */
+  /** Colour (see `rgba`), or a ramp of 2 to 4 colours over a particle's life, or up to 8 ramps to draw from. */
   readonly color?: number | readonly number[] | readonly (readonly number[])[];
-  /** Drawn radius, m, or 2 to 4 radii passed through in a life. Default 0: as large as the collider. */
+  /** Drawn radius, m, or a ramp of 2 to 4 radii over a life. Default 0: the radius of the collider. */
   readonly size?: number | readonly number[];
-  /** Each particle's size is multiplied by one number of this range. Default 1. */
+  /** Random factor of each particle's size. Default 1. */
   readonly sizeFactor?: Range;
 }
 
-/** How an emitter is made. */
+/** The options of a new emitter. */
 export interface EmitterOptions extends EmitterParameters {
-  /** Most particles alive at once. Their entities are made now, and never again. */
+  /** Maximum number of living particles. Their entities are created now and reused. */
   readonly capacity: number;
-  /** A body to be born at, instead of `position`; when it goes the emitter stops. */
+  /**
+   * A body at whose position particles are born, instead of `position`; the emitter stops when the body is removed.
+   */
   readonly entity?: number;
-  /** A birth that finds no room: 'skip' (default) drops it and counts it as lost, 'oldest' ends the oldest particle. */
+  /**
+   * Behaviour when the pool is full: 'skip' (default) drops the birth and counts it as lost, 'oldest' ends the
+   * oldest particle.
+   */
   readonly whenFull?: 'skip' | 'oldest';
   /** Coefficient of linear drag, kg/s. Default none. */
   readonly linearDrag?: number;
@@ -53,7 +58,7 @@ export interface EmitterOptions extends EmitterParameters {
   readonly collider?: { readonly radius: number; readonly restitution?: number; readonly friction?: number };
   /** Kind of shape to draw; 0, the default, is a disc or ball. */
   readonly shape?: number;
-  /** Keep who ended in a step, and where, for `endings`. */
+  /** Record ended particles and their states for `endings`. */
   readonly reportEndings?: boolean;
 }
 
@@ -86,7 +91,7 @@ const FIXED = [
 
 type Triple = readonly [x: number, y: number, z: number];
 
-/** The parameters as the record takes them. */
+/** The validated parameters in the layout of the record. */
 export interface CheckedParameters {
   readonly position: Triple;
   /** All numbers from the rate on, in the record's order. */
@@ -94,14 +99,14 @@ export interface CheckedParameters {
   readonly ramps: readonly (readonly number[])[];
 }
 
-/** Refuses keys that are not options. @throws PhysicsError E_TYPE, E_UNKNOWN */
+/** Refuses unknown options. @throws PhysicsError E_TYPE, E_UNKNOWN */
 export function checkOptionNames(options: unknown, caller: string, live: boolean): void {
   checkKeys(options, caller, live ? PARAMETERS : [...PARAMETERS, ...FIXED]);
   const { collider } = options as EmitterOptions;
   if (collider !== undefined) checkKeys(collider, 'collider', ['radius', 'restitution', 'friction']);
 }
 
-/** The options that may change later. */
+/** Returns the options that can be changed later. */
 export function parametersOf(options: EmitterParameters): EmitterParameters {
   return Object.fromEntries(
     PARAMETERS.filter((name) => options[name] !== undefined).map((name) => [name, options[name]]),
@@ -110,18 +115,18 @@ export function parametersOf(options: EmitterParameters): EmitterParameters {
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function checkParameters(world: PhysicsWorld, options: EmitterParameters): CheckedParameters {
-  const anywhere = { min: -MAX_POSITION, max: MAX_POSITION };
-  const speeds = { min: -MAX_SPEED, max: MAX_SPEED };
+  const positionBounds = { min: -MAX_POSITION, max: MAX_POSITION };
+  const velocityBounds = { min: -MAX_SPEED, max: MAX_SPEED };
   return {
-    position: place(world, options.position ?? {}, 'position', anywhere),
+    position: checkPosition(world, options.position ?? {}, 'position', positionBounds),
     numbers: [
       checkNumber(options.rate ?? 0, 'rate', { min: 0, max: 1e9 }),
       ...range(options.lifetime ?? 1, 'lifetime', { above: 0, max: 1e9 }),
       ...range(options.speed ?? 1, 'speed', { min: 0, max: MAX_SPEED }),
-      ...unit(place(world, options.direction ?? { y: 1 }, 'direction')),
+      ...normalise(checkPosition(world, options.direction ?? { y: 1 }, 'direction')),
       checkNumber(options.spread ?? Math.PI, 'spread', { min: 0, max: Math.PI }),
-      ...place(world, options.positionSpread ?? {}, 'positionSpread', anywhere),
-      ...place(world, options.velocitySpread ?? {}, 'velocitySpread', speeds),
+      ...checkPosition(world, options.positionSpread ?? {}, 'positionSpread', positionBounds),
+      ...checkPosition(world, options.velocitySpread ?? {}, 'velocitySpread', velocityBounds),
       checkNumber(options.inheritVelocity ?? 0, 'inheritVelocity', { min: -10, max: 10 }),
       checkNumber(options.mass ?? 1, 'mass', { above: 0, max: 1e38 }),
       ...range(options.sizeFactor ?? 1, 'sizeFactor', { min: 0, max: 1e6 }),
@@ -131,7 +136,7 @@ export function checkParameters(world: PhysicsWorld, options: EmitterParameters)
   };
 }
 
-function place(world: PhysicsWorld, value: VectorInput, field: string, bounds = {}): Triple {
+function checkPosition(world: PhysicsWorld, value: VectorInput, field: string, bounds = {}): Triple {
   const { x, y, z } = checkVector(value, field, bounds);
   if (world.dimensions === 2) checkNumber(z, `${field}.z`, { min: 0, max: 0 });
   return [x, y, z];
@@ -147,11 +152,11 @@ function range(value: unknown, field: string, bounds: Parameters<typeof checkNum
   return [min, checkNumber(value[1], `${field}[1]`, { ...bounds, min })];
 }
 
-function unit(direction: Triple): Triple {
-  // Scaled first, so that no square leaves the range of numbers.
-  const most = Math.max(...direction.map(Math.abs));
-  if (most === 0) throw mustBe('a vector that is not zero', 0, 'direction', 'E_RANGE');
-  const [x, y, z] = direction.map((part) => part / most);
+function normalise(direction: Triple): Triple {
+  // Scaled first, so that no square overflows.
+  const largest = Math.max(...direction.map(Math.abs));
+  if (largest === 0) throw mustBe('a vector other than zero', 0, 'direction', 'E_RANGE');
+  const [x, y, z] = direction.map((component) => component / largest);
   const norm = Math.sqrt(x * x + y * y + z * z);
   return [x / norm, y / norm, z / norm];
 }

@@ -1,4 +1,4 @@
-// The shape of a burst: velocities its particles are given one after another.
+// The shape of a burst: velocities that its particles get in turn.
 
 import { MAX_SPEED } from '../components/velocity.ts';
 import { assertUsable } from '../ecs/guards.ts';
@@ -8,32 +8,36 @@ import { allocate } from '../memory/arena.ts';
 import { markImmutable, resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** Velocities in a world's memory: what a ring or a ball of sparks is made from. */
+/** A list of velocities in a world's memory, such as a ring or a sphere of sparks. */
 export interface BurstPattern {
   readonly world: PhysicsWorld;
-  /** How many velocities there are. */
+  /** The number of velocities. */
   readonly count: number;
-  /** Address of the first: x, y and z as f64, m/s. Not for users. */
+  /** Address of the first velocity: x, y and z as f64, m/s. For internal use. */
   readonly at: number;
 }
 
-const BYTES = 24;
+const VELOCITY_BYTES = 24;
 
 /**
- * Keeps a list of velocities, m/s, for bursts. A burst of as many particles, or a multiple of it, gives each velocity
- * to equally many: its momentum is the sum of the list, exactly. The memory is given back with the world.
+ * Stores a list of velocities, m/s, for bursts. A burst whose count is a multiple of the list's length uses each
+ * velocity equally often, so its momentum is exactly a multiple of the list's sum. The memory is released with the
+ * world.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_DESTROYED
  */
 export function createPattern(world: PhysicsWorld, velocities: readonly VectorInput[]): BurstPattern {
   assertUsable(world);
   if (!Array.isArray(velocities) || velocities.length === 0) {
-    throw new PhysicsError('E_RANGE', 'a pattern must be a list of at least one velocity.', { field: 'velocities' });
+    throw new PhysicsError('E_RANGE', 'velocities must be an array of at least one vector, m/s.', {
+      field: 'velocities',
+      value: velocities,
+    });
   }
   const bounds = { min: -MAX_SPEED, max: MAX_SPEED };
   const numbers = velocities.flatMap((velocity, i) => {
     const { x, y, z } = checkVector(velocity, `velocities[${i}]`, bounds);
     if (world.dimensions === 2 && z !== 0) {
-      throw new PhysicsError('E_RANGE', `velocities[${i}].z must be 0 in the plane.`, {
+      throw new PhysicsError('E_RANGE', `velocities[${i}].z is ${z} m/s, but must be 0 in a 2D world.`, {
         field: 'velocities',
         value: z,
       });
@@ -41,7 +45,7 @@ export function createPattern(world: PhysicsWorld, velocities: readonly VectorIn
     return [x, y, z];
   });
   const count = velocities.length;
-  const at = allocate(world.internal.arena, count * BYTES, `a pattern of ${count}`);
+  const at = allocate(world.internal.arena, count * VELOCITY_BYTES, `a pattern of ${count}`);
   new Float64Array(world.memory.buffer, at, 3 * count).set(numbers);
   const pattern = markImmutable(Object.freeze({ world, count, at }));
   patternsOf(world).add(pattern);

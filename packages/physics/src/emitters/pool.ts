@@ -2,7 +2,7 @@
 
 import { spawnMany } from '../bodies/spawn-many.ts';
 import { bitOf } from '../components/all.ts';
-import { removeWholly } from '../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { allocate } from '../memory/arena.ts';
 import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
@@ -10,35 +10,35 @@ import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterOptions } from './options.ts';
 import { BURST_BYTES, EMITTER_BYTES, MAX_RAMPS, W } from './record.ts';
 
-/** Bursts that wait for the next step. */
+/** The maximum number of pending bursts. */
 export const MAX_BURSTS = 256;
 
-/** 256 shades of each ramp. */
+/** A lookup table of 256 colours per ramp. */
 const COLOR_BYTES = MAX_RAMPS * 1024;
 const SLOT_BYTES = 40;
 const ENDING_BYTES = 52;
 
-/** A piece of the world's memory for an emitter; it serves another when its own is destroyed. */
+/** A block of the world's memory for an emitter; it is reused after the emitter is destroyed. */
 export interface Block {
   readonly record: MemoryRecord;
   readonly capacity: number;
   readonly reports: boolean;
 }
 
-/** Blocks whose emitters were destroyed: the world's memory is never given back. */
+/** Free blocks of destroyed emitters: the world's memory is never released. */
 const idleBlocks = resource((): Block[] => []);
 
 /** @throws PhysicsError E_CAPACITY */
 export function takeBlock(world: PhysicsWorld, capacity: number, reports: boolean): Block {
-  const idle = idleBlocks(world);
+  const freeBlocks = idleBlocks(world);
   const fits = (block: Block) =>
     block.capacity >= capacity && block.capacity <= 2 * capacity + 64 && block.reports === reports;
-  const found = idle.findIndex(fits);
-  if (found >= 0) return idle.splice(found, 1)[0];
+  const found = freeBlocks.findIndex(fits);
+  if (found >= 0) return freeBlocks.splice(found, 1)[0];
   const { arena } = world.internal;
   const slots = capacity * (SLOT_BYTES + (reports ? ENDING_BYTES : 0));
   const bytes = EMITTER_BYTES + MAX_BURSTS * BURST_BYTES + COLOR_BYTES + slots;
-  const at = allocate(arena, bytes + 64, `an emitter of ${capacity}`);
+  const at = allocate(arena, bytes + 64, `an emitter of ${capacity} particles`);
   return { record: recordAt(arena.memory, at, EMITTER_BYTES), capacity, reports };
 }
 
@@ -46,23 +46,23 @@ export function returnBlock(world: PhysicsWorld, block: Block): void {
   idleBlocks(world).push(block);
 }
 
-/** Lays out the block's arrays for `capacity` slots: those of 8 bytes a slot first. */
+/** Lays out the block's arrays for `capacity` slots, the arrays of 8 bytes per slot first. */
 export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity: number): void {
   const { words } = record;
   let top = record.at + EMITTER_BYTES;
-  const take = (bytes: number) => {
+  const allocateBytes = (bytes: number) => {
     top += bytes;
     return top - bytes;
   };
   words.fill(0);
-  words[W.bursts] = take(MAX_BURSTS * BURST_BYTES);
-  words[W.colors] = take(COLOR_BYTES);
-  words[W.bornAt] = take(capacity * 8);
-  if (reports) words[W.endedAt] = take(capacity * 48);
+  words[W.bursts] = allocateBytes(MAX_BURSTS * BURST_BYTES);
+  words[W.colors] = allocateBytes(COLOR_BYTES);
+  words[W.bornAt] = allocateBytes(capacity * 8);
+  if (reports) words[W.endedAt] = allocateBytes(capacity * 48);
   for (const list of [W.ids, W.generation, W.free, W.older, W.newer, W.ramp, W.life, W.factor]) {
-    words[list] = take(capacity * 4);
+    words[list] = allocateBytes(capacity * 4);
   }
-  if (reports) words[W.endedIds] = take(capacity * 4);
+  if (reports) words[W.endedIds] = allocateBytes(capacity * 4);
   const { Position } = world.previousAddresses;
   const { color, size } = world.addresses.Appearance;
   words[W.previousX] = Position.x;
@@ -76,7 +76,7 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
 }
 
 /**
- * Makes the entities of a pool, ascending, all inert.
+ * Creates the entities of a pool, ascending, all inactive.
  * @throws PhysicsError as `spawnMany`
  */
 export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32Array {
@@ -94,7 +94,7 @@ export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32
 }
 
 /**
- * Lets go of entities that lost a component which the emitter writes: their rows are no longer its own. Called when the
+ * Gives up the entities that lost a component which the emitter writes: other code may use their rows. Called when the
  * set of components of any entity has changed.
  */
 export function dropIncomplete(world: PhysicsWorld, { words }: MemoryRecord): void {
@@ -108,19 +108,19 @@ export function dropIncomplete(world: PhysicsWorld, { words }: MemoryRecord): vo
   }
 }
 
-/** Components that a birth writes. */
+/** Components that the creation of a particle writes. */
 const WRITTEN = bitOf('Position') | bitOf('Velocity') | bitOf('Mass') | bitOf('Appearance');
 
-/** No row counts this far. */
+/** A generation that no row reaches. */
 const NO_GENERATION = 0xffffffff;
 
-/** Removes those entities of a pool that are still its own. */
+/** Removes the entities that the pool still owns. */
 export function removeBodies(world: PhysicsWorld, { words }: MemoryRecord): void {
   const { buffer } = world.memory;
   const capacity = words[W.capacity];
   const ids = new Uint32Array(buffer, words[W.ids], capacity);
-  const mine = new Uint32Array(buffer, words[W.generation], capacity);
+  const ownGenerations = new Uint32Array(buffer, words[W.generation], capacity);
   for (let slot = 0; slot < capacity; slot++) {
-    if (world.internal.generations[ids[slot]] === mine[slot]) removeWholly(world, ids[slot]);
+    if (world.internal.generations[ids[slot]] === ownGenerations[slot]) removeEntityCompletely(world, ids[slot]);
   }
 }

@@ -4,8 +4,8 @@ import { step } from '../world/step.ts';
 import { aliveCount, emitterCounts, moveEmitter } from './emitter.ts';
 import type { EmitterOptions } from './options.ts';
 
-describe('how many are alive', () => {
-  test('rate × lifetime, exactly, when all live equally long', () => {
+describe('the number of living particles', () => {
+  test('is exactly rate × lifetime for equal lifetimes', () => {
     const { world, emitter } = emitting({ rate: 37.5, lifetime: 2 });
     run(world, 10);
     expect(Math.abs(aliveCount(emitter) - 75)).toBeLessThanOrEqual(1);
@@ -15,7 +15,7 @@ describe('how many are alive', () => {
     expect(lost).toBe(0);
   });
 
-  test('rate × mean lifetime within statistics (ch12-sparks: 60 × 7)', () => {
+  test('is rate × mean lifetime within statistical error (ch12-sparks: 60 × 7)', () => {
     const { world, emitter } = emitting({ rate: 60, lifetime: [6, 8] });
     run(world, 10, 1 / 30);
     let sum = 0;
@@ -24,11 +24,12 @@ describe('how many are alive', () => {
       run(world, 0.5, 1 / 30);
       sum += aliveCount(emitter) / samples;
     }
-    // Births are regular, deaths uniform over 2 s: sd below sqrt(60 · 2 / 6), and samples 2 s apart are independent.
+    // Births are regular, deaths uniform over 2 s: the standard deviation is below sqrt(60 · 2 / 6), and samples 2 s
+    // apart are independent.
     expect(Math.abs(sum - 420)).toBeLessThan((3 * Math.sqrt(20)) / Math.sqrt(samples / 4) + 1);
   });
 
-  test('fractions of a birth are not lost', () => {
+  test('fractions of a birth accumulate', () => {
     const { world, emitter } = emitting({ rate: 0.7, lifetime: 1000 });
     run(world, 100);
     expect(emitterCounts(emitter).born).toBe(Math.floor(0.7 * (100 - 1 / 60)));
@@ -42,20 +43,20 @@ describe('how many are alive', () => {
     recycling.world.phases.input.push((w) => moveEmitter(recycling.emitter, { x: w.time }, true));
     run(recycling.world, 10);
     expect(emitterCounts(recycling.emitter)).toEqual({ alive: 120, born: 299, ended: 179, lost: 0 });
-    // Age at recycling: 120 births at 30 a second.
+    // Age at recycling: 120 births at 30 per second.
     const ages = living(recycling.emitter).map((eid) => 10 - recycling.world.components.Position.x[eid]);
     expect(Math.max(...ages)).toBeLessThan(4 + 0.1);
     expect(Math.min(...ages)).toBeLessThan(0.1);
   });
 
-  test('a rate beyond all room costs no time', () => {
+  test('a rate far beyond the capacity costs no time', () => {
     const { world, emitter } = emitting({ capacity: 10, rate: 1e9, lifetime: 100 });
     run(world, 1);
     expect(aliveCount(emitter)).toBe(10);
     expect(emitterCounts(emitter).lost).toBeGreaterThan(9e8);
   });
 
-  test('a life shorter than a step is counted and seen by nobody', () => {
+  test('a life shorter than a step is counted but never visible', () => {
     const { world, emitter } = emitting({ rate: 1000, lifetime: 0.001 });
     run(world, 1, 0.1);
     expect(emitterCounts(emitter).born).toBe(900);
@@ -72,12 +73,12 @@ describe('the length of the step', () => {
     positionSpread: { x: 0.1 },
   };
 
-  /** What lives at 3 s, by position. */
+  /** Returns the living particles at 3 s, sorted by position. */
   function state(dt: number): string[] {
     const { world, emitter } = emitting(stream);
     const steps = Math.round(3 / dt) + 1;
     for (let i = 0; i < steps - 1; i++) step(world, dt);
-    // A last, endless-small step shows the births up to 3 s.
+    // A last, tiny step makes the births up to 3 s appear.
     step(world, 1e-9);
     const { x, y } = world.components.Position;
     return living(emitter)
@@ -85,14 +86,14 @@ describe('the length of the step', () => {
       .sort();
   }
 
-  test('changes nothing in a stream that no force bends', () => {
+  test('does not change a stream without forces', () => {
     const fine = state(1 / 128);
     expect(fine.length).toBeGreaterThan(180);
     expect(state(1 / 64)).toEqual(fine);
     expect(state(1 / 16)).toEqual(fine);
   });
 
-  test('leaves no gaps along the way of a moving emitter', () => {
+  test('leaves no gaps along the path of a moving emitter', () => {
     const { world, emitter } = emitting({ rate: 100, lifetime: 10, speed: 0 });
     for (let i = 1; i <= 10; i++) {
       moveEmitter(emitter, { x: i });

@@ -1,9 +1,9 @@
-// What to do about a fault that any step may find; integrators say it of their own.
+// Default hints for faults that any step may find; integrators supply hints for their own faults.
 import type { FaultCode } from './physics-error.ts';
 
-/** By a fault's code. */
+/** Hints by fault code. */
 export const FAULT_HINTS: Partial<Record<FaultCode, string>> = {
-  E_NONFINITE: 'Look at who wrote it: a force that divides by a distance or a mass of zero, or a value from outside.',
-  E_RANGE: 'Look at who wrote it, or give the world units in which its lengths are smaller.',
-  E_SPEED: 'Take shorter steps, or look for the force that made it so fast.',
+  E_NONFINITE: 'Check the code that writes it, such as a force that divides by a zero distance or mass.',
+  E_RANGE: 'Check the code that writes it, or choose larger units of length.',
+  E_SPEED: 'Use a smaller dt, or check the force that accelerates the body.',
 };

@@ -1,15 +1,14 @@
-// Added mass: a body that accelerates takes some of the fluid along, so the same force accelerates it less.
+// Added mass: an accelerating body also accelerates surrounding fluid, so the same force accelerates it less.
 //
 //   F' = F m/(m + C ρ V f)        so that  a = F/(m + C ρ V f)
 //
 //   F  force of all laws listed before this one, N    C  coefficient: ½ for a sphere, 1 for a cylinder across the flow
-//   ρ V f  mass of the fluid displaced, kg
+//   ρ V f  mass of the displaced fluid, kg
 //
-// List it last. Without it a bubble lighter than water would leave at hundreds of g; with C = ½ at no more than 2 g.
-// The fluid's share of kinetic energy, ½ C ρ V f v², is not in `energy(world)`.
-// Lamb, Hydrodynamics, section 92; valid for inviscid flow far from walls. In single precision, what is left of an
-// acceleration that is nearly all taken back has the rounding of the whole: 3·10⁻⁵ of it for a bubble of air in water.
-// Cost: some 20 operations and two divisions a body.
+// List it last. Without it a bubble lighter than water would rise at hundreds of g; with C = ½ at no more than 2 g.
+// The kinetic energy of the fluid, ½ C ρ V f v², is not in `energy(world)`. Lamb, Hydrodynamics, section 92; valid
+// for inviscid flow far from walls. In single precision the small remaining acceleration has the rounding error of
+// the whole: 3·10⁻⁵ for a bubble of air in water. Cost: about 20 operations and two divisions per body.
 import { Collider } from '../components/collider.ts';
 import { Hull } from '../components/hull.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
@@ -29,16 +28,16 @@ const about = {
 const { density } = POOL;
 const coefficient = /* @__PURE__ */ scalar('');
 
-/** What is taken from the acceleration: a - a m/(m + M) for the mass M of fluid that goes along. */
-function taken({ acceleration, mass }: { acceleration: Vector; mass: Scalar }, along: Scalar): Vector {
-  const both = mass.add(along);
-  return acceleration.mul(select(both.greater(0), along.div(both).negate(), 0));
+/** Returns the change of the acceleration, a m/(m + M) - a, for the added mass M, kg. */
+function accelerationChange({ acceleration, mass }: { acceleration: Vector; mass: Scalar }, addedMass: Scalar): Vector {
+  const total = mass.add(addedMass);
+  return acceleration.mul(select(total.greater(0), addedMass.div(total).negate(), 0));
 }
 
-const everywhere = /* @__PURE__ */ defineLaw({
+const unbounded = /* @__PURE__ */ defineLaw({
   ...about,
   parameters: { density, coefficient },
-  acceleration: (body, { density: rho, coefficient: c }) => taken(body, c.mul(rho).mul(body.hull.volume)),
+  acceleration: (body, { density: rho, coefficient: c }) => accelerationChange(body, c.mul(rho).mul(body.hull.volume)),
 });
 
 const withSurface = /* @__PURE__ */ defineLaw({
@@ -46,7 +45,7 @@ const withSurface = /* @__PURE__ */ defineLaw({
   parameters: { density, up: POOL.up, level: POOL.level, coefficient },
   acceleration(body, pool) {
     const displaced = body.hull.volume.mul(immersion(body, pool).share);
-    return taken(body, pool.coefficient.mul(pool.density).mul(displaced));
+    return accelerationChange(body, pool.coefficient.mul(pool.density).mul(displaced));
   },
 });
 
@@ -60,5 +59,5 @@ export function addedMass(pool: FluidVolume, coefficient = 0.5): Force {
     density: fluid.density,
     coefficient: checkNumber(coefficient, 'addedMass.coefficient', { min: 0, max: 100 }),
   };
-  return level === undefined ? everywhere(given) : withSurface({ ...given, up: fluid.up, level });
+  return level === undefined ? unbounded(given) : withSurface({ ...given, up: fluid.up, level });
 }

@@ -12,7 +12,7 @@ import type { Integrator } from '../world/types.ts';
 import { attractors } from './attractors.ts';
 import { paczynskiWiita } from './paczynski-wiita.ts';
 
-/** ch06-orbits: a sun of μ = 1e6 at (275, 200), a planet at (200, 50). */
+/** The scene ch06-orbits: a sun of μ = 1e6 at (275, 200), a planet at (200, 50). */
 function orbit(velocity: { x: number; y: number }, options: PhysicsWorldOptions = {}) {
   const world = createPhysicsWorld({ capacity: 10, forces: [attractors()], ...options });
   spawn(world, { position: { x: 275, y: 200 }, attractor: 1e6 });
@@ -23,7 +23,7 @@ function orbit(velocity: { x: number; y: number }, options: PhysicsWorldOptions 
 const SUN = { x: 275, y: 200 };
 
 describe('attractors', () => {
-  test('are where they are at the moment that a scheme of one’s own asks for', () => {
+  test('are at the position of the evaluation time that a custom scheme asks for', () => {
     let moment = 0;
     const probe: Integrator = {
       name: 'probe',
@@ -37,13 +37,13 @@ describe('attractors', () => {
     const body = spawn(world, { position: { x: 10 }, mass: 1 });
     for (moment of [0.5, 0, 1]) {
       step(world, 1);
-      // μ / r² from 3 m/s times the moment further on; the products and the quotient round a few times.
+      // The expected value is μ / r², with r = 3 m/s times the time; products and quotient are rounded a few times.
       expect(world.scratch.force.x[body]).toBeCloseTo(-1e3 / (10 - 3 * moment) ** 2, 12);
     }
   });
 
   test('ch06-orbits: angular momentum exact, energy within its bound for each integrator', () => {
-    // As measured over 1000 s, to half a unit of the last digit.
+    // Measured over 1000 s, to half a unit of the last digit.
     for (const [integrator, bound] of [
       [semiImplicitEuler, 2.35e-3],
       [velocityVerlet, 1.35e-5],
@@ -63,7 +63,7 @@ describe('attractors', () => {
     }
   });
 
-  test('the inverse square law, and Plummer softening', () => {
+  test('follow the inverse square law and Plummer softening', () => {
     const force = (distance: number, softening: number) => {
       const world = createPhysicsWorld({ dimensions: 3, capacity: 10, forces: [attractors()] });
       spawn(world, { position: {}, attractor: { mu: 12, softening } });
@@ -77,7 +77,7 @@ describe('attractors', () => {
     expect(force(0, 3)).toBe(0);
   });
 
-  test('neither itself nor its own softening pulls a centre that has mass and moves', () => {
+  test('exert no force on themselves, with or without softening', () => {
     for (const precision of ['f32', 'f64'] as const) {
       for (let before = 0; before < 5; before++) {
         const world = createPhysicsWorld({ capacity: 10, precision, forces: [attractors()] });
@@ -90,7 +90,7 @@ describe('attractors', () => {
     }
   });
 
-  test('a moving centre gives the same in tiles as over the whole span', () => {
+  test('moving centres give the same result in chunks and over the whole range', () => {
     const run = (local: boolean) => {
       const world = createPhysicsWorld({ capacity: 6000, forces: [attractors()] });
       if (!local) world.forces.push(defineForce({ name: 'nothing', local: false, accumulate: () => {} }));
@@ -113,14 +113,14 @@ describe('attractors', () => {
     expect(run(2)).toEqual(run(3));
   });
 
-  test('f32 holds planets a light-hour out', () => {
+  test('f32 handles planets a light-hour away', () => {
     const world = createPhysicsWorld({ precision: 'f32', capacity: 10, forces: [attractors()] });
     spawn(world, { position: {}, attractor: 1.32712440018e20 });
     const pluto = spawn(world, { position: { x: 7e12 }, velocity: {}, mass: 1 });
     expect(forceOn(world, pluto).x / (-1.32712440018e20 / 49e24)).toBeCloseTo(1, 5);
   });
 
-  test('centres may come and go', () => {
+  test('centres can be added and removed', () => {
     const world = createPhysicsWorld({ capacity: 100, forces: [attractors()] });
     const body = spawn(world, { position: {}, velocity: {}, mass: 1 });
     step(world, 0.1);
@@ -132,11 +132,11 @@ describe('attractors', () => {
 });
 
 describe('with a speed of light', () => {
-  /** Horizons of 2 μ/c² = 1 m. */
+  /** The horizons are 2 μ/c² = 1 m. */
   const HOLES = attractors({ lightSpeed: 10 });
   const MU = 50;
 
-  test.each(['f32', 'f64'] as const)('a hole pulls as paczynskiWiita does, %s', (precision) => {
+  test.each(['f32', 'f64'] as const)('a black hole has the force of paczynskiWiita, %s', (precision) => {
     const size = precision === 'f32' ? 1e-6 : 1e-14;
     for (const dimensions of [2, 3] as const) {
       const start = { position: { x: 1.7, y: -2.2, z: dimensions === 3 ? 0.8 : 0 }, velocity: {}, mass: 3 };
@@ -156,7 +156,7 @@ describe('with a speed of light', () => {
     }
   });
 
-  test('nothing pulls at the horizon and inside', () => {
+  test('the force is zero at the horizon and inside', () => {
     for (const x of [1, 0.999, 0.3, 0]) {
       const world = createPhysicsWorld({ capacity: 3, forces: [HOLES] });
       spawn(world, { position: {}, attractor: MU });
@@ -170,10 +170,10 @@ describe('with a speed of light', () => {
   test.each([
     [3.3, 'stays'],
     [2.7, 'falls in'],
-  ] as const)('who is pushed inwards on a circle of %d horizons %s', (radius, fate) => {
+  ] as const)('a body pushed inwards from a circle of %d horizons %s', (radius, fate) => {
     const world = createPhysicsWorld({ capacity: 3, forces: [HOLES], integrator: rungeKutta4 });
     spawn(world, { position: {}, attractor: MU });
-    // v² / r = μ/(r - r_s)², with a thousandth less: circles are stable beyond three horizons.
+    // The speed follows from v² / r = μ/(r - r_s)², reduced by 0.1 %: circles are stable beyond three horizons.
     const speed = (0.999 * Math.sqrt(MU * radius)) / (radius - 1);
     const body = spawn(world, { position: { x: radius }, velocity: { y: speed }, mass: 1 });
     const { x, y } = world.components.Position;
@@ -182,12 +182,12 @@ describe('with a speed of light', () => {
       step(world, 1e-3);
       near = Math.min(near, Math.hypot(x[body], y[body]));
     }
-    // At 3.3 horizons the orbit swings by 2 δr = 4 · 10⁻³ r Ω²/κ² = 4 · 10⁻³ r (r - 1)/(r - 3) = 0.1 m.
+    // At 3.3 horizons the orbit oscillates by 2 δr = 4 · 10⁻³ r Ω²/κ² = 4 · 10⁻³ r (r - 1)/(r - 3) = 0.1 m.
     if (fate === 'stays') expect(near).toBeGreaterThan(radius - 0.12);
     else expect(near).toBeLessThan(1.05);
   });
 
-  test('refuses light that stands still', () => {
+  test('a speed of light of zero is refused', () => {
     expect(() => attractors({ lightSpeed: 0 })).toThrow(/lightSpeed/);
     expect(() => attractors({ lightspeed: 3 } as never)).toThrow(/lightspeed/);
   });

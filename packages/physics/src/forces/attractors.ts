@@ -9,12 +9,11 @@
 //   F = -m μ r / (s (s - r_s)²)        potential  U = -m μ/(s - r_s)        s = √(r² + ε²), both zero for s ≤ r_s
 //
 // Newton (1687); Plummer's softening (1911), as in Dehnen and Read, Eur. Phys. J. Plus 126, 55 (2011), section 2.2;
-// Paczyński and Wiita, Astronomy and Astrophysics 88, 23 (1980).
-// Valid outside the attracting sphere, or anywhere for ε of its size. In the centre itself (r = 0) the pull is zero,
-// with softening or without: never NaN. A centre is not pulled, not by others and not, when it has mass, by itself.
-// A centre that moves is taken to go on at its velocity during the step, so that the force reads nothing but its own
-// body and the table of centres. Cost: a square root, a division and some 20 more operations a body and centre; with a
-// speed of light two divisions and some 25.
+// Paczyński and Wiita, Astronomy and Astrophysics 88, 23 (1980). Valid outside the attracting sphere, or anywhere if
+// ε is of its size. At the centre itself (r = 0) the force is zero, with or without softening, and never NaN. No
+// force acts on a centre, neither from other centres nor from itself. A moving centre is extrapolated with its
+// velocity during the step, so that the force reads only its own body and the table of centres. Cost: a square root,
+// a division and about 20 more operations per body and centre; with a speed of light two divisions and about 25.
 import { bitOf } from '../components/all.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
@@ -29,22 +28,22 @@ import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { inverseWhere } from './support/central-force.ts';
 
-/** Slower light than a millimetre a second would make horizons of whole worlds. */
+/** A speed of light below 1 mm/s would make horizons as large as worlds. */
 const LIGHT_SPEEDS = { min: 1e-3, max: 1e12 };
 
-/** A centre as it was when the step began, kernels/forces/attractors.ts. */
+/** A centre at the start of the step: kernels/forces/attractors.ts. */
 type Centre = Readonly<Record<(typeof CENTRE_FIELDS)[number], Scalar>>;
 
 const centresOf = resource(emptyEntityList);
 
 export interface AttractorsOptions {
-  /** Makes black holes of the centres: a speed of light c, m/s. Left out, the pull is Newton's. */
+  /** Speed of light c, m/s, which makes the centres black holes. By default the attraction is Newtonian. */
   readonly lightSpeed?: number;
 }
 
 const parameters = {
-  centres: table(CENTRE_FIELDS, placeOfCentres),
-  /** When the centres were where the table says, s. */
+  centres: table(CENTRE_FIELDS, centresAtStart),
+  /** Time of the positions in the table, s. */
   gathered: suppliedScalar((world) => world.time),
 };
 
@@ -55,14 +54,14 @@ const newton = /* @__PURE__ */ defineLaw({
   parameters,
   acceleration: (body, { centres, gathered }) =>
     centres.sum((centre) => {
-      const { r, s, isOther } = towards(centre, body, gathered);
+      const { r, s, isOther } = vectorTo(centre, body, gathered);
       const inverse = inverseWhere(isOther.and(s.greater(0)), s);
       return r.mul(inverse).mul(centre.mu.mul(inverse).mul(inverse));
     }),
   potential: (body, { centres, gathered }) =>
     centres
       .sum((centre) => {
-        const { s, isOther } = towards(centre, body, gathered);
+        const { s, isOther } = vectorTo(centre, body, gathered);
         return centre.mu.mul(inverseWhere(isOther.and(s.greater(0)), s));
       })
       .mul(body.mass)
@@ -70,14 +69,14 @@ const newton = /* @__PURE__ */ defineLaw({
   prepare: (world) => void gather(world),
 });
 
-const holes = /* @__PURE__ */ defineLaw({
+const blackHoles = /* @__PURE__ */ defineLaw({
   name: 'attractors',
   formula: 'F = -m μ r / (s (s - r_s)²)',
   source: 'Paczyński and Wiita, Astronomy and Astrophysics 88, 23 (1980).',
   parameters: { lightSpeed: scalar('m/s', LIGHT_SPEEDS), ...parameters },
   acceleration: (body, { centres, gathered, lightSpeed }) =>
     centres.sum((centre) => {
-      const { r, s, isOther } = towards(centre, body, gathered);
+      const { r, s, isOther } = vectorTo(centre, body, gathered);
       const gap = s.sub(horizonOf(centre, lightSpeed));
       const isOutside = isOther.and(gap.greater(0));
       const steep = inverseWhere(isOutside, gap);
@@ -86,7 +85,7 @@ const holes = /* @__PURE__ */ defineLaw({
   potential: (body, { centres, gathered, lightSpeed }) =>
     centres
       .sum((centre) => {
-        const { s, isOther } = towards(centre, body, gathered);
+        const { s, isOther } = vectorTo(centre, body, gathered);
         const gap = s.sub(horizonOf(centre, lightSpeed));
         return centre.mu.mul(inverseWhere(isOther.and(gap.greater(0)), gap));
       })
@@ -99,28 +98,28 @@ const holes = /* @__PURE__ */ defineLaw({
 export function attractors(options: AttractorsOptions = {}): Force {
   checkKeys(options, 'attractors', ['lightSpeed']);
   const { lightSpeed } = options;
-  return lightSpeed === undefined ? newton() : holes({ lightSpeed });
+  return lightSpeed === undefined ? newton() : blackHoles({ lightSpeed });
 }
 
-/** The way to a centre, its softened length, and whether it is the body's own centre. */
-function towards({ x, y, z, vx, vy, vz, softeningSquared, entity }: Centre, body: BodySymbols, gathered: Scalar) {
-  const lead = body.time.sub(gathered);
-  const at = vec3(x.add(vx.mul(lead)), y.add(vy.mul(lead)), z.add(vz.mul(lead)));
+/** Returns the vector to a centre, its softened length, and whether the centre is another body. */
+function vectorTo({ x, y, z, vx, vy, vz, softeningSquared, entity }: Centre, body: BodySymbols, gathered: Scalar) {
+  const elapsed = body.time.sub(gathered);
+  const at = vec3(x.add(vx.mul(elapsed)), y.add(vy.mul(elapsed)), z.add(vz.mul(elapsed)));
   const r: Vector = at.sub(body.position);
   return { r, s: r.lengthSquared().add(softeningSquared).sqrt(), isOther: body.entity.equals(entity).not() };
 }
 
-/** 2 μ/c²; none of what repels. */
+/** Returns the horizon 2 μ/c², m; zero for a repelling centre. */
 function horizonOf({ mu }: Centre, lightSpeed: Scalar): Scalar {
   return mu.mul(constant(2).div(lightSpeed.square())).max(0);
 }
 
-/** In a step the centres are those of its start; at other times they are as they are. */
-function placeOfCentres(world: PhysicsWorld): EntityList {
+/** Returns the centres at the start of the step; outside a step the current ones. */
+function centresAtStart(world: PhysicsWorld): EntityList {
   return world.state === 'stepping' ? centresOf(world) : gather(world);
 }
 
-/** Lists the centres anew when entities changed, and copies where they are now. */
+/** Lists the centres if entities changed, and copies their current state. */
 function gather(world: PhysicsWorld): EntityList {
   const centres = centresOf(world);
   refreshEntityList(world, centres, 'Attractor', CENTRE_BYTES, bitOf('Attractor') | bitOf('Position'));
@@ -131,7 +130,7 @@ function gather(world: PhysicsWorld): EntityList {
   return centres;
 }
 
-/** Coefficients that somebody made NaN or infinite become 0, with a fault; poses are put right when the step begins. */
+/** Sets non-finite coefficients to 0 and reports a fault; poses are validated when the step begins. */
 function repair(world: PhysicsWorld, { ids, count }: EntityList): void {
   const { Attractor } = world.components;
   for (const entity of new Uint32Array(world.memory.buffer, ids, count)) {

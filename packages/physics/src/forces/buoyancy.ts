@@ -1,15 +1,15 @@
-// Buoyancy of a fluid on bodies that are wholly or partly in it.
+// Buoyancy of a fluid on bodies that are wholly or partly immersed.
 //
-//   F = -ρ V f g        f: share of the volume under the surface, from d = depth of the centre / half height, -1 to 1:
+//   F = -ρ V f g        f: immersed fraction of the volume, from d = depth of the centre / half height, -1 to 1:
 //   sphere  f = ½ + ¼ d (3 - d²)        upright box  f = ½ + ½ d
 //
 //   potential  U = ρ V g R u(d),  sphere u = d/2 + 3d²/8 - d⁴/16 + 3/16,  box u = (1 + d)²/4,  zero out of the fluid
 //
 //   ρ  density of the fluid, kg/m³    V  volume, m³: Hull.volume    g  gravity, m/s²    R  half height, m
 //
-// Archimedes, On Floating Bodies, proposition 5. Valid for a level surface and slow motion: no waves, no pressure drag
-// (`immersedDrag`), no accelerated fluid (`addedMass`). Without a level the fluid is everywhere and f = 1: a balloon.
-// Polygons, which turn: `polygonBuoyancy`. Cost: some 20 operations and one division a body.
+// Archimedes, On Floating Bodies, proposition 5. Valid for a level surface and slow motion: no waves, no pressure
+// drag (`immersedDrag`), no accelerated fluid (`addedMass`). Without a level the fluid is unbounded and f = 1, as for
+// a balloon. For rotating polygons see `polygonBuoyancy`. Cost: about 20 operations and one division per body.
 import { Collider } from '../components/collider.ts';
 import { Hull } from '../components/hull.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
@@ -35,7 +35,7 @@ function weight({ hull }: HullSymbols, { density, gravity }: { density: Scalar; 
   return density.mul(gravity).mul(select(hull.shape.lessOrEqual(1), hull.volume, 0));
 }
 
-const everywhere = /* @__PURE__ */ defineLaw({
+const unbounded = /* @__PURE__ */ defineLaw({
   ...about,
   reads: { hull: Hull, collider: Collider },
   parameters: FLUID,
@@ -52,13 +52,13 @@ const withSurface = /* @__PURE__ */ defineLaw({
     const { depth, half, relative: d } = immersion(body, pool);
     const ofSphere = d.square().mul(-0.0625).add(0.375).mul(d).add(0.5).mul(d).add(0.1875);
     const ofBox = d.add(1).square().mul(0.25);
-    const partly = half.mul(select(body.hull.shape.equals(0), ofSphere, ofBox));
-    return weight(body, pool).mul(select(d.less(1), partly, depth));
+    const immersedEnergy = half.mul(select(body.hull.shape.equals(0), ofSphere, ofBox));
+    return weight(body, pool).mul(select(d.less(1), immersedEnergy, depth));
   },
 });
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function buoyancy(pool: FluidVolume): Force {
   const { fluid, level } = fluidVolumeValues(pool, 'buoyancy');
-  return level === undefined ? everywhere(fluid) : withSurface({ ...fluid, level });
+  return level === undefined ? unbounded(fluid) : withSurface({ ...fluid, level });
 }

@@ -16,7 +16,7 @@ import {
 
 const solid = { dimensions: 3 as const };
 
-/** Every law of a centre, with a place where its force is smooth. */
+/** Every law of a centre, with a position where its force is smooth. */
 const LAWS: Record<string, Force> = {
   'uniform sphere, inside': uniformSphereGravity({ mu: 7, radius: 10 }),
   'uniform sphere, outside': uniformSphereGravity({ mu: 7, radius: 1 }),
@@ -44,7 +44,7 @@ describe('central laws', () => {
     for (const axis of ['x', 'y', 'z'] as const) expect(force[axis]).toBeCloseTo(down[axis], 7);
   });
 
-  test.each(Object.entries(LAWS))('%s: nothing at r = 0, and 2D equals 3D', (_, law) => {
+  test.each(Object.entries(LAWS))('%s: zero at r = 0, and 2D equals 3D', (_, law) => {
     expect(lawOn(law, { position: {} })).toEqual({ x: 0, y: 0, z: 0, torque: 0 });
     const [flat, space] = [
       lawOn(law, { position: { x: 1.1, y: 2 } }),
@@ -53,13 +53,13 @@ describe('central laws', () => {
     expect(flat).toEqual(space);
   });
 
-  test('a body without mass, or an absent one, feels nothing', () => {
+  test('a body without mass, or a removed body, gets no force', () => {
     const { world, eid } = single([powerLaw({ strength: -1, exponent: 1 })], { position: { x: 3 } });
     world.components.Mass.value[eid] = 0;
     expect(forceOn(world, eid).x).toBe(0);
   });
 
-  test('a centre that moves takes its field along and has no potential', () => {
+  test('a moving centre moves its field and has no potential', () => {
     const law = powerLaw({ strength: -1, exponent: 1, centre: { x: 1 }, centreVelocity: { x: 2 } });
     const { world, eid } = single([law], { position: { x: 5 } });
     expect(forceOn(world, eid, 0).x).toBe(-4);
@@ -68,7 +68,7 @@ describe('central laws', () => {
   });
 });
 
-/** Laws whose fields at a distance of some d are of the size 1. */
+/** Laws whose fields at a distance d have magnitude 1. */
 function scaledTo(d: number): Record<string, Force> {
   const shells = { radii: [d / 3, d / 2, 1.5 * d, 1.6 * d], masses: [0.5, 1, 3, 4].map((mass) => mass * d * d) };
   return {
@@ -87,18 +87,18 @@ function scaledTo(d: number): Record<string, Force> {
   };
 }
 
-test.each([1e-9, 1e-3, 1, 1e6, 3e14])('single precision holds every law at %d m', (d) => {
+test.each([1e-9, 1e-3, 1, 1e6, 3e14])('single precision handles every law at %d m', (d) => {
   for (const [name, law] of Object.entries(scaledTo(d))) {
     const body = { position: { x: d, y: d / 3 }, mass: 2 };
     const [single, double] = (['f32', 'f64'] as const).map((precision) => lawOn(law, body, { precision }));
     const error = Math.hypot(single.x - double.x, single.y - double.y) / Math.hypot(double.x, double.y);
-    // The steepest, (σ/r)¹³, makes thirteen roundings of 6e-8 of the distance's one, and the rest some fifteen more.
+    // The steepest law, (σ/r)¹³, multiplies the rounding of 6e-8 of the distance by 13; the rest adds about 15 more.
     expect(error, name).toBeLessThan(28 * 6e-8);
   }
 });
 
 describe('gravity', () => {
-  test('a tunnel through a uniform sphere: every fall takes 2π√(R³/μ), and 84 minutes for the Earth', () => {
+  test('a tunnel through a uniform sphere has the period 2π√(R³/μ), 84 minutes for the Earth', () => {
     const [mu, radius] = [3.986e14, 6.371e6];
     const period = 2 * Math.PI * Math.sqrt(radius ** 3 / mu);
     expect(period / 60).toBeCloseTo(84.35, 1);
@@ -110,7 +110,7 @@ describe('gravity', () => {
     }
   });
 
-  test('shells outside pull nothing: a hollow ball has no field, all of it outside', () => {
+  test('outer shells exert no force: a hollow sphere has a field only outside', () => {
     const law = enclosedMassGravity({ radii: [1, 2, 2.5], masses: [0, 0, 10], gravitationalConstant: 1 });
     expect(lawOn(law, { position: { x: 0.5 } }).x).toBeCloseTo(0, 15);
     expect(lawOn(law, { position: { x: 1.99 } }).x).toBe(0);
@@ -124,7 +124,7 @@ describe('gravity', () => {
     for (const r of [1.5, 20.25, 99]) expect(-lawOn(law, { position: { x: r } }).x * r).toBeCloseTo(6, 12);
   });
 
-  test('Paczyński-Wiita: circular orbits are stable outside 3 r_s and fall in inside', () => {
+  test('Paczyński-Wiita: circular orbits are stable outside 3 r_s and unstable inside', () => {
     const [mu, horizon] = [1, 0.02];
     const nudge = (radius: number) => {
       const speed = Math.sqrt((mu * radius) / (radius - horizon) ** 2);
@@ -141,7 +141,7 @@ describe('gravity', () => {
     expect(nudge(2.8 * horizon)).toBeLessThan(0.5);
   });
 
-  test('the horizon of one solar mass is 2.95 km, and nothing inside it is pulled', () => {
+  test('the horizon of one solar mass is 2.95 km, and the force inside is zero', () => {
     const law = paczynskiWiita({ mu: 1.32712440018e20 });
     expect(law.parameters?.horizon.value).toBeCloseTo(2953.25, 1);
     expect(lawOn(law, { position: { x: 2953 } }).x).toBe(0);
@@ -150,7 +150,7 @@ describe('gravity', () => {
 });
 
 describe('other powers', () => {
-  test('Lennard-Jones: still at 2^(1/6) σ, and small swings there at ω² = 72 ε/(2^(1/3) σ²)', () => {
+  test('Lennard-Jones: equilibrium at 2^(1/6) σ, and small oscillations at ω² = 72 ε/(2^(1/3) σ²)', () => {
     const law = lennardJones({ depth: 2, diameter: 1.5 });
     const rest = 2 ** (1 / 6) * 1.5;
     expect(lawOn(law, { position: { x: rest } }).x).toBeCloseTo(0, 12);
@@ -160,24 +160,24 @@ describe('other powers', () => {
     expect((at().x - rest) / 1e-4).toBeCloseTo(1, 4);
   });
 
-  test('Yukawa is Coulomb near the centre and nothing far away', () => {
+  test('Yukawa is Coulomb near the centre and negligible far away', () => {
     const law = yukawa({ strength: 3, range: 100 });
     expect(lawOn(law, { position: { x: 0.01 }, charge: 2 }).x / 6e4).toBeCloseTo(1, 6);
     expect(lawOn(law, { position: { x: 1e4 }, charge: 2 }).x).toBeLessThan(1e-40);
   });
 
-  test('energy closes through a singular centre with an inner radius', () => {
+  test('energy is conserved through a singular centre with an inner radius', () => {
     const law = powerLaw({ strength: -1000, exponent: -1, innerRadius: 5 });
     const { world } = single([law], { position: { x: 100 }, velocity: { y: 3 } }, { integrator: rungeKutta4 });
     const before = energy(world).total;
     run(world, 60, 1e-4);
-    // A crossing of the border takes the force of 200 N that jumps there for up to a third of a step too long or too
-    // short, 0.17 steps in the mean square: at 77 m/s that is 0.26 J of 4614, and √15 times as much in 15 crossings. The
-    // phases at which they happen are chance, so the bound is four and a half deviations of 2.2e-4.
+    // At a crossing of the border the force jumps by 200 N, and acts up to a third of a step too long or too short,
+    // 0.17 steps in the mean square: at 77 m/s this is 0.26 J of 4614, and √15 times as much in 15 crossings. The
+    // phases of the crossings are random, so the bound is 4.5 standard deviations of 2.2e-4.
     expect(Math.abs(energy(world).total / before - 1)).toBeLessThan(1e-3);
   });
 
-  test('refuse nonsense', () => {
+  test('refuse invalid options', () => {
     const refused = [
       () => uniformSphereGravity({ mu: 1, radius: 0 }),
       () => powerLaw({ strength: Number.NaN, exponent: 1 }),

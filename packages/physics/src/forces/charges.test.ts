@@ -17,7 +17,7 @@ import {
 } from '../index.ts';
 
 describe('electric field', () => {
-  test('a steady field: energy closes and the path is a parabola', () => {
+  test('a steady field conserves energy, and the path is a parabola', () => {
     const law = electricField({ x: 2, y: -3 });
     const { world, at } = single([law], { velocity: { x: 1 }, mass: 4, charge: 2 });
     const before = energy(world).total;
@@ -27,7 +27,7 @@ describe('electric field', () => {
     expect(energy(world).total).toBeCloseTo(before, 9);
   });
 
-  test('a field that throws is reported once and the last good one goes on', () => {
+  test('a field that throws is reported once, and its last valid value is used', () => {
     const law = electricField((t) => {
       if (t > 0.5) throw new Error('no more');
       return { x: 1 };
@@ -40,7 +40,7 @@ describe('electric field', () => {
 });
 
 describe('magnetic field', () => {
-  test('does no work, and turns by q B/m whatever the integrator', () => {
+  test('does no work and rotates the velocity at q B/m with every integrator', () => {
     for (const integrator of [velocityVerlet, rungeKutta4]) {
       const body = { velocity: { x: 3 }, mass: 2, charge: 4 };
       const { world, going, speed } = single([magneticField({ z: 0.5 })], body, { integrator });
@@ -50,19 +50,19 @@ describe('magnetic field', () => {
     }
   });
 
-  test('a field B(t) that grows turns the velocity by ∫ q B/m dt, and does no work', () => {
+  test('a growing field B(t) rotates the velocity by ∫ q B/m dt and does no work', () => {
     const body = { velocity: { x: 3 }, mass: 2, charge: 4 };
     const law = magneticField((t) => ({ z: 0.5 + 0.3 * t }));
     const { world, going, speed } = single([law], body, { integrator: rungeKutta4 });
     run(world, 2, 1e-3);
-    // Clockwise for a positive charge; Runge and Kutta's error is some (q B dt/m)⁴ · 2000 steps / 120 = 1e-10.
+    // Clockwise for a positive charge; the error of Runge-Kutta 4 is about (q B dt/m)⁴ · 2000 steps / 120 = 1e-10.
     const angle = -(4 / 2) * (0.5 * 2 + (0.3 * 2 ** 2) / 2);
     expect(going().x).toBeCloseTo(3 * Math.cos(angle), 9);
     expect(going().y).toBeCloseTo(3 * Math.sin(angle), 9);
     expect(speed()).toBeCloseTo(3, 9);
   });
 
-  test('F = q v × B in space', () => {
+  test('F = q v × B in 3D', () => {
     const body = { velocity: { x: 1, y: 2, z: 3 }, charge: 2 };
     const force = lawOn(magneticField({ x: 4, y: 5, z: 6 }), body, { dimensions: 3 });
     expect(force).toMatchObject({ x: 2 * (2 * 6 - 3 * 5), y: 2 * (3 * 4 - 1 * 6), z: 2 * (1 * 5 - 2 * 4) });
@@ -84,7 +84,7 @@ describe('magnetic field', () => {
 });
 
 describe('fixed charges', () => {
-  test('like charges repel with k q Q/d², and the potential fits', () => {
+  test('like charges repel with k q Q/d², consistent with the potential', () => {
     const world = createPhysicsWorld({ capacity: 10, dimensions: 3, forces: [fixedCharges()] });
     spawn(world, { position: {}, charge: 3e-6 });
     spawn(world, { position: { y: 1 }, charge: -1e-6 });
@@ -95,7 +95,7 @@ describe('fixed charges', () => {
     expect(COULOMB_CONSTANT * 4 * Math.PI * 8.8541878188e-12).toBeCloseTo(1, 9);
   });
 
-  test('nothing acts inside a source, and neither sources nor the uncharged move', () => {
+  test('the force is zero inside a source, on sources and on uncharged bodies', () => {
     const world = createPhysicsWorld({ capacity: 10, forces: [fixedCharges(1)] });
     const source = spawn(world, { position: {}, velocity: {}, charge: 5, collider: 2 });
     const inside = spawn(world, { position: { x: 1 }, velocity: {}, mass: 1, charge: 1 });
@@ -109,7 +109,7 @@ describe('fixed charges', () => {
     expect(read(world, neutral).at().x).toBe(5);
   });
 
-  test('sources may come and go', () => {
+  test('sources can be added and removed', () => {
     const world = createPhysicsWorld({ capacity: 100, forces: [fixedCharges(1)] });
     const body = spawn(world, { position: {}, velocity: {}, mass: 1, charge: 1 });
     step(world, 0.1);
@@ -131,8 +131,8 @@ describe('fixed charges', () => {
   });
 });
 
-describe('fields of your own', () => {
-  test('an acceleration field with a potential is a force like any other', () => {
+describe('user-defined fields', () => {
+  test('an acceleration field with a potential conserves energy', () => {
     const law = accelerationField(
       (x, y, _z, _t, out) => {
         out.x = -4 * x;
@@ -147,7 +147,7 @@ describe('fields of your own', () => {
     expect(energy(world).total / before).toBeCloseTo(1, 10);
   });
 
-  test('a force field does not care about mass, and is given the time', () => {
+  test('a force field is independent of mass and gets the time', () => {
     const law = forceField((_x, _y, _z, t, out) => {
       out.z = t;
     });
@@ -156,7 +156,7 @@ describe('fields of your own', () => {
     expect(forceOn(world, eid, 0).z).toBe(0);
   });
 
-  test('refuse what is no function, and options of no meaning', () => {
+  test('refuse values that are no functions, and unknown options', () => {
     expect(() => forceField({} as never)).toThrow(PhysicsError);
     expect(() => accelerationField(() => {}, { potenial: () => 0 } as never)).toThrow(/potenial/);
     expect(() => fixedCharges(0)).toThrow(PhysicsError);

@@ -1,12 +1,12 @@
-// Tyres on a bend: the force towards the centre that a car on a circle needs, as far as friction can give it.
+// Cornering grip of tyres: the centripetal force that a car on a circle needs, limited by friction.
 //
 //   F = min(m v²/r, μ m g) towards the centre
 //
 //   v  speed, m/s    r  distance from the centre, m    μ  static friction coefficient    g  gravity, m/s²
 //
-// Up to v = √(μ g r) the car keeps its radius; faster, it slides outwards. It steers whatever comes near: for the cars
-// alone, wrap it in `restrictForce`. Sideways friction only: add `motors` and `quadraticDrag` for the rest.
-// Feynman, Lectures on Physics I, section 12-2. Cost: one square root, two divisions a body.
+// Up to v = √(μ g r) the car keeps its radius; at higher speed it slides outwards. The force acts on all bodies with
+// mass: wrap it in `restrictForce` to select cars. It is lateral friction only: add `motors` and `quadraticDrag` for
+// the rest. Feynman, Lectures on Physics I, section 12-2. Cost: one square root and two divisions per body.
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
 import { select } from '../laws/expression.ts';
@@ -34,10 +34,10 @@ const law = /* @__PURE__ */ defineLaw({
     gravity: scalar('m/s²', { default: STANDARD_GRAVITY, ...NOT_NEGATIVE }),
   },
   acceleration({ position, velocity }, { centre, friction, gravity }) {
-    const from = position.sub(centre);
-    const r = from.length();
-    const size = velocity.lengthSquared().div(r).min(friction.mul(gravity));
-    return from.mul(select(r.greater(0), size.div(r).negate(), 0));
+    const offset = position.sub(centre);
+    const r = offset.length();
+    const acceleration = velocity.lengthSquared().div(r).min(friction.mul(gravity));
+    return offset.mul(select(r.greater(0), acceleration.div(r).negate(), 0));
   },
 });
 

@@ -29,7 +29,7 @@ describe('drag', () => {
     expect(vy).toBeCloseTo(19.8652, 4);
   });
 
-  test('ch05-projectile-drag: where it is after ten seconds', () => {
+  test('ch05-projectile-drag: the position after ten seconds', () => {
     const forces = [uniformGravity({ y: 10 }), linearDrag()];
     const start = { position: { x: 50, y: 400 }, velocity: { x: 60, y: -60 }, linearDrag: 0.1 };
     const { x, y } = run(forces, start, 10);
@@ -51,7 +51,7 @@ describe('drag', () => {
     expect(run(forces, { quadraticDrag: 0.01 }, 60).vy).toBeCloseTo(31.6228, 4);
   });
 
-  test('a coefficient that is negative is refused', () => {
+  test('a negative coefficient is refused', () => {
     const world = createPhysicsWorld({ capacity: 10 });
     expect(() => spawn(world, { position: {}, linearDrag: -1 })).toThrow('E_RANGE');
     expect(() => spawn(world, { position: {}, quadraticDrag: -1 })).toThrow('E_RANGE');
@@ -59,7 +59,7 @@ describe('drag', () => {
 });
 
 describe('wind', () => {
-  test('ch07-wind: from rest the relative speed is w0 / (1 + (k/m) w0 t), and none at the speed of the wind', () => {
+  test('ch07-wind: from rest the relative speed is w0 / (1 + (k/m) w0 t), and zero at the speed of the wind', () => {
     const { vx } = run([quadraticDrag({ x: 40 })], { quadraticDrag: 0.0005 }, 10);
     expect(40 - vx).toBeCloseTo(40 / (1 + 0.0005 * 40 * 10), 5);
     expect(run([quadraticDrag({ x: 40 })], { velocity: { x: 40 }, quadraticDrag: 0.5 }, 1).vx).toBe(40);
@@ -71,13 +71,13 @@ describe('wind', () => {
       wind.x = Math.sin(time);
       return wind;
     });
-    // v' = c (sin t - v): v = c (c sin t - cos t + e^(-c t)) / (1 + c²).
+    // The solution of v' = c (sin t - v) is v = c (c sin t - cos t + e^(-c t)) / (1 + c²).
     const [c, t] = [2, 10];
     const exact = (c * (c * Math.sin(t) - Math.cos(t) + Math.exp(-c * t))) / (1 + c * c);
     expect(run([drag], { linearDrag: c }, t, { integrator: rungeKutta4 }).vx).toBeCloseTo(exact, 7);
   });
 
-  test('a wind that fails is reported once a moment, and the last good one goes on', () => {
+  test('a wind that throws is reported once per evaluation, and its last valid value is used', () => {
     let bad = false;
     const world = createPhysicsWorld({ capacity: 10, forces: [linearDrag(() => ({ x: bad ? Number.NaN : 3 }))] });
     const eid = spawn(world, { position: {}, velocity: { x: 3 }, mass: 1, linearDrag: 1 });
@@ -95,13 +95,13 @@ describe('wind', () => {
     expect(world.tick).toBe(2);
   });
 
-  test('one that is no velocity is refused', () => {
+  test('an invalid velocity is refused', () => {
     expect(() => linearDrag({ x: Number.NaN })).toThrow('E_NONFINITE');
     expect(() => quadraticDrag({ x: 1e30 })).toThrow('E_RANGE');
     expect(() => quadraticDrag('north' as never)).toThrow('E_TYPE');
   });
 
-  test('ch07-bubbles-turbulence: gusts have the mean asked for and depend on time alone', () => {
+  test('ch07-bubbles-turbulence: gusts have the given mean and depend only on time', () => {
     const options = { mean: { x: 20 }, spread: { x: 500, y: 500 }, interval: 0.1, seed: 4 };
     const gust = gusts(options);
     const n = 5000;
@@ -120,13 +120,13 @@ describe('wind', () => {
   });
 });
 
-describe('forces that change while the world runs', () => {
+describe('forces that change at run time', () => {
   function falling(): { world: PhysicsWorld; eid: number } {
     const world = createPhysicsWorld({ capacity: 10, forces: [linearDrag(), uniformGravity({ y: -10 })] });
     return { world, eid: spawn(world, { position: {}, velocity: {}, mass: 1 }) };
   }
 
-  test('gravity is replaced by name, and a bad value leaves the one there was', () => {
+  test('gravity is replaced by name, and an invalid value leaves it unchanged', () => {
     const { world, eid } = falling();
     replaceForce(world, uniformGravity({ y: 5 }));
     expect(() => replaceForce(world, uniformGravity({ y: Number.NaN }))).toThrow('E_NONFINITE');
@@ -136,7 +136,7 @@ describe('forces that change while the world runs', () => {
     expect(world.forces[1].parameters?.accelerationY.value).toBe(5);
   });
 
-  test('a force that is not there, or none at all, is refused', () => {
+  test('a missing or invalid force is refused', () => {
     const { world } = falling();
     const before = [...world.forces];
     expect(() => replaceForce(world, quadraticDrag())).toThrow('E_UNKNOWN');
@@ -145,7 +145,7 @@ describe('forces that change while the world runs', () => {
     expect(world.forces).toEqual(before);
   });
 
-  test('inside a step it waits for the end', () => {
+  test('a replacement during a step takes effect at its end', () => {
     const { world, eid } = falling();
     const off = uniformGravity({});
     world.phases.input.push((w) => replaceForce(w, off));
@@ -156,7 +156,7 @@ describe('forces that change while the world runs', () => {
   });
 });
 
-describe('forces of one’s own', () => {
+describe('user-defined forces', () => {
   const swirl = defineForce({
     name: 'swirl',
     accumulate(world, first, last) {
@@ -169,7 +169,7 @@ describe('forces of one’s own', () => {
     },
   });
 
-  test('run in tiles and give what a global force gives', () => {
+  test('give the same result in chunks and over the whole range', () => {
     const run = (force: Force) => {
       const world = createPhysicsWorld({ capacity: 10_000, forces: [uniformGravity(), force] });
       for (let i = 0; i < 9000; i++) spawn(world, { position: { x: i, y: 1 }, velocity: {}, mass: 1 + i });
@@ -179,7 +179,7 @@ describe('forces of one’s own', () => {
     expect(run(swirl)).toEqual(run({ ...swirl, local: false }));
   });
 
-  test('one that throws is reported, the others act, and the world goes on', () => {
+  test('a force that throws is reported, the others act, and the world continues', () => {
     const world = createPhysicsWorld({ capacity: 10, forces: [uniformGravity({ y: -10 })] });
     const eid = spawn(world, { position: {}, velocity: {}, mass: 1 });
     const broken = () => {
@@ -193,7 +193,7 @@ describe('forces of one’s own', () => {
     expect(world.components.Velocity.y[eid]).toBe(-20);
   });
 
-  test('one that throws before the step keeps the step from happening', () => {
+  test('a force that throws in prepare prevents the step', () => {
     const world = createPhysicsWorld({ capacity: 10 });
     const refuse = () => {
       throw new Error('not now');
@@ -206,7 +206,7 @@ describe('forces of one’s own', () => {
     expect(world.tick).toBe(1);
   });
 
-  test('NaN stays with its body; 1e308 stays finite', () => {
+  test('NaN does not spread, and 1e308 stays finite', () => {
     for (const value of [Number.NaN, 1e308, -Infinity]) {
       const world = createPhysicsWorld({ capacity: 10, forces: [uniformGravity({ y: -10 })] });
       const [a, b] = [0, 1].map((x) => spawn(world, { position: { x }, velocity: {}, mass: 1 }));

@@ -16,7 +16,7 @@ import {
 } from '../index.ts';
 
 describe('periodic drive', () => {
-  test('a constant force for Ω = 0, and both amplitudes at their times', () => {
+  test('is a constant force for Ω = 0, and reaches both amplitudes', () => {
     expect(lawOn(periodicDrive({ cosine: { x: 3 }, angularFrequency: 0 }), { mass: 7 }).x).toBe(3);
     const law = periodicDrive({ cosine: { x: 3 }, sine: { y: 4 }, angularFrequency: 2 });
     const { world, eid } = single([law], {});
@@ -25,7 +25,7 @@ describe('periodic drive', () => {
   });
 });
 
-/** Mean square velocity and position of many bodies under the same law, each with its own noise. */
+/** Returns mean square velocity and position of many bodies under the same law, each with its own noise. */
 function crowd(forces: Parameters<typeof single>[0], seconds: number, dt: number, body = {}) {
   const count = 4000;
   const world = createPhysicsWorld({ capacity: count, forces, integrator: velocityVerlet });
@@ -41,10 +41,10 @@ function crowd(forces: Parameters<typeof single>[0], seconds: number, dt: number
 }
 
 describe('random drive', () => {
-  // Of 4000 normal numbers the mean square is good to √(2/4000) = 2.2 %: 8 % is beyond three and a half sigma.
+  // The mean square of 4000 normal numbers has an error of √(2/4000) = 2.2 %: 8 % exceeds 3.5 standard deviations.
   const near = (value: number, expected: number) => expect(Math.abs(value / expected - 1)).toBeLessThan(0.08);
 
-  test('a free body gains S t/m² an axis, whatever the step', () => {
+  test('a free body gains S t/m² per axis for any step', () => {
     for (const dt of [0.1, 0.01]) {
       const { vx, vy } = crowd([randomDrive({ spectralDensity: { x: 12, y: 3 } })], 2, dt);
       near(vx, (12 * 2) / 4);
@@ -52,7 +52,7 @@ describe('random drive', () => {
     }
   });
 
-  test('a damped oscillator keeps S/(2 k c), and linear drag comes to its temperature S/(2 c)', () => {
+  test('a damped oscillator has ⟨x²⟩ = S/(2 k c), and linear drag the temperature S/(2 c)', () => {
     for (const dt of [0.1, 0.025]) {
       const spring = powerLaw({ strength: -5, exponent: 1 });
       const { x, vx } = crowd([randomDrive({ spectralDensity: 8 }), spring, linearDrag()], 12, dt, { linearDrag: 2 });
@@ -61,7 +61,7 @@ describe('random drive', () => {
     }
   });
 
-  test('the same seed gives the same noise, in tiles or not; another seed another', () => {
+  test('the noise depends on the seed, and not on chunks', () => {
     const path = (seed: number, precision: 'f32' | 'f64' = 'f64') => {
       const { world, at } = single([randomDrive({ spectralDensity: 1 })], {}, { seed, precision });
       run(world, 1);
@@ -72,7 +72,7 @@ describe('random drive', () => {
     expect(path(1, 'f32').x).toBeCloseTo(path(1).x, 4);
   });
 
-  test('axes are independent in space, and bodies are', () => {
+  test('axes and bodies are independent in 3D', () => {
     const world = createPhysicsWorld({ capacity: 3000, dimensions: 3, forces: [randomDrive({ spectralDensity: 1 })] });
     for (let i = 0; i < 3000; i++) spawn(world, { position: {}, velocity: {}, mass: 1 });
     step(world, 1);
@@ -89,7 +89,7 @@ describe('random drive', () => {
 });
 
 describe('pointer pull', () => {
-  test('brings the body to the point without overshoot, and lets go without a jump', () => {
+  test('moves the body to the point without overshoot, and releases it without a jump', () => {
     const hand = pointerPull({ frequency: 1 });
     const { world, eid, at, speed } = single([hand], { mass: 40 });
     hand.grab(world, eid, { x: 3, y: 4 });
@@ -108,7 +108,7 @@ describe('pointer pull', () => {
     expect(speed()).toBe(before);
   });
 
-  test('hangs mg/(m ω²) below the point, for every mass, and gives no more than its most', () => {
+  test('has the equilibrium mg/(m ω²) below the point for every mass, and at most its maximum force', () => {
     for (const mass of [1, 100]) {
       const hand = pointerPull({ frequency: 1 });
       const { world, eid, at } = single([hand, uniformGravity({ y: -10 })], { mass });
@@ -122,7 +122,7 @@ describe('pointer pull', () => {
     expect(forceOn(world, eid)).toMatchObject({ x: 3, y: 4 });
   });
 
-  test('a body that goes while held is let go, and the id that comes again is not held', () => {
+  test('a removed body is released, and its reused id is not grabbed', () => {
     const hand = pointerPull();
     const { world, eid } = single([hand], {}, { integrator: semiImplicitEuler });
     hand.grab(world, eid, { x: 10 });

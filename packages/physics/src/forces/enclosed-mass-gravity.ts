@@ -4,11 +4,11 @@
 //
 //   m  mass, kg    G  gravitational constant, m³/(kg s²)    M(<r)  mass within r, kg    r  from the centre, m
 //
-// The density is uniform within the first radius, M is linear in r between radii, and all of it is inside the last:
-// the table is never read beyond its end. Shells outside r pull nothing (Newton, Principia I, propositions 70 and 71).
-// Valid for spherical symmetry. Cost: a square root, a division and 17 more operations a body, and six a radius: M is
-// the sum of what each shell between two radii has within r, in which no body has to look for its own. The table takes
-// 32 bytes a radius of the memory of each world it is used in, and stays there.
+// The density is uniform within the first radius, M is linear in r between radii, and constant beyond the last
+// radius. Shells outside r exert no force (Newton, Principia I, propositions 70 and 71). Valid for spherical
+// symmetry. Cost: a square root, a division and 17 more operations per body, and six per radius: M is the sum over
+// all shells of the mass within r, so that no body searches the table. The table takes 32 bytes per radius of the
+// memory of each world that uses it, and is never released.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkList, checkNumber } from '../errors/validate.ts';
 import { constant, type Scalar, select } from '../laws/expression.ts';
@@ -24,15 +24,15 @@ import { CENTRE_KEYS, type CentralLaw, type CentreOptions, centralForce } from '
 export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
 export interface EnclosedMassOptions extends CentreOptions {
-  /** Radii, m: positive and ascending. */
+  /** Radii, m: positive and strictly increasing. */
   readonly radii: readonly number[];
-  /** Mass within each radius, kg: not descending. */
+  /** Mass within each radius, kg: not decreasing. */
   readonly masses: readonly number[];
   /** G, m³/(kg s²); default Newton's. */
   readonly gravitationalConstant?: number;
 }
 
-/** A shell between two radii, m: its mass, kg, and how much of it there is in each metre, kg/m. */
+/** A shell between two radii, m: its mass, kg, and its mass per radius, kg/m. */
 const SHELL = ['inner', 'outer', 'mass', 'perMetre'] as const;
 type Shell = Readonly<Record<(typeof SHELL)[number], Scalar>>;
 
@@ -70,15 +70,15 @@ function lawOf(radii: readonly number[], masses: readonly number[]) {
     field(r, { gravitationalConstant, coreRadius, coreMass, shells: rows }) {
       const distance = r.length();
       const mass = coreMass.add(rows.sum((shell) => massWithin(distance, shell)));
-      // Within the core as at its surface, but for the direction's length r/R.
+      // Within the core the field is that at its surface times r/R.
       const inverse = constant(1).div(distance.max(coreRadius));
       return r.mul(inverse).mul(gravitationalConstant.mul(mass).mul(inverse).mul(inverse)).negate();
     },
     energy(r, { gravitationalConstant, coreRadius, coreMass, shells: rows }) {
       const distance = r.length();
-      const share = distance.div(coreRadius);
-      const inside = constant(3).sub(share.square()).div(2).div(coreRadius);
-      const ofCore = coreMass.mul(select(share.less(1), inside, constant(1).div(distance)));
+      const relative = distance.div(coreRadius);
+      const inside = constant(3).sub(relative.square()).div(2).div(coreRadius);
+      const ofCore = coreMass.mul(select(relative.less(1), inside, constant(1).div(distance)));
       return gravitationalConstant.mul(ofCore.add(rows.sum((shell) => energyOf(distance, shell)))).negate();
     },
     prepare: (world) => void shellsAt(world),
@@ -86,13 +86,16 @@ function lawOf(radii: readonly number[], masses: readonly number[]) {
   return law;
 }
 
-/** Mass of a shell within a distance, kg: all of it, to the bit, from its outer radius on. */
+/** Returns the mass of a shell within a distance, kg: exactly the whole mass from its outer radius on. */
 function massWithin(distance: Scalar, { inner, outer, mass, perMetre }: Shell): Scalar {
-  const part = perMetre.mul(distance.sub(inner));
-  return select(distance.less(outer), part.max(0), mass);
+  const massInside = perMetre.mul(distance.sub(inner));
+  return select(distance.less(outer), massInside.max(0), mass);
 }
 
-/** ∫ᵣ^∞ M(s)/s² ds of a shell, kg/m: beyond its outer radius b M/r, and within it the exact integral of a linear M. */
+/**
+ * Returns ∫ᵣ^∞ M(s)/s² ds of a shell, kg/m: M/r beyond its outer radius, and within it the exact integral of a
+ * linear M.
+ */
 function energyOf(distance: Scalar, { inner, outer, mass, perMetre }: Shell): Scalar {
   const here = distance.max(inner).min(outer);
   const between = outer.div(here).log().sub(inner.div(here)).add(inner.div(outer));
@@ -104,14 +107,18 @@ function checkProfile(radii: readonly number[], masses: readonly number[]): void
   checkList(masses, 'enclosedMassGravity.masses');
   const count = radii?.length ?? 0;
   if (count === 0 || masses?.length !== count) {
-    throw new PhysicsError('E_RANGE', 'enclosedMassGravity needs as many masses as radii, and at least one.', {
-      field: 'masses',
-      value: masses,
-    });
+    throw new PhysicsError(
+      'E_RANGE',
+      `enclosedMassGravity has ${count} radii and ${masses?.length ?? 0} masses. Give equal numbers, at least one of each.`,
+      {
+        field: 'masses',
+        value: masses,
+      },
+    );
   }
   for (let i = 0; i < count; i++) {
-    const [least, lightest] = i === 0 ? [0, 0] : [radii[i - 1], masses[i - 1]];
-    checkNumber(radii[i], `enclosedMassGravity.radii[${i}]`, { ...LENGTHS, above: least });
-    checkNumber(masses[i], `enclosedMassGravity.masses[${i}]`, { ...NOT_NEGATIVE, min: lightest });
+    const [minRadius, minMass] = i === 0 ? [0, 0] : [radii[i - 1], masses[i - 1]];
+    checkNumber(radii[i], `enclosedMassGravity.radii[${i}]`, { ...LENGTHS, above: minRadius });
+    checkNumber(masses[i], `enclosedMassGravity.masses[${i}]`, { ...NOT_NEGATIVE, min: minMass });
   }
 }

@@ -1,12 +1,12 @@
-// Fields of your own: a function of place and time gives the acceleration, or the force, at every body.
+// User-defined fields: a function of position and time gives the acceleration, or the force, on every body.
 //
 //   accelerationField   F = m a(r, t)        forceField   F = f(r, t)
 //
 //   m  mass, kg    a  m/s²    f  N    r  position, m    t  time, s
 //
-// The function writes to `out` and must depend on its arguments alone, or two runs differ; use the portable sine and its
-// kin of this package. With a `potential` (J/kg, or J) given, the energy of the world closes.
-// Cost: one call of the function a body and evaluation, in TypeScript.
+// The function writes to `out` and must depend only on its arguments, or two runs differ; use the portable sine and
+// the other functions of this package. With a `potential` (J/kg, or J) the energy of the world is conserved. Cost:
+// one call of the function per body and evaluation, in TypeScript.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkKeys } from '../errors/validate.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
@@ -15,18 +15,18 @@ import type { Force, PhysicsWorld } from '../world/types.ts';
 export type Field = (x: number, y: number, z: number, t: number, out: { x: number; y: number; z: number }) => void;
 
 export interface FieldOptions {
-  /** Potential per kilogram (of an acceleration) or itself (of a force), at a place; only where there is one. */
+  /** Potential, J/kg (of an acceleration) or J (of a force), at a position; for conservative fields only. */
   readonly potential?: (x: number, y: number, z: number) => number;
-  /** Default 'acceleration field' or 'force field'. */
+  /** Name of the force; default 'acceleration field' or 'force field'. */
   readonly name?: string;
 }
 
-/** A field that gives every body with mass the same acceleration at a place. @throws PhysicsError E_TYPE, E_UNKNOWN */
+/** A field of acceleration: it is independent of the mass of a body. @throws PhysicsError E_TYPE, E_UNKNOWN */
 export function accelerationField(field: Field, options: FieldOptions = {}): Force {
   return fieldForce(field, options, true, 'acceleration field', 'F = m a(r, t)');
 }
 
-/** A field that gives every body with mass the same force at a place. @throws PhysicsError E_TYPE, E_UNKNOWN */
+/** A field of force, for every body with mass. @throws PhysicsError E_TYPE, E_UNKNOWN */
 export function forceField(field: Field, options: FieldOptions = {}): Force {
   return fieldForce(field, options, false, 'force field', 'F = f(r, t)');
 }
@@ -37,7 +37,10 @@ function fieldForce(field: Field, options: FieldOptions, perMass: boolean, name:
   const { potential } = options;
   if (potential !== undefined) checkFunction(potential, `the potential of the ${name}`);
   if (options.name !== undefined && typeof options.name !== 'string') {
-    throw new PhysicsError('E_TYPE', `the name of the ${name} must be a text.`, { field: 'name', value: options.name });
+    throw new PhysicsError('E_TYPE', `the name of the ${name} must be a string.`, {
+      field: 'name',
+      value: options.name,
+    });
   }
   const out = { x: 0, y: 0, z: 0 };
   const force: Force = {
@@ -61,10 +64,10 @@ function fieldForce(field: Field, options: FieldOptions, perMass: boolean, name:
       }
     },
   };
-  return potential === undefined ? force : { ...force, potential: (world) => sumOf(world, potential, perMass) };
+  return potential === undefined ? force : { ...force, potential: (world) => sumPotential(world, potential, perMass) };
 }
 
-function sumOf(
+function sumPotential(
   { components: { Position, Mass }, lastId }: PhysicsWorld,
   potential: (x: number, y: number, z: number) => number,
   perMass: boolean,

@@ -1,13 +1,13 @@
-// The Coulomb force of fixed charges: every body with Charge and no Mass acts on every body with Charge and Mass.
+// The Coulomb force of fixed charges: every body with Charge but no Mass acts on every body with Charge and Mass.
 //
 //   F = k q Q r/|r|³        potential  U = k q Q/|r|
 //
 //   q, Q  charges, C    k = 1/(4π ε₀)  Coulomb constant, N m²/C²    r  from the source to the body, m
 //
-// Coulomb (1785). Like charges repel. A source acts outside its collider's radius only; inside, the potential is that at
-// the surface, as in a hollow conductor. Valid for sources at rest: their fields do not lag behind and are not magnetic.
-// The pull of mobile charges on each other is in `mutualCoulomb`, which takes fixed ones along.
-// Cost: a square root, a division and some 20 operations a body and source.
+// Coulomb (1785). Like charges repel. A source acts only outside its collider's radius; inside, the potential is that
+// at the surface, as in a hollow conductor. Valid for sources at rest: no retardation and no magnetic field. The
+// force between mobile charges is `mutualCoulomb`, which includes fixed ones. Cost: a square root, a division and
+// about 20 operations per body and source.
 import { bitOf } from '../components/all.ts';
 import { Charge } from '../components/charge.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
@@ -26,11 +26,11 @@ import { forceKernels } from './support/force-kernels.ts';
 /** 1/(4π ε₀), N m²/C²: CODATA 2022. */
 export const COULOMB_CONSTANT = 8.9875517862e9;
 
-/** A source as it was when the step began, kernels/forces/charges.ts: position, charge and radius. */
+/** A source at the start of the step, kernels/forces/charges.ts: position, charge and radius. */
 type Source = Readonly<Record<(typeof SOURCE_FIELDS)[number], Scalar>>;
 
 interface Sources extends EntityList {
-  /** Those listed that have no mass. */
+  /** The listed charges without mass. */
   readonly fixed: { at: number; count: number };
 }
 
@@ -41,7 +41,7 @@ const law = /* @__PURE__ */ defineLaw({
   formula: 'F = k q Q r / |r|³',
   source: 'Coulomb, Histoire de l’Académie Royale des Sciences, 569 (1785).',
   reads: { charge: Charge },
-  parameters: { constant: scalar('N m²/C²', POSITIVE), sources: table(SOURCE_FIELDS, placeOfSources) },
+  parameters: { constant: scalar('N m²/C²', POSITIVE), sources: table(SOURCE_FIELDS, sourcesAtStart) },
   force: ({ position, charge }, { constant, sources }) =>
     sources.sum((source) => fieldOf(source, position, constant)).mul(charge),
   potential: ({ position, charge }, { constant, sources }) =>
@@ -57,7 +57,7 @@ export function fixedCharges(constant: number = COULOMB_CONSTANT): Force {
   return law({ constant });
 }
 
-/** Strength and direction apart: their product is in the range of f32 where r³ is not. */
+/** Multiplies magnitude and direction separately, which stay in the range of f32 where r³ does not. */
 function fieldOf({ x, y, z, charge, radius }: Source, position: Vector, constant: Scalar): Vector {
   const r = position.sub(vec3(x, y, z));
   const distance = r.length();
@@ -65,7 +65,7 @@ function fieldOf({ x, y, z, charge, radius }: Source, position: Vector, constant
   return r.mul(inverse).mul(charge.mul(constant).mul(inverse).mul(inverse));
 }
 
-/** Inside a source its value at the surface. */
+/** Returns the potential; inside a source its value at the surface. */
 function voltageOf({ x, y, z, charge, radius }: Source, position: Vector, constant: Scalar): Scalar {
   const distance = position
     .sub(vec3(x, y, z))
@@ -74,12 +74,12 @@ function voltageOf({ x, y, z, charge, radius }: Source, position: Vector, consta
   return select(distance.greater(0), charge.mul(constant).div(distance), 0);
 }
 
-/** In a step the sources are where they were when it began; at other times they are where they are. */
-function placeOfSources(world: PhysicsWorld): TablePlace {
+/** Returns the sources at the start of the step; outside a step the current ones. */
+function sourcesAtStart(world: PhysicsWorld): TablePlace {
   return world.state === 'stepping' ? sourcesOf(world).fixed : gather(world);
 }
 
-/** Lists the charges anew when entities changed, and copies those without mass as they are now. */
+/** Lists the charges if entities changed, and copies the current state of those without mass. */
 function gather(world: PhysicsWorld): TablePlace {
   const sources = sourcesOf(world);
   refreshEntityList(world, sources, 'Charge', SOURCE_BYTES, bitOf('Charge') | bitOf('Position'));
@@ -91,7 +91,7 @@ function gather(world: PhysicsWorld): TablePlace {
   return fixed;
 }
 
-/** The charge of a source that somebody made NaN or infinite becomes 0, with a fault. */
+/** Sets a non-finite charge of a source to 0 and reports a fault. */
 function repair(world: PhysicsWorld, { ids, count }: Sources): void {
   const { Charge: charges, Mass } = world.components;
   for (const entity of new Uint32Array(world.memory.buffer, ids, count)) {

@@ -19,9 +19,10 @@ import {
 
 describe('sphere drag', () => {
   test('the drag curve: Stokes at Re → 0, measured values from 1 to 10⁵ within 6 %', () => {
-    // Beside Stokes' 24/Re stands 0.15 Re^0.687 of it, 2.7e-4, and 0.42 Re/24 · Re^1.16/42500, which is nothing.
+    // Relative to Stokes' 24/Re the terms are 0.15 Re^0.687, 2.7e-4, and 0.42 Re/24 · Re^1.16/42500, which is
+    // negligible.
     expect(Math.abs((sphereDragCoefficient(1e-4) * 1e-4) / 24 - 1 - 0.15 * 1e-4 ** 0.687)).toBeLessThan(1e-12);
-    // Clift, Grace and Weber, Bubbles, Drops and Particles (1978), table 5.1.
+    // Source of the table: Clift, Grace and Weber, Bubbles, Drops and Particles (1978), table 5.1.
     for (const [re, measured] of [
       [1, 26.5],
       [10, 4.26],
@@ -30,12 +31,12 @@ describe('sphere drag', () => {
       [1e4, 0.4],
       [1e5, 0.5],
     ]) {
-      // The authors of the curve claim no more.
+      // The authors of the curve claim this accuracy.
       expect(Math.abs(sphereDragCoefficient(re) / measured - 1), `Re = ${re}`).toBeLessThan(0.06);
     }
   });
 
-  test('the force follows the curve, and is Stokes law to rounding when slow', () => {
+  test('the force follows the curve, and Stokes’ law to rounding at low speed', () => {
     const [density, viscosity, r, v] = [1000, 1e-3, 0.01, 0.3];
     const force = lawOn(sphereDrag({ density, viscosity }), { velocity: { x: v }, collider: r }).x;
     const re = (2 * r * v * density) / viscosity;
@@ -45,9 +46,9 @@ describe('sphere drag', () => {
   });
 
   test('a raindrop of 1 mm falls at 4.03 m/s, a fog droplet of 10 µm at 3.02 mm/s', () => {
-    // Gunn and Kinzer, J. Meteorol. 6, 243 (1949), measured 4.03 m/s: 6 % of the drag are 4 % of the speed, as C_d falls
-    // as Re^-0.43 there, and a drop is not quite a rigid sphere. The fog: Stokes' d² ρ g/18η less 0.15 Re^0.687 = 0.21 %
-    // of it, where Re = 2.0e-3.
+    // Gunn and Kinzer, J. Meteorol. 6, 243 (1949), measured 4.03 m/s: 6 % of the drag are 4 % of the speed, as C_d
+    // decreases as Re^-0.43 there, and a drop is not quite a rigid sphere. Fog: Stokes' d² ρ g/18η less 0.15 Re^0.687
+    // = 0.21 % of it, at Re = 2.0e-3.
     const stokes = (1e-10 * 1000 * 9.80665) / (18 * 1.8e-5);
     for (const [diameter, terminal, within] of [
       [1e-3, 4.03, 0.05 * 4.03],
@@ -57,7 +58,7 @@ describe('sphere drag', () => {
       const mass = (1000 * 4 * Math.PI * r ** 3) / 3;
       const forces = [uniformGravity(), sphereDrag({ density: 1.2, viscosity: 1.8e-5 })];
       const { world, speed } = single(forces, { mass, collider: r });
-      // Slow ones approach their end as exp(-g t/v).
+      // Slow drops approach their terminal speed as exp(-g t/v).
       run(world, 24 * (terminal / 9.8), terminal / 9.8 / 200);
       expect(Math.abs(speed() - terminal)).toBeLessThan(within);
     }
@@ -70,7 +71,7 @@ describe('sphere drag', () => {
 });
 
 describe('lift and the Magnus force', () => {
-  test('both are across the motion, do no work, and agree in 2D and 3D', () => {
+  test('both are perpendicular to the motion, do no work, and agree in 2D and 3D', () => {
     const body = { velocity: { x: 3, y: 4 }, lift: 0.5, collider: 2, angularVelocity: { z: 7 } };
     for (const law of [lift(), magnus({ density: 1.2 })]) {
       const force = lawOn(law, body);
@@ -85,7 +86,7 @@ describe('lift and the Magnus force', () => {
     );
   });
 
-  test('a wing that rolls on its side lifts sideways', () => {
+  test('a rolled wing lifts sideways', () => {
     const half = Math.SQRT1_2;
     const body = { velocity: { x: 10 }, lift: 0.1, orientation: { x: half, w: half } };
     const force = lawOn(lift({ frame: 'body' }), body, { dimensions: 3 });
@@ -95,7 +96,7 @@ describe('lift and the Magnus force', () => {
     expect(Math.hypot(along.x, along.y, along.z)).toBe(0);
   });
 
-  test('topspin dips: a ball that rolls forward in flight is pushed down', () => {
+  test('a ball with topspin is pushed down', () => {
     const body = { velocity: { x: 10 }, collider: 0.03, angularVelocity: { z: -100 } };
     expect(lawOn(magnus({ density: 1.2 }), body).y).toBeLessThan(0);
   });
@@ -104,7 +105,7 @@ describe('lift and the Magnus force', () => {
 describe('buoyancy', () => {
   const pool = { density: 1000, gravity: { y: -10 }, level: 2 };
 
-  test('grows with immersion: nothing above, half at the surface, all below; in between by volume', () => {
+  test('is proportional to the immersed volume: zero above, half at the surface, full below', () => {
     const at = (y: number, shape: 0 | 1) =>
       lawOn(buoyancy(pool), { position: { y }, hull: { volume: 3, halfHeight: 0.5, shape } }).y / 3e4;
     for (const shape of [0, 1] as const) {
@@ -114,12 +115,12 @@ describe('buoyancy', () => {
       expect(at(1.5, shape)).toBe(1);
       expect(at(-9, shape)).toBe(1);
     }
-    // The cap of a sphere of height h = R/2 below the surface: h²(3R - h)/4R³ = 5/32.
+    // The immersed cap of height h = R/2 has the fraction h²(3R - h)/4R³ = 5/32.
     expect(at(2.25, 0)).toBeCloseTo(5 / 32, 15);
     expect(at(2.25, 1)).toBeCloseTo(1 / 4, 15);
   });
 
-  test('the force is minus the gradient of the energy, and a bob without drag keeps it', () => {
+  test('the force is minus the gradient of the energy, and an undamped bob conserves it', () => {
     for (const shape of [0, 1]) {
       for (const y of [2.6, 2.3, 1.9, 1.2]) {
         const body = { position: { y }, hull: { volume: 3, shape }, collider: 0.5 };
@@ -134,14 +135,14 @@ describe('buoyancy', () => {
     expect(energy(world).total / before).toBeCloseTo(1, 7);
   });
 
-  test('up is against gravity, whichever way that points', () => {
+  test('up is opposite to gravity in any direction', () => {
     const sideways = { density: 1, gravity: { x: 3, y: 4 }, level: 100 };
     const force = lawOn(buoyancy(sideways), { position: {}, hull: 2, collider: 1 });
     expect(force.x).toBeCloseTo(-6, 12);
     expect(force.y).toBeCloseTo(-8, 12);
   });
 
-  test('drag acts on the immersed share alone, relative to the flow', () => {
+  test('drag acts on the immersed fraction only, relative to the flow', () => {
     const law = immersedDrag({ ...pool, flow: { x: 1 } });
     const body = { velocity: { x: 4 }, hull: { volume: 1, halfHeight: 1 }, quadraticDrag: 2, linearDrag: 5 };
     expect(lawOn(law, { ...body, position: { y: 9 } }).x).toBeCloseTo(0, 15);
@@ -149,7 +150,7 @@ describe('buoyancy', () => {
     expect(lawOn(law, { ...body, position: { y: 0 } }).x).toBe(-(2 * 3 + 5) * 3);
   });
 
-  test('an empty bubble rises at no more than 2 g with added mass, and at 999 g without', () => {
+  test('an empty bubble accelerates at 2 g at most with added mass, and at 999 g without', () => {
     const deep = { density: 1000, gravity: { y: -10 } };
     const bubble = { mass: 1e-3, hull: 1e-3 };
     const forces = [uniformGravity({ y: -10 }), buoyancy(deep)];
@@ -160,7 +161,7 @@ describe('buoyancy', () => {
   });
 });
 
-test('a balloon has the energy of the air it displaces, and a hull without mass has none', () => {
+test('a balloon has the potential energy of the displaced air, and a hull without mass has none', () => {
   const air = buoyancy({ density: 1.2, gravity: { y: -10 } });
   const { world } = single([air], { position: { x: 5, y: 7 }, mass: 0.1, hull: 2 });
   expect(energy(world).potential).toBeCloseTo(-1.2 * 10 * 2 * 7, 12);
@@ -178,7 +179,7 @@ describe('buoyancy on a polygon', () => {
   ];
   const hull = { shape: 2, vertices: box };
 
-  test('an upright rectangle is an upright box, whichever way round it is given', () => {
+  test('an upright rectangle equals an upright box, in either orientation of its vertices', () => {
     for (const vertices of [box, [...box].reverse()]) {
       for (const y of [-0.6, -0.2, 0, 0.4, 0.5, 0.7]) {
         const body = { position: { y }, hull: { volume: 2, shape: 2 } };
@@ -190,8 +191,9 @@ describe('buoyancy on a polygon', () => {
     }
   });
 
-  test('a beamy hull rights itself, by the metacentric height I/V - BG for small angles', () => {
-    // Half immersed: displaced area 1, second moment of the waterline 2³/12, centre of buoyancy 0.25 below the centre.
+  test('a wide hull rights itself with the metacentric height I/V - BG at small angles', () => {
+    // At half immersion the displaced area is 1, the second moment of the waterline 2³/12, and the centre of buoyancy
+    // 0.25 below the centre.
     const metacentre = 8 / 12 / 1 - 0.25;
     const angle = 1e-4;
     const force = lawOn(polygonBuoyancy(pool, hull), { rotation: angle, hull: { volume: 2, shape: 2 } });
@@ -212,7 +214,7 @@ describe('buoyancy on a polygon', () => {
     expect(force.torque).toBeCloseTo(-(at(1e-5) - at(-1e-5)) / 2e-5, 3);
   });
 
-  test('it swings upright when damped, and bodies of another shape number float on their own', () => {
+  test('a damped hull rights itself, and other shape numbers are independent', () => {
     const forces = [uniformGravity({ y: -10 }), polygonBuoyancy(pool, hull), immersedDrag(pool), angularDrag()];
     const body = {
       mass: 1000,
@@ -230,8 +232,8 @@ describe('buoyancy on a polygon', () => {
     expect(lawOn(polygonBuoyancy(pool, hull), { hull: { volume: 2, shape: 3 } }).y).toBe(0);
   });
 
-  test('a concave outline counts what is under the surface only', () => {
-    // Two legs down, joined above: the notch between them displaces nothing.
+  test('a concave polygon counts only its immersed part', () => {
+    // The polygon has two legs, joined at the top; the notch between them displaces no fluid.
     const bridge = [
       [-2, -1],
       [-1, -1],
@@ -249,15 +251,15 @@ describe('buoyancy on a polygon', () => {
     expect(force.y).toBeCloseTo(1000 * 10 * 2 * 0.5, 8);
   });
 
-  test('without a surface the whole hull displaces, and one off its centre turns the body', () => {
+  test('without a surface the whole hull displaces fluid, and an off-centre hull rotates the body', () => {
     const { level: _, ...everywhere } = pool;
-    // The centroid of this outline is (1, 0).
+    // The centroid of this polygon is (1, 0).
     const aside = box.map(({ x, y }) => ({ x: x + 1, y }));
     const body = { position: { y: 3 }, rotation: 0.7, hull: { volume: 2, shape: 2 } };
     const force = lawOn(polygonBuoyancy(everywhere, { shape: 2, vertices: aside }), body);
     expect(force.y).toBeCloseTo(2e4, 9);
     expect(force.torque).toBeCloseTo(2e4 * Math.cos(0.7), 8);
-    // So is one far below a surface, to the last digits.
+    // A hull far below a surface gives the same to the last digits.
     const deep = lawOn(polygonBuoyancy(pool, { shape: 2, vertices: aside }), { ...body, position: { y: -1e6 } });
     expect(deep.y).toBeCloseTo(force.y, 9);
     expect(deep.torque).toBeCloseTo(force.torque, 8);
@@ -265,12 +267,12 @@ describe('buoyancy on a polygon', () => {
     expect(forceOn(world, eid).y).toBeCloseTo(slope(world, eid).y, 3);
   });
 
-  test('in space it is refused', () => {
+  test('is refused in 3D', () => {
     const make = () => createPhysicsWorld({ dimensions: 3, forces: [polygonBuoyancy(pool, hull)] });
-    expect(make).toThrow(/law "polygon buoyancy" is for worlds of 2 dimensions/);
+    expect(make).toThrow(/law "polygon buoyancy" requires 2 dimensions/);
   });
 
-  test('refuse outlines without area', () => {
+  test('refuses polygons without area', () => {
     expect(() => polygonBuoyancy(pool, { shape: 2, vertices: box.slice(0, 2) })).toThrow(PhysicsError);
     expect(() => polygonBuoyancy(pool, { shape: 1, vertices: box })).toThrow(PhysicsError);
     expect(() => buoyancy({ density: 0 })).toThrow(PhysicsError);

@@ -5,13 +5,14 @@ import { correlatedGusts, createPhysicsWorld, linearDrag, PhysicsError, spawn, t
 describe('correlated gusts', () => {
   const options = { mean: { x: 5 }, deviation: { x: 2, y: 3 }, time: 0.5, seed: 7 };
 
-  test('mean, deviation and correlation time, however often it is looked at', () => {
-    // Standard errors over a time T of a process with correlation time τ, in parts of σ: √(2τ/T) for the mean, half of
-    // that for the deviation; and for the correlation at τ √((1 - 3e⁻²) τ/T) (Bartlett 1946). Three and a half of each.
+  test('have the given mean, deviation and correlation time at any sampling rate', () => {
+    // Standard errors over a time T of a process with correlation time τ, relative to σ: √(2τ/T) for the mean, half
+    // of that for the deviation, and √((1 - 3e⁻²) τ/T) for the correlation at τ (Bartlett 1946). The bounds are 3.5
+    // of each.
     const [duration, tau] = [8000, 0.5];
     const mean = 3.5 * Math.sqrt((2 * tau) / duration);
     const correlation = 3.5 * Math.sqrt(((1 - 3 * Math.exp(-2)) * tau) / duration);
-    // Straight lines between nodes τ/16 apart keep e⁻¹/48 more of it.
+    // Linear interpolation between nodes τ/16 apart increases the correlation by e⁻¹/48.
     const straight = Math.exp(-1) / 48;
     for (const dt of [0.1, 0.2]) {
       const wind = correlatedGusts(options);
@@ -32,7 +33,7 @@ describe('correlated gusts', () => {
     }
   });
 
-  test('it is a function of time: in any order, from any start, the same bits', () => {
+  test('are a function of time: the same bits in any order and from any start', () => {
     const [forward, back] = [correlatedGusts(options), correlatedGusts(options)];
     const times = Array.from({ length: 300 }, (_, i) => i * 0.137);
     const read = (wind: typeof forward, t: number) => ({ ...wind(t) });
@@ -43,10 +44,10 @@ describe('correlated gusts', () => {
     expect(first[3].z).toBe(0);
   });
 
-  test('carries a body with the wind: the mean drift of linear drag is the mean wind', () => {
+  test('move a body under linear drag at the mean wind', () => {
     const { world, at } = single([linearDrag(correlatedGusts({ ...options, time: 0.05 }))], { linearDrag: 10 });
     run(world, 800, 0.02);
-    // Three and a half standard errors σ √(2τ/T) of the mean wind, and the 0.1 s in which the body takes up its speed.
+    // The bound is 3.5 standard errors σ √(2τ/T) of the mean wind, plus the 0.1 s in which the body accelerates.
     expect(Math.abs(at().x / 800 - 5)).toBeLessThan(3.5 * 2 * Math.sqrt((2 * 0.05) / 800) + (5 * 0.1) / 800);
   });
 });
@@ -58,9 +59,9 @@ describe('turbulent drag', () => {
     return lawOn(law, { position: at, linearDrag: 1 }, { dimensions });
   };
 
-  test('the air has no divergence, in the plane and in space', () => {
+  test('the velocity field is free of divergence in 2D and 3D', () => {
     const law = turbulentDrag(options);
-    // Its gradients are some 40 1/s.
+    // Its gradients are about 40 1/s.
     const h = 5e-4;
     for (const [x, y] of [
       [0, 0],
@@ -77,7 +78,7 @@ describe('turbulent drag', () => {
     }
   });
 
-  test('each component has the deviation asked for, over a wide square', () => {
+  test('each component has the given deviation over a wide square', () => {
     for (const dimensions of [2, 3] as const) {
       const world = createPhysicsWorld({
         capacity: 5000,
@@ -117,14 +118,14 @@ describe('turbulent drag', () => {
     expect(coarse[0]).not.toBeCloseTo(after(4)[0] * 2, 13);
   });
 
-  test('f32 sees the same air', () => {
+  test('f32 has the same velocity field', () => {
     const force = (precision: 'f32' | 'f64') =>
       lawOn(turbulentDrag(options), { position: { x: 3, y: 4 }, velocity: { x: 1 }, quadraticDrag: 1 }, { precision });
     expect(force('f32').x).toBeCloseTo(force('f64').x, 3);
     expect(force('f32').y).toBeCloseTo(force('f64').y, 3);
   });
 
-  test('refuses a spectrum upside down', () => {
+  test('an invalid spectrum is refused', () => {
     expect(() => turbulentDrag({ ...options, smallest: 11 })).toThrow(PhysicsError);
     expect(() => turbulentDrag({ ...options, modes: 0 })).toThrow(PhysicsError);
     expect(() => correlatedGusts({ deviation: {}, time: 0 })).toThrow(PhysicsError);

@@ -1,13 +1,13 @@
-// Drag on the part of a body that is in a fluid with a surface.
+// Drag on the immersed fraction of a body in a fluid with a surface.
 //
 //   F = -f (k |w| + c) w
 //
-//   f  share of the volume under the surface (see `buoyancy`)    w  velocity through the fluid, m/s
+//   f  immersed fraction of the volume (see `buoyancy`)    w  velocity relative to the fluid, m/s
 //   k  QuadraticDrag, kg/m    c  LinearDrag, kg/s
 //
-// The coefficients are those of the wholly immersed body in this fluid; list no other drag with them, or it acts in the
-// air as well. A share of the volume stands for the share of the frontal area, which differ by a third at most.
-// Batchelor, An Introduction to Fluid Dynamics, section 5.11. Cost: a square root and a division a body.
+// The coefficients are those of the fully immersed body in this fluid. List no other drag with this one, which would
+// act in the air as well. The fraction of the volume approximates that of the frontal area; they differ by a third at
+// most. Batchelor, An Introduction to Fluid Dynamics, section 5.11. Cost: a square root and a division per body.
 import { Collider } from '../components/collider.ts';
 import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { Hull } from '../components/hull.ts';
@@ -27,7 +27,7 @@ function drag(w: Vector, k: Scalar, c: Scalar): Vector {
   return w.mul(k.mul(w.length()).add(c)).negate();
 }
 
-const everywhere = /* @__PURE__ */ defineLaw({
+const unbounded = /* @__PURE__ */ defineLaw({
   ...about,
   reads: { k: QuadraticDrag, c: LinearDrag },
   parameters: { flow: vector('m/s') },
@@ -47,5 +47,5 @@ const withSurface = /* @__PURE__ */ defineLaw({
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function immersedDrag(pool: FluidVolume): Force {
   const { fluid, level, flow } = fluidVolumeValues(pool, 'immersedDrag');
-  return level === undefined ? everywhere({ flow }) : withSurface({ up: fluid.up, level, flow });
+  return level === undefined ? unbounded({ flow }) : withSurface({ up: fluid.up, level, flow });
 }

@@ -1,11 +1,11 @@
-// Attraction at a distance and hard repulsion near a fixed centre, as between two neutral atoms.
+// Attraction at a distance and strong repulsion near a fixed centre, as between two neutral atoms.
 //
 //   U = 4 q ε ((σ/r)¹² - (σ/r)⁶)        F = 24 q ε (2 (σ/r)¹² - (σ/r)⁶) r̂/r
 //
 //   q  mass (ε in J/kg) or charge (ε in J/C)    ε  depth    σ  distance of zero energy, m; the minimum is at 2^(1/6) σ
 //
-// Lennard-Jones, Proc. Phys. Soc. 43, 461 (1931). The force grows as r⁻¹³: a body thrown at the centre needs short
-// steps, and in f32 distances under σ/500 overflow. Cost: one square root, one division and 22 more operations a body.
+// Lennard-Jones, Proc. Phys. Soc. 43, 461 (1931). The force grows as r⁻¹³: a head-on collision needs short steps, and
+// in f32 distances below σ/500 overflow. Cost: one square root, one division and 22 more operations per body.
 import { checkKeys } from '../errors/validate.ts';
 import type { Scalar, Vector } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
@@ -15,11 +15,11 @@ import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './s
 import { checkCoupling } from './support/coupling.ts';
 
 export interface LennardJonesOptions extends CentreOptions {
-  /** ε: depth of the well per unit of coupling. */
+  /** Depth ε of the well per unit of coupling. */
   readonly depth: number;
-  /** σ: distance at which the energy is zero, m. */
+  /** Distance σ of zero energy, m. */
   readonly diameter: number;
-  /** What the force is proportional to; default 'Mass'. */
+  /** The component that the force is proportional to; default 'Mass'. */
   readonly couplesTo?: 'Mass' | 'Charge';
 }
 
@@ -38,12 +38,12 @@ export function lennardJones(options: LennardJonesOptions): Force {
         diameter: scalar('m', LENGTHS),
       },
       field(r, { depth, diameter }) {
-        const { inverse, sixth } = partsOf(r, diameter);
-        const size = depth.mul(24).mul(sixth).mul(sixth.mul(2).sub(1));
-        return r.mul(inverse).mul(size.mul(inverse));
+        const { inverse, sixth } = powersOf(r, diameter);
+        const magnitude = depth.mul(24).mul(sixth).mul(sixth.mul(2).sub(1));
+        return r.mul(inverse).mul(magnitude.mul(inverse));
       },
       energy(r, { depth, diameter }) {
-        const { sixth } = partsOf(r, diameter);
+        const { sixth } = powersOf(r, diameter);
         return depth.mul(4).mul(sixth).mul(sixth.sub(1));
       },
     },
@@ -52,8 +52,8 @@ export function lennardJones(options: LennardJonesOptions): Force {
   );
 }
 
-/** 1/r and (σ/r)⁶, both 0 at r = 0. */
-function partsOf(r: Vector, diameter: Scalar): { readonly inverse: Scalar; readonly sixth: Scalar } {
+/** Returns 1/r and (σ/r)⁶, both 0 at r = 0. */
+function powersOf(r: Vector, diameter: Scalar): { readonly inverse: Scalar; readonly sixth: Scalar } {
   const distance = r.length();
   const inverse = inverseWhere(distance.greater(0), distance);
   const square = diameter.mul(inverse).square();

@@ -1,12 +1,12 @@
-// Motion driven by power: a car with its foot down.
+// Propulsion at constant power, as of a car at full throttle.
 //
 //   F = P/v along the velocity, at most `maxForce`; from rest along `heading`
 //
-//   P  power, W, and the limit, N: the component Motor    v  speed, m/s
+//   P  power, W, and maximum force, N: the component Motor    v  speed, m/s
 //
-// So that dE/dt = P above the speed P/maxForce; below it wheels would spin. Negative power brakes, and at rest does
-// nothing. With linear drag c: v² → P/c. Steady power is an idealisation of an engine with a perfect gearbox.
-// Cost: one square root, four divisions a body.
+// So dE/dt = P above the speed P/maxForce, below which wheels would spin. Negative power brakes, and has no effect at
+// rest. With linear drag c: v² → P/c. Constant power idealises an engine with a perfect gearbox. Cost: one square
+// root and four divisions per body.
 import { Motor } from '../components/propulsion.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkVector, type VectorInput } from '../errors/validate.ts';
@@ -17,7 +17,7 @@ import { PLACES } from './support/bounds.ts';
 import { unit } from './support/unit-vector.ts';
 
 export interface MotorOptions {
-  /** Where bodies at rest set off to; default +x. */
+  /** Direction in which bodies at rest start; default +x. */
   readonly heading?: VectorInput;
 }
 
@@ -28,10 +28,10 @@ const law = /* @__PURE__ */ defineLaw({
   parameters: { heading: vector('') },
   force({ velocity, motor: { power, maxForce } }, { heading }) {
     const speed = velocity.length();
-    const size = power.div(speed).min(maxForce).max(maxForce.negate());
-    // A brake has nothing to act against at rest.
+    const magnitude = power.div(speed).min(maxForce).max(maxForce.negate());
+    // A brake has no effect at rest.
     const fromRest = select(power.greater(0), maxForce, 0);
-    return select(speed.greater(0), velocity.div(speed).mul(size), heading.mul(fromRest));
+    return select(speed.greater(0), velocity.div(speed).mul(magnitude), heading.mul(fromRest));
   },
 });
 

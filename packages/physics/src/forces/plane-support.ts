@@ -1,18 +1,19 @@
-// A slope, floor or runway that bodies stand, slide and roll on: normal force and dry friction, without contacts.
+// A slope, floor or runway on which bodies stand, slide and roll: normal force and dry friction, without contacts.
 //
-//   normal   N = -F·n where that presses
+//   normal   N = -F·n if positive
 //   sticking  f = (D + m u/dt)/(1 + m r²/I) against the driving force D and the slip u, as long as f ≤ μ_s N
-//   slipping  f = μ_k N against u, and never more than stops it within the step
+//   slipping  f = μ_k N against u, and at most what stops the slip within the step
 //
 //   F  force of all laws listed before this one, N    n  unit normal out of the plane    D = F + N n  along the plane, N
-//   u = v_t - r ω × n  slip of the point of contact when the step began, m/s    r  radius of the collider, m    I  moment of inertia, kg m²
+//   u = v_t - r ω × n  slip of the contact point at the start of the step, m/s    r  radius of the collider, m    I  moment of inertia, kg m²
 //
-// It answers the forces before it: list it last. N is what the other forces leave, so a lifting wing is lighter on the
-// runway. A body with Inertia and AngularVelocity rolls, a (solid) ball down a slope with g sinθ/(1 + 2/5); one without
-// is a block, 1/I = 0. Friction turns at rest into what holds: with μ_s = tanθ to the last digit it does not move.
-// A body is on the plane when its surface is within `gap`, and leaves when the forces lift it. What arrives with a speed
-// into the plane is not stopped: that is an impact, and the work of a wall. Less than `stickSpeed` is taken for rounding.
-// Coulomb (1785); Goldstein, Classical Mechanics, section 2.4 for rolling. Cost: one to three square roots a body.
+// It reacts to the forces before it, so list it last. N is the remaining normal force, so lift reduces the load on a
+// runway. A body with Inertia and AngularVelocity rolls: a solid ball down a slope with g sinθ/(1 + 2/5). A body
+// without them is a block, 1/I = 0. At rest static friction balances the driving force: at μ_s = tanθ, to rounding, a
+// block does not move. A body is in contact if its surface is within `gap`, and loses contact if the forces lift it.
+// A velocity into the plane is not stopped: that is an impact, for which walls are made. Slip below `stickSpeed`
+// counts as rounding. Coulomb (1785); Goldstein, Classical Mechanics, section 2.4 for rolling. Cost: one to three
+// square roots per body.
 
 import { Collider } from '../components/collider.ts';
 import { Inertia } from '../components/inertia.ts';
@@ -29,19 +30,19 @@ import { unit } from './support/unit-vector.ts';
 export interface PlaneSupportOptions {
   /** A point of the plane, m; default the origin. */
   readonly point?: VectorInput;
-  /** Normal out of it, of any length; default +y. */
+  /** Normal out of the plane, of any length; default +y. */
   readonly normal?: VectorInput;
-  /** μ_s; default the kinetic one. */
+  /** Static coefficient μ_s; default the kinetic one. */
   readonly staticFriction?: number;
-  /** μ_k; default 0. */
+  /** Kinetic coefficient μ_k; default 0. */
   readonly kineticFriction?: number;
-  /** How far from the plane a body is still on it, m; default 10⁻³. */
+  /** Distance from the plane within which a body is in contact, m; default 10⁻³. */
   readonly gap?: number;
-  /** Slip below which a body sticks, and speed along the normal that is stopped, m/s; default 10⁻⁶. */
+  /** Slip below which a body sticks, and normal speed that is stopped, m/s; default 10⁻⁶. */
   readonly stickSpeed?: number;
 }
 
-/** The plane as the law sees it. */
+/** The parameters of the plane as expressions. */
 interface PlaneSymbols {
   readonly point: Vector;
   readonly normal: Vector;
@@ -57,70 +58,70 @@ interface RollingSymbols extends BodySymbols {
   readonly inertia: Scalar;
 }
 
-/** What the plane does to a body, per mass: all of the law is in proportion to it. */
+/** The reaction of the plane per mass; the law is proportional to the mass. */
 interface Support {
-  readonly presses: Condition;
-  /** Along the normal, and along the plane, m/s². */
+  readonly inContact: Condition;
+  /** Accelerations along the normal, and along the plane, m/s². */
   readonly normal: Scalar;
   readonly friction: Vector;
-  /** Radius of a body that rolls, and zero of a block, m. */
+  /** Radius of a rolling body, and zero for a block, m. */
   readonly arm: Scalar;
 }
 
-const known = /* @__PURE__ */ new WeakMap<BodySymbols, Support>();
+const supports = /* @__PURE__ */ new WeakMap<BodySymbols, Support>();
 
-/** Force and torque are parts of one answer, which is made once. */
+/** Returns the reaction, cached because force and torque share it. */
 function supportOf(body: RollingSymbols, plane: PlaneSymbols): Support {
-  const support = known.get(body) ?? answer(body, plane);
-  known.set(body, support);
+  const support = supports.get(body) ?? computeSupport(body, plane);
+  supports.set(body, support);
   return support;
 }
 
-function answer(body: RollingSymbols, plane: PlaneSymbols): Support {
+function computeSupport(body: RollingSymbols, plane: PlaneSymbols): Support {
   const { position, acceleration, startVelocity, angularVelocity, mass, inertia, dt } = body;
   const { radius } = body.collider;
   const n = plane.normal;
   const height = position.sub(plane.point).dot(n).sub(radius);
   const normal = acceleration.dot(n).negate();
-  const turns = body.has(AngularVelocity).and(inertia.greater(0));
-  const arm = select(turns, radius, 0);
-  const lever = select(turns, mass.mul(radius.square()).div(inertia), 0);
-  // Slip and spin are those at the start of the step, in every evaluation: the angular velocity moves only when the step
-  // is over, and the two must belong together.
-  const going = startVelocity.sub(angularVelocity.cross(n).mul(arm));
-  const leaving = going.dot(n);
-  const slip = going.sub(n.mul(leaving));
+  const rolls = body.has(AngularVelocity).and(inertia.greater(0));
+  const arm = select(rolls, radius, 0);
+  const rollingTerm = select(rolls, mass.mul(radius.square()).div(inertia), 0);
+  // Slip and spin are those at the start of the step in every evaluation: the angular velocity changes only at the
+  // end of the step, and the two must be consistent.
+  const contactVelocity = startVelocity.sub(angularVelocity.cross(n).mul(arm));
+  const normalSpeed = contactVelocity.dot(n);
+  const slip = contactVelocity.sub(n.mul(normalSpeed));
   const driving = acceleration.add(n.mul(normal));
-  // Outside of a step there is none within which a slip could end.
-  const hurry = select(dt.greater(0), constant(1).div(dt), 0);
-  const holding = driving.add(slip.mul(hurry)).div(lever.add(1)).negate();
-  const friction = limitedFriction(plane, slip, holding, normal);
-  // What little speed rounding gives a body along the normal would add up, and it would sink into the plane or leave it.
-  const isRounding = leaving.square().lessOrEqual(smallSquare(plane, startVelocity));
-  const stop = select(isRounding, leaving.mul(hurry), 0);
-  const presses = height.lessOrEqual(plane.gap).and(normal.greater(0));
-  return { presses, normal: normal.sub(stop), friction, arm };
+  // Outside of a step dt is 0, and slip is not stopped.
+  const inverseStep = select(dt.greater(0), constant(1).div(dt), 0);
+  const holding = driving.add(slip.mul(inverseStep)).div(rollingTerm.add(1)).negate();
+  const friction = limitFriction(plane, slip, holding, normal);
+  // Rounding gives a body a small normal velocity, which would accumulate and make it sink or rise.
+  const isRounding = normalSpeed.square().lessOrEqual(minSpeedSquare(plane, startVelocity));
+  const stop = select(isRounding, normalSpeed.mul(inverseStep), 0);
+  const inContact = height.lessOrEqual(plane.gap).and(normal.greater(0));
+  return { inContact, normal: normal.sub(stop), friction, arm };
 }
 
-/** Square of the speed that counts as none. */
-function smallSquare({ stickSpeed, rounding }: PlaneSymbols, velocity: Vector): Scalar {
+/** Returns the square of the speed that counts as zero. */
+function minSpeedSquare({ stickSpeed, rounding }: PlaneSymbols, velocity: Vector): Scalar {
   return velocity.lengthSquared().mul(rounding.square()).add(stickSpeed.square());
 }
 
-/** Sticking, a body has the friction that holds it, as long as there is so much; slipping, no more than would stop it. */
-function limitedFriction(plane: PlaneSymbols, slip: Vector, holding: Vector, normal: Scalar): Vector {
+/** A sticking body gets the holding friction up to the static limit; a slipping one at most what stops it. */
+function limitFriction(plane: PlaneSymbols, slip: Vector, holding: Vector, normal: Scalar): Vector {
   const { staticFriction, kineticFriction, stickSpeed, rounding } = plane;
   const speed = slip.length();
   const needed = holding.length();
-  const most = kineticFriction.mul(normal);
-  // What holds to the last digit shall hold: both sides are made of forces as large as `normal` and `needed`.
+  const maxFriction = kineticFriction.mul(normal);
+  // Equality to rounding counts as holding: both sides are computed from forces as large as `normal` and `needed`.
   const holds = needed.lessOrEqual(staticFriction.mul(normal).add(normal.add(needed).mul(rounding)));
-  const sliding = select(needed.greater(most), slip.mul(most.div(speed)).negate(), holding);
-  const sticking = select(holds, holding, holding.mul(most.div(needed)));
+  const sliding = select(needed.greater(maxFriction), slip.mul(maxFriction.div(speed)).negate(), holding);
+  const sticking = select(holds, holding, holding.mul(maxFriction.div(needed)));
   return select(speed.greater(stickSpeed), sliding, sticking);
 }
 
-const NONE = vec3(0, 0, 0);
+const ZERO = vec3(0, 0, 0);
 
 const law = /* @__PURE__ */ defineLaw({
   name: 'plane support',
@@ -134,16 +135,16 @@ const law = /* @__PURE__ */ defineLaw({
     kineticFriction: scalar('', { min: 0, max: 100 }),
     gap: scalar('m', { default: 1e-3, min: 0, max: 1e12 }),
     stickSpeed: scalar('m/s', { default: 1e-6, min: 0, max: 1e6 }),
-    // Some ten roundings lie between the forces and each side of the comparison.
+    // About ten roundings lie between the forces and each side of the comparison.
     rounding: suppliedScalar(({ precision }) => 16 * (precision === 'f32' ? 2 ** -24 : 2 ** -53)),
   },
   acceleration(body, plane) {
-    const { presses, normal, friction } = supportOf(body, plane);
-    return select(presses, plane.normal.mul(normal).add(friction), NONE);
+    const { inContact, normal, friction } = supportOf(body, plane);
+    return select(inContact, plane.normal.mul(normal).add(friction), ZERO);
   },
   torque(body, plane) {
-    const { presses, friction, arm } = supportOf(body, plane);
-    return select(presses, plane.normal.cross(friction).mul(arm.mul(body.mass)).negate(), NONE);
+    const { inContact, friction, arm } = supportOf(body, plane);
+    return select(inContact, plane.normal.cross(friction).mul(arm.mul(body.mass)).negate(), ZERO);
   },
 });
 

@@ -1,14 +1,14 @@
-// Buoyancy on a hull of any outline in the plane, at its centre of buoyancy, so that it rights or capsizes the body.
+// Buoyancy on a polygonal hull in 2D, applied at its centre of buoyancy, so that it rights or capsizes the body.
 //
 //   F = -ρ V (A'/A) g        τ = r_B × F        potential  U = ρ V g/A ∫ depth dA'
 //
-//   A'/A  share of the outline's area under the surface    r_B  centroid of that part, from the centre of mass, m
+//   A'/A  immersed fraction of the polygon's area    r_B  centroid of the immersed part, from the centre of mass, m
 //   V  volume of the whole hull, m³: Hull.volume
 //
-// Euler, Scientia navalis (1749); the outline is cut at the surface and summed by the shoelace formula, so it may be
-// concave. Acts on bodies whose Hull.shape is the number given here, turned by their Rotation. In 2D only. With an
-// Inertia and an AngularVelocity the body turns; damp it with `angularDrag`. Cost: a sine and a cosine a body,
-// and some 30 operations and a division an edge.
+// Euler, Scientia navalis (1749); the polygon is cut at the surface and summed by the shoelace formula, so it may be
+// concave. Acts on bodies whose Hull.shape is the given number, rotated by their Rotation. 2D only. A body with
+// Inertia and AngularVelocity rotates; damp it with `angularDrag`. Cost: a sine and a cosine per body, and about 30
+// operations and a division per edge.
 import { Hull } from '../components/hull.ts';
 import { Rotation } from '../components/rotation.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
@@ -24,9 +24,9 @@ import { PLACES } from './support/bounds.ts';
 import { FLUID, type FluidVolume, fluidVolumeValues, POOL } from './support/fluid-volume.ts';
 
 export interface PolygonHull {
-  /** Number by which bodies name this outline: `hull: { volume, shape }`. 2 and up. */
+  /** Number of this polygon in `hull: { volume, shape }` of a body; 2 or more. */
   readonly shape: number;
-  /** Corners in order, m, from the centre of mass of a body that is not turned. */
+  /** Corners in order, m, relative to the centre of mass of an unrotated body. */
   readonly vertices: readonly { readonly x: number; readonly y: number }[];
 }
 
@@ -53,18 +53,18 @@ interface FluidSymbols {
   readonly shape: Scalar;
 }
 
-/** Weight of the fluid in a whole hull of this shape, N. */
+/** Weight of the fluid displaced by a whole hull of this shape, N. */
 function weight({ hull }: HullSymbols, { density, gravity, shape }: FluidSymbols): Scalar {
   return density.mul(gravity).mul(select(hull.shape.equals(shape), hull.volume, 0));
 }
 
-/** Up as the body sees it. */
+/** The upward direction in the body's frame. */
 function upOf({ angle }: HullSymbols, { up }: FluidSymbols): Vector {
   const [c, s] = [angle.cos(), angle.sin()];
   return vec3(up.x.mul(c).add(up.y.mul(s)), up.y.mul(c).sub(up.x.mul(s)));
 }
 
-const everywhere = /* @__PURE__ */ defineLaw({
+const unbounded = /* @__PURE__ */ defineLaw({
   ...about,
   parameters: { ...FLUID, ...HULL, centroid: vector('m') },
   force: (body, pool) => pool.up.mul(weight(body, pool)),
@@ -80,36 +80,36 @@ interface Submerged {
   /** Depth of the body's centre of mass, m. */
   readonly depth: Scalar;
   readonly up: Vector;
-  /** Area, m², and the moments of it about the centre of mass, m³. */
+  /** Area, m², and its first moments about the centre of mass, m³. */
   readonly area: Scalar;
   readonly moments: Vector;
 }
 
-/** A corner of an outline, and from it to the next. */
+/** A corner of the polygon, and the vector to the next corner. */
 const EDGE = ['x', 'y', 'dx', 'dy'] as const;
 
 interface OutlineSymbols extends FluidSymbols {
   readonly level: Scalar;
-  /** No corner is farther from the centre of mass, m. */
+  /** Maximum distance of a corner from the centre of mass, m. */
   readonly extent: Scalar;
   readonly edges: Table<(typeof EDGE)[number]>;
 }
 
 type FloatingSymbols = HullSymbols & { readonly position: Vector };
 
-const known = /* @__PURE__ */ new WeakMap<HullSymbols, Submerged>();
+const submergedParts = /* @__PURE__ */ new WeakMap<HullSymbols, Submerged>();
 
-/** Force and torque are made of the same sums, which are written down once. */
+/** Returns the immersed part, cached because force and torque share the same sums. */
 function submerged(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
-  const part = known.get(body) ?? cutOutline(body, pool);
-  known.set(body, part);
-  return part;
+  const immersed = submergedParts.get(body) ?? cutOutline(body, pool);
+  submergedParts.set(body, immersed);
+  return immersed;
 }
 
 /**
- * The sum over the edges, each cut at the surface, by the shoelace formula. It is taken about a point of the surface:
- * there the edges along the surface, which close the part, contribute nothing. A hull that is nowhere near the surface
- * has no such edges, and a point so far away would cost digits.
+ * Sums over the edges, each cut at the surface, by the shoelace formula, relative to a point of the surface: then
+ * the closing edges along the surface contribute nothing. A hull far from the surface has no such edges, and a
+ * distant reference point would lose digits.
  */
 function cutOutline(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
   const up = upOf(body, pool);
@@ -132,7 +132,7 @@ function cutOutline(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
   return { depth, up, area, moments: vec3(sums.x, sums.y).div(6).add(about.mul(area)) };
 }
 
-/** Makes the law of one outline, whose table lies where `placeOf` says. */
+/** Defines the law of a polygon, whose table `placeOf` returns. */
 function withSurface(placeOf: (world: PhysicsWorld) => TablePlace) {
   return defineLaw({
     ...about,
@@ -142,15 +142,14 @@ function withSurface(placeOf: (world: PhysicsWorld) => TablePlace) {
       const { moments, up } = submerged(body, pool);
       return moments.cross(up).mul(weight(body, pool).div(pool.area));
     },
-    // Each part of the outline counts with its depth, whose slope along the height is the area and about the centre the
-    // torque.
+    // Every area element contributes its depth: the derivative by height is the area, by angle the torque.
     potential(body, pool) {
       const { depth, up, area, moments } = submerged(body, pool);
       return weight(body, pool)
         .div(pool.area)
         .mul(area.mul(depth).sub(moments.dot(up)));
     },
-    // Takes the memory while edits are allowed.
+    // Allocates the memory before the step.
     prepare: (world) => void placeOf(world),
   });
 }
@@ -166,7 +165,7 @@ export function polygonBuoyancy(pool: FluidVolume, hull: PolygonHull): Force {
     return { x, y, dx: next.x - x, dy: next.y - y };
   });
   const area = areaOf(corners);
-  if (level === undefined) return everywhere({ ...fluid, shape, area, centroid: centroidOf(edges, area) });
+  if (level === undefined) return unbounded({ ...fluid, shape, area, centroid: centroidOf(edges, area) });
   const placeOf = resource((world): TablePlace => {
     const at = allocate(world.internal.arena, 8 * EDGE.length * edges.length, 'a hull');
     const values = edges.flatMap((edge) => EDGE.map((field) => edge[field]));
@@ -182,7 +181,7 @@ interface Corner {
   readonly y: number;
 }
 
-/** The corners, checked, in a way that makes their area positive. */
+/** Validates the corners and orders them anticlockwise. */
 function anticlockwise(vertices: PolygonHull['vertices']): Corner[] {
   checkList(vertices, 'polygonBuoyancy.vertices');
   const corners = (vertices ?? []).map((vertex, i) => ({
@@ -191,10 +190,14 @@ function anticlockwise(vertices: PolygonHull['vertices']): Corner[] {
   }));
   const area = areaOf(corners);
   if (corners.length < 3 || area === 0) {
-    throw new PhysicsError('E_RANGE', 'polygonBuoyancy needs at least three vertices that enclose an area.', {
-      field: 'vertices',
-      value: vertices,
-    });
+    throw new PhysicsError(
+      'E_RANGE',
+      `polygonBuoyancy.vertices has ${corners.length} vertices and an area of ${area} m². Give at least three that enclose an area.`,
+      {
+        field: 'vertices',
+        value: vertices,
+      },
+    );
   }
   return area > 0 ? corners : corners.reverse();
 }
@@ -210,9 +213,9 @@ function areaOf(corners: readonly Corner[]): number {
 function centroidOf(edges: readonly Record<(typeof EDGE)[number], number>[], area: number): Corner {
   const sum = { x: 0, y: 0 };
   for (const { x, y, dx, dy } of edges) {
-    const part = (x * dy - y * dx) / (6 * area);
-    sum.x += part * (2 * x + dx);
-    sum.y += part * (2 * y + dy);
+    const share = (x * dy - y * dx) / (6 * area);
+    sum.x += share * (2 * x + dx);
+    sum.y += share * (2 * y + dy);
   }
   return sum;
 }

@@ -6,8 +6,8 @@ const MASS = 3;
 const MU = G * MASS;
 
 /**
- * An orbit of Mercury's shape about a mass that bends space by `epsilon` = μ/(c² a (1 - e²)), from pericentre.
- * @returns angle by which the pericentre went on in a revolution, in the mean of `turns`, rad
+ * Computes an orbit of Mercury's shape about a mass with `epsilon` = μ/(c² a (1 - e²)), from pericentre.
+ * @returns mean advance of the pericentre per revolution over `turns`, rad
  */
 function advance(epsilon: number, turns: number, stepsATurn: number): number {
   const [a, e] = [1.5, 0.2056];
@@ -27,7 +27,7 @@ function advance(epsilon: number, turns: number, stepsATurn: number): number {
   for (;;) {
     step(world, dt);
     const [now, to] = [radial(), angle()];
-    // At the pericentre the distance turns from falling to growing; r·v is odd in time about it, and the angle too.
+    // At the pericentre the distance is minimal; r·v and the angle are odd functions of time about it.
     if (before < 0 && now >= 0 && ++passed === turns) return (from + ((to - from) * before) / (before - now)) / turns;
     [before, from] = [now, to];
   }
@@ -37,14 +37,14 @@ describe('the post-Newtonian correction', () => {
   test.each([1e-5, 4e-5])(
     'turns the pericentre by 6π μ/(c² a (1 - e²)) a revolution, where that is 6π · %d',
     (epsilon) => {
-      // The next order is some 10 ε of it. A step is 1/2000 of a revolution: Runge and Kutta's error, some (2π/2000)⁴, is
-      // 1e-10 a revolution.
+      // The next order is about 10 ε of it. A step is 1/2000 of a revolution: the error of Runge-Kutta 4, about
+      // (2π/2000)⁴, is 1e-10 per revolution.
       const wanted = 6 * Math.PI * epsilon;
       expect(Math.abs(advance(epsilon, 10, 2000) / wanted - 1)).toBeLessThan(10 * epsilon + 1e-4);
     },
   );
 
-  test('is what tells it from Newton: without light’s speed in it an ellipse closes', () => {
+  test('vanishes for an infinite speed of light: the ellipse is closed', () => {
     expect(Math.abs(advance(1e-18, 3, 2000))).toBeLessThan(1e-9);
   });
 });

@@ -1,15 +1,15 @@
-// A central force that goes as any power of the distance.
+// A central force proportional to a power of the distance.
 //
 //   F = q k rⁿ r̂        U = -q k rⁿ⁺¹/(n + 1), or -q k ln r for n = -1
 //
 //   q  mass (k in N m⁻ⁿ/kg) or charge (k in N m⁻ⁿ/C)    k  strength, negative attracts    n  any real exponent
 //   r  distance from the centre, m
 //
-// n = 1 is a spring, n = -2 gravity; by Bertrand's theorem (1873) only these two close every bound orbit. Within
-// `innerRadius`, and at r = 0, there is no force, and the potential is that at `innerRadius`. In f32 rⁿ must be in its
-// range, 10⁻³⁸ to 10³⁸, and for n of 1 and -2 the product with k alone.
-// Goldstein, Classical Mechanics, 3rd ed., sections 3.5 and 3.6. Cost: one square root, one division and 15 more
-// operations a body, and one power more unless n is 1 or -2; n = 1 without an inner radius is two operations an axis.
+// n = 1 is a spring, n = -2 gravity; by Bertrand's theorem (1873) all bound orbits are closed only for these two.
+// Within `innerRadius`, and at r = 0, there is no force, and the potential is that at `innerRadius`. In f32 rⁿ must
+// be within 10⁻³⁸ to 10³⁸; for n of 1 and -2 only the product with k must be. Goldstein, Classical Mechanics, 3rd
+// ed., sections 3.5 and 3.6. Cost: one square root, one division and 15 more operations per body, and a power unless
+// n is 1 or -2; n = 1 without an inner radius takes two operations per axis.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { type Scalar, select, type Vector } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
@@ -19,13 +19,13 @@ import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './s
 import { checkCoupling } from './support/coupling.ts';
 
 export interface PowerLawOptions extends CentreOptions {
-  /** k: force per unit of coupling at a distance of one metre; negative attracts. */
+  /** Force k per unit of coupling at a distance of one metre; negative attracts. */
   readonly strength: number;
-  /** n. */
+  /** Exponent n. */
   readonly exponent: number;
-  /** Within it there is no force, m; default 0. */
+  /** Radius within which there is no force, m; default 0. */
   readonly innerRadius?: number;
-  /** What the force is proportional to; default 'Mass'. */
+  /** The component that the force is proportional to; default 'Mass'. */
   readonly couplesTo?: 'Mass' | 'Charge';
 }
 
@@ -53,7 +53,7 @@ interface Symbols {
   readonly innerRadius: Scalar;
 }
 
-/** A power costs many times the rest: the usual exponents do without. */
+/** Common exponents avoid the power, which costs many times the rest. */
 function fieldOf(n: number, reachesCentre: boolean): (r: Vector, symbols: Symbols) => Vector {
   if (n === 1 && reachesCentre) return (r, { strength }) => r.mul(strength);
   return (r, { strength, exponent, innerRadius }) => {
@@ -61,17 +61,17 @@ function fieldOf(n: number, reachesCentre: boolean): (r: Vector, symbols: Symbol
     const isOutside = distance.greater(innerRadius);
     if (n === 1) return r.mul(select(isOutside, strength, 0));
     const inverse = inverseWhere(isOutside, distance);
-    const size =
+    const magnitude =
       n === -2 ? strength.mul(inverse).mul(inverse) : select(isOutside, strength.mul(distance.pow(exponent)), 0);
-    return r.mul(inverse).mul(size);
+    return r.mul(inverse).mul(magnitude);
   };
 }
 
 function energyOf(n: number): (r: Vector, symbols: Symbols) => Scalar {
   return (r, { strength, exponent, innerRadius }) => {
     const distance = r.length().max(innerRadius);
-    const size = n === -1 ? distance.log() : distance.pow(exponent.add(1)).div(exponent.add(1));
-    // At r = 0 a potential may be infinite, and then there is no force.
-    return select(distance.greater(0), strength.mul(size), 0).negate();
+    const magnitude = n === -1 ? distance.log() : distance.pow(exponent.add(1)).div(exponent.add(1));
+    // At r = 0, where the potential may be infinite, it is set to 0.
+    return select(distance.greater(0), strength.mul(magnitude), 0).negate();
   };
 }

@@ -16,7 +16,7 @@ import {
 describe('rocket engines', () => {
   const engine = { exhaustSpeed: 200, burnRate: 0.5, fuel: 3.5 };
 
-  test('Δv is v_e ln(m₀/m₁) to rounding, with every integrator and step, also when fuel ends inside a step', () => {
+  test('Δv is v_e ln(m₀/m₁) to rounding, with every integrator and step, even if fuel ends within a step', () => {
     for (const integrator of [semiImplicitEuler, velocityVerlet]) {
       for (const dt of [1 / 60, 0.3, 10]) {
         const { world, eid, going } = single([rocketEngines()], { mass: 10, engine }, { integrator });
@@ -30,7 +30,7 @@ describe('rocket engines', () => {
     }
   });
 
-  test('momentum of rocket and exhaust: m dv = -v_e dm in every step', () => {
+  test('conserve the momentum of rocket and exhaust: m dv = -v_e dm in every step', () => {
     const { world, eid, going } = single([rocketEngines()], { mass: 10, engine });
     const { Mass } = world.components;
     let [exhaust, speed, mass] = [0, 0, 10];
@@ -42,7 +42,7 @@ describe('rocket engines', () => {
     expect(exhaust + mass * speed).toBeCloseTo(0, 6);
   });
 
-  test('the throttle scales it, and the engine turns with the body', () => {
+  test('scale with the throttle and rotate with the body', () => {
     const quarter = { engine: { ...engine, throttle: 0.25 }, mass: 1e6, rotation: Math.PI / 2 };
     const { world, eid } = single([rocketEngines()], quarter);
     expect(forceOn(world, eid).x).toBeCloseTo(-25, 4);
@@ -54,7 +54,7 @@ describe('rocket engines', () => {
     expect(forceOn(fixed.world, fixed.eid).y).toBeCloseTo(25, 4);
   });
 
-  test('two worlds may share the law, and a rocket of fuel alone keeps a mass', () => {
+  test('can be shared by two worlds, and a rocket made of fuel keeps some mass', () => {
     const law = rocketEngines();
     const a = single([law], { mass: 1, engine: { ...engine, fuel: 1 } });
     const b = single([law], { mass: 1 });
@@ -68,7 +68,7 @@ describe('rocket engines', () => {
 });
 
 describe('thrust', () => {
-  test('in axes of the world or of the body, written while the world runs', () => {
+  test('is in axes of the world or of the body, and changes at run time', () => {
     const { world, eid, going } = single([thrust()], { mass: 2, thrust: { x: 4 } });
     run(world, 1);
     world.components.Thrust.x[eid] = 0;
@@ -81,7 +81,7 @@ describe('thrust', () => {
 });
 
 describe('motors', () => {
-  test('kinetic energy grows with the power; with linear drag v² tends to P/c', () => {
+  test('increase the kinetic energy at the given power; with linear drag v² tends to P/c', () => {
     const { world, speed } = single([motors()], { mass: 3, velocity: { x: 3, y: 4 }, motor: 50 });
     run(world, 10);
     expect(0.5 * 3 * speed() ** 2).toBeCloseTo(0.5 * 3 * 25 + 500, 1);
@@ -90,14 +90,14 @@ describe('motors', () => {
     expect(dragged.speed()).toBeCloseTo(Math.sqrt(500), 6);
   });
 
-  test('from rest it sets off along the heading with no more than its most', () => {
+  test('start from rest along the heading with at most the maximum force', () => {
     const { world, eid } = single([motors({ heading: { y: 2 } })], { motor: { power: 50, maxForce: 8 } });
     expect(forceOn(world, eid)).toMatchObject({ x: 0, y: 8 });
     const slow = single([motors()], { velocity: { x: -1 }, motor: { power: 50, maxForce: 8 } });
     expect(forceOn(slow.world, slow.eid).x).toBe(-8);
   });
 
-  test('negative power brakes, and does not push a body at rest', () => {
+  test('brake with negative power, but exert no force at rest', () => {
     const world = createPhysicsWorld({ capacity: 5, forces: [motors()] });
     const moving = spawn(world, { position: {}, velocity: { x: 10 }, mass: 1, motor: -20 });
     const still = spawn(world, { position: {}, velocity: {}, mass: 1, motor: -20 });

@@ -2,15 +2,14 @@
 //
 //   F = √(S/dt) N(0, 1), drawn anew each step:   ⟨F(t) F(t')⟩ = S δ(t - t')
 //
-//   S  spectral density (two-sided), N² s, for each axis    dt  step, s
+//   S  spectral density (two-sided), N² s, per axis    dt  step, s
 //
-// A force drawn with a fixed size each step does less the shorter the step; scaled by 1/√dt the impulse over a time T
-// has the variance S T whatever dt is. So a free body gains ⟨v²⟩ = S t/m² an axis, a damped oscillator (k, c) keeps
-// ⟨x²⟩ = S/(2 k c), and with S = 2 c k_B T and linear drag bodies come to the temperature T (Langevin 1908; the
-// fluctuation-dissipation theorem). The number depends on the seed, the step and the body's id alone, so it is the same
-// in every evaluation of a step. With white noise every integrator is of first order at best.
-// Gillespie, Am. J. Phys. 64, 225 (1996). Cost: a logarithm, a sine or cosine and a square root a body
-// and axis.
+// The effect of a random force of fixed size decreases with the step; scaled by 1/√dt, the impulse over a time T has
+// the variance S T for any dt. So a free body gains ⟨v²⟩ = S t/m² per axis, a damped oscillator (k, c) has ⟨x²⟩ =
+// S/(2 k c), and with S = 2 c k_B T and linear drag bodies reach the temperature T (Langevin 1908; the
+// fluctuation-dissipation theorem). The random number depends only on the seed, the step and the body's id, so it is
+// the same in every evaluation of a step. With white noise every integrator is of first order at best. Gillespie, Am.
+// J. Phys. 64, 225 (1996). Cost: a logarithm, a sine or cosine and a square root per body and axis.
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { select, vec3 } from '../laws/expression.ts';
@@ -19,9 +18,9 @@ import type { Force } from '../world/types.ts';
 import { NOT_NEGATIVE } from './support/bounds.ts';
 
 export interface RandomDriveOptions {
-  /** S of each axis, N² s; a number is all axes. */
+  /** Spectral density S per axis, N² s; a number applies to all axes. */
   readonly spectralDensity: number | VectorInput;
-  /** Default the world's. */
+  /** Seed; default the world's. */
   readonly seed?: number;
 }
 
@@ -41,17 +40,17 @@ function driveOf(own: number | undefined) {
     source: 'Gillespie, Am. J. Phys. 64, 225 (1996).',
     parameters: {
       spectralDensity: vector('N² s', NOT_NEGATIVE),
-      seed: suppliedScalar((world) => folded(own ?? world.seed)),
+      seed: suppliedScalar((world) => foldSeed(own ?? world.seed)),
     },
     force({ mass, dt, noise }, { spectralDensity: { x, y, z }, seed }) {
       const [fx, fy, fz] = [x, y, z].map((density, i) => density.div(dt).sqrt().mul(noise(seed, i)));
-      // Where no step was ever made there is no impulse that the force would have to give.
+      // Before the first step dt is 0, and there is no force.
       return select(mass.greater(0).and(dt.greater(0)), vec3(fx, fy, fz), vec3(0, 0, 0));
     },
   });
 }
 
-/** Both halves of a seed in the 32 bits that the noise takes. */
-function folded(seed: number): number {
+/** Folds both halves of a seed into the 32 bits of the noise function. */
+function foldSeed(seed: number): number {
   return ((seed >>> 0) ^ Math.imul(Math.floor(seed / 2 ** 32), 0x9e3779b1)) >>> 0;
 }

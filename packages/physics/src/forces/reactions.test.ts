@@ -15,7 +15,7 @@ import {
 const gravity = uniformGravity({ y: -10 });
 
 describe('string tension', () => {
-  test('a conical pendulum: T = mg/cosθ, and the height stays', () => {
+  test('a conical pendulum has T = mg/cosθ and constant height', () => {
     const [length, angle] = [2, 0.6];
     const [r, h] = [length * Math.sin(angle), length * Math.cos(angle)];
     const speed = Math.sqrt(10 * r * Math.tan(angle));
@@ -30,7 +30,7 @@ describe('string tension', () => {
     expect(Math.hypot(at().x, at().y, at().z)).toBeCloseTo(length, 6);
   });
 
-  test('a slack string pulls nothing, and a taut one never pushes', () => {
+  test('a slack string exerts no force, and a taut one never pushes', () => {
     const law = stringTension({ length: 2 });
     const inside = single([gravity, law], { position: { y: -1 } });
     expect(forceOn(inside.world, inside.eid).y).toBe(-10);
@@ -41,8 +41,8 @@ describe('string tension', () => {
   });
 });
 
-describe('grip on a bend', () => {
-  test('what a circle needs, up to what friction gives, and nothing in the centre', () => {
+describe('cornering grip', () => {
+  test('is the centripetal force up to the friction limit, and zero in the centre', () => {
     const law = corneringGrip({ friction: 0.5, gravity: 10 });
     const at = (speed: number, x = 20) => {
       const { world, eid } = single([law], { position: { x }, velocity: { y: speed }, mass: 3 });
@@ -58,7 +58,7 @@ describe('plane support', () => {
   const slope = (angle: number, more = {}) =>
     planeSupport({ normal: { x: Math.sin(angle), y: Math.cos(angle) }, ...more });
 
-  test('a block on a frictionless slope: N = mg cosθ and a = g sinθ', () => {
+  test('a block on a frictionless slope has N = mg cosθ and a = g sinθ', () => {
     const { world, eid } = single([gravity, slope(0.3)], { mass: 2 });
     const { x, y } = forceOn(world, eid);
     expect(Math.hypot(x, y)).toBeCloseTo(20 * Math.sin(0.3), 12);
@@ -66,11 +66,11 @@ describe('plane support', () => {
     expect(x).toBeGreaterThan(0);
   });
 
-  test('a thrown block stops after v²/(2μg) and stays', () => {
+  test('a sliding block stops after v²/(2μg) and stays at rest', () => {
     const support = planeSupport({ kineticFriction: 0.4 });
     const { world, at, speed } = single([gravity, support], { velocity: { x: 6 } });
     run(world, 3, 1 / 240);
-    // Exact but for the last step, in which the speed is less than μ g dt.
+    // Exact except for the last step, in which the speed is less than μ g dt.
     expect(at().x).toBeCloseTo(36 / 8, 3);
     expect(speed()).toBeLessThan(1e-6);
     const rest = at().x;
@@ -78,7 +78,7 @@ describe('plane support', () => {
     expect(at().x).toBeCloseTo(rest, 6);
   });
 
-  test('a ball rolls with a = g sinθ/(1 + 2/5) and does not slip', () => {
+  test('a ball rolls with a = g sinθ/(1 + 2/5) without slip', () => {
     const [angle, radius] = [0.2, 0.5];
     const up = { x: radius * Math.sin(angle), y: radius * Math.cos(angle) };
     const body = {
@@ -95,7 +95,7 @@ describe('plane support', () => {
     expect(world.components.AngularVelocity.z[eid]).toBeCloseTo(-speed() / radius, 6);
   });
 
-  test('a ball thrown along the floor slides until it rolls at 5/7 of its speed', () => {
+  test('a sliding ball starts to roll at 5/7 of its speed', () => {
     const body = {
       position: { y: 1 },
       velocity: { x: 7 },
@@ -111,7 +111,7 @@ describe('plane support', () => {
     expect(world.components.AngularVelocity.z[eid]).toBeCloseTo(-going().x, 2);
   });
 
-  test('lift takes weight off the wheels, and the aeroplane leaves', () => {
+  test('lift unloads the wheels, and the aeroplane takes off', () => {
     const forces = [gravity, lift(), thrust(), quadraticDrag(), planeSupport({ kineticFriction: 0.1 })];
     const body = { lift: 0.025, thrust: { x: 5 }, velocity: { x: 19 } };
     const { world, eid, at } = single(forces, body);
@@ -120,8 +120,8 @@ describe('plane support', () => {
     expect(at().y).toBeGreaterThan(0.5);
   });
 
-  test('what rests does not sink by rounding, in single precision either', () => {
-    // The vertical forces cancel but for a rounding of 10⁻⁶ m/s²: in ten minutes 0.2 m, if it added up.
+  test('a body at rest does not sink by rounding, even in single precision', () => {
+    // The vertical forces cancel except for a rounding of 10⁻⁶ m/s², which would add up to 0.2 m in ten minutes.
     const support = planeSupport({ kineticFriction: 0.1 });
     const body = { mass: 3, thrust: { x: 1, y: 2 } };
     const { world, at } = single([gravity, thrust(), support], body, { precision: 'f32' });
@@ -129,14 +129,14 @@ describe('plane support', () => {
     expect(Math.abs(at().y)).toBeLessThan(1e-4);
   });
 
-  test('in space the same, across the slope as well', () => {
+  test('3D equals 2D, also across the slope', () => {
     const body = { velocity: { z: 3 } };
     const law = slope(0, { kineticFriction: 0.5 });
     const { world, eid } = single([gravity, law], body, { dimensions: 3 });
     expect(forceOn(world, eid)).toMatchObject({ x: 0, y: 0, z: -5 });
   });
 
-  test('no energy comes of it, but for the step in which the slip turns round', () => {
+  test('energy never increases, except in the step in which the slip reverses', () => {
     const { world } = single([gravity, slope(0.5, { kineticFriction: 0.1 })], {
       velocity: { x: -3 * Math.cos(0.5), y: 3 * Math.sin(0.5) },
     });

@@ -19,7 +19,7 @@ import {
 const gravity = uniformGravity({ y: -10 });
 
 describe('restrictForce', () => {
-  test('to a group: only bodies with all of its components feel it', () => {
+  test('to a group: acts only on bodies with all of its components', () => {
     const law = restrictForce(gravity, { group: ['Mass', 'Charge'] });
     const world = createPhysicsWorld({ capacity: 20, forces: [linearDrag({ x: 1 }), law] });
     const with_ = spawn(world, { position: {}, velocity: {}, mass: 2, charge: 1, linearDrag: 3 });
@@ -28,7 +28,7 @@ describe('restrictForce', () => {
     expect(forceOn(world, without)).toMatchObject({ x: 3, y: 0 });
   });
 
-  test('to a box or a ball: the rest keeps what it had, to the bit', () => {
+  test('to a box or a ball: other bodies are unchanged to the bit', () => {
     const inside = (region: Region, x: number, y: number) => {
       const { world, eid } = single([linearDrag({ x: 0.1 }), restrictForce(gravity, { region })], {
         position: { x, y },
@@ -52,11 +52,11 @@ describe('restrictForce', () => {
   test('to a time: a push from 1 s to 2 s', () => {
     const { world, going } = single([restrictForce(gravity, { from: 1, until: 2 })]);
     run(world, 3, 1 / 64);
-    // Verlet sees the force at both ends of a step: the two steps at the borders count half each.
+    // Verlet evaluates the force at both ends of a step, so the two steps at the borders count half each.
     expect(going().y).toBeCloseTo(-10, 9);
   });
 
-  test('works with forces in plain TypeScript, inside each other, and with torque', () => {
+  test('works with user-defined forces, nested and with torque', () => {
     const plain = defineForce({
       name: 'plain',
       accumulate({ scratch, components }, first, last) {
@@ -76,7 +76,7 @@ describe('restrictForce', () => {
     expect(at(1)).toEqual([0, -10, 0]);
   });
 
-  test('tiles and whole ranges give the same, to the bit', () => {
+  test('chunks and whole ranges give the same, to the bit', () => {
     const moved = (local: boolean) => {
       const law = restrictForce(gravity, { region: { min: { x: 10 }, max: { x: 30 } } });
       const world = createPhysicsWorld({ capacity: 6000, forces: [law] });
@@ -88,7 +88,7 @@ describe('restrictForce', () => {
     expect(moved(true)).toEqual(moved(false));
   });
 
-  test('springs, which are not local, can be limited to bodies', () => {
+  test('springs, which are not local, can be restricted to bodies', () => {
     const world = createPhysicsWorld({ capacity: 20, forces: [restrictForce(springs(), { group: 'Charge' })] });
     const a = spawn(world, { position: {}, velocity: {}, mass: 1, charge: 1 });
     const b = spawn(world, { position: { x: 2 }, velocity: {}, mass: 1 });
@@ -98,7 +98,7 @@ describe('restrictForce', () => {
     expect(read(world, b).speed()).toBe(0);
   });
 
-  test('the potential: of the group, of the time, and none of a region', () => {
+  test('has the potential of the group and of the time, and none for a region', () => {
     const world = createPhysicsWorld({ capacity: 20, forces: [restrictForce(gravity, { group: 'Charge' })] });
     spawn(world, { position: { y: 7 }, velocity: {}, mass: 2, charge: 1 });
     spawn(world, { position: { y: 5 }, velocity: {}, mass: 3 });
@@ -111,7 +111,7 @@ describe('restrictForce', () => {
     expect(restrictForce(gravity, { region: { centre: {}, radius: 1 } }).potential).toBeUndefined();
   });
 
-  test('a restricted law is a law, and other numbers of its limits compile nothing', () => {
+  test('keeps a law a law, and other values of its limits compile nothing', () => {
     const structure = (force: Force) => force.law?.structure;
     const limits = { group: 'Charge', from: 1, region: { centre: { x: 1 }, radius: 2 } } as const;
     const other = { group: 'Charge', from: 7, region: { centre: { y: 3 }, radius: 5 } } as const;
@@ -122,7 +122,7 @@ describe('restrictForce', () => {
     expect(world.internal.plan?.fusion).toBeDefined();
   });
 
-  test('limits within limits: both hold', () => {
+  test('applies nested limits together', () => {
     const nested = restrictForce(restrictForce(gravity, { region: { min: { x: 0 }, max: {} } }), {
       region: { min: {}, max: { x: 2 } },
     });
@@ -130,8 +130,8 @@ describe('restrictForce', () => {
     expect([at(-1), at(1), at(3)]).toEqual([0, -10, 0]);
   });
 
-  test('refuse what limits nothing', () => {
-    expect(() => restrictForce(gravity, { group: 'Colour' as never })).toThrow(/names no component/);
+  test('refuses invalid limits', () => {
+    expect(() => restrictForce(gravity, { group: 'Colour' as never })).toThrow(/"Colour" is not a component/);
     expect(() => restrictForce(gravity, { region: { min: { x: 1 }, max: { x: 0 } } })).toThrow(PhysicsError);
     expect(() => restrictForce({} as never, {})).toThrow(PhysicsError);
     expect(() => restrictForce(gravity, { until: Number.NaN })).toThrow(PhysicsError);

@@ -1,14 +1,14 @@
-// A force for some bodies, some places or some time only: fuel in a region, wind in a corridor, a magnet that switches.
+// Restricts a force to some bodies, a region or a time: fuel in a zone, wind in a corridor, a switched magnet.
 //
-// Inside its limits the force is what it was; outside, there is none. Works with every force, and one that reads the
-// forces before it still does. A law stays a law, under a condition, and is fused into the step. Of other forces, what
-// they added outside is taken back, to the bit. What a force spends at the start of a step, such as fuel, it spends inside
-// its limits only.
+// Inside its limits the force is unchanged; outside it is zero. This works with every force, also with forces that
+// read the sum of those before them. A law remains a law with a condition, and is fused into the step. The
+// contribution of other forces outside the limits is undone exactly. Resources consumed at the start of a step, such
+// as fuel, are consumed only inside the limits.
 //
-// Potential: a force limited in time has its own inside that time and none outside. A local force limited to a group has
-// the potential of that group, because bodies without its coefficients have none. A force limited to a region has no
-// potential: energy changes at the border. Cost: of a law, one to seven comparisons a body; of another force, two copies of
-// the force columns and a test a body.
+// Potential: a force restricted in time has its potential only within that time. A local force restricted to a group
+// has the potential of the group, because bodies without coefficients have none. A force restricted to a region has
+// no potential: energy changes at its border. Cost: one to seven comparisons per body for a law; two copies of the
+// force columns and a test per body for another force.
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { LawForce } from '../dynamics/sum-of-laws.ts';
 import { allocate } from '../memory/arena.ts';
@@ -22,7 +22,7 @@ import { forceKernels } from './support/force-kernels.ts';
 import { restrictedLaw } from './support/restricted-law.ts';
 import { type CheckedRestrictions, checkRestrictions, type Restrictions } from './support/restrictions.ts';
 
-/** Columns that hold the force and torque from before, one set for each restricted force inside another. */
+/** Saved force and torque columns, one set per nesting level of restricted forces. */
 const savesOf = resource((): number[][] => []);
 let depth = 0;
 
@@ -38,21 +38,21 @@ export function restrictForce(force: Force, limits: Restrictions): Force {
     name: `${force.name} (restricted)`,
     ...prepare,
     accumulate(world, first, last, time) {
-      // What was spent at the start of a step drives the whole of it.
-      const moment = force.consumes === undefined ? time : world.time;
-      if (moment < checked.from || moment >= checked.until) return;
-      if (isEverywhere(checked)) force.accumulate?.(world, first, last, time);
+      // A force that consumes resources is decided by the start of the step.
+      const decisionTime = force.consumes === undefined ? time : world.time;
+      if (decisionTime < checked.from || decisionTime >= checked.until) return;
+      if (isUnlimited(checked)) force.accumulate?.(world, first, last, time);
       else accumulateWithin(world, force, limitsAt(world), first, last, time);
     },
     ...potentialWithin(force, checked, limitsAt),
   };
 }
 
-function isEverywhere({ group, box, ball }: CheckedRestrictions): boolean {
+function isUnlimited({ group, box, ball }: CheckedRestrictions): boolean {
   return group === 0 && box === undefined && ball === undefined;
 }
 
-/** The whole preparation, but of what is spent outside the limits nothing is. */
+/** Runs the preparation and undoes what it consumed outside the limits. */
 function prepareWithin(
   force: Force,
   limits: CheckedRestrictions,
@@ -63,12 +63,12 @@ function prepareWithin(
   return {
     prepare(world, dt) {
       if (world.time < limits.from || world.time >= limits.until) return;
-      if (isEverywhere(limits)) {
+      if (isUnlimited(limits)) {
         force.prepare?.(world, dt);
         return;
       }
-      const columns = spentOf(world, consumes);
-      const saves = savesAt(world, columns.length);
+      const columns = columnsOf(world, consumes);
+      const saves = savedColumns(world, columns.length);
       const rows = world.lastId + 1;
       for (let i = 0; i < columns.length; i++) world.kernels.copyColumn(saves[i], columns[i], 0, rows);
       try {
@@ -81,15 +81,15 @@ function prepareWithin(
   };
 }
 
-const spentColumns = resource(() => new Map<readonly ComponentName[], number[]>());
+const consumedColumns = resource(() => new Map<readonly ComponentName[], number[]>());
 
-/** Addresses of all real columns of some components. */
-function spentOf(world: PhysicsWorld, spends: readonly ComponentName[]): readonly number[] {
-  const known = spentColumns(world);
-  let columns = known.get(spends);
+/** Returns the addresses of all real columns of the given components. */
+function columnsOf(world: PhysicsWorld, consumed: readonly ComponentName[]): readonly number[] {
+  const columnsByNames = consumedColumns(world);
+  let columns = columnsByNames.get(consumed);
   if (columns === undefined) {
-    columns = spends.flatMap((name) => realAddresses(world.addresses, name));
-    known.set(spends, columns);
+    columns = consumed.flatMap((name) => realAddresses(world.addresses, name));
+    columnsByNames.set(consumed, columns);
   }
   return columns;
 }
@@ -104,11 +104,11 @@ function accumulateWithin(
 ): void {
   const { kernels, scratch } = world;
   const { force: f, torque: t } = scratch.at;
-  const turns = force.appliesTorque === true;
-  const saves = savesAt(world, turns ? 6 : 3);
+  const hasTorque = force.appliesTorque === true;
+  const saves = savedColumns(world, hasTorque ? 6 : 3);
   for (let a = 0; a < 3; a++) {
     kernels.copyColumn(saves[a], f[SPACE[a]], first, last);
-    if (turns) kernels.copyColumn(saves[a + 3], t[SPACE[a]], first, last);
+    if (hasTorque) kernels.copyColumn(saves[a + 3], t[SPACE[a]], first, last);
   }
   depth++;
   try {
@@ -118,14 +118,14 @@ function accumulateWithin(
     const laws = forceKernels(world);
     for (let a = 0; a < 3; a++) {
       laws.restoreOutside(limits, f[SPACE[a]], saves[a], first, last);
-      if (turns) laws.restoreOutside(limits, t[SPACE[a]], saves[a + 3], first, last);
+      if (hasTorque) laws.restoreOutside(limits, t[SPACE[a]], saves[a + 3], first, last);
     }
   }
 }
 
 const SPACE = ['x', 'y', 'z'] as const;
 
-function savesAt(world: PhysicsWorld, count: number): readonly number[] {
+function savedColumns(world: PhysicsWorld, count: number): readonly number[] {
   const saves = savesOf(world);
   saves[depth] ??= [];
   const columns = saves[depth];
@@ -155,7 +155,7 @@ function potentialWithin(
   };
 }
 
-/** The coefficients of all other bodies are put away while the potential is asked for. */
+/** Sets the coefficients of all other bodies to zero while the potential is evaluated. */
 function potentialOfGroup(world: PhysicsWorld, force: Force, limits: number): number {
   const { components, addresses, internal } = world;
   const laws = forceKernels(world);
@@ -179,7 +179,7 @@ function potentialOfGroup(world: PhysicsWorld, force: Force, limits: number): nu
 function writeLimits(world: PhysicsWorld, { group, box, ball }: CheckedRestrictions): number {
   const { at, numbers, words } = allocateRecord(world.internal.arena, LIMITS_BYTES, 'limits');
   const isFlat = world.dimensions === 2;
-  // In the plane a region has no depth: a centre lies in it, a box is open.
+  // In 2D a region has no depth: a centre has z = 0, and a box is unbounded in z.
   if (ball !== undefined) {
     const { x, y, z } = ball.centre;
     numbers.set([x, y, isFlat ? 0 : z, ball.radius * ball.radius], LimitsNumber.ax);

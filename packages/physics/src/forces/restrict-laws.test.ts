@@ -1,11 +1,11 @@
-// A force may be limited to a group, a region or a time: asked of every law of the package.
+// Every law of the package can be restricted to a group, a region or a time.
 import { addComponent } from 'bitecs';
 import { describe, expect, test } from 'vitest';
 import { LAW_CASES, lawWorld } from '../../../../test/support/law-records.ts';
 import { forceOn, run, single } from '../../../../test/support/laws.ts';
 import { type Force, type Restrictions, restrictForce, rocketEngines, spawn, uniformGravity } from '../index.ts';
 
-/** For those laws that answer the forces before them. */
+/** A force for the laws that react to the forces before them. */
 const before = () => [uniformGravity({ x: 1, y: -10 })];
 
 describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
@@ -18,14 +18,14 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
   const free = on((force) => force);
   const none = on(() => restrictForce(uniformGravity({}), {}));
 
-  test('acts on the group alone', () => {
+  test('acts only on the group', () => {
     const group = kept({ group: 'Appearance' });
     expect(on(group)).toEqual(none);
     const tagged = on(group, ({ world, subject }) => addComponent(world, subject, world.components.Appearance));
     expect(tagged).toEqual(free);
   });
 
-  test('acts in the region alone', () => {
+  test('acts only in the region', () => {
     const here = { min: { x: 1, y: 0 }, max: { x: 2, y: 1 } };
     expect(on(kept({ region: here }))).toEqual(free);
     expect(on(kept({ region: { centre: { x: 1.1, y: 0.3, z: 0.2 }, radius: 0.01 } }))).toEqual(free);
@@ -33,7 +33,7 @@ describe.each(LAW_CASES)('$name', ({ record, dimensions }) => {
     expect(on(kept({ region: { centre: { x: 5 }, radius: 1 } }))).toEqual(none);
   });
 
-  test('acts in its time alone', () => {
+  test('acts only within its time', () => {
     expect(on(kept({ from: 0, until: 1e-9 }))).toEqual(free);
     expect(on(kept({ until: 0 }))).toEqual(none);
     expect(on(kept({ from: 1e-9 }))).toEqual(none);
@@ -45,7 +45,7 @@ describe('a restricted engine', () => {
   const rocket = (limits: Restrictions) =>
     single([restrictForce(rocketEngines({ frame: 'world' }), limits)], { mass: 10, engine });
 
-  test('burns in its time alone, and gains v_e ln(m₀/m₁)', () => {
+  test('burns only within its time and gains v_e ln(m₀/m₁)', () => {
     const { world, eid, going } = rocket({ from: 1, until: 3 });
     run(world, 5, 1 / 64);
     expect(world.components.Engine.fuel[eid]).toBeCloseTo(3, 12);
@@ -53,7 +53,7 @@ describe('a restricted engine', () => {
     expect(going().y).toBeCloseTo(100 * Math.log(10 / 9), 11);
   });
 
-  test('burns for its group alone', () => {
+  test('burns only for its group', () => {
     const { world, eid, going } = rocket({ group: 'Charge' });
     const charged = spawn(world, { position: {}, velocity: {}, mass: 10, engine, charge: 1 });
     run(world, 2, 1 / 64);
@@ -63,7 +63,7 @@ describe('a restricted engine', () => {
     expect(world.components.Velocity.y[charged]).toBeCloseTo(100 * Math.log(10 / 9), 11);
   });
 
-  test('burns in its region alone', () => {
+  test('burns only in its region', () => {
     const { world, eid } = rocket({ region: { min: { x: 5 }, max: {} } });
     run(world, 2, 1 / 64);
     expect(world.components.Engine.fuel[eid]).toBe(4);

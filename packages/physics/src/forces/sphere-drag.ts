@@ -2,14 +2,14 @@
 //
 //   F = -½ ρ C_d π r² |w| w        C_d = 24/Re (1 + 0.15 Re^0.687) + 0.42/(1 + 42500 Re^-1.16)        Re = 2 r ρ |w|/η
 //
-//   ρ  density of the fluid, kg/m³    η  viscosity, Pa s    r  radius of the collider, m    w  velocity through it, m/s
+//   ρ  density of the fluid, kg/m³    η  viscosity, Pa s    r  radius of the collider, m    w  relative velocity, m/s
 //   Re  Reynolds number               C_d  drag coefficient
 //
 // Clift and Gauvin, Proc. Chemeca 70, 14 (1970), within 6 % of the standard drag curve for Re < 3·10⁵; its first term
-// is Schiller and Naumann (1933), and Re → 0 is Stokes' law 6π η r w. Beyond Re = 3·10⁵ a smooth sphere's drag drops
-// to a third, which is not modelled. Steady drag: no added mass, no history force. For 2D too the body is a sphere.
-// Cost: one square root, one division and two powers a body, and powers cost many times the rest: for many bodies in one
-// range of Re use linear or quadratic drag.
+// is Schiller and Naumann (1933), and Re → 0 is Stokes' law 6π η r w. Beyond Re = 3·10⁵ the drag of a smooth sphere
+// drops to a third, which is not modelled. Steady drag: no added mass, no history force. In 2D the body is a sphere
+// as well. Cost: one square root, one division and two powers per body; powers cost many times the rest, so for many
+// bodies in one range of Re use linear or quadratic drag.
 import { Collider } from '../components/collider.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkNumber } from '../errors/validate.ts';
@@ -25,7 +25,7 @@ export interface FluidOptions {
   readonly density: number;
   /** Dynamic viscosity η, Pa s: air 1.8e-5, water 1.0e-3. */
   readonly viscosity: number;
-  /** How the fluid moves, m/s; default not. */
+  /** Velocity of the fluid, m/s; default at rest. */
   readonly wind?: Wind;
 }
 
@@ -35,18 +35,18 @@ const law = /* @__PURE__ */ defineLaw({
   source: 'Clift and Gauvin, Proc. Chemeca 70, 14 (1970).',
   reads: { collider: Collider },
   parameters: { density: scalar('kg/m³', POSITIVE), viscosity: scalar('Pa s', POSITIVE), wind: windParameter },
-  // Written so that Re = 0 is Stokes' law and not 0/0.
+  // Written so that Re = 0 gives Stokes' law and not 0/0.
   force({ velocity, collider: { radius } }, { density, viscosity, wind }) {
     const w = velocity.sub(wind);
     const speed = w.length();
     const reynolds = radius.mul(speed).mul(density.mul(2).div(viscosity));
     const stokes = radius.mul(viscosity.mul(6 * Math.PI));
-    const slow = stokes.mul(constant(1).add(constant(0.15).mul(reynolds.pow(0.687))));
-    const fast = radius
+    const viscousDrag = stokes.mul(constant(1).add(constant(0.15).mul(reynolds.pow(0.687))));
+    const inertialDrag = radius
       .mul(radius)
       .mul(speed)
       .mul(density.mul(0.21 * Math.PI));
-    const k = slow.add(fast.div(constant(1).add(constant(42500).mul(reynolds.pow(-1.16)))));
+    const k = viscousDrag.add(inertialDrag.div(constant(1).add(constant(42500).mul(reynolds.pow(-1.16)))));
     return w.mul(k).negate();
   },
 });
@@ -56,7 +56,7 @@ export function sphereDrag(options: FluidOptions): Force {
   return law(options);
 }
 
-/** Drag coefficient of a sphere at a Reynolds number: the curve `sphereDrag` follows. @throws PhysicsError */
+/** Returns the drag coefficient of a sphere at a Reynolds number, as in `sphereDrag`. @throws PhysicsError */
 export function sphereDragCoefficient(reynolds: number): number {
   const re = checkNumber(reynolds, 'sphereDragCoefficient', POSITIVE);
   return (24 / re) * (1 + 0.15 * pow(re, 0.687)) + 0.42 / (1 + 42500 * pow(re, -1.16));

@@ -17,7 +17,7 @@ function springWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
   return createPhysicsWorld({ capacity: 100, forces: [springs()], ...options });
 }
 
-/** Two bodies joined by one spring. */
+/** Makes two bodies joined by a spring. */
 function pair(world: PhysicsWorld, spring: object, gap = 2, masses: readonly [number, number] = [1, 1]) {
   const a = spawn(world, { position: {}, velocity: {}, mass: masses[0] });
   const b = spawn(world, { position: { x: gap }, velocity: {}, mass: masses[1] });
@@ -25,7 +25,7 @@ function pair(world: PhysicsWorld, spring: object, gap = 2, masses: readonly [nu
   return { a, b, id };
 }
 
-/** The error code of what a function throws. */
+/** Returns the error code of a throwing function. */
 function codeOf(act: () => unknown): string {
   try {
     act();
@@ -51,7 +51,7 @@ describe('springs', () => {
     expect(Math.abs(momentum(world).x)).toBeLessThan(1e-14);
   });
 
-  test('an anchor is not moved, and damping takes energy', () => {
+  test('an anchor does not move, and damping dissipates energy', () => {
     const world = springWorld();
     const { a, b } = pair(world, { stiffness: 10, damping: 0.5 }, 1, [Infinity, 1]);
     const start = energy(world).total;
@@ -64,12 +64,12 @@ describe('springs', () => {
       last = now;
     }
     expect(world.components.Position.x[a]).toBe(0);
-    // ch08-damped: e^(-c t / m) over the energy.
+    // The energy decays as e^(-c t / m) (ch08-damped).
     expect(last / start).toBeCloseTo(Math.exp(-0.5), 1);
     expect(world.components.Position.x[b]).not.toBe(1);
   });
 
-  test('the forces of a pair are equal and opposite to the last bit, in the plane and in space', () => {
+  test('the forces of a pair are equal and opposite to the last bit, in 2D and 3D', () => {
     for (const dimensions of [2, 3] as const) {
       for (const precision of ['f32', 'f64'] as const) {
         const world = springWorld({ dimensions, precision });
@@ -87,7 +87,7 @@ describe('springs', () => {
     }
   });
 
-  test('ends in one place push apart along x, the same each time', () => {
+  test('coincident ends are pushed apart along x, reproducibly', () => {
     const run = () => {
       const world = springWorld();
       const { a, b } = pair(world, { length: 1, damping: 0.1 }, 0);
@@ -99,16 +99,16 @@ describe('springs', () => {
     expect(run()).toBe(run());
   });
 
-  test('a cord pulls and never pushes', () => {
+  test('a tension-only spring pulls and never pushes', () => {
     const world = springWorld();
-    const slack = pair(world, { length: 3, cord: 1, damping: 10 }, 2);
+    const slack = pair(world, { length: 3, tensionOnly: 1, damping: 10 }, 2);
     step(world, 0.01);
     expect(world.components.Velocity.x[slack.b]).toBe(0);
     expect(energy(world).potential).toBe(0);
     world.components.Position.x[slack.b] = 4;
     step(world, 0.01);
     expect(world.components.Velocity.x[slack.b]).toBeLessThan(0);
-    // Taut, but closing fast: the damper alone would push.
+    // The spring is taut but its ends approach fast: the damper alone would push.
     world.components.Velocity.x[slack.b] = -100;
     world.components.Velocity.x[slack.a] = 0;
     step(world, 1e-6);
@@ -120,7 +120,7 @@ describe('springs', () => {
     const { components } = world;
     const top = spawn(world, { position: {} });
     const jumper = spawn(world, { position: {}, velocity: {}, mass: 90 });
-    spawn(world, { spring: { a: top, b: jumper, stiffness: 25, length: 100, cord: 1 } });
+    spawn(world, { spring: { a: top, b: jumper, stiffness: 25, length: 100, tensionOnly: 1 } });
     world.forces.push(uniformGravity({ y: -20 }));
     let lowest = 0;
     for (let i = 0; i < 3000; i++) {
@@ -131,8 +131,8 @@ describe('springs', () => {
   });
 });
 
-describe('what springs are joined to', () => {
-  test('bodies that are the same, absent or missing are refused, and nothing is made', () => {
+describe('the ends of springs', () => {
+  test('identical, removed or missing bodies are refused, and nothing is created', () => {
     const world = springWorld();
     const a = spawn(world, { position: {} });
     const hash = stateHash(world);
@@ -145,7 +145,7 @@ describe('what springs are joined to', () => {
     expect(world.lastId).toBe(a);
   });
 
-  test('a spring goes with its body and never pulls the heir of its id', () => {
+  test('a spring is removed with its body and never pulls a body that reuses its id', () => {
     const world = springWorld();
     const { a, b, id } = pair(world, { stiffness: 100, length: 1 });
     despawn(world, b);
@@ -160,7 +160,7 @@ describe('what springs are joined to', () => {
     expect(removedSprings(world)).toEqual([]);
   });
 
-  test('springs made in bulk, or inside a step, know their bodies', () => {
+  test('springs created in bulk or during a step act on their bodies', () => {
     const world = springWorld();
     const ids = spawnMany(world, 11, {
       position: { x: Array.from({ length: 11 }, (_, i) => 2 * i) },
@@ -183,7 +183,7 @@ describe('what springs are joined to', () => {
     expect(Math.abs(momentum(world).x)).toBeLessThan(1e-14);
   });
 
-  test('nonsense written to the columns joins nothing', () => {
+  test('invalid ids written to the columns have no effect', () => {
     const world = springWorld();
     const { a, b, id } = pair(world, { stiffness: 1, length: 1 });
     world.components.Spring.b[id] = 0xffffffff;
@@ -222,7 +222,7 @@ describe('springs too stiff for the step', () => {
     }
   });
 
-  test('over-damping is refused as well, and the step it advises is taken', () => {
+  test('strong damping is refused as well, and the recommended step is accepted', () => {
     for (const integrator of [semiImplicitEuler, velocityVerlet, rungeKutta4]) {
       const world = springWorld({ integrator });
       pair(world, { stiffness: 3, damping: 500 });
@@ -233,7 +233,7 @@ describe('springs too stiff for the step', () => {
     }
   });
 
-  test('two springs that fail only together are let through', () => {
+  test('springs whose maxima together exceed the limit, but none alone, are accepted', () => {
     const world = springWorld();
     pair(world, { stiffness: 0.49 * 3.9, damping: 0 }, 1);
     pair(world, { stiffness: 0, damping: 0.9 }, 1);

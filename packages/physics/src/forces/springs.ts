@@ -1,25 +1,26 @@
-// Damped springs: every entity with Spring pulls or pushes the two bodies it names, along the line between them.
+// Damped springs: every entity with Spring pulls or pushes the two bodies that it names, along the line between them.
 //
 //   F on b = -(k (d - L) + c ḋ) n        F on a = -F on b        potential  U = k (d - L)² / 2
 //
 //   d  distance of the ends, m    n  unit vector from a to b     L  natural length, m
 //   k  stiffness, N/m             c  damping, N s/m              ḋ  rate of change of d, m/s
 //
-// Hooke's law (1678) with viscous damping in line: extensions small enough for the material to stay linear. A cord
-// (Spring.cord = 1) pulls when longer than L and never pushes. Bodies without mass are anchors. Ends in one place push
-// apart along x: finite, the same each time. The two forces of a pair are equal and opposite to the last bit.
+// Hooke's law (1678) with viscous damping in line: extensions small enough for the material to stay linear. A
+// tension-only spring (Spring.tensionOnly = 1) pulls when longer than L and never pushes. Bodies without mass are
+// anchors. Coincident ends are pushed apart along x: finite and reproducible. The two forces of a pair are equal and
+// opposite to the last bit.
 //
-// Integrators are explicit, so a spring too stiff for the step would gain energy without bound. `step` refuses it with
-// E_STIFF before anything moves. The limit is that of the single spring, k/μ dt² with the reduced mass μ of its ends:
-// beyond it the net it belongs to is unstable as well; but a net can need steps up to some three times shorter.
-// Cost: one square root and one division a spring and force evaluation; springs share bodies, so no lanes.
+// Integrators are explicit, so a spring too stiff for the step would gain energy without bound. `step` refuses it
+// with E_STIFF before anything moves. The limit is that of the single spring, k/μ dt² with the reduced mass μ of its
+// ends. Beyond it a network of springs is unstable too; but a network can need steps up to three times shorter. Cost:
+// one square root and one division per spring and force evaluation, without SIMD, because springs share bodies.
 
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { activeSprings, removeLost, type SpringTable, scanSprings, springTable } from './support/spring-table.ts';
 
-/** Springs between bodies: see `Spring`. */
+/** The force of all springs: see the component `Spring`. */
 export function springs(): Force {
   return {
     name: 'springs',
@@ -29,7 +30,7 @@ export function springs(): Force {
     prepare(world, dt) {
       if (world.integrator.solvesSprings === true) return;
       const table = scanSprings(world);
-      refuseStiff(world, table, dt);
+      assertStable(world, table, dt);
       removeLost(world, table);
     },
     accumulate(world) {
@@ -47,7 +48,8 @@ export function springs(): Force {
 }
 
 /**
- * The springs that were removed before the last step because one of their bodies is gone. Their entity ids are free.
+ * Returns the springs that were removed before the last step because one of their bodies is gone. Their entity ids
+ * are free.
  * @throws PhysicsError E_DESTROYED
  */
 export function removedSprings(world: PhysicsWorld): readonly number[] {
@@ -55,12 +57,12 @@ export function removedSprings(world: PhysicsWorld): readonly number[] {
   return springTable(world).removed;
 }
 
-/** The two maxima decide almost always; only when they fail together is every spring looked at. */
-function refuseStiff(world: PhysicsWorld, table: SpringTable, dt: number): void {
+/** Tests the two maxima first; only if they fail together is every spring tested. */
+function assertStable(world: PhysicsWorld, table: SpringTable, dt: number): void {
   const { isStable } = world.integrator;
   if (isStable === undefined) return;
   const { stiffest, passed } = table;
-  // The same springs, step and integrator as the last time: nothing is asked, and no number is boxed.
+  // The last test passed with the same values and integrator: to skip it boxes no number.
   const isKnown = passed[0] === stiffest[0] && passed[1] === stiffest[1] && passed[2] === dt;
   if (isKnown && table.passedBy === world.integrator) return;
   if (isStable(stiffest[0] * dt * dt, stiffest[1] * dt)) {
@@ -75,8 +77,9 @@ function refuseStiff(world: PhysicsWorld, table: SpringTable, dt: number): void 
   for (let i = 0; i < links.length; i += 3) {
     const [spring, a, b] = [links[i], links[i + 1], links[i + 2]];
     const inverse = inverseMass(Mass.value[a]) + inverseMass(Mass.value[b]);
-    const [stiff, damped] = [Spring.stiffness[spring] * inverse, Spring.damping[spring] * inverse];
-    if (!isStable(stiff * dt * dt, damped * dt)) throw stiffError(spring, Spring.stiffness[spring], stiff, damped, dt);
+    const [stiffness, damping] = [Spring.stiffness[spring] * inverse, Spring.damping[spring] * inverse];
+    if (!isStable(stiffness * dt * dt, damping * dt))
+      throw stiffError(spring, Spring.stiffness[spring], stiffness, damping, dt);
   }
 }
 
@@ -84,13 +87,19 @@ function inverseMass(mass: number): number {
   return mass > 0 ? 1 / mass : 0;
 }
 
-function stiffError(spring: number, stiffness: number, stiff: number, damped: number, dt: number): PhysicsError {
-  // The root of ω² dt² + 2 γ dt = 4: stable for every integrator of ours.
-  const most = 4 / (damped + Math.sqrt(damped * damped + 4 * stiff));
-  return new PhysicsError('E_STIFF', `spring ${spring} is too stiff or too damped for steps of ${dt} s.`, {
+function stiffError(
+  spring: number,
+  stiffness: number,
+  perMass: number,
+  dampingPerMass: number,
+  dt: number,
+): PhysicsError {
+  // The root of ω² dt² + 2 γ dt = 4: stable for every built-in integrator.
+  const maxStep = 4 / (dampingPerMass + Math.sqrt(dampingPerMass * dampingPerMass + 4 * perMass));
+  return new PhysicsError('E_STIFF', `spring ${spring} is too stiff or too strongly damped for steps of ${dt} s.`, {
     entity: spring,
     field: 'spring.stiffness',
     value: stiffness,
-    hint: `Use steps of at most ${most.toPrecision(2)} s, a softer spring, heavier bodies or the integrator xpbd().`,
+    hint: `Use steps of at most ${maxStep.toPrecision(2)} s, a softer spring, heavier bodies or the integrator xpbd().`,
   });
 }

@@ -3,14 +3,13 @@
 //   T = F·n + m v_t²/r along -n when r ≥ (1 - 10⁻³) L, and never negative; else 0
 //
 //   F  force of all laws listed before this one, N    n  unit vector from the pivot to the body
-//   v_t  speed across the string, m/s    r  distance from the pivot, m    L  length of the string, m
+//   v_t  speed perpendicular to the string, m/s    r  distance from the pivot, m    L  length of the string, m
 //
-// It answers the forces before it: list it last. The radial acceleration is then exactly that of a circle, and the length
-// drifts only by the integrator's error (Runge-Kutta 4 at a hundredth of the period: 10⁻⁸ a swing), and in single
-// precision by rounding, some 10⁻⁴ in a minute. A string that goes slack is slack, but one that comes taut with a jerk
-// stretches: that is an impulse, and a joint's work.
-// Goldstein, Classical Mechanics, section 1.3. For some bodies only, wrap it in `restrictForce`.
-// Cost: some 30 operations and two divisions a body.
+// It reacts to the forces before it, so list it last. The radial acceleration is exactly that of a circle, so the
+// length drifts only by the integrator's error (Runge-Kutta 4 at 100 steps per period: 10⁻⁸ per swing), and in single
+// precision by rounding, about 10⁻⁴ in a minute. A string may go slack, but a string that becomes taut with a jerk
+// stretches: the impulse needs a joint or `xpbd`. Goldstein, Classical Mechanics, section 1.3. To select bodies, wrap
+// it in `restrictForce`. Cost: about 30 operations and two divisions per body.
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
 import { select, vec3 } from '../laws/expression.ts';
@@ -19,27 +18,28 @@ import type { Force } from '../world/types.ts';
 import { LENGTHS, PLACES } from './support/bounds.ts';
 
 export interface StringOptions {
-  /** Where it hangs, m; default the origin. */
+  /** Position of the pivot, m; default the origin. */
   readonly pivot?: VectorInput;
-  /** L, m. */
+  /** Length L, m. */
   readonly length: number;
 }
 
-const TAUT = 0.999;
+const TAUT_RATIO = 0.999;
 
 const law = /* @__PURE__ */ defineLaw({
   name: 'string tension',
   formula: 'T = F·n + m v_t²/r',
   source: 'Goldstein, Classical Mechanics, section 1.3.',
   parameters: { pivot: vector('m', { default: {}, ...PLACES }), length: scalar('m', LENGTHS) },
-  // All of it is in proportion to mass: T/m answers F/m. With r for the unit vector n, T/(m r) = (F·r/m + v_t²)/r².
+  // The law is proportional to mass: T/m reacts to F/m. With the vector r for the unit vector n, T/(m r) = (F·r/m +
+  // v_t²)/r².
   acceleration({ position, velocity, acceleration }, { pivot, length }) {
-    const from = position.sub(pivot);
-    const square = from.lengthSquared();
-    const across = velocity.lengthSquared().sub(velocity.dot(from).square().div(square));
-    const pull = acceleration.dot(from).add(across).div(square);
-    const isTaut = square.greaterOrEqual(length.mul(TAUT).square());
-    return select(isTaut.and(pull.greater(0)), from.mul(pull).negate(), vec3(0, 0, 0));
+    const offset = position.sub(pivot);
+    const square = offset.lengthSquared();
+    const tangentialSquare = velocity.lengthSquared().sub(velocity.dot(offset).square().div(square));
+    const tension = acceleration.dot(offset).add(tangentialSquare).div(square);
+    const isTaut = square.greaterOrEqual(length.mul(TAUT_RATIO).square());
+    return select(isTaut.and(tension.greater(0)), offset.mul(tension).negate(), vec3(0, 0, 0));
   },
 });
 

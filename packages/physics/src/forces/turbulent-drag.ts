@@ -1,16 +1,16 @@
-// Drag in turbulent wind: eddies of many sizes that drift and change, the same for every frame rate.
+// Drag in turbulent wind: eddies of many sizes that drift and change, independent of the frame rate.
 //
 //   F = -(c + k |w|) w,   w = v - u(r, t)        u = mean + Σ aⱼ cos(2π (κⱼ·r + φⱼ + νⱼ t)),   aⱼ ⊥ κⱼ
 //
 //   c  LinearDrag, kg/s    k  QuadraticDrag, kg/m    u  velocity of the air, m/s
 //   κⱼ  wave vector, 1/m   aⱼ  amplitude, m/s    νⱼ  frequency, Hz    φⱼ  phase
 //
-// Every mode is a wave across its own direction, so u has no divergence anywhere. Wave numbers run by equal ratios from
-// 1/largest to 1/smallest eddy with the energies of Kolmogorov's spectrum (aⱼ² ∝ κ^(-2/3) a band), frequencies go as
-// κ^(2/3), and directions, signs and phases come from the seed: Kraichnan, Phys. Fluids 13, 22 (1970); Fung and others,
-// J. Fluid Mech. 236, 281 (1992). u is a function of place and time, not of the step: its statistics cannot depend on
-// the frame rate. List no other drag beside it. Each mode takes 64 bytes of a world's memory, once.
-// Cost: some 30 operations a body and mode, and one square root a body.
+// Every mode is a transverse wave, so u is free of divergence. Wave numbers form a geometric series from 1/largest to
+// 1/smallest eddy with the energies of Kolmogorov's spectrum (aⱼ² ∝ κ^(-2/3) per band), frequencies scale as κ^(2/3),
+// and directions, signs and phases come from the seed: Kraichnan, Phys. Fluids 13, 22 (1970); Fung et al., J. Fluid
+// Mech. 236, 281 (1992). u is a function of position and time, so its statistics cannot depend on the step. List no
+// other drag with it. Each mode takes 64 bytes of a world's memory, once. Cost: about 30 operations per body and
+// mode, and one square root per body.
 import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
@@ -26,7 +26,7 @@ import { LENGTHS } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
 export interface TurbulenceOptions {
-  /** Mean wind, m/s; default none. */
+  /** Mean wind, m/s; default zero. */
   readonly mean?: Wind;
   /** Standard deviation of each component of the wind, m/s. */
   readonly deviation: number;
@@ -34,15 +34,15 @@ export interface TurbulenceOptions {
   readonly largest: number;
   /** Size of the smallest, m; default a thirtieth of the largest. */
   readonly smallest?: number;
-  /** Time in which the largest eddies change, s; default their size over the deviation. */
+  /** Time scale of the largest eddies, s; default their size over the deviation. */
   readonly time?: number;
-  /** Waves, 1 to 256; default 32. */
+  /** Number of modes, 1 to 256; default 32. */
   readonly modes?: number;
-  /** Default 1. */
+  /** Seed; default 1. */
   readonly seed?: number;
 }
 
-/** A wave: its vector, 1/m, amplitude, m/s, phase at time 0, turns, and frequency, Hz. */
+/** A mode: wave vector, 1/m, amplitude, m/s, phase at time 0, in turns, and frequency, Hz. */
 const MODE = ['kx', 'ky', 'kz', 'ax', 'ay', 'az', 'phase', 'frequency'] as const;
 type Mode = Readonly<Record<(typeof MODE)[number], Scalar>>;
 
@@ -61,7 +61,7 @@ function dragIn(spectrum: Spectrum) {
     formula: 'F = -(c + k |w|) w, w = v - u(r, t)',
     source: 'Kraichnan, Phys. Fluids 13, 22 (1970); Fung and others, J. Fluid Mech. 236, 281 (1992).',
     reads: { c: LinearDrag, k: QuadraticDrag },
-    // What the waves were drawn by is here for people to see; the law reads the waves.
+    // The spectrum's parameters are for display only; the law reads the waves.
     parameters: {
       mean: windParameter,
       deviation: scalar('m/s'),
@@ -83,15 +83,15 @@ function dragIn(spectrum: Spectrum) {
   });
 }
 
-/** Whole turns are left out, so that phases stay exact in f32 however late it is. */
+/** Reduces the phase to a fraction of a turn, so that it stays exact in f32 at late times. */
 function phaseAt({ phase, frequency }: Mode, time: Scalar): Scalar {
   const turns = phase.add(frequency.mul(time));
   return turns.sub(turns.floor());
 }
 
 /**
- * cos(2π t) for t in turns: reduced to half a turn either way, then its Taylor series to the 16th power, whose last
- * coefficient takes up most of the next term. Error below 5e-9 in f64, an ulp or two in f32.
+ * Returns cos(2π t) for t in turns: reduced to ±½ turn, then its Taylor series to the 16th power, whose last
+ * coefficient absorbs most of the next term. Error below 5e-9 in f64, one or two ulp in f32.
  */
 function cosineOfTurns(turns: Scalar): Scalar {
   const square = turns.sub(turns.round()).square();
@@ -126,15 +126,20 @@ function drawModes(world: PhysicsWorld, spectrum: Spectrum): TablePlace {
   const random = createRandom(seed);
   const ratios = Array.from({ length: count }, (_, j) => pow(largest / smallest, count === 1 ? 0 : j / (count - 1)));
   const energies = ratios.map((ratio) => pow(ratio, -2 / 3));
-  const whole = energies.reduce((sum, energy) => sum + energy, 0);
+  const totalEnergy = energies.reduce((sum, energy) => sum + energy, 0);
   for (let j = 0; j < count; j++) {
-    // Half a wave's amplitude squared is its share of the mean square speed, deviation² for each axis.
-    const amplitude = deviation * Math.sqrt((2 * world.dimensions * energies[j]) / whole);
-    const { wave, across } = world.dimensions === 2 ? plane(random) : space(random);
+    // Half the squared amplitude of a wave is its share of the mean square speed, deviation² per axis.
+    const amplitude = deviation * Math.sqrt((2 * world.dimensions * energies[j]) / totalEnergy);
+    const { wave, across } = world.dimensions === 2 ? drawPair2d(random) : drawPair3d(random);
     const number = ratios[j] / largest;
     const phase = random.uniform();
     const frequency = (random.gaussian() * pow(ratios[j], 2 / 3)) / (2 * Math.PI * time);
-    const row = [...wave.map((part) => number * part), ...across.map((part) => amplitude * part), phase, frequency];
+    const row = [
+      ...wave.map((component) => number * component),
+      ...across.map((component) => amplitude * component),
+      phase,
+      frequency,
+    ];
     rows.set(row, MODE.length * j);
   }
   return { at, count };
@@ -142,19 +147,19 @@ function drawModes(world: PhysicsWorld, spectrum: Spectrum): TablePlace {
 
 type Pair = { readonly wave: readonly number[]; readonly across: readonly number[] };
 
-function plane(random: Random): Pair {
+function drawPair2d(random: Random): Pair {
   const { x, y } = random.onCircle();
   return { wave: [x, y, 0], across: [-y, x, 0] };
 }
 
-/** A direction, and one across it: the cross product with any axis not along it, turned by a random angle. */
-function space(random: Random): Pair {
+/** Returns a random direction and a random perpendicular one. */
+function drawPair3d(random: Random): Pair {
   const { x, y, z } = random.onSphere();
   const side = Math.abs(x) < 0.6 ? [0, z, -y] : [-z, 0, x];
   const length = Math.sqrt(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]);
-  const [a, b, c] = side.map((part) => part / length);
+  const [a, b, c] = side.map((component) => component / length);
   const other = [y * c - z * b, z * a - x * c, x * b - y * a];
   const angle = random.uniform(0, 2 * Math.PI);
-  const [turned, rest] = [sin(angle), cos(angle)];
-  return { wave: [x, y, z], across: [a, b, c].map((part, i) => part * rest + other[i] * turned) };
+  const [sine, cosine] = [sin(angle), cos(angle)];
+  return { wave: [x, y, z], across: [a, b, c].map((component, i) => component * cosine + other[i] * sine) };
 }

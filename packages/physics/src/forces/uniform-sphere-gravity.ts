@@ -6,7 +6,7 @@
 //   m  mass, kg    μ = G M, m³/s² (surface gravity g₀ = μ/R²)    R  radius, m    r  from the centre, m
 //
 // Newton, Principia I, propositions 73 and 74. Valid for constant density; the field is continuous at the surface.
-// Cost: one square root, one division and 17 more operations a body.
+// Cost: one square root, one division and 17 more operations per body.
 import { constant, select } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
@@ -27,15 +27,15 @@ const LAW: CentralLaw<typeof parameters> = {
   formula: 'F = -m μ r / max(|r|, R)³',
   source: 'Newton, Principia (1687), book I, propositions 73 and 74.',
   parameters,
-  // Field and direction apart: their product is in the range of f32 where r³ is not.
+  // Magnitude and direction are multiplied separately: they stay in the range of f32 where r³ does not.
   field(r, { mu, radius }) {
     const inverse = constant(1).div(r.length().max(radius));
     return r.mul(inverse).mul(mu.mul(inverse).mul(inverse)).negate();
   },
   energy(r, { mu, radius }) {
-    const share = r.length().div(radius);
-    const inside = constant(3).sub(share.square()).div(2).div(radius);
-    return select(share.less(1), inside, constant(1).div(r.length())).mul(mu).negate();
+    const relative = r.length().div(radius);
+    const inside = constant(3).sub(relative.square()).div(2).div(radius);
+    return select(relative.less(1), inside, constant(1).div(r.length())).mul(mu).negate();
   },
 };
 

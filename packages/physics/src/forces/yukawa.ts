@@ -1,12 +1,11 @@
-// A screened central force: Coulomb near the centre, nothing some screening lengths away.
+// A screened central force: Coulomb near the centre, negligible beyond several screening lengths.
 //
 //   U = q k e^(-r/λ)/r        F = q k e^(-r/λ) (1/r + 1/λ) r̂/r
 //
 //   q  charge (k in N m²/C) or mass (k in N m²/kg)    k  strength, negative attracts    λ  screening length, m
 //
 // Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935); Debye and Hückel (1923) for charges in an electrolyte. At r = 0
-// there is no direction and no force. Cost: one square root, one exponential, two divisions and 17 more operations a
-// body.
+// the force is zero. Cost: one square root, one exponential, two divisions and 17 more operations per body.
 import { checkKeys } from '../errors/validate.ts';
 import { constant, type Scalar, type Vector } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
@@ -16,11 +15,11 @@ import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './s
 import { checkCoupling } from './support/coupling.ts';
 
 export interface YukawaOptions extends CentreOptions {
-  /** k; negative attracts. */
+  /** Strength k; negative attracts. */
   readonly strength: number;
   /** Screening length λ, m. */
   readonly range: number;
-  /** What the force is proportional to; default 'Charge'. */
+  /** The component that the force is proportional to; default 'Charge'. */
   readonly couplesTo?: 'Mass' | 'Charge';
 }
 
@@ -36,11 +35,11 @@ export function yukawa(options: YukawaOptions): Force {
       source: 'Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935).',
       parameters: { strength: scalar(couplesTo === 'Mass' ? 'N m²/kg' : 'N m²/C', ANY), range: scalar('m', LENGTHS) },
       field(r, { strength, range }) {
-        const { screened, inverse } = partsOf(r, strength, range);
+        const { screened, inverse } = termsOf(r, strength, range);
         return r.mul(inverse).mul(screened.mul(inverse.add(constant(1).div(range))).mul(inverse));
       },
       energy(r, { strength, range }) {
-        const { screened, inverse } = partsOf(r, strength, range);
+        const { screened, inverse } = termsOf(r, strength, range);
         return screened.mul(inverse);
       },
     },
@@ -49,7 +48,7 @@ export function yukawa(options: YukawaOptions): Force {
   );
 }
 
-function partsOf(r: Vector, strength: Scalar, range: Scalar): { readonly screened: Scalar; readonly inverse: Scalar } {
+function termsOf(r: Vector, strength: Scalar, range: Scalar): { readonly screened: Scalar; readonly inverse: Scalar } {
   const distance = r.length();
   const screened = strength.mul(distance.div(range).negate().exp());
   return { screened, inverse: inverseWhere(distance.greater(0), distance) };

@@ -1,12 +1,13 @@
 // Boris's scheme for charges in magnetic fields.
 //
-//   x½ = x + v dt/2        v⁻ = v + F/m dt/2        v⁺ = v⁻ turned about B by 2 atan(|q| B dt/2m)
-//   v' = v⁺ + F/m dt/2     x' = x½ + v' dt/2        F: all forces but the magnetic, at x½
+//   x½ = x + v dt/2        v⁻ = v + F/m dt/2        v⁺ = v⁻ rotated about B by 2 atan(|q| B dt/2m)
+//   v' = v⁺ + F/m dt/2     x' = x½ + v' dt/2        F: all forces except the magnetic force, at x½
 //
-// Second order. A magnetic field turns the velocity and does nothing else, so in it alone the speed is constant to
-// rounding whatever the step: no other scheme here does that. The angle is a little too small, by (q B dt/m)²/12 of it,
-// so gyration lags. It preserves the volume of phase space, is reversible, and its energy error is bounded. One force
-// evaluation. Drag makes it first order. Give the field here, not to `world.forces`; the electric field stays a force.
+// Second order. A magnetic field only rotates the velocity, so in a purely magnetic field the speed is constant to
+// rounding at any step, unlike in the other schemes. The angle is too small by the fraction (q B dt/m)²/12, so
+// gyration lags. It preserves phase-space volume, is reversible, and its energy error is bounded. One force
+// evaluation. Drag makes it first order. Pass the field here, not to `world.forces`; the electric field remains a
+// force.
 //
 // Boris, Proc. 4th Conf. Numerical Simulation of Plasmas (1970), p. 3; Qin et al., Phys. Plasmas 20, 084503 (2013).
 
@@ -18,11 +19,11 @@ import type { VectorOverTime } from '../laws/time-vector.ts';
 import type { Integrator } from '../world/types.ts';
 import { defineCheckedIntegrator } from './support/define-integrator.ts';
 
-/** The magnetic field, T: give one of the two. In two dimensions only z acts. */
+/** The magnetic field, T: exactly one of the two. In 2D only z is used. */
 export interface BorisOptions {
-  /** The same everywhere: a vector, or a function of the time, s, that returns it. */
+  /** A uniform field: a vector, or a function of time, s, that returns it. */
   readonly field?: VectorOverTime;
-  /** One that differs from place to place, as an expression: called once, with symbols of position (m) and time (s). */
+  /** A non-uniform field as an expression: called once, with symbols of position (m) and time (s). */
   readonly fieldAt?: (position: Vector, time: Scalar) => Vector;
 }
 
@@ -31,7 +32,10 @@ export function boris(options: BorisOptions): Integrator {
   checkKeys(options, 'boris', ['field', 'fieldAt']);
   const { field, fieldAt } = options;
   if ((field === undefined) === (fieldAt === undefined)) {
-    throw new PhysicsError('E_RANGE', 'boris needs either field or fieldAt.', { field: 'field', value: field });
+    throw new PhysicsError('E_RANGE', 'boris needs exactly one of field and fieldAt.', {
+      field: 'field',
+      value: field,
+    });
   }
   if (fieldAt !== undefined) checkFunction(fieldAt, 'fieldAt');
   const parameters = { field: axialVectorOverTime('T', { min: -1e30, max: 1e30 }) };
@@ -51,15 +55,15 @@ export function boris(options: BorisOptions): Integrator {
       const time = new Scalar('time', []).add(half);
       const b = fieldAt === undefined ? (uniform as Vector) : vectorOf(fieldAt(middle, time), 'boris: fieldAt');
       const gyration = select(mass.greater(0), charge.div(mass).mul(half), 0);
-      const after = turn(velocity.add(kicked), b.mul(gyration)).add(kicked);
+      const after = rotate(velocity.add(kicked), b.mul(gyration)).add(kicked);
       return { position: middle.add(after.mul(half)), velocity: after };
     },
     { parameters: [parameters.field], sources },
   );
 }
 
-/** Turns v about t = q B dt/2m by 2 atan |t|, without changing its length. */
-function turn(v: Vector, t: Vector): Vector {
+/** Rotates v about t = q B dt/2m by 2 atan |t|, preserving its length. */
+function rotate(v: Vector, t: Vector): Vector {
   const across = v.add(v.cross(t));
   return v.add(across.cross(t).mul(constant(2).div(t.lengthSquared().add(1))));
 }

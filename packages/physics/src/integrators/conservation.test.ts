@@ -18,7 +18,7 @@ import { advance, distance, kepler, stateOf } from '../../../../test/support/int
 const NAMES = Object.keys(INTEGRATORS) as IntegratorName[];
 const withoutPlanets = NAMES.filter((name) => name !== 'wisdomHolman');
 
-/** Largest relative energy error in each tenth of 200 orbits of eccentricity 0.2, 60 steps an orbit. */
+/** Returns the largest relative energy error in each tenth of 200 orbits of eccentricity 0.2, 60 steps per orbit. */
 function energyErrors(name: IntegratorName): number[] {
   const planet = kepler(INTEGRATORS[name].create(), 0.2);
   const start = energy(planet.world).total;
@@ -51,7 +51,7 @@ describe('energy over 200 orbits', () => {
   });
 });
 
-/** How far from its start a planet is after 500 steps, a turn round, and 500 steps back. */
+/** Returns the distance of a planet from its start after 500 steps, a reversal, and 500 steps back. */
 function missAfterReturn(name: IntegratorName): number {
   const planet = kepler(INTEGRATORS[name].create(), 0.3);
   const start = stateOf(planet);
@@ -64,7 +64,7 @@ function missAfterReturn(name: IntegratorName): number {
   return distance(stateOf(planet), start);
 }
 
-describe('a run turned round', () => {
+describe('a reversed run', () => {
   for (const name of withoutPlanets.filter((candidate) => INTEGRATORS[candidate].reversible)) {
     test(`${name} returns`, () => expect(missAfterReturn(name)).toBeLessThan(1e-10));
   }
@@ -94,7 +94,7 @@ describe('in a magnetic field', () => {
     expect(Position.y[charge]).toBeCloseTo(370 + 80 * Math.cos(angle), 2);
   });
 
-  test('in space, in a field of any direction, place and time, the speed stays', () => {
+  test('in 3D, in a field that depends on position and time, the speed is constant', () => {
     for (const options of [
       { field: { x: 1, y: -2, z: 0.5 } },
       { field: (time: number) => ({ x: time, z: 3 }) },
@@ -157,7 +157,7 @@ describe('planets', () => {
     expect(worst[9]).toBeLessThan(1.3 * worst[0]);
   });
 
-  test('wisdomHolman: a run turned round returns', () => {
+  test('wisdomHolman: a reversed run returns', () => {
     const planets = system(0.1);
     const start = stateOf(planets);
     const { Velocity } = planets.world.components;
@@ -168,7 +168,7 @@ describe('planets', () => {
     expect(distance(stateOf(planets), start)).toBeLessThan(1e-10);
   });
 
-  test('wisdomHolman: a lone planet or comet moves on its orbit exactly, whatever the step', () => {
+  test('wisdomHolman: a single planet or comet moves exactly on its orbit at any step', () => {
     for (const speed of [0.5, 1, 1.3, Math.SQRT2, 1.8]) {
       const path = (integrator = wisdomHolman({ G })) => {
         const world = createPhysicsWorld({ capacity: 5, integrator, forces: [mutualGravity({ G })] });

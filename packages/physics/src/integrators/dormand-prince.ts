@@ -1,15 +1,15 @@
-// Dormand and Prince's embedded Runge-Kutta pair of orders 5 and 4, with steps of its own choosing inside the world's.
+// Dormand and Prince's embedded Runge-Kutta pair of orders 5 and 4, with adaptive sub-steps within the world's step.
 //
 //   k_i = f(t + c_i h, y + h Σ a_ij k_j)        y' = y + h Σ b_i k_i        error ≈ h Σ e_i k_i
 //
-// Fifth order for any smooth force, dependent on velocity and time as well. Seven stages, the last of which is the first
-// of the next sub-step. The length h keeps the error of a sub-step, of every body and of positions as of velocities,
-// below `tolerance` times their size (or the floors, near the origin or at rest); a proportional-integral controller
-// (Gustafsson, ACM Trans. Math. Softw. 17, 533, 1991) chooses it. Not symplectic: the energy drifts by about the
-// tolerance a sub-step. Where the force is singular or jumps, the step is crossed without error control and the log gets
-// an E_STEP that names the body. Sources: dormand-prince-tableau.ts.
+// Fifth order for any smooth force, including forces that depend on velocity and time. Seven stages, the last of
+// which is the first of the next sub-step. The length h keeps the error of a sub-step, in position and velocity of
+// every body, below `tolerance` times their magnitude (or the floors, near the origin or at rest); a
+// proportional-integral controller (Gustafsson, ACM Trans. Math. Softw. 17, 533, 1991) chooses it. Not symplectic:
+// the energy drifts by about the tolerance per sub-step. If the force is singular or discontinuous, the step is
+// completed without error control and an E_STEP that names the body is reported. Sources: dormand-prince-tableau.ts.
 import { checkKeys, checkNumber, type Vector } from '../errors/validate.ts';
-import { raise } from '../math/elementary.ts';
+import { powInPlace } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
 import { EmbeddedErrorWord } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
@@ -32,23 +32,23 @@ import {
   VELOCITY_FLOOR,
   WANTED,
 } from './support/dormand-prince-stages.ts';
-import { denseWeights, twice } from './support/dormand-prince-tableau.ts';
+import { denseWeights, positionWeightsOf } from './support/dormand-prince-tableau.ts';
 import {
   checkEvaluations,
   defaultEvaluations,
-  LAST_RESORT,
+  FALLBACK_STEPS,
+  MIN_SUB_STEP,
   reportUnderflow,
-  SHORTEST,
   subStep,
 } from './support/sub-steps.ts';
 
-/** How exact it is. */
+/** Error control. */
 export interface DormandPrinceOptions {
-  /** Error of a sub-step in parts of the size of a body's position and velocity; default 1e-9, in f32 at least 1e-6. */
+  /** Relative error of position and velocity per sub-step; default 1e-9, in f32 at least 1e-6. */
   readonly tolerance?: number;
-  /** Size below which a position counts as this large, m; default 0. */
+  /** Minimum magnitude of a position for the relative error, m; default 0. */
   readonly positionFloor?: number;
-  /** Size below which a velocity counts as this large, m/s; default 0. */
+  /** Minimum magnitude of a velocity for the relative error, m/s; default 0. */
   readonly velocityFloor?: number;
   /**
    * Evaluations of the forces that a step may take; default 10⁷ divided by the number of bodies, at most 125 000. Beyond,
@@ -86,28 +86,34 @@ export function dormandPrince(options: DormandPrinceOptions = {}): Integrator {
       stagesOf(world);
     },
     advance(world, ranges, dt, evaluateForces) {
-      cross(world, ranges, dt, evaluateForces, limits);
+      advanceInterval(world, ranges, dt, evaluateForces, limits);
     },
   };
 }
 
-function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: EvaluateForces, limits: Limits): void {
+function advanceInterval(
+  world: PhysicsWorld,
+  ranges: Ranges,
+  dt: number,
+  evaluateForces: EvaluateForces,
+  limits: Limits,
+): void {
   const stages = stagesOf(world);
   const { scalars } = stages;
   const tolerance = Math.max(limits.tolerance, world.precision === 'f32' ? 1e-6 : 0);
   scalars[POSITION_FLOOR] = limits.positionFloor;
   scalars[VELOCITY_FLOOR] = limits.velocityFloor;
   let passed = 0;
-  // Once more as a mere number: variables that are `dt` or a number worked out would be objects.
+  // A copy of `dt` that V8 keeps unboxed; variables assigned from `dt` or from results would be heap numbers.
   const whole = 1 * dt;
   let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
   evaluateForces(world, ranges, world.time);
   begin(world, ranges, stages);
   const budget = limits.maxEvaluations ?? defaultEvaluations(world);
   for (let evaluations = 1; passed < dt; evaluations += 6) {
-    if (wanted < SHORTEST * dt || evaluations > budget) {
+    if (wanted < MIN_SUB_STEP * dt || evaluations > budget) {
       reportUnderflow(world, stages.error.words[EmbeddedErrorWord.worstRow], wanted);
-      crossBlindly(world, ranges, passed, dt, evaluateForces);
+      fallbackSteps(world, ranges, passed, dt, evaluateForces);
       return;
     }
     const rest = dt - passed;
@@ -122,7 +128,7 @@ function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: 
       passed = h === rest ? whole : passed + h;
       findGrowth(scalars);
       const longer = scalars[GROWTH];
-      // A sub-step cut short by the end of the step says nothing against a longer one.
+      // A sub-step shortened by the end of the step does not limit the next one.
       wanted = longer < 5 ? h * longer : Math.max(wanted, h * longer);
       scalars[RATIO] = Math.max(error, 1e-4);
       scalars[LENGTH] = h;
@@ -130,32 +136,38 @@ function cross(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: 
       if (passed < dt) begin(world, ranges, stages);
     } else {
       scalars[POWER] = error;
-      if (error < Infinity) raise(scalars, POWER, 0.17);
+      if (error < Infinity) powInPlace(scalars, POWER, 0.17);
       wanted = error < Infinity ? h / Math.min(5, scalars[POWER] / 0.9) : h / 5;
     }
   }
   scalars[WANTED] = wanted;
 }
 
-/** By what the next sub-step may be longer, after one with ERROR in tolerances: the controller's answer. */
+/** Computes the growth factor of the next sub-step from ERROR, in units of the tolerance. */
 function findGrowth(scalars: Float64Array): void {
   if (scalars[ERROR] === 0) {
     scalars[GROWTH] = 5;
     return;
   }
   scalars[GROWTH] = scalars[RATIO] > 0 ? scalars[RATIO] : 1e-4;
-  raise(scalars, GROWTH, 0.04);
+  powInPlace(scalars, GROWTH, 0.04);
   scalars[POWER] = scalars[ERROR];
-  raise(scalars, POWER, 0.17);
+  powInPlace(scalars, POWER, 0.17);
   scalars[GROWTH] = Math.min(5, Math.max(0.2, (0.9 * scalars[GROWTH]) / scalars[POWER]));
 }
 
-/** The rest of a step whose error cannot be kept small. */
-function crossBlindly(world: PhysicsWorld, ranges: Ranges, passed: number, dt: number, evaluate: EvaluateForces): void {
+/** Completes a step whose error cannot be controlled. */
+function fallbackSteps(
+  world: PhysicsWorld,
+  ranges: Ranges,
+  passed: number,
+  dt: number,
+  evaluate: EvaluateForces,
+): void {
   const stages = stagesOf(world);
-  const h = (dt - passed) / LAST_RESORT;
+  const h = (dt - passed) / FALLBACK_STEPS;
   restore(world, ranges, stages);
-  for (let i = 0; i < LAST_RESORT; i++) {
+  for (let i = 0; i < FALLBACK_STEPS; i++) {
     stages.scalars[PASSED] = passed + i * h;
     stages.scalars[STEP] = h;
     takeSubStep(world, ranges, stages, evaluate);
@@ -164,15 +176,15 @@ function crossBlindly(world: PhysicsWorld, ranges: Ranges, passed: number, dt: n
   stages.scalars.fill(0);
 }
 
-/** A body's state at a moment of the last sub-step, by `denseState`. */
+/** A body's state at a time within the last sub-step, from `denseState`. */
 export interface DenseState {
   position: Vector;
   velocity: Vector;
 }
 
 /**
- * Where a body was at `time` within the last sub-step of `dormandPrince`, to fourth order: for finding the instant of an
- * event after the step. `denseInterval` says which times there are.
+ * Returns a body's state at `time` within the last sub-step of `dormandPrince`, to fourth order: for locating events
+ * after the step. `denseInterval` returns the valid times.
  * @throws PhysicsError E_RANGE for a time outside
  */
 export function denseState(world: PhysicsWorld, entity: number, time: number): DenseState {
@@ -180,20 +192,23 @@ export function denseState(world: PhysicsWorld, entity: number, time: number): D
   checkNumber(time, 'time', { min: start, max: end });
   const stages = stagesOf(world);
   const length = stages.scalars[LENGTH];
-  const moment = length > 0 ? 1 - (end - time) / length : 0;
-  const weights = denseWeights(moment);
-  const squares = twice(weights);
+  const fraction = length > 0 ? 1 - (end - time) / length : 0;
+  const weights = denseWeights(fraction);
+  const positionWeights = positionWeightsOf(weights);
   const position = { x: 0, y: 0, z: 0 };
   const velocity = { x: 0, y: 0, z: 0 };
   for (const axis of AXES[world.dimensions]) {
     const { x, v, a } = startOf(stages, axis, entity);
-    position[axis] = x + moment * length * v + length * length * dot(squares, a);
+    position[axis] = x + fraction * length * v + length * length * dot(positionWeights, a);
     velocity[axis] = v + length * dot(weights, a);
   }
   return { position, velocity };
 }
 
-/** Start and end, s, of the last sub-step of `dormandPrince`: what `denseState` can answer. Both 0 before the first. */
+/**
+ * Returns start and end, s, of the last sub-step of `dormandPrince`, the valid times of `denseState`. Both 0 before
+ * the first.
+ */
 export function denseInterval(world: PhysicsWorld): readonly [start: number, end: number] {
   const { scalars } = stagesOf(world);
   return [scalars[END] - scalars[LENGTH], scalars[END]];

@@ -60,7 +60,7 @@ describe('singular configurations', () => {
   };
 
   for (const create of [() => dormandPrince(), () => gaussRadau()]) {
-    test(`${create().name} reports E_STEP of the body that falls, and goes on`, () => {
+    test(`${create().name} reports E_STEP of the falling body, and continues`, () => {
       const { world, body } = fall(create());
       const [fault] = world.faults.faults;
       expect(fault).toMatchObject({ code: 'E_STEP', entity: body, field: 'Position', phase: 'integrate' });
@@ -70,7 +70,7 @@ describe('singular configurations', () => {
     });
   }
 
-  test('with onFault "throw" the step says so', () => {
+  test('with onFault "throw" the step throws it', () => {
     const world = createPhysicsWorld({
       capacity: 10,
       integrator: dormandPrince(),
@@ -95,7 +95,7 @@ describe('singular configurations', () => {
   });
 
   test.each(NAMES.flatMap((name) => [Number.NaN, Infinity, 1e308].map((bad) => [name, bad] as const)))(
-    '%s: a force of %d N stays with its body',
+    '%s: a force of %d N affects only its body',
     (name, bad) => {
       const world = createPhysicsWorld({
         capacity: 10,
@@ -146,7 +146,7 @@ describe('implicit Euler', () => {
     expect(Math.hypot(Position.x[ids[29]], Position.y[ids[29]])).toBeLessThan(29);
   });
 
-  test('reports E_CONVERGENCE when no velocities fit', () => {
+  test('reports E_CONVERGENCE if there is no solution', () => {
     // v' = v + 1 where v' < 0.5 and v' = v - 1 elsewhere has no solution from rest.
     const jump = defineForce({
       name: 'jump',
@@ -166,7 +166,7 @@ describe('implicit Euler', () => {
 });
 
 describe('schemes that choose their steps', () => {
-  test('the world’s step does not matter to the result, but for its error', () => {
+  test('the result is independent of the world’s step within the error', () => {
     for (const create of [() => dormandPrince({ tolerance: 1e-11 }), () => gaussRadau()]) {
       for (const steps of [1, 7, 1000]) {
         const planet = kepler(create(), 0.6);
@@ -188,7 +188,7 @@ describe('schemes that choose their steps', () => {
     }
   });
 
-  test('denseState says where a body was within the last sub-step', () => {
+  test('denseState returns a body’s state within the last sub-step', () => {
     const planet = kepler(dormandPrince({ tolerance: 1e-8 }), 0.4);
     step(planet.world, 3);
     const [start, end] = denseInterval(planet.world);
@@ -202,7 +202,7 @@ describe('schemes that choose their steps', () => {
     expect(() => denseState(planet.world, planet.body, 4)).toThrow(/E_RANGE/);
   });
 
-  test('a body moved between steps is followed from where it is', () => {
+  test('a body moved between steps continues from its new position', () => {
     for (const create of [() => dormandPrince(), () => gaussRadau(), () => positionVerlet]) {
       const ball = oscillator(create(), 1, 0);
       for (let i = 0; i < 100; i++) step(ball.world, 0.01);
@@ -227,7 +227,7 @@ describe('schemes that choose their steps', () => {
   });
 });
 
-test('every integrator runs in single precision, in space, and leaves what has no mass alone', () => {
+test('every integrator runs in single precision, in 3D, and does not move bodies without mass', () => {
   for (const name of NAMES) {
     const world = createPhysicsWorld({
       dimensions: 3,
@@ -248,7 +248,7 @@ test('every integrator runs in single precision, in space, and leaves what has n
   }
 });
 
-test('a world made for another integrator says when there is no room for one', () => {
+test('a world created for another integrator reports missing capacity', () => {
   const world = createPhysicsWorld({ capacity: 100_000, arenaBytes: 0, integrator: velocityVerlet });
   spawn(world, { position: {}, velocity: {}, mass: 1 });
   world.integrator = gaussRadau();

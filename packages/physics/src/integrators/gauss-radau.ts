@@ -1,22 +1,22 @@
-// The fifteenth-order Gauss-Radau scheme with steps of its own choosing inside the world's: reference accuracy.
+// The Gauss-Radau scheme of order 15 with adaptive sub-steps within the world's step: reference accuracy.
 //
 //   a(h) = a₀ + b₀ h + b₁ h² + … + b₆ h⁷        x(h) = x + v h dt + dt² ∬ a        v(h) = v + dt ∫ a
 //
-// The seven b follow from the forces at seven Radau nodes, where the bodies are by the polynomial itself: predictor and
-// corrector repeat until the last divided difference no longer changes. The nodes make the end of the step exact to
-// order 15, for forces that depend on velocity as well. The length: b₆, the last term of the
-// series, stays below `tolerance` times the largest acceleration; the error itself is about its square. Rounding is
-// carried on (Kahan), so that energy errs by a random walk near 1e-16 √steps. Not symplectic, but more exact than any
-// symplectic scheme of these. About 15 to 22 force evaluations a sub-step, of which an orbit takes some 30 to 60.
-// For f64; in f32 it works, to seven digits.
+// The seven b follow from the forces at seven Radau nodes, where the polynomial itself predicts the positions:
+// predictor and corrector iterate until the last divided difference converges. The nodes make the end of the step
+// exact to order 15, also for forces that depend on velocity. Step control: b₆, the last term of the series, stays
+// below `tolerance` times the largest acceleration; the error itself is about its square. Rounding errors are
+// compensated (Kahan), so the energy error is a random walk near 1e-16 √steps. Not symplectic, but more accurate than
+// every symplectic scheme here. About 15 to 22 force evaluations per sub-step; an orbit takes about 30 to 60
+// sub-steps. For f64; in f32 it achieves seven digits.
 //
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import { raise } from '../math/elementary.ts';
+import { powInPlace } from '../math/elementary.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import {
   CHANGE,
-  clearGoneBodies,
+  clearRemovedBodies,
   EVALUATIONS,
   LAST_TERM,
   LENGTH,
@@ -33,15 +33,15 @@ import {
 import {
   checkEvaluations,
   defaultEvaluations,
-  LAST_RESORT,
+  FALLBACK_STEPS,
+  MIN_SUB_STEP,
   reportUnderflow,
-  SHORTEST,
   subStep,
 } from './support/sub-steps.ts';
 
-/** How exact it is. */
+/** Error control. */
 export interface GaussRadauOptions {
-  /** Largest last term of the series of the acceleration, in parts of the acceleration; default 1e-9. */
+  /** Maximum last term of the series, relative to the acceleration; default 1e-9. */
   readonly tolerance?: number;
   /**
    * Evaluations of the forces that a step may take; default 5·10⁶ divided by the number of bodies, at most 62 500. Beyond,
@@ -50,20 +50,20 @@ export interface GaussRadauOptions {
   readonly maxEvaluations?: number;
 }
 
-/** Iterations of a sub-step; one that needs more is too long. */
-const MOST_ITERATIONS = 12;
+/** Maximum number of iterations; a sub-step that needs more is too long. */
+const MAX_ITERATIONS = 12;
 
-/** The polynomial has settled when its last term changes by less than this part of the acceleration. */
-const SETTLED = { f32: 1e-7, f64: 1e-16 };
+/** The polynomial has converged if its last term changes by less than this fraction of the acceleration. */
+const CONVERGED = { f32: 1e-7, f64: 1e-16 };
 
-/** Changes that no longer shrink are rounding when they are below this. */
-const STALLED = { f32: 0.1, f64: 1e-9 };
+/** Changes that no longer decrease count as rounding below this fraction. */
+const ROUNDING = { f32: 0.1, f64: 1e-9 };
 
-/** A sub-step that should have been shorter than this part of its length is done again. */
-const TOO_LONG = 0.25;
+/** A sub-step is repeated if its optimal length is below this fraction of its length. */
+const MIN_RATIO = 0.25;
 
-/** A sub-step may be this much longer than the last. */
-const GROWTH = 4;
+/** Maximum growth factor from one sub-step to the next. */
+const MAX_GROWTH = 4;
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function gaussRadau(options: GaussRadauOptions = {}): Integrator {
@@ -79,15 +79,15 @@ export function gaussRadau(options: GaussRadauOptions = {}): Integrator {
     wholeWorld: true,
     isStable: () => true,
     prepare(world) {
-      clearGoneBodies(world, radauOf(world));
+      clearRemovedBodies(world, radauOf(world));
     },
     advance(world, ranges, dt, evaluateForces) {
-      cross(world, ranges, dt, evaluateForces, tolerance, maxEvaluations ?? defaultEvaluations(world) / 2);
+      advanceInterval(world, ranges, dt, evaluateForces, tolerance, maxEvaluations ?? defaultEvaluations(world) / 2);
     },
   };
 }
 
-function cross(
+function advanceInterval(
   world: PhysicsWorld,
   ranges: Ranges,
   dt: number,
@@ -97,7 +97,7 @@ function cross(
 ): void {
   const radau = radauOf(world);
   const { scalars } = radau;
-  // Once more as a mere number: variables that are `dt` or a number worked out would be objects.
+  // A copy of `dt` that V8 keeps unboxed; variables assigned from `dt` or from results would be heap numbers.
   const whole = 1 * dt;
   let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
   let passed = 0;
@@ -105,10 +105,10 @@ function cross(
   scalars[EVALUATIONS] = 0;
   while (passed < dt) {
     const rest = dt - passed;
-    if (wanted < SHORTEST * dt || scalars[EVALUATIONS] > budget) {
+    if (wanted < MIN_SUB_STEP * dt || scalars[EVALUATIONS] > budget) {
       reportUnderflow(world, worstRow(ranges, radau), wanted);
       scalars[PASSED] = passed;
-      crossBlindly(world, ranges, radau, dt, evaluate);
+      fallbackSteps(world, ranges, radau, dt, evaluate);
       return;
     }
     const h = subStep(wanted, rest);
@@ -122,15 +122,15 @@ function cross(
     scalars[NEXT] = 0;
     if (converged) findNextLength(world, ranges, radau, tolerance);
     const next = scalars[NEXT];
-    isNew = next >= TOO_LONG * h;
+    isNew = next >= MIN_RATIO * h;
     if (isNew) {
       end(ranges, radau);
       passed = h === rest ? whole : passed + h;
-      // A sub-step cut short by the end of the step says nothing against a longer one.
-      wanted = next < GROWTH * h ? next : Math.max(wanted, next);
+      // A sub-step shortened by the end of the step does not limit the next one.
+      wanted = next < MAX_GROWTH * h ? next : Math.max(wanted, next);
     } else {
-      if (!converged) forget(ranges, radau);
-      wanted = converged ? next : h / GROWTH;
+      if (!converged) clearPolynomial(ranges, radau);
+      wanted = converged ? next : h / MAX_GROWTH;
     }
   }
   scalars[WANTED] = wanted;
@@ -141,12 +141,12 @@ function begin(world: PhysicsWorld, ranges: Ranges, { table, kernels, scalars }:
   for (let r = 0; r < ranges.count; r++) kernels.radauBegin(table, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
 }
 
-/** The polynomial of the last sub-step, or of the last try of this one, carried to the length of this one. */
-function predict(ranges: Ranges, { table, kernels, scalars }: Radau, onwards: boolean): void {
+/** Extrapolates the polynomial of the last sub-step, or of the last attempt, to the length of this one. */
+function predict(ranges: Ranges, { table, kernels, scalars }: Radau, continues: boolean): void {
   const h = scalars[STEP];
   const ratio = h / scalars[LENGTH];
   if (scalars[LENGTH] > 0) {
-    const shift = onwards ? 1 : 0;
+    const shift = continues ? 1 : 0;
     for (let r = 0; r < ranges.count; r++) {
       kernels.radauPredict(table, ratio, shift, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
     }
@@ -154,28 +154,28 @@ function predict(ranges: Ranges, { table, kernels, scalars }: Radau, onwards: bo
   scalars[LENGTH] = h;
 }
 
-function forget(ranges: Ranges, { table, kernels, scalars }: Radau): void {
+function clearPolynomial(ranges: Ranges, { table, kernels, scalars }: Radau): void {
   for (let r = 0; r < ranges.count; r++) kernels.radauForget(table, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
   scalars[LENGTH] = 0;
 }
 
-/** Improves the polynomial until it no longer changes; whether it came to that. */
+/** Iterates the polynomial; returns whether it converged. */
 function iterate(world: PhysicsWorld, ranges: Ranges, radau: Radau, evaluate: EvaluateForces): boolean {
-  const settled = SETTLED[world.precision];
+  const tolerance = CONVERGED[world.precision];
   let before = Number.POSITIVE_INFINITY;
-  for (let i = 0; i < MOST_ITERATIONS; i++) {
+  for (let i = 0; i < MAX_ITERATIONS; i++) {
     sweepNodes(world, ranges, radau, evaluate);
     const change = radau.scalars[CHANGE];
-    if (change <= settled) return true;
-    if (!(change < before)) return before < STALLED[world.precision];
-    // Each sweep shortens the change by about the same factor: what the next one would bring is known.
-    if (i > 0 && change * (change / before) <= settled) return true;
+    if (change <= tolerance) return true;
+    if (!(change < before)) return before < ROUNDING[world.precision];
+    // Convergence is linear, so the change of the next sweep is predictable.
+    if (i > 0 && change * (change / before) <= tolerance) return true;
     before = change;
   }
   return false;
 }
 
-/** One sweep over the seven nodes. A number that is returned would be garbage: CHANGE has it. */
+/** One sweep over the seven nodes. The result is in CHANGE, since a returned number would be garbage. */
 function sweepNodes(
   world: PhysicsWorld,
   ranges: Ranges,
@@ -199,7 +199,7 @@ function sweepNodes(
   scalars[CHANGE] = change === 0 ? 0 : change / largest;
 }
 
-/** Leaves the length that would have met the tolerance in NEXT. */
+/** Writes the length that would have met the tolerance to NEXT. */
 function findNextLength(
   world: PhysicsWorld,
   ranges: Ranges,
@@ -216,12 +216,12 @@ function findNextLength(
     largest = Math.max(largest, kernels.radauLargestOf(table, START, bounds[2 * r], bounds[2 * r + 1]));
   }
   if (term <= largest * wanted * 4 ** -7) {
-    scalars[NEXT] = GROWTH * h;
+    scalars[NEXT] = MAX_GROWTH * h;
     return;
   }
   scalars[NEXT] = (wanted * largest) / term;
-  raise(scalars, NEXT, 1 / 7);
-  scalars[NEXT] = Math.min(GROWTH * h, h * scalars[NEXT]);
+  powInPlace(scalars, NEXT, 1 / 7);
+  scalars[NEXT] = Math.min(MAX_GROWTH * h, h * scalars[NEXT]);
 }
 
 function end(ranges: Ranges, { table, kernels, scalars }: Radau): void {
@@ -233,22 +233,22 @@ function worstRow(ranges: Ranges, { table, kernels }: Radau): number {
   return kernels.radauWorstRow(table, 0, ranges.bounds[2 * ranges.count - 1]);
 }
 
-/** The rest of a step whose error cannot be kept small. */
-function crossBlindly(world: PhysicsWorld, ranges: Ranges, radau: Radau, dt: number, evaluate: EvaluateForces): void {
+/** Completes a step whose error cannot be controlled. */
+function fallbackSteps(world: PhysicsWorld, ranges: Ranges, radau: Radau, dt: number, evaluate: EvaluateForces): void {
   const { kernels, table, scalars } = radau;
   const passed = scalars[PASSED];
-  const h = (dt - passed) / LAST_RESORT;
+  const h = (dt - passed) / FALLBACK_STEPS;
   for (let r = 0; r < ranges.count; r++) {
     kernels.radauState(table, 0, 0, h, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
   }
-  for (let i = 0; i < LAST_RESORT; i++) {
+  for (let i = 0; i < FALLBACK_STEPS; i++) {
     scalars[PASSED] = passed + i * h;
     scalars[STEP] = h;
-    forget(ranges, radau);
+    clearPolynomial(ranges, radau);
     begin(world, ranges, radau, evaluate);
     iterate(world, ranges, radau, evaluate);
     end(ranges, radau);
   }
-  forget(ranges, radau);
+  clearPolynomial(ranges, radau);
   scalars.fill(0);
 }

@@ -1,16 +1,16 @@
-// Implicit (backward) Euler: both moves use the state at the end.
+// Implicit (backward) Euler: both updates use the state at the end.
 //
 //   v' = v + F(x', v', t')/m dt        x' = x + v' dt        residual  R(v') = v' - v - F(x + v' dt, v', t')/m dt
 //
 // First order. Every step divides the amplitude of an oscillator by √(1 + ω² dt²), so it is stable for springs of any
-// stiffness at any step, and loses energy fast. For what is stiff and heavily damped, where only the slow motion
-// matters. The residual is brought to zero by Newton's method; the linear systems are solved by GMRES from differences
-// of forces, without a matrix (Knoll and Keyes, J. Comp. Phys. 193, 357, 2004). It ends when |R|, or the Newton step, is
-// below `tolerance` times the velocities; when it does not get there, as with nets of springs that a step would turn
-// upside down, the best velocities found are taken and the log gets an E_CONVERGENCE that names the body with the
-// largest residual. 5 to some hundred force evaluations, by stiffness. A chain of a hundred springs or more, falling and
-// swinging, is solved at k dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd.
-// Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
+// stiffness at any step, and dissipates energy fast. For stiff, strongly damped systems of which only the slow motion
+// matters. Newton's method solves R = 0; the linear systems are solved by matrix-free GMRES from differences of
+// forces (Knoll and Keyes, J. Comp. Phys. 193, 357, 2004). It stops when |R|, or the Newton step, is below
+// `tolerance` times the velocities. If it does not converge, as for networks of springs that a step would invert, the
+// best velocities are used and an E_CONVERGENCE that names the body with the largest residual is reported. 5 to about
+// 100 force evaluations, depending on stiffness. A falling and swinging chain of 100 springs or more converges at k
+// dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd. Hairer, Wanner: Solving Ordinary
+// Differential Equations II, IV.3.
 
 import { reportFault } from '../errors/report-fault.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
@@ -28,17 +28,17 @@ import {
   VECTORS,
 } from './support/implicit-equation.ts';
 
-/** When the equation counts as solved. */
+/** Error control. */
 export interface ImplicitEulerOptions {
-  /** Largest residual, in parts of the velocities; default 1e-10, in f32 at least 1e-5. */
+  /** Maximum residual relative to the velocities; default 1e-10, in f32 at least 1e-5. */
   readonly tolerance?: number;
 }
 
-/** Newton steps; each gains some four digits, fewer where forces bend. */
-const MOST_STEPS = 100;
+/** Maximum number of Newton steps; each gains about four digits, fewer for strongly nonlinear forces. */
+const MAX_NEWTON_STEPS = 100;
 
-/** Halvings of a Newton step that leads uphill. */
-const MOST_HALVINGS = 20;
+/** Maximum number of halvings of a Newton step that increases the residual. */
+const MAX_HALVINGS = 20;
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
@@ -62,9 +62,9 @@ export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
       copyVector(world, ranges, equation.from, Position);
       copyVector(world, ranges, equation.start, Velocity);
       copyVector(world, ranges, equation.best, Velocity);
-      if (!newton(world, ranges, dt, evaluateForces, equation, tolerance)) {
-        report(world, ranges, equation);
-        // A force that is not a number must meet its own body alone: the others take an explicit step.
+      if (!solveNewton(world, ranges, dt, evaluateForces, equation, tolerance)) {
+        reportNonConvergence(world, ranges, equation);
+        // A NaN force must affect only its own body: the others take an explicit step.
         const { best, residual, scalars } = equation;
         norm(world, ranges, residual, scalars, Scalar.one);
         if (!Number.isFinite(scalars[Scalar.one])) addScaled(world, ranges, best, best, residual, MINUS_ONE, 0);
@@ -74,8 +74,8 @@ export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
   };
 }
 
-/** Brings the residual of `best` to zero; whether it succeeded. */
-function newton(
+/** Minimises the residual of `best` by Newton's method; returns whether it converged. */
+function solveNewton(
   world: PhysicsWorld,
   ranges: Ranges,
   dt: number,
@@ -84,28 +84,28 @@ function newton(
   tolerance: number,
 ): boolean {
   const { start, best, residual, scalars } = equation;
-  const least = Math.max(tolerance, world.precision === 'f32' ? 1e-5 : 0);
+  const minTolerance = Math.max(tolerance, world.precision === 'f32' ? 1e-5 : 0);
   residualAt(world, ranges, dt, evaluate, equation, best, residual);
   norm(world, ranges, residual, scalars, Scalar.size);
-  for (let i = 0; i < MOST_STEPS; i++) {
+  for (let i = 0; i < MAX_NEWTON_STEPS; i++) {
     norm(world, ranges, start, scalars, Scalar.one);
     norm(world, ranges, best, scalars, Scalar.other);
-    const enough = least * Math.max(scalars[Scalar.one], scalars[Scalar.other]);
-    if (scalars[Scalar.size] <= enough) return true;
+    const threshold = minTolerance * Math.max(scalars[Scalar.one], scalars[Scalar.other]);
+    if (scalars[Scalar.size] <= threshold) return true;
     if (!(scalars[Scalar.size] < Number.POSITIVE_INFINITY)) return false;
     solveLinear(world, ranges, dt, evaluate, equation);
     norm(world, ranges, equation.change, scalars, Scalar.one);
-    // A stiff force turns the rounding of positions into a residual that nothing can bring to zero: then the step says it.
-    const settled = scalars[Scalar.left] < 0.1 * scalars[Scalar.size] && scalars[Scalar.one] <= enough;
-    const isSmaller = search(world, ranges, dt, evaluate, equation);
-    if (settled) return true;
+    // A stiff force amplifies the rounding of positions to a residual that cannot vanish; then the step size decides.
+    const isConverged = scalars[Scalar.left] < 0.1 * scalars[Scalar.size] && scalars[Scalar.one] <= threshold;
+    const isSmaller = lineSearch(world, ranges, dt, evaluate, equation);
+    if (isConverged) return true;
     if (!isSmaller) return false;
   }
   return false;
 }
 
-/** Goes along the Newton step, half as far each time, until the residual is smaller; whether it became so. */
-function search(
+/** Line search: halves the Newton step until the residual decreases; returns whether it did. */
+function lineSearch(
   world: PhysicsWorld,
   ranges: Ranges,
   dt: number,
@@ -114,7 +114,7 @@ function search(
 ): boolean {
   const { best, trial, change, residual, trialResidual, scalars } = equation;
   scalars[Scalar.part] = 1;
-  for (let i = 0; i < MOST_HALVINGS; i++) {
+  for (let i = 0; i < MAX_HALVINGS; i++) {
     addScaled(world, ranges, trial, best, change, scalars, Scalar.part);
     residualAt(world, ranges, dt, evaluate, equation, trial, trialResidual);
     norm(world, ranges, trialResidual, scalars, Scalar.trialSize);
@@ -129,26 +129,26 @@ function search(
   return false;
 }
 
-function report(world: PhysicsWorld, ranges: Ranges, { residualColumns }: Equation): void {
-  let worst = 0;
-  let most = -1;
+function reportNonConvergence(world: PhysicsWorld, ranges: Ranges, { residualColumns }: Equation): void {
+  let worstRow = 0;
+  let largest = -1;
   for (let r = 0; r < ranges.count; r++) {
     for (let row = ranges.bounds[2 * r]; row < ranges.bounds[2 * r + 1]; row++) {
       for (const axis of AXES[world.dimensions]) {
-        const here = Math.abs(residualColumns[axis][row]);
-        if (here > most || Number.isNaN(here)) {
-          most = here;
-          worst = row;
+        const residual = Math.abs(residualColumns[axis][row]);
+        if (residual > largest || Number.isNaN(residual)) {
+          largest = residual;
+          worstRow = row;
         }
       }
     }
   }
   reportFault(world, {
     code: 'E_CONVERGENCE',
-    entity: worst,
+    entity: worstRow,
     field: 'Velocity',
-    value: most,
+    value: largest,
     phase: 'integrate',
-    hint: 'Take shorter steps, or for nets of very stiff springs the integrator xpbd().',
+    hint: 'Take shorter steps, or use the integrator xpbd() for networks of very stiff springs.',
   });
 }

@@ -1,15 +1,15 @@
-// Position Verlet, or Störmer's method: each position follows from the two before it.
+// Position Verlet, or Störmer's method: each position follows from the two previous ones.
 //
-//   x' = x + (x - x(before)) + a dt²        start: x(before) = x - v dt + a dt²/2
+//   x' = x + (x - x(previous)) + a dt²        start: x(previous) = x - v dt + a dt²/2
 //   v' = (x' - x)/dt + a dt/2
 //
-// Without the last term of the start the whole run would be off by g dt t/2: first order. With it the scheme is second
-// order; one evaluation. A step that differs from the last scales the displacement:
-// x' = x + (x - x(before)) dt/dt(before) + a dt (dt + dt(before))/2. A body that was moved or pushed since its last step
-// starts afresh. The velocity is an estimate of second order, for forces and for users to read; forces that depend on it
-// keep the order. Symplectic for forces of position alone and equal steps: the energy error is bounded.
-// Størmer, Arch. Sci. Phys. Nat. 24 (1907); Verlet, Phys. Rev. 159, 98 (1967); Hairer, Lubich, Wanner: Geometric
-// Numerical Integration, I.1.4.
+// Without the last term of the start the whole run would be off by g dt t/2: first order. With it the scheme is
+// second order; one evaluation. A step of different length scales the displacement: x' = x + (x - x(previous))
+// dt/dt(previous) + a dt (dt + dt(previous))/2. A body whose position or velocity was changed since its last step
+// starts anew. The velocity is a second-order estimate, for forces and users; forces that depend on it keep the
+// order. Symplectic for forces that depend only on position and equal steps: the energy error is bounded. Størmer,
+// Arch. Sci. Phys. Nat. 24 (1907); Verlet, Phys. Rev. 159, 98 (1967); Hairer, Lubich, Wanner: Geometric Numerical
+// Integration, I.1.4.
 import { type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
 import { defineIntegrator } from './support/define-integrator.ts';
 
@@ -24,23 +24,23 @@ export const positionVerlet = /* @__PURE__ */ defineIntegrator(
     columns: 9,
   },
   ({ position, velocity, dt, lastDt, memory }, kick) => {
-    const [displacement, leftPosition, leftVelocity] = memory;
+    const [displacement, lastPosition, lastVelocity] = memory;
     const kicked = kick(position, velocity, 0, dt);
     const hasLast = lastDt.greater(0);
     const ratio = select(hasLast, dt.div(lastDt), 0);
-    const bend = select(hasLast, dt.add(lastDt).mul(0.5), dt);
-    const goesOn = displacement.mul(ratio).add(kicked.mul(bend));
-    const starts = velocity.mul(dt).add(kicked.mul(dt.mul(0.5)));
+    const kickTime = select(hasLast, dt.add(lastDt).mul(0.5), dt);
+    const continued = displacement.mul(ratio).add(kicked.mul(kickTime));
+    const started = velocity.mul(dt).add(kicked.mul(dt.mul(0.5)));
     const step = eachAxis((axis) => {
-      const isLeft = position[axis].equals(leftPosition[axis]).and(velocity[axis].equals(leftVelocity[axis]));
-      return select(isLeft.and(hasLast), goesOn[axis], starts[axis]);
+      const isUnchanged = position[axis].equals(lastPosition[axis]).and(velocity[axis].equals(lastVelocity[axis]));
+      return select(isUnchanged.and(hasLast), continued[axis], started[axis]);
     });
     const after = position.add(step);
-    // The mean velocity of the step, and half a step's acceleration more.
+    // The mean velocity of the step plus half a step of acceleration.
     const estimate = step.div(dt).add(kicked.mul(0.5));
     return { position: after, velocity: estimate, memory: [step, after, estimate] };
   },
-  // What a body remembers: the last displacement, and where and how fast its last step left it.
+  // Per body: the last displacement, and position and velocity at the end of its last step.
   { memory: 3 },
 );
 

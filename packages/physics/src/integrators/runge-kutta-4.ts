@@ -1,8 +1,8 @@
 // The classical fourth-order Runge-Kutta method (Kutta 1901): four evaluations, weights 1/6, 1/3, 1/3, 1/6.
 //
-// Fourth order for any smooth force, dependent on velocity and time as well. Not symplectic: the energy of an
-// oscillator decays by (ω dt)⁶/72 a step. Choose it for accuracy over few periods. Hairer, Nørsett, Wanner: Solving
-// Ordinary Differential Equations I, II.1.
+// Fourth order for any smooth force, including forces that depend on velocity and time. Not symplectic: the energy of
+// an oscillator decays by (ω dt)⁶/72 per step. Choose it for accuracy over few periods. Hairer, Nørsett, Wanner:
+// Solving Ordinary Differential Equations I, II.1.
 import { defineIntegrator } from './support/define-integrator.ts';
 
 export const rungeKutta4 = /* @__PURE__ */ defineIntegrator(
@@ -11,15 +11,15 @@ export const rungeKutta4 = /* @__PURE__ */ defineIntegrator(
     order: 4,
     symplectic: false,
     evaluations: 4,
-    // What the pieces of a step hand on to later ones, where some force is no law.
+    // Intermediate values of the stages, if some force is not a law.
     columns: 18,
     isStable: (stiffness, damping) => {
       // |1 + z + z²/2 + z³/6 + z⁴/24| <= 1 at both roots z of z² + γ dt z + ω² dt² = 0.
       const half = damping / 2;
       const square = half * half - stiffness;
       const root = Math.sqrt(Math.abs(square));
-      if (square < 0) return growth(-half, root) <= 1 + 1e-9;
-      return growth(-half - root, 0) <= 1 + 1e-9 && growth(-half + root, 0) <= 1 + 1e-9;
+      if (square < 0) return amplification(-half, root) <= 1 + 1e-9;
+      return amplification(-half - root, 0) <= 1 + 1e-9 && amplification(-half + root, 0) <= 1 + 1e-9;
     },
   },
   ({ position, velocity, dt }, kick) => {
@@ -31,7 +31,7 @@ export const rungeKutta4 = /* @__PURE__ */ defineIntegrator(
     const k3 = kick(position.add(v2.mul(half)), v3, 1 / 2, half);
     const v4 = velocity.add(k3.mul(2));
     const k4 = kick(position.add(v3.mul(dt)), v4, 1, half);
-    // Kicks of half a step: two of them weigh as much as one of the textbook.
+    // These are kicks of half a step: two of them equal one of the textbook.
     return {
       position: position.add(velocity.add(v2.add(v3).mul(2)).add(v4).mul(dt.div(6))),
       velocity: velocity.add(
@@ -44,8 +44,8 @@ export const rungeKutta4 = /* @__PURE__ */ defineIntegrator(
   },
 );
 
-/** Square of the factor by which a step multiplies a mode z = x + i y. */
-function growth(x: number, y: number): number {
+/** Returns the squared amplification factor of a mode z = x + i y per step. */
+function amplification(x: number, y: number): number {
   let re = 1;
   let im = 0;
   for (let n = 4; n >= 1; n--) {

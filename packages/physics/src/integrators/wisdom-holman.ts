@@ -1,18 +1,19 @@
-// Wisdom and Holman's map for planetary systems: one body dominates, all others move on Kepler orbits about it that
-// perturb each other.
+// The Wisdom-Holman map for planetary systems: one body dominates, and all others move on perturbed Kepler orbits
+// about it.
 //
 //   H = Σ Kepler(Jacobi coordinates) + interaction        step: drift dt/2, kick dt, drift dt/2
 //
 // The drift follows the Kepler orbits exactly (universal variables, kernels/integrators/kepler.ts: ellipses and
-// hyperbolas alike); the kick is all that the world's forces do beyond it, so they must contain the attraction of all
-// pairs, and may contain corrections such as `postNewtonian`. Second order; the error is that of leapfrog times the mass
-// of the planets over that of the star, so steps of a twentieth of the shortest period do. Symplectic and reversible for
-// forces of position alone: energy errors stay bounded for ever. No close encounters: what comes near a planet needs
-// another scheme. One force evaluation.
+// hyperbolas alike); the kick contains all remaining forces of the world, which must include the attraction of all
+// pairs, and may include corrections such as `postNewtonian`. Second order; the error is that of leapfrog times the
+// mass ratio of planets to star, so a twentieth of the shortest period suffices as step. Symplectic and reversible
+// for forces that depend only on position: energy errors stay bounded for ever. Not for close encounters between
+// planets. One force evaluation.
 //
-// Jacobi coordinates count each body from the centre of mass of those before it: make the star first (or name it), then
-// the bodies by growing distance, moons not at all. Bodies without mass are not moved: give a test particle a mass that
-// is small. A body whose orbit leads through the centre of the star stays, and the log gets an E_STEP.
+// Jacobi coordinates measure each body from the centre of mass of the bodies before it: create the star first (or
+// name it), then the bodies by increasing distance; moons are not supported. Bodies without mass do not move: give a
+// test particle a small mass. A body whose orbit passes through the centre of the star stays, and an E_STEP is
+// reported.
 //
 // Wisdom and Holman, Astron. J. 102, 1528 (1991); Rein and Tamayo, MNRAS 452, 376 (2015).
 
@@ -26,11 +27,11 @@ import type { Integrator, PhysicsWorld } from '../world/types.ts';
 import { integratorKernels } from './support/integrator-kernels.ts';
 import { reportUnderflow } from './support/sub-steps.ts';
 
-/** Which attraction the orbits obey. */
+/** The gravity of the Kepler orbits. */
 export interface WisdomHolmanOptions {
-  /** Gravitational constant, that of the world's gravity; default 6.6743e-11 m³/(kg s²). */
+  /** Gravitational constant, as in the world's gravity; default 6.6743e-11 m³/(kg s²). */
   readonly G?: number;
-  /** The dominant body; default the heaviest. */
+  /** The dominant body; default the body with the largest mass. */
   readonly central?: number;
 }
 
@@ -57,28 +58,33 @@ export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
       const { force } = world.scratch.at;
       const n = gather(world, star, G);
       kernels.toJacobi(at, n);
-      const lost = kernels.driftKepler(at, n, dt / 2);
+      const failedRow = kernels.driftKepler(at, n, dt / 2);
       kernels.fromJacobi(at, n);
       evaluateForces(world, ranges, world.time + dt / 2);
       kernels.kickJacobi(at, n, force.x, force.y, world.dimensions === 3 ? force.z : 0, dt);
-      const lostLater = kernels.driftKepler(at, n, dt / 2);
+      const laterFailedRow = kernels.driftKepler(at, n, dt / 2);
       kernels.fromJacobi(at, n);
-      if (lost + lostLater > 0) reportUnderflow(world, lost > 0 ? lost : lostLater, dt / 2);
+      if (failedRow + laterFailedRow > 0) reportUnderflow(world, failedRow > 0 ? failedRow : laterFailedRow, dt / 2);
     },
   };
 }
 
 function isMassive({ components, internal, rows }: PhysicsWorld, entity: number): boolean {
-  const both = bitOf('Position') | bitOf('Mass');
-  return entity > 0 && entity < rows && (internal.members[entity] & both) === both && components.Mass.value[entity] > 0;
+  const required = bitOf('Position') | bitOf('Mass');
+  return (
+    entity > 0 &&
+    entity < rows &&
+    (internal.members[entity] & required) === required &&
+    components.Mass.value[entity] > 0
+  );
 }
 
 function heaviest(world: PhysicsWorld): number {
   const { value } = world.components.Mass;
   const { ids, count } = world.internal.bodyList;
-  let most = 0;
-  for (let i = 0; i < count; i++) if (value[ids[i]] > value[most]) most = ids[i];
-  return most;
+  let heaviestBody = 0;
+  for (let i = 0; i < count; i++) if (value[ids[i]] > value[heaviestBody]) heaviestBody = ids[i];
+  return heaviestBody;
 }
 
 /** Lists the bodies with mass. @throws PhysicsError E_CAPACITY */
@@ -86,7 +92,7 @@ function list(world: PhysicsWorld): void {
   refreshEntityList(world, planetsOf(world), 'Position', PLANET_BYTES, bitOf('Position') | bitOf('Mass'));
 }
 
-/** Gathers them, the star first. Returns how many. */
+/** Gathers the bodies, the star first; returns their number. */
 function gather(world: PhysicsWorld, star: number, G: number): number {
   const { at, ids, count } = planetsOf(world);
   return integratorKernels(world).gatherPlanets(at, ids, count, star, G);

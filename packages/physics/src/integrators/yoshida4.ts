@@ -2,15 +2,16 @@
 //
 //   lengths w, 1 - 2w, w of dt, with w = 1/(2 - 2^(1/3)) = 1.3512…
 //
-// Fourth order, symplectic and reversible for forces of position alone; three evaluations. The middle step goes back by
-// 1.70 dt, so the error constant is large: halve dt against leapfrog before judging. A force that depends on velocity
-// makes it first order. Forest and Ruth, Physica D 43, 105 (1990); Yoshida, Phys. Lett. A 150, 262 (1990).
-import { compose, drifted, isStableComposition } from './support/composition.ts';
+// Fourth order, symplectic and reversible for forces that depend only on position; three evaluations. The middle step
+// goes back by 1.70 dt, so the error constant is large: compare it with leapfrog at half of dt. A force that depends
+// on velocity makes it first order. Forest and Ruth, Physica D 43, 105 (1990); Yoshida, Phys. Lett. A 150, 262
+// (1990).
+import { compose, composeLengths, isStableComposition } from './support/composition.ts';
 import { defineIntegrator } from './support/define-integrator.ts';
 
 const CUBE_ROOT_OF_2 = 1.2599210498948732;
 const W = 1 / (2 - CUBE_ROOT_OF_2);
-const { drifts, kicks } = drifted([W, 1 - 2 * W, W]);
+const { drifts, kicks } = composeLengths([W, 1 - 2 * W, W]);
 
 export const yoshida4 = /* @__PURE__ */ defineIntegrator(
   {

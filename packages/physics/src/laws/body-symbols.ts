@@ -1,13 +1,13 @@
-// What a law may read of the body it acts on.
+// The symbols of the body on which a law acts.
 import { bitOf, COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkWhole, isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import { Condition, Scalar, type ScalarInput, scalarOf, Vector, vec3, vectorOf } from './expression.ts';
 
-/** Where a column of a component is read. */
+/** Identifies a column of a component. */
 export interface ColumnData {
-  /** A component of every world by its name, one of a user's own as it was defined. */
+  /** A built-in component by its name, a custom one by its definition. */
   readonly component: ComponentName | ComponentSpec;
   readonly field: string;
   readonly spec: FieldSpec;
@@ -19,15 +19,15 @@ export interface BodySymbols {
   readonly position: Vector;
   /** m/s. */
   readonly velocity: Vector;
-  /** Velocity when the step began, m/s: the same in every stage of an integrator. */
+  /** Velocity at the start of the step, m/s: equal in every stage of an integrator. */
   readonly startVelocity: Vector;
-  /** kg; zero of a body that forces do not move. */
+  /** Mass, kg; zero for a body that forces do not move. */
   readonly mass: Scalar;
-  /** rad/s; in two dimensions z alone. */
+  /** Angular velocity, rad/s; in 2D only z. */
   readonly angularVelocity: Vector;
-  /** The sum of all forces before this law, N: for laws that answer other forces. */
+  /** The sum of all forces before this law, N: for laws that depend on other forces. */
   readonly force: Vector;
-  /** The acceleration that those forces give the body, m/s²; zero of a body that forces do not move. */
+  /** The acceleration by those forces, m/s²; zero for a body that forces do not move. */
   readonly acceleration: Vector;
   /** Simulated time at which the force is evaluated, s. */
   readonly time: Scalar;
@@ -35,17 +35,17 @@ export interface BodySymbols {
   readonly dt: Scalar;
   /** Id of the entity. */
   readonly entity: Scalar;
-  /** A vector of the body's own frame in world axes. */
+  /** Rotates a vector from the body's frame to world axes. */
   rotate(vector: Vector): Vector;
-  /** Whether the entity has a component. */
+  /** True if the entity has the component. */
   has(component: ComponentSpec): Condition;
-  /** Normal noise of variance 1, drawn anew each step and the same in every stage of it; independent for each channel. */
+  /** Normal noise of variance 1, drawn once per step and equal in every stage; independent for each channel. */
   noise(seed: ScalarInput, channel: number): Scalar;
 }
 
 type IsUnion<T, U = T> = T extends U ? ([U] extends [T] ? false : true) : never;
 
-/** A component as symbols: a vector of x, y and z, the one field that there is, or a record of its fields. */
+/** A component as symbols: a vector for x, y and z, a scalar for a single field, otherwise a record of its fields. */
 export type ReadSymbol<Spec> = Spec extends { readonly fields: infer Fields }
   ? keyof Fields extends 'x' | 'y' | 'z'
     ? Vector
@@ -57,12 +57,12 @@ export type ReadSymbol<Spec> = Spec extends { readonly fields: infer Fields }
 export type Reads = Readonly<Record<string, ComponentSpec>>;
 export type ReadSymbols<R> = { readonly [Key in keyof R]: ReadSymbol<R[Key]> };
 
-/** Largest number of a channel of noise. */
+/** Largest index of a noise channel. */
 const MAX_CHANNEL = 2 ** 31 - 1;
 
 const STATE = ['position', 'velocity', 'startVelocity', 'angularVelocity', 'force', 'acceleration'] as const;
 
-/** The symbols a law gets: those of every body, and the components it said that it reads. */
+/** Creates the symbols of a law: those of every body, and the components that it declares to read. */
 export function bodySymbols(law: string, reads: Reads): BodySymbols & Readonly<Record<string, unknown>> {
   const symbols: Record<string, unknown> = {
     mass: columnOf('Mass', 'value'),
@@ -77,18 +77,22 @@ export function bodySymbols(law: string, reads: Reads): BodySymbols & Readonly<R
   for (const name of STATE) symbols[name] = new Vector(name, []);
   for (const key of Object.keys(reads)) {
     if (key in symbols) {
-      throw new PhysicsError('E_RANGE', `${law} reads a component as "${key}", which every law has already.`, {
-        field: key,
-        hint: 'Give it another name.',
-      });
+      throw new PhysicsError(
+        'E_RANGE',
+        `${law} reads a component as "${key}", the name of a symbol that every law has.`,
+        {
+          field: key,
+          hint: 'Choose another name.',
+        },
+      );
     }
     symbols[key] = componentSymbol(knownComponent(reads[key], law));
   }
-  return refuseUnknown(symbols, law) as unknown as BodySymbols & Readonly<Record<string, unknown>>;
+  return rejectUnknown(symbols, law) as unknown as BodySymbols & Readonly<Record<string, unknown>>;
 }
 
-/** A misspelt name is an error that lists what there is, not `undefined`. */
-export function refuseUnknown(symbols: Record<string, unknown>, what: string): Record<string, unknown> {
+/** Makes access to an unknown name an error that lists the valid names, instead of `undefined`. */
+export function rejectUnknown(symbols: Record<string, unknown>, what: string): Record<string, unknown> {
   return new Proxy(symbols, {
     get(target, key) {
       if (typeof key === 'symbol' || Object.hasOwn(target, key)) return Reflect.get(target, key);
@@ -107,10 +111,10 @@ function componentSymbol(component: ComponentName | ComponentSpec): unknown {
   }
   if (fields.length === 1) return columnOf(component, fields[0]);
   const record = Object.fromEntries(fields.map((field) => [field, columnOf(component, field)]));
-  return refuseUnknown(record, typeof component === 'string' ? component : 'the component');
+  return rejectUnknown(record, typeof component === 'string' ? component : 'the component');
 }
 
-/** The symbol of one field of a component. */
+/** Creates the symbol of one field of a component. */
 export function columnOf(component: ComponentName | ComponentSpec, field: string): Scalar {
   const spec = specOf(component).fields[field];
   return new Scalar('column', [], { component, field, spec } satisfies ColumnData);
@@ -120,13 +124,17 @@ function specOf(component: ComponentName | ComponentSpec): ComponentSpec {
   return typeof component === 'string' ? COMPONENTS[component] : component;
 }
 
-/** @throws PhysicsError E_TYPE for what is no component */
+/**
+ * @throws PhysicsError E_TYPE if the argument is not a component
+ */
 function knownComponent(component: ComponentSpec, law: string): ComponentName | ComponentSpec {
   const isOwn = isRecord(component) && isRecord(component.fields);
   return componentName(component) ?? (isOwn ? component : nameOf(component, law));
 }
 
-/** @throws PhysicsError E_TYPE for what is no component of every world */
+/**
+ * @throws PhysicsError E_TYPE if the argument is not a built-in component
+ */
 function nameOf(component: ComponentSpec, law: string): ComponentName {
   const name = componentName(component);
   if (name !== undefined) return name;
@@ -138,7 +146,7 @@ function nameOf(component: ComponentSpec, law: string): ComponentName {
   );
 }
 
-/** The name of a component of every world. */
+/** Returns the name of a built-in component. */
 export function componentName(component: ComponentSpec): ComponentName | undefined {
   return (Object.keys(COMPONENTS) as ComponentName[]).find((name) => COMPONENTS[name] === component);
 }

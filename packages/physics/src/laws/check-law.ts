@@ -1,11 +1,11 @@
-// A new law is lowered once for nobody, so that what is wrong with it is said when it is defined.
+// Validates a new law by lowering it once without a world, so that its errors are thrown at its definition.
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Law, Parameter } from '../world/types.ts';
 import { Graph } from './graph.ts';
 import { Lowering } from './lower.ts';
 import type { Axes } from './vector-algebra.ts';
 
-/** Lowers a new law to arithmetic that nobody runs, in each dimension it is for: what is wrong with it shows now. */
+/** Lowers a law to arithmetic that is not executed, for each of its dimensions, which reveals its errors. */
 export function checkLaw(law: Law): void {
   for (const dimensions of [2, 3] as const) {
     if (law.dimensions !== undefined && law.dimensions !== dimensions) continue;
@@ -29,16 +29,17 @@ export function checkLaw(law: Law): void {
       part === undefined ? [] : lowering.vector(part),
     );
     const nodes = law.potential === undefined ? parts : [...parts, lowering.scalar(law.potential)];
-    if (nodes.some(({ scope }) => scope !== undefined)) throw stray(law, 'the row of a table outside of its sum');
+    if (nodes.some(({ scope }) => scope !== undefined))
+      throw foreignSymbol(law, 'the row of a table outside of its sum');
   }
 }
 
 function placeOf(law: Law, parameter: Parameter): number {
   const place = law.parameters.indexOf(parameter);
-  if (place < 0) throw stray(law, 'a parameter of another law');
+  if (place < 0) throw foreignSymbol(law, 'a parameter of another law');
   return place;
 }
 
-function stray({ name }: Law, what: string): PhysicsError {
+function foreignSymbol({ name }: Law, what: string): PhysicsError {
   return new PhysicsError('E_UNKNOWN', `law "${name}" reads ${what}.`, { field: name });
 }

@@ -1,4 +1,4 @@
-// What is wrong with a law is said when it is defined, with its name and the place.
+// Tests that errors of a law are thrown at its definition, with its name and the location.
 import { describe, expect, test } from 'vitest';
 import { forcesNow } from '../../../../test/support/law-lab.ts';
 import { worldState } from '../../../../test/support/worlds.ts';
@@ -18,7 +18,7 @@ import {
   vec3,
 } from '../index.ts';
 
-/** The error of a definition that TypeScript would refuse as well. */
+/** Returns the error of a definition that TypeScript would also reject. */
 function errorOf(act: () => unknown): PhysicsError {
   try {
     act();
@@ -34,7 +34,7 @@ const define = (options: object) => defineLaw({ name: 'lift of a wing', ...optio
 const withForce = (force: (body: Wrong & BodySymbols, parameters: Wrong) => unknown) => () =>
   define({ reads: { k: COMPONENTS.LinearDrag }, parameters: { p: scalar('') }, force });
 
-/** Hands a symbol out of the function that it is for. */
+/** Leaks symbols from the functions that they belong to. */
 const stolen: { row?: ScalarSymbol; parameter?: ScalarSymbol } = {};
 const rows = table(['q'], () => ({ at: 0, count: 0 }));
 
@@ -74,11 +74,11 @@ const FORCES: Readonly<Record<string, readonly [act: () => unknown, sentence: Re
     /select\(condition, a, b\) in place of if/,
   ],
   'is put into a text': [withForce(({ velocity }) => void `${velocity.x}`), /a symbol of a law is not a number/],
-  'calls itself without end': [
+  'recurses infinitely': [
     withForce(function again(body, given): unknown {
       return again(body, given);
     }),
-    /calls itself without end/,
+    /recurses infinitely/,
   ],
   throws: [
     withForce(() => {
@@ -104,7 +104,7 @@ const FORCES: Readonly<Record<string, readonly [act: () => unknown, sentence: Re
   ],
   'follows one operation with too many': [
     withForce(({ velocity }) => Array.from({ length: 501 }).reduce((v: VectorSymbol) => v.add(velocity), velocity)),
-    /chain of \d+ operations; at most 500 .*A sum over many things is a table/,
+    /nests \d+ operations; at most 500 .*Sum over many terms with a table/,
   ],
 };
 
@@ -140,7 +140,7 @@ const OPTIONS: Readonly<Record<string, readonly [act: () => unknown, sentence: R
   ],
   'a name that every law has': [
     () => define({ reads: { mass: COMPONENTS.Charge }, force: velocity }),
-    /lift of a wing reads a component as "mass", which every law has already\. Give it another name/,
+    /lift of a wing reads a component as "mass", the name of a symbol that every law has\. Choose another name/,
   ],
   'a parameter that is a number': [
     () => define({ parameters: { k: 3 }, force: velocity }),
@@ -224,8 +224,8 @@ describe('a law for other dimensions', () => {
   const inPlane = defineLaw({ name: 'eddy', dimensions: 2, force: velocity })();
 
   test.each([
-    [2, inSpace, /forces\[0\]: law "corkscrew" is for worlds of 3 dimensions, and this one has 2/],
-    [3, inPlane, /forces\[0\]: law "eddy" is for worlds of 2 dimensions, and this one has 3/],
+    [2, inSpace, /forces\[0\]: law "corkscrew" requires 3 dimensions, but the world has 2/],
+    [3, inPlane, /forces\[0\]: law "eddy" requires 2 dimensions, but the world has 3/],
   ] as const)('is refused by a new world of %i dimensions', (dimensions, force, sentence) => {
     expect(errorOf(() => createPhysicsWorld({ dimensions, forces: [force] })).message).toMatch(sentence);
   });
@@ -234,9 +234,9 @@ describe('a law for other dimensions', () => {
     const old = defineLaw({ name: 'corkscrew', force: velocity })();
     const world = createPhysicsWorld({ capacity: 10, forces: [old] });
     const eid = spawn(world, { position: {}, velocity: { x: 1 }, mass: 1 });
-    expect(() => replaceForce(world, inSpace)).toThrow(/for worlds of 3 dimensions/);
+    expect(() => replaceForce(world, inSpace)).toThrow(/requires 3 dimensions/);
     world.forces.push(inSpace);
-    expect(() => step(world, 0.1)).toThrow(/world\.forces\[1\]: law "corkscrew" is for worlds of 3 dimensions/);
+    expect(() => step(world, 0.1)).toThrow(/world\.forces\[1\]: law "corkscrew" requires 3 dimensions/);
     expect([world.tick, world.components.Position.x[eid]]).toEqual([0, 0]);
     world.forces.pop();
     step(world, 0.1);

@@ -1,21 +1,21 @@
 // The gradient of an expression with respect to the body's position, as another expression.
 //
-// By sweeping the expression once from its result to its leaves (reverse mode): each operation hands on to its arguments
-// what the result changes by with them. What else a law reads, columns, parameters and time, is constant. Where a root or
-// a length has no slope, as |r| at r = 0, the gradient is zero and not a number.
-// Griewank, Walther: Evaluating Derivatives, 2nd ed., section 3.2.
+// The algorithm is reverse-mode differentiation: one sweep from the result to the leaves, in which each operation
+// passes the derivative of the result to its arguments. Everything else that a law reads, such as columns, parameters
+// and time, is constant. Where a root or length has no derivative, as |r| at r = 0, the gradient is zero instead of
+// NaN. Source: Griewank, Walther: Evaluating Derivatives, 2nd ed., section 3.2.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { axial3, constant, Expression, type Scalar, select, Vector, vec3 } from './expression.ts';
 import type { SumScope } from './table.ts';
 
-/** The gradient of `potential`, times a factor. @throws PhysicsError E_TYPE for what has none */
+/** Returns the gradient of `potential` times a factor. @throws PhysicsError E_TYPE if it is not differentiable */
 export function gradientOf(potential: Scalar, factor: Scalar): Vector {
   const { x, y, z } = new Gradient().of(potential, factor);
-  // In two dimensions what z would change is left out.
+  // In 2D the z component is dropped.
   return vec3(x, y, z);
 }
 
-/** What the result changes by with an expression, by the axes that were asked for one by one and together. */
+/** The derivative of the result with respect to an expression: terms per axis and terms of the whole vector. */
 interface Change {
   whole: Expression | undefined;
   readonly axes: (Scalar | undefined)[];
@@ -27,7 +27,7 @@ const AXES = [axial3(1, 0, 0), axial3(0, 1, 0), axial3(0, 0, 1)];
 class Gradient {
   readonly #moves = new Map<Expression, boolean>();
 
-  /** The gradient of a scalar times a factor, or of the scalar product of a vector and a steady one. */
+  /** Returns the gradient of a scalar times a factor, or of the scalar product of a vector and a constant vector. */
   of(result: Expression, factor: Expression): Vector {
     if (!this.#depends(result)) return NONE;
     const changes = new Map<Expression, Change>([[result, { whole: factor, axes: [] }]]);
@@ -56,8 +56,8 @@ class Gradient {
   }
 
   /**
-   * Where the expression is one of several, its gradient is one of theirs: chosen last, because those not chosen may be
-   * no numbers. That of a sum is the sum of gradients.
+   * The gradient of a selection is selected last, because the gradient of the branch not taken may be NaN. The gradient
+   * of a sum is the sum of the gradients.
    */
   #ofJoint({ op, args, data }: Expression, change: Expression): Vector {
     const [a, b, c] = args;
@@ -74,7 +74,7 @@ class Gradient {
     }
   }
 
-  /** Whether an expression changes with the position. */
+  /** Returns whether an expression depends on the position. */
   #depends(expression: Expression): boolean {
     let depends = this.#moves.get(expression);
     if (depends === undefined) {
@@ -85,7 +85,9 @@ class Gradient {
     return depends;
   }
 
-  /** What changes with the position, each before its arguments; those of joints are left to them. */
+  /**
+   * Returns the expressions that depend on the position, each before its arguments; joints handle theirs separately.
+   */
   #inOrder(result: Expression): Expression[] {
     const seen = new Set<Expression>();
     const order: Expression[] = [];
@@ -100,17 +102,17 @@ class Gradient {
   }
 }
 
-/** Operations whose result does not change but in steps. */
+/** Operations whose result is piecewise constant. */
 const STEPS = new Set(['floor', 'round', 'less', 'lessOrEqual', 'equal', 'noise']);
 
 function isJoint({ op }: Expression): boolean {
   return op === 'select' || op === 'min' || op === 'max' || op === 'sum';
 }
 
-/** What one argument gets: a part of the whole of it, or of one axis of a vector. */
+/** Contribution to one argument: to the whole of it, or to one axis of a vector. */
 type Part = Expression | readonly [axis: number, Scalar];
 
-/** What the result changes by with each argument of an expression, from what it changes by with the expression. */
+/** Returns the derivative with respect to each argument, given the derivative with respect to the expression. */
 function partsOf(expression: Expression, change: Expression): readonly Part[] {
   switch (expression.op) {
     case 'add':
@@ -157,7 +159,7 @@ function partsOfScalar(f: Scalar, change: Scalar): readonly Part[] {
   }
 }
 
-/** Of scalars that are made of vectors. */
+/** Derivatives of scalars that are functions of vectors. */
 function partsOfProduct({ op, args, data }: Scalar, change: Scalar): readonly Part[] {
   const [a, b] = args as [Vector, Vector];
   switch (op) {
@@ -202,7 +204,7 @@ function partsOfVector(f: Vector, change: Vector): readonly Part[] {
 }
 
 function without(op: string): PhysicsError {
-  return new PhysicsError('E_TYPE', `${op} has no derivative by the position.`, { field: op });
+  return new PhysicsError('E_TYPE', `${op} has no derivative with respect to the position.`, { field: op });
 }
 
 function wholeOf({ whole, axes }: Change): Expression {
@@ -224,7 +226,7 @@ function negative(a: Expression): Expression {
   return a instanceof Vector ? a.negate() : (a as Scalar).negate();
 }
 
-/** a to the power of one less than b. */
+/** Returns a to the power b - 1. */
 function powerBelow(a: Scalar, b: Scalar): Scalar {
   if (b.op !== 'constant') return a.pow(b.sub(1));
   const below = (b.data as number) - 1;
@@ -232,7 +234,7 @@ function powerBelow(a: Scalar, b: Scalar): Scalar {
   return below === 1 ? a : a.pow(below);
 }
 
-/** A factor of 1, with which a sweep begins, is left out. */
+/** Omits a factor of 1, with which a sweep begins. */
 function product(a: Scalar, change: Scalar): Scalar {
   if (change.op !== 'constant') return a.mul(change);
   return change.data === 1 ? a : change.data === -1 ? a.negate() : a.mul(change);

@@ -1,18 +1,18 @@
-// The symbols that laws and integrators are written with: scalars, vectors and conditions.
+// The symbols of laws and integrators: scalars, vectors and conditions.
 //
-// A law's function is called once, with symbols in place of numbers. Each method returns a new symbol that remembers
-// what it was made of, so that the result is an expression: `lower.ts` turns it into arithmetic for a world.
+// The function of a law is called once with symbols in place of numbers. Each method returns a new symbol that stores
+// its operands, so the result is an expression, which `lower.ts` converts to arithmetic for a world.
 import { describe, PhysicsError } from '../errors/physics-error.ts';
 
 export type Shape = 'scalar' | 'vector' | 'condition';
 
-/** A number, or a symbol that stands for one. */
+/** A number, or a symbol for a number. */
 export type ScalarInput = number | Scalar;
 
-/** What all symbols have in common. `data` says what a leaf stands for. */
+/** Base class of all symbols. `data` identifies a leaf. */
 export abstract class Expression {
   abstract readonly shape: Shape;
-  /** Operations on the longest path from here to a leaf. */
+  /** Number of operations on the longest path to a leaf. */
   readonly depth: number;
 
   constructor(
@@ -20,10 +20,12 @@ export abstract class Expression {
     readonly args: readonly Expression[],
     readonly data?: unknown,
   ) {
-    this.depth = 1 + args.reduce((most, arg) => Math.max(most, arg.depth), 0);
+    this.depth = 1 + args.reduce((max, arg) => Math.max(max, arg.depth), 0);
   }
 
-  /** `if (speed > 3)`, `speed + 1` and the like would need a number, which there is not when the law is recorded. */
+  /**
+   * Expressions such as `speed > 3` or `speed + 1` require a number, which does not exist while the law is recorded.
+   */
   [Symbol.toPrimitive](): never {
     throw new PhysicsError('E_TYPE', 'a symbol of a law is not a number, so it has no value to compare or add.', {
       hint: 'Use its methods, such as a.add(b) and a.less(b), and select(condition, a, b) in place of if and ? :.',
@@ -31,7 +33,7 @@ export abstract class Expression {
   }
 }
 
-/** A condition, such as `speed.less(3)`: something for `select`. */
+/** A condition, such as `speed.less(3)`, for use in `select`. */
 export class Condition extends Expression {
   readonly shape = 'condition';
 
@@ -46,7 +48,7 @@ export class Condition extends Expression {
   }
 }
 
-/** A real number for each body. */
+/** A real number per body. */
 export class Scalar extends Expression {
   readonly shape = 'scalar';
 
@@ -62,11 +64,11 @@ export class Scalar extends Expression {
   div(b: ScalarInput): Scalar {
     return this.#with('div', b);
   }
-  /** The smaller of the two; this one where `b` is not a number. */
+  /** The smaller of the two; this value if `b` is NaN. */
   min(b: ScalarInput): Scalar {
     return this.#with('min', b);
   }
-  /** The larger of the two; this one where `b` is not a number. */
+  /** The larger of the two; this value if `b` is NaN. */
   max(b: ScalarInput): Scalar {
     return this.#with('max', b);
   }
@@ -82,7 +84,7 @@ export class Scalar extends Expression {
   floor(): Scalar {
     return new Scalar('floor', [this]);
   }
-  /** The nearest whole number; the even one of two that are equally near. */
+  /** The nearest integer; of two equally near, the even one. */
   round(): Scalar {
     return new Scalar('round', [this]);
   }
@@ -130,7 +132,7 @@ export class Scalar extends Expression {
   }
 }
 
-/** Three real numbers for each body. In two dimensions z is zero, unless the vector is axial, such as a spin. */
+/** Three real numbers per body. In 2D z is zero, unless the vector is axial, such as a spin. */
 export class Vector extends Expression {
   readonly shape = 'vector';
 
@@ -170,13 +172,13 @@ export class Vector extends Expression {
   lengthSquared(): Scalar {
     return this.dot(this);
   }
-  /** The vector of length 1 in this direction; zero where there is no direction. */
+  /** The unit vector in this direction; zero for a zero vector. */
   normalize(): Vector {
     return new Vector('normalize', [this]);
   }
 }
 
-/** A symbol for a number known when the law is written. */
+/** A symbol for a constant. */
 export function constant(value: number): Scalar {
   return new Scalar('constant', [], value);
 }
@@ -196,30 +198,36 @@ export function select(
   return new Scalar('select', [condition, scalarOf(whenTrue, 'select'), scalarOf(whenFalse, 'select')]);
 }
 
-/** A vector of three components; in two dimensions z is dropped. */
+/** A vector of three components; in 2D z is dropped. */
 export function vec3(x: ScalarInput, y: ScalarInput, z: ScalarInput = 0): Vector {
   return new Vector('vec3', [scalarOf(x, 'vec3'), scalarOf(y, 'vec3'), scalarOf(z, 'vec3')]);
 }
 
-/** A vector that keeps z in two dimensions: the axis of a rotation, a magnetic field. */
+/** A vector that keeps z in 2D: the axis of a rotation, a magnetic field. */
 export function axial3(x: ScalarInput, y: ScalarInput, z: ScalarInput): Vector {
   return new Vector('axial3', [scalarOf(x, 'axial3'), scalarOf(y, 'axial3'), scalarOf(z, 'axial3')]);
 }
 
-/** @throws PhysicsError E_TYPE for what is neither a number nor a scalar symbol */
+/**
+ * @throws PhysicsError E_TYPE if the value is neither a number nor a scalar symbol
+ */
 export function scalarOf(value: unknown, method: string): Scalar {
   if (typeof value === 'number') return constant(value);
   if (value instanceof Scalar) return value;
   throw mismatch('a scalar or a number', value, method);
 }
 
-/** @throws PhysicsError E_TYPE for what is no vector symbol */
+/**
+ * @throws PhysicsError E_TYPE if the value is not a vector symbol
+ */
 export function vectorOf(value: unknown, method: string): Vector {
   if (value instanceof Vector) return value;
   throw mismatch('a vector', value, method);
 }
 
-/** @throws PhysicsError E_TYPE for what is no condition */
+/**
+ * @throws PhysicsError E_TYPE if the value is not a condition
+ */
 export function conditionOf(value: unknown, method: string): Condition {
   if (value instanceof Condition) return value;
   throw mismatch('a condition', value, method);
@@ -229,7 +237,7 @@ function mismatch(wanted: string, value: unknown, method: string): PhysicsError 
   return new PhysicsError('E_TYPE', `${method} takes ${wanted}, got ${kindOf(value)}.`, { field: method, value });
 }
 
-/** What a value is, for a message. */
+/** Returns the kind of a value, for messages. */
 export function kindOf(value: unknown): string {
   return value instanceof Expression ? `a ${value.shape}` : describe(value);
 }

@@ -1,4 +1,4 @@
-// A law's functions are called once, with symbols, and what they return is kept.
+// Records laws: their functions are called once with symbols, and the returned expressions are stored.
 import type { ComponentName } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, isRecord, mustBe } from '../errors/validate.ts';
@@ -9,7 +9,7 @@ import {
   componentName,
   type ReadSymbols,
   type Reads,
-  refuseUnknown,
+  rejectUnknown,
 } from './body-symbols.ts';
 import { checkLaw } from './check-law.ts';
 import { Expression, kindOf, type Scalar, type Vector } from './expression.ts';
@@ -17,37 +17,40 @@ import { type ParameterSymbols, type Parameters, symbolOf } from './parameter.ts
 import { structureOf } from './structure.ts';
 import { Table, type TableParameter } from './table.ts';
 
-/** Operations that may follow each other in a law: what lowers and emits them calls itself as often, in each stage. */
+/** Maximum depth of the expressions of a law: lowering and emission recurse to this depth in each stage. */
 const MAX_DEPTH = 500;
 
 type LawFunction<R, P, Result> = (body: BodySymbols & ReadSymbols<R>, parameters: LawSymbols<P>) => Result;
 
-/** Parameters as symbols, tables among them. */
+/** Parameters as symbols, including tables. */
 export type LawSymbols<P> = {
   readonly [Key in keyof P]: P[Key] extends TableParameter<infer Field> ? Table<Field> : ParameterSymbols<P>[Key];
 };
 
-/** What a law says of itself. At least one of `force`, `acceleration` and `torque` must be given. */
+/** The description of a law. It must have at least one of `force`, `acceleration` and `torque`. */
 export interface LawOptions<R extends Reads, P extends Parameters> {
   readonly name: string;
-  /** The equation as people write it. */
+  /** The equation in mathematical notation. */
   readonly formula?: string;
-  /** Where the law is from: paper or book, and section. */
+  /** Source of the law: paper or book, and section. */
   readonly source?: string;
-  /** Components whose values it reads, by the name that its functions give them. */
+  /** Components whose values it reads, by the names that its functions use. */
   readonly reads?: R;
   readonly parameters?: P;
-  /** For worlds of two, or of three, dimensions alone. */
+  /** Restricts the law to 2D or 3D worlds. */
   readonly dimensions?: 2 | 3;
   /** Force on the body, N. */
   readonly force?: LawFunction<R, P, Vector>;
-  /** Acceleration of the body, m/s²: for forces in proportion to mass. */
+  /** Acceleration of the body, m/s²: for forces proportional to mass. */
   readonly acceleration?: LawFunction<R, P, Vector>;
   /** Torque on the body, N m. */
   readonly torque?: LawFunction<R, P, Vector>;
-  /** Potential energy of the body, J, whose negative gradient the force is. */
+  /** Potential energy of the body, J; the force is its negative gradient. */
   readonly potential?: LawFunction<R, P, Scalar>;
-  /** Called before every step, when edits are still allowed. What it throws comes out of `step`, and nothing has moved. */
+  /**
+   * Called before every step, while edits are still allowed. Its exceptions propagate from `step`, before anything
+   * moved.
+   */
   readonly prepare?: (world: PhysicsWorld, dt: number) => void;
   /** Components whose columns `prepare` changes, as an engine burns fuel. */
   readonly consumes?: readonly ComponentName[];
@@ -67,7 +70,7 @@ export function recordLaw(
       'fields' in parameter ? new Table(parameter as unknown as TableParameter) : symbolOf(parameter),
     ]),
   );
-  const given = refuseUnknown(symbols, `${name}.parameters`) as LawSymbols<Parameters>;
+  const given = rejectUnknown(symbols, `${name}.parameters`) as LawSymbols<Parameters>;
   const ask = <Result extends Expression>(part: 'force' | 'acceleration' | 'torque' | 'potential', shape: string) =>
     record<Result>(name, part, shape, options[part] as undefined | ((...symbols: unknown[]) => unknown), body, given);
   const parts = {
@@ -93,7 +96,7 @@ export function recordLaw(
   return law;
 }
 
-/** Names of columns: that of the component where it has one field, else with the field behind it. */
+/** Names of columns: the name of the component if it has one field, otherwise followed by the field. */
 function columnNames(reads: Reads): Record<string, string> {
   const names: Record<string, string> = {};
   for (const [key, component] of Object.entries(reads)) {
@@ -129,17 +132,15 @@ function record<Result extends Expression>(
     });
   }
   if (result.depth <= MAX_DEPTH) return result as Result;
-  throw new PhysicsError(
-    'E_RANGE',
-    `${where} is a chain of ${result.depth} operations; at most ${MAX_DEPTH} can follow each other.`,
-    {
-      field: where,
-      hint: 'A sum over many things is a table: parameters: { things: table([…], placeOf) }.',
-    },
-  );
+  throw new PhysicsError('E_RANGE', `${where} nests ${result.depth} operations; at most ${MAX_DEPTH} are allowed.`, {
+    field: where,
+    hint: 'Sum over many terms with a table: parameters: { things: table([…], placeOf) }.',
+  });
 }
 
-/** @throws PhysicsError E_TYPE for what is no parameter */
+/**
+ * @throws PhysicsError E_TYPE if a value is not a parameter
+ */
 function checkParameters(law: string, parameters: Readonly<Record<string, unknown>>): void {
   for (const [name, parameter] of Object.entries(parameters)) {
     if (isRecord(parameter) && parameter.kind !== undefined) continue;
@@ -147,7 +148,7 @@ function checkParameters(law: string, parameters: Readonly<Record<string, unknow
   }
 }
 
-/** The same error with the law's name before it. */
+/** Returns the same error prefixed with the name of the law. */
 function explain(where: string, error: unknown): PhysicsError {
   if (error instanceof PhysicsError) {
     const { code, field, value, hint } = error;
@@ -155,7 +156,7 @@ function explain(where: string, error: unknown): PhysicsError {
     return new PhysicsError(code, `${where}: ${problem}`, { field: field ?? where, value, hint });
   }
   const isEndless = error instanceof RangeError;
-  const problem = isEndless ? 'it calls itself without end.' : `it threw ${error}.`;
+  const problem = isEndless ? 'it recurses infinitely.' : `it threw ${error}.`;
   const wrapped = new PhysicsError('E_TYPE', `${where}: ${problem}`, { field: where });
   wrapped.cause = error;
   return wrapped;

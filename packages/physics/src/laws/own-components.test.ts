@@ -34,7 +34,7 @@ describe('a component of one’s own', () => {
     addComponent(world, bright, set(glow, { strength: 0.25 }));
     glow.tilt[bright] = 0.25;
     for (let i = 0; i < 100; i++) step(world, 0.01);
-    // Velocity Verlet errs by (k dt)²/6 a unit of k t.
+    // Velocity Verlet has a relative error of (k dt)²/6 per unit of k t.
     expect(world.components.Velocity.x[bright]).toBeCloseTo(Math.exp(0.5), 5);
     expect(world.components.Velocity.x[dark]).toBe(1);
   });
@@ -61,7 +61,7 @@ describe('a component of one’s own', () => {
     expect(() => addComponent(world, eid, set(glow, { brightness: 1 } as never))).toThrow(/no field "brightness"/);
     const other = createPhysicsWorld({ forces: [radiate()] });
     expect(() => columnsOf(other, Glow)).toThrow(/components: \[MyComponent\]/);
-    expect(() => step(other, 0.01)).toThrow(/was made without the component/);
+    expect(() => step(other, 0.01)).toThrow(/was created without the component/);
     expect(other.tick).toBe(0);
     expect(() => createPhysicsWorld({ components: [{} as never] })).toThrow(/components\[0\] must be a component/);
   });

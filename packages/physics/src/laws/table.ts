@@ -1,11 +1,11 @@
 // Sums over a table of numbers: fixed charges, centres of attraction, waves of a turbulent wind. The table may grow and
-// change without anything being compiled again.
+// change without recompilation.
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Parameter, PhysicsWorld } from '../world/types.ts';
-import { refuseUnknown } from './body-symbols.ts';
+import { rejectUnknown } from './body-symbols.ts';
 import { constant, Scalar, type ScalarInput, Vector } from './expression.ts';
 
-/** Where a table lies in a world's memory: rows of doubles, one a field. */
+/** Location of a table in a world's memory: rows of f64, one per field. */
 export interface TablePlace {
   readonly at: number;
   readonly count: number;
@@ -22,13 +22,13 @@ export class SumScope {
   constructor(readonly table: TableParameter) {}
 }
 
-/** The field of a row in a sum. */
+/** A field of a row in a sum. */
 export interface RowData {
   readonly scope: SumScope;
   readonly index: number;
 }
 
-/** A table of doubles, whose place is asked for before every step. */
+/** Creates a table of f64, whose location is queried before every step. */
 export function table<Field extends string>(
   fields: readonly Field[],
   placeOf: (world: PhysicsWorld) => TablePlace,
@@ -53,13 +53,13 @@ export function table<Field extends string>(
 export class Table<Field extends string = string> {
   constructor(readonly parameter: TableParameter<Field>) {}
 
-  /** The sum of what `term` makes of each row. */
+  /** Returns the sum of `term` over all rows. */
   sum(term: (row: { readonly [F in Field]: Scalar }) => Vector): Vector;
   sum(term: (row: { readonly [F in Field]: Scalar }) => ScalarInput): Scalar;
   sum(term: (row: { readonly [F in Field]: Scalar }) => Vector | ScalarInput): Vector | Scalar {
     const scope = new SumScope(this.parameter as unknown as TableParameter);
     const fields = this.parameter.fields.map((name, index) => [name, new Scalar('row', [], { scope, index })]);
-    const result = term(refuseUnknown(Object.fromEntries(fields), 'the row') as { readonly [F in Field]: Scalar });
+    const result = term(rejectUnknown(Object.fromEntries(fields), 'the row') as { readonly [F in Field]: Scalar });
     if (result instanceof Vector) return new Vector('sum', [result], scope);
     if (result instanceof Scalar) return new Scalar('sum', [result], scope);
     if (typeof result === 'number') return new Scalar('sum', [constant(result)], scope);

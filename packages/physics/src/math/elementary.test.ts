@@ -2,22 +2,22 @@ import { describe, expect, test } from 'vitest';
 import { atan2, cos, exp, log, pow, sin } from './elementary.ts';
 import { createRandom } from './random.ts';
 
-/** Distance of two doubles in units in the last place of the second; 0 for equal ones, NaN and infinities included. */
+/** Distance of two f64 in units in the last place of the second; 0 if they are equal, NaN and infinities included. */
 function ulps(value: number, expected: number): number {
   if (Object.is(value, expected)) return 0;
   const bits = new BigInt64Array(new Float64Array([value, expected]).buffer);
   return Number((bits[0] as bigint) - (bits[1] as bigint));
 }
 
-/** The largest distance of many draws. */
+/** The largest distance of many random arguments. */
 function worst(count: number, draw: (r: ReturnType<typeof createRandom>) => readonly [number, number]): number {
   const random = createRandom(7);
-  let most = 0;
+  let maxUlps = 0;
   for (let i = 0; i < count; i++) {
     const [value, expected] = draw(random);
-    most = Math.max(most, Math.abs(ulps(value, expected)));
+    maxUlps = Math.max(maxUlps, Math.abs(ulps(value, expected)));
   }
-  return most;
+  return maxUlps;
 }
 
 const SPECIAL = [0, -0, 1, -1, 0.5, -0.5, 2, -2, 3, -3, 1e300, -1e300, 1e-300, 5e-324, Infinity, -Infinity, Number.NaN];
@@ -25,15 +25,15 @@ const SPECIAL = [0, -0, 1, -1, 0.5, -0.5, 2, -2, 3, -3, 1e300, -1e300, 1e-300, 5
 describe('elementary functions against the engine’s', () => {
   test('sine and cosine, small angles and large', () => {
     for (const size of [1, 100, 1e5, 1e9, 1e15, 1e300]) {
-      const most = size <= 1e5 ? 1 : 2;
+      const maxUlps = size <= 1e5 ? 1 : 2;
       expect(
         worst(20_000, (r) => at(r.uniform(-size, size), sin, Math.sin)),
         `sin ${size}`,
-      ).toBeLessThanOrEqual(most);
+      ).toBeLessThanOrEqual(maxUlps);
       expect(
         worst(20_000, (r) => at(r.uniform(-size, size), cos, Math.cos)),
         `cos ${size}`,
-      ).toBeLessThanOrEqual(most);
+      ).toBeLessThanOrEqual(maxUlps);
     }
   });
 

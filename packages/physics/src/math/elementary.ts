@@ -1,24 +1,23 @@
-// Elementary functions that give the same bits on every JavaScript engine, which Math.sin and its like do not. They are
-// the kernels' own (kernels/math), so TypeScript and kernels agree to the last bit. Each is within 1 ulp
-// (sine and cosine of angles beyond a million radians within 2).
-// Cost: some 20 ns, of which half is the call.
+// Elementary functions that give the same bits on every JavaScript engine, unlike Math.sin. They are those of
+// kernels/math, so TypeScript and kernels agree to the last bit. Each is within 1 ulp (sine and cosine of angles beyond
+// a million radians within 2). Cost: about 20 ns, half of it for the call.
 import { instantiate } from '../kernels/instantiate.ts';
 import { KERNELS, type KernelExports } from '../kernels/math.gen.ts';
 
 let made: KernelExports | undefined;
 
-/** Made at the first use, with a page of memory of its own for a table. */
+/** Instantiated on first use, with one page of memory for a table. */
 function kernels(): KernelExports {
   made ??= instantiate<KernelExports>(KERNELS, 'f64', new WebAssembly.Memory({ initial: 1 }));
   return made;
 }
 
-/** Sine of an angle in radians, of any size. */
+/** Sine of an angle in radians, of any magnitude. */
 export function sin(x: number): number {
   return kernels().sine(x);
 }
 
-/** Cosine of an angle in radians, of any size. */
+/** Cosine of an angle in radians, of any magnitude. */
 export function cos(x: number): number {
   return kernels().cosine(x);
 }
@@ -38,8 +37,8 @@ export function log(x: number): number {
   return kernels().logarithm(x);
 }
 
-/** cells[at] to the power y, in its place: a number that is handed on and returned becomes garbage. */
-export function raise(cells: Float64Array, at: number, y: number): void {
+/** Replaces cells[at] by its power y; a number passed and returned would create garbage. */
+export function powInPlace(cells: Float64Array, at: number, y: number): void {
   cells[at] = kernels().power(cells[at], y);
 }
 

@@ -9,7 +9,7 @@ export type Previous = Pick<Components, (typeof POSE)[number]>;
 
 export type PreviousAddresses = Pick<Addresses, (typeof POSE)[number]>;
 
-/** Copies the pose of a body from some columns to others, except values that no body may have. */
+/** Copies the pose of a body between columns, except values that are out of range. */
 export function copyPose(from: Previous, to: Previous, eid: number): void {
   for (const name of POSE) {
     const source: Columns = from[name];

@@ -15,11 +15,11 @@ function mergingWorld(options: PhysicsWorldOptions = {}) {
   return world;
 }
 
-describe('bodies that touch become one', () => {
+describe('touching bodies merge', () => {
   test.each([
     [2, Math.SQRT2],
     [3, 2 ** (1 / 3)],
-  ] as const)('in %iD: mass, momentum, centre and size, the lower id of equals', (dimensions, size) => {
+  ] as const)('in %iD: mass, momentum, centre and size; the lower id of equals survives', (dimensions, size) => {
     const world = mergingWorld({ dimensions });
     const a = spawn(world, { position: { x: 0 }, velocity: { x: 1, y: 2 }, mass: 3, collider: 1 });
     const b = spawn(world, { position: { x: 2.5 }, velocity: { x: -3 }, mass: 3, collider: 1 });
@@ -37,7 +37,7 @@ describe('bodies that touch become one', () => {
     expect(Collider.radius[a]).toBeCloseTo(size, 12);
   });
 
-  test('the heavier stays, a wall without mass swallows nobody', () => {
+  test('the heavier body survives, and immovable bodies do not merge', () => {
     const world = mergingWorld();
     spawn(world, { position: { x: 0 }, mass: 1, collider: 1 });
     const heavy = spawn(world, { position: { x: 1 }, mass: 9, collider: 1 });
@@ -49,7 +49,7 @@ describe('bodies that touch become one', () => {
     expect(world.components.Position.x[heavy]).toBeCloseTo(0.9, 12);
   });
 
-  test('a chain of them merges until nobody overlaps', () => {
+  test('a chain merges until no bodies overlap', () => {
     const world = mergingWorld({ dimensions: 3 });
     for (let i = 0; i < 10; i++) spawn(world, { position: { x: 1.5 * i }, mass: 1 + i, collider: 1 });
     step(world, 0.01);
@@ -66,7 +66,7 @@ describe('bodies that touch become one', () => {
     expect(mergers(world).total).toBe(10 - bodies(world).count);
   });
 
-  test('what they had of angular momentum becomes spin', () => {
+  test('orbital angular momentum becomes spin', () => {
     const world = mergingWorld();
     const ball = { mass: 1, collider: 1, inertia: 0.5, angularVelocity: { z: 0 }, rotation: {} };
     spawn(world, { ...ball, position: { x: -2, y: 0.5 }, velocity: { x: 1 } });
@@ -77,7 +77,7 @@ describe('bodies that touch become one', () => {
     expect(angularMomentum(world).z).toBeCloseTo(before, 12);
   });
 
-  test('a cloud that falls together keeps mass, momentum and centre, and loses energy', () => {
+  test('a collapsing cloud conserves mass, momentum and centre, and loses energy', () => {
     const count = 600;
     const world = mergingWorld({
       dimensions: 3,

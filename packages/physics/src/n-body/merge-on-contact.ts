@@ -1,15 +1,15 @@
-// Bodies that become one where they touch, as drops and planetesimals do: perfectly inelastic.
+// Merges bodies where they touch, as drops and planetesimals do: a perfectly inelastic collision.
 //
-//   m = m₁ + m₂      r = (m₁ r₁ + m₂ r₂)/m      v = (m₁ v₁ + m₂ v₂)/m      R³ = R₁³ + R₂³  (R² in the plane)
+//   m = m₁ + m₂      r = (m₁ r₁ + m₂ r₂)/m      v = (m₁ v₁ + m₂ v₂)/m      R³ = R₁³ + R₂³  (R² in 2D)
 //
-// Mass, momentum, centre of mass and volume (area in 2D) are conserved; of the kinetic energy, μ (v₁ - v₂)²/2 becomes
-// heat, with μ = m₁ m₂/m, and of the potential energy what the two had between them. The heavier body remains, the one
-// with the lower id between equals; the other is despawned when the step ends. Where the one that remains can spin
-// (Inertia and AngularVelocity), it takes up the angular momentum of the two about their centre, and its inertia grows
-// as m R². Colour, charge and other components of the one that goes are lost.
+// Mass, momentum, centre of mass and volume (area in 2D) are conserved; the kinetic energy μ (v₁ - v₂)²/2, with μ = m₁
+// m₂/m, becomes heat, and the mutual potential energy is lost. The heavier body survives, the one with the lower id if
+// equal; the other is despawned at the end of the step. If the survivor can rotate (Inertia and AngularVelocity), it
+// takes the angular momentum of both about their common centre, and its inertia becomes proportional to m R². Colour,
+// charge and other components of the absorbed body are lost.
 //
-// Valid where bodies hit at less than about their escape speed (Leinhardt & Stewart, ApJ 745, 79, 2012). Bodies are
-// looked at where they are when the step ends. Cost: the broad phase, and 1 µs a merger.
+// Valid for impact speeds below about the escape speed (Leinhardt & Stewart, ApJ 745, 79, 2012). Overlaps are found at
+// the end of the step. Cost: the broad phase, and 1 µs per merger.
 
 import { despawn } from '../bodies/spawn.ts';
 import { bitOf } from '../components/all.ts';
@@ -21,18 +21,18 @@ import { activateContacts, contactTable } from '../particle-contacts/contact-tab
 import { collisionKernels } from '../particle-contacts/kernels.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** What has merged in a world. */
+/** Counts of mergers in a world. */
 export interface Mergers {
-  /** Since the world was made. */
+  /** Mergers since the world was created. */
   readonly total: number;
-  /** In the last step. */
+  /** Mergers in the last step. */
   readonly lastStep: number;
 }
 
 interface State {
   total: number;
   lastStep: number;
-  /** The body each row became part of in this step; 0 where it is still itself. */
+  /** The body that absorbed each row in this step; 0 for rows that were not absorbed. */
   readonly into: Uint32Array;
   readonly gone: number[];
 }
@@ -42,12 +42,12 @@ const stateOf = resource((world): State => {
   return { total: 0, lastStep: 0, into: new Uint32Array(world.rows), gone: [] };
 });
 
-/** How many bodies have merged. */
+/** Returns the number of mergers. */
 export function mergers(world: PhysicsWorld): Mergers {
   return stateOf(world);
 }
 
-/** System of the `collide` phase: bodies with Mass whose colliders overlap become one. */
+/** System of the `collide` phase: merges bodies with Mass whose colliders overlap. */
 export function mergeOnContact(world: PhysicsWorld): void {
   const state = stateOf(world);
   const { into, gone } = state;
@@ -78,14 +78,14 @@ function findPairs(world: PhysicsWorld) {
   return contactTable(world);
 }
 
-/** The body that `row` is part of by now. */
+/** Returns the body that `row` is part of. */
 function remaining(into: Uint32Array, row: number): number {
   let body = row;
   while (into[body] !== 0) body = into[body];
   return body;
 }
 
-/** Bodies that nothing moves do not merge: they are walls. */
+/** Immovable bodies do not merge: they act as walls. */
 function isFree({ internal, components }: PhysicsWorld, row: number): boolean {
   const wanted = bitOf('Position') | bitOf('Velocity') | bitOf('Mass') | bitOf('Collider');
   return (internal.members[row] & wanted) === wanted && components.Mass.value[row] > 0;
@@ -101,22 +101,27 @@ function overlap({ components }: PhysicsWorld, a: number, b: number): boolean {
 function merge(world: PhysicsWorld, state: State, a: number, b: number): void {
   const { Mass, Position, Velocity, Collider } = world.components;
   const aStays = Mass.value[a] > Mass.value[b] || (Mass.value[a] === Mass.value[b] && a < b);
-  const [stays, goes] = aStays ? [a, b] : [b, a];
-  const [m1, m2] = [Mass.value[stays], Mass.value[goes]];
+  const [survivor, absorbed] = aStays ? [a, b] : [b, a];
+  const [m1, m2] = [Mass.value[survivor], Mass.value[absorbed]];
   const mass = m1 + m2;
-  const radius = radiusOf(world.dimensions, Collider.radius[stays], Collider.radius[goes]);
-  addSpin(world, stays, goes, (mass * radius * radius) / (m1 * Collider.radius[stays] * Collider.radius[stays]));
+  const radius = radiusOf(world.dimensions, Collider.radius[survivor], Collider.radius[absorbed]);
+  addSpin(
+    world,
+    survivor,
+    absorbed,
+    (mass * radius * radius) / (m1 * Collider.radius[survivor] * Collider.radius[survivor]),
+  );
   for (const axis of AXES[world.dimensions]) {
     const [x, v] = [Position[axis], Velocity[axis]];
-    x[stays] += (m2 / mass) * (x[goes] - x[stays]);
-    v[stays] += (m2 / mass) * (v[goes] - v[stays]);
+    x[survivor] += (m2 / mass) * (x[absorbed] - x[survivor]);
+    v[survivor] += (m2 / mass) * (v[absorbed] - v[survivor]);
   }
-  Mass.value[stays] = mass;
-  Collider.radius[stays] = radius;
-  // Until the step ends the other one is there without mass, and nothing acts on it.
-  Mass.value[goes] = 0;
-  state.into[goes] = stays;
-  state.gone.push(goes);
+  Mass.value[survivor] = mass;
+  Collider.radius[survivor] = radius;
+  // Until the end of the step the absorbed body exists without mass, and no force acts on it.
+  Mass.value[absorbed] = 0;
+  state.into[absorbed] = survivor;
+  state.gone.push(absorbed);
   world.versions.style++;
 }
 
@@ -124,22 +129,22 @@ function radiusOf(dimensions: 2 | 3, a: number, b: number): number {
   return dimensions === 2 ? Math.sqrt(a * a + b * b) : pow(a * a * a + b * b * b, 1 / 3);
 }
 
-/** L = I₁ ω₁ + I₂ ω₂ + μ d × u about the centre of the two. */
-function addSpin(world: PhysicsWorld, stays: number, goes: number, growth: number): void {
+/** L = I₁ ω₁ + I₂ ω₂ + μ d × u about the common centre. */
+function addSpin(world: PhysicsWorld, survivor: number, absorbed: number, growth: number): void {
   const { Mass, Position: p, Velocity: v, Inertia, AngularVelocity: w } = world.components;
-  const inertia = Inertia.value[stays] * growth;
-  const spins = (world.internal.members[stays] & bitOf('AngularVelocity')) !== 0;
+  const inertia = Inertia.value[survivor] * growth;
+  const spins = (world.internal.members[survivor] & bitOf('AngularVelocity')) !== 0;
   if (!spins || inertia === 0) return;
-  const [m1, m2] = [Mass.value[stays], Mass.value[goes]];
+  const [m1, m2] = [Mass.value[survivor], Mass.value[absorbed]];
   const reduced = (m1 * m2) / (m1 + m2);
   const between = (c: { x: ArrayLike<number>; y: ArrayLike<number>; z: ArrayLike<number> }) =>
-    [c.x[goes] - c.x[stays], c.y[goes] - c.y[stays], c.z[goes] - c.z[stays]] as const;
+    [c.x[absorbed] - c.x[survivor], c.y[absorbed] - c.y[survivor], c.z[absorbed] - c.z[survivor]] as const;
   const [dx, dy, dz] = between(p);
   const [ux, uy, uz] = between(v);
   const orbital = { x: dy * uz - dz * uy, y: dz * ux - dx * uz, z: dx * uy - dy * ux };
   for (const axis of AXES[3]) {
-    const own = Inertia.value[stays] * w[axis][stays] + Inertia.value[goes] * w[axis][goes];
-    w[axis][stays] = (own + reduced * orbital[axis]) / inertia;
+    const own = Inertia.value[survivor] * w[axis][survivor] + Inertia.value[absorbed] * w[axis][absorbed];
+    w[axis][survivor] = (own + reduced * orbital[axis]) / inertia;
   }
-  Inertia.value[stays] = inertia;
+  Inertia.value[survivor] = inertia;
 }

@@ -12,12 +12,12 @@ function pair(charges: [number, number], k: number, distance: number) {
   return world;
 }
 
-test('like charges part with the relative speed √(2 k q²/(μ d)), momentum zero', () => {
+test('like charges separate at the relative speed √(2 k q²/(μ d)), with zero momentum', () => {
   const world = pair([1, 1], 1e4, 100);
   const before = energy(world).total;
   for (let i = 0; i < 20_000; i++) step(world, 0.01);
   const { x } = world.components.Velocity;
-  // At 200 s they are 3900 m apart; 1.3 % of the speed is still to come, by energy.
+  // At 200 s they are 3900 m apart; by energy, 1.3 % of the speed is still to be gained.
   const left = 1e4 / Math.abs((world.components.Position.x[2] as number) * 2);
   const speed = Math.sqrt(((x[2] as number) - (x[1] as number)) ** 2 + 4 * left);
   expect(speed).toBeCloseTo(20, 3);
@@ -35,14 +35,14 @@ test('opposite charges at rest meet after (π/2) √(μ d³/(2k))', () => {
     const { x } = world.components.Position;
     gap = (x[2] as number) - (x[1] as number);
   }
-  // Free fall from rest: t(s) with s the share of the distance left.
+  // Free fall from rest: t(s), with s the remaining fraction of the distance.
   const share = gap / d;
   const done = (2 / Math.PI) * (Math.acos(Math.sqrt(share)) + Math.sqrt(share * (1 - share)));
   expect(world.time / (collapse * done)).toBeCloseTo(1, 3);
   expect(Math.abs(momentum(world).x)).toBeLessThan(1e-11);
 });
 
-test('a charge without mass pulls and stays, an uncharged mass feels nothing', () => {
+test('a charge without mass exerts forces and stays fixed, an uncharged mass feels no force', () => {
   const world = createPhysicsWorld({ forces: [mutualCoulomb({ k: 1 })] });
   spawn(world, { position: { x: 0 }, velocity: {}, charge: 2 });
   spawn(world, { position: { x: 1 }, velocity: {}, mass: 1, charge: 1 });

@@ -1,5 +1,5 @@
-// What gravity and the Coulomb force between all bodies have in common: who takes part, how the sum is done, and what
-// is known about the last one. kernels/n-body does the work, in memory of its own in the world's arena.
+// The common part of gravity and the Coulomb force between all bodies: participants, summation method, and a report of
+// the last evaluation. kernels/n-body computes the forces, in separate memory in the world's arena.
 import { bitOf } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
@@ -11,53 +11,56 @@ import type { Force, ForceParameter, PhysicsWorld } from '../world/types.ts';
 import { nBodyKernels } from './kernels.ts';
 
 /**
- * How the force falls with distance: 'inverse-square' 1/r², or 'inverse-distance' 1/r, which in the plane is the field
- * of parallel lines (logarithmic potential, ln of metres).
+ * Dependence of the force on distance: 'inverse-square' 1/r², or 'inverse-distance' 1/r, which in 2D is the field of
+ * parallel lines (logarithmic potential, ln of metres).
  */
 export type DistanceLaw = 'inverse-square' | 'inverse-distance';
 
-/** 'direct' sums all pairs, 'tree' is Barnes and Hut's, 'auto' takes the faster one by the number of bodies. */
+/**
+ * 'direct' sums all pairs, 'tree' uses the Barnes-Hut algorithm, 'auto' selects the faster one by the number of bodies.
+ */
 export type SumMethod = 'auto' | 'direct' | 'tree';
 
-/** What every mutual force takes. */
+/** Options of all mutual forces. */
 export interface MutualOptions {
-  /** Plummer softening length ε, m: the pull is r/(r² + ε²)^(3/2), or r/(r² + ε²). Default 0. */
+  /** Plummer softening length ε, m: the force is proportional to r/(r² + ε²)^(3/2), or r/(r² + ε²). Default 0. */
   readonly softening?: number;
   /** Default 'inverse-square'. */
   readonly law?: DistanceLaw;
   /**
-   * RMS relative error of the forces that the tree may make; default 0.005. It is measured now and then at some bodies
-   * and the tree follows. 0 opens every cell: the direct sum by way of the tree. An f32 world resolves about 1e-5.
+   * Permitted RMS relative error of the tree's forces; default 0.005. It is measured periodically at a sample of
+   * bodies, and the tree adapts. 0 opens every cell: direct summation through the tree. An f32 world resolves about
+   * 1e-5.
    */
   readonly relativeError?: number;
   /** Default 'auto'. */
   readonly method?: SumMethod;
 }
 
-/** What the last evaluation did. */
+/** Statistics of the last evaluation. */
 export interface MutualForceReport {
-  /** Bodies that took part. */
+  /** Number of participating bodies. */
   readonly bodies: number;
   readonly method: 'direct' | 'tree';
-  /** Target-source pairs with a cell as source, and with a body. */
+  /** Target-source pairs with a cell as source, and with a body as source. */
   readonly cellPairs: number;
   readonly bodyPairs: number;
   /** Nodes of the tree, and the deepest level split. */
   readonly nodes: number;
   readonly depth: number;
-  /** RMS relative error measured last, and the share of the field a cell may spend for it. */
+  /** RMS relative error of the last measurement, and the permitted error of a cell relative to the field. */
   readonly error: number;
   readonly tolerance: number;
-  /** Evaluations so far. One on bodies that have not moved since the last is none. */
+  /** Number of evaluations. Evaluations for unchanged positions are skipped and not counted. */
   readonly evaluations: number;
 }
 
 /** A force between all bodies. */
 export interface MutualForce extends Force {
   potential(world: PhysicsWorld): number;
-  /** About the last evaluation in a world. */
+  /** Returns the statistics of the last evaluation in a world. */
   report(world: PhysicsWorld): MutualForceReport;
-  /** RMS relative error of the forces as they are now against the direct sum, at up to 1024 bodies. */
+  /** Returns the RMS relative error of the present forces against direct summation, at up to 1024 bodies. */
   rmsError(world: PhysicsWorld, samples?: number): number;
 }
 
@@ -65,21 +68,21 @@ interface MutualSpec {
   readonly name: string;
   readonly equation: string;
   readonly parameters: Readonly<Record<string, ForceParameter>>;
-  /** The component whose `value` says how strongly a body pulls and is pulled. */
+  /** The component whose `value` is the source strength. */
   readonly strength: 'Mass' | 'Charge';
-  /** N m²/strength² (N m/strength² for 1/r); positive where equal signs attract. */
+  /** N m²/strength² (N m/strength² for 1/r); positive if equal signs attract. */
   readonly coefficient: number;
   /** Strengths may have both signs. */
   readonly signed: boolean;
   readonly options: MutualOptions;
 }
 
-/** Bodies from which on the tree is faster, by precision and dimensions; measured at an error of 0.5 %. */
+/** Number of bodies above which the tree is faster, by precision and dimensions; measured at an error of 0.5 %. */
 export const TREE_FROM = { f32: { 2: 1200, 3: 2600 }, f64: { 2: 800, 3: 2200 } } as const;
 
 const SAMPLES = 1024;
 
-/** Checks the options that all mutual forces share. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/** Validates the options common to all mutual forces. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function checkMutualOptions(name: string, options: MutualOptions, own: readonly string[]): void {
   checkKeys(options, name, [...own, 'softening', 'law', 'relativeError', 'method']);
   checkNumber(options.softening ?? 0, `${name}.softening`, { min: 0, max: 1e12 });
@@ -88,7 +91,7 @@ export function checkMutualOptions(name: string, options: MutualOptions, own: re
   checkChoice(options.method ?? 'auto', `${name}.method`, ['auto', 'direct', 'tree']);
 }
 
-/** The force of a description whose options were checked. */
+/** Creates a force from validated options. */
 export function createMutualForce(spec: MutualSpec): MutualForce {
   const sum = createSum(spec);
   return {
@@ -120,7 +123,7 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
   };
 }
 
-/** Its working memory in each world, and how to bring the results in it up to date. */
+/** Allocates the working memory in each world, and updates the results in it. */
 function createSum(spec: MutualSpec) {
   const { softening = 0, law = 'inverse-square', relativeError = 0.005, method = 'auto' } = spec.options;
   const power = law === 'inverse-square' ? 2 : 1;
@@ -128,10 +131,10 @@ function createSum(spec: MutualSpec) {
   const treeFrom = (world: PhysicsWorld) => TREE_FROM[world.precision][world.dimensions];
   const workOf = resource((world) => {
     if (world.dimensions === 3 && power === 1) {
-      throw new PhysicsError('E_RANGE', `${spec.name}: the law inverse-distance is one of the plane.`, {
+      throw new PhysicsError('E_RANGE', `${spec.name}: the law inverse-distance requires a 2D world.`, {
         field: 'law',
         value: law,
-        hint: 'Make the world with `dimensions: 2`, or use inverse-square.',
+        hint: 'Create the world with `dimensions: 2`, or use inverse-square.',
       });
     }
     const hasTree = method === 'tree' || (method === 'auto' && world.capacity >= treeFrom(world)) ? 1 : 0;

@@ -13,7 +13,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 import type { MutualForce } from './mutual-force.ts';
 import { mutualGravity } from './mutual-gravity.ts';
 
-/** Forces on all bodies as the world stands. */
+/** Returns the forces on all bodies in the present state. */
 function forcesIn(world: PhysicsWorld) {
   refreshRanges(world);
   world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
@@ -34,7 +34,7 @@ function manyIn(force: MutualForce, count: number, options: PhysicsWorldOptions 
   return { world, cloud: made };
 }
 
-/** Semi-major axis and eccentricity of the relative orbit of bodies 1 and 2. */
+/** Returns semi-major axis and eccentricity of the relative orbit of bodies 1 and 2. */
 function orbitOf({ components: { Position: p, Velocity: v } }: PhysicsWorld, mu: number) {
   const between = (c: { x: ArrayLike<number>; y: ArrayLike<number> }) =>
     [(c.x[2] as number) - (c.x[1] as number), (c.y[2] as number) - (c.y[1] as number)] as const;
@@ -46,7 +46,7 @@ function orbitOf({ components: { Position: p, Velocity: v } }: PhysicsWorld, mu:
 }
 
 describe('two bodies', () => {
-  test.each([2, 3] as const)('keep to an ellipse and are back after its period, in %s dimensions', (dimensions) => {
+  test.each([2, 3] as const)('follow an ellipse and return after its period, in %s dimensions', (dimensions) => {
     const [mu, a, e] = [4, 1, 0.5];
     const far = a * (1 + e);
     const speed = Math.sqrt((mu * (1 - e)) / (a * (1 + e)));
@@ -85,7 +85,7 @@ describe('two bodies', () => {
   test('of the law 1/r circle at a speed that does not depend on the distance', () => {
     for (const distance of [1, 10]) {
       const world = createPhysicsWorld({ forces: [mutualGravity({ G: 2, law: 'inverse-distance' })] });
-      // Each of mass 1 feels G/d = v²/(d/2).
+      // Each of mass 1 has the acceleration G/d = v²/(d/2).
       spawn(world, { position: { x: distance / 2 }, velocity: { y: 1 }, mass: 1 });
       spawn(world, { position: { x: -distance / 2 }, velocity: { y: -1 }, mass: 1 });
       for (let i = 0; i < 1000; i++) step(world, (Math.PI * distance) / 1000);
@@ -95,7 +95,7 @@ describe('two bodies', () => {
     }
   });
 
-  test('soften to the pull of a Plummer sphere, and its potential', () => {
+  test('with softening have the force and potential of a Plummer sphere', () => {
     const force = mutualGravity({ G: 1, softening: 3 });
     const world = createPhysicsWorld({ forces: [force] });
     spawn(world, { position: { x: 0 }, velocity: {}, mass: 2 });
@@ -118,13 +118,13 @@ describe('the direct sum', () => {
         const force = mutualGravity({ G: 2, law, softening: 0.1, method: 'direct' });
         const { world, cloud: made } = manyIn(force, count, { dimensions, precision });
         const found = forcesIn(world);
-        const most = precision === 'f64' ? 1e-12 : 2e-5;
+        const tolerance = precision === 'f64' ? 1e-12 : 2e-5;
         for (let i = 0; i < count; i += 7) {
           const [x, y, z] = fieldAt(made, i, power, 0.1).map((a) => 2 * a * (made.mass[i] as number)) as number[];
           const size = Math.hypot(x as number, y as number, z as number) + 1e-300;
           const off = [found.x[i + 1], found.y[i + 1], found.z[i + 1]] as number[];
           const error = Math.hypot(...[x, y, z].map((v, k) => (v as number) - (off[k] as number)));
-          expect(error / size).toBeLessThan(most * (count > 1 ? 1 : 0) + 1e-15);
+          expect(error / size).toBeLessThan(tolerance * (count > 1 ? 1 : 0) + 1e-15);
         }
       }
     }
@@ -156,7 +156,7 @@ describe('the direct sum', () => {
     }
   });
 
-  test('takes units of any size, also in f32', () => {
+  test('works in units of any scale, also in f32', () => {
     const [m, d] = [2e30, 1.5e11];
     const world = createPhysicsWorld({ precision: 'f32', forces: [mutualGravity()] });
     spawn(world, { position: { x: 0 }, velocity: {}, mass: m });
@@ -188,7 +188,7 @@ describe('the direct sum', () => {
 });
 
 describe('test particles', () => {
-  test.each(['direct', 'tree'] as const)('feel the others and pull nobody: %s', (method) => {
+  test.each(['direct', 'tree'] as const)('feel forces and exert none: %s', (method) => {
     const force = mutualGravity({ G: 1, method, relativeError: 0 });
     const world = createPhysicsWorld({ dimensions: 3, forces: [force] });
     spawn(world, { position: { x: 0 }, velocity: {}, mass: 10, testParticle: {} });
@@ -204,7 +204,7 @@ describe('test particles', () => {
   });
 });
 
-test('one evaluation serves as long as nobody moves', () => {
+test('an evaluation is reused while no body moves', () => {
   const force = mutualGravity({ G: 1e-3, softening: 0.1 });
   const { world } = manyIn(force, 100);
   for (let i = 0; i < 10; i++) step(world, 0.01);
@@ -214,7 +214,7 @@ test('one evaluation serves as long as nobody moves', () => {
   expect(force.report(world).evaluations).toBe(13);
 });
 
-test('a body that is not finite stays out and pulls nobody away', () => {
+test('a body with non-finite values is excluded and exerts no force', () => {
   const force = mutualGravity({ G: 1e-3, softening: 0.1 });
   const { world } = manyIn(force, 20);
   world.components.Mass.value[5] = Number.NaN;
@@ -225,7 +225,7 @@ test('a body that is not finite stays out and pulls nobody away', () => {
   }
 });
 
-test('the same world steps to the same bits', () => {
+test('equal worlds are bitwise equal', () => {
   const hashes = [0, 1].map(() => {
     const { world } = manyIn(mutualGravity({ G: 1e-3, softening: 0.1 }), 200, { precision: 'f32' });
     for (let i = 0; i < 20; i++) step(world, 0.01);
@@ -234,7 +234,7 @@ test('the same world steps to the same bits', () => {
   expect(hashes[0]).toBe(hashes[1]);
 });
 
-test('refuses what it cannot do', () => {
+test('rejects unsupported options', () => {
   expect(() => mutualGravity({ softening: -1 })).toThrow('E_RANGE');
   expect(() => mutualGravity({ relativeError: 2 })).toThrow('E_RANGE');
   expect(() => mutualGravity({ method: 'fmm' as 'tree' })).toThrow('E_RANGE');

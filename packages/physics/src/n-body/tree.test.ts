@@ -26,11 +26,11 @@ function worldOf(force: MutualForce, made: Cloud, { precision = 'f64', dimension
   return world;
 }
 
-/** Accelerations of all bodies by one short step from rest. */
+/** Returns the accelerations of all bodies, from one short step from rest. */
 function accelerations(world: PhysicsWorld): [number, number, number][] {
   const dt = 2 ** -30;
   const force = world.forces[0] as MutualForce;
-  // A step moves the bodies; the force is read from what an evaluation at rest left.
+  // A step moves the bodies; the force is read from an evaluation at rest.
   force.rmsError(world);
   const { x, y, z } = world.components.Position;
   const before = [x.slice(), y.slice(), z.slice()];
@@ -53,7 +53,7 @@ describe('the error of the tree', () => {
     { dimensions: 2, law: 'inverse-distance' },
   ] as const;
 
-  test.each(cases)('is what was asked for, whatever the shape: $dimensions dimensions, $law', ({ dimensions, law }) => {
+  test.each(cases)('is as requested for every distribution: $dimensions dimensions, $law', ({ dimensions, law }) => {
     for (const shape of SHAPES) {
       const made = cloud(shape, 4000, dimensions);
       for (const [precision, relativeError] of [
@@ -70,7 +70,7 @@ describe('the error of the tree', () => {
     }
   });
 
-  test.each(cases)('is what was asked for, however few there are: $dimensions dimensions, $law', (options) => {
+  test.each(cases)('is as requested for few bodies: $dimensions dimensions, $law', (options) => {
     const { dimensions, law } = options;
     for (const count of [500, 1000, 2000, 10_000]) {
       const force = gravityTree({ law, relativeError: 0.005, softening: 0.01 });
@@ -83,14 +83,15 @@ describe('the error of the tree', () => {
     }
   });
 
-  test.each([2, 3] as const)('is not lost over two bodies that meet without softening: %s dimensions', (dimensions) => {
+  test.each([2, 3] as const)('is unaffected by a close pair without softening: %s dimensions', (dimensions) => {
     for (const count of [500, 1000]) {
       const force = gravityTree({ relativeError: 0.005 });
       const world = worldOf(force, cloud('plummer', count, dimensions), { dimensions });
       let beyond = 0;
       for (let s = 0; s < 40; s++) {
         const error = force.rmsError(world);
-        // A single body that is off by half makes 0.5/√500 of so few, and a look at the error comes every 32 steps only.
+        // One body with an error of a half contributes 0.5/√500 in such a small sample, and the error is measured only
+        // every 32 steps.
         expect(error, `${count} bodies, step ${s}`).toBeLessThan(0.025);
         if (error > 0.005) beyond++;
         step(world, 1e-3);
@@ -99,14 +100,14 @@ describe('the error of the tree', () => {
     }
   });
 
-  test('is measured at what most bodies feel, not at what two that meet do', () => {
+  test('is relative to the typical field, not to that of a close pair', () => {
     const made = cloud('plummer', 1000, 2);
     const error = () => {
       const force = gravityTree({ relativeError: 0.005 });
       return force.rmsError(worldOf(force, made, { dimensions: 2 }));
     };
     const apart = error();
-    // A millionth of a metre apart, so that their fields are 10⁹ times those of the rest.
+    // They are a millionth of a metre apart, so their fields are 10⁹ times the others.
     made.x[1] = (made.x[0] as number) + 1e-6;
     made.y[1] = made.y[0] as number;
     const close = error();
@@ -115,7 +116,7 @@ describe('the error of the tree', () => {
     expect(close / apart).toBeLessThan(2);
   });
 
-  test.each(cases)('is nothing but rounding when no cell may act: $dimensions dimensions, $law', (options) => {
+  test.each(cases)('is only rounding if no cell is accepted: $dimensions dimensions, $law', (options) => {
     const { dimensions, law } = options;
     const power = law === 'inverse-square' ? 2 : 1;
     for (const shape of ['plummer', 'line'] as const) {
@@ -130,7 +131,7 @@ describe('the error of the tree', () => {
     }
   });
 
-  test('measured by itself agrees with the plain sum', () => {
+  test('measured internally agrees with direct summation', () => {
     const made = cloud('plummer', 3000, 3);
     const force = gravityTree({ relativeError: 0.02 });
     const world = worldOf(force, made);
@@ -138,18 +139,18 @@ describe('the error of the tree', () => {
     const found = accelerations(world);
     const wanted = Array.from({ length: 1000 }, (_, k) => fieldAt(made, 3 * k));
     const sizes = wanted.map((field) => Math.hypot(...field)).sort((a, b) => a - b);
-    const least = 0.1 * (sizes[500] as number);
+    const minField = 0.1 * (sizes[500] as number);
     let sum = 0;
     for (const [k, field] of wanted.entries()) {
       const off = field.map((a, axis) => a - ((found[3 * k] as number[])[axis] as number));
-      sum += (Math.hypot(...off) / Math.max(least, Math.hypot(...field))) ** 2;
+      sum += (Math.hypot(...off) / Math.max(minField, Math.hypot(...field))) ** 2;
     }
-    // Other bodies are sampled.
+    // The two measurements sample different bodies.
     expect(reported / Math.sqrt(sum / 1000)).toBeGreaterThan(0.5);
     expect(reported / Math.sqrt(sum / 1000)).toBeLessThan(2);
   });
 
-  test('stays what was asked for as bodies move', () => {
+  test('stays as requested while bodies move', () => {
     const made = cloud('two clusters', 3000, 3);
     const force = gravityTree({ relativeError: 0.003, softening: 0.02 });
     const world = worldOf(force, made, { precision: 'f32' });
@@ -161,7 +162,7 @@ describe('the error of the tree', () => {
 });
 
 describe('the tree', () => {
-  test('works as N log N', () => {
+  test('costs N log N', () => {
     const pairs = [2000, 4000, 8000, 16_000, 32_000].map((count) => {
       const force = gravityTree({ relativeError: 0.01 });
       const world = worldOf(force, cloud('uniform', count, 3), { precision: 'f32' });
@@ -169,12 +170,12 @@ describe('the tree', () => {
       const { cellPairs, bodyPairs } = force.report(world);
       return (cellPairs + bodyPairs) / count;
     });
-    // Pairs a body grow by about the same for each doubling, and far less than they would as N.
+    // The number of pairs per body grows by about the same amount for each doubling, far less than in proportion to N.
     for (let i = 1; i < pairs.length; i++) expect((pairs[i] as number) / (pairs[i - 1] as number)).toBeLessThan(1.35);
     expect((pairs[4] as number) / 32_000).toBeLessThan(0.04);
   });
 
-  test('of 30 000 bodies at one place is bounded and they feel nothing', () => {
+  test('of 30 000 coincident bodies is bounded, and they feel no force', () => {
     const made = cloud('one place', 30_000, 3);
     const force = gravityTree({ relativeError: 0.01 });
     const world = worldOf(force, made, { precision: 'f32' });
@@ -185,7 +186,7 @@ describe('the tree', () => {
     expect(world.components.Velocity.x.every((v) => v === 0)).toBe(true);
   });
 
-  test('gives a cluster its own keys where one body is far away', () => {
+  test('gives a cluster separate keys if one body is far away', () => {
     const made = cloud('plummer', 10_000, 3);
     for (const column of [made.x, made.y, made.z])
       for (let i = 1; i < 10_000; i++) column[i] = (column[i] as number) * 1e-9;
@@ -208,9 +209,9 @@ describe('the tree', () => {
     expect(force.report(world).depth).toBeLessThan(21);
   });
 
-  test('sees a uniform ball from outside as a point', () => {
+  test('treats a uniform ball from outside as a point mass', () => {
     const made = cloud('uniform', 8000, 3);
-    // A shell of test particles would move; one massless-looking body outside serves.
+    // A shell of test particles would move; one light body outside is enough.
     for (const column of [made.x, made.y, made.z]) column[0] = 0;
     made.x[0] = 8;
     made.mass[0] = 1e-6;
@@ -220,11 +221,11 @@ describe('the tree', () => {
     const [x, y, z] = [centre(made.x), centre(made.y), centre(made.z)];
     const d = Math.hypot(8 - x, y, z);
     const [ax] = accelerations(worldOf(gravityTree({ relativeError: 0.005 }), made))[0] as [number, number, number];
-    // A cube of side 2 departs from a ball only at the fourth power of 1/8; the tree may err by 0.5 %.
+    // A cube of side 2 differs from a ball only at the fourth power of 1/8; the tree may err by 0.5 %.
     expect(ax / ((-mass * (8 - x)) / d ** 3)).toBeCloseTo(1, 2);
   });
 
-  test('gives bodies in another order the same forces within its error', () => {
+  test('gives the same forces within its error for any order of bodies', () => {
     const made = cloud('plummer', 5000, 3);
     const shuffled = { ...made };
     const order = Array.from({ length: 5000 }, (_, i) => (i * 1237 + 11) % 5000);
@@ -238,7 +239,7 @@ describe('the tree', () => {
     }
   });
 
-  test('conserves energy as its error allows, and steps to the same bits', () => {
+  test('conserves energy within its error, and is deterministic', () => {
     const run = () => {
       const force = gravityTree({ relativeError: 0.002, softening: 0.05 });
       const world = worldOf(force, cloud('plummer', 3000, 3), { precision: 'f32' });
@@ -252,7 +253,7 @@ describe('the tree', () => {
     };
     const [one, other] = [run(), run()];
     expect(one.moved).toBeGreaterThan(0.05);
-    // The direct sum itself drifts by 3e-5 in this collapse from rest.
+    // Direct summation itself drifts by 3e-5 in this collapse from rest.
     expect(Math.abs(one.drift)).toBeLessThan(2e-4);
     expect(one.hash).toBe(other.hash);
   });
@@ -261,7 +262,7 @@ describe('the tree', () => {
     [3, 'inverse-square'],
     [2, 'inverse-square'],
     [2, 'inverse-distance'],
-  ] as const)('has the potential of the direct sum: %s dimensions, %s', (dimensions, law) => {
+  ] as const)('has the potential of direct summation: %s dimensions, %s', (dimensions, law) => {
     const made = cloud('plummer', 3000, dimensions);
     const [tree, direct] = (['tree', 'direct'] as const).map((method) => {
       const force = mutualGravity({ G: 1, law, method, softening: 0.02 });
@@ -272,7 +273,7 @@ describe('the tree', () => {
 });
 
 describe('charges of both signs', () => {
-  test.each(['plummer', 'uniform', 'two clusters'] as Shape[])('keep the error asked for: %s', (shape) => {
+  test.each(['plummer', 'uniform', 'two clusters'] as Shape[])('keep the requested error: %s', (shape) => {
     for (const [dimensions, law] of [
       [3, 'inverse-square'],
       [2, 'inverse-distance'],
@@ -290,7 +291,7 @@ describe('charges of both signs', () => {
   });
 });
 
-test('the faster method is taken by the number of bodies', () => {
+test('the faster method is selected by the number of bodies', () => {
   const methods = [500, 20_000].map((count) => {
     const force = mutualGravity({ G: 1 });
     const world = worldOf(force, cloud('uniform', count, 3), { precision: 'f32' });

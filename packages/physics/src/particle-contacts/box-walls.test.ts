@@ -18,9 +18,9 @@ const floor = (g: number, options: PhysicsWorldOptions = {}) =>
     ...options,
   });
 
-/** Heights of the highest points between bounces, above where the ball rests. */
+/** Heights of successive apexes, relative to the resting position. */
 function apexes(count: number, restitution: number, options: PhysicsWorldOptions = {}): number[] {
-  // The bouncing ball of a book: pixels and frames, 430 px above the floor.
+  // The bouncing ball of a book, in pixels and frames, released 430 px above the floor.
   const world = floor(0.1, options);
   const ball = spawn(world, {
     position: { y: 450 },
@@ -40,15 +40,15 @@ function apexes(count: number, restitution: number, options: PhysicsWorldOptions
 }
 
 describe.each(['f32', 'f64'] as const)('a ball that bounces on the floor, %s', (precision) => {
-  test('keeps e² of its height at each bounce', () => {
+  test('each bounce reaches e² of the previous height', () => {
     const expected = [275.2, 176.1, 112.7, 72.1];
-    // A frame may miss the highest point by half a frame: g/8 px.
+    // The sampled height may be off by half a frame: g/8 px.
     apexes(5, 0.8, { precision }).forEach((apex, n) => {
       expect(Math.abs(apex / expected[n] - 1)).toBeLessThan(0.005);
     });
   });
 
-  test('comes to rest when the geometric series says, and then does not move at all', () => {
+  test('comes to rest at the time of the geometric series and then does not move', () => {
     const world = floor(0.1, { precision });
     const ball = spawn(world, {
       position: { y: 450 },
@@ -59,8 +59,8 @@ describe.each(['f32', 'f64'] as const)('a ball that bounces on the floor, %s', (
     const [{ y }, { y: v }] = [world.components.Position, world.components.Velocity];
     let frames = 0;
     for (; frames < 2000 && !(v[ball] === 0 && y[ball] === 20); frames++) step(world, 1);
-    // t₁ (1 + e)/(1 - e) with t₁ = √(2 · 430/0.1), to half a per cent, 4.2 frames. Once a bounce fits into a frame the
-    // rest of the series does not happen: at most 1/(1 - e) = 5 frames.
+    // The total time is t₁ (1 + e)/(1 - e) with t₁ = √(2 · 430/0.1), to half a per cent, 4.2 frames. The series ends
+    // once a bounce fits into a frame, which omits at most 1/(1 - e) = 5 frames.
     expect(Math.abs(frames / (9 * Math.sqrt(8600)) - 1)).toBeLessThan(0.005);
     for (let i = 0; i < 100; i++) {
       step(world, 1);
@@ -69,7 +69,7 @@ describe.each(['f32', 'f64'] as const)('a ball that bounces on the floor, %s', (
   });
 });
 
-test('an elastic bounce off a vertical wall at the instant of touching, speed unchanged to the last bit', () => {
+test('an elastic bounce off a vertical wall at the time of impact leaves the speed bitwise equal', () => {
   const world = createPhysicsWorld({ walls: [boxWalls({ max: { x: 400 } })] });
   const ball = spawn(world, {
     position: { x: 100, y: 100 },
@@ -80,12 +80,12 @@ test('an elastic bounce off a vertical wall at the instant of touching, speed un
   for (let i = 0; i < 90; i++) step(world, 1 / 60);
   const { Position, Velocity } = world.components;
   expect([Velocity.x[ball], Velocity.y[ball]]).toEqual([-200, 50]);
-  // It touched at t = 1.425 s at x = 385.
+  // The ball touched the wall at t = 1.425 s at x = 385.
   expect(Position.x[ball]).toBeCloseTo(385 - 200 * (1.5 - 1.425), 9);
   expect(Position.y[ball]).toBeCloseTo(100 + 50 * 1.5, 9);
 });
 
-test('an inelastic bounce takes (1 - e²) of the energy of the normal motion', () => {
+test('an inelastic bounce loses (1 - e²) of the energy of the normal motion', () => {
   const world = createPhysicsWorld({ walls: [boxWalls({ max: { x: 0 }, restitution: 0.8 })] });
   const ball = spawn(world, { position: { x: -30 }, velocity: { x: 200, y: 50 }, mass: 1, collider: 15 });
   const before = energy(world).kinetic;
@@ -108,7 +108,7 @@ describe('ten thousand elastic bounces', () => {
     });
     const [{ y }, { y: v }] = [world.components.Position, world.components.Velocity];
     let [count, last] = [0, 0];
-    // A bounce takes 2 √(2 h/g) = 0.9 s, 24 steps.
+    // One bounce takes 2 √(2 h/g) = 0.9 s, 24 steps.
     for (let steps = 0; count < 10_000 && steps < 300_000; steps++) {
       step(world, dt);
       if (v[ball] > last) count++;
@@ -118,25 +118,25 @@ describe('ten thousand elastic bounces', () => {
     expect(count).toBe(10_000);
   };
 
-  test('velocity Verlet keeps the energy to rounding', () => {
+  test('velocity Verlet conserves energy to rounding', () => {
     let worst = 0;
     bounces(undefined, (e) => {
       worst = Math.max(worst, Math.abs(e / (g * height) - 1));
     });
-    // Some 10 roundings a bounce that add up at worst: 10⁴ · 10 · 2⁻⁵³ = 1.1e-11.
+    // Each bounce rounds about 10 times; in the worst case the errors add up to 10⁴ · 10 · 2⁻⁵³ = 1.1e-11.
     expect(worst).toBeLessThan(2e-11);
   });
 
-  test('semi-implicit Euler keeps it within what the scheme itself is off', () => {
-    // The scheme conserves v²/2 + g y - g v dt/2 exactly (v upwards), so the energy is off by g |v| dt/2 at most.
-    const most = 0.5 * g * dt * Math.sqrt(2 * g * height) * 1.1;
-    let [least, largest] = [Infinity, 0];
+  test('semi-implicit Euler conserves it within the error of the scheme', () => {
+    // The scheme conserves v²/2 + g y - g v dt/2 exactly (v upwards), so the energy error is at most g |v| dt/2.
+    const maxError = 0.5 * g * dt * Math.sqrt(2 * g * height) * 1.1;
+    let [smallest, largest] = [Infinity, 0];
     bounces(semiImplicitEuler, (e) => {
-      least = Math.min(least, e);
+      smallest = Math.min(smallest, e);
       largest = Math.max(largest, e);
     });
-    expect(largest).toBeLessThan(g * height + most);
-    expect(least).toBeGreaterThan(g * height - 2 * most);
+    expect(largest).toBeLessThan(g * height + maxError);
+    expect(smallest).toBeGreaterThan(g * height - 2 * maxError);
   });
 });
 
@@ -144,7 +144,7 @@ describe('friction of a body that slides on the floor', () => {
   test.each([
     ['disc', 2, 0.5, 2 / 3],
     ['ball', 3, 0.4, 5 / 7],
-  ] as const)('a %s ends rolling with its share of the speed', (_, dimensions, factor, share) => {
+  ] as const)('a %s ends up rolling at the expected fraction of its speed', (_, dimensions, factor, share) => {
     const world = floor(10, { dimensions });
     const [mass, radius] = [2, 0.3];
     const body = spawn(world, {
@@ -156,7 +156,7 @@ describe('friction of a body that slides on the floor', () => {
       collider: { radius, friction: 0.2 },
     });
     const [v, w] = [world.components.Velocity, world.components.AngularVelocity];
-    // Sliding slows it by μ g.
+    // Sliding friction decelerates the body by μ g.
     step(world, 0.01);
     expect(v.x[body]).toBeCloseTo(7 - 0.2 * 10 * 0.01, 10);
     for (let i = 0; i < 1000; i++) step(world, 0.01);
@@ -165,7 +165,7 @@ describe('friction of a body that slides on the floor', () => {
   });
 
   test.each([{}, { inertia: 0, angularVelocity: {} }, { inertia: 1 }])(
-    'a body that cannot turn slides to rest: %o',
+    'a body that cannot rotate slides to rest: %o',
     (parts) => {
       const world = floor(10);
       const body = spawn(world, {
@@ -178,12 +178,12 @@ describe('friction of a body that slides on the floor', () => {
       for (let i = 0; i < 100; i++) step(world, 0.01);
       expect(world.components.Velocity.x[body]).toBe(0);
       expect(world.components.AngularVelocity.z[body]).toBe(0);
-      // v²/(2 μ g)
+      // The stopping distance is v²/(2 μ g).
       expect(world.components.Position.x[body]).toBeCloseTo(0.1, 2);
     },
   );
 
-  test('the wall’s coefficient and the body’s meet in the geometric mean', () => {
+  test('the friction coefficient is the geometric mean of wall and body', () => {
     const world = createPhysicsWorld({
       forces: [uniformGravity({ y: -10 })],
       walls: [boxWalls({ min: { y: 0 }, friction: 0.4 })],
@@ -199,7 +199,7 @@ describe('friction of a body that slides on the floor', () => {
   });
 });
 
-describe('what does not fit a step', () => {
+describe('edge cases within a step', () => {
   test.each(['f32', 'f64'] as const)(
     'a body that crosses the box many times in a step stays inside, %s',
     (precision) => {
@@ -227,7 +227,7 @@ describe('what does not fit a step', () => {
     expect(world.components.Velocity.y[body]).toBe(1);
   });
 
-  test('a body put far beyond a wall comes back with no more speed than it had', () => {
+  test('a body placed far beyond a wall returns at no more than its initial speed', () => {
     const world = floor(10);
     const body = spawn(world, {
       position: { y: -1000 },

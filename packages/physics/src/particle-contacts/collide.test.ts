@@ -60,7 +60,7 @@ describe('two balls on a line, 1 kg at 250 and 125 kg at 50 m/s', () => {
     expect(x[large]).toBeCloseTo(352.5 + 0.45 * (3350 / 63), 8);
   });
 
-  test('in f32 the same to its seven digits', () => {
+  test('in f32 equal to seven digits', () => {
     const { small, large, v } = meet(1, 'f32');
     expect(v[small]).toBeCloseTo(-9250 / 63, 3);
     expect(v[large]).toBeCloseTo(3350 / 63, 3);
@@ -72,11 +72,11 @@ describe('two balls on a line, 1 kg at 250 and 125 kg at 50 m/s', () => {
     expect(v[large] - v[small]).toBeCloseTo(200 * e, 9);
     const loss = 0.5 * (125 / 126) * (1 - e * e) * 200 * 200;
     expect(187_500 - energy(world).kinetic).toBeCloseTo(loss, 7);
-    // From 1.05 s on they go their ways: nothing was moved that did not move.
+    // After 1.05 s they separate; position correction must not have displaced them.
     expect(x[large] - x[small]).toBeCloseTo(90 + 0.45 * 200 * e, 8);
   });
 
-  test('equal masses change places', () => {
+  test('equal masses exchange velocities', () => {
     const world = make();
     const a = body(world, [0, 0], [3, 0], 2, 1);
     const b = body(world, [5, 0], [-1, 0], 2, 1);
@@ -93,7 +93,7 @@ describe.each([
 ] as const)('two bodies in %d D, %s', (dimensions, precision) => {
   const small = precision === 'f64' ? 1e-12 : 1e-5;
 
-  test('a glancing blow between equals: at right angles', () => {
+  test('a glancing collision of equal masses separates at right angles', () => {
     const world = make({ dimensions, precision });
     const z = dimensions === 3 ? 0.4 : 0;
     const a = body(world, [-4, 0.9, z], [7, 0], 2, 1);
@@ -104,7 +104,7 @@ describe.each([
     expect(Math.abs(y[b])).toBeGreaterThan(1);
   });
 
-  test('a pair with spin and friction keeps momentum and angular momentum, and friction only takes energy', () => {
+  test('a pair with spin and friction conserves momentum and angular momentum, and friction only dissipates energy', () => {
     const world = make({ dimensions, precision });
     const inertia = dimensions === 2 ? discInertia : ballInertia;
     const spinning = (x: number, y: number, mass: number, radius: number, v: number, spin: number) =>
@@ -125,12 +125,12 @@ describe.each([
     const scale = 30 * 9;
     for (const axis of ['x', 'y', 'z'] as const) {
       expect(Math.abs(q[axis] - p[axis]) / scale).toBeLessThan(small);
-      // In f32 a torque comes from differences of positions.
+      // In f32 the torque is computed from differences of positions.
       expect(Math.abs(m[axis] - l[axis]) / scale).toBeLessThan(10 * small);
     }
   });
 
-  test('a body without mass does not give way', () => {
+  test('a body without mass is immovable', () => {
     const world = make({ dimensions, precision });
     const post = spawn(world, { position: { x: 5 }, collider: { radius: 1, restitution: 0.5 } });
     const ball = body(world, [0, 0], [10, 0], 3, 1, 0);
@@ -139,7 +139,7 @@ describe.each([
     expect(world.components.Velocity.x[ball]).toBeCloseTo(-5, 4);
   });
 
-  test('two that fall together bounce as if they floated, and energy with height is kept', () => {
+  test('two falling balls bounce as in free space, and total energy is conserved', () => {
     const world = make({ dimensions, precision, forces: [uniformGravity({ y: -10 })] });
     const a = body(world, [-2, 0], [3, 5], 1, 0.5);
     const b = body(world, [2, 0.3], [-3, 5], 4, 0.5);
@@ -150,7 +150,7 @@ describe.each([
     expect(Math.abs(energy(world).total / before - 1)).toBeLessThan(100 * small);
   });
 
-  test('bodies in one place come apart, the same way every time', () => {
+  test('coincident bodies separate deterministically', () => {
     const places = () => {
       const world = make({ dimensions, precision });
       const ids = Array.from({ length: 8 }, () => body(world, [1, 2], [0, 0], 1, 0.5, 0));
@@ -165,7 +165,7 @@ describe.each([
   });
 });
 
-test('a ball bounces on a post for ever: a thousand bounces under gravity keep the energy', () => {
+test('a thousand bounces on a post under gravity conserve energy', () => {
   const world = make({ forces: [uniformGravity({ y: -10 })] });
   spawn(world, { position: {}, collider: { radius: 1 } });
   const ball = body(world, [0, 2.5], [0, 0], 1, 0.5);
@@ -177,7 +177,7 @@ test('a ball bounces on a post for ever: a thousand bounces under gravity keep t
     last = v[ball];
     worst = Math.max(worst, Math.abs((0.5 * last * last + 10 * (y[ball] - 1.5)) / 10 - 1));
   }
-  // Three Newton steps and some roundings a bounce.
+  // Three Newton iterations and some roundings per bounce.
   expect(worst).toBeLessThan(1e-10);
 });
 
@@ -209,7 +209,7 @@ describe('many balls that meet at one point', () => {
     expect(met).toBeGreaterThan(8);
   });
 
-  test('it does not matter in which order they were made', () => {
+  test('the result does not depend on the order of creation', () => {
     const [one, other] = [meet(1), meet(-1)];
     run(one.world, 600);
     run(other.world, 600);
@@ -274,14 +274,14 @@ describe('a gas of molecules in a box', () => {
     expect(worst).toBeLessThan(1);
   });
 
-  test('in f32 the energy is constant to the roundings of a thousand collisions', () => {
+  test('in f32 the energy is constant to the rounding of a thousand collisions', () => {
     const world = gas(16, 2, 'f32', 400);
     const before = energy(world).kinetic;
     run(world, 2000);
     expect(Math.abs(energy(world).kinetic / before - 1)).toBeLessThan(1e-4);
   });
 
-  test('heavy and light come to the same mean energy', () => {
+  test('heavy and light bodies reach equal mean energy', () => {
     const world = gas(64, 2, 'f64', 700);
     const { mass, vx, vy } = {
       mass: world.components.Mass.value,
@@ -291,7 +291,7 @@ describe('a gas of molecules in a box', () => {
     const ids = Array.from({ length: 64 }, (_, i) => i + 1).sort((i, j) => mass[i] - mass[j]);
     const mean = (list: number[]) =>
       list.reduce((sum, i) => sum + 0.5 * mass[i] * (vx[i] ** 2 + vy[i] ** 2), 0) / list.length;
-    // They start with equal speeds: the heavy half has most of the energy.
+    // The initial speeds are equal, so the heavy half has most of the energy.
     expect(mean(ids.slice(32)) / mean(ids.slice(0, 32))).toBeGreaterThan(3);
     run(world, 3000);
     let [light, heavy] = [0, 0];
@@ -304,7 +304,7 @@ describe('a gas of molecules in a box', () => {
   });
 });
 
-test('restitution above one gains energy, but no more than it says, and stays finite', () => {
+test('restitution above one gains energy only as specified, and stays finite', () => {
   const world = make({ walls: [boxWalls({ min: { x: 0 }, max: { x: 3 } })] });
   const a = body(world, [0.5, 0], [1, 0], 1, 0.2, 10);
   const b = body(world, [2, 0], [0, 0], 1, 0.2, 10);
@@ -315,7 +315,7 @@ test('restitution above one gains energy, but no more than it says, and stays fi
     expect(Math.abs(v)).toBeLessThanOrEqual(299_792_458);
 });
 
-test('equal runs end in equal bits, with friction, spin, gravity and walls', () => {
+test('equal runs are bitwise equal, with friction, spin, gravity and walls', () => {
   const result = (precision: 'f32' | 'f64') => {
     const world = make({
       precision,

@@ -10,7 +10,7 @@ describe.each([
   [3, 'f64'],
 ] as const)('the memory of contacts in %d D, %s', (dimensions, precision) => {
   test.each([1, 1000, 20_000])(
-    'has room for a dense packing of %d bodies, and half a KiB a body is left to others',
+    'holds a dense packing of %d bodies and leaves half a KiB per body to other features',
     (capacity) => {
       const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision, capacity });
       const { arena } = world.internal;

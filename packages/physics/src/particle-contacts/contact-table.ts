@@ -1,5 +1,5 @@
 // The memory of a world's contacts: a table of counters and addresses (kernels/particle-contacts/table.ts) and the
-// lists it points to, all in the world's arena.
+// columns it points to, all in the world's arena.
 
 import type { Precision } from '../kernels/instantiate.ts';
 import { allocate } from '../memory/arena.ts';
@@ -10,61 +10,64 @@ import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** A world's contacts as the systems of this package see them. */
+/** The contacts of a world. */
 export interface ContactTable {
-  /** Its address. */
+  /** Byte address of the table. */
   readonly table: number;
-  /** Counters and addresses of lists, by `Word`. */
+  /** Counters and column addresses, indexed by `Word`. */
   readonly words: Uint32Array;
 }
 
-/** Of what the arena has left, contacts take at most this part: other features may come later. */
-const SHARE = 0.9;
+/** Maximum fraction of the free arena that contacts take, which leaves memory for other features. */
+const MAX_ARENA_FRACTION = 0.9;
 
-/** Contacts there is room for, by bodies and dimensions: a dense packing has three a disc and six a ball. */
-const CONTACTS_A_BODY = { 2: 4, 3: 8 } as const;
+/** Contact capacity per body: a dense packing has three contacts per disc and six per ball. */
+const CONTACTS_PER_BODY = { 2: 4, 3: 8 } as const;
 
-/** A world with memory to spare has room for more: contacts may take this part of what is left. */
-const SPARE = 0.25;
+/** In a world with spare memory contacts may use this fraction of it. */
+const SPARE_FRACTION = 0.25;
 
-/** Small worlds have room for a heap: a hundred bodies in one place are 4950 contacts. */
+/** Minimum contact capacity: a hundred bodies at one point have 4950 contacts. */
 const MIN_CONTACTS = 8192;
 
-/** In a small world most bodies may lie at walls, some at three. */
+/** Minimum wall contact capacity: in a small world most bodies may touch walls, some three of them. */
 const MIN_WALL_CONTACTS = 2048;
 
-/** Bytes of a contact: its lists in `takeContacts`. */
+/** Bytes per contact, summed over the columns in `allocateContacts`. */
 const contactBytes = (bytes: number) => 40 + 6 * bytes + packedBytes(bytes);
 
-/** Bytes of a contact in a block of those that are solved side by side (kernels/particle-contacts/wide-contacts.ts). */
+/** Bytes per contact in a block of wide contacts (kernels/particle-contacts/wide-contacts.ts). */
 const packedBytes = (bytes: number) => 8 * bytes;
 
-/** Bytes of a contact with a wall: its lists in `takeWallContacts`. Large worlds have room for one every other body. */
+/**
+ * Bytes per wall contact, summed over the columns in `allocateWallContacts`. Large worlds have capacity for one wall
+ * contact per two bodies.
+ */
 const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
 
-/** What contacts need in the world's memory for each entity, besides what other features may: for `Preset`. */
+/** Arena bytes per entity that contacts need, in addition to other features; used by `Preset`. */
 export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): number {
   const bytes = realBytes(precision);
   const grid = 4 + 4 + 4 + Math.max(BODY_BYTES[precision], 16 + 4);
-  const lists = CONTACTS_A_BODY[dimensions] * contactBytes(bytes) + wallContactBytes(bytes) / 2;
-  return Math.ceil((grid + lists) / SHARE);
+  const lists = CONTACTS_PER_BODY[dimensions] * contactBytes(bytes) + wallContactBytes(bytes) / 2;
+  return Math.ceil((grid + lists) / MAX_ARENA_FRACTION);
 }
 
-/** Takes the memory, the first time it is asked for. @throws PhysicsError E_CAPACITY */
+/** Allocates the memory at the first call. @throws PhysicsError E_CAPACITY */
 export const contactTable = resource<ContactTable>((world) => {
   const { arena } = world.internal;
   const take = (size: number) => allocate(arena, size, 'contacts');
   const { at, words } = allocateRecord(arena, CONTACT_TABLE_BYTES, 'contacts');
-  takeGrid(world, words, take);
-  takeWallContacts(world, words, take);
-  takeContacts(world, words, take);
-  takeSorted(world, words, take);
+  allocateGrid(world, words, take);
+  allocateWallContacts(world, words, take);
+  allocateContacts(world, words, take);
+  allocateSorted(world, words, take);
   const { startVelocity, stage2 } = world.scratch.at;
   words.set([startVelocity.x, startVelocity.y, startVelocity.z, stage2.x, stage2.y], Word.startX);
   return { table: at, words };
 });
 
-/** From now on walls write their contacts down, and the kernels find the table. */
+/** Enables wall contact records and gives the kernels the address of the table. */
 export function activateContacts(world: PhysicsWorld): void {
   writeContactTable(world.memory, contactTable(world).table);
 }
@@ -73,7 +76,7 @@ const SORTED = [Word.sortedX, Word.sortedY, Word.sortedZ, Word.sortedRadius, Wor
 
 type Take = (bytes: number) => number;
 
-function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const { rows } = world;
   let buckets = 1024;
   while (buckets < 2 * rows) buckets *= 2;
@@ -81,8 +84,8 @@ function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   words[Word.rowWords] = take(4 * rows);
   words[Word.bodyRows] = take(4 * rows);
   words[Word.levels] = take(4 * rows);
-  words[Word.mostLevels] = rows;
-  // The broad phase is over before the first body is gathered, so that the two can share their memory.
+  words[Word.maxLevels] = rows;
+  // The broad phase ends before the first body is gathered, so both can share memory.
   const starts = 4 * (buckets + 16);
   const region = take(Math.max(BODY_BYTES[world.precision] * rows, starts + 4 * rows));
   words[Word.starts] = region;
@@ -91,8 +94,8 @@ function takeGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   words[Word.histogram] = take(4 * 256);
 }
 
-/** Likewise, it is over before the first contact is packed into a block. */
-function takeSorted(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+/** The broad phase ends before the first contact is packed into a block, so both can share memory. */
+function allocateSorted(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const column = sortedBytes(world) / SORTED.length;
   const region = sharesSorted(world, words[Word.capacity]) ? words[Word.blocks] : take(SORTED.length * column);
   for (const [i, list] of SORTED.entries()) words[list] = region + i * column;
@@ -103,43 +106,44 @@ const sortedBytes = ({ rows, precision }: PhysicsWorld) => SORTED.length * (rows
 const sharesSorted = (world: PhysicsWorld, capacity: number) =>
   capacity * packedBytes(realBytes(world.precision)) >= sortedBytes(world);
 
-function takeWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const capacity = Math.max(world.rows / 2, Math.min(2 * world.rows, MIN_WALL_CONTACTS));
   const bytes = realBytes(world.precision);
   words[Word.wallCapacity] = capacity;
   for (const list of [Word.wallBody, Word.wallId]) words[list] = take(4 * capacity);
-  for (const list of [Word.wallNx, Word.wallNy, Word.wallNz, Word.wallImpulse, Word.wallHolding]) {
+  for (const list of [Word.wallNx, Word.wallNy, Word.wallNz, Word.wallImpulse, Word.wallAccumulatedImpulse]) {
     words[list] = take(bytes * capacity);
   }
-  for (const list of [Word.wallGap, Word.wallFriction, Word.wallRubbed]) words[list] = take(bytes * capacity);
-  words[Word.wallRubbing] = take(12 * capacity);
+  for (const list of [Word.wallGap, Word.wallFriction, Word.wallFrictionApplied]) words[list] = take(bytes * capacity);
+  words[Word.wallTangentImpulse] = take(12 * capacity);
   words[Word.wallSlot] = take(4 * capacity);
 }
 
-function takeContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
   const { dimensions, rows, precision, internal } = world;
   const bytes = realBytes(precision);
-  // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
-  const room = SHARE * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
-  const spare = (SPARE * room) / contactBytes(bytes);
-  const wanted = Math.max(MIN_CONTACTS, CONTACTS_A_BODY[dimensions] * rows, spare);
-  let most = Math.min(wanted, room / contactBytes(bytes));
-  if (!sharesSorted(world, most)) most = (room - sortedBytes(world)) / contactBytes(bytes);
-  const capacity = Math.max(256, Math.floor(most / 16) * 16);
+  // Columns of 4 KiB and more start at staggered addresses, which costs at most 8 KiB each.
+  const room = MAX_ARENA_FRACTION * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
+  const spare = (SPARE_FRACTION * room) / contactBytes(bytes);
+  const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY[dimensions] * rows, spare);
+  let max = Math.min(wanted, room / contactBytes(bytes));
+  if (!sharesSorted(world, max)) max = (room - sortedBytes(world)) / contactBytes(bytes);
+  const capacity = Math.max(256, Math.floor(max / 16) * 16);
   words[Word.capacity] = capacity;
   for (const list of [Word.a, Word.b, Word.slotA, Word.slotB]) words[list] = take(4 * capacity);
-  for (const list of [Word.nx, Word.ny, Word.nz, Word.impulse, Word.holding]) words[list] = take(bytes * capacity);
-  words[Word.rubbing] = take(16 * capacity);
+  for (const list of [Word.nx, Word.ny, Word.nz, Word.impulse, Word.accumulatedImpulse])
+    words[list] = take(bytes * capacity);
+  words[Word.frictionState] = take(16 * capacity);
   words[Word.blocks] = take(packedBytes(bytes) * capacity);
   const previous = take((8 + bytes) * capacity);
   words[Word.previousA] = previous;
   words[Word.previousB] = previous + 4 * capacity;
-  words[Word.previousHolding] = previous + 8 * capacity;
+  words[Word.previousAccumulatedImpulse] = previous + 8 * capacity;
   words[Word.order] = words[Word.previousA];
   words[Word.flags] = words[Word.previousB];
-  words[Word.gap] = words[Word.previousHolding];
-  // Points are worked out when the step has no more use for these lists. In 2D z is zero, as nz is.
+  words[Word.gap] = words[Word.previousAccumulatedImpulse];
+  // Contact points are computed when the step no longer needs these columns. In 2D z is the zero column nz.
   words[Word.x] = previous;
   words[Word.y] = previous + bytes * capacity;
-  words[Word.z] = dimensions === 3 ? words[Word.rubbing] : words[Word.nz];
+  words[Word.z] = dimensions === 3 ? words[Word.frictionState] : words[Word.nz];
 }

@@ -27,7 +27,7 @@ const pair = (world: PhysicsWorld, mass: number) => {
 };
 
 describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision) => {
-  test('name the pair by ascending id, the point, the normal and the impulse', () => {
+  test('list the pair by ascending id, the point, the normal and the impulse', () => {
     const world = make({ precision });
     const { a, b } = pair(world, 2);
     const found = contacts(world);
@@ -35,19 +35,19 @@ describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision)
     step(world, 0.02);
     expect(contacts(world)).toBe(found);
     expect(found.count).toBe(1);
-    // b was made first.
+    // b was created first.
     expect([found.a[0], found.b[0]]).toEqual([b, a]);
     expect(found.nx[0]).toBeCloseTo(-1, 6);
     expect([found.ny[0], found.nz[0], found.z[0]].map(Math.abs)).toEqual([0, 0, 0]);
     expect(found.x[0]).toBeCloseTo(1.05, 6);
-    // Each of 2 kg turns from 3 m/s to -3 m/s.
+    // Each body of 2 kg changes from 3 m/s to -3 m/s.
     expect(found.impulse[0]).toBeCloseTo(12, 5);
     expect(found.droppedCount).toBe(0);
     step(world, 0.02);
     expect(found.count).toBe(0);
   });
 
-  test('come in ascending order of both ids', () => {
+  test('are sorted by both ids', () => {
     const world = make({ precision });
     const random = createRandom(1);
     const uniform = () => Float64Array.from({ length: 500 }, () => random.uniform(0, 20));
@@ -61,7 +61,7 @@ describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision)
     }
   });
 
-  test('with walls name the wall, 0 for a box', () => {
+  test('with walls list the wall, 0 for a box', () => {
     const world = make({ precision, walls: [boxWalls({ min: { x: -10 } })] });
     const wall = spawn(world, { segmentWall: { ax: -5, ay: 0, bx: 5, by: 0 } });
     const plane = spawn(world, { planeWall: { nx: -1, ny: 0, offset: -10 } });
@@ -94,7 +94,7 @@ describe.each(['f32', 'f64'] as const)('the contacts of a step, %s', (precision)
   });
 });
 
-test('handlers hear of each contact with its index, and may remove a body', () => {
+test('handlers receive the index of each contact, and may remove a body', () => {
   const world = make();
   const { a, b } = pair(world, 1);
   const heard: number[][] = [];
@@ -120,7 +120,7 @@ test('a world without contacts has none, and its walls keep no record', () => {
   expect(wallContacts(world).count).toBe(0);
 });
 
-test('more contacts than there is room for are counted, and room is a matter of arenaBytes', () => {
+test('contacts beyond the capacity are counted, and arenaBytes sets the capacity', () => {
   const crowd = (arenaBytes?: number) => {
     const world = make({ capacity: 5000, ...(arenaBytes === undefined ? {} : { arenaBytes }) });
     spawnMany(world, 5000, { position: {}, velocity: {}, mass: 1, collider: 1 });

@@ -55,7 +55,7 @@ const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
       return table[Word.count];
     },
     get droppedCount() {
-      return table[Word.lost];
+      return table[Word.droppedCount];
     },
     a: words(table[Word.a]),
     b: words(table[Word.b]),
@@ -77,7 +77,7 @@ const wallContactsOf = /* @__PURE__ */ resource<WallContacts>((world) => {
       return table[Word.wallCount];
     },
     get droppedCount() {
-      return table[Word.wallLost];
+      return table[Word.wallDroppedCount];
     },
     body: words(table[Word.wallBody]),
     wall: words(table[Word.wallId]),

@@ -1,4 +1,4 @@
-// The grid against every pair looked at one by one.
+// Compares the grid with a brute-force search over all pairs.
 import { describe, expect, test } from 'vitest';
 import {
   contacts,
@@ -11,7 +11,7 @@ import {
   step,
 } from '../index.ts';
 
-/** So short that nothing moves: what touches is what touched. */
+/** The step is so short that no body moves. */
 const INSTANT = 1e-9;
 
 interface Crowd {
@@ -19,7 +19,7 @@ interface Crowd {
   readonly side: number;
   readonly radius: (uniform: number, index: number) => number;
   readonly origin?: number;
-  /** Height of the region by its width. */
+  /** Aspect ratio (height / width) of the region. */
   readonly shape?: number;
 }
 
@@ -78,11 +78,11 @@ describe.each([
   [3, 'f32'],
   [3, 'f64'],
 ] as const)('in %d D, %s', (dimensions, precision) => {
-  test.each(Object.keys(CROWDS))('%s: finds what touches, each pair once', (name) => {
+  test.each(Object.keys(CROWDS))('%s: finds each touching pair once', (name) => {
     const world = crowd(dimensions, precision, CROWDS[name]);
     const expected = touching(world);
     step(world, INSTANT);
-    // Between f32 and f64 a pair that just touches may be judged differently.
+    // A pair that just touches may round differently in f32 and f64.
     const differ = new Set(expected);
     const extra = found(world).filter((pair) => !differ.delete(pair));
     expect(extra.length + differ.size).toBeLessThanOrEqual(precision === 'f32' ? 2 : 0);
@@ -90,7 +90,7 @@ describe.each([
   });
 });
 
-test('two that touch across ten million kilometres from the origin are found in f64', () => {
+test('a touching pair ten million kilometres from the origin is found in f64', () => {
   const world = createPhysicsWorld({ preset: particleContacts });
   for (const x of [1e10, 1e10 + 1.9]) spawn(world, { position: { x, y: -1e10 }, velocity: {}, mass: 1, collider: 1 });
   spawn(world, { position: { x: -1e15 }, velocity: {}, mass: 1, collider: 1 });
@@ -98,7 +98,7 @@ test('two that touch across ten million kilometres from the origin are found in 
   expect(found(world)).toEqual(['1 2']);
 });
 
-test('bodies that do not move are not paired, and neither is what has no collider or no place', () => {
+test('immovable bodies are not paired, nor are entities without collider or position', () => {
   const world = createPhysicsWorld({ preset: particleContacts });
   spawn(world, { position: {}, collider: 1 });
   spawn(world, { position: { x: 1 }, collider: 1 });
@@ -112,9 +112,9 @@ test('bodies that do not move are not paired, and neither is what has no collide
 });
 
 test.each([2, 3] as const)(
-  'a crowd in one cell that does not touch costs a bounded number of tests, and says so, %d D',
+  'many bodies in one cell cost a bounded number of tests, and dropped candidates are counted, %d D',
   (dimensions) => {
-    // Twenty bodies make the cells wide; the points among them are too many to test each against each.
+    // Twenty bodies make the cells wide; the points are too many for a brute-force search.
     const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision: 'f32', capacity: 20_020 });
     const random = createRandom(1);
     const place = () => Float64Array.from({ length: 20_000 }, () => random.uniform(0, 1));

@@ -18,7 +18,7 @@ describe.each([
 ] as const)('in %d D, %s', (dimensions, precision) => {
   const digits = precision === 'f64' ? 10 : 4;
 
-  test('a ball is mirrored by an oblique plane, at the instant it touches', () => {
+  test('an oblique plane reflects a ball at the time of impact', () => {
     const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision });
     const [nx, ny, nz] = dimensions === 2 ? [0.6, 0.8, 0] : [0.48, 0.64, 0.6];
     spawn(world, { planeWall: { nx: 2 * nx, ny: 2 * ny, nz: 2 * nz, offset: 1, restitution: 0.5 } });
@@ -30,14 +30,14 @@ describe.each([
     expect(u.x[ball]).toBeCloseTo(v.x - 1.5 * into * nx, digits);
     expect(u.y[ball]).toBeCloseTo(v.y - 1.5 * into * ny, digits);
     expect(u.z[ball]).toBeCloseTo((v.z ?? 0) - 1.5 * into * nz, digits);
-    // 3.5 m to go at `into`, and back at half of it for the rest of the time.
+    // The ball covers 3.5 m at `into` and returns at half that speed for the remaining time.
     const height = 1.5 + 0.5 * -into * (1.5 - 3.5 / -into);
     expect(p.x[ball] * nx + p.y[ball] * ny + p.z[ball] * nz).toBeCloseTo(height, digits);
   });
 });
 
 test('a ball in a corner of three planes bounces to heights that fall by e²', () => {
-  // Gravity 20, radius 20, planes at -100, restitution 0.9; from 100 it falls 180 to rest height -80.
+  // Gravity 20, radius 20, planes at -100, restitution 0.9: the ball falls 180 from 100 to its resting height of -80.
   const world = createPhysicsWorld({ preset: particleContacts, dimensions: 3, forces: [uniformGravity({ y: -20 })] });
   for (const normal of [{ nx: 1, ny: 0 }, { ny: 1 }, { ny: 0, nz: 1 }]) {
     spawn(world, { planeWall: { ...normal, offset: -100, restitution: 0.9 } });
@@ -53,7 +53,7 @@ test('a ball in a corner of three planes bounces to heights that fall by e²', (
   }
   expect(apexes[0]).toBeCloseTo(64.8, 1);
   expect(apexes[1]).toBeCloseTo(52.488, 1);
-  // Back from the planes x and z, at nine tenths.
+  // It has rebounded from the planes x and z at nine tenths of its speed.
   expect(v.x[ball]).toBeCloseTo(18, 9);
   expect(v.z[ball]).toBeCloseTo(18, 9);
 });
@@ -79,13 +79,14 @@ test('a ball on a slope slides or rolls by its friction', () => {
     const { x, y } = world.components.Velocity;
     return Math.hypot(x[ball], y[ball]);
   };
-  // Wall friction 1 and the body's μ² meet in μ. Sliding: g (sin θ - μ cos θ); rolling: 5/7 g sin θ.
+  // The geometric mean of the wall's coefficient 1 and the body's μ² is μ. Sliding: g (sin θ - μ cos θ); rolling: 5/7 g
+  // sin θ.
   expect(slope(0)).toBeCloseTo(6, 9);
   expect(slope(0.01)).toBeCloseTo(6 - 0.1 * 8, 6);
   expect(slope(1)).toBeCloseTo((5 / 7) * 6, 6);
 });
 
-test('nothing gets out of a wedge of planes', () => {
+test('bodies do not leave a wedge of planes', () => {
   const world = createPhysicsWorld({ preset: particleContacts, forces: [uniformGravity({ y: -10 })] });
   spawn(world, { planeWall: { nx: 1, ny: 0.5, offset: 0, restitution: 0.9 } });
   spawn(world, { planeWall: { nx: -1, ny: 0.5, offset: 0, restitution: 0.9 } });

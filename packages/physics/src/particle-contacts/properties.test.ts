@@ -1,4 +1,4 @@
-// What holds of any collisions, whatever the bodies: tried on crowds drawn at random.
+// Properties of all collisions, tested on random scenes.
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import {
@@ -31,14 +31,17 @@ const oneBody = fc.record({
 });
 type Body = typeof oneBody extends fc.Arbitrary<infer T> ? T : never;
 const crowd = fc.array(oneBody, { minLength: 2, maxLength: 12 });
-/** No two in one place, who come apart in a direction that their ids decide. */
+/** Excludes coincident bodies, whose separation direction depends on their ids. */
 const apart = fc.uniqueArray(oneBody, {
   minLength: 2,
   maxLength: 12,
   comparator: ({ position: a }, { position: b }) => Math.abs(a.x - b.x) + Math.abs(a.y - b.y) < 1e-3,
 });
 
-/** The crowd in free space; with `side` -1 its mirror image in the plane x = 0, which turns spins about y and z round. */
+/**
+ * Creates the bodies in free space, or for `side` -1 their mirror image in the plane x = 0, which reverses spins about
+ * y and z.
+ */
 function worldOf(bodies: readonly Body[], dimensions: 2 | 3, side: 1 | -1 = 1): PhysicsWorld {
   const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision: 'f64', capacity: 100 });
   const inertia = dimensions === 2 ? discInertia : ballInertia;
@@ -56,8 +59,8 @@ function worldOf(bodies: readonly Body[], dimensions: 2 | 3, side: 1 | -1 = 1): 
   return world;
 }
 
-describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
-  test('keeps its momentum to rounding', () => {
+describe.each([2, 3] as const)('many bodies in %d D', (dimensions) => {
+  test('conserve momentum to rounding', () => {
     fc.assert(
       fc.property(crowd, (bodies) => {
         const world = worldOf(bodies, dimensions);
@@ -69,7 +72,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
         }
         for (let s = 0; s < STEPS; s++) step(world, DT);
         const after = momentum(world);
-        // Each impulse rounds two velocities. There are at most some 66 pairs, of which a step may press each 30 times.
+        // Each impulse rounds two velocities. There are at most about 66 pairs, each solved up to 30 times per step.
         const bound = STEPS * 66 * 30 * 2 * Number.EPSILON * (scale + 1);
         for (const axis of ['x', 'y', 'z'] as const) expect(Math.abs(after[axis] - before[axis])).toBeLessThan(bound);
       }),
@@ -77,7 +80,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
     );
   });
 
-  test('gains no energy where no restitution exceeds one', () => {
+  test('gain no energy if no restitution exceeds one', () => {
     fc.assert(
       fc.property(crowd, (bodies) => {
         const world = worldOf(bodies, dimensions);
@@ -93,7 +96,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
     );
   });
 
-  test('goes the mirrored way in a mirror, to the bit', () => {
+  test('have bitwise mirrored trajectories in a mirrored scene', () => {
     fc.assert(
       fc.property(apart, (bodies) => {
         const [plain, mirrored] = [worldOf(bodies, dimensions), worldOf(bodies, dimensions, -1)];
@@ -112,7 +115,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
     );
   });
 
-  test('no speed takes a body through the walls of a box', () => {
+  test('a body does not tunnel through the walls of a box at any speed', () => {
     const fast = fc.record({
       speed: fc.record({ x: between(-1e5, 1e5), y: between(-1e5, 1e5), z: between(-1e5, 1e5) }),
       body: oneBody,
@@ -147,7 +150,7 @@ describe.each([2, 3] as const)('a crowd in %d D', (dimensions) => {
   });
 });
 
-test('no speed takes a disc through the segments of a closed room', () => {
+test('a disc does not tunnel through the segments of a closed room at any speed', () => {
   const shot = fc.record({
     position: place,
     speed: between(1, 1e4),
@@ -171,7 +174,7 @@ test('no speed takes a disc through the segments of a closed room', () => {
       const { x, y } = world.components.Position;
       for (let s = 0; s < 20; s++) {
         step(world, DT);
-        // A path has some hundred metres: its roundings move the disc by a millionth of its radius at most.
+        // A path is some hundred metres long, so rounding displaces the disc by at most a millionth of its radius.
         expect(Math.max(Math.abs(x[eid]), Math.abs(y[eid]))).toBeLessThan(3 - radius + 1e-7);
       }
     }),

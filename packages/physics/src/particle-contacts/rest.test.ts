@@ -47,7 +47,7 @@ describe.each([
   [3, 'f64', false],
   [2, 'f64', true],
 ] as const)('a stack of five in %d D, %s, Euler %s', (dimensions, precision, euler) => {
-  test.each([0, 0.5, 0.9])('with restitution %d each contact bears the weight above it', (restitution) => {
+  test.each([0, 0.5, 0.9])('with restitution %d each contact carries the weight above it', (restitution) => {
     const world = stackWorld({ dimensions, precision, euler });
     const ids = stack(world, [1, 2, 1, 3, 1], restitution);
     run(world, 400);
@@ -70,7 +70,7 @@ describe.each([
   });
 });
 
-test('a ball on the floor between two walls lies still to the last bit', () => {
+test('a ball on the floor between two walls stays bitwise at rest', () => {
   const world = stackWorld();
   const [ball] = stack(world, [1], 0.6);
   run(world, 200);
@@ -82,12 +82,12 @@ test('a ball on the floor between two walls lies still to the last bit', () => {
   }
 });
 
-describe.each(['f32', 'f64'] as const)('heaps, %s', (precision) => {
+describe.each(['f32', 'f64'] as const)('piles, %s', (precision) => {
   test.each([
     [0, 0],
     [0.4, 0.3],
   ])('sixty discs with restitution %d and friction %d come to rest', (restitution, friction) => {
-    // A heap falls as chance has it, and now and then a disc is still on its way: the middle one of five heaps counts.
+    // The final state of a pile varies, and sometimes a disc is still moving, so the median of five piles is tested.
     const energies: number[] = [];
     const loads: number[] = [];
     for (let seed = 1; seed <= 5; seed++) {
@@ -97,9 +97,9 @@ describe.each(['f32', 'f64'] as const)('heaps, %s', (precision) => {
       loads.push(upwardImpulse(world) / (60 * G * DT));
       expect(largestOverlap(world)).toBeLessThan(0.05);
     }
-    // No more than a disc has that gravity has pulled for one step.
+    // The limit is the kinetic energy that gravity gives a disc in one step.
     expect(median(energies)).toBeLessThan((G * DT) ** 2 / 2);
-    // The floor and the side walls bear them: the sum of the upward impulses is the weight.
+    // The sum of the upward impulses of the floor and the side walls equals the weight.
     expect(median(loads)).toBeCloseTo(1, 1);
   });
 });
@@ -120,7 +120,7 @@ function heap(precision: 'f32' | 'f64', seed: number, restitution: number, frict
   return world;
 }
 
-/** Overlap of two discs in contact, in parts of their radii together. */
+/** Largest overlap of two touching discs, relative to the sum of their radii. */
 function largestOverlap(world: PhysicsWorld): number {
   const found = contacts(world);
   const { Position: p, Collider } = world.components;
@@ -155,7 +155,7 @@ test('a million times heavier ball rests on a light one', () => {
   }
 });
 
-test('a stack on a body that holds still bears its weight too', () => {
+test('a stack on an immovable body carries its weight too', () => {
   const world = createPhysicsWorld({ preset: particleContacts, forces: [uniformGravity({ y: -G })] });
   spawn(world, { position: {}, collider: 0.5 });
   const top = spawn(world, { position: { y: 1 }, velocity: {}, mass: 3, collider: 0.5 });
@@ -164,7 +164,7 @@ test('a stack on a body that holds still bears its weight too', () => {
   expect(world.components.Position.y[top]).toBeCloseTo(1, 6);
 });
 
-test('a step of another length starts from the same force', () => {
+test('a step of another length warm starts with the same force', () => {
   const world = stackWorld();
   const ids = stack(world, [1, 1, 1, 1, 1, 1], 0);
   run(world, 400);
@@ -175,7 +175,7 @@ test('a step of another length starts from the same force', () => {
   }
 });
 
-test('elastic balls that fall into a box keep their energy, but for steps in which floor and ball coincide', () => {
+test('elastic balls that fall into a box conserve energy, except in steps with simultaneous floor and ball contacts', () => {
   const world = stackWorld();
   const random = createRandom(3);
   for (let i = 0; i < 20; i++) {
@@ -188,6 +188,7 @@ test('elastic balls that fall into a box keep their energy, but for steps in whi
   }
   const before = energy(world).total;
   run(world, 600);
-  // A body that meets the floor and another within one step is put on the floor from as far as it moves in a step.
+  // A body that hits the floor and another body within one step is placed on the floor, a displacement of at most its
+  // motion in a step.
   expect(Math.abs(energy(world).total / before - 1)).toBeLessThan(0.01);
 });

@@ -39,13 +39,13 @@ const INNER: readonly Ends[] = [
 ];
 
 describe.each(['f32', 'f64'] as const)('a ball that falls on an inclined wall, %s', (precision) => {
-  test('meets it and leaves it as the formulas say', () => {
+  test('hits and leaves it as the formulas predict', () => {
     const world = make({ precision, forces: [uniformGravity({ y: 100 })] });
     wall(world, [50, 200, 700, 500]);
     const ball = disc(world, 100, 50, 0, 0, 15, 0.8);
     const { x, y } = world.components.Velocity;
     while (x[ball] === 0) step(world, 1 / 60);
-    // The velocity at the contact, 1.76950 s after the start; gravity has acted since.
+    // The velocity at the contact, 1.76950 s after the start, plus the effect of gravity since.
     const since = world.time - 1.7695;
     expect(since).toBeGreaterThan(0);
     expect(since).toBeLessThan(1 / 60);
@@ -63,22 +63,22 @@ describe('sides and ends', () => {
     const [p, v] = [world.components.Position, world.components.Velocity];
     expect(v.x[ball]).toBeCloseTo(2, 12);
     expect(v.y[ball]).toBeCloseTo(4 * side, 12);
-    // 2.5 m to the touch at 0.625 s.
+    // The ball covers 2.5 m to the contact at 0.625 s.
     expect(p.y[ball]).toBeCloseTo((0.5 + 4 * 0.375) * side, 10);
   });
 
-  test('an end throws a ball along the line from the end to its centre', () => {
+  test('an end deflects a ball along the line from the end to its centre', () => {
     const world = make();
     wall(world, [0, -9, 0, 0]);
     const ball = disc(world, 0.6, 3, 0, -5, 1, 1);
     for (let i = 0; i < 60; i++) step(world, 1 / 60);
     const { x, y } = world.components.Velocity;
-    // It touches with its centre at (0.6, 0.8): n = (0.6, 0.8), v - 2 (v·n) n.
+    // The centre is at (0.6, 0.8) at the contact: n = (0.6, 0.8), v - 2 (v·n) n.
     expect(x[ball]).toBeCloseTo(4.8, 10);
     expect(y[ball]).toBeCloseTo(1.4, 10);
   });
 
-  test('a wall of no length is a post', () => {
+  test('a wall of zero length is a post', () => {
     const world = make();
     wall(world, [0, 0, 0, 0]);
     const ball = disc(world, 0, 3, 0, -5, 1, 1);
@@ -100,7 +100,7 @@ describe('sides and ends', () => {
   });
 });
 
-describe('nothing gets through', () => {
+describe('no tunnelling', () => {
   test.each(['f32', 'f64'] as const)('a thousand balls of 1 at 10⁴ a second, %s', (precision) => {
     const world = make({ precision, capacity: 1100 });
     // A wall from top to bottom parts the box: none of those on either side may ever be on the other.
@@ -148,7 +148,7 @@ describe('nothing gets through', () => {
     expect(worst / (100 * 310)).toBeLessThan(1e-6);
   });
 
-  test('a crowd does not push anyone through the shelf it lies on', () => {
+  test('a pile does not push bodies through the shelf below it', () => {
     const world = make({ forces: [uniformGravity({ y: -10 })] });
     for (const ends of [
       [-2, 0, 2, 0],
@@ -168,7 +168,7 @@ describe('nothing gets through', () => {
 
 test('a disc that does not slip rolls down at two thirds of g sin θ', () => {
   const world = make({ forces: [uniformGravity({ y: -10 })] });
-  // 3-4-5: sin θ = 0.6.
+  // The slope is a 3-4-5 triangle: sin θ = 0.6.
   wall(world, [0, 0, -40, 30]);
   const ball = spawn(world, {
     position: { x: -32 + 0.6 * 0.5, y: 24 + 0.8 * 0.5 },
@@ -187,7 +187,7 @@ test('a disc that does not slip rolls down at two thirds of g sin θ', () => {
   expect(0.6 * x[ball] + 0.8 * y[ball]).toBeCloseTo(0.5, 9);
 });
 
-test('a ball in a groove of two walls lies still', () => {
+test('a ball in a groove of two walls stays at rest', () => {
   for (const half of [1, 3, 0.4]) {
     const world = make({ forces: [uniformGravity({ y: -10 })] });
     wall(world, [0, 0, half, 1]);
@@ -195,8 +195,8 @@ test('a ball in a groove of two walls lies still', () => {
     const ball = disc(world, 0.02, (0.2 * Math.sqrt(1 + half * half)) / half + 0.3, 0, 0, 0.2, 0.3);
     for (let i = 0; i < 900; i++) step(world, 1 / 60);
     const [p, v] = [world.components.Position, world.components.Velocity];
-    // Where it touches both walls, to what it moves in a step up and a step down, g dt² each, and no faster than gravity
-    // makes it in one.
+    // The position where it touches both walls is accurate to the motion of one step up and one down, g dt² each; the
+    // speed is at most that of one step of gravity.
     for (let i = 0; i < 60; i++) {
       step(world, 1 / 60);
       expect(Math.hypot(p.x[ball], p.y[ball] - (0.2 * Math.sqrt(1 + half * half)) / half)).toBeLessThan(
@@ -207,7 +207,7 @@ test('a ball in a groove of two walls lies still', () => {
   }
 });
 
-test('far walls, which bring in the grid, change nothing', () => {
+test('distant walls, which enable the grid, change nothing', () => {
   const build = (extra: number) => {
     const world = make();
     const ball = disc(world, 100, 90, 300, 170, 4, 1);
@@ -224,7 +224,7 @@ test('far walls, which bring in the grid, change nothing', () => {
   expect(build(500)).toEqual(build(0));
 });
 
-test('walls made, moved and removed between steps count at once', () => {
+test('walls created, moved or removed between steps take effect immediately', () => {
   const world = make();
   const ball = disc(world, 0, 2, 0, -10, 0.5, 1);
   const floor = wall(world, [-5, 0, 5, 0]);
@@ -236,7 +236,7 @@ test('walls made, moved and removed between steps count at once', () => {
   expect(world.components.Velocity.y[ball]).toBeCloseTo(10, 12);
 });
 
-test('equal runs end in equal bits', () => {
+test('equal runs are bitwise equal', () => {
   const run = () => {
     const world = make({ precision: 'f32', forces: [uniformGravity({ y: 100 })] });
     for (const ends of [...BOX, ...INNER]) wall(world, ends, { friction: 0.5 });

@@ -1,4 +1,5 @@
-// Walls that are straight segments (2D), each an entity with SegmentWall. kernels/particle-contacts/walls/segments.ts has the maths.
+// Walls that are line segments (2D), each an entity with SegmentWall. The formulas are in
+// kernels/particle-contacts/walls/segments.ts.
 
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { forEachRange } from '../ecs/ranges.ts';
@@ -10,14 +11,14 @@ import { resource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
-/** Cells of the walls' grid along one axis, at most; and entries of its lists for each wall. */
+/** Maximum number of grid cells along one axis, and of list entries per wall. */
 const MAX_SIDE = 64;
-const ITEMS_A_WALL = 16;
+const ITEMS_PER_WALL = 16;
 
 interface SegmentList extends EntityList {
   readonly grid: number;
   readonly words: Uint32Array;
-  /** The step they were gathered in. */
+  /** The step in which the walls were gathered. */
   tick: number;
   /** Walls that were reported because an end of theirs is not finite. */
   readonly reported: Set<number>;
@@ -35,16 +36,16 @@ const segmentList = resource<SegmentList>((world) => {
   return { grid, words, tick: -1, reported: new Set<number>(), ...emptyEntityList() };
 });
 
-/** Gathers the walls, once a step, in ascending id. */
+/** Gathers the walls in ascending id, once per step. */
 function gather(world: PhysicsWorld): SegmentList {
   const list = segmentList(world);
   if (list.tick === world.tick) return list;
   const size = SEGMENT_BYTES[world.precision];
-  if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_A_WALL)) {
+  if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_PER_WALL)) {
     const { words, at, room } = list;
     words[Word.segments] = at;
     words[Word.items] = at + size * room;
-    words[Word.mostItems] = ITEMS_A_WALL * room;
+    words[Word.maxItems] = ITEMS_PER_WALL * room;
   }
   collisionKernels(world).gatherSegments(list.grid, list.ids, list.count);
   list.tick = world.tick;
@@ -70,8 +71,9 @@ function reportBadWalls(world: PhysicsWorld, { ids, count, reported }: SegmentLi
 }
 
 /**
- * System of the `walls` phase: bodies with Mass and Collider against every SegmentWall. A contact's restitution is the
- * larger of the body's and the wall's, its friction coefficient the geometric mean. No speed takes a body through.
+ * System of the `walls` phase: collides bodies with Mass and Collider against every SegmentWall. The restitution of a
+ * contact is the larger of the body's and the wall's, its friction coefficient their geometric mean. Bodies do not
+ * tunnel at any speed.
  */
 export const segmentWalls: LocalSystem = {
   name: 'segment walls',
@@ -83,7 +85,7 @@ export const segmentWalls: LocalSystem = {
   }),
 };
 
-/** Keeps bodies that contacts pushed in this step on their side of the segment walls. */
-export function confineToSegments(world: PhysicsWorld): void {
-  collisionKernels(world).confineToSegments(gather(world).grid);
+/** Keeps bodies that contacts moved in this step on their side of the segment walls. */
+export function clampToSegments(world: PhysicsWorld): void {
+  collisionKernels(world).clampToSegments(gather(world).grid);
 }

@@ -1,18 +1,18 @@
-// Which entities bitECS has, put aside and brought back through bitECS itself, so that queries and observers follow.
+// Saves the entities of bitECS and restores them through bitECS itself, so that queries and observers are updated.
 import { addComponent, addEntity, entityExists, removeComponent } from 'bitecs';
 import { bitOf, COMPONENT_NAMES } from '../components/all.ts';
-import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
+import { contextOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** The entities of a moment, in arrays that the next moment takes over. */
+/** The saved entities, in arrays that later snapshots reuse. */
 export interface SavedEntities {
-  /** bitECS's list of ids: those alive, then those free, in the order they will be given out. */
+  /** bitECS's list of ids: the living entities, then the free ids in the order in which they will be reused. */
   dense: Uint32Array;
-  /** Ids in that list. */
+  /** Number of ids in that list. */
   length: number;
   alive: number;
   maxId: number;
-  /** Components of the rows up to the highest in use. */
+  /** Component bits of the rows up to the highest in use. */
   members: Uint32Array;
   rows: number;
 }
@@ -25,8 +25,8 @@ export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
   const { dense, aliveCount, maxId } = contextOf(world).entityIndex;
   const { members } = world.internal;
   const rows = world.lastId + 1;
-  if (into.dense.length < dense.length) into.dense = new Uint32Array(roomFor(dense.length));
-  if (into.members.length < rows) into.members = new Uint32Array(roomFor(rows));
+  if (into.dense.length < dense.length) into.dense = new Uint32Array(roundUpCapacity(dense.length));
+  if (into.members.length < rows) into.members = new Uint32Array(roundUpCapacity(rows));
   for (let i = 0; i < dense.length; i++) into.dense[i] = dense[i];
   for (let row = 0; row < rows; row++) into.members[row] = members[row];
   into.length = dense.length;
@@ -35,14 +35,14 @@ export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
   into.rows = rows;
 }
 
-/** A world that grows a little does not ask for new arrays each time. */
-function roomFor(count: number): number {
+/** Rounds the capacity up, so that a world that grows slowly does not reallocate each time. */
+function roundUpCapacity(count: number): number {
   return count + (count >> 3) + 16;
 }
 
 /**
- * Makes bitECS's entities and components those of then. Columns are left to whoever writes the memory back.
- * @returns what observers of users threw
+ * Restores bitECS's entities and components. The caller restores the columns with the memory.
+ * @returns exceptions of user observers
  */
 export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unknown[] {
   const thrown: unknown[] = [];
@@ -56,7 +56,7 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
   if (!isSameIndex(world, saved)) {
     const wanted = new Set(saved.dense.subarray(0, saved.alive));
     removeOthers(world, wanted, attempt);
-    for (const eid of wanted) if (!entityExists(world, eid)) revive(world, eid);
+    for (const eid of wanted) if (!entityExists(world, eid)) recreateEntity(world, eid);
   }
   changeAllComponents(world, saved, attempt);
   // Observers may have made entities, or changed components, when they were told of those that came back.
@@ -76,7 +76,7 @@ type Attempt = (act: () => void) => void;
 
 function removeOthers(world: PhysicsWorld, wanted: ReadonlySet<number>, attempt: Attempt): void {
   const { dense, aliveCount } = contextOf(world).entityIndex;
-  for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeWholly(world, eid));
+  for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeEntityCompletely(world, eid));
 }
 
 function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt: Attempt): void {
@@ -95,8 +95,8 @@ function isSameIndex(world: PhysicsWorld, { dense, alive, maxId }: SavedEntities
   return true;
 }
 
-/** Makes an entity with a given id: bitECS hands out the first of those free. */
-function revive(world: PhysicsWorld, eid: number): void {
+/** Creates an entity with a given id: bitECS returns the first free id. */
+function recreateEntity(world: PhysicsWorld, eid: number): void {
   const index = contextOf(world).entityIndex;
   const { dense, sparse, aliveCount } = index;
   if (dense[sparse[eid]] !== eid) {
@@ -122,7 +122,7 @@ function changeComponents(world: PhysicsWorld, eid: number, bits: number, attemp
   }
 }
 
-/** The order in which ids will be given out. */
+/** Restores the order in which free ids will be reused. */
 function writeIndex(world: PhysicsWorld, { dense, length, alive, maxId }: SavedEntities): void {
   const index = contextOf(world).entityIndex;
   index.dense.length = length;

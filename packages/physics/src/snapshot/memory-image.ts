@@ -1,23 +1,23 @@
-// The world's memory, put aside and written back. Pieces that hold only zeros are left out.
+// Saves and restores the world's memory. Pages that contain only zeros are omitted.
 import { COLUMN_TABLE, COLUMNS_BYTES, FIRST_COLUMN } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** Which parts of a memory hold anything. */
+/** The non-zero ranges of a memory. */
 interface Layout {
-  /** Pairs [from, to): the pieces, ascending. */
+  /** The ranges as pairs [from, to), ascending. */
   readonly runs: readonly number[];
-  /** The column table, and the memory of each run, to copy from. */
+  /** Views of the column table and of each range. */
   readonly views: readonly Uint8Array[];
-  /** Bytes of them all. */
+  /** Total bytes of the views. */
   readonly length: number;
-  /** How far the arena was used. */
+  /** Bytes of the arena in use. */
   readonly top: number;
 }
 
-/** What was in a world's memory. */
+/** A saved copy of a world's memory. */
 export interface MemoryImage {
   layout: Layout;
-  /** Bytes of the column table, then of one run behind the other. */
+  /** Bytes of the column table, followed by those of the ranges. */
   bytes: Uint8Array;
   top: number;
   staggered: number;
@@ -29,10 +29,10 @@ export function noImage(): MemoryImage {
   return { layout: NOTHING, bytes: new Uint8Array(0), top: 0, staggered: 0 };
 }
 
-/** Bytes of a piece: one page, which most systems hand out untouched until it is written to. */
-const PIECE = 4096;
+/** Granularity in bytes: one page, which most systems allocate only when it is first written. */
+const PAGE_BYTES = 4096;
 
-/** Copies the memory into an image, whose bytes are used again where they suffice. */
+/** Copies the memory into an image and reuses its buffer if it is large enough. */
 export function takeImage(world: PhysicsWorld, image: MemoryImage): void {
   const { top, staggered } = world.internal.arena;
   const layout = layoutOf(world, top);
@@ -51,45 +51,45 @@ export function takeImage(world: PhysicsWorld, image: MemoryImage): void {
 }
 
 /**
- * The layout of each world's last image. What once held something counts from then on, so that images that are taken
- * again and again come to a layout that stays: nothing is allocated then.
+ * The layout of each world's last image. A range that was non-zero once stays in the layout, so that repeated images
+ * reach a stable layout and allocate nothing.
  */
 const layouts = new WeakMap<PhysicsWorld, Layout>();
 
 function layoutOf(world: PhysicsWorld, top: number): Layout {
   const last = layouts.get(world);
-  // In an arena that was brought back to fewer bytes, old runs may lie beyond its end.
-  const known = last === undefined || top < last.top ? NOTHING : last;
-  if (known.top === top && coversAll(world, known.runs, top)) return known;
-  const made = extended(world, known.runs, top);
+  // After a restore to a smaller arena, old ranges may lie beyond its end.
+  const previous = last === undefined || top < last.top ? NOTHING : last;
+  if (previous.top === top && coversAll(world, previous.runs, top)) return previous;
+  const made = extendRanges(world, previous.runs, top);
   layouts.set(world, made);
   return made;
 }
 
-/** Whether there is nothing between the runs and behind them. */
+/** Returns whether the memory between and after the ranges is zero. */
 function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: number): boolean {
   let at = FIRST_COLUMN;
   for (let r = 0; r < runs.length; r += 2) {
-    if (kernels.nextPiece(at, runs[r], PIECE, 1) < runs[r]) return false;
+    if (kernels.nextPiece(at, runs[r], PAGE_BYTES, 1) < runs[r]) return false;
     at = runs[r + 1];
   }
-  return at >= top || kernels.nextPiece(at, top, PIECE, 1) >= top;
+  return at >= top || kernels.nextPiece(at, top, PAGE_BYTES, 1) >= top;
 }
 
-/** The runs there were together with all that holds anything. */
-function extended({ kernels, memory: { buffer } }: PhysicsWorld, before: readonly number[], top: number): Layout {
+/** Returns the given ranges extended by all non-zero pages. */
+function extendRanges({ kernels, memory: { buffer } }: PhysicsWorld, before: readonly number[], top: number): Layout {
   const runs: number[] = [];
   const views = [new Uint8Array(buffer, COLUMN_TABLE, COLUMNS_BYTES)];
   let length = COLUMNS_BYTES;
   let b = 0;
   for (let at = FIRST_COLUMN; ; ) {
-    const from = Math.min(kernels.nextPiece(at, top, PIECE, 1), b < before.length ? before[b] : top);
+    const from = Math.min(kernels.nextPiece(at, top, PAGE_BYTES, 1), b < before.length ? before[b] : top);
     if (from >= top) break;
     at = from;
     for (let end = -1; end !== at; ) {
       end = at;
       for (; b < before.length && before[b] <= at; b += 2) at = Math.max(at, before[b + 1]);
-      if (at < top) at = kernels.nextPiece(at, top, PIECE, 0);
+      if (at < top) at = kernels.nextPiece(at, top, PAGE_BYTES, 0);
     }
     runs.push(from, at);
     views.push(new Uint8Array(buffer, from, at - from));
@@ -99,21 +99,21 @@ function extended({ kernels, memory: { buffer } }: PhysicsWorld, before: readonl
 }
 
 function fits(room: number, length: number): boolean {
-  return room >= length && room <= 2 * length + PIECE;
+  return room >= length && room <= 2 * length + PAGE_BYTES;
 }
 
-/** Writes an image back: every byte is then as it was, and what was taken from the arena since is free and zero. */
+/** Restores an image: every byte has its saved value, and memory allocated since is free and zero. */
 export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld, image: MemoryImage): void {
   const { bytes, top, staggered } = image;
   const { runs } = image.layout;
   const target = new Uint8Array(memory.buffer);
   target.set(bytes.subarray(0, COLUMNS_BYTES), COLUMN_TABLE);
   const end = Math.max(top, arena.top);
-  // Zeros are written only where there is something else, or pages never touched would become real.
+  // Zeros are written only over non-zero bytes, because writing would commit untouched pages.
   const clear = (from: number, to: number) => {
     for (let at = from; at < to; ) {
-      const first = kernels.nextPiece(at, to, PIECE, 1);
-      at = kernels.nextPiece(first, to, PIECE, 0);
+      const first = kernels.nextPiece(at, to, PAGE_BYTES, 1);
+      at = kernels.nextPiece(first, to, PAGE_BYTES, 0);
       target.fill(0, first, at);
     }
   };
@@ -126,7 +126,7 @@ export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld,
     from += length;
     at = runs[r + 1];
   }
-  clear(at, Math.ceil(end / PIECE) * PIECE);
+  clear(at, Math.ceil(end / PAGE_BYTES) * PAGE_BYTES);
   arena.top = top;
   arena.staggered = staggered;
 }

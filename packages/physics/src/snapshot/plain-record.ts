@@ -5,7 +5,7 @@ import { isKept } from './keep-state.ts';
 /** A reusable copy of one object. */
 interface Copy {
   readonly target: object;
-  /** Copies the contents, and visits what they are. */
+  /** Copies the contents and visits nested values. */
   take(visit: (value: unknown) => void): void;
   putBack(): void;
 }

@@ -32,7 +32,7 @@ import {
   uniformGravity,
 } from '../index.ts';
 
-/** Bodies that come and go as a seeded player wants: spawned, removed, put on springs, one by one and by the dozen. */
+/** Spawns, removes and connects bodies by springs, singly and by the dozen, in a seeded random sequence. */
 function churn(world: PhysicsWorld, seed: number, steps: number): string {
   const random = createRandom(seed);
   const point = () => ({ x: random.uniform(-9, 9), y: random.uniform(0, 9) });
@@ -60,8 +60,8 @@ const crowd = (options: { dimensions?: 2 | 3; precision?: 'f32' | 'f64' } = {}) 
     ...options,
   });
 
-describe.each(KINDS)('bodies that come and go, $dimensions D $precision', (kind) => {
-  it('do so again, with the same ids', () => {
+describe.each(KINDS)('bodies that are created and removed, $dimensions D $precision', (kind) => {
+  it('are created again with the same ids', () => {
     const world = crowd(kind);
     churn(world, 1, 60);
     const taken = snapshot(world);
@@ -70,7 +70,7 @@ describe.each(KINDS)('bodies that come and go, $dimensions D $precision', (kind)
     expect(churn(world, 2, 100)).toBe(first);
   });
 
-  it('may go another way in between, earlier or later snapshots too', () => {
+  it('may diverge in between; earlier and later snapshots work', () => {
     const world = crowd(kind);
     const start = snapshot(world);
     churn(world, 1, 80);
@@ -87,8 +87,8 @@ describe.each(KINDS)('bodies that come and go, $dimensions D $precision', (kind)
   });
 });
 
-describe('what is brought back', () => {
-  it('a body that was removed, under its old reference; not one that was made since', () => {
+describe('restored state', () => {
+  it('a removed body, under its old reference; not a body created since', () => {
     const world = crowd();
     const a = spawn(world, { position: {}, mass: 1 });
     const ref = entityRef(world, a);
@@ -130,7 +130,7 @@ describe('what is brought back', () => {
     expect(query(world, [world.components.Quarantined])).toHaveLength(0);
   });
 
-  it('what a resource keeps in plain objects; those made since are made anew', () => {
+  it('the plain objects of a resource; resources created since are created again', () => {
     const score = resource(() => ({ points: 0, names: ['a'], seen: new Set([1]), numbers: new Float64Array(2) }));
     const late = resource(() => ({ made: true, count: 0 }));
     const world = createPhysicsWorld();
@@ -148,18 +148,18 @@ describe('what is brought back', () => {
     expect(late(world).count).toBe(0);
   });
 
-  it('not who listens', () => {
+  it('event listeners are excluded', () => {
     const world = crowd();
     const taken = snapshot(world);
-    let told = 0;
-    on(world, 'contact', () => told++);
+    let eventCount = 0;
+    on(world, 'contact', () => eventCount++);
     restore(world, taken);
     for (const x of [0, 0.3]) spawn(world, { position: { x }, mass: 1, collider: { radius: 0.2 } });
     step(world, 1 / 60);
-    expect(told).toBe(1);
+    expect(eventCount).toBe(1);
   });
 
-  it('tells observers, and survives one that throws', () => {
+  it('calls observers, and survives one that throws', () => {
     const world = crowd();
     const body = spawn(world, { position: { x: 2 }, mass: 1 });
     const hash = stateHash(world);
@@ -171,12 +171,12 @@ describe('what is brought back', () => {
     observe(world, onRemove(world.components.Charge), () => {
       throw new Error('not now');
     });
-    expect(() => restore(world, taken)).toThrow(/observers threw 1 error/);
+    expect(() => restore(world, taken)).toThrow(/observers threw 1 exception/);
     expect(heard).toEqual(['mass']);
     expect(stateHash(world)).toBe(hash);
   });
 
-  it('leaves entities without physics alone that live through, removes later ones, revives earlier ones', () => {
+  it('keeps entities without physics, removes later ones, recreates earlier ones', () => {
     const world = crowd();
     const Tag = {};
     const [kept, lost] = [addEntity(world), addEntity(world)];
@@ -191,7 +191,7 @@ describe('what is brought back', () => {
 });
 
 describe('emitters', () => {
-  it('go on with the same pool and the same random numbers', () => {
+  it('continue with the same pool and the same random numbers', () => {
     const { world, emitter } = emitting({ rate: 300, lifetime: [0.2, 1.5], speed: [1, 9], spread: 3 });
     run(world, 1);
     const taken = snapshot(world);
@@ -204,7 +204,7 @@ describe('emitters', () => {
     const first = play();
     restore(world, taken);
     expect(play()).toBe(first);
-    // The rate is the old one again, and not the one that `play` set last.
+    // The rate is the saved one, not the one that `play` set last.
     restore(world, taken);
     run(world, 0.5);
     const undisturbed = emitting({ rate: 300, lifetime: [0.2, 1.5], speed: [1, 9], spread: 3 });
@@ -212,7 +212,7 @@ describe('emitters', () => {
     expect(stateHash(world)).toBe(stateHash(undisturbed.world));
   });
 
-  it('destroyed since live again, made since are gone and say so', () => {
+  it('destroyed since work again; those created since throw an error', () => {
     const { world, emitter } = emitting({ rate: 100, lifetime: 1 });
     run(world, 0.5);
     const taken = snapshot(world);
@@ -232,8 +232,8 @@ describe('emitters', () => {
   });
 });
 
-describe('refusals', () => {
-  it('a snapshot of another world, something else', () => {
+describe('rejected calls', () => {
+  it('a snapshot of another world, and other values', () => {
     const [world, other] = [crowd(), crowd()];
     spawn(world, { position: {} });
     const hash = stateHash(world);
@@ -245,7 +245,7 @@ describe('refusals', () => {
     restore(world, taken);
   });
 
-  it('inside a step, and of a world that is no more', () => {
+  it('inside a step, and of a destroyed world', () => {
     const world = crowd();
     const taken = snapshot(world);
     const seen: string[] = [];
@@ -263,7 +263,7 @@ describe('refusals', () => {
   });
 });
 
-it('is taken anew in the place of one that is no longer needed', () => {
+it('reuses the memory of a spare snapshot', () => {
   const world = crowd();
   churn(world, 1, 40);
   const old = snapshot(world);
@@ -281,6 +281,6 @@ it('takes no more memory than the world uses', () => {
   const world = createPhysicsWorld({ capacity: 1_000_000, precision: 'f32' });
   spawnMany(world, 100, { position: {}, velocity: {}, mass: 1 });
   step(world, 1 / 60);
-  // A page for each column in use, of a memory of several hundred megabytes.
+  // The snapshot has one page per column in use, of a memory of several hundred megabytes.
   expect(snapshot(world).bytes).toBeLessThan(60 * 4096);
 });

@@ -1,7 +1,7 @@
-// A world put aside, and brought back to the bit: for rewinding, for trying something out, for networks that roll back.
+// Saves a world and restores it bitwise: for rewinding, for look-ahead, for networks with rollback.
 //
-// All numbers lie in the world's one memory, so that a snapshot is a copy of it. Beside it go the entities of bitECS,
-// the lists of forces and systems, and what features remember outside the memory.
+// All numbers are in the world's one memory, so a snapshot is a copy of it. It also holds the entities of bitECS, the
+// lists of forces and systems, and state of features outside the memory.
 
 import { assertIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -12,21 +12,21 @@ import { noEntities, restoreEntities, saveEntities } from './entities.ts';
 import { noImage, putImage, takeImage } from './memory-image.ts';
 import { PlainRecord } from './plain-record.ts';
 
-/** A world as it was. It belongs to that world, and serves any number of times. */
+/** A saved state of a world. It can be restored to that world any number of times. */
 export interface Snapshot {
-  /** Simulated time, s, and steps done. */
+  /** Simulated time, s, and number of steps. */
   readonly time: number;
   readonly tick: number;
-  /** Memory it takes. */
+  /** Size in bytes. */
   readonly bytes: number;
 }
 
 /**
- * Puts the world aside: bodies and their components, pools of emitters, random streams, contacts, memories of
- * integrators, forces, systems, faults, and what was named to `keepState`. Not: handlers of events, and components of
- * your own. Cost: one copy of the memory in use, and some microseconds.
- * @param spare a snapshot of this world that is no longer needed: it becomes the one of now and is returned. Nothing
- *   is allocated then, unless the world has grown
+ * Saves the world: bodies and their components, particle pools of emitters, random streams, contacts, state of
+ * integrators, forces, systems, faults, and the objects passed to `keepState`. It does not save event handlers and
+ * bitECS components that are not in the world's memory. Cost: one copy of the memory in use, and some microseconds.
+ * @param spare a snapshot of this world that is no longer needed: it is overwritten and returned. Nothing is allocated
+ *   then unless the world has grown
  * @throws PhysicsError E_REENTRANT inside a step, E_TYPE, E_DESTROYED
  */
 export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {
@@ -37,12 +37,12 @@ export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {
 }
 
 /**
- * Makes the world what it was: the next steps are the same to the bit as those after the snapshot. Bodies that came and
- * went since do so again, and observers hear of it; a body brought back has its components of physics only. References,
- * emitters and contact lists handed out since belong to the future that was given up. Queries may list bodies in
- * another order; `bodies(world)` does not.
+ * Restores the world: the next steps are bitwise equal to those after the snapshot. Bodies created since are removed,
+ * bodies removed since are created again, and observers are called; a recreated body has its physics components only.
+ * References, emitters and contact lists obtained since are invalid. Queries may list bodies in another order;
+ * `bodies(world)` does not.
  * @throws PhysicsError E_TYPE for a snapshot of another world, E_REENTRANT, E_DESTROYED: nothing is changed
- * @throws AggregateError of what observers threw, when all is restored
+ * @throws AggregateError of exceptions of observers, after everything is restored
  */
 export function restore(world: PhysicsWorld, taken: Snapshot): void {
   assertIdle(world, 'restore');
@@ -50,10 +50,10 @@ export function restore(world: PhysicsWorld, taken: Snapshot): void {
   content.assertWritable();
   const thrown = content.putBack();
   world.versions.restored++;
-  if (thrown.length > 0) throw new AggregateError(thrown, `restore: observers threw ${thrown.length} error(s).`);
+  if (thrown.length > 0) throw new AggregateError(thrown, `restore: observers threw ${thrown.length} exception(s).`);
 }
 
-/** Kernels, and who listens, are not state. */
+/** Kernels and event listeners are not state. */
 function isState(key: object): boolean {
   return key instanceof ResourceKey && !key.outlives;
 }
@@ -61,23 +61,24 @@ function isState(key: object): boolean {
 function contentOf(world: PhysicsWorld, taken: Snapshot, caller: string): Content {
   const found = taken instanceof Content ? taken : undefined;
   if (found?.world === world && found.isWhole) return found;
-  const problem = found === undefined ? 'this is no snapshot' : 'this snapshot is of another world, or incomplete';
+  const problem =
+    found === undefined ? 'the argument is not a snapshot' : 'the snapshot is of another world, or incomplete';
   throw new PhysicsError('E_TYPE', `${caller}: ${problem}.`, {
     field: 'snapshot',
-    hint: 'Use what `snapshot(world)` returned for this very world.',
+    hint: 'Pass a value that `snapshot(world)` returned for the same world.',
   });
 }
 
-/** What a snapshot holds: everything it needs is kept and written again when it is taken anew. */
+/** The contents of a snapshot; the buffers are reused when the snapshot is taken again. */
 class Content implements Snapshot {
   readonly #world: PhysicsWorld;
   time = 0;
   tick = 0;
-  /** Whether it was taken to the end. */
+  /** True once the snapshot was taken completely. */
   isWhole = false;
   readonly #image = noImage();
   readonly #entities = noEntities();
-  /** Resources, and under which keys. */
+  /** Resources and their keys. */
   readonly #keys: object[] = [];
   readonly #states: unknown[] = [];
   #count = 0;
@@ -114,7 +115,7 @@ class Content implements Snapshot {
     takeImage(world, this.#image);
     saveEntities(world, this.#entities);
     this.#takePlain();
-    // Forces and systems are told by name in the lists; what they are made of is theirs.
+    // The lists hold forces and systems by reference; the snapshot does not save their own state.
     refill(this.#forces, world.forces);
     for (let p = 0; p < PHASES.length; p++) refill(this.#phases[p], world.phases[PHASES[p]]);
     this.#integrator = world.integrator;
@@ -137,7 +138,9 @@ class Content implements Snapshot {
     });
   }
 
-  /** @returns what observers threw */
+  /**
+   * @returns exceptions of observers
+   */
   putBack(): unknown[] {
     const { world } = this;
     const { internal, versions } = world;
@@ -155,7 +158,7 @@ class Content implements Snapshot {
     world.lastId = this.#lastId;
     world.time = this.time;
     world.tick = this.tick;
-    // Compiled loops know addresses of what was made since.
+    // Compiled loops contain addresses of objects created since.
     internal.plan = undefined;
     internal.rangesVersion = this.#rangesVersion;
     internal.sweptRows = this.#sweptRows;

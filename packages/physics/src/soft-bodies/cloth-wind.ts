@@ -3,11 +3,12 @@
 //   F = ρ A |u| (c_n (u·n) n + c_t (u - (u·n) n)) / 2        a third on each corner
 //
 //   u  wind minus the triangle's mean velocity, m/s    A, n  area, m², and unit normal
-//   ρ  density of the air, kg/m³                       c_n, c_t  coefficients across and along the sheet
+//   ρ  density of the air, kg/m³                       c_n, c_t  normal and tangential coefficients
 //
-// A plate across the stream has c_n near 2 (Hoerner, Fluid-Dynamic Drag, 1965); along it only friction is left, c_t near
-// 0.01. Each triangle feels the free stream: no lee behind others. It damps a sheet that moves in still air, too. 3D.
-// Explicit: stable while ρ c_n A |u| dt is below the mass of the triangle. Cost: two square roots a triangle.
+// A plate normal to the stream has c_n near 2 (Hoerner, Fluid-Dynamic Drag, 1965); parallel to it only friction
+// remains, c_t near 0.01. Every triangle is in the free stream, without shielding by others. The force also damps a
+// sheet that moves in still air. 3D only. Explicit: stable while ρ c_n A |u| dt is below the mass of the triangle.
+// Cost: two square roots per triangle.
 
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
@@ -55,7 +56,11 @@ export function clothWind(options: ClothWindOptions): Force {
     local: false,
     prepare(world) {
       if (world.dimensions === 2) {
-        throw new PhysicsError('E_RANGE', 'clothWind needs a world of three dimensions.', { field: 'dimensions' });
+        throw new PhysicsError(
+          'E_RANGE',
+          'clothWind needs a 3D world, but this world is 2D. Create the world with dimensions: 3.',
+          { field: 'dimensions' },
+        );
       }
       sheetOf(world);
     },

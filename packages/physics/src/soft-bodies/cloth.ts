@@ -1,7 +1,7 @@
-// A cloth: a grid of nodes with springs along the threads, and where wanted across the meshes (against shear) and from
-// each node to the next but one (against bending).
+// A cloth: a grid of nodes with structural springs along rows and columns, and optionally shear springs along the
+// diagonals and bending springs between second neighbours.
 
-import { makeRoom } from '../ecs/entity-capacity.ts';
+import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import {
@@ -15,7 +15,7 @@ import {
 } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import {
-  COUNTS,
+  COUNT_BOUNDS,
   checkStiffness,
   type Network,
   SPRING_OPTIONS,
@@ -25,40 +25,43 @@ import {
 } from './network.ts';
 
 export interface ClothOptions extends SpringOptions {
-  /** Place of the node of column 0 and row 0, m. */
+  /** Position of the node of column 0 and row 0, m. */
   readonly corner: VectorInput;
   readonly columns: number;
   readonly rows: number;
-  /** Distance of neighbours along a thread, m. */
+  /** Distance between neighbours in a row or column, m. */
   readonly spacing: number;
-  /** Mass of the whole cloth, kg, shared equally by its nodes. */
+  /** Mass of the whole cloth, kg, divided equally among its nodes. */
   readonly mass: number;
   /** Unit vectors along a row and down a column; default +x and -y. */
   readonly right?: VectorInput;
   readonly down?: VectorInput;
-  /** Stiffness of the threads, N/m; default Infinity, which needs the integrator `xpbd`. */
+  /** Stiffness of the springs along rows and columns, N/m; default Infinity, which needs the integrator `xpbd`. */
   readonly structural?: number;
-  /** Stiffness across the meshes, N/m; default 0: none. */
+  /** Stiffness of the diagonal springs, N/m; default 0: none. */
   readonly shear?: number;
-  /** Stiffness from a node to the next but one, N/m; default 0: none. */
+  /** Stiffness of the springs between second neighbours, N/m; default 0: none. */
   readonly bend?: number;
-  /** An inextensible cord from every node to the nearest held one, which takes the load off the threads; default false. */
+  /**
+   * Adds an inextensible tension-only spring from every node to the nearest pinned node, to unload the structural
+   * springs; default false.
+   */
   readonly tethers?: boolean;
-  /** Which nodes are held: the first row, its two corners, none, or pairs [column, row]; default 'top'. */
+  /** The nodes to pin: the first row, its two corners, none, or pairs [column, row]; default 'top'. */
   readonly pins?: 'none' | 'top' | 'corners' | readonly (readonly [number, number])[];
 }
 
-/** A cloth that was made. */
+/** A cloth: its nodes, springs and triangles. */
 export interface Cloth extends Network {
   readonly columns: number;
   readonly rows: number;
-  /** The node at a place of the grid. */
+  /** Returns the node at a position of the grid. */
   at(column: number, row: number): number;
-  /** Entity ids of the corners of its triangles, three each: what `clothWind` takes. */
+  /** Entity ids of the corners of its triangles, three each, as `clothWind` takes them. */
   readonly triangles: Uint32Array;
 }
 
-const OPTIONS = [
+const OPTION_NAMES = [
   'corner',
   'columns',
   'rows',
@@ -75,20 +78,20 @@ const OPTIONS = [
 ];
 
 /**
- * Makes a cloth, flat and at rest. Its nodes are numbered row by row.
+ * Creates a cloth, flat and at rest. Its nodes are numbered row by row.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
  */
 export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   assertUsable(world);
-  checkKeys(options, 'createCloth', OPTIONS);
-  const columns = checkNumber(options.columns, 'cloth.columns', COUNTS);
-  const rows = checkNumber(options.rows, 'cloth.rows', COUNTS);
+  checkKeys(options, 'createCloth', OPTION_NAMES);
+  const columns = checkNumber(options.columns, 'cloth.columns', COUNT_BOUNDS);
+  const rows = checkNumber(options.rows, 'cloth.rows', COUNT_BOUNDS);
   // Its nodes and the springs between neighbours: lists of a cloth that is too large would fill the heap.
-  makeRoom(world, columns * rows + columns * (rows - 1) + rows * (columns - 1));
+  ensureCapacity(world, columns * rows + columns * (rows - 1) + rows * (columns - 1));
   const list = new SpringList();
   if (checkFlag(options.tethers, 'cloth.tethers')) addTethers(list, options, columns, rows);
   addBraces(list, options, columns, rows);
-  // Last, because what is solved last is kept best.
+  // Structural springs come last, because the constraints solved last have the smallest error.
   addPolylines(list, options, columns, rows);
   const bodies = placeNodes(options, columns, rows);
   const { nodes, springs } = spawnNetwork(world, columns * rows, bodies, list, options);
@@ -103,14 +106,14 @@ function placeNodes(options: ClothOptions, columns: number, rows: number) {
   const spacing = checkNumber(options.spacing, 'cloth.spacing', { above: 0 });
   const count = columns * rows;
   const mass = checkNumber(options.mass, 'cloth.mass', { above: 0 }) / count;
-  const place = (axis: keyof Vector) =>
+  const coordinates = (axis: keyof Vector) =>
     Float64Array.from({ length: count }, (_, i) => {
       const [column, row] = [i % columns, Math.floor(i / columns)];
       return corner[axis] + spacing * (right[axis] * column + down[axis] * row);
     });
   const masses = new Float64Array(count).fill(mass);
   for (const node of pinnedNodes(options.pins ?? 'top', columns, rows)) masses[node] = Infinity;
-  const position = { x: place('x'), y: place('y'), z: place('z') };
+  const position = { x: coordinates('x'), y: coordinates('y'), z: coordinates('z') };
   return { position, mass: masses };
 }
 
@@ -119,10 +122,14 @@ function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, r
   if (pins === 'top') return Array.from({ length: columns }, (_, column) => column);
   if (pins === 'corners') return [0, columns - 1];
   if (!Array.isArray(pins) || !pins.every((pair) => Array.isArray(pair))) {
-    throw new PhysicsError('E_TYPE', "cloth.pins must be 'none', 'top', 'corners' or pairs [column, row].", {
-      field: 'cloth.pins',
-      value: pins,
-    });
+    throw new PhysicsError(
+      'E_TYPE',
+      "cloth.pins must be 'none', 'top', 'corners' or an array of pairs [column, row].",
+      {
+        field: 'cloth.pins',
+        value: pins,
+      },
+    );
   }
   return pins.map(([column, row]) => {
     checkWhole(column, 'cloth.pins: column', 0, columns - 1);
@@ -131,7 +138,7 @@ function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, r
   });
 }
 
-/** Springs from node to node, one after the other: so a solver sees a thread. */
+/** Adds springs in sequence, so that the solver recognizes a polyline. */
 function addPolyline(
   list: SpringList,
   [first, stride, nodes]: readonly [number, number, number],
@@ -151,8 +158,9 @@ function addPolylines(list: SpringList, options: ClothOptions, columns: number, 
 }
 
 /**
- * Springs against shear and bending, row by row: so their nodes are in the cache while a solver goes through them. Of
- * those along a row first every other two: neighbours share a node, and the solver would wait for each.
+ * Adds shear and bending springs, row by row, so that their nodes are in the cache while they are solved. Springs
+ * along a row come in two interleaved sets, since neighbours in a set share no node and the solver need not wait for
+ * the previous result.
  */
 function addBraces(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
   const shear = checkStiffness(options.shear ?? 0, 'cloth.shear');
@@ -173,29 +181,32 @@ function addBraces(list: SpringList, options: ClothOptions, columns: number, row
 }
 
 /**
- * Cords as long as the way to the nearest held node along the threads: shear can straighten that way (Kim, Chentanez,
- * Müller: Long Range Attachments, SCA 2012). A cloth that does not shear cannot: there the straight distance counts.
+ * Adds tethers as long as the path to the nearest pinned node along rows and columns: shear can straighten that path
+ * (Kim, Chentanez, Müller: Long Range Attachments, SCA 2012). With shear springs the straight distance counts.
  */
 function addTethers(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
   const pins = pinnedNodes(options.pins ?? 'top', columns, rows);
-  const held = new Set(pins);
-  const shears = (options.shear ?? 0) === 0;
+  const pinned = new Set(pins);
+  const canShear = (options.shear ?? 0) === 0;
   for (let node = 0; node < columns * rows; node++) {
     let nearest = -1;
-    let least = Infinity;
+    let minDistance = Infinity;
     for (const pin of pins) {
       const across = Math.abs((node % columns) - (pin % columns));
       const down = Math.abs(Math.floor(node / columns) - Math.floor(pin / columns));
-      const way = shears ? across + down : Math.sqrt(across * across + down * down);
-      if (way >= least) continue;
-      least = way;
+      const distance = canShear ? across + down : Math.sqrt(across * across + down * down);
+      if (distance >= minDistance) continue;
+      minDistance = distance;
       nearest = pin;
     }
-    if (nearest >= 0 && !held.has(node)) list.add(nearest, node, Infinity, least * options.spacing, 1);
+    if (nearest >= 0 && !pinned.has(node)) list.add(nearest, node, Infinity, minDistance * options.spacing, 1);
   }
 }
 
-/** Row by row, first those with an edge above, then those with one below: so corners follow each other like nodes. */
+/**
+ * Lists the triangles row by row, first those with an edge above, then those with an edge below, so that corners
+ * have consecutive ids.
+ */
 function trianglesOf(at: Cloth['at'], columns: number, rows: number): Uint32Array {
   const triangles: number[] = [];
   for (let row = 0; row + 1 < rows; row++) {

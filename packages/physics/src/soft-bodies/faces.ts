@@ -1,42 +1,47 @@
-// Edges or triangles of a network in the world's memory, for kernels: the first corners of all faces, the second ones and
-// so on, then which lives they are.
+// Edges or triangles of a soft body, copied to the world's memory for kernels: the first corners of all faces, the
+// second corners and so on, then the generations of all corners in the same order.
 
 import { assertBody, isBody } from '../ecs/entity-ref.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { partsOf } from './strips.ts';
+import { listStrips } from './strips.ts';
 
 export interface Faces {
   readonly at: number;
   readonly count: number;
-  /** Where the parts of a list of triangles stand: strips.ts. */
+  /** Address of the list of quad strips: strips.ts. */
   readonly parts: number;
 }
 
 /**
- * Puts them there once for each world.
- * @throws PhysicsError E_TYPE, E_RANGE (not whole faces); and when asked for a world: E_STALE, E_CAPACITY
+ * Returns a function that copies the faces into a world's memory on first use.
+ * @throws PhysicsError E_TYPE, E_RANGE (incomplete faces); the returned function: E_STALE, E_CAPACITY
  */
 export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): (world: PhysicsWorld) => Faces {
-  if (typeof ids?.length !== 'number') throw new PhysicsError('E_TYPE', `${field} must be an array of ids.`, { field });
+  if (typeof ids?.length !== 'number')
+    throw new PhysicsError('E_TYPE', `${field} must be an array of entity ids.`, { field, value: ids });
   if (ids.length % corners !== 0) {
-    throw new PhysicsError('E_RANGE', `${field} must hold ${corners} ids a face, got ${ids.length}.`, { field });
+    throw new PhysicsError(
+      'E_RANGE',
+      `${field} has ${ids.length} ids, but must have a multiple of ${corners}: the corners of each face.`,
+      { field },
+    );
   }
-  // A resource, so that a snapshot knows whether they were there: their memory is given back when it is restored.
-  return resource((world) => place(world, ids, corners, field));
+  // A resource, so that restoring a snapshot from before its creation also frees its memory.
+  return resource((world) => copyFaces(world, ids, corners, field));
 }
 
-/** Room behind the faces for the forces on some of them: kernels/soft-bodies/faces.ts. */
-const FORCES = 16 + 3 * 128 * 8;
+/** Bytes of scratch memory behind the faces, for the forces of a chunk: kernels/soft-bodies/faces.ts. */
+const FORCE_BYTES = 16 + 3 * 128 * 8;
 
-function place(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, field: string): Faces {
+function copyFaces(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, field: string): Faces {
   const { arena, generations } = world.internal;
   for (let i = 0; i < ids.length; i++) if (!wasBody(world, ids[i])) assertBody(world, ids[i]);
   const count = ids.length / corners;
-  const list = corners === 3 ? partsOf(ids, world.rows) : [];
-  const at = allocate(arena, 8 * ids.length + FORCES, field);
+  const list = corners === 3 ? listStrips(ids, world.rows) : [];
+  const at = allocate(arena, 8 * ids.length + FORCE_BYTES, field);
   const parts = allocate(arena, 4 * list.length, field);
   new Uint32Array(arena.memory.buffer, parts, list.length).set(list);
   const words = new Uint32Array(arena.memory.buffer, at, 2 * ids.length);

@@ -1,15 +1,15 @@
-// Gas enclosed by a network: an ideal gas at constant temperature, which pushes every face outwards.
+// An ideal gas at constant temperature, enclosed by a closed surface of springs: it pushes every face outwards.
 //
 //   p = G / V        F_i = (p - p_a) ∂V/∂x_i        potential  U = -G ln(V / V_0) + p_a (V - V_0)
 //
 //   G = n R T  amount of gas times temperature, J    V  volume, m³; in 2D area times one metre of depth
 //   p_a  pressure outside, Pa
 //
-// Boyle and Mariotte's law; the gas is in equilibrium throughout and has no mass. The forces of a closed network are
-// the exact gradient of its volume: their sum and their torque are zero. One that was turned inside out (V <= 0), or
-// lost a node, is empty and pushes nothing. Explicit: the step must resolve the breathing of the body, about
-// dt < 2 √(m V / p) / A. Source: Matyka, Ollila: Pressure model of soft body simulation (2003). Cost: a few operations
-// a face, twice an evaluation.
+// Boyle and Mariotte's law; the gas is in equilibrium throughout and has no mass. On a closed surface the forces are
+// the exact gradient of the volume, so their sum and their torque are zero. A surface that is inverted (V <= 0) or
+// lost a node exerts no force. Explicit: the step must resolve the breathing mode of the body, about dt < 2 √(m V /
+// p) / A. Source: Matyka, Ollila: Pressure model of soft body simulation (2003). Cost: a few operations per face,
+// twice per evaluation.
 
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { log } from '../math/elementary.ts';
@@ -18,7 +18,10 @@ import { facesOf } from './faces.ts';
 import { softBodyKernels } from './kernels.ts';
 
 export interface GasOptions {
-  /** Entity ids of the corners of the faces: two an edge in 2D, three a triangle in 3D, outside to the right or in front. */
+  /**
+   * Entity ids of the corners of the faces: two per edge in 2D, three per triangle in 3D. The outside is to the
+   * right of an edge or in front of a triangle.
+   */
   readonly faces: ArrayLike<number>;
   /** 2: edges of a ring. 3: triangles of a surface. */
   readonly corners: 2 | 3;
@@ -54,18 +57,18 @@ export function enclosedGas(options: GasOptions): Force {
     prepare: (world) => void faces(world),
     accumulate(world) {
       const { at, count } = faces(world);
-      const lives = world.internal.generations.byteOffset;
-      const inside = volume(world);
-      if (!(inside > 0)) return;
-      const pressure = amount / inside - ambient;
+      const generations = world.internal.generations.byteOffset;
+      const enclosedVolume = volume(world);
+      if (!(enclosedVolume > 0)) return;
+      const pressure = amount / enclosedVolume - ambient;
       const { x, y, z } = world.scratch.at.force;
       const kernels = softBodyKernels(world);
       if (corners === 2) kernels.inflateEdges(at, count, x, y, pressure);
-      else kernels.inflateTriangles(at, count, lives, x, y, z, pressure);
+      else kernels.inflateTriangles(at, count, generations, x, y, z, pressure);
     },
     potential(world) {
-      const inside = volume(world);
-      return inside > 0 ? ambient * (inside - reference) - amount * log(inside / reference) : 0;
+      const enclosedVolume = volume(world);
+      return enclosedVolume > 0 ? ambient * (enclosedVolume - reference) - amount * log(enclosedVolume / reference) : 0;
     },
   };
 }

@@ -28,7 +28,7 @@ const FACES = [
   2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1,
 ];
 
-/** An icosahedron whose edges are halved so many times: 10·4^n + 2 points. @throws PhysicsError E_RANGE */
+/** Returns an icosahedron whose edges are halved `divisions` times: 10·4^n + 2 points. @throws PhysicsError E_RANGE */
 export function icosphere(divisions: number): Sphere {
   checkWhole(divisions, 'icosphere', 0, 6);
   const points: number[] = [];
@@ -44,21 +44,21 @@ function addPoint(points: number[], x: number, y: number, z: number): number {
 }
 
 function divide(points: number[], faces: readonly number[]): number[] {
-  const middles = new Map<string, number>();
-  const middle = (a: number, b: number) => {
+  const midpoints = new Map<string, number>();
+  const midpointOf = (a: number, b: number) => {
     const key = `${Math.min(a, b)} ${Math.max(a, b)}`;
-    let found = middles.get(key);
+    let found = midpoints.get(key);
     if (found === undefined) {
       const [x, y, z] = [0, 1, 2].map((axis) => points[3 * a + axis] + points[3 * b + axis]);
       found = addPoint(points, x, y, z);
-      middles.set(key, found);
+      midpoints.set(key, found);
     }
     return found;
   };
   const divided: number[] = [];
   for (let f = 0; f < faces.length; f += 3) {
     const [a, b, c] = faces.slice(f, f + 3);
-    const [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+    const [ab, bc, ca] = [midpointOf(a, b), midpointOf(b, c), midpointOf(c, a)];
     divided.push(a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca);
   }
   return divided;

@@ -26,7 +26,10 @@ function run(world: PhysicsWorld, steps: number, dt = 1 / 60): void {
   for (let s = 0; s < steps; s++) step(world, dt);
 }
 
-/** How far a chain hangs down between two pins as high as each other: 2 a sinh(gap/2a) = length, sag a (cosh(gap/2a) - 1). */
+/**
+ * Returns the sag of a catenary between two pins of equal height: 2 a sinh(gap/2a) = length, sag a (cosh(gap/2a) -
+ * 1).
+ */
 function catenarySag(length: number, gap: number): number {
   let [low, high] = [gap / 16, 10 * gap];
   for (let i = 0; i < 60; i++) {
@@ -37,7 +40,7 @@ function catenarySag(length: number, gap: number): number {
   return low * (Math.cosh(gap / 2 / low) - 1);
 }
 
-/** By its series, exact to rounding below 10. */
+/** The Bessel function J₀ by its series, exact to rounding for |x| < 10. */
 function besselJ0(x: number): number {
   let [sum, term] = [1, 1];
   for (let k = 1; k < 40; k++) {
@@ -62,21 +65,21 @@ describe('a rope', () => {
     ['f32', true],
     ['f64', false],
   ] as const)(
-    'of a thousand links swings and settles unstretched, in %s, with links that only pull: %s',
-    (precision, cord) => {
+    'of a thousand links swings and settles unstretched, in %s, tension-only: %s',
+    (precision, tensionOnly) => {
       const count = 1000;
       const world = network({ capacity: 4 * count, precision, integrator: xpbd({ substeps: 4 }) });
       const ends = { from: {}, to: { x: 8 }, length: 10, pins: 'both' } as const;
       const { nodes } = createRope(world, {
         ...ends,
-        cord,
+        tensionOnly,
         nodes: count,
         mass: 1,
         components: { linearDrag: 2 / count },
       });
-      // Links that push start straight from the pins to the middle; those that pull, slack.
+      // Rods start straight from the pins to the middle; tension-only links start slack.
       const { y } = world.components.Position;
-      if (!cord) {
+      if (!tensionOnly) {
         nodes.forEach((node, i) => {
           y[node] = 3 * (Math.abs((2 * i) / (count - 1) - 1) - 1);
         });
@@ -95,12 +98,12 @@ describe('a rope', () => {
     [1, 2.404826],
     [2, 5.520078],
     [3, 8.653728],
-  ])('that hangs swings in Bessel modes: ω = j/2 √(g/L), mode %i', (_, zero) => {
+  ])('hanging freely swings in Bessel modes: ω = j/2 √(g/L), mode %i', (_, zero) => {
     const [count, length] = [201, 2];
     const world = network({ integrator: xpbd({ substeps: 8 }), forces: [uniformGravity({ y: -10 }), springs()] });
     const { nodes } = createRope(world, { from: {}, to: { y: -length }, nodes: count, mass: 1 });
     const { x, y } = world.components.Position;
-    // J₀(j √(s/L)), s the height above the free end (Daniel Bernoulli 1738).
+    // The mode shape is J₀(j √(s/L)), s the height above the free end (Daniel Bernoulli 1738).
     const mode = Array.from(nodes, (_node, i) => besselJ0(zero * Math.sqrt(1 - i / (count - 1))));
     const swing = 1e-3;
     for (let i = 1; i < count; i++) {
@@ -115,7 +118,7 @@ describe('a rope', () => {
       const now = amplitude();
       if (now <= 0) {
         const quarter = world.time - now / (now - before) / 240;
-        // Two hundred links are a chain to 1/200 of its length; backward Euler lags by less, (ω h)²/3.
+        // Two hundred links approximate a chain to 1/200 of its length; backward Euler lags by less, (ω h)²/3.
         expect(Math.abs(Math.PI / 2 / quarter / ((zero / 2) * Math.sqrt(10 / length)) - 1)).toBeLessThan(0.01);
         return;
       }
@@ -123,7 +126,7 @@ describe('a rope', () => {
     }
   });
 
-  test('of springs stretches by the load below each link (ch13-rope)', () => {
+  test('of elastic springs stretches by the load below each link (ch13-rope)', () => {
     for (const integrator of [xpbd({ substeps: 4 }), velocityVerlet]) {
       const world = network({ integrator });
       const rope = createRope(world, {
@@ -144,7 +147,7 @@ describe('a rope', () => {
     }
   });
 
-  test('tethers hold the length of a thousand links within a per cent', () => {
+  test('tethers keep the length of a thousand links within 1 %', () => {
     const world = network({ capacity: 14_000, precision: 'f32', integrator: xpbd({ substeps: 10, iterations: 1 }) });
     const rope = createRope(world, { from: {}, to: { y: -10 }, nodes: 1000, mass: 1, tethers: true });
     run(world, 120);
@@ -153,7 +156,7 @@ describe('a rope', () => {
   });
 });
 
-test('a network that does not fit, or is given nonsense, leaves nothing behind', () => {
+test('a network beyond capacity or with invalid options creates nothing', () => {
   const world = network({ capacity: 15 });
   const size = { from: {}, to: { x: 1 }, nodes: 10, mass: 1 };
   expect(() => createRope(world, size)).toThrow(/E_CAPACITY/);
@@ -167,7 +170,7 @@ test('a network that does not fit, or is given nonsense, leaves nothing behind',
 });
 
 describe('a cloth', () => {
-  test('its pins bear its weight, and what hangs below each row stretches it', () => {
+  test('carries its weight with its pins and stretches by the load below each row', () => {
     const world = network({ dimensions: 3, integrator: xpbd({ substeps: 4 }) });
     const stiffness = 2000;
     const size = { corner: {}, columns: 7, rows: 6, spacing: 0.1, mass: 4.2 };
@@ -175,12 +178,12 @@ describe('a cloth', () => {
     run(world, 1500);
     const { y } = world.components.Position;
     for (let row = 1; row < 6; row++) {
-      let pull = 0;
+      let tension = 0;
       for (let column = 0; column < 7; column++) {
-        pull += stiffness * (y[cloth.at(column, row - 1)] - y[cloth.at(column, row)] - 0.1);
+        tension += stiffness * (y[cloth.at(column, row - 1)] - y[cloth.at(column, row)] - 0.1);
       }
-      // Nodes of 0.1 kg, seven a row, at g = 10 m/s².
-      expect(pull).toBeCloseTo(7 * (6 - row), 3);
+      // Seven nodes of 0.1 kg per row, at g = 10 m/s².
+      expect(tension).toBeCloseTo(7 * (6 - row), 3);
     }
   });
 
@@ -197,26 +200,28 @@ describe('a cloth', () => {
     expect(stretch(Infinity, 20)).toBeLessThan(0.01);
   });
 
-  test('a steady wind and its weight share the pull on the pins', () => {
-    const gale = 5;
+  test('receives the analytic force of a steady wind', () => {
+    const windSpeed = 5;
     const world = network({ dimensions: 3, forces: [uniformGravity({ y: -10 }), springs()] });
     const cloth = createCloth(world, { corner: {}, columns: 2, rows: 2, spacing: 1, mass: 1, pins: 'top' });
-    world.forces.push(clothWind({ triangles: cloth.triangles, velocity: { z: gale }, density: 1.2, tangential: 0 }));
+    world.forces.push(
+      clothWind({ triangles: cloth.triangles, velocity: { z: windSpeed }, density: 1.2, tangential: 0 }),
+    );
     step(world, 1e-6);
     let total = 0;
     for (const node of cloth.nodes) total += world.scratch.force.z[node];
-    // ρ A u² for c_n = 2: pinned nodes feel it too.
-    expect(total).toBeCloseTo(1.2 * gale * gale, 3);
+    // The force is ρ A u² for c_n = 2, pinned nodes included.
+    expect(total).toBeCloseTo(1.2 * windSpeed * windSpeed, 3);
   });
 
-  test('wind needs three dimensions, and triangles of bodies', () => {
+  test('refuses wind in 2D and incomplete triangles', () => {
     const world = network();
     world.forces.push(clothWind({ triangles: [] }));
-    expect(() => step(world, 0.01)).toThrow(/E_RANGE.*three dimensions/);
+    expect(() => step(world, 0.01)).toThrow(/E_RANGE.*needs a 3D world/);
     expect(() => clothWind({ triangles: [1, 2] })).toThrow(/E_RANGE/);
   });
 
-  test('pins hold, move and let go', () => {
+  test('can be pinned, moved and unpinned', () => {
     const world = network({ dimensions: 3 });
     const size = { corner: {}, columns: 4, rows: 4, spacing: 0.1, mass: 1 };
     const cloth = createCloth(world, { ...size, pins: [[0, 0]] });
@@ -241,17 +246,17 @@ describe('a cloth', () => {
 });
 
 describe('a soft body', () => {
-  test.each([2, 3] as const)('breathes about the radius where gas and skin balance, in %iD', (dimensions) => {
+  test.each([2, 3] as const)('oscillates about its equilibrium radius and conserves energy, in %iD', (dimensions) => {
     const world = createPhysicsWorld({ dimensions, capacity: 2000, forces: [springs()] });
     const options = { centre: { x: 3 }, radius: 1, mass: 1, stiffness: 200, pressure: 50 };
     const body = createSoftBody(world, { ...options, detail: dimensions === 2 ? 32 : 2 });
     const before = energy(world).total;
     run(world, 2000, 2e-4);
-    // Of the pressure times the volume.
+    // The limit is relative to pressure times volume.
     expect(Math.abs(energy(world).total - before)).toBeLessThan(2e-5 * 150);
     expect(Math.abs(momentum(world).x)).toBeLessThan(1e-12);
     expect(Math.abs(angularMomentum(world).z)).toBeLessThan(1e-12);
-    // It moved, and all its nodes alike.
+    // The body has moved, and all nodes by the same distance.
     const { x, y, z } = world.components.Position;
     const radii = Array.from(body.nodes, (node) => Math.hypot(x[node] - 3, y[node], z[node]));
     expect(Math.max(...radii)).not.toBeCloseTo(1, 3);

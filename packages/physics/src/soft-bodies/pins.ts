@@ -1,12 +1,12 @@
-// Pins: a node that is held has no finite mass, so forces and constraints do not move it; its velocity does.
+// Pins: a pinned node has no finite mass, so only its velocity moves it, not forces or constraints.
 import { addComponent, set } from 'bitecs';
 import { assertBody } from '../ecs/entity-ref.ts';
 import { checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /**
- * Holds a node where it is.
- * @returns the mass it had, kg (0 when it was held before): what `unpin` wants back
+ * Pins a node at its position.
+ * @returns its mass before, kg (0 if it was pinned already), to pass to `unpin`
  * @throws PhysicsError E_STALE, E_DESTROYED
  */
 export function pin(world: PhysicsWorld, node: number): number {
@@ -18,7 +18,7 @@ export function pin(world: PhysicsWorld, node: number): number {
   return mass;
 }
 
-/** Lets a node go. @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_RANGE, E_DESTROYED */
+/** Releases a node by giving it a mass, kg. @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_RANGE, E_DESTROYED */
 export function unpin(world: PhysicsWorld, node: number, mass: number): void {
   assertBody(world, node);
   checkNumber(mass, 'unpin: mass', { above: 0 });
@@ -26,8 +26,8 @@ export function unpin(world: PhysicsWorld, node: number, mass: number): void {
 }
 
 /**
- * Gives a held node the velocity that takes it to a place within the next `dt` seconds. Call it every step while it
- * moves; `pin` stops it.
+ * Sets the velocity of a pinned node so that it reaches `to` within the next `dt` seconds. Call it before every step
+ * of the motion; `pin` stops the node.
  * @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
  */
 export function movePin(world: PhysicsWorld, node: number, to: VectorInput, dt: number): void {
@@ -35,10 +35,10 @@ export function movePin(world: PhysicsWorld, node: number, to: VectorInput, dt: 
   const { x, y, z } = checkVector(to, 'movePin: to');
   checkNumber(dt, 'movePin: dt', { above: 0 });
   const { Position, Velocity } = world.components;
-  const speeds = {
+  const velocity = {
     x: (x - Position.x[node]) / dt,
     y: (y - Position.y[node]) / dt,
     z: (z - Position.z[node]) / dt,
   };
-  addComponent(world, node, set(Velocity, speeds));
+  addComponent(world, node, set(Velocity, velocity));
 }

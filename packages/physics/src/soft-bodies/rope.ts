@@ -1,17 +1,18 @@
-// A rope: nodes in a row, a spring from each to the next.
+// A rope: nodes in a line, with a spring from each to the next.
 //
-// A rope of N links of stiffness k stretches as one spring of stiffness k/N. Under `xpbd` it is a chain and solved
-// directly: an inextensible one (stiffness Infinity) of thousands of links keeps its length to rounding in a few sub-steps.
-// `tethers` serve where a rope branches or joins a network, which makes it no chain: cords over 2, 4, 8… links, and from
-// every node to each held end (Kim, Chentanez, Müller: Long Range Attachments, SCA 2012). A rope satisfies them all
-// anyway, so they take its load without changing its motion; but it is not solved directly any more.
+// A rope of N links of stiffness k stretches like a single spring of stiffness k/N. Under `xpbd` it is a chain and
+// solved directly: an inextensible rope (stiffness Infinity) of thousands of links keeps its length to rounding in a
+// few sub-steps. `tethers` are for a rope that branches or joins a network and therefore is no chain: tension-only
+// springs over 2, 4, 8… links, and from every node to each pinned end (Kim, Chentanez, Müller: Long Range
+// Attachments, SCA 2012). A rope of fixed length satisfies all of them, so they carry its load without changing its
+// motion; but the rope is no longer solved directly.
 
-import { makeRoom } from '../ecs/entity-capacity.ts';
+import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkChoice, checkFlag, checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import {
-  COUNTS,
+  COUNT_BOUNDS,
   checkStiffness,
   type Network,
   SPRING_OPTIONS,
@@ -21,29 +22,42 @@ import {
 } from './network.ts';
 
 export interface RopeOptions extends SpringOptions {
-  /** Places of the first and last node, m. */
+  /** Positions of the first and last node, m. */
   readonly from: VectorInput;
   readonly to: VectorInput;
   /** Number of nodes, both ends included. */
   readonly nodes: number;
-  /** Mass of the whole rope, kg, shared equally by its nodes. */
+  /** Mass of the whole rope, kg, divided equally among its nodes. */
   readonly mass: number;
   /** Natural length of the whole rope, m; default the distance of its ends. */
   readonly length?: number;
   /** Stiffness of a link, N/m; default Infinity, which needs the integrator `xpbd`. */
   readonly stiffness?: number;
   /** Links pull and never push; default false. */
-  readonly cord?: boolean;
-  /** Inextensible cords that keep the length of a rope that is no chain, some log2(nodes) a node; default false. */
+  readonly tensionOnly?: boolean;
+  /**
+   * Adds inextensible tension-only springs, about log2(nodes) per node, for a rope that is no chain; default false.
+   */
   readonly tethers?: boolean;
-  /** Which ends are held; default 'start'. */
+  /** The ends to pin; default 'start'. */
   readonly pins?: 'none' | 'start' | 'end' | 'both';
 }
 
-const OPTIONS = ['from', 'to', 'nodes', 'mass', 'length', 'stiffness', 'cord', 'tethers', 'pins', ...SPRING_OPTIONS];
+const OPTIONS = [
+  'from',
+  'to',
+  'nodes',
+  'mass',
+  'length',
+  'stiffness',
+  'tensionOnly',
+  'tethers',
+  'pins',
+  ...SPRING_OPTIONS,
+];
 
 /**
- * Makes a rope, straight from one end to the other, at rest.
+ * Creates a rope, straight from one end to the other, at rest.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
  */
 export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
@@ -51,34 +65,35 @@ export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
   checkKeys(options, 'createRope', OPTIONS);
   const from = checkVector(options.from, 'rope.from');
   const to = checkVector(options.to, 'rope.to');
-  const count = checkNumber(options.nodes, 'rope.nodes', COUNTS);
-  makeRoom(world, 2 * count - 1);
+  const count = checkNumber(options.nodes, 'rope.nodes', COUNT_BOUNDS);
+  ensureCapacity(world, 2 * count - 1);
   const mass = checkNumber(options.mass, 'rope.mass', { above: 0 }) / count;
   const [dx, dy, dz] = [to.x - from.x, to.y - from.y, to.z - from.z];
   const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
   const length = checkNumber(options.length ?? distance, 'rope.length', { min: 0, max: 1e12 }) / (count - 1);
   const stiffness = checkStiffness(options.stiffness ?? Infinity, 'rope.stiffness');
   const pins = checkChoice(options.pins ?? 'start', 'rope.pins', ['none', 'start', 'end', 'both']);
-  const cord = checkFlag(options.cord, 'rope.cord');
-  const along = (start: number, way: number) =>
-    Float64Array.from({ length: count }, (_, i) => start + (way * i) / (count - 1));
-  const isHeld = (i: number) =>
+  const tensionOnly = checkFlag(options.tensionOnly, 'rope.tensionOnly');
+  const coordinates = (start: number, extent: number) =>
+    Float64Array.from({ length: count }, (_, i) => start + (extent * i) / (count - 1));
+  const isPinned = (i: number) =>
     (i === 0 && (pins === 'start' || pins === 'both')) || (i === count - 1 && (pins === 'end' || pins === 'both'));
   const list = new SpringList();
-  for (let i = 1; i < count; i++) list.add(i - 1, i, stiffness, length, cord ? 1 : 0);
-  if (checkFlag(options.tethers, 'rope.tethers')) addTethers(list, isHeld, count, length);
-  const position = { x: along(from.x, dx), y: along(from.y, dy), z: along(from.z, dz) };
-  const masses = Float64Array.from({ length: count }, (_, i) => (isHeld(i) ? Infinity : mass));
+  for (let i = 1; i < count; i++) list.add(i - 1, i, stiffness, length, tensionOnly ? 1 : 0);
+  if (checkFlag(options.tethers, 'rope.tethers')) addTethers(list, isPinned, count, length);
+  const position = { x: coordinates(from.x, dx), y: coordinates(from.y, dy), z: coordinates(from.z, dz) };
+  const masses = Float64Array.from({ length: count }, (_, i) => (isPinned(i) ? Infinity : mass));
   return spawnNetwork(world, count, { position, mass: masses }, list, options);
 }
 
-function addTethers(list: SpringList, isHeld: (node: number) => boolean, count: number, link: number): void {
+function addTethers(list: SpringList, isPinned: (node: number) => boolean, count: number, link: number): void {
   const add = (a: number, b: number) => list.add(a, b, Infinity, Math.abs(b - a) * link, 1);
   for (const end of [0, count - 1]) {
-    if (!isHeld(end)) continue;
-    for (let i = 0; i < count; i++) if (Math.abs(i - end) > 1 && !isHeld(i)) add(end, i);
+    if (!isPinned(end)) continue;
+    for (let i = 0; i < count; i++) if (Math.abs(i - end) > 1 && !isPinned(i)) add(end, i);
   }
-  // Short ones first, in that order they are solved: the other way round a rope converges a hundred times slower.
+  // Springs are solved in this order, and short tethers must come first: with long tethers first a rope converges a
+  // hundred times slower.
   for (let links = 2; links < count; links *= 2) {
     for (let i = 0; i + links < count; i++) add(i, i + links);
   }

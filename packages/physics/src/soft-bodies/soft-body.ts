@@ -1,4 +1,4 @@
-// A soft body: a skin of springs around a gas. In 2D a ring, in 3D a ball made of a divided icosahedron.
+// A soft body: a skin of springs around a gas, a ring in 2D and a subdivided icosahedron in 3D.
 
 import { assertUsable } from '../ecs/guards.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
@@ -16,27 +16,27 @@ import {
 } from './network.ts';
 
 export interface SoftBodyOptions extends SpringOptions {
-  /** Place of the centre, m. */
+  /** Position of the centre, m. */
   readonly centre: VectorInput;
-  /** m. */
+  /** Radius, m. */
   readonly radius: number;
-  /** Nodes of the ring in 2D, default 24; times the edges of an icosahedron are halved in 3D, default 2. */
+  /** Number of nodes of the ring in 2D, default 24; number of subdivisions of the icosahedron in 3D, default 2. */
   readonly detail?: number;
-  /** Mass of the whole body, kg; the gas weighs nothing. */
+  /** Mass of the whole body, kg; the gas is massless. */
   readonly mass: number;
   /** Stiffness of the springs of the skin, N/m. */
   readonly stiffness: number;
-  /** Pressure of the gas in the body as made, above that outside, Pa. */
+  /** Initial pressure of the gas, relative to the outside, Pa. */
   readonly pressure: number;
   /** Pressure outside, Pa; default 0. */
   readonly ambient?: number;
 }
 
-/** A soft body that was made. */
+/** A soft body: its springs, its faces and its gas. */
 export interface SoftBody extends Network {
-  /** Corners of its faces: two an edge in 2D, three a triangle in 3D. */
+  /** Entity ids of the corners of its faces: two per edge in 2D, three per triangle in 3D. */
   readonly faces: Uint32Array;
-  /** The force of its gas, which is in the world's list. */
+  /** The force of its gas, which is in `world.forces`. */
   readonly gas: Force;
 }
 
@@ -49,7 +49,8 @@ interface Skin {
 }
 
 /**
- * Makes a soft body at rest and adds its gas to `world.forces`. The skin is unstretched, so it swells at first.
+ * Creates a soft body at rest and adds its gas to `world.forces`. The skin is unstretched, so the body expands at
+ * first.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_REENTRANT (during a step), E_DESTROYED
  */
 export function createSoftBody(world: PhysicsWorld, options: SoftBodyOptions): SoftBody {
@@ -64,20 +65,24 @@ export function createSoftBody(world: PhysicsWorld, options: SoftBodyOptions): S
   const flat = world.dimensions === 2;
   const skin = flat ? ring(options.detail ?? 24) : icosphere(options.detail ?? 2);
   const count = skin.points.length / 3;
-  const along = (axis: number, start: number) =>
+  const coordinates = (axis: number, start: number) =>
     Float64Array.from({ length: count }, (_, i) => start + radius * skin.points[3 * i + axis]);
-  const position = { x: along(0, centre.x), y: along(1, centre.y), z: flat ? centre.z : along(2, centre.z) };
-  const list = edges(skin, flat ? 2 : 3, radius, stiffness);
+  const position = {
+    x: coordinates(0, centre.x),
+    y: coordinates(1, centre.y),
+    z: flat ? centre.z : coordinates(2, centre.z),
+  };
+  const list = edgeSprings(skin, flat ? 2 : 3, radius, stiffness);
   const { nodes, springs } = spawnNetwork(world, count, { position, mass: mass / count }, list, options);
   const faces = Uint32Array.from(skin.faces, (node) => nodes[node]);
-  const volume = enclosedBy(skin, flat) * (flat ? radius * radius : radius * radius * radius);
+  const volume = enclosedVolume(skin, flat) * (flat ? radius * radius : radius * radius * radius);
   const amount = (pressure + ambient) * volume;
   const gas = enclosedGas({ faces, corners: flat ? 2 : 3, amount, ambient, reference: volume });
   world.forces.push(gas);
   return { nodes, springs, faces, gas };
 }
 
-/** Counter-clockwise, so that the inside is on the left of each edge. */
+/** A ring, counter-clockwise, so that the inside is to the left of each edge. */
 function ring(detail: number): Skin {
   const count = checkWhole(detail, 'softBody.detail', 3, 1e6);
   const points: number[] = [];
@@ -90,13 +95,13 @@ function ring(detail: number): Skin {
   return { points, faces };
 }
 
-/** One spring an edge, in ascending order of its lower end as faces come. */
-function edges({ points, faces }: Skin, corners: 2 | 3, radius: number, stiffness: number): SpringList {
+/** Returns one spring per edge of the skin. */
+function edgeSprings({ points, faces }: Skin, corners: 2 | 3, radius: number, stiffness: number): SpringList {
   const list = new SpringList();
   for (let f = 0; f < faces.length; f += corners) {
     for (let k = 0; k < (corners === 2 ? 1 : 3); k++) {
       const [a, b] = [faces[f + k], faces[f + ((k + 1) % corners)]];
-      // In a closed surface every edge is met twice, in opposite directions.
+      // In a closed surface every edge belongs to two triangles, in opposite directions.
       if (corners === 3 && a > b) continue;
       const [x, y, z] = [0, 1, 2].map((axis) => points[3 * b + axis] - points[3 * a + axis]);
       list.add(a, b, stiffness, radius * Math.sqrt(x * x + y * y + z * z));
@@ -105,7 +110,7 @@ function edges({ points, faces }: Skin, corners: 2 | 3, radius: number, stiffnes
   return list;
 }
 
-function enclosedBy({ points, faces }: Skin, flat: boolean): number {
+function enclosedVolume({ points, faces }: Skin, flat: boolean): number {
   let sum = 0;
   for (let f = 0; f < faces.length; f += flat ? 2 : 3) {
     const [a, b, c] = [0, 1, 2].map((k) => 3 * (faces[f + k] ?? 0));

@@ -1,39 +1,40 @@
-// Strips of meshes among triangles, for the kernel that looks at both triangles of a mesh together.
+// Finds quad strips among triangles, whose two triangles per quad the wind kernel handles together.
 
-/** Fewer meshes are not worth it. */
-const SHORTEST = 8;
+/** The minimum number of quads of a strip. */
+const MIN_QUADS = 8;
 
-/** Rows behind its last nodes that the kernel writes back as they were. */
-const BEHIND = 3;
+/** The number of rows behind a strip's last nodes that the kernel writes back unchanged. */
+const ROWS_BEHIND = 3;
 
 /**
- * The parts of a list of triangles, as kernels/soft-bodies/wind.ts reads them: for each its first triangle and 1 where it
- * is a strip, which kernels/soft-bodies/strips.ts describes, else 0; then the number of triangles. `rows`: of a column.
+ * Splits a list of triangles into quad strips and others, as kernels/soft-bodies/wind.ts reads it: for each part its
+ * first triangle and 1 if it is a strip (kernels/soft-bodies/strips.ts), else 0; then the number of triangles. `rows` is
+ * the length of a column.
  */
-export function partsOf(ids: ArrayLike<number>, rows: number): number[] {
+export function listStrips(ids: ArrayLike<number>, rows: number): number[] {
   const parts: number[] = [];
   const count = ids.length / 3;
-  let loose = -1;
+  let openPart = -1;
   for (let first = 0; first < count; ) {
-    const meshes = meshesFrom(ids, first, rows);
-    if (meshes >= SHORTEST) parts.push(first, 1);
-    else if (loose < 0) parts.push(first, 0);
-    loose = meshes >= SHORTEST ? -1 : first;
-    first += meshes >= SHORTEST ? 2 * meshes : 1;
+    const quads = countQuads(ids, first, rows);
+    if (quads >= MIN_QUADS) parts.push(first, 1);
+    else if (openPart < 0) parts.push(first, 0);
+    openPart = quads >= MIN_QUADS ? -1 : first;
+    first += quads >= MIN_QUADS ? 2 * quads : 1;
   }
   return [...parts, count];
 }
 
-/** How many meshes the strip has that begins with this triangle; 0 when none does. */
-function meshesFrom(ids: ArrayLike<number>, first: number, rows: number): number {
-  const isAt = (triangle: number, a: number, b: number, c: number) =>
+/** Returns the number of quads of the strip that starts with triangle `first`; 0 if there is no strip. */
+function countQuads(ids: ArrayLike<number>, first: number, rows: number): number {
+  const isTriangle = (triangle: number, a: number, b: number, c: number) =>
     ids[3 * triangle] === a && ids[3 * triangle + 1] === b && ids[3 * triangle + 2] === c;
   const [top, bottom] = [ids[3 * first], ids[3 * first + 1]];
-  let meshes = 0;
-  while (isAt(first + meshes, top + meshes, bottom + meshes, top + meshes + 1)) meshes++;
-  if (Math.max(top, bottom) + meshes + BEHIND >= rows) return 0;
-  for (let i = 0; i < meshes; i++) {
-    if (!isAt(first + meshes + i, top + i + 1, bottom + i, bottom + i + 1)) return 0;
+  let quads = 0;
+  while (isTriangle(first + quads, top + quads, bottom + quads, top + quads + 1)) quads++;
+  if (Math.max(top, bottom) + quads + ROWS_BEHIND >= rows) return 0;
+  for (let i = 0; i < quads; i++) {
+    if (!isTriangle(first + quads + i, top + i + 1, bottom + i, bottom + i + 1)) return 0;
   }
-  return meshes;
+  return quads;
 }

@@ -22,17 +22,20 @@ import { checkForces, checkIntegrator, checkSystems } from './execution-plan.ts'
 import { createPhases } from './systems.ts';
 import type { Force, Integrator, PhysicsWorld, Preset, System, Warning } from './types.ts';
 
-/** How a world is made. Everything has a default. */
+/** Options of a world. All have defaults. */
 export interface PhysicsWorldOptions {
   /** 2 (default) or 3. */
   readonly dimensions?: 2 | 3;
-  /** Most entities alive at once; fixed for the world's life. Default 10 000. Unused room costs address space only. */
+  /**
+   * Maximum number of entities alive at once; fixed for the lifetime of the world. Default 10 000. Unused capacity
+   * costs address space only.
+   */
   readonly capacity?: number;
   /** Type of every real column: f64 (default) for orbits and large worlds, f32 for games and millions of particles. */
   readonly precision?: Precision;
-  /** Seed of everything random in this world. Default 1. */
+  /** Seed of all random numbers in this world. Default 1. */
   readonly seed?: number;
-  /** Components of your own, made by `defineComponent`: their columns lie in the world's memory. Default none. */
+  /** Custom components made by `defineComponent`; their columns are in the world's memory. Default none. */
   readonly components?: readonly ComponentSpec[];
   /** Default velocity Verlet. */
   readonly integrator?: Integrator;
@@ -40,15 +43,18 @@ export interface PhysicsWorldOptions {
   readonly forces?: readonly Force[];
   /** Systems of the `walls` phase, such as `boxWalls({ … })`. */
   readonly walls?: readonly System[];
-  /** Which systems run in which phase; default `standard`. */
+  /** Decides which systems run in which phase; default `standard`. */
   readonly preset?: Preset;
-  /** A fault found in a step: 'quarantine' (default) goes on without the body, 'throw' also throws when the step ends. */
+  /**
+   * Reaction to a fault found in a step: 'quarantine' (default) continues without the body, 'throw' also throws at the
+   * end of the step.
+   */
   readonly onFault?: 'quarantine' | 'throw';
   /** Receives warnings about input that is legal but surely not meant, each once. Default: they are printed. */
   readonly onWarning?: (warning: Warning) => void;
   /**
-   * Bytes for features that need memory of their own (contacts, grids); default 2 MiB, and what the preset asks for, or
-   * 256, per entity.
+   * Bytes of memory for features that allocate (contacts, grids). The default is 2 MiB, plus what the preset requests,
+   * or 256, per entity.
    */
   readonly arenaBytes?: number;
 }
@@ -72,9 +78,10 @@ const OPTIONS = [
 ] as const;
 
 /**
- * Makes a world, synchronously. It is a bitECS world: `addEntity(world)`, `addComponent(world, eid, set(…))` and
+ * Creates a world synchronously. It is a bitECS world: `addEntity(world)`, `addComponent(world, eid, set(…))` and
  * `query(world, […])` work on it.
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN for options; E_CAPACITY when there is no memory
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN for options; E_CAPACITY if the memory cannot be
+ *   allocated
  */
 export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
   checkKeys(options, 'createPhysicsWorld', OPTIONS);
@@ -115,7 +122,7 @@ function checkParts({ dimensions = 2, forces = [], walls = [], integrator, prese
   if (preset !== undefined) checkFunction(preset, 'preset');
 }
 
-/** For parameters of laws and the list of bodies at walls. */
+/** Memory for parameters of laws and the list of bodies at walls. */
 const LOOP_BYTES = 24_576;
 
 function memoryBytes(rows: number, precision: Precision): number {
@@ -125,7 +132,7 @@ function memoryBytes(rows: number, precision: Precision): number {
   return columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192) + 2 * rows + LOOP_BYTES + 65536;
 }
 
-/** Room for columns of reals, each with a start of its own in the cache. */
+/** Bytes for columns of reals, including the stagger of their start addresses in the cache. */
 function columnBytes(columns: number, rows: number, precision: Precision): number {
   return columns * (rows * realBytes(precision) + 8192);
 }
@@ -162,7 +169,7 @@ function worldParts(arena: Arena, precision: Precision, rows: number, own: reado
       generations,
       idsAt,
       rangesAt,
-      ...bookkeeping(components),
+      ...initialInternals(components),
       ownComponents: makeOwnColumns(arena, precision, rows, own),
       bodyList: { ids, count: 0 },
       plan: undefined,
@@ -170,12 +177,12 @@ function worldParts(arena: Arena, precision: Precision, rows: number, own: reado
   };
 }
 
-/** What the engine keeps about a world from step to step, at its start. */
-function bookkeeping(components: Components) {
+/** The initial internal state of a world. */
+function initialInternals(components: Components) {
   const zeros = () => Object.fromEntries(COMPONENT_NAMES.map((name) => [name, 0])) as Record<ComponentName, number>;
   return {
     counts: zeros(),
-    partialEntities: { unmoved: 0, strays: 0 },
+    partialEntities: { immovable: 0, withoutPose: 0 },
     deferredEdits: [],
     leaving: new Map(),
     thrown: [],
@@ -198,9 +205,9 @@ function bookkeeping(components: Components) {
 }
 
 /**
- * Ends a world: every later call on it throws E_DESTROYED, except this one, which does nothing. Inside a step it takes
- * effect when the step ends. The memory goes when nothing refers to the world any more.
- * @throws PhysicsError E_TYPE for something that is no world
+ * Destroys a world: every later call on it throws E_DESTROYED, except this one, which does nothing. During a step it
+ * takes effect at the end of the step. The memory is freed once nothing refers to the world.
+ * @throws PhysicsError E_TYPE if the argument is not a world
  */
 export function destroyWorld(world: PhysicsWorld): void {
   if (world?.internal !== undefined && world.state === 'destroyed') return;

@@ -3,17 +3,22 @@ import { checkHas, checkList, isRecord } from '../errors/validate.ts';
 import { PHASES, type Phase } from './phases.ts';
 import type { Fusion, LocalSystem, PhysicsWorld, Plan, System } from './types.ts';
 
-/** Said of what is no force. */
-export const FORCE_HINT = 'A force is made by a function such as uniformGravity() or defineForce({ … }).';
+/** Hint of errors about values that are not forces. */
+export const FORCE_HINT = 'Create forces with a function such as uniformGravity() or defineForce({ … }).';
 
-/** @throws PhysicsError E_TYPE, naming the first that is no force; E_RANGE */
+/**
+ * @throws PhysicsError E_TYPE, naming the first value that is not a force; E_RANGE
+ */
 export function checkForces(forces: readonly unknown[], what: string, dimensions: 2 | 3): void {
   checkList(forces, what);
-  // By index: `forEach` would pass over the holes of a sparse array.
+  // The loop uses indices, because `forEach` skips the holes of a sparse array.
   for (let f = 0; f < forces.length; f++) checkForce(forces[f], `${what}[${f}]`, dimensions);
 }
 
-/** @throws PhysicsError E_TYPE for what is neither a law nor a force with `accumulate`; E_RANGE for a law of other dimensions */
+/**
+ * @throws PhysicsError E_TYPE for a value that is neither a law nor a force with `accumulate`; E_RANGE for a law of
+ *   other dimensions
+ */
 export function checkForce(force: unknown, what: string, dimensions?: 2 | 3): void {
   if (!isRecord(force) || !isRecord(force.law)) {
     checkHas(force, 'accumulate', what, FORCE_HINT);
@@ -23,17 +28,19 @@ export function checkForce(force: unknown, what: string, dimensions?: 2 | 3): vo
   if (dimensions === undefined || wanted === undefined || wanted === dimensions) return;
   throw new PhysicsError(
     'E_RANGE',
-    `${what}: law "${name}" is for worlds of ${wanted} dimensions, and this one has ${dimensions}.`,
+    `${what}: law "${name}" requires ${wanted} dimensions, but the world has ${dimensions}.`,
     {
       field: what,
     },
   );
 }
 
-/** @throws PhysicsError E_TYPE, naming the first that is no system */
+/**
+ * @throws PhysicsError E_TYPE, naming the first value that is not a system
+ */
 export function checkSystems(systems: readonly unknown[], what: string): void {
   checkList(systems, what);
-  const hint = 'A system is a function (world, dt) => void, or made by a function such as boxWalls({ … }).';
+  const hint = 'A system is a function (world, dt) => void, or a system made by a function such as boxWalls({ … }).';
   for (let s = 0; s < systems.length; s++) {
     if (typeof systems[s] !== 'function') checkHas(systems[s], 'run', `${what}[${s}]`, hint);
   }
@@ -42,12 +49,12 @@ export function checkSystems(systems: readonly unknown[], what: string): void {
 /** @throws PhysicsError E_TYPE */
 export function checkIntegrator(integrator: unknown, what: string): void {
   if (isRecord(integrator) && isRecord(integrator.scheme)) return;
-  checkHas(integrator, 'advance', what, 'Such as velocityVerlet, semiImplicitEuler or rungeKutta4.');
+  checkHas(integrator, 'advance', what, 'Pass an integrator such as velocityVerlet, semiImplicitEuler or rungeKutta4.');
 }
 
 /**
- * The plan for the world as it is now, reused while neither phases, forces nor integrator changed.
- * @throws PhysicsError E_TYPE when one of them is not what it must be
+ * Returns the plan of the world, reused until phases, forces or integrator change.
+ * @throws PhysicsError E_TYPE if one of them has the wrong type
  */
 export function currentPlan(world: PhysicsWorld): Plan {
   const plan = world.internal.plan;
@@ -57,8 +64,8 @@ export function currentPlan(world: PhysicsWorld): Plan {
   return made;
 }
 
-/** Something made when first asked for, and kept as long as the plan of a world holds. */
-export function keptWithPlan<T>(make: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
+/** Returns a getter of a value that is computed on first use and cached with the plan of a world. */
+export function cachedWithPlan<T>(make: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
   const key = {};
   return (world) => {
     const running = world.state === 'stepping' ? world.internal.plan : undefined;
@@ -72,7 +79,7 @@ function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
   const { signature } = plan;
   let i = 0;
   if (signature[i++] !== world.integrator) return false;
-  if (signature[i++] !== world.internal.partialEntities.unmoved > 0) return false;
+  if (signature[i++] !== world.internal.partialEntities.immovable > 0) return false;
   for (let p = 0; p < PHASES.length; p++) {
     const phase = PHASES[p];
     const systems = world.phases[phase];
@@ -87,7 +94,7 @@ function makePlan(world: PhysicsWorld): Plan {
   checkForces(world.forces, 'world.forces', world.dimensions);
   checkIntegrator(world.integrator, 'world.integrator');
   for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
-  const signature: unknown[] = [world.integrator, world.internal.partialEntities.unmoved > 0];
+  const signature: unknown[] = [world.integrator, world.internal.partialEntities.immovable > 0];
   for (const phase of PHASES) signature.push(...world.phases[phase], phase);
   signature.push(...world.forces);
   const systems = Object.fromEntries(PHASES.map((phase) => [phase, [...world.phases[phase]]])) as Record<
@@ -105,7 +112,7 @@ function makePlan(world: PhysicsWorld): Plan {
   };
 }
 
-/** Which neighbours of the integrator its loop takes over. Turning bodies is no business of theirs. */
+/** Determines which systems next to the integrator are fused into its loop. Systems of rotation are not. */
 function fusionOf(systems: readonly System[]): Fusion {
   const roles = systems.map((system) => (typeof system === 'function' ? undefined : system.role));
   const at = roles.indexOf('integrate');

@@ -4,8 +4,8 @@ import { PHASES, type Phase } from './phases.ts';
 import type { PhysicsWorld, Profile } from './types.ts';
 
 /**
- * Switches profiling on. Physics reads no clock of its own, so the caller hands one in:
- * `startProfile(world, () => performance.now())` gives milliseconds.
+ * Starts profiling. Physics does not read a clock, so the caller passes one: `startProfile(world, () =>
+ * performance.now())` gives milliseconds.
  * @throws PhysicsError E_TYPE, E_DESTROYED
  */
 export function startProfile(world: PhysicsWorld, clock: () => number): Profile {
@@ -17,14 +17,14 @@ export function startProfile(world: PhysicsWorld, clock: () => number): Profile 
   return profile;
 }
 
-/** Switches profiling off. @throws PhysicsError E_DESTROYED */
+/** Stops profiling. @throws PhysicsError E_DESTROYED */
 export function stopProfile(world: PhysicsWorld): void {
   assertUsable(world);
   world.profile = undefined;
 }
 
-/** Sets all times to zero. @throws PhysicsError E_TYPE for what is no profile */
+/** Sets all times to zero. @throws PhysicsError E_TYPE if the argument is not a profile */
 export function resetProfile(profile: Profile): void {
-  checkHas(profile, 'clock', 'resetProfile: profile', 'Give what startProfile returned.');
+  checkHas(profile, 'clock', 'resetProfile: profile', 'Pass the profile that startProfile returned.');
   for (const phase of PHASES) profile.times[phase] = 0;
 }

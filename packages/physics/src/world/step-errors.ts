@@ -1,14 +1,16 @@
-// What went wrong in a step is collected while it runs and thrown when it has ended: exceptions of users' code, and faults
-// where the world was asked to throw them.
+// Collects the errors of a step and throws them at its end: exceptions of user code, and faults if the world's
+// `onFault` is 'throw'.
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from './types.ts';
 
-/** Forgets the faults of the step before. */
+/** Clears the faults of the previous step. */
 export function clearStepErrors({ internal }: PhysicsWorld): void {
   internal.stepFaults.length = 0;
 }
 
-/** @throws AggregateError of everything that the step collected, if that is anything */
+/**
+ * @throws AggregateError of all errors of the step, if there are any
+ */
 export function throwStepErrors(world: PhysicsWorld): void {
   const { internal, tick, onFault } = world;
   if (internal.thrownCount === 0 && internal.stepFaults.length === 0) return;
@@ -21,6 +23,6 @@ export function throwStepErrors(world: PhysicsWorld): void {
     const problem = `${field} of body ${entity} was ${value} ${phase === 'begin' ? 'before' : 'in'} step ${step}.`;
     errors.push(new PhysicsError(code, problem, { entity, field, value, hint }));
   }
-  const said = errors.slice(0, 3).map(String).join('; ');
-  throw new AggregateError(errors, `${count} error(s) during step ${tick}: ${said}${count > 3 ? '; …' : ''}`);
+  const messages = errors.slice(0, 3).map(String).join('; ');
+  throw new AggregateError(errors, `${count} error(s) during step ${tick}: ${messages}${count > 3 ? '; …' : ''}`);
 }

@@ -1,5 +1,4 @@
-// The contract that everything types against: what a world is, and what can be put into it. These types name each other,
-// so they stand in one file; nothing here runs.
+// The types of a world and its parts. They refer to each other, so they share one file, which contains no code.
 import type { Query, WorldContext } from 'bitecs';
 import type { Addresses, ComponentName, Components } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
@@ -12,38 +11,41 @@ import type { Previous, PreviousAddresses } from '../memory/previous-pose.ts';
 import type { Scratch } from '../memory/scratch.ts';
 import type { Phase } from './phases.ts';
 
-/** How the numbers of a parameter get into a world's memory. */
+/** Writes the numbers of a parameter into a world's memory. */
 export interface ParameterSource {
-  /** 'once' when the law enters a world, before every 'step', or for every 'stage' of one, at its time. */
+  /**
+   * The value is written 'once' when the law is added to a world, before every 'step', or at every 'stage' of a step,
+   * at the time of the stage.
+   */
   readonly when: 'once' | 'step' | 'stage';
   write(world: PhysicsWorld, into: Float64Array, at: number, time: number): void;
-  /** Axes of a steady vector that are zero: what they are multiplied by is left out of the code. */
+  /** Axes of a constant vector that are zero: terms multiplied by them are omitted from the code. */
   readonly zeros?: readonly boolean[] | undefined;
 }
 
-/** A parameter of a law. `Input` is the type of what it takes. */
+/** A parameter of a law. `Input` is the type of the values it accepts. */
 export interface Parameter<Input = unknown> {
   readonly kind: 'scalar' | 'vector' | 'axial';
   readonly unit: string;
   readonly bounds: Bounds;
-  /** Number of doubles it takes in memory. */
+  /** Number of f64 in memory. */
   readonly size: 1 | 3;
   readonly overTime: boolean;
-  /** What it is when it is left out; without one it must be given. */
+  /** Default value; a parameter without a default is required. */
   readonly byDefault: Input | undefined;
-  /** It comes from the law itself and not from its options: which body is held, where a table lies. */
+  /** Writes a value that the law itself supplies, not its options, such as an entity or a table address. */
   readonly supply?: ((world: PhysicsWorld, into: Float64Array, at: number) => void) | undefined;
 }
 
 /** A recorded law. */
 export interface Law {
   readonly name: string;
-  /** The same for laws that compile to the same code. */
+  /** Identifies the generated code: laws of equal structure compile to the same code. */
   readonly structure: string;
   readonly parameters: readonly Parameter[];
-  /** Their names, in the same order. */
+  /** Names of the parameters, in the same order. */
   readonly names: readonly string[];
-  /** What the law calls the columns that it reads, by component and field. */
+  /** Names of the columns that the law reads, by component and field. */
   readonly columns: Readonly<Record<string, string>>;
   /** Force, N. */
   readonly force?: Vector | undefined;
@@ -53,51 +55,54 @@ export interface Law {
   readonly torque?: Vector | undefined;
   /** Potential energy of the body, J. */
   readonly potential?: Scalar | undefined;
-  /** It is for worlds of these dimensions alone. */
+  /** Restricts the law to worlds of these dimensions. */
   readonly dimensions?: 2 | 3 | undefined;
 }
 
-/** A parameter of a force as its documentation shows it. */
+/** A parameter of a force, for its documentation. */
 export interface ForceParameter {
   readonly unit: string;
   readonly value: number;
 }
 
 /**
- * What pushes bodies and does nothing else: a law, which is fused into the step, or a function that adds to the force
- * columns before the laws do.
+ * A force acts on bodies and has no other effect. It is a law, which is fused into the step, or a function that adds to
+ * the force columns before the laws do.
  */
 export interface Force {
   readonly name: string;
-  /** The equation, as in the file's header. */
+  /** The equation, as in the header of the file. */
   readonly equation: string;
   readonly parameters?: Readonly<Record<string, ForceParameter>>;
-  /** Components a body needs to feel it. */
+  /** Components that a body needs for the force to act on it. */
   readonly reads: readonly string[];
-  /** It reads nothing but its own body. */
+  /** The force on a body depends on that body only. */
   readonly local: boolean;
-  /** The expressions of a law, and the values of its parameters. */
+  /** The expressions of the law, and the values of its parameters. */
   readonly law?: Law;
   readonly sources?: readonly ParameterSource[];
   /**
-   * Called once a step, before anything moves, when edits are still allowed: gathers what the force needs. What it
-   * throws comes out of `step`, which then has not happened.
+   * Called once per step before anything moves, while edits are still allowed, to gather the data of the force. Its
+   * exceptions propagate from `step`, which then has no effect.
    */
   prepare?(world: PhysicsWorld, dt: number): void;
-  /** It adds to `world.scratch.torque` as well: the torque of the last evaluation turns the bodies. */
+  /** The force also adds to `world.scratch.torque`; the torque of the last evaluation rotates the bodies. */
   readonly appliesTorque?: boolean;
-  /** Components whose columns its `prepare` changes, as an engine burns fuel: `restrictForce` keeps those outside its limits. */
+  /**
+   * Components whose columns `prepare` changes, as an engine burns fuel: `restrictForce` keeps bodies outside its
+   * limits unchanged.
+   */
   readonly consumes?: readonly ComponentName[];
   /**
-   * Of what is no law: adds this force, N, to the force on each body of rows [first, last). `time` is that at which it
-   * is evaluated, s.
+   * For forces without a law: adds this force, N, to the force on each body of rows [first, last). `time` is the time
+   * of the evaluation, s.
    */
   accumulate?(world: PhysicsWorld, first: number, last: number, time: number): void;
-  /** Potential energy of the world under this force, J; only where the force is conservative. */
+  /** Potential energy of the world under this force, J; present only if the force is conservative. */
   potential?(world: PhysicsWorld): number;
 }
 
-/** A recorded scheme. */
+/** A recorded integration scheme. */
 export interface Scheme {
   readonly structure: string;
   readonly position: Vector;
@@ -109,55 +114,55 @@ export interface Scheme {
   readonly sources: readonly ParameterSource[];
 }
 
-/** Evaluates all forces of the world on the bodies of `ranges` at `time`, into `world.scratch.force`. */
+/** Evaluates all forces of the world on the bodies of `ranges` at `time` into `world.scratch.force`. */
 export type EvaluateForces = (world: PhysicsWorld, ranges: Ranges, time: number) => void;
 
 /**
- * A scheme that moves positions and velocities by one step. It owns the step: it asks for forces when it wants them.
- * The state at the start is in `world.previousAddresses.Position` and `world.scratch.at.startVelocity`; `stage1` and
+ * A scheme that advances positions and velocities by one step. It owns the step and requests force evaluations. The
+ * state at the start is in `world.previousAddresses.Position` and `world.scratch.at.startVelocity`; `stage1` and
  * `stage2` of the scratch are free.
  */
 export interface Integrator {
   readonly name: string;
   /** Order of the global error in dt. */
   readonly order: number;
-  /** Keeps the energy of a conservative system bounded for ever. */
+  /** The energy error of a conservative system stays bounded. */
   readonly symplectic: boolean;
-  /** Force evaluations a step. */
+  /** Force evaluations per step. */
   readonly evaluations: number;
   /**
-   * By what part of a step its velocities are those of an earlier moment than its positions; default 0. Walls and
-   * contacts need it to find speed and height at the instant of an impact.
+   * Fraction of a step by which the velocities lag the positions; default 0. Walls and contacts need it to find speed
+   * and height at the time of impact.
    */
   readonly velocityLag?: number;
   /**
-   * Whether a damped oscillator stays bounded: `stiffness` is ω² dt², `damping` is γ dt, for x″ = -ω² x - γ x′. Springs
-   * ask before the step; without an answer they do not check.
+   * Returns whether a damped oscillator stays bounded: `stiffness` is ω² dt², `damping` is γ dt, for x″ = -ω² x - γ x′.
+   * Springs check it before the step; without this function they do not check.
    */
   isStable?(stiffness: number, damping: number): boolean;
-  /** Columns of reals it takes from the world's memory; a world made with it has room for them. */
+  /** Number of real columns that the scheme allocates; a world created with it reserves memory for them. */
   readonly columns?: number;
-  /** It solves springs itself, as constraints: the force `springs()` then adds nothing but its potential. */
+  /** The integrator solves springs as constraints: the force `springs()` then adds only its potential. */
   readonly solvesSprings?: boolean;
-  /** It must see all bodies at once, so that no step of it runs tile by tile. */
+  /** The scheme needs all bodies at once, so its steps are not split into chunks. */
   readonly wholeWorld?: boolean;
-  /** Called once a step, before anything moves: takes memory. What it throws comes out of `step`. */
+  /** Called once per step before anything moves, to allocate memory. Its exceptions propagate from `step`. */
   prepare?(world: PhysicsWorld, dt: number): void;
-  /** A scheme of fixed stages as expressions: it becomes one loop with the laws. */
+  /** A scheme with fixed stages as expressions, which is fused into one loop with the laws. */
   readonly scheme?: Scheme;
-  /** Moves the bodies by one step. Where there is one, the scheme is not used. */
+  /** Advances the bodies by one step. It takes precedence over `scheme`. */
   advance?(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: EvaluateForces): void;
 }
 
-/** A system that may look at the whole world. */
+/** A system that may access the whole world. */
 export type GlobalSystem = (world: PhysicsWorld, dt: number) => void;
 
-/** A system that, for each body, reads and writes the body's own row only. */
+/** A system that reads and writes only the own row of each body. */
 export interface LocalSystem {
   readonly name: string;
-  /** Sweeps the runs of `ranges`. */
+  /** Processes the rows of `ranges`. */
   run(world: PhysicsWorld, ranges: Ranges, dt: number): void;
-  /** What it is to the integrator, when that may take over its work: see docs/step.md. */
+  /** Role next to the integrator, which may fuse the system into its loop: see docs/step.md. */
   readonly role?: 'begin' | 'integrate' | 'rotate' | 'box' | 'check';
 }
 
@@ -166,48 +171,48 @@ export type System = GlobalSystem | LocalSystem;
 /** The systems of a world. Push yours to a phase; the change takes effect at the next step. */
 export type Phases = { readonly [P in Phase]: System[] };
 
-/** Fills a new world's phases: which systems run, in which order. */
+/** Fills the phases of a new world: which systems run, and in which order. */
 export interface Preset {
   (world: PhysicsWorld): void;
-  /** Memory its features need, bytes an entity: what a world then has by default in place of 256. */
+  /** Memory that its features need, bytes per entity; replaces the default of 256. */
   readonly bytesPerEntity?: (dimensions: 2 | 3, precision: Precision) => number;
 }
 
-/** What of a step runs as one loop with the laws and the integrator, because the systems follow each other. */
+/** The systems of a step that are fused into one loop with the laws and the integrator because they are adjacent. */
 export interface Fusion {
-  /** The pose is saved, and what was written between the steps is checked. */
+  /** The loop saves the pose and validates values written between steps. */
   readonly begin: boolean;
-  /** Walls of a box, at which bodies are found in the loop. */
+  /** Box walls; the loop finds the bodies at the walls. */
   readonly walls: LocalSystem | undefined;
-  /** The result is checked. */
+  /** The loop validates the result. */
   readonly check: boolean;
 }
 
-/** What a step does, worked out from the phases and forces; made anew only when those change. */
+/** The plan of a step, derived from phases and forces and rebuilt only when these change. */
 export interface Plan {
-  /** The systems of each phase, as they were when the plan was made. */
+  /** The systems of each phase when the plan was built. */
   readonly systems: Readonly<Record<Phase, readonly System[]>>;
   readonly signature: readonly unknown[];
-  /** No force looks at more than its own body. */
+  /** Every force depends on its own body only. */
   readonly forcesLocal: boolean;
-  /** Undefined where a force is no law, or the integrator has no fixed stages. */
+  /** Undefined if a force is not a law or the integrator has no fixed stages. */
   readonly fusion: Fusion | undefined;
-  /** What other parts of the engine keep as long as the plan holds. */
+  /** Values that other parts of the engine cache with the plan. */
   readonly kept: Map<object, unknown>;
 }
 
-/** Time spent in each phase since the profile was switched on or reset, in the clock's unit. */
+/** Time spent in each phase since the profile was started or reset, in the clock's unit. */
 export interface Profile {
   readonly clock: () => number;
   readonly times: Record<Phase, number>;
 }
 
 /**
- * Rows to sweep: ascending runs [first, last) of whole 16-row blocks. Rows in a run that belong to no body hold zeros,
- * which every kernel leaves as they are.
+ * Rows to process: ascending ranges [first, last) of whole 16-row blocks. Rows in a range without a body hold zeros,
+ * which every kernel leaves unchanged.
  */
 export interface Ranges {
-  /** Pairs first, last. */
+  /** Pairs of first, last. */
   readonly bounds: Int32Array;
   count: number;
 }
@@ -229,17 +234,17 @@ export interface Warning {
   readonly hint: string;
 }
 
-/** A world: plain columns of numbers in one block of memory, and the short lists that say what a step does. */
+/** A world: columns of numbers in one block of memory, and short lists that define a step. */
 export interface PhysicsWorld {
   readonly dimensions: 2 | 3;
   readonly precision: Precision;
   readonly capacity: number;
-  /** Length of every column; a multiple of 1024. Row `eid` belongs to entity `eid`; row 0 to none. */
+  /** Length of every column; a multiple of 1024. Row `eid` belongs to entity `eid`; row 0 to no entity. */
   readonly rows: number;
   readonly seed: number;
   readonly memory: WebAssembly.Memory;
   readonly kernels: KernelExports;
-  /** Per component, one typed array a field: `world.components.Position.x[eid]`. */
+  /** One typed array per field of each component: `world.components.Position.x[eid]`. */
   readonly components: Components;
   /** Byte addresses of the same columns, for kernels. */
   readonly addresses: Addresses;
@@ -255,62 +260,65 @@ export interface PhysicsWorld {
   onWarning: (warning: Warning) => void;
   /** Simulated time, s. */
   time: number;
-  /** Steps done. */
+  /** Number of steps completed. */
   tick: number;
   /** Highest entity id in use. */
   lastId: number;
-  /** Runs of bodies, ascending. */
+  /** Ranges of bodies, ascending. */
   readonly ranges: Ranges;
   /**
-   * Counters that grow when poses, looks or the set of bodies may have changed. A snapshot brings them back too;
-   * `restored` counts how often that happened, so that the four together never repeat.
+   * Counters that increase when poses, appearance or the set of bodies may have changed. Restoring a snapshot restores
+   * them too; `restored` counts restores, so that the four values together never repeat.
    */
   readonly versions: { pose: number; style: number; membership: number; restored: number };
   readonly faults: FaultLog;
   profile: Profile | undefined;
-  /** 'preparing' is before anything has moved, 'settling' is the end of a step, when the edits made during it take effect. */
+  /** 'preparing' is before anything has moved, 'settling' is the end of a step, when edits made during it take effect. */
   state: 'idle' | 'preparing' | 'stepping' | 'settling' | 'destroyed';
-  /** Not for users. */
+  /** Internal state; not part of the public API. */
   readonly internal: WorldInternals;
 }
 
-/** What the engine keeps about a world. */
+/** Internal state of a world. */
 export interface WorldInternals {
   readonly arena: Arena;
-  /** Bit set per row: the components its entity has. */
+  /** Component bits of the entity in each row. */
   readonly members: Uint32Array;
   readonly membersAt: number;
-  /** Lives per row. */
+  /** Generation of each row. */
   readonly generations: Uint32Array;
   readonly idsAt: number;
   readonly rangesAt: number;
   readonly counts: Record<ComponentName, number>;
-  /** Entities with mass that forces cannot move, and such as move without a place or turn without an angle. */
-  readonly partialEntities: { unmoved: number; strays: number };
-  /** Edits made during a step, waiting for its end. */
+  /**
+   * Counts of entities with mass that forces cannot move, and of entities that have a velocity but no position or an
+   * angular velocity but no angle.
+   */
+  readonly partialEntities: { immovable: number; withoutPose: number };
+  /** Edits made during a step, deferred to its end. */
   readonly deferredEdits: (() => void)[];
-  /** Entities that end with this step, and by bitECS's own set of components which life of theirs it is. */
+  /** Entities removed at the end of this step, and bitECS's component set of each, which identifies the generation. */
   readonly leaving: Map<number, Set<unknown>>;
-  /** Exceptions of users' code during this step: the first few, and how many there were. */
+  /** The first exceptions of user code in this step, and their total count. */
   readonly thrown: unknown[];
   thrownCount: number;
-  /** Faults of this step, the first 1024. */
+  /** The first 1024 faults of this step. */
   readonly stepFaults: Fault[];
   readonly resources: Map<object, unknown>;
   readonly ownComponents: OwnComponents;
   /** Every column of every component. */
   readonly columns: readonly { [row: number]: number }[];
-  /** bitECS's table of components, to notice that the world was reset. */
+  /** bitECS's component table, used to detect a reset of the world. */
   componentMap: WorldContext['componentMap'] | undefined;
-  /** Per component, the entity that the `addComponent` now running gave it to. */
+  /** Per component, the entity that the running `addComponent` adds it to. */
   readonly justAdded: Record<ComponentName, number>;
-  /** Values that `spawn` has checked and is about to set. */
+  /** Values that `spawn` has validated and is about to set. */
   checked: FieldValues | undefined;
-  /** bitECS's queries of our components whose additions nobody but us waits for. */
+  /** bitECS's queries of our components whose additions only the engine observes. */
   readonly unobserved: Set<Query>;
-  /** What prefabs hand on to their instances. */
+  /** Component values that prefabs pass to their instances. */
   readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
-  /** The world ends with this step. */
+  /** The world is destroyed at the end of this step. */
   ending: boolean;
   /** The integrator tries a state that it may reject: a bad force there is no fault. */
   isTrial: boolean;
@@ -320,7 +328,7 @@ export interface WorldInternals {
   readonly reviewed: { plan: Plan | undefined; membership: number };
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   rangesVersion: number;
-  /** Rows that hold anything, rounded up to whole blocks. */
+  /** Number of rows in use, rounded up to whole blocks. */
   sweptRows: number;
   plan: Plan | undefined;
 }

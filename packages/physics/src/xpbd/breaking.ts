@@ -1,27 +1,27 @@
-// Springs that break: one pulled harder than its `breakForce` is removed when the step ends.
+// Removes springs whose tension exceeds their `breakForce` at the end of a step.
 //
-// The pull is that at the end of the step: the tension of the constraint under `xpbd`, Hooke's k (d - L) under the force
-// `springs()`. Nothing else of a step knows of breaking; the energy a broken spring held is lost. Cost: one comparison a
-// spring and step, and nothing where no spring can break.
+// The tension is that at the end of the step: of the constraint under `xpbd`, k (d - L) by Hooke's law under the
+// force `springs()`. The energy of a broken spring is lost. Cost: one comparison per spring and step, and none if no
+// spring can break.
 import { despawn } from '../bodies/spawn.ts';
 import { scanSprings } from '../forces/support/spring-table.ts';
 import { ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { type ConstraintTable, constraintTable, makeRows } from './constraint-table.ts';
+import { allocateRows, type ConstraintTable, constraintTable } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 
-/** What broke. */
+/** The springs that broke. */
 export interface BrokenSprings {
-  /** Springs broken in the last step, ascending; their entities are gone. */
+  /** Springs that broke in the last step, ascending; their entities are gone. */
   readonly ids: readonly number[];
-  /** Springs broken since the world was made. */
+  /** The number of springs that broke since the world was made. */
   readonly total: number;
 }
 
 const state = resource(() => ({ ids: [] as number[], total: 0 }));
 
-/** The springs that broke: always the same object. @throws PhysicsError E_DESTROYED */
+/** Returns the springs that broke: the same object on each call. @throws PhysicsError E_DESTROYED */
 export function brokenSprings(world: PhysicsWorld): BrokenSprings {
   return state(world);
 }
@@ -47,7 +47,7 @@ function findBroken(world: PhysicsWorld, table: ConstraintTable): number {
   if (world.integrator.solvesSprings === true) {
     return table.words[Word.breakable] > 0 ? kernels.findBroken(table.at, table.substep[0]) : 0;
   }
-  makeRows(world, table);
+  allocateRows(world, table);
   scanSprings(world);
   return kernels.findOverloaded(table.at);
 }

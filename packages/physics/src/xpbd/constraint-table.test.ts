@@ -8,7 +8,7 @@ import { createPhysicsWorld } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
 import { xpbd } from './xpbd.ts';
 
-/** Two networks with other bodies between, so that springs do not all follow each other. */
+/** Builds two networks with other bodies between them, so that spring ids are not all consecutive. */
 function build(precision: 'f32' | 'f64') {
   const forces = [uniformGravity(), springs()];
   const integrator = xpbd({ substeps: 2, iterations: 2 });
@@ -22,7 +22,7 @@ function build(precision: 'f32' | 'f64') {
 type Built = ReturnType<typeof build>;
 
 const CHANGES: Readonly<Record<string, (built: Built) => void>> = {
-  nothing: () => {},
+  'no change': () => {},
   'the stiffness of one': ({ world, all }) => {
     world.components.Spring.stiffness[all[all.length - 1]] *= 2;
   },
@@ -40,30 +40,30 @@ const CHANGES: Readonly<Record<string, (built: Built) => void>> = {
   damping: ({ world, all }) => {
     world.components.Spring.damping[all[7]] = 1;
   },
-  'what is a cord': ({ world, all }) => {
-    for (const id of all) world.components.Spring.cord[id] = 1;
+  tensionOnly: ({ world, all }) => {
+    for (const id of all) world.components.Spring.tensionOnly[id] = 1;
   },
   'a mass': ({ world, nodes }) => {
     world.components.Mass.value[nodes[30]] *= 3;
   },
 };
 
-test.each(Object.keys(CHANGES).flatMap((what) => (['f32', 'f64'] as const).map((real) => [what, real] as const)))(
-  'what is changed in place is seen at the next step: %s, in %s',
-  (what, precision) => {
-    const run = (change: string, anew: boolean) => {
+test.each(Object.keys(CHANGES).flatMap((change) => (['f32', 'f64'] as const).map((real) => [change, real] as const)))(
+  'a change in place takes effect in the next step: %s, in %s',
+  (change, precision) => {
+    const run = (name: string, rebuild: boolean) => {
       const built = build(precision);
       const { world, nodes } = built;
       for (let s = 0; s < 3; s++) step(world, 1 / 60);
-      CHANGES[change](built);
-      // A body that comes and goes makes the solver read everything anew.
-      if (anew) despawn(world, spawn(world, { position: {} }));
+      CHANGES[name](built);
+      // Adding and removing a body makes the solver read all springs again.
+      if (rebuild) despawn(world, spawn(world, { position: {} }));
       for (let s = 0; s < 2; s++) step(world, 1 / 60);
       const { x, y } = world.components.Position;
       return nodes.flatMap((node) => [x[node], y[node]]);
     };
-    const places = run(what, false);
-    expect(places).toEqual(run(what, true));
-    if (what !== 'nothing') expect(places).not.toEqual(run('nothing', false));
+    const places = run(change, false);
+    expect(places).toEqual(run(change, true));
+    if (change !== 'no change') expect(places).not.toEqual(run('no change', false));
   },
 );

@@ -1,34 +1,39 @@
-// Springs as constraints: extended position-based dynamics in small steps, an integrator that solves every Spring itself.
+// Springs as constraints: extended position-based dynamics (XPBD) in small steps. This integrator solves every Spring
+// itself.
 //
 //   v += F/m h/2        x += v h        correct x by the springs, v by the correction over h        v += F/m h/2
 //
 // For a spring of stiffness k and length L between bodies of inverse masses w_a and w_b, C = d - L, the correction is
-// the backward Euler step of Hooke's law: the tension that holds at the end of the sub-step,
+// the backward Euler step of Hooke's law, with the tension at the end of the sub-step:
 //
 //   dT = (C - T/(k h²)) / (w_a + w_b + 1/(k h²))        x_a += w_a n dT        x_b -= w_b n dT        (T in N s² = kg m)
 //
-// so no stiffness is too stiff for the step. An infinite one makes a rod, and with `cord` an inextensible string. Damping
-// c is implicit, once a sub-step. A string that becomes taut takes the speed along it: it does not bounce.
+// It is stable at any stiffness. An infinite stiffness makes a rod, and with `tensionOnly` an inextensible string.
+// Damping c is implicit, once per sub-step. A string that becomes taut stops the motion along it: the impact is
+// inelastic.
 //
-// Where all springs of a world are rods in chains (no body joined to more than two others, no ring), as in pendulums,
-// this is RATTLE: the chains are solved to rounding, the velocities along the rods as well, second order, symplectic
-// until a rod turns by more than 37 degrees in a sub-step. A chain so taut that waves across it outrun the sub-step (N links
-// hanging: N g h² above half a link) is solved implicitly instead, places and tensions together: unstretched and stable, at
-// first order. Otherwise bodies at springs get their whole kick before the
-// correction, which makes it first order there: it loses the energy of oscillations whose ω h is not small. What is no
-// chain is solved by Gauss-Seidel, from part to part of the network. A part is a thread, four or more springs made one
-// after the other, each from the body where the last one ended: it is solved as a whole, as taut chains implicitly
-// (kernels/xpbd/polyline-batches.ts). Threads that cross take turns, those that pulled hardest in the sub-step before first,
-// and further turns, up to twenty, as long as one is off its length by more than one in 250. So the threads of a cloth do
-// not stretch, however many nodes it has. Springs that belong to no thread are parts of their own: a
-// stiff network of these is left stretched by the load of a few sub-steps. Its error falls with the square of h, and
-// sub-steps serve better than iterations at the same cost.
+// If all springs of a world are rods in chains (no body joins more than two, no closed ring), as in pendulums, this
+// is RATTLE: positions and velocities of the chains are solved to rounding; second order, and symplectic until a rod
+// turns by more than 37 degrees in a sub-step. If transverse waves cross a link within the sub-step (N hanging links:
+// N g h² above half a link), the chain is solved implicitly for positions and tensions together: unstretched and
+// stable, at first order.
 //
-// Momentum is conserved to rounding, angular momentum by RATTLE to rounding too, otherwise to the order of the step. Bodies without mass are anchors.
-// `springs()` in the list of forces then gives the potential only. Walls and contacts come after the whole step.
+// In all other worlds, bodies with springs get their whole velocity change before the correction, which makes the
+// scheme first order there: it damps oscillations whose ω h is not small. Springs outside chains are solved by
+// Gauss-Seidel iteration over polylines and single springs. A polyline is a run of four or more springs made in
+// sequence, each from the body where the previous one ended. It is solved directly, and implicitly if taut
+// (kernels/xpbd/polyline-batches.ts). Crossing polylines are solved in passes, the pass with the highest tension of
+// the previous sub-step first, and iterated up to twenty more times while any length is off by more than 0.4 %. So a
+// cloth does not stretch, however many nodes it has. Stiff springs outside polylines keep a stretch from the load of
+// a few sub-steps. This error falls with the square of h, so sub-steps are more effective than iterations at the same
+// cost.
+//
+// Momentum is conserved to rounding; angular momentum to rounding under RATTLE, otherwise to the order of the step.
+// Bodies without mass are anchors. `springs()` in the list of forces then gives only the potential. Walls and
+// contacts are solved after the whole step.
 //
 // Sources: Macklin, Müller, Chentanez: XPBD (MIG 2016); Macklin et al.: Small Steps in Physics Simulation (SCA 2019);
-// Andersen: RATTLE (J. Comput. Phys. 52, 1983). Cost: a square root and a division a spring and iteration.
+// Andersen: RATTLE (J. Comput. Phys. 52, 1983). Cost: a square root and a division per spring and iteration.
 
 import { drift, kick } from '../dynamics/drift-kick.ts';
 import { quarantineBadForces } from '../dynamics/validate-state.ts';
@@ -39,11 +44,11 @@ import { type ConstraintTable, constraintTable, refreshConstraints } from './con
 import { constraintKernels } from './kernels.ts';
 
 export interface XpbdOptions {
-  /** Sub-steps of a step; default 1. Error and damping fall with their number. */
+  /** Sub-steps per step; default 1. Error and numerical damping decrease with their number. */
   readonly substeps?: number;
   /**
-   * Times the springs are gone through in each; default 10. For cloths 1 with four or five sub-steps is best: threads that
-   * are off their lengths after that are gone through again, up to twenty times.
+   * Gauss-Seidel iterations per sub-step; default 10. Cloths do best with 1 and four or five sub-steps: polylines
+   * that exceed the length tolerance are iterated further, up to twenty times.
    */
   readonly iterations?: number;
 }
@@ -77,13 +82,13 @@ export function xpbd(options: XpbdOptions = {}): Integrator {
         for (let s = 0; s < substeps; s++) moveNodes(world, ranges, table, list, iterations, evaluateForces, s);
         return;
       }
-      force(world, ranges, evaluateForces, 0);
+      evaluate(world, ranges, evaluateForces, 0);
       for (let s = 0; s < substeps; s++) subStep(world, ranges, list, iterations, evaluateForces, s);
     },
   };
 }
 
-/** The times of a step. In a list that holds something else as well, reading a number makes no garbage. */
+/** Returns the times of a step. An array of mixed types holds its numbers boxed, so reading them makes no garbage. */
 function timesOf(dt: number, substeps: number) {
   const h = dt / substeps;
   const list: (number | undefined)[] = [undefined, h, h / 2, -h / 2];
@@ -91,9 +96,12 @@ function timesOf(dt: number, substeps: number) {
   return { dt, list };
 }
 
-const [H, HALF, BACK, STARTS] = [1, 2, 3, 4];
+const [H, HALF, MINUS_HALF, START_TIMES] = [1, 2, 3, 4];
 
-/** A sub-step where all that forces move are nodes of springs, and not in chains only: the whole kick comes first. */
+/**
+ * A sub-step in which all movable bodies have springs, not all in chains: the whole velocity change precedes the
+ * correction.
+ */
 function moveNodes(
   world: PhysicsWorld,
   ranges: Ranges,
@@ -104,7 +112,7 @@ function moveNodes(
   s: number,
 ): void {
   const h = times[H] as number;
-  force(world, ranges, evaluateForces, times[STARTS + s] as number);
+  evaluate(world, ranges, evaluateForces, times[START_TIMES + s] as number);
   kick(world, ranges, h);
   drift(world, ranges, h);
   correctPositions(world, table, h, iterations);
@@ -126,23 +134,23 @@ function subStep(
   const rigid = table === undefined || table.words[Word.rigid] === 1;
   if (!rigid) kickNodes(world, table, half, h);
   if (table !== undefined) correctPositions(world, table, h, iterations);
-  force(world, ranges, evaluateForces, times[STARTS + s + 1] as number);
+  evaluate(world, ranges, evaluateForces, times[START_TIMES + s + 1] as number);
   kick(world, ranges, half);
-  if (!rigid) kickNodes(world, table, times[BACK] as number, 0);
+  if (!rigid) kickNodes(world, table, times[MINUS_HALF] as number, 0);
   else if (table !== undefined) constraintKernels(world).solveChainVelocities(table.at);
 }
 
 /**
- * Among springs of finite stiffness a velocity is what the sub-step made of the position, with the whole kick before it:
- * a half of the kick behind it would leave what hangs at rest with a speed.
+ * With springs of finite stiffness, the velocity is the change of position over h, with the whole velocity change
+ * before it: a half after it would leave a hanging body at rest with a velocity.
  */
-function kickNodes(world: PhysicsWorld, { at }: ConstraintTable, h: number, way: number): void {
+function kickNodes(world: PhysicsWorld, { at }: ConstraintTable, h: number, driftTime: number): void {
   const { x, y, z } = world.scratch.at.force;
-  constraintKernels(world).kickNodes(at, x, y, world.dimensions === 3 ? z : 0, h, way);
+  constraintKernels(world).kickNodes(at, x, y, world.dimensions === 3 ? z : 0, h, driftTime);
 }
 
-/** Bad forces are dropped at once, because constraints would carry them on. */
-function force(world: PhysicsWorld, ranges: Ranges, evaluateForces: EvaluateForces, offset: number): void {
+/** Evaluates the forces and quarantines non-finite ones at once, before constraints could spread them. */
+function evaluate(world: PhysicsWorld, ranges: Ranges, evaluateForces: EvaluateForces, offset: number): void {
   evaluateForces(world, ranges, world.time + offset);
   if (world.internal.plan?.forcesLocal !== true) return;
   for (let r = 0; r < ranges.count; r++) quarantineBadForces(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);

@@ -1,26 +1,26 @@
-// Bodies inside an axis-aligned box. kernels/particle-contacts/walls/impact.ts has the formula.
+// Bodies inside an axis-aligned box. The formulas are in impact.ts.
 import { Columns, columns, get } from '../../memory/columns';
 import { BLOCK, LANES, add, at, div, laneOf, mul, splat, sub } from '../../memory/lanes';
-import { rubWall } from '../friction';
-import { WALL_REACH } from '../table';
-import { distanceOut, impactSpeed, timeSince } from './impact';
+import { applyWallFriction } from '../friction';
+import { WALL_MARGIN } from '../table';
+import { computeReboundDistance, computeImpactSpeed, computeTimeSinceImpact } from './impact';
 import { recordNearWall, recordWallContact } from './record';
 
-// A body so fast that it crosses the box within a step meets both walls; after this many it is put inside.
-const MOST_BOUNCES: i32 = 4;
+// A body that crosses the box within a step hits both walls; after this many bounces its position is clamped.
+const MAX_BOUNCES: i32 = 4;
 
-// A body that began the step at rest on a wall and ends it beyond stays where it was, unless its restitution is more than
-// this. src/dynamics/loop-checks.ts has the same rule, so that most of such bodies never come here.
+// A body that began the step at rest on a wall and ends it beyond the wall is held in place unless its restitution is
+// larger. src/dynamics/loop-checks.ts applies the same rule, so most such bodies are handled there.
 const REST_RESTITUTION: real = 0.99;
 
-// Lanes of the last `rebound` that came to rest.
-let rested: v128 = i32x4.splat(0);
+// Lanes that came to rest in the last call of `rebound`.
+let restingLanes: v128 = i32x4.splat(0);
 
-// Bounces the lanes `hit` of one vector of rows off the wall at `plane` (already moved inward by the radius), whose
-// inside is towards `side` (+1 or -1). Returns the change of normal velocity per lane, zero where nothing came in.
+// Reflects the lanes `hit` of one vector of rows off the wall at `plane`, which is already offset by the radius; `side`
+// (+1 or -1) points inside. Returns the change of normal velocity per lane, zero for lanes that do not approach.
 //
-// `lag` is the time by which the integrator's velocities lag its positions. A rebound moves the start velocity along,
-// so that the next wall sees the same acceleration; a body at rest is held, and its acceleration becomes zero.
+// `lag` is the time by which the integrator's velocities lag its positions. A rebound also changes the start velocity,
+// so that the acceleration stays the same for the next wall; the acceleration of a resting body becomes zero.
 // @ts-ignore: decorator
 @inline function rebound(
   x: usize,
@@ -38,50 +38,50 @@ let rested: v128 = i32x4.splat(0);
   const velocity = v128.load(v);
   const before = v128.load(start);
   const depth = mul(side, sub(plane, position));
-  const pull = div(mul(side, sub(before, velocity)), dt);
-  const speed = add(v128.neg<real>(mul(side, velocity)), mul(pull, lag));
-  const since = timeSince<v128>(depth, speed, pull, dt);
-  const impact = impactSpeed<v128>(speed, pull, since);
-  const leave = mul(restitution, impact);
-  const out = distanceOut<v128>(leave, pull, since, splat(0.5));
+  const acceleration = div(mul(side, sub(before, velocity)), dt);
+  const speed = add(v128.neg<real>(mul(side, velocity)), mul(acceleration, lag));
+  const timeSinceImpact = computeTimeSinceImpact<v128>(depth, speed, acceleration, dt);
+  const impact = computeImpactSpeed<v128>(speed, acceleration, timeSinceImpact);
+  const reboundSpeed = mul(restitution, impact);
+  const reboundDistance = computeReboundDistance<v128>(reboundSpeed, acceleration, timeSinceImpact, splat(0.5));
   const entering = v128.and(hit, v128.gt<real>(speed, zero));
-  const flies = v128.and(entering, v128.and(v128.gt<real>(out, zero), v128.gt<real>(impact, zero)));
-  const away = v128.and(sub(leave, mul(pull, sub(since, lag))), flies);
+  const rebounds = v128.and(entering, v128.and(v128.gt<real>(reboundDistance, zero), v128.gt<real>(impact, zero)));
+  const away = v128.and(sub(reboundSpeed, mul(acceleration, sub(timeSinceImpact, lag))), rebounds);
   const after = mul(side, away);
-  rested = v128.andnot(entering, flies);
-  v128.store(x, v128.bitselect(add(plane, v128.and(mul(side, out), flies)), position, hit));
+  restingLanes = v128.andnot(entering, rebounds);
+  v128.store(x, v128.bitselect(add(plane, v128.and(mul(side, reboundDistance), rebounds)), position, hit));
   v128.store(v, v128.bitselect(after, velocity, entering));
-  v128.store(start, v128.bitselect(add(before, v128.and(sub(after, velocity), flies)), before, flies));
-  v128.store(start, v128.andnot(v128.load(start), rested));
+  v128.store(start, v128.bitselect(add(before, v128.and(sub(after, velocity), rebounds)), before, rebounds));
+  v128.store(start, v128.andnot(v128.load(start), restingLanes));
   return v128.and(add(away, mul(side, v128.neg<real>(velocity))), entering);
 }
 
 // @ts-ignore: decorator
-@inline function isRough(c: Columns, row: i32): bool {
+@inline function hasFriction(c: Columns, row: i32): bool {
   return v128.any_true(v128.gt<real>(v128.load(c.friction + at(row)), splat(0)));
 }
 
-// Friction and the record of the lanes that came in.
-function settle(c: Columns, row: i32, change: v128, axis: i32, side: real, friction: real): void {
+// Applies friction to the lanes that hit the wall and records their contacts.
+function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, side: real, friction: real): void {
   const nx = axis == 0 ? side : <real>0;
   const ny = axis == 1 ? side : <real>0;
   const nz = axis == 2 ? side : <real>0;
-  const still = rested;
-  if (c.contacts == 0 && (friction == 0 || !isRough(c, row))) return;
+  const still = restingLanes;
+  if (c.contacts == 0 && (friction == 0 || !hasFriction(c, row))) return;
   for (let lane = 0; lane < LANES; lane++) {
     const body = row + lane;
     const impulse = laneOf(change, lane) * get(c.mass, body);
     if (!(impulse > 0)) continue;
     const own = get(c.friction, body);
     const mu = friction < 0 ? own : sqrt<real>(own * friction);
-    rubWall(c, body, nx, ny, nz, mu, impulse);
+    applyWallFriction(c, body, nx, ny, nz, mu, impulse);
     recordWallContact(body, 0, nx, ny, nz, mu, impulse, laneOf(still, lane) != 0 ? impulse : <real>0);
   }
 }
 
-// The walls of a box; src/particle-contacts/box-walls.ts writes it. A coordinate of 1e30 is no wall. `friction` is negative where
-// the bodies' own counts; `start` and `origin` are the
-// columns of velocities and positions at the start of the step.
+// The walls of a box, written by src/particle-contacts/box-walls.ts. A coordinate of 1e30 means no wall. A negative
+// `friction` means that the bodies' own coefficient applies. `start` and `origin` are the columns of velocity and
+// position at the start of the step.
 @unmanaged
 export class Box {
   lowX: f64;
@@ -102,7 +102,7 @@ export class Box {
   unused: i32;
 }
 
-// One pair of walls: what `bounce` needs to know besides the row.
+// The two walls across one axis: the parameters of `bounce` other than the row.
 @unmanaged
 class Walls {
   axis: i32;
@@ -138,10 +138,10 @@ function wallsAcross(box: Box, axis: i32, dt: real, lag: real): Walls {
   return w;
 }
 
-// Bounces rows [first, last) off the walls. Only bodies with a collider (radius > 0) and mass > 0 are moved. A contact's
-// restitution is the larger of the body's and the wall's, its friction coefficient the geometric mean.
+// Bounces rows [first, last) off the walls. Only bodies with a collider (radius > 0) and mass > 0 move. The restitution
+// of a contact is the larger of body and wall, its friction coefficient the geometric mean.
 //
-// Few bodies are at a wall: a block of four vectors is dismissed with one test.
+// Few bodies are at a wall, so one test rejects a block of four vectors.
 export function boxRows(box: usize, dt: real, lag: real, first: i32, last: i32): void {
   const b = changetype<Box>(box);
   for (let axis = 0; axis < b.axes; axis++) sweepRows(wallsAcross(b, axis, dt, lag), first, last);
@@ -153,7 +153,7 @@ function sweepRows(w: Walls, first: i32, last: i32): void {
   const x = w.x;
   const lowest = splat(w.low);
   const highest = splat(w.high);
-  const reach = splat(c.contacts == 0 ? <real>1 : WALL_REACH);
+  const reach = splat(c.contacts == 0 ? <real>1 : WALL_MARGIN);
   for (let row = first; row < last; row += BLOCK) {
     const p = x + at(row);
     const r = radius + at(row);
@@ -166,14 +166,14 @@ function sweepRows(w: Walls, first: i32, last: i32): void {
       if (!v128.any_true(isOutside(x + at(i), radius + at(i), reach, lowest, highest))) continue;
       bounce(w, i);
       if (c.contacts == 0) continue;
-      noteNear(c, i, w.axis, x, w.low, 1, w.friction);
-      noteNear(c, i, w.axis, x, w.high, -1, w.friction);
+      recordNearWalls(c, i, w.axis, x, w.low, 1, w.friction);
+      recordNearWalls(c, i, w.axis, x, w.high, -1, w.friction);
     }
   }
 }
 
-// Bounces the vectors of rows of a list: its end, then byte offsets in a column of reals. Returns how many have a
-// velocity that is not in range after it.
+// Bounces the listed vectors of rows. The list holds its end address, then byte offsets into a column of reals. Returns
+// the number of vectors whose velocity is out of range afterwards.
 export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed: real): i32 {
   const b = changetype<Box>(box);
   const c = columns();
@@ -202,7 +202,7 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
   return v128.or(v128.lt<real>(position, add(low, r)), v128.gt<real>(position, sub(high, r)));
 }
 
-// The rare case: one vector of rows, some of them perhaps outside.
+// Handles one vector of rows of which at least one may be outside.
 function bounce(w: Walls, row: i32): void {
   const axis = w.axis;
   const x = w.x;
@@ -222,30 +222,31 @@ function bounce(w: Walls, row: i32): void {
   const upper = sub(splat(high), radius);
   const solid = v128.and(v128.gt<real>(radius, zero), v128.gt<real>(v128.load(c.mass + o), zero));
   const e = v128.max<real>(v128.load(c.restitution + o), splat(restitution));
-  holdResting(w, row, lower, upper, v128.and(solid, v128.le<real>(e, splat(REST_RESTITUTION))));
-  // What contacts pushed beyond a wall and is on its way back within the step needs no help, which would lift it.
-  const way = mul(v128.load(v + o), splat(dt));
+  holdRestingBodies(w, row, lower, upper, v128.and(solid, v128.le<real>(e, splat(REST_RESTITUTION))));
+  // A body that contacts pushed beyond a wall and that returns within the step is left alone; correcting it would lift
+  // it.
+  const displacement = mul(v128.load(v + o), splat(dt));
   const x0 = v128.load(x + o);
   const returns = v128.or(
-    v128.and(v128.lt<real>(x0, lower), v128.ge<real>(add(x0, way), lower)),
-    v128.and(v128.gt<real>(x0, upper), v128.le<real>(add(x0, way), upper)),
+    v128.and(v128.lt<real>(x0, lower), v128.ge<real>(add(x0, displacement), lower)),
+    v128.and(v128.gt<real>(x0, upper), v128.le<real>(add(x0, displacement), upper)),
   );
   const fits = v128.andnot(v128.and(solid, v128.le<real>(lower, upper)), returns);
-  for (let turn = 0; turn < MOST_BOUNCES; turn++) {
+  for (let bounceCount = 0; bounceCount < MAX_BOUNCES; bounceCount++) {
     const position = v128.load(x + o);
     const hitLow = v128.and(v128.lt<real>(position, lower), fits);
     const hitHigh = v128.and(v128.gt<real>(position, upper), fits);
     if (!v128.any_true(v128.or(hitLow, hitHigh))) break;
     if (v128.any_true(hitLow)) {
       const change = rebound(x + o, v + o, start + o, lower, splat(1), hitLow, e, splat(dt), splat(lag));
-      settle(c, row, change, axis, 1, friction);
+      recordImpacts(c, row, change, axis, 1, friction);
     }
     if (v128.any_true(hitHigh)) {
       const change = rebound(x + o, v + o, start + o, upper, splat(-1), hitHigh, e, splat(dt), splat(lag));
-      settle(c, row, change, axis, -1, friction);
+      recordImpacts(c, row, change, axis, -1, friction);
     }
   }
-  // Whatever is still outside is put inside; what does not fit between the walls, in the middle and held.
+  // Bodies still outside are clamped to the inside. A body larger than the gap between the walls is held in the middle.
   const position = v128.load(x + o);
   const inside = v128.min<real>(v128.max<real>(position, lower), upper);
   const tight = v128.and(solid, v128.gt<real>(lower, upper));
@@ -254,30 +255,30 @@ function bounce(w: Walls, row: i32): void {
   v128.store(v + o, v128.andnot(v128.load(v + o), tight));
 }
 
-// Holds the lanes `able` that began the step at rest on a wall and end it beyond.
-function holdResting(w: Walls, row: i32, lower: v128, upper: v128, able: v128): void {
+// Holds the lanes `able` that began the step at rest on a wall and end it beyond the wall.
+function holdRestingBodies(w: Walls, row: i32, lower: v128, upper: v128, able: v128): void {
   const o = at(row);
   const x = v128.load(w.x + o);
   const origin = v128.load(w.origin + o);
   const still = v128.and(able, v128.eq<real>(v128.load(w.start + o), splat(0)));
   const onLow = v128.and(still, v128.and(v128.lt<real>(x, lower), v128.eq<real>(origin, lower)));
   const onHigh = v128.and(still, v128.and(v128.gt<real>(x, upper), v128.eq<real>(origin, upper)));
-  rested = v128.or(onLow, onHigh);
-  if (!v128.any_true(rested)) return;
+  restingLanes = v128.or(onLow, onHigh);
+  if (!v128.any_true(restingLanes)) return;
   const velocity = v128.load(w.v + o);
-  v128.store(w.x + o, v128.bitselect(origin, x, rested));
-  v128.store(w.v + o, v128.andnot(velocity, rested));
+  v128.store(w.x + o, v128.bitselect(origin, x, restingLanes));
+  v128.store(w.v + o, v128.andnot(velocity, restingLanes));
   const c = columns();
-  settle(c, row, v128.and(v128.neg<real>(velocity), onLow), w.axis, 1, w.friction);
-  settle(c, row, v128.and(velocity, onHigh), w.axis, -1, w.friction);
+  recordImpacts(c, row, v128.and(v128.neg<real>(velocity), onLow), w.axis, 1, w.friction);
+  recordImpacts(c, row, v128.and(velocity, onHigh), w.axis, -1, w.friction);
 }
 
-// Records the bodies that are near a wall without being beyond it.
-function noteNear(c: Columns, row: i32, axis: i32, x: usize, plane: real, side: real, friction: real): void {
+// Records the bodies that are near a wall but not beyond it.
+function recordNearWalls(c: Columns, row: i32, axis: i32, x: usize, plane: real, side: real, friction: real): void {
   for (let body = row; body < row + LANES; body++) {
     const radius = get(c.radius, body);
     const gap = (get(x, body) - plane) * side - radius;
-    if (gap < (WALL_REACH - <real>1) * radius && get(c.mass, body) > 0) {
+    if (gap < (WALL_MARGIN - <real>1) * radius && get(c.mass, body) > 0) {
       const own = get(c.friction, body);
       const mu = friction < 0 ? own : sqrt<real>(own * friction);
       recordNearWall(body, 0, axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0, mu, gap);

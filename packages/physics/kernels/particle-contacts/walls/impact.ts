@@ -1,73 +1,73 @@
-// The instant of impact on a flat surface, from the state at the end of the step. Generic over one body (`real`) and a
-// vector of bodies (v128), so that the formula stands here alone.
+// Impact on a flat surface, computed from the state at the end of the step. The functions are generic over one body
+// (`real`) and a vector of bodies (v128), so that the formula exists only once.
 //
-// With `depth` beyond the surface, `speed` into it and the step's mean acceleration `pull` towards it, constant
-// acceleration gives the time since the impact and the speed it happened at:
-//     since = 2 depth / (sqrt(speed^2 - 2 pull depth) + speed),   impact = speed - pull since.
-// A time longer than the step means that the body began the step beyond the surface; it counts as the whole step.
-// A rebound that leaves at `leave` has since come
-//     out = since (leave - pull since / 2)
-// away from the surface. Where that is not positive the rebound ended within the step: it is too short for the step to
-// resolve, and the body rests.
+// With `depth` beyond the surface, `speed` into it and the step's mean acceleration a towards it, constant acceleration
+// gives the time since the impact and the impact speed:
+//     t = 2 depth / (sqrt(speed^2 - 2 a depth) + speed),   impact = speed - a t.
+// A time longer than the step means that the body began the step beyond the surface; it is clamped to the step. A
+// rebound at speed u has since moved
+//     out = t (u - a t / 2)
+// away from the surface. If that is not positive, the rebound ended within the step: it is too short to resolve, and
+// the body is at rest.
 
 // @ts-ignore: decorator
-@inline function plus<T>(a: T, b: T): T {
+@inline function add<T>(a: T, b: T): T {
   if (isVector<T>()) return v128.add<real>(a, b);
   return (a + b) as T;
 }
 
 // @ts-ignore: decorator
-@inline function minus<T>(a: T, b: T): T {
+@inline function subtract<T>(a: T, b: T): T {
   if (isVector<T>()) return v128.sub<real>(a, b);
   return (a - b) as T;
 }
 
 // @ts-ignore: decorator
-@inline function times<T>(a: T, b: T): T {
+@inline function multiply<T>(a: T, b: T): T {
   if (isVector<T>()) return v128.mul<real>(a, b);
   return (a * b) as T;
 }
 
 // @ts-ignore: decorator
-@inline function over<T>(a: T, b: T): T {
+@inline function divide<T>(a: T, b: T): T {
   if (isVector<T>()) return v128.div<real>(a, b);
   return (a / b) as T;
 }
 
 // @ts-ignore: decorator
-@inline function root<T>(a: T): T {
+@inline function squareRoot<T>(a: T): T {
   if (isVector<T>()) return v128.sqrt<real>(a);
   return sqrt<T>(a);
 }
 
 // @ts-ignore: decorator
-@inline function smaller<T>(a: T, b: T): T {
+@inline function minimum<T>(a: T, b: T): T {
   if (isVector<T>()) return v128.min<real>(a, b);
   return min<T>(a, b);
 }
 
 // @ts-ignore: decorator
-@inline function positive<T>(a: T): T {
+@inline function clampToPositive<T>(a: T): T {
   if (isVector<T>()) return v128.max<real>(a, v128.splat<real>(0));
   return max<T>(a, <T>0);
 }
 
-// Time since the impact, at most `dt`.
+// Returns the time since the impact, at most `dt`.
 // @ts-ignore: decorator
-@inline export function timeSince<T>(depth: T, speed: T, pull: T, dt: T): T {
-  const twice = plus<T>(depth, depth);
-  const then = root<T>(positive<T>(minus<T>(times<T>(speed, speed), times<T>(pull, twice))));
-  return smaller<T>(over<T>(twice, plus<T>(then, speed)), dt);
+@inline export function computeTimeSinceImpact<T>(depth: T, speed: T, acceleration: T, dt: T): T {
+  const twice = add<T>(depth, depth);
+  const impactSpeed = squareRoot<T>(clampToPositive<T>(subtract<T>(multiply<T>(speed, speed), multiply<T>(acceleration, twice))));
+  return minimum<T>(divide<T>(twice, add<T>(impactSpeed, speed)), dt);
 }
 
-// Speed into the surface at the impact.
+// Returns the speed into the surface at the impact.
 // @ts-ignore: decorator
-@inline export function impactSpeed<T>(speed: T, pull: T, since: T): T {
-  return positive<T>(minus<T>(speed, times<T>(pull, since)));
+@inline export function computeImpactSpeed<T>(speed: T, acceleration: T, timeSinceImpact: T): T {
+  return clampToPositive<T>(subtract<T>(speed, multiply<T>(acceleration, timeSinceImpact)));
 }
 
-// How far a rebound has come since.
+// Returns the distance that a rebound has moved away from the surface.
 // @ts-ignore: decorator
-@inline export function distanceOut<T>(leave: T, pull: T, since: T, half: T): T {
-  return times<T>(since, minus<T>(leave, times<T>(half, times<T>(pull, since))));
+@inline export function computeReboundDistance<T>(reboundSpeed: T, acceleration: T, timeSinceImpact: T, half: T): T {
+  return multiply<T>(timeSinceImpact, subtract<T>(reboundSpeed, multiply<T>(half, multiply<T>(acceleration, timeSinceImpact))));
 }

@@ -1,12 +1,12 @@
-// Round bodies against half-spaces: solid where n.x < offset (2D and 3D). kernels/particle-contacts/walls/impact.ts has the formula.
+// Round bodies against half-spaces that are solid where n.x < offset (2D and 3D). The formulas are in impact.ts.
 import { Columns, columns, get, put } from '../../memory/columns';
-import { rubWall } from '../friction';
-import { WALL_REACH, word } from '../table';
+import { applyWallFriction } from '../friction';
+import { WALL_MARGIN, word } from '../table';
 import { LANES, add, at, mul, splat, sub } from '../../memory/lanes';
-import { distanceOut, impactSpeed, timeSince } from './impact';
+import { computeReboundDistance, computeImpactSpeed, computeTimeSinceImpact } from './impact';
 import { recordNearWall, recordWallContact } from './record';
 
-// Where the planes' columns are; src/particle-contacts/plane-walls.ts fills it.
+// Addresses of the columns of the planes, written by src/particle-contacts/plane-walls.ts.
 @unmanaged
 export class PlaneColumns {
   nx: usize;
@@ -21,15 +21,15 @@ export class PlaneColumns {
   startZ: usize;
 }
 
-// Bodies are put against the planes this often, so that a wedge of planes lets none through.
-const MOST_SWEEPS: i32 = 4;
+// Bodies are tested against the planes repeatedly, so that they do not leave a wedge of planes.
+const MAX_ITERATIONS: i32 = 4;
 
-// Bounces rows [first, last) off the planes `ids`, ascending.
+// Bounces rows [first, last) off the planes `ids` (ascending).
 export function planeWalls(planes: usize, ids: usize, count: i32, dt: real, lag: real, first: i32, last: i32): void {
   const p = changetype<PlaneColumns>(planes);
   const c = columns();
   for (let row = first; row < last; row += LANES) {
-    for (let sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+    for (let sweep = 0; sweep < MAX_ITERATIONS; sweep++) {
       let any = false;
       for (let k = 0; k < count; k++) {
         const id = word(ids, k);
@@ -40,15 +40,15 @@ export function planeWalls(planes: usize, ids: usize, count: i32, dt: real, lag:
       }
       if (!any) break;
     }
-    if (c.contacts != 0) noteNear(p, c, row, ids, count);
+    if (c.contacts != 0) recordNearWalls(p, c, row, ids, count);
   }
 }
 
-// Records the bodies from `row` that are near a plane without being beyond it.
-function noteNear(p: PlaneColumns, c: Columns, row: i32, ids: usize, count: i32): void {
+// Records the bodies of the vector at `row` that are near a plane but not beyond it.
+function recordNearWalls(p: PlaneColumns, c: Columns, row: i32, ids: usize, count: i32): void {
   for (let k = 0; k < count; k++) {
     const id = word(ids, k);
-    if (!comesNear(p, c, row, id, WALL_REACH)) continue;
+    if (!comesNear(p, c, row, id, WALL_MARGIN)) continue;
     const nx = get(p.nx, id);
     const ny = get(p.ny, id);
     const nz = get(p.nz, id);
@@ -56,13 +56,13 @@ function noteNear(p: PlaneColumns, c: Columns, row: i32, ids: usize, count: i32)
       const radius = get(c.radius, body);
       const height = get(c.positionX, body) * nx + get(c.positionY, body) * ny + get(c.positionZ, body) * nz;
       const gap = height - get(p.offset, id) - radius;
-      if (!(gap < (WALL_REACH - <real>1) * radius && get(c.mass, body) > 0)) continue;
+      if (!(gap < (WALL_MARGIN - <real>1) * radius && get(c.mass, body) > 0)) continue;
       recordNearWall(body, id, nx, ny, nz, sqrt<real>(get(c.friction, body) * get(p.friction, id)), gap);
     }
   }
 }
 
-// Whether any of the bodies from `row`, `reach` times as large, reaches behind the plane.
+// Returns whether any body of the vector at `row` intersects the plane, with its radius scaled by `reach`.
 // @ts-ignore: decorator
 @inline function comesNear(p: PlaneColumns, c: Columns, row: i32, id: i32, reach: real): bool {
   const o = at(row);
@@ -88,33 +88,33 @@ function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: r
   const vx = get(c.velocityX, row);
   const vy = get(c.velocityY, row);
   const vz = get(c.velocityZ, row);
-  const into = -(vx * nx + vy * ny + vz * nz);
-  const began = get(p.startX, row) * nx + get(p.startY, row) * ny + get(p.startZ, row) * nz;
-  const pull = (began + into) / dt;
-  const speed = into + pull * lag;
+  const intoWall = -(vx * nx + vy * ny + vz * nz);
+  const startSpeed = get(p.startX, row) * nx + get(p.startY, row) * ny + get(p.startZ, row) * nz;
+  const acceleration = (startSpeed + intoWall) / dt;
+  const speed = intoWall + acceleration * lag;
   if (!(speed > 0)) {
-    // What contacts pushed behind the plane and is on its way back within the step needs no help.
-    if (depth <= -into * dt) return false;
+    // A body that contacts pushed behind the plane and that returns within the step is left alone.
+    if (depth <= -intoWall * dt) return false;
     shift(c, row, nx, ny, nz, depth);
     return true;
   }
-  const since = timeSince<real>(depth, speed, pull, dt);
-  const impact = impactSpeed<real>(speed, pull, since);
-  const leave = max<real>(get(c.restitution, row), get(p.restitution, id)) * impact;
-  const out = distanceOut<real>(leave, pull, since, 0.5);
-  const flies = out > 0 && impact > 0;
-  const change = flies ? leave - pull * (since - lag) + into : max<real>(0, into);
-  shift(c, row, nx, ny, nz, flies ? depth + out : depth);
-  const start = flies ? change : -began;
-  put(p.startX, row, get(p.startX, row) + start * nx);
-  put(p.startY, row, get(p.startY, row) + start * ny);
-  put(p.startZ, row, get(p.startZ, row) + start * nz);
+  const timeSinceImpact = computeTimeSinceImpact<real>(depth, speed, acceleration, dt);
+  const impact = computeImpactSpeed<real>(speed, acceleration, timeSinceImpact);
+  const reboundSpeed = max<real>(get(c.restitution, row), get(p.restitution, id)) * impact;
+  const reboundDistance = computeReboundDistance<real>(reboundSpeed, acceleration, timeSinceImpact, 0.5);
+  const rebounds = reboundDistance > 0 && impact > 0;
+  const change = rebounds ? reboundSpeed - acceleration * (timeSinceImpact - lag) + intoWall : max<real>(0, intoWall);
+  shift(c, row, nx, ny, nz, rebounds ? depth + reboundDistance : depth);
+  const startChange = rebounds ? change : -startSpeed;
+  put(p.startX, row, get(p.startX, row) + startChange * nx);
+  put(p.startY, row, get(p.startY, row) + startChange * ny);
+  put(p.startZ, row, get(p.startZ, row) + startChange * nz);
   put(c.velocityX, row, vx + change * nx);
   put(c.velocityY, row, vy + change * ny);
   put(c.velocityZ, row, vz + change * nz);
   const friction = sqrt<real>(get(c.friction, row) * get(p.friction, id));
-  rubWall(c, row, nx, ny, nz, friction, change * mass);
-  recordWallContact(row, id, nx, ny, nz, friction, change * mass, flies ? <real>0 : change * mass);
+  applyWallFriction(c, row, nx, ny, nz, friction, change * mass);
+  recordWallContact(row, id, nx, ny, nz, friction, change * mass, rebounds ? <real>0 : change * mass);
   return true;
 }
 

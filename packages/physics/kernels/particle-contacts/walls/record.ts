@@ -2,7 +2,7 @@
 import { put } from '../../memory/columns';
 import { ContactTable, contactTable, putWord } from '../table';
 
-// Records that a body touched a wall. `impulse` (N s) is along the normal (nx, ny, nz) out of the wall; `holding` is
+// Records that a body touched a wall. `impulse` (N s) is along the normal (nx, ny, nz) out of the wall; `restingImpulse` is
 // the part of it that supports a resting body, 0 for a rebound; `friction` is the coefficient that was applied.
 export function recordWallContact(
   body: i32,
@@ -12,9 +12,9 @@ export function recordWallContact(
   nz: real,
   friction: real,
   impulse: real,
-  holding: real,
+  restingImpulse: real,
 ): void {
-  record(body, wall, nx, ny, nz, friction, impulse, holding, 0);
+  record(body, wall, nx, ny, nz, friction, impulse, restingImpulse, 0);
 }
 
 // Records that a body is near a wall, because contacts may press it against the wall before the step ends.
@@ -30,14 +30,14 @@ function record(
   nz: real,
   friction: real,
   impulse: real,
-  holding: real,
+  restingImpulse: real,
   gap: real,
 ): void {
   const t = contactTable();
   if (changetype<usize>(t) == 0) return;
   const i = t.wallCount;
   if (i >= t.wallCapacity) {
-    t.wallLost++;
+    t.wallDroppedCount++;
     return;
   }
   t.wallCount = i + 1;
@@ -47,9 +47,9 @@ function record(
   put(t.wallNy, i, ny);
   put(t.wallNz, i, nz);
   put(t.wallImpulse, i, impulse);
-  put(t.wallHolding, i, holding);
+  put(t.wallAccumulatedImpulse, i, restingImpulse);
   put(t.wallGap, i, gap);
   put(t.wallFriction, i, friction);
-  put(t.wallRubbed, i, impulse);
-  memory.fill(t.wallRubbing + <usize>i * 12, 0, 12);
+  put(t.wallFrictionApplied, i, impulse);
+  memory.fill(t.wallTangentImpulse + <usize>i * 12, 0, 12);
 }

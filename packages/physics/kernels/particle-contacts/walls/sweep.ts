@@ -1,14 +1,14 @@
-// A disc on its way through a step, and the first wall it meets.
+// The path of a disc through a step, and the first wall it hits.
 //
-// The path is looked at from its end, where the body is: a time s earlier it was at p - u s + a s^2 / 2. Against the
-// flat of a wall the formula of impact.ts gives the instant; against an end, that of touch.ts. Whatever was met longest
-// ago was met first. The side a body is on is the one its path began on, so no speed takes it through.
-import { touch, touchTime } from '../time-of-impact';
+// Times are measured back from the end of the path: a time s earlier the body was at p - u s + a s^2 / 2. The hit on
+// the face of a wall follows impact.ts, the hit on an end point time-of-impact.ts. The hit with the largest time back
+// happened first. A body stays on the side where its path began, so no speed lets it tunnel.
+import { roundImpact, timeSinceRoundImpact } from '../time-of-impact';
 import { word } from '../table';
-import { impactSpeed, timeSince } from './impact';
+import { computeImpactSpeed, computeTimeSinceImpact } from './impact';
 import { Segment, WallGrid, columnX, columnY, segment } from './wall-grid';
 
-// The path: end, velocity and acceleration there, beginning, duration; and the radius.
+// The path: end position, velocity and acceleration there, start position, duration; and the radius of the disc.
 @unmanaged
 class Path {
   x: real;
@@ -23,15 +23,15 @@ class Path {
   radius: real;
 }
 
-// What was met first: index of the wall, -1 for none; whether it was an end of the wall; time since; normal out of it;
-// speed into it then; and how far the end of the path lies beyond the surface, along that normal.
+// The first hit: index of the wall (-1 if none), whether it is on an end point of the wall, time since the hit, normal
+// out of the wall, speed into the wall, and the depth of the path's end beyond the surface along that normal.
 @unmanaged
 class Hit {
   wall: i32;
   isEnd: bool;
-  since: real;
-  x: real;
-  y: real;
+  timeSinceImpact: real;
+  nx: real;
+  ny: real;
   speed: real;
   depth: real;
 }
@@ -56,11 +56,11 @@ export function setStart(x: real, y: real, time: real, size: real): void {
   path.radius = size;
 }
 
-// Finds the first hit among the walls near the path, but for the wall `last` it comes from: rounding may leave the body
-// a hair inside that one.
+// Finds the first hit among the walls near the path. The wall `last` that the path comes from is skipped, because
+// rounding may leave the body slightly inside it.
 export function findHit(g: WallGrid, last: i32): void {
   hit.wall = -1;
-  hit.since = -1;
+  hit.timeSinceImpact = -1;
   const left = min<real>(path.x, path.fromX) - path.radius;
   const right = max<real>(path.x, path.fromX) + path.radius;
   const bottom = min<real>(path.y, path.fromY) - path.radius;
@@ -74,57 +74,57 @@ export function findHit(g: WallGrid, last: i32): void {
       for (let k = word(g.starts, cell); k < end; k++) {
         const i = word(g.items, k);
         const s = segment(g, i);
-        if (i != last && s.minX <= right && s.maxX >= left && s.minY <= top && s.maxY >= bottom) meet(s, i);
+        if (i != last && s.minX <= right && s.maxX >= left && s.minY <= top && s.maxY >= bottom) testSegment(s, i);
       }
     }
   }
 }
 
-function meet(s: Segment, i: i32): void {
-  meetFlat(s, i);
-  meetEnd(s.ax, s.ay, i);
-  meetEnd(s.ax + s.tx * s.length, s.ay + s.ty * s.length, i);
+function testSegment(s: Segment, i: i32): void {
+  testFace(s, i);
+  testEnd(s.ax, s.ay, i);
+  testEnd(s.ax + s.tx * s.length, s.ay + s.ty * s.length, i);
 }
 
-// An earlier hit replaces a later one; of two at once, the wall with the smaller id stays.
+// An earlier hit replaces a later one; of simultaneous hits, the wall with the smaller id is kept.
 // @ts-ignore: decorator
-@inline function keep(i: i32, since: real, x: real, y: real, speed: real, depth: real, end: bool): void {
-  if (since < hit.since || (since == hit.since && i >= hit.wall)) return;
+@inline function keepEarliest(i: i32, timeSinceImpact: real, x: real, y: real, speed: real, depth: real, end: bool): void {
+  if (timeSinceImpact < hit.timeSinceImpact || (timeSinceImpact == hit.timeSinceImpact && i >= hit.wall)) return;
   hit.wall = i;
-  hit.since = since;
-  hit.x = x;
-  hit.y = y;
+  hit.timeSinceImpact = timeSinceImpact;
+  hit.nx = x;
+  hit.ny = y;
   hit.speed = speed;
   hit.depth = depth;
   hit.isEnd = end;
 }
 
-function meetFlat(s: Segment, i: i32): void {
+function testFace(s: Segment, i: i32): void {
   if (!(s.length > 0)) return;
   let nx = -s.ty;
   let ny = s.tx;
-  const before = (path.fromX - s.ax) * nx + (path.fromY - s.ay) * ny;
-  if (before < 0 || (before == 0 && path.ux * nx + path.uy * ny < 0)) {
+  const startDistance = (path.fromX - s.ax) * nx + (path.fromY - s.ay) * ny;
+  if (startDistance < 0 || (startDistance == 0 && path.ux * nx + path.uy * ny < 0)) {
     nx = -nx;
     ny = -ny;
   }
   const depth = path.radius - ((path.x - s.ax) * nx + (path.y - s.ay) * ny);
   const speed = -(path.ux * nx + path.uy * ny);
   if (!(depth > 0 && speed > 0)) return;
-  const pull = -(path.ax * nx + path.ay * ny);
-  const since = timeSince<real>(depth, speed, pull, path.duration);
-  const half = <real>0.5 * since;
-  const x = path.x - since * (path.ux - half * path.ax) - s.ax;
-  const y = path.y - since * (path.uy - half * path.ay) - s.ay;
+  const acceleration = -(path.ax * nx + path.ay * ny);
+  const timeSinceImpact = computeTimeSinceImpact<real>(depth, speed, acceleration, path.duration);
+  const half = <real>0.5 * timeSinceImpact;
+  const x = path.x - timeSinceImpact * (path.ux - half * path.ax) - s.ax;
+  const y = path.y - timeSinceImpact * (path.uy - half * path.ay) - s.ay;
   const along = x * s.tx + y * s.ty;
-  if (along >= 0 && along <= s.length) keep(i, since, nx, ny, impactSpeed<real>(speed, pull, since), depth, false);
+  if (along >= 0 && along <= s.length) keepEarliest(i, timeSinceImpact, nx, ny, computeImpactSpeed<real>(speed, acceleration, timeSinceImpact), depth, false);
 }
 
-function meetEnd(x: real, y: real, i: i32): void {
+function testEnd(x: real, y: real, i: i32): void {
   const dx = path.x - x;
   const dy = path.y - y;
-  const since = touchTime(dx, dy, 0, path.ux, path.uy, 0, path.ax, path.ay, 0, path.radius, path.duration);
-  if (since >= 0 && touch.speed > 0) {
-    keep(i, since, touch.x, touch.y, touch.speed, path.radius - (dx * touch.x + dy * touch.y), true);
+  const timeSinceImpact = timeSinceRoundImpact(dx, dy, 0, path.ux, path.uy, 0, path.ax, path.ay, 0, path.radius, path.duration);
+  if (timeSinceImpact >= 0 && roundImpact.speed > 0) {
+    keepEarliest(i, timeSinceImpact, roundImpact.nx, roundImpact.ny, roundImpact.speed, path.radius - (dx * roundImpact.nx + dy * roundImpact.ny), true);
   }
 }

@@ -1,6 +1,6 @@
-// Segment walls gathered from their columns once a step, and a coarse grid over them: which walls a moving body may
-// meet. The cells number at most 64 x 64, about as many as there are walls; a cell lists the walls whose bounding boxes
-// overlap it, in ascending id. With a few walls there is one cell, and the list is all of them.
+// Segment walls, gathered from their columns once a step, and a coarse grid that finds the walls near a moving body.
+// The grid has about as many cells as walls, at most 64 x 64; a cell lists the walls whose bounding boxes overlap it,
+// in ascending id. A few walls share one cell.
 import { get } from '../../memory/columns';
 import { putWord, word } from '../table';
 
@@ -12,7 +12,7 @@ export class Segment {
   maxY: real;
   ax: real;
   ay: real;
-  // Unit vector from a to b, zero where the ends coincide, and the length.
+  // Unit vector from a to b (zero if the ends coincide), and the length.
   tx: real;
   ty: real;
   length: real;
@@ -23,14 +23,14 @@ export class Segment {
 
 export const SEGMENT_SIZE: usize = (offsetof<Segment>() + sizeof<real>() - 1) & ~(sizeof<real>() - 1);
 
-// The gathered walls; src/particle-contacts/segment-walls.ts sets the addresses and makes room.
+// The gathered walls; src/particle-contacts/segment-walls.ts allocates the memory and sets the addresses.
 @unmanaged
 export class WallGrid {
   count: i32;
   segments: usize;
   starts: usize;
   items: usize;
-  mostItems: i32;
+  maxItems: i32;
   side: i32;
   // Columns of the component SegmentWall.
   ax: usize;
@@ -49,35 +49,35 @@ export class WallGrid {
   minY: f64;
   maxX: f64;
   maxY: f64;
-  rateX: f64;
-  rateY: f64;
+  cellsPerMetreX: f64;
+  cellsPerMetreY: f64;
 }
 
-const FEW: i32 = 8;
-const MOST_SIDE: i32 = 64;
+const MAX_WALLS_IN_ONE_CELL: i32 = 8;
+const MAX_SIDE: i32 = 64;
 
 // @ts-ignore: decorator
 @inline export function segment(g: WallGrid, i: i32): Segment {
   return changetype<Segment>(g.segments + <usize>i * SEGMENT_SIZE);
 }
 
-// Column of the grid a coordinate falls in.
-function columnOf(x: real, low: real, rate: real, side: i32): i32 {
-  const cell = (x - low) * rate;
-  return cell > 0 ? min<i32>(side - 1, <i32>min<real>(cell, <real>MOST_SIDE)) : 0;
+// Returns the grid column of a coordinate, clamped to the grid.
+function columnOf(x: real, low: real, cellsPerMetre: real, side: i32): i32 {
+  const cell = (x - low) * cellsPerMetre;
+  return cell > 0 ? min<i32>(side - 1, <i32>min<real>(cell, <real>MAX_SIDE)) : 0;
 }
 
 // @ts-ignore: decorator
 @inline export function columnX(g: WallGrid, x: real): i32 {
-  return columnOf(x, <real>g.minX, <real>g.rateX, g.side);
+  return columnOf(x, <real>g.minX, <real>g.cellsPerMetreX, g.side);
 }
 
 // @ts-ignore: decorator
 @inline export function columnY(g: WallGrid, y: real): i32 {
-  return columnOf(y, <real>g.minY, <real>g.rateY, g.side);
+  return columnOf(y, <real>g.minY, <real>g.cellsPerMetreY, g.side);
 }
 
-// Gathers the walls `ids`, ascending, and lists them by cells.
+// Gathers the walls `ids` (ascending) and builds their grid.
 export function gatherSegments(grid: usize, ids: usize, count: i32): void {
   const g = changetype<WallGrid>(grid);
   let n = 0;
@@ -92,7 +92,7 @@ export function gatherSegments(grid: usize, ids: usize, count: i32): void {
     const dx = get(g.bx, id) - x;
     const dy = get(g.by, id) - y;
     const length = sqrt<real>(dx * dx + dy * dy);
-    // A wall with an end that is not finite stops nobody, and must not open the others.
+    // A wall with an end that is not finite stops no body, and must not make the grid bounds infinite.
     if (!isFinite<real>(x + y + length)) continue;
     const s = segment(g, n++);
     s.minX = min<real>(x, x + dx);
@@ -120,18 +120,18 @@ export function gatherSegments(grid: usize, ids: usize, count: i32): void {
   listWalls(g);
 }
 
-// Fills the cells, coarser where long walls would fill too many.
+// Fills the cells; the grid becomes coarser if long walls would fill too many cells.
 function listWalls(g: WallGrid): void {
   let side = 1;
-  if (g.count > FEW) while (side < MOST_SIDE && side * side < g.count) side <<= 1;
+  if (g.count > MAX_WALLS_IN_ONE_CELL) while (side < MAX_SIDE && side * side < g.count) side <<= 1;
   for (; ; side >>= 1) {
     g.side = side;
     const width = <real>g.maxX - <real>g.minX;
     const height = <real>g.maxY - <real>g.minY;
-    g.rateX = width > 0 ? <real>side / width : <real>0;
-    g.rateY = height > 0 ? <real>side / height : <real>0;
+    g.cellsPerMetreX = width > 0 ? <real>side / width : <real>0;
+    g.cellsPerMetreY = height > 0 ? <real>side / height : <real>0;
     memory.fill(g.starts, 0, (<usize>(side * side + 1)) << 2);
-    if (visitCells(g, false) <= g.mostItems || side == 1) break;
+    if (visitCells(g, false) <= g.maxItems || side == 1) break;
   }
   let sum = 0;
   for (let cell = 0; cell < side * side; cell++) {
@@ -142,7 +142,8 @@ function listWalls(g: WallGrid): void {
   visitCells(g, true);
 }
 
-// Counts the walls of each cell, or lists them where the count has become a place. Returns how many there are in all.
+// Counts the walls of each cell or, with `list`, stores them at the positions that the counts became. Returns the
+// total.
 function visitCells(g: WallGrid, list: bool): i32 {
   let total = 0;
   for (let i = 0; i < g.count; i++) {
@@ -152,9 +153,9 @@ function visitCells(g: WallGrid, list: bool): i32 {
     for (let y = columnY(g, s.minY); y <= top; y++) {
       for (let x = columnX(g, s.minX); x <= right; x++) {
         const cell = y * g.side + x;
-        const place = word(g.starts, cell + 1);
-        putWord(g.starts, cell + 1, place + 1);
-        if (list) putWord(g.items, place, i);
+        const position = word(g.starts, cell + 1);
+        putWord(g.starts, cell + 1, position + 1);
+        if (list) putWord(g.items, position, i);
         total++;
       }
     }

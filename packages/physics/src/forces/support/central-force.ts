@@ -1,4 +1,4 @@
-// What the laws of a fixed centre have in common: the centre, the coupling to mass or charge, and how they are made.
+// The common part of laws about a centre: its position and velocity, and the coupling to mass or charge.
 import { Charge } from '../../components/charge.ts';
 import { defineLaw } from '../../dynamics/define-law.ts';
 import type { VectorInput } from '../../errors/validate.ts';
@@ -9,11 +9,11 @@ import { type ParameterInput, type Parameters, vector } from '../../laws/paramet
 import type { Force, PhysicsWorld } from '../../world/types.ts';
 import { PLACES, SPEEDS } from './bounds.ts';
 
-/** Where a centre is. */
+/** The position of a centre over time. */
 export interface CentreOptions {
   /** Position at time 0, m; default the origin. */
   readonly centre?: VectorInput;
-  /** Its velocity, m/s; default none. The field of a moving centre is not conservative. */
+  /** Velocity, m/s; default zero. The field of a moving centre is not conservative. */
   readonly centreVelocity?: VectorInput;
 }
 
@@ -30,16 +30,16 @@ export interface CentralLaw<P> {
   readonly formula: string;
   readonly source?: string;
   readonly parameters: P;
-  /** N/kg or N/C at `r` from the centre, m; zero at r = 0. */
+  /** Force, N/kg or N/C, at `r` from the centre, m; zero at r = 0. */
   field(r: Vector, parameters: LawSymbols<P>): Vector;
-  /** J/kg or J/C there. */
+  /** Potential energy, J/kg or J/C, at `r`. */
   energy(r: Vector, parameters: LawSymbols<P>): Scalar;
   readonly prepare?: (world: PhysicsWorld) => void;
 }
 
 /**
- * The force of a law about a centre.
- * @param options where the centre is, and the parameters of the law
+ * Creates the force of a law about a centre.
+ * @param options the position of the centre, and the parameters of the law
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function centralForce<P extends Parameters>(
@@ -56,29 +56,31 @@ export function centralForce<P extends Parameters>(
   type Body = BodySymbols & { readonly charge: Scalar };
   const field = (body: Body, given: object) => law.field(from(body, given), symbols(given));
   const energy = (body: Body, given: object) => law.energy(from(body, given), symbols(given));
-  const isOfMass = couplesTo === 'Mass';
+  const couplesToMass = couplesTo === 'Mass';
   const make = defineLaw({
     name,
     formula,
     source,
     parameters: { ...law.parameters, ...CENTRE } as Parameters,
     reads: { charge: Charge },
-    ...(isOfMass ? { acceleration: field } : { force: (body: Body, given) => field(body, given).mul(body.charge) }),
-    ...(!moves(options) && {
-      potential: (body: Body, given) => energy(body, given).mul(isOfMass ? body.mass : body.charge),
+    ...(couplesToMass
+      ? { acceleration: field }
+      : { force: (body: Body, given) => field(body, given).mul(body.charge) }),
+    ...(!isMoving(options) && {
+      potential: (body: Body, given) => energy(body, given).mul(couplesToMass ? body.mass : body.charge),
     }),
     ...(prepare && { prepare }),
   });
   return make(options as never);
 }
 
-/** Whether the centre has a velocity; the law itself says what is wrong with one. */
-function moves(options: CentreOptions): boolean {
+/** Tests whether the centre has a velocity, which the law itself validates. */
+function isMoving(options: CentreOptions): boolean {
   const { x = 0, y = 0, z = 0 } = options?.centreVelocity ?? {};
   return x !== 0 || y !== 0 || z !== 0;
 }
 
-/** 1/r where the condition holds, and 0 elsewhere: it must not hold at r = 0. */
+/** Returns 1/r if the condition holds, else 0; it must not hold at r = 0. */
 export function inverseWhere(condition: Condition, r: Scalar): Scalar {
   return select(condition, constant(1).div(r), 0);
 }

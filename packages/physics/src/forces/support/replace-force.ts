@@ -4,26 +4,25 @@ import { checkForce } from '../../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../../world/types.ts';
 
 /**
- * Puts a force in the place of another: how a slider changes gravity while the world runs,
- * `replaceForce(world, uniformGravity({ y: -slider.value }))`. Forces themselves never change, so the values are
- * checked before this is called, and a refused value leaves the world with the force it had. In a step it takes effect
- * when the step ends.
- * @param force the new one
- * @param old the one it replaces; left out, the first with the same name
- * @throws PhysicsError E_UNKNOWN when there is none, E_TYPE, E_DESTROYED
+ * Replaces a force, for example to change gravity by a slider at run time: `replaceForce(world, uniformGravity({ y:
+ * -slider.value }))`. Forces are immutable, so the values are validated before this call, and an invalid value
+ * leaves the world unchanged. During a step it takes effect when the step ends.
+ * @param force the new force
+ * @param old the force to replace; by default the first with the same name
+ * @throws PhysicsError E_UNKNOWN if there is none, E_TYPE, E_DESTROYED
  */
 export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): void {
   assertUsable(world);
   checkForce(force, 'replaceForce: force', world.dimensions);
-  placeOf(world, force, old);
+  indexOfForce(world, force, old);
   whenIdle(world, () => {
-    world.forces[placeOf(world, force, old)] = force;
+    world.forces[indexOfForce(world, force, old)] = force;
   });
 }
 
-function placeOf({ forces }: PhysicsWorld, force: Force, old: Force | undefined): number {
-  const place = forces.findIndex((each) => (old === undefined ? each.name === force.name : each === old));
-  if (place >= 0) return place;
+function indexOfForce({ forces }: PhysicsWorld, force: Force, old: Force | undefined): number {
+  const index = forces.findIndex((each) => (old === undefined ? each.name === force.name : each === old));
+  if (index >= 0) return index;
   const names = forces.map(({ name }) => name);
   throw unknownName('this world', 'force', (old ?? force).name, names);
 }

@@ -1,5 +1,5 @@
-// A law for some bodies, some places or some time: the same expressions under a condition, so that it is fused into the
-// step as the law itself is.
+// A law restricted to bodies, a region or a time: the same expressions under a condition, so that it is fused into
+// the step like the law itself.
 import { lawForce } from '../../dynamics/define-law.ts';
 import type { LawForce } from '../../dynamics/sum-of-laws.ts';
 import { Condition, Scalar, select, Vector, vec3 } from '../../laws/expression.ts';
@@ -8,7 +8,7 @@ import { structureOf } from '../../laws/structure.ts';
 import type { Law, Parameter, ParameterSource } from '../../world/types.ts';
 import type { CheckedRestrictions } from './restrictions.ts';
 
-/** Limits are parameters, so that laws with others of the same kind compile to the same code. */
+/** The limits as parameters, so that laws with the same kinds of limits share compiled code. */
 class LimitParameters {
   readonly parameters: Parameter[] = [];
   readonly names: string[] = [];
@@ -23,7 +23,7 @@ class LimitParameters {
     return this.#add(name, vector(''), { when: 'once', write }) as Vector;
   }
 
-  /** The time at which the step began, s. */
+  /** The time at the start of the step, s. */
   startOfStep(): Scalar {
     const start = suppliedScalar(({ time }) => time);
     return this.#add('start of the step', start, {
@@ -40,19 +40,23 @@ class LimitParameters {
   }
 }
 
-/** The law inside its limits, and nothing outside. */
+/** Returns the law inside its limits and zero outside. */
 export function restrictedLaw(force: LawForce, limits: CheckedRestrictions): LawForce {
   const { law } = force;
   const name = `${force.name} (restricted)`;
   const added = new LimitParameters();
-  const conditions = [...ofGroup(limits), ...ofRegion(limits, added), ...ofTime(force, limits, added)];
+  const conditions = [
+    ...groupConditions(limits),
+    ...regionConditions(limits, added),
+    ...timeConditions(force, limits, added),
+  ];
   if (conditions.length === 0) return { ...force, name };
   const where = conditions.reduce((a, b) => a.and(b));
-  const within = (part: Vector | undefined) => part && select(where, part, vec3(0, 0, 0));
-  // Energy changes at the border of a region; and a force may have none for other reasons than its law.
+  const within = (vector: Vector | undefined) => vector && select(where, vector, vec3(0, 0, 0));
+  // Energy changes at the border of a region, and a force may lack a potential for other reasons than its law.
   const isRegion = limits.box !== undefined || limits.ball !== undefined;
   const hasPotential = !isRegion && law.potential !== undefined && force.potential !== undefined;
-  const parts = {
+  const expressions = {
     force: within(law.force),
     acceleration: within(law.acceleration),
     torque: within(law.torque),
@@ -63,19 +67,19 @@ export function restrictedLaw(force: LawForce, limits: CheckedRestrictions): Law
     ...law,
     name,
     parameters,
-    ...parts,
-    structure: structureOf(parameters, parts),
+    ...expressions,
+    structure: structureOf(parameters, expressions),
     names: [...law.names, ...added.names],
   };
   const { potential: _, ...rest } = force;
   return { ...rest, ...lawForce(derived, [...force.sources, ...added.sources], rest) };
 }
 
-function ofGroup({ group }: CheckedRestrictions): Condition[] {
+function groupConditions({ group }: CheckedRestrictions): Condition[] {
   return group === 0 ? [] : [new Condition('has', [], group)];
 }
 
-function ofRegion({ box, ball }: CheckedRestrictions, added: LimitParameters): Condition[] {
+function regionConditions({ box, ball }: CheckedRestrictions, added: LimitParameters): Condition[] {
   const position = new Vector('position', []);
   if (ball !== undefined) {
     const square = added.scalar('radius²', ball.radius * ball.radius);
@@ -83,15 +87,19 @@ function ofRegion({ box, ball }: CheckedRestrictions, added: LimitParameters): C
   }
   if (box === undefined) return [];
   const [min, max] = [added.vector('min', box.min), added.vector('max', box.max)];
-  // In the plane all three of z are zero, which lies between them.
+  // In 2D z and both limits are zero, so the comparison holds.
   return (['x', 'y', 'z'] as const).flatMap((axis) => [
     ...(box.min[axis] === -Infinity ? [] : [min[axis].lessOrEqual(position[axis])]),
     ...(box.max[axis] === Infinity ? [] : [position[axis].lessOrEqual(max[axis])]),
   ]);
 }
 
-/** What was spent at the start of a step drives the whole of it; everything else goes by the time of evaluation. */
-function ofTime({ consumes }: LawForce, { from, until }: CheckedRestrictions, added: LimitParameters): Condition[] {
+/** A force that consumes resources is decided by the start of the step, all others by the time of evaluation. */
+function timeConditions(
+  { consumes }: LawForce,
+  { from, until }: CheckedRestrictions,
+  added: LimitParameters,
+): Condition[] {
   if (from === -Infinity && until === Infinity) return [];
   const time = consumes === undefined ? new Scalar('time', []) : added.startOfStep();
   return [

@@ -1,10 +1,10 @@
-// What a force can be limited to, checked.
+// The validated limits of a restricted force.
 import { bitOf, COMPONENT_NAMES, type ComponentName } from '../../components/all.ts';
 import { PhysicsError } from '../../errors/physics-error.ts';
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { LENGTHS, PLACES } from './bounds.ts';
 
-/** A box, or a ball (a disc in 2D). Axes left out of a box are not limited. */
+/** A box, or a ball (a disc in 2D). Omitted axes of a box are unlimited. */
 export type Region = Box | Ball;
 
 interface Box {
@@ -18,9 +18,9 @@ interface Ball {
 }
 
 export interface Restrictions {
-  /** Only bodies that have this component, or all of these. */
+  /** Only bodies with this component, or with all of these. */
   readonly group?: ComponentName | readonly ComponentName[];
-  /** Only bodies whose centre is here. */
+  /** Only bodies whose centre is in this region. */
   readonly region?: Region;
   /** Only from this time on, s. */
   readonly from?: number;
@@ -28,13 +28,13 @@ export interface Restrictions {
   readonly until?: number;
 }
 
-/** Limits that were checked. */
+/** Validated limits. */
 export interface CheckedRestrictions {
-  /** Bits of the components that a body needs: zero for all bodies. */
+  /** The bits of the required components: zero for all bodies. */
   readonly group: number;
   readonly box?: { readonly min: Vector; readonly max: Vector };
   readonly ball?: { readonly centre: Vector; readonly radius: number };
-  /** s; -∞ and ∞ where there is no limit. */
+  /** Time limits, s; -∞ and ∞ if unlimited. */
   readonly from: number;
   readonly until: number;
 }
@@ -56,10 +56,10 @@ function groupBits(group: Restrictions['group']): number {
   let bits = 0;
   for (const name of typeof group === 'string' ? [group] : group) {
     if (!COMPONENT_NAMES.includes(name)) {
-      throw new PhysicsError('E_UNKNOWN', `restrictForce.group names no component "${String(name)}".`, {
+      throw new PhysicsError('E_UNKNOWN', `restrictForce.group: "${String(name)}" is not a component.`, {
         field: 'group',
         value: name,
-        hint: `Valid: ${COMPONENT_NAMES.join(', ')}.`,
+        hint: `Valid names: ${COMPONENT_NAMES.join(', ')}.`,
       });
     }
     bits |= bitOf(name);
@@ -82,10 +82,14 @@ function checkBox(region: Box): NonNullable<CheckedRestrictions['box']> {
   const min = { x: -Infinity, y: -Infinity, z: -Infinity, ...region.min };
   const max = { x: Infinity, y: Infinity, z: Infinity, ...region.max };
   if (min.x > max.x || min.y > max.y || min.z > max.z) {
-    throw new PhysicsError('E_RANGE', 'restrictForce.region is empty: a corner `min` lies beyond `max`.', {
-      field: 'region',
-      value: region,
-    });
+    throw new PhysicsError(
+      'E_RANGE',
+      'restrictForce.region is empty: `min` exceeds `max` on an axis. Give min ≤ max on every axis.',
+      {
+        field: 'region',
+        value: region,
+      },
+    );
   }
   return { min, max };
 }

@@ -1,7 +1,7 @@
 // The record that the spring kernels read: the addresses of the columns, and the list of springs, kept until springs
 // change.
 import { bitOf } from '../../components/all.ts';
-import { removeWholly } from '../../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../../ecs/entity-list.ts';
 import { collectThrown } from '../../errors/collect-thrown.ts';
 import { SPRING_TABLE_BYTES, SpringTableNumber, SpringTableWord as Word } from '../../memory/layouts.gen.ts';
@@ -24,8 +24,8 @@ export interface SpringTable {
 
 export const springTable = resource((world): SpringTable => {
   const { at, words, numbers } = allocateRecord(world.internal.arena, SPRING_TABLE_BYTES, 'springs');
-  const { a, b, aLife, bLife, stiffness, damping, length, cord } = world.addresses.Spring;
-  words.set([a, b, aLife, bLife, stiffness, damping, length, cord], Word.a);
+  const { a, b, aLife, bLife, stiffness, damping, length, tensionOnly } = world.addresses.Spring;
+  words.set([a, b, aLife, bLife, stiffness, damping, length, tensionOnly], Word.a);
   words[Word.generations] = world.internal.generations.byteOffset;
   words[Word.rows] = world.rows;
   const stiffest = numbers.subarray(SpringTableNumber.stiffest, SpringTableNumber.mostDamped + 1);
@@ -59,7 +59,7 @@ export function removeLost(world: PhysicsWorld, table: SpringTable): void {
   table.removed = Array.from(ids);
   for (const spring of table.removed) {
     try {
-      removeWholly(world, spring);
+      removeEntityCompletely(world, spring);
     } catch (error) {
       collectThrown(world, error);
     }

@@ -1,10 +1,10 @@
-// Schemes made of drifts and kicks alone.
+// Schemes composed of drifts and kicks.
 import type { SchemeFunction } from '../../laws/scheme.ts';
 
-/** Lengths of the moves in steps, in the order drift, kick, drift, kick, …; a last drift ends it. */
+/** Fractions of the step, in the order drift, kick, drift, kick, …, with an optional last drift. */
 export type Lengths = readonly number[];
 
-/** The scheme drift d₁, kick k₁, drift d₂, … */
+/** Returns the scheme drift d₁, kick k₁, drift d₂, … */
 export function compose(drifts: Lengths, kicks: Lengths): SchemeFunction {
   return ({ position, velocity, dt }, kick) => {
     let [x, v] = [position, velocity];
@@ -21,8 +21,8 @@ function sum(numbers: Lengths): number {
   return numbers.reduce((total, number) => total + number, 0);
 }
 
-/** The drifts and kicks of drift-kick-drift steps of the given lengths, one after the other. */
-export function drifted(lengths: Lengths): { readonly drifts: Lengths; readonly kicks: Lengths } {
+/** Returns the drifts and kicks of consecutive drift-kick-drift steps of the given lengths. */
+export function composeLengths(lengths: Lengths): { readonly drifts: Lengths; readonly kicks: Lengths } {
   const drifts = [lengths[0] / 2];
   for (let i = 1; i < lengths.length; i++) drifts.push((lengths[i - 1] + lengths[i]) / 2);
   drifts.push(lengths[lengths.length - 1] / 2);
@@ -30,11 +30,11 @@ export function drifted(lengths: Lengths): { readonly drifts: Lengths; readonly 
 }
 
 /**
- * Whether the step keeps x″ = -ω² x - γ x′ bounded, with `stiffness` ω² dt² and `damping` γ dt: the eigenvalues of the
- * matrix by which it multiplies (x, v dt) lie in the unit circle (Jury's condition).
+ * Tests whether the scheme keeps x″ = -ω² x - γ x′ bounded, with `stiffness` ω² dt² and `damping` γ dt: the
+ * eigenvalues of the step matrix of (x, v dt) lie in the unit circle (Jury's condition).
  */
 export function isStableComposition(drifts: Lengths, kicks: Lengths, stiffness: number, damping: number): boolean {
-  // Columns of the matrix: what becomes of (1, 0) and of (0, 1).
+  // Columns of the matrix: the images of (1, 0) and of (0, 1).
   let [x1, v1, x2, v2] = [1, 0, 0, 1];
   for (let stage = 0; stage < drifts.length; stage++) {
     x1 += drifts[stage] * v1;

@@ -1,4 +1,4 @@
-// One sub-step of Dormand and Prince's pair over the columns: its stages and its error.
+// A sub-step of the Dormand-Prince pair over the columns: its stages and its error.
 import type { RealColumn } from '../../components/define.ts';
 import { allocate } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
@@ -10,29 +10,29 @@ import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts'
 import { A, AA, C, E, EA } from './dormand-prince-tableau.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
-/** What a world remembers from sub-step to sub-step: the wanted length, the last error, length and end. */
+/** State kept between sub-steps: wanted length, last error, last length and end. */
 export const WANTED = 0;
 export const RATIO = 1;
 export const LENGTH = 2;
 export const END = 3;
-/** The error of the sub-step being tried, and what it is measured by. */
+/** The error of the attempted sub-step, and the floors of its scale. */
 export const ERROR = 4;
 export const POSITION_FLOOR = 5;
 export const VELOCITY_FLOOR = 6;
-/** The sub-step being tried: when in the step it starts, and its length. */
+/** The attempted sub-step: its start within the step, and its length, s. */
 export const PASSED = 7;
 export const STEP = 8;
-/** By what the next sub-step may be longer, and a power on the way to it. */
+/** The growth factor of the next sub-step, and an intermediate power. */
 export const GROWTH = 9;
 export const POWER = 10;
 const SCALARS = 11;
 
-/** An error has no part of the velocity. */
+/** The error contains no term of the start velocity. */
 const NO_VELOCITY = [0];
 
 const STAGES = 7;
 
-/** Per axis nine columns: the position at the start, then the velocity and the seven accelerations in a row. */
+/** Nine columns per axis: the position at the start, then the velocity and the seven accelerations. */
 const COLUMNS = 2 + STAGES;
 
 export type Stages = ReturnType<typeof makeStages>;
@@ -66,7 +66,7 @@ function writeError(world: PhysicsWorld, stride: number, weights: readonly numbe
   return error;
 }
 
-/** Keeps the present state as the start of a sub-step; its acceleration comes from the forces last evaluated. */
+/** Saves the state as the start of a sub-step; its acceleration comes from the last force evaluation. */
 export function begin(world: PhysicsWorld, ranges: Ranges, { at, stride, kernels }: Stages): void {
   const { Position, Velocity, Mass } = world.addresses;
   for (const axis of AXES[world.dimensions]) {
@@ -81,7 +81,7 @@ export function begin(world: PhysicsWorld, ranges: Ranges, { at, stride, kernels
   }
 }
 
-/** Goes back to the start of the sub-step. */
+/** Restores the start of the sub-step. */
 export function restore(world: PhysicsWorld, ranges: Ranges, { at, stride }: Stages): void {
   const { Position, Velocity } = world.addresses;
   for (const axis of AXES[world.dimensions]) {
@@ -95,8 +95,8 @@ export function restore(world: PhysicsWorld, ranges: Ranges, { at, stride }: Sta
 }
 
 /**
- * Tries a sub-step of length STEP, which starts PASSED seconds into the step: bodies are where it leads, and the forces
- * are those there.
+ * Attempts a sub-step of length STEP from PASSED seconds into the step: afterwards the bodies and forces are those
+ * at its end.
  */
 export function takeSubStep(world: PhysicsWorld, ranges: Ranges, stages: Stages, evaluateForces: EvaluateForces): void {
   const { scalars } = stages;
@@ -106,11 +106,14 @@ export function takeSubStep(world: PhysicsWorld, ranges: Ranges, stages: Stages,
     world.internal.isTrial = true;
     evaluateForces(world, ranges, world.time + scalars[PASSED] + C[i] * scalars[STEP]);
     world.internal.isTrial = false;
-    keepAcceleration(world, ranges, stages, i);
+    saveAcceleration(world, ranges, stages, i);
   }
 }
 
-/** The first half of the table: start velocity and accelerations in a position; the second: accelerations in a velocity. */
+/**
+ * Sets the weights: first those of start velocity and accelerations in a position, then those of accelerations in a
+ * velocity.
+ */
 function setWeights(
   { weights, scalars }: Stages,
   ofVelocity: readonly number[],
@@ -143,7 +146,7 @@ function moveToStage(world: PhysicsWorld, ranges: Ranges, stages: Stages, i: num
   }
 }
 
-function keepAcceleration(world: PhysicsWorld, ranges: Ranges, stages: Stages, i: number): void {
+function saveAcceleration(world: PhysicsWorld, ranges: Ranges, stages: Stages, i: number): void {
   const { at, stride, kernels } = stages;
   for (const axis of AXES[world.dimensions]) {
     const force = world.scratch.at.force[axis];
@@ -156,8 +159,8 @@ function keepAcceleration(world: PhysicsWorld, ranges: Ranges, stages: Stages, i
 }
 
 /**
- * Leaves the worst error of the sub-step just tried, in parts of the size of position and velocity, in the
- * scalar ERROR: a returned number would be garbage.
+ * Writes the largest relative error of the attempted sub-step to the scalar ERROR, since a returned number would be
+ * garbage.
  */
 export function findWorstRatio(world: PhysicsWorld, ranges: Ranges, stages: Stages): void {
   const { at, kernels, scalars, error } = stages;
@@ -182,7 +185,7 @@ export function findWorstRatio(world: PhysicsWorld, ranges: Ranges, stages: Stag
   scalars[ERROR] = numbers[EmbeddedErrorNumber.worst];
 }
 
-/** The start of the last sub-step for one body and axis. */
+/** Returns the start of the last sub-step for a body and axis. */
 export function startOf(stages: Stages, axis: Axis, entity: number): { x: number; v: number; a: number[] } {
   const value = (index: number) => stages.column(axis, index)[entity];
   return { x: value(0), v: value(1), a: C.map((_, j) => value(2 + j)) };

@@ -1,13 +1,13 @@
-// The coefficients of Dormand and Prince's pair: J. Comp. Appl. Math. 6, 19 (1980), RK5(4)7M; dense output: Hairer,
+// The coefficients of the Dormand-Prince pair: J. Comp. Appl. Math. 6, 19 (1980), RK5(4)7M; dense output: Hairer,
 // Nørsett, Wanner: Solving Ordinary Differential Equations I (1993), II.6 and the code DOPRI5.
 //
-// Positions change at the rate of velocities, so the position of a stage follows from accelerations alone:
-// x_i = x + c_i h v + h² Σ (A A)_ij a_j. That halves what is stored, and changes nothing but rounding.
+// Velocity is the derivative of position, so the position of a stage follows from accelerations alone: x_i = x + c_i
+// h v + h² Σ (A A)_ij a_j. This halves the memory and changes results only by rounding.
 
-/** When the stages are, in steps. */
+/** Times of the stages, in steps. */
 export const C = [0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1, 1];
 
-/** Weights of the stages before, filled up with zeros; the last row is the fifth-order solution. */
+/** Weights of the earlier stages, padded with zeros; the last row is the fifth-order solution. */
 export const A = [
   [],
   [1 / 5],
@@ -21,7 +21,7 @@ export const A = [
 /** Fifth-order minus fourth-order solution. */
 export const E = [71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40];
 
-/** The part of the dense output that is neither start, end nor slope there. */
+/** Coefficients of the dense output beyond start, end and slopes. */
 const D = [
   -12715105075 / 11282082432,
   0,
@@ -32,24 +32,24 @@ const D = [
   69997945 / 29380423,
 ];
 
-/** Weights of accelerations in positions, from weights of derivatives: w A. */
-export function twice(weights: readonly number[]): number[] {
+/** Returns the weights of accelerations in positions, from weights of derivatives: w A. */
+export function positionWeightsOf(weights: readonly number[]): number[] {
   return C.map((_, j) => weights.reduce((sum, w, i) => sum + w * A[i][j], 0));
 }
 
 /** A A, row by row. */
-export const AA = A.map(twice);
+export const AA = A.map(positionWeightsOf);
 
 /** E A. */
-export const EA = twice(E);
+export const EA = positionWeightsOf(E);
 
-/** Weights of the derivatives at a moment between start (0) and end (1) of the step: fourth order. */
-export function denseWeights(moment: number): number[] {
-  const back = 1 - moment;
+/** Returns the weights of the derivatives at a fraction from 0 to 1 of the step: fourth order. */
+export function denseWeights(fraction: number): number[] {
+  const remaining = 1 - fraction;
   return C.map((_, i) => {
     const b = A[6][i];
     const start = (i === 0 ? 1 : 0) - b;
     const end = b - (i === 6 ? 1 : 0) - start;
-    return moment * (b + back * (start + moment * (end + back * D[i])));
+    return fraction * (b + remaining * (start + fraction * (end + remaining * D[i])));
   });
 }

@@ -1,4 +1,4 @@
-// The constants of the fifteenth-order Gauss-Radau scheme, and the memory it needs.
+// The constants of the Gauss-Radau scheme of order 15, and its memory.
 
 import type { RealColumn } from '../../components/define.ts';
 import { MOVABLE } from '../../ecs/partial-entities.ts';
@@ -82,8 +82,8 @@ function makeRadau(world: PhysicsWorld) {
   return { table, scalars, kernels: integratorKernels(world), blocks, stride, membership: -1, rows: 0 };
 }
 
-/** Zeroes what the columns hold of bodies that are gone: it would go on moving their rows. */
-export function clearGoneBodies(world: PhysicsWorld, radau: Radau): void {
+/** Clears the columns of removed bodies: their old values would keep moving the rows. */
+export function clearRemovedBodies(world: PhysicsWorld, radau: Radau): void {
   const { kernels, internal, versions, lastId } = world;
   if (radau.membership === versions.membership) return;
   radau.membership = versions.membership;

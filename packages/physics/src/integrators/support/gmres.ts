@@ -1,16 +1,16 @@
-// GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7, 856, 1986) for the linear systems of Newton's method: the matrix
-// is never formed, its products with vectors are differences of residuals.
+// GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7, 856, 1986) for the linear systems of Newton's method,
+// matrix-free: products of the Jacobian with vectors are differences of residuals.
 
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { addScaled, type BodyVector, dot, norm, scale } from './body-vectors.ts';
 import { BASIS, type Equation, MINUS_ONE, residualAt, Scalar } from './implicit-equation.ts';
 
-/** How exactly a linear system is solved, in parts of the residual: about as exactly as differences allow. */
+/** Relative tolerance of the linear system, near the accuracy of the differences. */
 const TOLERANCE = 1e-5;
 
 /**
- * Finds `equation.change`, to which the residual at `best` answers with its own negative; its norm is in the scalar
- * `size`. What is left of it goes into `left`.
+ * Solves J change = -residual at `best` for `equation.change`; `size` holds the norm of the residual. Writes the
+ * norm of the remaining linear residual to `left`.
  */
 export function solveLinear(
   world: PhysicsWorld,
@@ -46,7 +46,7 @@ export function solveLinear(
   scalars[Scalar.left] = Math.abs(right[used]);
 }
 
-/** to = J direction, by a difference of residuals. */
+/** Computes to = J direction, by a difference of residuals. */
 function multiply(
   world: PhysicsWorld,
   ranges: Ranges,
@@ -57,13 +57,13 @@ function multiply(
   to: BodyVector,
 ): void {
   const { best, residual, trial, from, scalars } = equation;
-  // Far enough to show against the rounding of positions and velocities, near enough for the forces to be straight.
+  // The difference is large compared to rounding, and small enough for the forces to be linear.
   norm(world, ranges, best, scalars, Scalar.one);
   norm(world, ranges, residual, scalars, Scalar.other);
   const speeds = Math.max(scalars[Scalar.one], scalars[Scalar.other]);
   norm(world, ranges, from, scalars, Scalar.one);
-  const reach = Math.max(speeds, (1e-3 * scalars[Scalar.one]) / dt);
-  const h = reach * (world.precision === 'f32' ? 3e-4 : 1e-8);
+  const scaleOfStep = Math.max(speeds, (1e-3 * scalars[Scalar.one]) / dt);
+  const h = scaleOfStep * (world.precision === 'f32' ? 3e-4 : 1e-8);
   scalars[Scalar.factor] = h;
   addScaled(world, ranges, trial, best, direction, scalars, Scalar.factor);
   residualAt(world, ranges, dt, evaluate, equation, trial, to);
@@ -72,7 +72,7 @@ function multiply(
   scale(world, ranges, to, to, scalars, Scalar.factor);
 }
 
-/** Givens rotations: the newest column joins the triangle. */
+/** Adds the newest column to the triangle by Givens rotations. */
 function rotate({ triangle, cosines, sines, right }: Equation, k: number): void {
   const column = k * (BASIS + 1);
   for (let i = 0; i < k; i++) {
@@ -91,7 +91,7 @@ function rotate({ triangle, cosines, sines, right }: Equation, k: number): void 
   right[k] *= cosines[k];
 }
 
-/** change = sum of basis vectors with the weights that solve the triangle. */
+/** Computes change = the sum of basis vectors with the weights that solve the triangular system. */
 function combine(world: PhysicsWorld, ranges: Ranges, equation: Equation, used: number): void {
   const { triangle, right, solution, basis, change } = equation;
   for (let k = used - 1; k >= 0; k--) {

@@ -1,4 +1,4 @@
-// Every integrator by name, and what is worth knowing before choosing one. docs/integrators.md is made of this.
+// Every integrator by name, with the facts for choosing one. docs/integrators.md is generated from this.
 
 import type { Integrator } from '../../world/types.ts';
 import { boris } from '../boris.ts';
@@ -19,24 +19,24 @@ import { wisdomHolman } from '../wisdom-holman.ts';
 import { yoshida4 } from '../yoshida4.ts';
 import { yoshida6 } from '../yoshida6.ts';
 
-/** What is worth knowing about a scheme. */
+/** Facts about a scheme. */
 export interface IntegratorRecord {
-  /** As it is written in code: `semiImplicitEuler`, `gaussRadau()`. */
+  /** The expression in code: `semiImplicitEuler`, `gaussRadau()`. */
   readonly code: string;
-  /** As it is called. */
+  /** The display name. */
   readonly name: string;
-  /** Order of the global error in dt, for forces of position alone. */
+  /** Order of the global error in dt, for forces that depend only on position. */
   readonly order: number;
-  /** Order when forces depend on velocity; of Boris, when others than the magnetic do. */
+  /** Order for forces that depend on velocity; for Boris, for non-magnetic ones. */
   readonly orderWithVelocity: number;
-  /** Keeps the energy of a conservative system bounded for ever. */
+  /** Whether the energy of a conservative system stays bounded for ever. */
   readonly symplectic: boolean;
-  /** A run with velocities turned round comes back to its start, but for rounding. */
+  /** Whether a run with reversed velocities returns to its start up to rounding. */
   readonly reversible: boolean;
-  /** Force evaluations a step; where the scheme decides, what it takes in smooth motion. */
+  /** Force evaluations per step; for adaptive schemes in smooth motion. */
   readonly evaluations: string;
   readonly chooseWhen: string;
-  /** One with its default options; those of a magnetic field are no field. */
+  /** Creates it with default options; a magnetic field is zero. */
   create(): Integrator;
 }
 
@@ -49,50 +49,50 @@ function record(create: () => Integrator, facts: Facts): IntegratorRecord {
   return { name, order, symplectic, evaluations: String(evaluations), ...facts, create };
 }
 
-/** Every integrator, from the plainest to the most exact. */
+/** Every integrator, from the simplest to the most accurate. */
 export const INTEGRATORS = {
   explicitEuler: record(() => explicitEuler, {
     code: 'explicitEuler',
     orderWithVelocity: 1,
     reversible: false,
-    chooseWhen: 'never, but to see energy grow: it is what the others improve on',
+    chooseWhen: 'never, except to demonstrate growing energy: the baseline of the others',
   }),
   implicitEuler: record(() => implicitEuler(), {
     code: 'implicitEuler()',
     orderWithVelocity: 1,
     reversible: false,
     evaluations: '5 to 100',
-    chooseWhen: 'springs are too stiff for any explicit step and fast motion may die away',
+    chooseWhen: 'springs are too stiff for explicit schemes and fast motion may be damped',
   }),
   semiImplicitEuler: record(() => semiImplicitEuler, {
     code: 'semiImplicitEuler',
     orderWithVelocity: 1,
     reversible: false,
-    chooseWhen: 'bodies touch, or there are millions: the cheapest that is stable',
+    chooseWhen: 'there are contacts, or millions of bodies: the cheapest stable scheme',
   }),
   positionFirstEuler: record(() => positionFirstEuler, {
     code: 'positionFirstEuler',
     orderWithVelocity: 1,
     reversible: false,
-    chooseWhen: 'comparing with programs that move first and push afterwards',
+    chooseWhen: 'comparing with programs that update positions before velocities',
   }),
   midpoint: record(() => midpoint, {
     code: 'midpoint',
     orderWithVelocity: 2,
     reversible: false,
-    chooseWhen: 'drag or other forces of velocity rule and second order will do',
+    chooseWhen: 'drag or other velocity-dependent forces dominate and second order suffices',
   }),
   heun: record(() => heun, {
     code: 'heun',
     orderWithVelocity: 2,
     reversible: false,
-    chooseWhen: 'as midpoint, for forces best known at the ends of a step',
+    chooseWhen: 'as midpoint, for forces best evaluated at the ends of a step',
   }),
   positionVerlet: record(() => positionVerlet, {
     code: 'positionVerlet',
     orderWithVelocity: 2,
     reversible: false,
-    chooseWhen: 'forces are dear, steps are equal and nobody moves the bodies meanwhile',
+    chooseWhen: 'forces are expensive, steps are equal and bodies are not moved between steps',
   }),
   velocityVerlet: record(() => velocityVerlet, {
     code: 'velocityVerlet',
@@ -104,13 +104,13 @@ export const INTEGRATORS = {
     code: 'leapfrog',
     orderWithVelocity: 1,
     reversible: true,
-    chooseWhen: 'velocity Verlet in its textbook form is wanted, for forces of position alone',
+    chooseWhen: 'you want kick-drift-kick leapfrog, for forces that depend only on position',
   }),
   driftKickDrift: record(() => driftKickDrift, {
     code: 'driftKickDrift',
     orderWithVelocity: 1,
     reversible: true,
-    chooseWhen: 'forces are dear and depend on position alone: second order for one evaluation',
+    chooseWhen: 'forces are expensive and depend only on position: second order for one evaluation',
   }),
   rungeKutta4: record(() => rungeKutta4, {
     code: 'rungeKutta4',
@@ -140,21 +140,21 @@ export const INTEGRATORS = {
     code: 'dormandPrince()',
     orderWithVelocity: 5,
     reversible: false,
-    evaluations: '6 a sub-step',
-    chooseWhen: 'forces change their pace, or you want to name an error rather than a step',
+    evaluations: '6 per sub-step',
+    chooseWhen: 'time scales vary, or you want to specify an error instead of a step',
   }),
   wisdomHolman: record(() => wisdomHolman(), {
     code: 'wisdomHolman()',
     orderWithVelocity: 1,
     reversible: true,
-    chooseWhen: 'planets circle a star for millions of years and do not meet',
+    chooseWhen: 'planets orbit a star for millions of years without close encounters',
   }),
   gaussRadau: record(() => gaussRadau(), {
     code: 'gaussRadau()',
     orderWithVelocity: 15,
     reversible: false,
-    evaluations: '15 to 22 a sub-step',
-    chooseWhen: 'you need the true answer: ephemerides, close encounters, a reference for the others',
+    evaluations: '15 to 22 per sub-step',
+    chooseWhen: 'you need reference accuracy: ephemerides, close encounters, tests of other schemes',
   }),
 } as const satisfies Record<string, IntegratorRecord>;
 

@@ -2,33 +2,33 @@ import { reportFault } from '../../errors/report-fault.ts';
 import { checkWhole } from '../../errors/validate.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 
-// What schemes that choose their own steps share: they divide the world's step so that it ends where it should.
-/** A sub-step below this part of the step is no step any more: something is singular or jumps. */
-export const SHORTEST = 1e-10;
+// Shared by schemes with adaptive sub-steps, which divide the world's step.
+/** Minimum sub-step as a fraction of the step: below it a force is singular or discontinuous. */
+export const MIN_SUB_STEP = 1e-10;
 
-/** Evaluations of a body's forces in a step before it is given up: a fifth of a second on a machine of 2024. */
+/** Maximum number of force evaluations per body and step: a fifth of a second on a machine of 2024. */
 const BODY_EVALUATIONS = 1e7;
 
-/** Evaluations of all forces in one step, by default: fewer where there are many bodies, at most 125 000. */
+/** Default maximum of evaluations of all forces per step: fewer for many bodies, at most 125 000. */
 export function defaultEvaluations({ internal }: PhysicsWorld): number {
   return Math.ceil(BODY_EVALUATIONS / Math.max(80, internal.bodyList.count));
 }
 
-/** @throws PhysicsError E_TYPE, E_RANGE for a budget that is no whole number */
+/** @throws PhysicsError E_TYPE, E_RANGE if the budget is not an integer from 100 to 1e9 */
 export function checkEvaluations(value: unknown): number | undefined {
   return value === undefined ? undefined : checkWhole(value as number, 'maxEvaluations', 100, 1e9);
 }
 
-/** Sub-steps without error control that cross the rest of a step that was given up. */
-export const LAST_RESORT = 16;
+/** Number of sub-steps without error control that complete a step after a failure. */
+export const FALLBACK_STEPS = 16;
 
-/** The next sub-step: as long as the scheme wants, but no tiny one is left over at the end. */
+/** Returns the next sub-step: as long as wanted, but leaves no tiny remainder at the end of the step. */
 export function subStep(wanted: number, rest: number): number {
   if (wanted >= rest) return rest;
   return 2 * wanted > rest ? rest / 2 : wanted;
 }
 
-/** Enters into the log that the tolerance was not kept, and which body would have needed a step of `wanted` seconds. */
+/** Reports that the tolerance was not met, and the body that needed a step of `wanted` seconds. */
 export function reportUnderflow(world: PhysicsWorld, entity: number, wanted: number): void {
   reportFault(world, {
     code: 'E_STEP',
