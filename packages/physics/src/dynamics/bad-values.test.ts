@@ -140,13 +140,13 @@ describe('the law at fault', () => {
   test('bodies of one SIMD vector may fail by different laws', () => {
     const log = defineLaw({
       name: 'log',
-      reads: { k: COMPONENTS.QuadraticDrag },
-      force: ({ k }) => vec3(k.log(), 0),
+      reads: { motor: COMPONENTS.Motor },
+      force: ({ motor }) => vec3(motor.power.log(), 0),
     })();
     const { world, eids } = scene(kind, [root, log], rungeKutta4);
-    world.components.QuadraticDrag.coefficient.fill(1);
+    world.components.Motor.power.fill(1);
     world.components.Charge.value[eids[0]] = -1;
-    world.components.QuadraticDrag.coefficient[eids[1]] = -1;
+    world.components.Motor.power[eids[1]] = -1;
     step(world, 0.01);
     const blamed = world.faults.faults.map(({ entity, law }) => [entity, law]);
     expect(blamed).toEqual([

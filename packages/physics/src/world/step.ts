@@ -40,8 +40,8 @@ export function step(world: PhysicsWorld, dt: number): void {
   clearStepErrors(world);
   prepare(world, dt);
   refreshRanges(world);
-  validateCoefficients(world);
   world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
+  validateCoefficients(world);
 
   world.state = 'stepping';
   runPhase(world, plan, 'input', dt);
