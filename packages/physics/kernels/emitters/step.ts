@@ -71,7 +71,7 @@ function emitStream(e: Emitter): void {
   // Births beyond the capacity are dropped without drawing random numbers.
   const skipped = max<f64>(0, count - <f64>e.capacity);
   e.lost += skipped;
-  // Counted in whole numbers: beyond 2^53 a double no longer grows by one.
+  // An integer counter, because an f64 above 2^53 does not change when 1 is added.
   for (let born: i32 = 1, most = <i32>(count - skipped); born <= most; born++) {
     const sinceStart = (skipped + <f64>born - e.owed) / e.rate;
     const t = sinceStart / e.pending;

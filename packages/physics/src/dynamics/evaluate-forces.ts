@@ -67,8 +67,8 @@ export function anyForceAppliesTorque({ forces }: PhysicsWorld): boolean {
 }
 
 /**
- * Prepares every force for the step. Forces that consume fuel come last: when another force throws, the step is refused
- * and nothing has been consumed.
+ * Prepares every force for the step. Forces that consume fuel come last, so that nothing has been consumed if
+ * another force throws and the step is rejected.
  */
 export function prepareForces(world: PhysicsWorld, dt: number): void {
   const { forces } = world;

@@ -1,4 +1,4 @@
-// The coefficients through which one body acts on others: a mass that is not a number would reach every body that it pulls.
+// Validates the coefficients by which a body acts on others: a NaN mass would spread to every body that it attracts.
 import { COMPONENTS } from '../components/all.ts';
 import { reportFault } from '../errors/report-fault.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -12,8 +12,8 @@ const SHARED = [
 ] as const;
 
 /**
- * Reports coefficients out of the bounds of their component, and sets them to zero, which is that of a body without the
- * component. Where no force, integrator or contact joins bodies there is nothing to do: a bad body is alone then.
+ * Reports coefficients outside the bounds of their component and sets them to zero, the value of an absent component.
+ * Does nothing if no force, integrator or contact couples bodies, because an invalid body cannot affect others then.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
   const { forcesLocal } = world.internal.plan as { forcesLocal: boolean };
@@ -27,7 +27,7 @@ export function validateCoefficients(world: PhysicsWorld): void {
     const { max = Number.MAX_VALUE } = bounds;
     for (let i = 0; i < count; i++) {
       const value = column[ids[i]];
-      // Zero is that of the absent; a mass of zero is that of a body that nothing moves.
+      // Zero is the value of an absent component; a body of mass zero is immovable.
       if (value <= max && value >= -max) continue;
       const code = Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
       reportFault(world, { code, entity: ids[i], field: `${name}.${field}`, value, phase: 'begin' });

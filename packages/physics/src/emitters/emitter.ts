@@ -43,7 +43,7 @@ import type { Emitter } from './types.ts';
  */
 export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   assertUsable(world);
-  // Each option is read once: what is checked is what is used.
+  // Each option is read once, so that a getter cannot return an unchecked value later.
   const copy = isRecord(options) ? { ...options } : options;
   checkOptionNames(copy, 'createEmitter', false);
   return makeEmitter(world, copy);

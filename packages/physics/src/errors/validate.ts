@@ -90,7 +90,7 @@ export interface Vector {
 export function checkVector(value: unknown, field: string, bounds: Bounds = {}): Vector {
   checkKeys(value, field, ['x', 'y', 'z'], 'axis');
   const vector = { x: 0, y: 0, z: 0 };
-  // Points such as DOMPoint have accessors in their class, which are no keys of their own.
+  // Points such as DOMPoint have accessors on the prototype, which Object.keys does not list.
   for (const axis of ['x', 'y', 'z'] as const) {
     const component = (value as VectorInput)[axis];
     if (component !== undefined || Object.hasOwn(value as object, axis)) {

@@ -59,7 +59,7 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
     for (const eid of wanted) if (!entityExists(world, eid)) recreateEntity(world, eid);
   }
   changeAllComponents(world, saved, attempt);
-  // Observers may have made entities, or changed components, when they were told of those that came back.
+  // Observers may have created entities or changed components when they were notified of restored entities.
   for (let round = 0; round < MAX_ROUNDS && !isSameIndex(world, saved); round++) {
     removeOthers(world, new Set(saved.dense.subarray(0, saved.alive)), attempt);
     changeAllComponents(world, saved, attempt);
@@ -69,7 +69,7 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
   return thrown;
 }
 
-/** Rounds in which the edits of observers are taken back: one that always makes another is not waited for. */
+/** Maximum number of rounds that undo edits by observers, because an observer may repeat its edit in every round. */
 const MAX_ROUNDS = 8;
 
 type Attempt = (act: () => void) => void;
@@ -112,7 +112,7 @@ function recreateEntity(world: PhysicsWorld, eid: number): void {
   addEntity(world);
 }
 
-/** Each by itself: an observer that throws at one must not keep the others away. */
+/** Handles each entity separately, so that an observer that throws does not prevent the others. */
 function changeComponents(world: PhysicsWorld, eid: number, bits: number, attempt: Attempt): void {
   for (const name of COMPONENT_NAMES) {
     const differs = ((world.internal.members[eid] ^ bits) & bitOf(name)) !== 0;

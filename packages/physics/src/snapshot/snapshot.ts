@@ -127,7 +127,7 @@ class Content implements Snapshot {
     this.isWhole = true;
   }
 
-  /** @throws PhysicsError E_TYPE when an object named to `keepState` was frozen since */
+  /** @throws PhysicsError E_TYPE if an object passed to `keepState` was frozen since the snapshot */
   assertWritable(): void {
     const frozen = this.#plain.findFrozen();
     if (frozen === undefined) return;

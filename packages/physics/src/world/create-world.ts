@@ -50,7 +50,7 @@ export interface PhysicsWorldOptions {
    * end of the step.
    */
   readonly onFault?: 'quarantine' | 'throw';
-  /** Receives warnings about input that is legal but surely not meant, each once. Default: they are printed. */
+  /** Receives each warning about valid input that is probably a mistake, once. By default warnings are printed. */
   readonly onWarning?: (warning: Warning) => void;
   /**
    * Bytes of memory for features that allocate (contacts, grids). The default is 2 MiB, plus what the preset requests,
@@ -59,7 +59,7 @@ export interface PhysicsWorldOptions {
   readonly arenaBytes?: number;
 }
 
-/** What features take however few the bodies are: trees, grids, tables of coefficients. */
+/** Memory of features that does not depend on the number of bodies: trees, grids, coefficient tables. */
 const DEFAULT_ARENA_BYTES = 2 ** 21;
 
 const OPTIONS = [

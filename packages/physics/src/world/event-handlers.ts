@@ -52,7 +52,7 @@ export function on<Name extends EventName>(world: PhysicsWorld, name: Name, hand
   };
 }
 
-/** Returns whether the event has handlers. Systems that dispatch an event ask this first, in every step. */
+/** Returns whether the event has handlers. Systems that dispatch an event check this in every step. */
 export function hasHandlers(world: PhysicsWorld, name: EventName): boolean {
   dispatchedBy(world).add(name);
   return listenersOf(world)[name].length > 0;
@@ -79,7 +79,7 @@ export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, ev
   }
 }
 
-/** A rejection comes after the step, which cannot throw it any more; without this it would end the process. */
+/** A promise rejects after the step, which cannot throw then; an unhandled rejection would end the process. */
 function reportRejection(world: PhysicsWorld, name: EventName, result: Promise<unknown>): void {
   result.catch((error) => {
     world.onWarning({

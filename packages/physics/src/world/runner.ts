@@ -15,7 +15,7 @@ export interface RunnerOptions {
 /** Maximum steps per frame. More would freeze the program, for example when dt is given in microseconds. */
 const MAX_STEPS = 1e6;
 
-/** Indices of the time waiting for a step, of the time that was not simulated and of the last frame, s. */
+/** Indices of the accumulated time, of the dropped time and of the length of the last frame, s. */
 const [WAITING, DROPPED, LAST_FRAME] = [0, 1, 2];
 
 const NOT_NEGATIVE = { min: 0 };
@@ -59,7 +59,7 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
     advance(elapsed) {
       assertIdle(world, 'advance');
       checkNumber(elapsed, 'elapsed', NOT_NEGATIVE);
-      // One long frame is a page that was hidden; two in a row are not.
+      // A single long frame means that the page was hidden; two in a row suggest times in milliseconds.
       if (times[LAST_FRAME] > 1 && dt < 1) warnAboutDuration(world, elapsed, 'advance');
       times[LAST_FRAME] = elapsed;
       const frame = Math.min(elapsed, maxFrame);

@@ -38,7 +38,7 @@ export const STEP = 3;
 export const NEXT = 4;
 /** Change of the last term by a sweep over the nodes, relative to the largest acceleration. */
 export const CHANGE = 5;
-/** Evaluations of the forces in this step. */
+/** The number of force evaluations in this step. */
 export const EVALUATIONS = 6;
 const SCALARS = 7;
 
