@@ -109,9 +109,9 @@ export function readVector(out: Float64Array, at: number, value: VectorInput, fi
   if (!isRecord(value)) checkVector(value, field, bounds);
   out[at] = out[at + 1] = out[at + 2] = 0;
   for (const axis in value) {
-    const place = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
+    const index = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
     const component = value[axis as 'x'];
-    if (place >= 0 && isWithin(component, bounds)) out[at + place] = component;
+    if (index >= 0 && isWithin(component, bounds)) out[at + index] = component;
     // This call throws the error with the details.
     else checkVector(value, field, bounds);
   }

@@ -42,10 +42,10 @@ function gather(world: PhysicsWorld): SegmentList {
   if (list.tick === world.tick) return list;
   const size = SEGMENT_BYTES[world.precision];
   if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_PER_WALL)) {
-    const { words, at, room } = list;
+    const { words, at, capacity } = list;
     words[Word.segments] = at;
-    words[Word.items] = at + size * room;
-    words[Word.maxItems] = ITEMS_PER_WALL * room;
+    words[Word.items] = at + size * capacity;
+    words[Word.maxItems] = ITEMS_PER_WALL * capacity;
   }
   collisionKernels(world).gatherSegments(list.grid, list.ids, list.count);
   list.tick = world.tick;

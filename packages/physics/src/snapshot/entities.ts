@@ -54,9 +54,9 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
     }
   };
   if (!isSameIndex(world, saved)) {
-    const wanted = new Set(saved.dense.subarray(0, saved.alive));
-    removeOthers(world, wanted, attempt);
-    for (const eid of wanted) if (!entityExists(world, eid)) recreateEntity(world, eid);
+    const savedIds = new Set(saved.dense.subarray(0, saved.alive));
+    removeOthers(world, savedIds, attempt);
+    for (const eid of savedIds) if (!entityExists(world, eid)) recreateEntity(world, eid);
   }
   changeAllComponents(world, saved, attempt);
   // Observers may have created entities or changed components when they were notified of restored entities.
@@ -74,9 +74,10 @@ const MAX_ROUNDS = 8;
 
 type Attempt = (act: () => void) => void;
 
-function removeOthers(world: PhysicsWorld, wanted: ReadonlySet<number>, attempt: Attempt): void {
+function removeOthers(world: PhysicsWorld, savedIds: ReadonlySet<number>, attempt: Attempt): void {
   const { dense, aliveCount } = contextOf(world).entityIndex;
-  for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeEntityCompletely(world, eid));
+  for (const eid of dense.slice(0, aliveCount))
+    if (!savedIds.has(eid)) attempt(() => removeEntityCompletely(world, eid));
 }
 
 function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt: Attempt): void {

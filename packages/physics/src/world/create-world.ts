@@ -92,7 +92,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const seed = checkWhole(options.seed ?? 1, 'seed', 0, 2 ** 53 - 1);
   const onWarning = options.onWarning ?? printWarning;
   checkFunction(onWarning, 'onWarning');
-  checkParts(options);
+  checkFeatures(options);
   const rows = Math.ceil((capacity + 1) / 1024) * 1024;
   const { preset = standard, integrator = velocityVerlet, forces = [] } = options;
   const perEntity = preset.bytesPerEntity?.(dimensions, precision) ?? 256;
@@ -105,7 +105,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
   const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault, onWarning };
-  const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows, components) }) as PhysicsWorld;
+  const world = createWorld({ ...chosen, ...createInternals(arena, precision, rows, components) }) as PhysicsWorld;
   world.internal.componentMap = contextOf(world).componentMap;
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
   observeComponents(world);
@@ -115,7 +115,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   return world;
 }
 
-function checkParts({ dimensions = 2, forces = [], walls = [], integrator, preset }: PhysicsWorldOptions): void {
+function checkFeatures({ dimensions = 2, forces = [], walls = [], integrator, preset }: PhysicsWorldOptions): void {
   checkForces(forces, 'forces', dimensions);
   checkSystems(walls, 'walls');
   if (integrator !== undefined) checkIntegrator(integrator, 'integrator');
@@ -137,7 +137,7 @@ function columnBytes(columns: number, rows: number, precision: Precision): numbe
   return columns * (rows * realBytes(precision) + 8192);
 }
 
-function worldParts(arena: Arena, precision: Precision, rows: number, own: readonly ComponentSpec[]) {
+function createInternals(arena: Arena, precision: Precision, rows: number, own: readonly ComponentSpec[]) {
   const [components, addresses] = componentColumns(arena, precision, rows);
   const [previous, previousAddresses] = componentColumns<(typeof POSE)[number]>(arena, precision, rows, POSE);
   const scratch = createScratch(arena, precision, rows);

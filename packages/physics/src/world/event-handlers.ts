@@ -19,7 +19,7 @@ export type Handler<Name extends EventName> = (event: EventMap[Name], world: Phy
 
 interface Listener<Name extends EventName> {
   readonly handler: Handler<Name>;
-  gone: boolean;
+  removed: boolean;
 }
 
 /** A list is replaced and never mutated, so a list that is being iterated does not change. */
@@ -43,11 +43,11 @@ export function on<Name extends EventName>(world: PhysicsWorld, name: Name, hand
   if (!Object.hasOwn(listeners, name)) throw unknownName('a world', 'event', String(name), Object.keys(listeners));
   checkFunction(handler, 'handler');
   const lists = listeners as { [N in EventName]: readonly Listener<Name>[] };
-  const listener = { handler, gone: false };
+  const listener = { handler, removed: false };
   lists[name] = [...lists[name], listener];
   world.internal.reviewed.plan = undefined;
   return () => {
-    listener.gone = true;
+    listener.removed = true;
     lists[name] = lists[name].filter((other) => other !== listener);
   };
 }
@@ -69,7 +69,7 @@ export function ignoredEvents(world: PhysicsWorld): EventName[] {
 export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, event: EventMap[Name]): void {
   const list: readonly Listener<Name>[] = listenersOf(world)[name];
   for (let i = 0; i < list.length; i++) {
-    if (list[i].gone) continue;
+    if (list[i].removed) continue;
     try {
       const result: unknown = list[i].handler(event, world);
       if (result instanceof Promise) reportRejection(world, name, result);

@@ -1,7 +1,7 @@
 // The record of a world's constraints (kernels/xpbd/table.ts). Its rows are assigned anew when springs or bodies are
 // added or removed; their coefficients are read every step.
 import { bitOf } from '../components/all.ts';
-import { removeLost, scanSprings, springTable } from '../forces/support/spring-table.ts';
+import { removeDanglingSprings, scanSprings, springTable } from '../forces/support/spring-table.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { CONSTRAINT_TABLE_BYTES, ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
@@ -72,7 +72,7 @@ export function refreshConstraints(world: PhysicsWorld, h: number): ConstraintTa
   const springs = springTable(world);
   if (springs.removed.length > 0) springs.removed = [];
   if (table.version === world.versions.membership && kernels.readConstraints(table.at, MOVABLE, h) === 1) return table;
-  removeLost(world, scanSprings(world));
+  removeDanglingSprings(world, scanSprings(world));
   allocateRows(world, table);
   allocateScratch(world, table, kernels.arrangeConstraints(table.at, MOVABLE, world.lastId));
   kernels.readConstraints(table.at, MOVABLE, h);

@@ -26,8 +26,8 @@ const AXIS_COLUMNS = 19;
 /** Number of real columns in 3D. */
 export const RADAU_COLUMNS = 3 * AXIS_COLUMNS;
 
-/** State kept between sub-steps: wanted length, and last length (0: none). */
-export const WANTED = 0;
+/** State kept between sub-steps: suggested length, and last length (0: none). */
+export const SUGGESTED = 0;
 export const LENGTH = 1;
 /**
  * The attempted sub-step: its start within the step, its length, and the length that would have met the tolerance,
