@@ -24,9 +24,6 @@ const entries: readonly Entry[] = rows.map((line) => {
 
 /** Names that still use a rejected word; each leaves this list when it is renamed. */
 const ALLOWED: readonly string[] = [
-  // Of the component Spring: `aLife` and `bLife` name generations.
-  'aLife',
-  'bLife',
   // Of the shell: what becomes dragging, and the appearance that a player chose.
   'holdBodies',
   'Holding',

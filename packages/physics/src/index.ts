@@ -136,7 +136,7 @@ export { formulasOf } from './laws/formula.ts';
 export type { LawOptions } from './laws/law.ts';
 export { axialVector, axialVectorOverTime, scalar, vector, vectorOverTime } from './laws/parameter.ts';
 export type { Kick, SchemeFunction, SchemeResult, SchemeState } from './laws/scheme.ts';
-export { type TablePlace, table } from './laws/table.ts';
+export { type TableLocation, table } from './laws/table.ts';
 export type { VectorOverTime } from './laws/time-vector.ts';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary.ts';
 export { createRandom, type Random } from './math/random.ts';

@@ -16,6 +16,6 @@ test.each([2, 3] as const)('a tenth of the sparks is born and ends every second,
   expect(Math.max(...living)).toBeLessThan(3150);
   expect(sum((f) => emitterCounts(f).born) - born).toBeGreaterThan(2950);
   expect(sum((f) => emitterCounts(f).ended) - ended).toBeGreaterThan(2850);
-  expect(sum((f) => emitterCounts(f).lost)).toBe(0);
+  expect(sum((f) => emitterCounts(f).dropped)).toBe(0);
   expect(world.versions.membership).toBe(membership);
 });

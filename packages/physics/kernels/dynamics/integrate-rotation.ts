@@ -23,7 +23,7 @@ export function kickSpinAxis(
 
 // 3D: q += dt/2 (omega) q, renormalised; a row with a zero quaternion and no angular velocity stays unchanged. Source:
 // Kuipers, Quaternions and Rotation Sequences, section 11.4 (first order in dt; the norm is restored each step).
-export function turnQuaternion(qx: usize, qy: usize, qz: usize, qw: usize, dt: real, first: i32, last: i32): void {
+export function rotateQuaternion(qx: usize, qy: usize, qz: usize, qw: usize, dt: real, first: i32, last: i32): void {
   const c = columns();
   const wx = c.angularVelocityX;
   const wy = c.angularVelocityY;

@@ -16,33 +16,33 @@ export function beginAxis(
 ): i32 {
   const limitX = splat(maxPosition);
   const limitV = splat(maxSpeed);
-  let good = i32x4.splat(-1);
-  let speeds = nothingSeen();
+  let valid = i32x4.splat(-1);
+  let speeds = emptyAccumulator();
   for (let row = first; row < last; row += BLOCK) {
     const o = at(row);
-    const inRange = isWithin(lookAtBlock(nothingSeen(), x + o, limitX), limitX);
-    speeds = lookAtBlock(speeds, v + o, limitV);
+    const inRange = isWithin(accumulateBlock(emptyAccumulator(), x + o, limitX), limitX);
+    speeds = accumulateBlock(speeds, v + o, limitV);
     copyBlock(start + o, v + o);
     if (i32x4.all_true(inRange)) {
       copyBlock(previous + o, x + o);
     } else {
-      good = v128.and(good, inRange);
-      copyGood(previous + o, x + o, limitX);
+      valid = v128.and(valid, inRange);
+      copyValid(previous + o, x + o, limitX);
     }
   }
-  return i32(i32x4.all_true(v128.and(good, isWithin(speeds, limitV))));
+  return i32(i32x4.all_true(v128.and(valid, isWithin(speeds, limitV))));
 }
 
 // Returns 1 if every |x| <= maxPosition and |v| <= maxSpeed.
 export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real, first: i32, last: i32): i32 {
   const limitX = splat(maxPosition);
   const limitV = splat(maxSpeed);
-  let positions = nothingSeen();
-  let speeds = nothingSeen();
+  let positions = emptyAccumulator();
+  let speeds = emptyAccumulator();
   for (let row = first; row < last; row += BLOCK) {
     const o = at(row);
-    positions = lookAtBlock(positions, x + o, limitX);
-    speeds = lookAtBlock(speeds, v + o, limitV);
+    positions = accumulateBlock(positions, x + o, limitX);
+    speeds = accumulateBlock(speeds, v + o, limitV);
   }
   return i32(i32x4.all_true(v128.and(isWithin(positions, limitX), isWithin(speeds, limitV))));
 }
@@ -51,25 +51,25 @@ export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real,
 // far. In f32 magnitudes are compared as integers, which orders NaN above infinity above all numbers; 64-bit integers
 // have no such instruction, but the comparison of reals is false for NaN.
 // @ts-ignore: decorator
-@inline function nothingSeen(): v128 {
+@inline function emptyAccumulator(): v128 {
   return i32x4.splat(sizeof<real>() == 4 ? 0 : -1);
 }
 
 // @ts-ignore: decorator
-@inline function lookAt(seen: v128, values: usize, limit: v128): v128 {
-  if (sizeof<real>() == 4) return v128.max<u32>(seen, v128.and(v128.load(values), i32x4.splat(0x7fffffff)));
-  return v128.and(seen, v128.le<real>(v128.abs<real>(v128.load(values)), limit));
+@inline function accumulate(accumulated: v128, values: usize, limit: v128): v128 {
+  if (sizeof<real>() == 4) return v128.max<u32>(accumulated, v128.and(v128.load(values), i32x4.splat(0x7fffffff)));
+  return v128.and(accumulated, v128.le<real>(v128.abs<real>(v128.load(values)), limit));
 }
 
 // @ts-ignore: decorator
-@inline function lookAtBlock(seen: v128, p: usize, limit: v128): v128 {
-  return lookAt(lookAt(lookAt(lookAt(seen, p, limit), p + 16, limit), p + 32, limit), p + 48, limit);
+@inline function accumulateBlock(accumulated: v128, p: usize, limit: v128): v128 {
+  return accumulate(accumulate(accumulate(accumulate(accumulated, p, limit), p + 16, limit), p + 32, limit), p + 48, limit);
 }
 
 // Returns a mask of the lanes whose values are all within the limit.
 // @ts-ignore: decorator
-@inline function isWithin(seen: v128, limit: v128): v128 {
-  return sizeof<real>() == 4 ? v128.le<u32>(seen, limit) : seen;
+@inline function isWithin(accumulated: v128, limit: v128): v128 {
+  return sizeof<real>() == 4 ? v128.le<u32>(accumulated, limit) : accumulated;
 }
 
 // @ts-ignore: decorator
@@ -85,7 +85,7 @@ export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real,
 }
 
 // Copies the values of a block that are within the limit.
-function copyGood(to: usize, from: usize, limit: v128): void {
+function copyValid(to: usize, from: usize, limit: v128): void {
   for (let o: usize = 0; o < 64; o += 16) {
     const value = v128.load(from + o);
     v128.store(to + o, v128.bitselect(value, v128.load(to + o), v128.le<real>(v128.abs<real>(value), limit)));

@@ -1,6 +1,6 @@
 // Colour and size of a particle by the elapsed fraction of its life, linear between evenly spaced stops.
 import { put } from '../memory/columns';
-import { turn, turned } from '../math/elementary';
+import { computeSineCosine, sineCosine } from '../math/elementary';
 import { Emitter, MAX_STOPS, putWord, word } from './record';
 
 // The number of colours of a ramp's lookup table.
@@ -10,8 +10,8 @@ const SHADES: u32 = 256;
 // ramps.
 export function prepareEmitter(emitter: usize): void {
   const e = changetype<Emitter>(emitter);
-  turn(e.spread);
-  e.cosSpread = turned.cosine;
+  computeSineCosine(e.spread);
+  e.cosSpread = sineCosine.cosine;
   for (let ramp: i32 = 0; ramp < e.rampCount; ramp++) {
     const stops = word(emitter + offsetof<Emitter>('stops0'), ramp);
     const first = emitter + offsetof<Emitter>('color0') + ((<usize>ramp * MAX_STOPS) << 2);
@@ -69,5 +69,5 @@ function blend(first: usize, stops: u32, shade: u32): u32 {
 // Sets the initial colour and size of a particle.
 export function applyAppearance(e: Emitter, slot: u32, row: u32, fraction: f64): void {
   writeColor(e.colors, e.ramp, e.color, slot, row, fraction);
-  writeSize(changetype<usize>(e) + offsetof<Emitter>('size0'), e.sizeStops, e.factor, e.size, slot, row, fraction);
+  writeSize(changetype<usize>(e) + offsetof<Emitter>('size0'), e.sizeStops, e.sizeFactor, e.size, slot, row, fraction);
 }

@@ -1,6 +1,6 @@
 // The birth of a particle: position, speed and direction.
 import { columns, put } from '../memory/columns';
-import { turn, turned } from '../math/elementary';
+import { computeSineCosine, sineCosine } from '../math/elementary';
 import { randomUnit } from '../math/random';
 import { applyAppearance } from './appearance';
 import { NONE, link, nextGeneration, takeSlot } from './pool';
@@ -24,9 +24,9 @@ let directionZ: f64 = 0;
 
 // Draws a direction, uniform by angle within the wedge about the emitter's direction.
 function aim2d(e: Emitter): void {
-  turn(e.spread * drawBetween(e, -1, 1));
-  directionX = e.directionX * turned.cosine - e.directionY * turned.sine;
-  directionY = e.directionX * turned.sine + e.directionY * turned.cosine;
+  computeSineCosine(e.spread * drawBetween(e, -1, 1));
+  directionX = e.directionX * sineCosine.cosine - e.directionY * sineCosine.sine;
+  directionY = e.directionX * sineCosine.sine + e.directionY * sineCosine.cosine;
   directionZ = 0;
 }
 
@@ -34,7 +34,7 @@ function aim2d(e: Emitter): void {
 // and to each other.
 function aim3d(e: Emitter): void {
   const c = drawBetween(e, 1, e.cosSpread);
-  turn(TWO_PI * randomUnit(randomState(e)));
+  computeSineCosine(TWO_PI * randomUnit(randomState(e)));
   const s = sqrt<f64>(max<f64>(0, 1 - c * c));
   const upright = abs<f64>(e.directionZ) > 0.9;
   let ux = upright ? 0 : e.directionY;
@@ -47,8 +47,8 @@ function aim3d(e: Emitter): void {
   const wx = e.directionY * uz - e.directionZ * uy;
   const wy = e.directionZ * ux - e.directionX * uz;
   const wz = e.directionX * uy - e.directionY * ux;
-  const a = s * turned.cosine;
-  const b = s * turned.sine;
+  const a = s * sineCosine.cosine;
+  const b = s * sineCosine.sine;
   directionX = c * e.directionX + a * ux + b * wx;
   directionY = c * e.directionY + a * uy + b * wy;
   directionZ = c * e.directionZ + a * uz + b * wz;
@@ -71,9 +71,9 @@ export function createParticle(
   given: usize = 0,
   scale: f64 = 1,
 ): void {
-  const life = drawBetween(e, e.lifeMin, e.lifeMax);
+  const lifetime = drawBetween(e, e.lifetimeMin, e.lifetimeMax);
   const speed = drawBetween(e, e.speedMin, e.speedMax);
-  const factor = drawBetween(e, e.factorMin, e.factorMax);
+  const factor = drawBetween(e, e.sizeFactorMin, e.sizeFactorMax);
   const chosen = ramp >= 0 ? ramp : <i32>(randomUnit(randomState(e)) * <f64>e.rampCount);
   if (e.dimensions == 2) aim2d(e);
   else aim3d(e);
@@ -93,13 +93,13 @@ export function createParticle(
   const py = y + e.areaY * drawBetween(e, -1, 1) + uy * age;
   const pz = z + e.areaZ * drawBetween(e, -1, 1) + uz * age;
   e.born += 1;
-  if (age >= life) {
+  if (age >= lifetime) {
     e.ended += 1;
     return;
   }
   const slot = takeSlot(e);
   if (slot == NONE) {
-    e.lost += 1;
+    e.droppedCount += 1;
     e.born -= 1;
     return;
   }
@@ -112,12 +112,12 @@ export function createParticle(
   put(c.mass, row, <real>e.mass);
   put(c.radius, row, <real>e.radius);
   store<f64>(e.bornAt + ((<usize>slot) << 3), e.clock - age);
-  store<f32>(e.life + ((<usize>slot) << 2), <f32>life);
-  store<f32>(e.factor + ((<usize>slot) << 2), <f32>factor);
+  store<f32>(e.lifetime + ((<usize>slot) << 2), <f32>lifetime);
+  store<f32>(e.sizeFactor + ((<usize>slot) << 2), <f32>factor);
   putWord(e.ramp, slot, chosen);
   nextGeneration(e, slot);
   link(e, slot);
-  applyAppearance(e, slot, row, age / life);
+  applyAppearance(e, slot, row, age / lifetime);
   e.changed = 1;
 }
 

@@ -10,7 +10,7 @@ export function openPool(emitter: usize): void {
   for (let slot: i32 = 0; slot < e.capacity; slot++) {
     putWord(e.free, slot, slot);
     putWord(e.generation, slot, word(e.generations, word(e.ids, slot)));
-    store<f32>(e.life + ((<usize>slot) << 2), 0);
+    store<f32>(e.lifetime + ((<usize>slot) << 2), 0);
     deactivate(e, word(e.ids, slot));
   }
   e.freeHead = 0;
@@ -51,7 +51,7 @@ function unlink(e: Emitter, slot: u32): void {
   else putWord(e.newer, older, newer);
   if (newer == NONE) e.newest = older;
   else putWord(e.older, newer, older);
-  store<f32>(e.life + ((<usize>slot) << 2), 0);
+  store<f32>(e.lifetime + ((<usize>slot) << 2), 0);
   e.alive--;
 }
 
@@ -81,17 +81,17 @@ export function end(e: Emitter, slot: u32): void {
 }
 
 function report(e: Emitter, row: u32): void {
-  if (e.endedIds == 0 || e.endedNow >= e.capacity) return;
+  if (e.endedIds == 0 || e.endedThisStep >= e.capacity) return;
   const c = columns();
-  putWord(e.endedIds, e.endedNow, row);
-  const at = e.endedAt + <usize>e.endedNow * 48;
+  putWord(e.endedIds, e.endedThisStep, row);
+  const at = e.endedAt + <usize>e.endedThisStep * 48;
   store<f64>(at, get(c.positionX, row));
   store<f64>(at, get(c.positionY, row), 8);
   store<f64>(at, get(c.positionZ, row), 16);
   store<f64>(at, get(c.velocityX, row), 24);
   store<f64>(at, get(c.velocityY, row), 32);
   store<f64>(at, get(c.velocityZ, row), 40);
-  e.endedNow++;
+  e.endedThisStep++;
 }
 
 // Returns the slot that has been free for longest, or that of the oldest particle, or NONE.

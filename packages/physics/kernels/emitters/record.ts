@@ -17,8 +17,8 @@ export class Emitter {
   // Per slot: f64 time of birth by the emitter's clock, f32 lifetime (0 for a free slot), f32 factor of the size, u32
   // ramp.
   bornAt: usize;
-  life: usize;
-  factor: usize;
+  lifetime: usize;
+  sizeFactor: usize;
   ramp: usize;
   // Per ramp, a lookup table of 256 u32 colours over a life.
   colors: usize;
@@ -32,7 +32,7 @@ export class Emitter {
   // The particles that ended in this step, if reported: u32 ids, and x, y, z, vx, vy, vz as f64.
   endedIds: usize;
   endedAt: usize;
-  endedNow: i32;
+  endedThisStep: i32;
   bursts: usize;
   burstCount: i32;
   capacity: i32;
@@ -48,7 +48,7 @@ export class Emitter {
   sizeStops: i32;
   changed: i32;
   // 1 if colours or sizes were changed, so that living particles need an update.
-  repaint: i32;
+  refreshAppearance: i32;
   random0: u32;
   random1: u32;
   random2: u32;
@@ -96,12 +96,12 @@ export class Emitter {
   // The emitter's clock, s; the time since it last emitted, s; the pending fraction of a birth.
   clock: f64;
   pending: f64;
-  owed: f64;
+  fractionalBirths: f64;
   // The parameters, in the order of src/emitters/options.ts. The direction is a unit vector, the spread the
   // half-angle of the cone.
   rate: f64;
-  lifeMin: f64;
-  lifeMax: f64;
+  lifetimeMin: f64;
+  lifetimeMax: f64;
   speedMin: f64;
   speedMax: f64;
   directionX: f64;
@@ -116,8 +116,8 @@ export class Emitter {
   scatterZ: f64;
   inheritVelocity: f64;
   mass: f64;
-  factorMin: f64;
-  factorMax: f64;
+  sizeFactorMin: f64;
+  sizeFactorMax: f64;
   size0: f64;
   size1: f64;
   size2: f64;
@@ -137,7 +137,7 @@ export class Emitter {
   velocityZ: f64;
   born: f64;
   ended: f64;
-  lost: f64;
+  droppedCount: f64;
 }
 
 // A requested burst, kept until the next step.

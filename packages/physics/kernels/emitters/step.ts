@@ -10,7 +10,7 @@ import { Burst, Emitter, word } from './record';
 export function stepEmitter(emitter: usize, dt: f64): void {
   const e = changetype<Emitter>(emitter);
   e.clock += e.pending;
-  e.endedNow = 0;
+  e.endedThisStep = 0;
   e.changed = 0;
   ageParticles(e);
   if (e.emits != 0) emitStream(e);
@@ -26,7 +26,7 @@ export function stepEmitter(emitter: usize, dt: f64): void {
 function ageParticles(e: Emitter): void {
   if (e.alive == 0) return;
   const clock = e.clock;
-  const lifetimes = e.life;
+  const lifetimes = e.lifetime;
   const births = e.bornAt;
   const ids = e.ids;
   const ownGenerations = e.generation;
@@ -36,24 +36,24 @@ function ageParticles(e: Emitter): void {
   const color = e.color;
   const sizes = changetype<usize>(e) + offsetof<Emitter>('size0');
   const stops = e.sizeStops;
-  const factors = e.factor;
+  const factors = e.sizeFactor;
   const size = e.size;
-  const updatesColor = e.repaint != 0 || hasColorRamp(e);
-  const updatesSize = e.repaint != 0 || stops > 1;
+  const updatesColor = e.refreshAppearance != 0 || hasColorRamp(e);
+  const updatesSize = e.refreshAppearance != 0 || stops > 1;
   for (let slot: i32 = 0, capacity = e.capacity; slot < capacity; slot++) {
-    const life = <f64>load<f32>(lifetimes + ((<usize>slot) << 2));
-    if (life == 0) continue;
+    const lifetime = <f64>load<f32>(lifetimes + ((<usize>slot) << 2));
+    if (lifetime == 0) continue;
     const elapsed = clock - load<f64>(births + ((<usize>slot) << 3));
     const row = word(ids, slot);
-    if (elapsed >= life || word(generations, row) != word(ownGenerations, slot)) {
+    if (elapsed >= lifetime || word(generations, row) != word(ownGenerations, slot)) {
       end(e, slot);
       continue;
     }
-    const fraction = elapsed / life;
+    const fraction = elapsed / lifetime;
     if (updatesColor) writeColor(colors, ramps, color, slot, row, fraction);
     if (updatesSize) writeSize(sizes, stops, factors, size, slot, row, fraction);
   }
-  e.repaint = 0;
+  e.refreshAppearance = 0;
   if (updatesColor || updatesSize) e.changed = 1;
 }
 
@@ -66,14 +66,14 @@ function hasColorRamp(e: Emitter): bool {
 
 function emitStream(e: Emitter): void {
   if (e.rate == 0 || e.pending == 0) return;
-  const due = e.owed + e.rate * e.pending;
+  const due = e.fractionalBirths + e.rate * e.pending;
   const count = floor<f64>(due);
   // Births beyond the capacity are dropped without drawing random numbers.
   const skipped = max<f64>(0, count - <f64>e.capacity);
-  e.lost += skipped;
-  // Counted in whole numbers: beyond 2^53 a double no longer grows by one.
-  for (let born: i32 = 1, most = <i32>(count - skipped); born <= most; born++) {
-    const sinceStart = (skipped + <f64>born - e.owed) / e.rate;
+  e.droppedCount += skipped;
+  // An integer counter, because an f64 above 2^53 does not change when 1 is added.
+  for (let born: i32 = 1, lastBirth = <i32>(count - skipped); born <= lastBirth; born++) {
+    const sinceStart = (skipped + <f64>born - e.fractionalBirths) / e.rate;
     const t = sinceStart / e.pending;
     createParticle(
       e,
@@ -87,7 +87,7 @@ function emitStream(e: Emitter): void {
       -1,
     );
   }
-  e.owed = due - count;
+  e.fractionalBirths = due - count;
 }
 
 function emitBursts(e: Emitter): void {

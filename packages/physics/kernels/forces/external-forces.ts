@@ -2,7 +2,7 @@
 import { columns, get, put } from '../memory/columns';
 import { logarithm } from '../math/elementary';
 
-// Where the columns of the component Engine are; src/forces/rocket-engines.ts fills it.
+// Addresses of the columns of the component Engine; src/forces/rocket-engines.ts writes them.
 @unmanaged
 export class EngineColumns {
   fuel: usize;

@@ -6,8 +6,8 @@ import { columns, get, put } from '../memory/columns';
 export class SpringTable {
   a: usize;
   b: usize;
-  aLife: usize;
-  bLife: usize;
+  aGeneration: usize;
+  bGeneration: usize;
   stiffness: usize;
   damping: usize;
   length: usize;
@@ -18,14 +18,14 @@ export class SpringTable {
   // The active springs, those with two living ends: id, and the rows of both ends.
   links: usize;
   // Ids of springs that lost an end.
-  lost: usize;
+  dangling: usize;
   count: i32;
   active: i32;
-  lostCount: i32;
+  danglingCount: i32;
   rows: i32;
   // Largest stiffness over reduced mass, 1/s^2, and damping over reduced mass, 1/s.
-  stiffest: f64;
-  mostDamped: f64;
+  maxStiffness: f64;
+  maxDamping: f64;
 }
 
 // @ts-ignore: decorator
@@ -34,8 +34,8 @@ export class SpringTable {
 }
 
 // @ts-ignore: decorator
-@inline function isAlive(members: usize, body: u32, generations: usize, life: u32, position: u32): bool {
-  return (word(members, body) & position) != 0 && word(generations, body) == life;
+@inline function isAlive(members: usize, body: u32, generations: usize, generation: u32, position: u32): bool {
+  return (word(members, body) & position) != 0 && word(generations, body) == generation;
 }
 
 // Separates the springs with two living ends from those that lost an end, and finds the stiffest. A spring without
@@ -44,8 +44,8 @@ export function scanSprings(table: usize, position: u32): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
   let active = 0;
-  let lost = 0;
-  let stiffest: f64 = 0;
+  let dangling = 0;
+  let maxStiffness: f64 = 0;
   let maxDamping: f64 = 0;
   for (let i = 0; i < t.count; i++) {
     const spring = word(t.ids, i);
@@ -53,11 +53,11 @@ export function scanSprings(table: usize, position: u32): void {
     const b = word(t.b, spring);
     if (a == 0 || b == 0 || a == b || a >= <u32>t.rows || b >= <u32>t.rows) continue;
     if (
-      !isAlive(c.members, a, t.generations, word(t.aLife, spring), position) ||
-      !isAlive(c.members, b, t.generations, word(t.bLife, spring), position)
+      !isAlive(c.members, a, t.generations, word(t.aGeneration, spring), position) ||
+      !isAlive(c.members, b, t.generations, word(t.bGeneration, spring), position)
     ) {
-      store<u32>(t.lost + ((<usize>lost) << 2), spring);
-      lost++;
+      store<u32>(t.dangling + ((<usize>dangling) << 2), spring);
+      dangling++;
       continue;
     }
     const link = t.links + <usize>active * 12;
@@ -66,13 +66,13 @@ export function scanSprings(table: usize, position: u32): void {
     store<u32>(link, b, 8);
     active++;
     const inverse = inverseMass(get(c.mass, a)) + inverseMass(get(c.mass, b));
-    stiffest = max<f64>(stiffest, <f64>get(t.stiffness, spring) * inverse);
+    maxStiffness = max<f64>(maxStiffness, <f64>get(t.stiffness, spring) * inverse);
     maxDamping = max<f64>(maxDamping, <f64>get(t.damping, spring) * inverse);
   }
   t.active = active;
-  t.lostCount = lost;
-  t.stiffest = stiffest;
-  t.mostDamped = maxDamping;
+  t.danglingCount = dangling;
+  t.maxStiffness = maxStiffness;
+  t.maxDamping = maxDamping;
 }
 
 // @ts-ignore: decorator

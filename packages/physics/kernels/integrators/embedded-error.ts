@@ -1,7 +1,7 @@
 // The difference of the two solutions of an embedded pair, relative to the magnitude of each body's state.
 import { add, at, LANES, mul, splat } from '../memory/lanes';
 
-// The record of a world's error estimate; src/integrators/support/dormand-prince-stages.ts fills it.
+// The record of a world's error estimate; src/integrators/support/dormand-prince-stages.ts writes it.
 @unmanaged
 export class EmbeddedError {
   // Columns of sums over the axes.
@@ -9,16 +9,16 @@ export class EmbeddedError {
   errorV: usize;
   sizeX: usize;
   sizeV: usize;
-  // Bytes from a column of a stage to the next, the weights of `count` accelerations in the difference of positions and
-  // in that of velocities.
+  // Distance of the columns of consecutive stages in bytes, and the weights of the `count` accelerations in the
+  // difference of positions and in the difference of velocities.
   stride: usize;
   weightsX: usize;
   weightsV: usize;
   count: i32;
-  // The row with the worst error, and that error: the results of `worstError`.
+  // Results of `worstError`: the row with the largest error, and the error.
   worstRow: i32;
   worst: f64;
-  // Sizes below these count as these, m and m/s.
+  // Lower bounds of the magnitudes, m and m/s.
   floorX: f64;
   floorV: f64;
 }

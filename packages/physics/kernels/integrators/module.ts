@@ -4,7 +4,7 @@ export { embeddedErrorAxis, worstError } from './embedded-error';
 export {
   radauBegin,
   radauEnd,
-  radauForget,
+  radauReset,
   radauLargest,
   radauLargestOf,
   radauPredict,

@@ -68,10 +68,10 @@ export function radauBegin(table: usize, first: i32, last: i32): void {
 // Keeps the rounding error only if it is plausible for this value: the body may have been moved since.
 // @ts-ignore: decorator
 @inline function saveStart(block: usize, start: usize, carry: usize, stride: usize, value: v128): void {
-  const kept = block + carry * stride;
-  const carried = v128.load(kept);
-  const most = mul(v128.abs<real>(value), splat(sizeof<real>() == 4 ? <real>1.2e-7 : <real>2.3e-16));
-  v128.store(kept, v128.and(carried, v128.le<real>(v128.abs<real>(carried), most)));
+  const carryAddress = block + carry * stride;
+  const carried = v128.load(carryAddress);
+  const maxCarry = mul(v128.abs<real>(value), splat(sizeof<real>() == 4 ? <real>1.2e-7 : <real>2.3e-16));
+  v128.store(carryAddress, v128.and(carried, v128.le<real>(v128.abs<real>(carried), maxCarry)));
   v128.store(block + start * stride, value);
 }
 
@@ -127,7 +127,7 @@ export function radauRefine(table: usize, s: i32, first: i32, last: i32): f64 {
   const reciprocals = t.reciprocals + at(s << 3);
   const powers = t.powers + at(7 * (s - 1));
   let change = splat(0);
-  let most = splat(0);
+  let largestValue = splat(0);
   for (let axis: usize = 0; axis < t.axes; axis++) {
     const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
     const force = axisOf(table, offsetof<RadauTable>('forceX'), axis);
@@ -149,64 +149,64 @@ export function radauRefine(table: usize, s: i32, first: i32, last: i32): f64 {
         b += t.stride;
       }
       change = v128.max<real>(change, v128.abs<real>(d));
-      most = v128.max<real>(most, v128.abs<real>(a));
+      largestValue = v128.max<real>(largestValue, v128.abs<real>(a));
     }
   }
-  largest = largestLane(most);
+  largest = largestLane(largestValue);
   return largestLane(change);
 }
 
 // f64x2.max and f32x4.max propagate NaN, so one comparison at the end detects it.
 // @ts-ignore: decorator
 @inline function largestLane(v: v128): f64 {
-  let most: f64 = max<f64>(v128.extract_lane<real>(v, 0), v128.extract_lane<real>(v, 1));
+  let largestValue: f64 = max<f64>(v128.extract_lane<real>(v, 0), v128.extract_lane<real>(v, 1));
   if (sizeof<real>() == 4) {
-    most = max<f64>(most, max<f64>(f32x4.extract_lane(v, 2), f32x4.extract_lane(v, 3)));
+    largestValue = max<f64>(largestValue, max<f64>(f32x4.extract_lane(v, 2), f32x4.extract_lane(v, 3)));
   }
-  return most < Infinity ? most : Infinity;
+  return largestValue < Infinity ? largestValue : Infinity;
 }
 
 // Returns the largest magnitude in a column: 6 for b6, which measures convergence, 14 for a0.
 export function radauLargestOf(table: usize, column: i32, first: i32, last: i32): f64 {
   const t = changetype<RadauTable>(table);
-  let most = splat(0);
+  let largestValue = splat(0);
   for (let axis: usize = 0; axis < t.axes; axis++) {
     const values = axisOf(table, offsetof<RadauTable>('blockX'), axis) + <usize>column * t.stride;
     for (let row = first; row < last; row += LANES) {
-      most = v128.max<real>(most, v128.abs<real>(v128.load(values + at(row))));
+      largestValue = v128.max<real>(largestValue, v128.abs<real>(v128.load(values + at(row))));
     }
   }
-  return largestLane(most);
+  return largestLane(largestValue);
 }
 
 // Returns the body whose |b6| is largest, or not finite.
 export function radauWorstRow(table: usize, first: i32, last: i32): i32 {
   const t = changetype<RadauTable>(table);
-  let worst = 0;
-  let most: f64 = -1;
+  let worstRow = 0;
+  let largestValue: f64 = -1;
   for (let row = first; row < last; row++) {
     for (let axis: usize = 0; axis < t.axes; axis++) {
       const b6 = axisOf(table, offsetof<RadauTable>('blockX'), axis) + 6 * t.stride;
-      const size = <f64>abs<real>(load<real>(b6 + at(row)));
-      if (size > most || size != size) {
-        if (size != size) return row;
-        most = size;
-        worst = row;
+      const magnitude = <f64>abs<real>(load<real>(b6 + at(row)));
+      if (magnitude > largestValue || magnitude != magnitude) {
+        if (magnitude != magnitude) return row;
+        largestValue = magnitude;
+        worstRow = row;
       }
     }
   }
-  return worst;
+  return worstRow;
 }
 
-// Predicts the polynomial of the next step from the last: `ratio` is the ratio of their lengths. With `onwards` the
+// Predicts the polynomial of the next step from the last: `ratio` is the ratio of their lengths. With `advances` the
 // next step begins at the end of the last; without, at its start (a repeated step).
-export function radauPredict(table: usize, ratio: f64, onwards: bool, first: i32, last: i32): void {
+export function radauPredict(table: usize, ratio: f64, advances: bool, first: i32, last: i32): void {
   const t = changetype<RadauTable>(table);
   for (let axis: usize = 0; axis < t.axes; axis++) {
     const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);
     for (let row = first; row < last; row += LANES) {
       const start = block + at(row);
-      if (onwards) shiftToEnd(start, t.stride);
+      if (advances) shiftToEnd(start, t.stride);
       let q: f64 = 1;
       for (let k: usize = 0; k < 7; k++) {
         q *= ratio;
@@ -278,7 +278,7 @@ export function radauEnd(table: usize, dt: f64, first: i32, last: i32): void {
 }
 
 // Clears the polynomial of the last step.
-export function radauForget(table: usize, first: i32, last: i32): void {
+export function radauReset(table: usize, first: i32, last: i32): void {
   const t = changetype<RadauTable>(table);
   for (let axis: usize = 0; axis < t.axes; axis++) {
     const block = axisOf(table, offsetof<RadauTable>('blockX'), axis);

@@ -18,24 +18,24 @@ export function arcTangent2(y: f64, x: f64): f64 {
 }
 
 @unmanaged
-class Turned {
+class SineCosine {
   cosine: f64;
   sine: f64;
 }
 
-// Results of the last call of `turn`.
-export const turned = changetype<Turned>(memory.data(offsetof<Turned>(), 8));
+// Results of the last call of `computeSineCosine`.
+export const sineCosine = changetype<SineCosine>(memory.data(offsetof<SineCosine>(), 8));
 
 // The argument reduction of fdlibm begins beyond this angle, just above pi / 4.
 const REDUCED: f64 = reinterpret<f64>(0x3fe921fc00000000);
 
 // pi / 2 in three parts of 33 bits, each followed by the remainder after it.
-const QUARTER_1: f64 = reinterpret<f64>(0x3ff921fb54400000);
-const REST_1: f64 = reinterpret<f64>(0x3dd0b4611a626331);
-const QUARTER_2: f64 = reinterpret<f64>(0x3dd0b4611a600000);
-const REST_2: f64 = reinterpret<f64>(0x3ba3198a2e037073);
-const QUARTER_3: f64 = reinterpret<f64>(0x3ba3198a2e000000);
-const REST_3: f64 = reinterpret<f64>(0x397b839a252049c1);
+const HALF_PI_1: f64 = reinterpret<f64>(0x3ff921fb54400000);
+const HALF_PI_TAIL_1: f64 = reinterpret<f64>(0x3dd0b4611a626331);
+const HALF_PI_2: f64 = reinterpret<f64>(0x3dd0b4611a600000);
+const HALF_PI_TAIL_2: f64 = reinterpret<f64>(0x3ba3198a2e037073);
+const HALF_PI_3: f64 = reinterpret<f64>(0x3ba3198a2e000000);
+const HALF_PI_TAIL_3: f64 = reinterpret<f64>(0x397b839a252049c1);
 
 function exponentBits(x: f64): i32 {
   return <i32>((reinterpret<u64>(x) >> 52) & 0x7ff);
@@ -43,31 +43,31 @@ function exponentBits(x: f64): i32 {
 
 // Computes sine and cosine of one angle within a million radians, with the same bits as `sine` and `cosine`, by the
 // methods of fdlibm e_rem_pio2.c, k_sin.c and k_cos.c (Sun 1993), without the table that larger angles need.
-export function turn(angle: f64): void {
+export function computeSineCosine(angle: f64): void {
   let quarters: f64 = 0;
   let high = angle;
   let low: f64 = 0;
   if (abs<f64>(angle) >= REDUCED) {
     quarters = nearest<f64>(angle * 0.63661977236758134308);
-    let rest = angle - quarters * QUARTER_1;
-    let next = quarters * REST_1;
-    high = rest - next;
+    let remainder = angle - quarters * HALF_PI_1;
+    let next = quarters * HALF_PI_TAIL_1;
+    high = remainder - next;
     // More cancelled bits in the subtraction require more parts of pi.
     if (exponentBits(angle) - exponentBits(high) > 16) {
-      let before = rest;
-      next = quarters * QUARTER_2;
-      rest = before - next;
-      next = quarters * REST_2 - (before - rest - next);
-      high = rest - next;
+      let previous = remainder;
+      next = quarters * HALF_PI_2;
+      remainder = previous - next;
+      next = quarters * HALF_PI_TAIL_2 - (previous - remainder - next);
+      high = remainder - next;
       if (exponentBits(angle) - exponentBits(high) > 49) {
-        before = rest;
-        next = quarters * QUARTER_3;
-        rest = before - next;
-        next = quarters * REST_3 - (before - rest - next);
-        high = rest - next;
+        previous = remainder;
+        next = quarters * HALF_PI_3;
+        remainder = previous - next;
+        next = quarters * HALF_PI_TAIL_3 - (previous - remainder - next);
+        high = remainder - next;
       }
     }
-    low = rest - high - next;
+    low = remainder - high - next;
   }
   const z = high * high;
   const w = z * z;
@@ -86,10 +86,10 @@ export function turn(angle: f64): void {
   const c = one + (1 - one - half + (z * t - high * low));
   const quarter = <i32>quarters;
   const odd = (quarter & 1) != 0;
-  turned.sine = odd ? c : s;
-  turned.cosine = odd ? s : c;
-  if ((quarter & 2) != 0) turned.sine = -turned.sine;
-  if (((quarter + 1) & 2) != 0) turned.cosine = -turned.cosine;
+  sineCosine.sine = odd ? c : s;
+  sineCosine.cosine = odd ? s : c;
+  if ((quarter & 2) != 0) sineCosine.sine = -sineCosine.sine;
+  if (((quarter + 1) & 2) != 0) sineCosine.cosine = -sineCosine.cosine;
 }
 
 // ln 2 = LN2_HIGH + LN2_LOW; the high part has 33 bits, so that k LN2_HIGH is exact for every exponent k.

@@ -3,7 +3,7 @@
 import { LN2_HIGH, LN2_LOW, exponentOf, exponentialOfSum } from './elementary';
 
 // The rounding error of the last twoProduct or twoSum.
-let rest: f64 = 0;
+let roundingError: f64 = 0;
 
 function twoProduct(a: f64, b: f64): f64 {
   const product = a * b;
@@ -13,14 +13,14 @@ function twoProduct(a: f64, b: f64): f64 {
   const highB = wideB - (wideB - b);
   const lowA = a - highA;
   const lowB = b - highB;
-  rest = lowA * lowB - (product - highA * highB - lowA * highB - highA * lowB);
+  roundingError = lowA * lowB - (product - highA * highB - lowA * highB - highA * lowB);
   return product;
 }
 
 function twoSum(a: f64, b: f64): f64 {
   const sum = a + b;
   const c = sum - a;
-  rest = a - (sum - c) + (b - c);
+  roundingError = a - (sum - c) + (b - c);
   return sum;
 }
 
@@ -34,14 +34,14 @@ function logarithmPair(x: f64): f64 {
   const f = NativeMath.scalbn(x, -k) - 1;
   const d = 2 + f;
   const s = f / d;
-  const back = twoProduct(s, d);
-  const sLow = (f - back - rest - s * (f - (d - 2))) / d;
+  const reproduced = twoProduct(s, d);
+  const sLow = (f - reproduced - roundingError - s * (f - (d - 2))) / d;
   const z = twoProduct(s, s);
-  const zLow = rest + 2 * s * sLow;
+  const zLow = roundingError + 2 * s * sLow;
   const cube = twoProduct(s, z);
-  const cubeLow = rest + s * zLow + sLow * z;
+  const cubeLow = roundingError + s * zLow + sLow * z;
   const third = twoProduct(cube, 0.6666666666666666);
-  const thirdLow = rest + cubeLow * 0.6666666666666666 + cube * 3.700743415417188e-17;
+  const thirdLow = roundingError + cubeLow * 0.6666666666666666 + cube * 3.700743415417188e-17;
   const tail =
     cube *
     z *
@@ -56,9 +56,9 @@ function logarithmPair(x: f64): f64 {
                     (2.0 / 13 + z * (2.0 / 15 + z * (2.0 / 17 + z * (2.0 / 19 + z * (2.0 / 21 + z * (2.0 / 23))))))))));
   const dk = <f64>k;
   const first = twoSum(dk * LN2_HIGH, 2 * s);
-  let low = rest;
+  let low = roundingError;
   const second = twoSum(first, third);
-  low += rest + 2 * sLow + thirdLow + tail + dk * LN2_LOW;
+  low += roundingError + 2 * sLow + thirdLow + tail + dk * LN2_LOW;
   const high = second + low;
   logarithmLow = low - (high - second);
   return high;
@@ -82,9 +82,9 @@ export function power(x: f64, y: f64): f64 {
   if (x < 0 && kind == 0) return NaN;
   if (base == 1) return sign;
   const high = logarithmPair(base);
-  const rough = y * high;
-  if (rough > 710) return sign * Infinity;
-  if (rough < -746) return 0 * sign;
+  const estimate = y * high;
+  if (estimate > 710) return sign * Infinity;
+  if (estimate < -746) return 0 * sign;
   const product = twoProduct(y, high);
-  return sign * exponentialOfSum(product, rest + y * logarithmLow);
+  return sign * exponentialOfSum(product, roundingError + y * logarithmLow);
 }

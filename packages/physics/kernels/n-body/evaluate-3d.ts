@@ -9,7 +9,7 @@
 import { LANES, add, at, div, mul, splat, sub } from '../memory/lanes';
 import { NBody, REAL } from './workspace';
 
-// The acceleration of the LANES bodies at work, as far as it is summed.
+// The partial sums of the acceleration of the current LANES bodies.
 @unmanaged
 class Acceleration {
   x: v128;

@@ -106,7 +106,7 @@ export class NBody {
 // number.
 // @ts-ignore: decorator
 @inline export function coincident2(): f64 {
-  // In f32 its power 3/2 must not make the pull of a million bodies in one place overflow.
+  // In f32, the attraction of a million bodies at one point must not overflow if this square is raised to 3/2.
   return sizeof<real>() == 4 ? 1e-20 : 1e-200;
 }
 

@@ -13,7 +13,7 @@ class RoundImpact {
   speed: real;
 }
 
-// The last roundImpact that was found.
+// The impact found last.
 export const roundImpact = changetype<RoundImpact>(memory.data(offsetof<RoundImpact>(), 8));
 
 // Returns the time since the centres were `reach` apart, or -1 if that was not within the last `dt`.

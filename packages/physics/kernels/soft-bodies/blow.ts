@@ -21,7 +21,7 @@ class WindState {
 
 export const windState = changetype<WindState>(memory.data(144, 16));
 
-// Minimum square of twice an area, m^4: smaller triangles are degenerate, and what is divided by it is smaller still.
+// Minimum square of twice an area, m^4: smaller triangles are degenerate, and their force vanishes with the square.
 const MIN_SQUARE: real = 1e-36;
 
 export function setWind(x: f64, y: f64, z: f64, density: f64, normal: f64, tangential: f64): void {

@@ -1,3 +1,3 @@
-// What blows on networks of springs and fills them: a module of its own, so that a game without them does not pay.
+// Wind on cloths and gas in soft bodies. A separate module, so that games without them do not load it.
 export { enclosed, inflateEdges, inflateTriangles } from './gas';
 export { blowTriangles } from './wind';

@@ -56,8 +56,9 @@ function areEqual(words: usize, others: usize, count: i32): bool {
   v128.store(force, add(v128.load(force), add(a, b)));
 }
 
-// One axis of the forces of meshes on the nodes of both sides of the strip. The forces on the upper and on the lower
-// triangle; of the meshes before, those on both together and on the lower one.
+// Adds one axis of the forces on the quads to the nodes on both sides of the strip. `upper` and `under` are the forces
+// on the two triangles of the current quads; `both` and `lower` are, of the previous quads, the sum of both triangles
+// and the force on the lower triangle.
 // @ts-ignore: decorator
 @inline function addForcesAxis(top: usize, bottom: usize, upper: v128, under: v128, both: v128, lower: v128): void {
   const sum = add(upper, under);
@@ -65,7 +66,7 @@ function areEqual(words: usize, others: usize, count: i32): bool {
   addForces(bottom, sum, shiftByOne(lower, under));
 }
 
-// The wind on triangles with the corners p, q and r, and the sum v of their velocities.
+// Computes the wind force on triangles with corners p, q and r; v is the sum of the velocities of the corners.
 // @ts-ignore: decorator
 @inline function computeTriangleWindForce(
   px: v128,

@@ -5,8 +5,8 @@ import { CHUNK, addChunkForces, chunkAddress, readTriangles, triangles } from '.
 import { addWindToStrip, isStripAlive } from './strips';
 import { word } from '../xpbd/table';
 
-// A sheet of `count` triangles, its parts, and the columns of forces; velocity and density of the air; the coefficients
-// across and along the sheet. src/soft-bodies/cloth-wind.ts fills it.
+// A sheet of `count` triangles, its strips, and the force columns; velocity and density of the air; normal and
+// tangential drag coefficients. src/soft-bodies/cloth-wind.ts writes it.
 @unmanaged
 export class SheetInWind {
   faces: usize;

@@ -16,17 +16,17 @@ export function arrangeConstraints(table: usize, movable: u32, lastId: i32): i32
   const links = linkCount(t);
   const bodies = <usize>(lastId + 1);
   memory.fill(t.degree, 0, bodies << 2);
-  memory.fill(t.masks, 0, bodies << 3);
-  memory.fill(t.state, 0, (<usize>links) << 2);
+  memory.fill(t.groupMasks, 0, bodies << 3);
+  memory.fill(t.assigned, 0, (<usize>links) << 2);
   for (let link = 0; link < links; link++) {
     countSpring(t, load<u32>(linkAt(t, link), 4), link);
     countSpring(t, load<u32>(linkAt(t, link), 8), link);
   }
   t.nodeCount = 0;
-  t.looseCount = 0;
+  t.freeBodyCount = 0;
   for (let body = 1; body <= lastId; body++) {
     if (word(t.degree, body) > 0) putWord(t.nodes, t.nodeCount++, body);
-    else if (isMovable(body, movable)) t.looseCount++;
+    else if (isMovable(body, movable)) t.freeBodyCount++;
   }
   t.rowCount = 0;
   findChains(t, links, movable);
@@ -76,7 +76,7 @@ function followChain(t: ConstraintTable, link: i32, from: u32, movable: u32, wri
     const a = load<u32>(p, 4);
     const other = a == node ? load<u32>(p, 8) : a;
     if (write) {
-      putWord(t.state, current, 1);
+      putWord(t.assigned, current, 1);
       putRow(t, t.rowCount++, load<u32>(p), node, other);
     }
     ended = isChainEnd(t, other, movable);

@@ -42,7 +42,7 @@ class Link {
   oz: f64;
   // Coefficient of the next row's unknown, and the right-hand side, both divided by the pivot.
   upper: f64;
-  known: f64;
+  rhs: f64;
   pivot: f64;
   active: f64;
   // The unknown: the change of the tension.
@@ -51,7 +51,7 @@ class Link {
 
 // @ts-ignore: decorator
 @inline function linkOf(t: ConstraintTable, row: i32): Link {
-  return changetype<Link>(t.work + <usize>row * LINK_BYTES);
+  return changetype<Link>(t.scratch + <usize>row * LINK_BYTES);
 }
 
 // The maximum number of Newton iterations, and the relative length errors that count as solved and as stalled by
@@ -138,17 +138,17 @@ function eliminate(t: ConstraintTable, first: i32, last: i32, turnsSharply: bool
 
 // One step of the forward elimination of a tridiagonal matrix.
 // @ts-ignore: decorator
-@inline function eliminateRow(link: Link, before: Link, wa: f64, diagonal: f64, known: f64): void {
-  link.known = 0;
+@inline function eliminateRow(link: Link, before: Link, wa: f64, diagonal: f64, rhs: f64): void {
+  link.rhs = 0;
   link.upper = 0;
   if (link.active == 0) return;
   let pivot = diagonal;
-  let right = known;
+  let right = rhs;
   if (changetype<usize>(before) != 0 && before.active > 0) {
     before.upper = (-wa * cosine(before, link)) / before.pivot;
     const lower = -wa * cosine(link, before);
     pivot -= lower * before.upper;
-    right -= lower * before.known;
+    right -= lower * before.rhs;
   }
   // A straight chain between two anchors is overdetermined: one of its rows is redundant.
   if (!(pivot > 1e-12 * diagonal)) {
@@ -157,7 +157,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32, turnsSharply: bool
     return;
   }
   link.pivot = pivot;
-  link.known = right / pivot;
+  link.rhs = right / pivot;
 }
 
 // The cosine between a direction now and one at the start of the sub-step.
@@ -225,7 +225,7 @@ function substitute(t: ConstraintTable, first: i32, last: i32): void {
   let next: f64 = 0;
   for (let row = last - 1; row >= first; row--) {
     const link = linkOf(t, row);
-    next = link.active > 0 ? link.known - link.upper * next : 0;
+    next = link.active > 0 ? link.rhs - link.upper * next : 0;
     link.change = next;
   }
   for (let row = first; row < last; row++) {
@@ -268,7 +268,7 @@ export function solveChainVelocities(table: usize): void {
         link.x * (<f64>get(c.velocityX, b) - <f64>get(c.velocityX, a)) +
         link.y * (<f64>get(c.velocityY, b) - <f64>get(c.velocityY, a)) +
         link.z * (<f64>get(c.velocityZ, b) - <f64>get(c.velocityZ, a));
-      const rigid = <f64>get(springs.stiffness, word(t.source, row)) >= RIGID;
+      const rigid = <f64>get(springs.stiffness, word(t.springIds, row)) >= RIGID;
       const slack = isTensionOnly(get(t.length, row)) && (rate <= 0 || get(t.tension, row) <= 0);
       link.active = rigid && !slack && get(t.gain, row) > 0 ? 1 : 0;
       const wa = <f64>packedComponent(packedAt(t, a), 3);
@@ -283,7 +283,7 @@ function applyChainImpulses(t: ConstraintTable, first: i32, last: i32): void {
   let next: f64 = 0;
   for (let row = last - 1; row >= first; row--) {
     const link = linkOf(t, row);
-    next = link.active > 0 ? link.known - link.upper * next : 0;
+    next = link.active > 0 ? link.rhs - link.upper * next : 0;
     if (next == 0) continue;
     applyImpulse(t, word(t.a, row), link, next);
     applyImpulse(t, word(t.b, row), link, -next);

@@ -62,7 +62,7 @@ export function updateChecksum(t: ConstraintTable, h: f64): bool {
   addRows(springs.damping, first, last, bytes);
   addRows(t.breakForce, first, last, bytes);
   addRows(columns().mass, firstNode, lastNode, bytes);
-  const stored = t.sum;
+  const stored = t.checksum;
   const difference = v128.or(
     v128.or(v128.xor(v128.load(stored), sum0), v128.xor(v128.load(stored, 16), sum1)),
     v128.or(v128.xor(v128.load(stored, 32), sum2), v128.xor(v128.load(stored, 48), sum3)),
@@ -76,5 +76,5 @@ export function updateChecksum(t: ConstraintTable, h: f64): bool {
 
 // Clears the checksum, so that the next comparison fails.
 export function invalidateChecksum(t: ConstraintTable): void {
-  memory.fill(t.sum, 0, 64);
+  memory.fill(t.checksum, 0, 64);
 }

@@ -16,7 +16,7 @@ export function groupLinks(t: ConstraintTable, movable: u32, spare: i32): void {
   for (let link = 0; link < links; link++) if (!hasRow(t, link)) remaining++;
   const maxRows = t.rowCount + remaining + spare;
   t.groupsFirst = t.rowCount;
-  // The bitmask of the open groups; `t.masks` holds the same bits for the groups that a body is in.
+  // The bitmask of the open groups; `t.groupMasks` holds the same bits for the groups that a body is in.
   let open: u64 = 0;
   let openedCount = 0;
   for (let link = 0; link < links; link++) {
@@ -30,13 +30,13 @@ export function groupLinks(t: ConstraintTable, movable: u32, spare: i32): void {
       if (t.rowCount + GROUP_SIZE + remaining > maxRows) continue;
       group = openedCount++ % OPEN_GROUPS;
       if (((open >> group) & 1) != 0) closeGroup(t, group);
-      putWord(t.open, group, t.rowCount);
+      putWord(t.openGroups, group, t.rowCount);
       appendPadding(t, GROUP_SIZE);
     }
     const bit = (<u64>1) << group;
-    const row = <i32>word(t.open, group);
+    const row = <i32>word(t.openGroups, group);
     putLink(t, row, link);
-    putWord(t.open, group, row + 1);
+    putWord(t.openGroups, group, row + 1);
     remaining--;
     open |= bit;
     if (a != 0) store<u64>(a, load<u64>(a) | bit);
@@ -51,13 +51,13 @@ export function groupLinks(t: ConstraintTable, movable: u32, spare: i32): void {
 
 // @ts-ignore: decorator
 @inline function maskAddress(t: ConstraintTable, body: u32): usize {
-  return t.masks + ((<usize>body) << 3);
+  return t.groupMasks + ((<usize>body) << 3);
 }
 
 // Closes a group: clears its bit in the masks of its bodies.
 function closeGroup(t: ConstraintTable, group: i32): void {
   const keepMask = ~((<u64>1) << group);
-  const first = (<i32>word(t.open, group) - 1) & -GROUP_SIZE;
+  const first = (<i32>word(t.openGroups, group) - 1) & -GROUP_SIZE;
   for (let row = first; row < first + GROUP_SIZE; row++) {
     const a = maskAddress(t, word(t.a, row));
     const b = maskAddress(t, word(t.b, row));

@@ -15,7 +15,7 @@ import { ConstraintTable, putWord, word } from './table';
 
 // @ts-ignore: decorator
 @inline export function hasRow(t: ConstraintTable, link: i32): bool {
-  return word(t.state, link) != 0;
+  return word(t.assigned, link) != 0;
 }
 
 // @ts-ignore: decorator
@@ -27,11 +27,11 @@ import { ConstraintTable, putWord, word } from './table';
 export function putLink(t: ConstraintTable, row: i32, link: i32): void {
   const p = linkAt(t, link);
   putRow(t, row, load<u32>(p), load<u32>(p, 4), load<u32>(p, 8));
-  putWord(t.state, link, 1);
+  putWord(t.assigned, link, 1);
 }
 
 export function putRow(t: ConstraintTable, row: i32, spring: u32, a: u32, b: u32): void {
-  putWord(t.source, row, spring);
+  putWord(t.springIds, row, spring);
   putWord(t.a, row, a);
   putWord(t.b, row, b);
   store<real>(t.tension + <usize>row * sizeof<real>(), 0);

@@ -33,7 +33,7 @@ export function packBodies(table: usize): void {
     const toX = v128.and(x, isValid);
     const toY = v128.and(y, isValid);
     const toZ = v128.and(z, isValid);
-    const inverse = v128.and(v128.load(t.inverse + o), isValid);
+    const inverse = v128.and(v128.load(t.inverseMass + o), isValid);
     v128.store(p, transpose0(toX, toY, toZ, inverse));
     v128.store(p + vectorOffset(1), transpose1(toX, toY, toZ, inverse));
     v128.store(p + vectorOffset(2), transpose2(toX, toY, toZ, inverse));
@@ -65,7 +65,7 @@ export function packBody(t: ConstraintTable, body: u32): void {
   putPackedComponent(p, 0, isValid ? x : 0);
   putPackedComponent(p, 1, isValid ? y : 0);
   putPackedComponent(p, 2, isValid ? z : 0);
-  putPackedComponent(p, 3, isValid ? get(t.inverse, body) : 0);
+  putPackedComponent(p, 3, isValid ? get(t.inverseMass, body) : 0);
 }
 
 // Applies the force on each node for h seconds more, and lets the node drift with the gained velocity for `drift`
@@ -95,13 +95,13 @@ export function kickNodes(table: usize, fx: usize, fy: usize, fz: usize, h: f64,
   drift: real,
 ): void {
   if (!isRun) {
-    const gain = h * get(t.inverse, body) * get(force, body);
+    const gain = h * get(t.inverseMass, body) * get(force, body);
     put(velocity, body, get(velocity, body) + gain);
     put(position, body, get(position, body) + drift * gain);
     return;
   }
   const o = at(body);
-  const gain = mul(mul(splat(h), v128.load(t.inverse + o)), v128.load(force + o));
+  const gain = mul(mul(splat(h), v128.load(t.inverseMass + o)), v128.load(force + o));
   v128.store(velocity + o, add(v128.load(velocity + o), gain));
   v128.store(position + o, add(v128.load(position + o), mul(splat(drift), gain)));
 }

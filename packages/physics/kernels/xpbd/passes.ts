@@ -1,13 +1,13 @@
 // The order in which the passes of polylines are solved: the highest tension of the previous sub-step first.
 import { get, put } from '../memory/columns';
 import { LANES, add, at, laneOf, splat } from '../memory/lanes';
-import { ConstraintTable, LAYERS, putWord, word } from './table';
+import { ConstraintTable, MAX_PASSES, putWord, word } from './table';
 
 // Sorts the passes; must run while the rows hold the tensions of the previous sub-step. The sort is stable.
 export function orderPasses(t: ConstraintTable): void {
-  const order = t.layers + ((<usize>(LAYERS + 1)) << 2);
-  const tensions = order + ((<usize>(LAYERS + 1)) << 2);
-  for (let pass = 0; pass < t.layerCount; pass++) {
+  const order = t.passes + ((<usize>(MAX_PASSES + 1)) << 2);
+  const tensions = order + ((<usize>(MAX_PASSES + 1)) << 2);
+  for (let pass = 0; pass < t.passCount; pass++) {
     const tension = meanTension(t, pass);
     put(tensions, pass, tension);
     let index = pass;
@@ -22,8 +22,8 @@ export function orderPasses(t: ConstraintTable): void {
 
 // Returns the mean tension of a pass.
 function meanTension(t: ConstraintTable, pass: i32): real {
-  const first = <i32>word(t.strands, word(t.layers, pass));
-  const last = <i32>word(t.strands, word(t.layers, pass + 1));
+  const first = <i32>word(t.batches, word(t.passes, pass));
+  const last = <i32>word(t.batches, word(t.passes, pass + 1));
   let sum = splat(0);
   for (let row = first; row < last; row += LANES) sum = add(sum, v128.load(t.tension + at(row)));
   let tension: real = 0;

@@ -29,7 +29,7 @@ import {
   transpose3,
   vectorAddress,
 } from './packed-bodies';
-import { ConstraintTable, LAYERS, word } from './table';
+import { ConstraintTable, MAX_PASSES, word } from './table';
 
 // The state of a body of each polyline, and of the row from it to the next body.
 @unmanaged
@@ -37,19 +37,19 @@ class PolylineNode {
   x: v128;
   y: v128;
   z: v128;
-  inverse: v128;
+  inverseMass: v128;
   // The vector r to the next body, and 1 / |r|.
   rx: v128;
   ry: v128;
   rz: v128;
-  per: v128;
+  inverseLength: v128;
   // Natural length plus compliance times tension.
-  rest: v128;
+  restLength: v128;
   // Coefficient of this unknown in the previous row, and right-hand side, both divided by the pivot.
   upper: v128;
-  known: v128;
+  rhs: v128;
   // Impulse divided by d.
-  pull: v128;
+  impulseOverLength: v128;
 }
 
 const NODE_BYTES: usize = 192;
@@ -68,13 +68,13 @@ const ITERATION_TOLERANCE: real = 8e-3;
 
 // @ts-ignore: decorator
 @inline function firstNode(t: ConstraintTable): PolylineNode {
-  return changetype<PolylineNode>(t.work + NODE_BYTES);
+  return changetype<PolylineNode>(t.scratch + NODE_BYTES);
 }
 
 // Returns the node of the last bodies, which no row follows.
 // @ts-ignore: decorator
 @inline function lastNode(t: ConstraintTable, first: i32, last: i32): PolylineNode {
-  return changetype<PolylineNode>(t.work + <usize>((last - first) / LANES + 1) * NODE_BYTES);
+  return changetype<PolylineNode>(t.scratch + <usize>((last - first) / LANES + 1) * NODE_BYTES);
 }
 
 // @ts-ignore: decorator
@@ -91,12 +91,12 @@ const ITERATION_TOLERANCE: real = 8e-3;
 // to an earlier one, which changes its lengths by second order only; in the opposite order its tension would displace
 // the slack pass by first order.
 export function solveBatches(t: ConstraintTable): void {
-  for (let i = 0; i < t.layerCount; i++) {
-    const layer = <i32>word(t.layers, LAYERS + 1 + i);
-    const end = <i32>word(t.layers, layer + 1);
-    for (let strand = <i32>word(t.layers, layer); strand < end; strand++) {
-      const first = <i32>word(t.strands, strand);
-      const last = <i32>word(t.strands, strand + 1);
+  for (let i = 0; i < t.passCount; i++) {
+    const pass = <i32>word(t.passes, MAX_PASSES + 1 + i);
+    const end = <i32>word(t.passes, pass + 1);
+    for (let batch = <i32>word(t.passes, pass); batch < end; batch++) {
+      const first = <i32>word(t.batches, batch);
+      const last = <i32>word(t.batches, batch + 1);
       const inexact = solveBatch(t, first, last, ALL_LANES);
       // The rotation of the rows changes their lengths by second order, so a large rotation needs a second solve.
       if (v128.any_true(inexact)) solveBatch(t, first, last, inexact);
@@ -107,11 +107,11 @@ export function solveBatches(t: ConstraintTable): void {
 // Tests whether the length of any row exceeds the tolerance after all passes: crossing polylines that carry each
 // other's load undo each other's corrections. The pass solved last needs no test.
 export function exceedsTolerance(t: ConstraintTable): bool {
-  for (let i = 0; i < t.layerCount - 1; i++) {
-    const layer = <i32>word(t.layers, LAYERS + 1 + i);
-    const end = <i32>word(t.layers, layer + 1);
-    for (let strand = <i32>word(t.layers, layer); strand < end; strand++) {
-      if (batchExceedsTolerance(t, word(t.strands, strand), word(t.strands, strand + 1))) return true;
+  for (let i = 0; i < t.passCount - 1; i++) {
+    const pass = <i32>word(t.passes, MAX_PASSES + 1 + i);
+    const end = <i32>word(t.passes, pass + 1);
+    for (let batch = <i32>word(t.passes, pass); batch < end; batch++) {
+      if (batchExceedsTolerance(t, word(t.batches, batch), word(t.batches, batch + 1))) return true;
     }
   }
   return false;
@@ -140,8 +140,8 @@ function batchExceedsTolerance(t: ConstraintTable, first: i32, last: i32): bool 
     const y = transpose1(r0, r1, r2, r3);
     const z = transpose2(r0, r1, r2, r3);
     const length = v128.load(t.length + o);
-    const rest = add(v128.abs<real>(length), mul(v128.load(t.softness + o), v128.load(t.tension + o)));
-    const expected = mul(rest, rest);
+    const restLength = add(v128.abs<real>(length), mul(v128.load(t.softness + o), v128.load(t.tension + o)));
+    const expected = mul(restLength, restLength);
     const error = sub(dot(x, y, z, x, y, z), expected);
     // A tension-only row may be shorter than its natural length.
     const used = v128.andnot(v128.lt<real>(v128.load(t.gain + o), splat(Infinity)), signMask(v128.and(error, length)));
@@ -176,23 +176,23 @@ function solveBatch(t: ConstraintTable, first: i32, last: i32, mask: v128): v128
   node.x = transpose0(a, b, c, d);
   node.y = transpose1(a, b, c, d);
   node.z = transpose2(a, b, c, d);
-  node.inverse = transpose3(a, b, c, d);
+  node.inverseMass = transpose3(a, b, c, d);
 }
 
 // Stores one body of each polyline.
 // @ts-ignore: decorator
-@inline function scatter(packed: usize, ids: usize, x: v128, y: v128, z: v128, inverse: v128): void {
-  v128.store(vectorAddress(packed, ids, 0), transpose0(x, y, z, inverse));
-  v128.store(vectorAddress(packed, ids, 1), transpose1(x, y, z, inverse));
-  v128.store(vectorAddress(packed, ids, 2), transpose2(x, y, z, inverse));
-  v128.store(vectorAddress(packed, ids, 3), transpose3(x, y, z, inverse));
+@inline function scatter(packed: usize, ids: usize, x: v128, y: v128, z: v128, inverseMass: v128): void {
+  v128.store(vectorAddress(packed, ids, 0), transpose0(x, y, z, inverseMass));
+  v128.store(vectorAddress(packed, ids, 1), transpose1(x, y, z, inverseMass));
+  v128.store(vectorAddress(packed, ids, 2), transpose2(x, y, z, inverseMass));
+  v128.store(vectorAddress(packed, ids, 3), transpose3(x, y, z, inverseMass));
 }
 
 // Forward elimination, from the first row to the last.
 function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   const zero = splat(0);
   const diagonals = t.gain;
-  const flexibilities = t.softness;
+  const compliances = t.softness;
   const lengths = t.length;
   const tensions = t.tension;
   const packed = t.packed;
@@ -204,7 +204,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   let ny = zero;
   let nz = zero;
   let pivotBefore = zero;
-  let knownBefore = zero;
+  let rhsBefore = zero;
   for (let o = at(first); o < end; o += 16) {
     const below = after(node);
     gather(packed, ids, below);
@@ -221,30 +221,30 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
       square = v128.bitselect(splat(MIN_SQUARE), square, isDegenerate);
     }
     const d = v128.sqrt<real>(square);
-    const per = div(splat(1), d);
-    const mx = mul(rx, per);
-    const my = mul(ry, per);
-    const mz = mul(rz, per);
+    const inverseLength = div(splat(1), d);
+    const mx = mul(rx, inverseLength);
+    const my = mul(ry, inverseLength);
+    const mz = mul(rz, inverseLength);
     const length = v128.load(lengths + o);
     const tension = v128.load(tensions + o);
-    const rest = add(v128.abs<real>(length), mul(v128.load(flexibilities + o), tension));
-    const error = sub(d, rest);
-    const unloaded = v128.and(v128.le<real>(error, zero), v128.le<real>(tension, zero));
-    const slack = v128.and(unloaded, signMask(length));
+    const restLength = add(v128.abs<real>(length), mul(v128.load(compliances + o), tension));
+    const error = sub(d, restLength);
+    const isUnloaded = v128.and(v128.le<real>(error, zero), v128.le<real>(tension, zero));
+    const slack = v128.and(isUnloaded, signMask(length));
     const diagonal = v128.bitselect(splat(Infinity), v128.load(diagonals + o), slack);
-    const lower = mul(node.inverse, dot(mx, my, mz, nx, ny, nz));
+    const lower = mul(node.inverseMass, dot(mx, my, mz, nx, ny, nz));
     node.upper = mul(lower, pivotBefore);
     // The previous pivot is on the critical path, so it is multiplied in last.
     const coupling = mul(mul(lower, lower), pivotBefore);
     const pivot = larger(sub(diagonal, coupling), mul(splat(MIN_PIVOT), diagonal));
     pivotBefore = div(splat(1), pivot);
-    knownBefore = mul(add(error, mul(lower, knownBefore)), pivotBefore);
+    rhsBefore = mul(add(error, mul(lower, rhsBefore)), pivotBefore);
     node.rx = rx;
     node.ry = ry;
     node.rz = rz;
-    node.per = per;
-    node.rest = rest;
-    node.known = knownBefore;
+    node.inverseLength = inverseLength;
+    node.restLength = restLength;
+    node.rhs = rhsBefore;
     nx = mx;
     ny = my;
     nz = mz;
@@ -254,12 +254,12 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
 
 // Back substitution, from the last row to the first: computes the impulses. Returns which polylines are taut.
 function substitute(t: ConstraintTable, first: i32, last: i32, mask: v128): v128 {
-  const flexibilities = t.softness;
+  const compliances = t.softness;
   const lengths = t.length;
   const tensions = t.tension;
   const start = at(first);
   let node = lastNode(t, first, last);
-  let inverseBelow = node.inverse;
+  let inverseMassBelow = node.inverseMass;
   // The unknown of the row below, and its coefficient in the row above.
   let below = splat(0);
   let upper = splat(0);
@@ -267,20 +267,20 @@ function substitute(t: ConstraintTable, first: i32, last: i32, mask: v128): v128
   for (let o = at(last); o > start; ) {
     o -= 16;
     node = before(node);
-    below = add(node.known, mul(upper, below));
+    below = add(node.rhs, mul(upper, below));
     upper = node.upper;
     const tension = v128.load(tensions + o);
     const expected = add(tension, below);
-    const pushes = signMask(v128.and(expected, v128.load(lengths + o)));
-    const total = v128.bitselect(v128.andnot(expected, pushes), tension, mask);
+    const compressed = signMask(v128.and(expected, v128.load(lengths + o)));
+    const total = v128.bitselect(v128.andnot(expected, compressed), tension, mask);
     v128.store(tensions + o, total);
-    const by = sub(total, tension);
-    const rest = add(node.rest, mul(v128.load(flexibilities + o), by));
-    node.pull = mul(by, node.per);
-    node.rest = rest;
-    const transverse = mul(by, add(node.inverse, inverseBelow));
-    taut = v128.or(taut, v128.gt<real>(transverse, mul(splat(TAUT_RATIO), rest)));
-    inverseBelow = node.inverse;
+    const impulse = sub(total, tension);
+    const restLength = add(node.restLength, mul(v128.load(compliances + o), impulse));
+    node.impulseOverLength = mul(impulse, node.inverseLength);
+    node.restLength = restLength;
+    const transverse = mul(impulse, add(node.inverseMass, inverseMassBelow));
+    taut = v128.or(taut, v128.gt<real>(transverse, mul(splat(TAUT_RATIO), restLength)));
+    inverseMassBelow = node.inverseMass;
   }
   return taut;
 }
@@ -295,10 +295,10 @@ function moveAlongRows(t: ConstraintTable, first: i32, last: i32): void {
   let fz = splat(0);
   let node = firstNode(t);
   for (; node != end; node = after(node)) {
-    const w = node.inverse;
-    const x = mul(node.pull, node.rx);
-    const y = mul(node.pull, node.ry);
-    const z = mul(node.pull, node.rz);
+    const w = node.inverseMass;
+    const x = mul(node.impulseOverLength, node.rx);
+    const y = mul(node.impulseOverLength, node.ry);
+    const z = mul(node.impulseOverLength, node.rz);
     const toX = add(node.x, mul(w, sub(x, fx)));
     const toY = add(node.y, mul(w, sub(y, fy)));
     const toZ = add(node.z, mul(w, sub(z, fz)));
@@ -308,7 +308,7 @@ function moveAlongRows(t: ConstraintTable, first: i32, last: i32): void {
     fy = y;
     fz = z;
   }
-  const w = node.inverse;
+  const w = node.inverseMass;
   const lastIds = t.b + ((<usize>(last - LANES)) << 2);
   scatter(packed, lastIds, sub(node.x, mul(w, fx)), sub(node.y, mul(w, fy)), sub(node.z, mul(w, fz)), w);
 }
@@ -329,19 +329,19 @@ function moveTurning(t: ConstraintTable, first: i32, last: i32, taut: v128): v12
   let above = zero;
   let coefficient = zero;
   for (; node != end; node = after(node)) {
-    const w = node.inverse;
-    const pulls = v128.and(taut, v128.gt<real>(node.pull, zero));
-    const g = v128.and(div(node.pull, larger(mul(node.rest, node.per), splat(MIN_END_LENGTH))), pulls);
-    const pull = v128.bitselect(g, node.pull, pulls);
-    const x = mul(pull, node.rx);
-    const y = mul(pull, node.ry);
-    const z = mul(pull, node.rz);
+    const w = node.inverseMass;
+    const underTension = v128.and(taut, v128.gt<real>(node.impulseOverLength, zero));
+    const g = v128.and(div(node.impulseOverLength, larger(mul(node.restLength, node.inverseLength), splat(MIN_END_LENGTH))), underTension);
+    const scaled = v128.bitselect(g, node.impulseOverLength, underTension);
+    const x = mul(scaled, node.rx);
+    const y = mul(scaled, node.ry);
+    const z = mul(scaled, node.rz);
     const from = mul(w, above);
-    const per = div(one, sub(add(add(one, from), mul(w, g)), mul(from, coefficient)));
-    sx = mul(add(mul(w, sub(x, fx)), mul(from, sx)), per);
-    sy = mul(add(mul(w, sub(y, fy)), mul(from, sy)), per);
-    sz = mul(add(mul(w, sub(z, fz)), mul(from, sz)), per);
-    coefficient = mul(mul(w, g), per);
+    const inversePivot = div(one, sub(add(add(one, from), mul(w, g)), mul(from, coefficient)));
+    sx = mul(add(mul(w, sub(x, fx)), mul(from, sx)), inversePivot);
+    sy = mul(add(mul(w, sub(y, fy)), mul(from, sy)), inversePivot);
+    sz = mul(add(mul(w, sub(z, fz)), mul(from, sz)), inversePivot);
+    coefficient = mul(mul(w, g), inversePivot);
     above = g;
     fx = x;
     fy = y;
@@ -351,11 +351,11 @@ function moveTurning(t: ConstraintTable, first: i32, last: i32, taut: v128): v12
     node.ry = sy;
     node.rz = sz;
   }
-  const from = mul(node.inverse, above);
-  const per = div(one, sub(add(one, from), mul(from, coefficient)));
-  sx = mul(sub(mul(from, sx), mul(node.inverse, fx)), per);
-  sy = mul(sub(mul(from, sy), mul(node.inverse, fy)), per);
-  sz = mul(sub(mul(from, sz), mul(node.inverse, fz)), per);
+  const from = mul(node.inverseMass, above);
+  const inversePivot = div(one, sub(add(one, from), mul(from, coefficient)));
+  sx = mul(sub(mul(from, sx), mul(node.inverseMass, fx)), inversePivot);
+  sy = mul(sub(mul(from, sy), mul(node.inverseMass, fy)), inversePivot);
+  sz = mul(sub(mul(from, sz), mul(node.inverseMass, fz)), inversePivot);
   return v128.and(moveBackward(t, first, last, sx, sy, sz), taut);
 }
 
@@ -372,7 +372,7 @@ function moveTurning(t: ConstraintTable, first: i32, last: i32, taut: v128): v12
   let x = add(node.x, sx);
   let y = add(node.y, sy);
   let z = add(node.z, sz);
-  scatter(packed, t.b + ((<usize>(last - LANES)) << 2), x, y, z, node.inverse);
+  scatter(packed, t.b + ((<usize>(last - LANES)) << 2), x, y, z, node.inverseMass);
   let inexact = splat(0);
   while (node != start) {
     node = before(node);
@@ -383,14 +383,14 @@ function moveTurning(t: ConstraintTable, first: i32, last: i32, taut: v128): v12
     const toY = add(node.y, sy);
     const toZ = add(node.z, sz);
     ids -= LANES << 2;
-    scatter(packed, ids, toX, toY, toZ, node.inverse);
+    scatter(packed, ids, toX, toY, toZ, node.inverseMass);
     const rx = sub(x, toX);
     const ry = sub(y, toY);
     const rz = sub(z, toZ);
-    const expected = mul(node.rest, node.rest);
+    const expected = mul(node.restLength, node.restLength);
     const error = v128.abs<real>(sub(dot(rx, ry, rz, rx, ry, rz), expected));
     const isInexact = v128.gt<real>(error, mul(splat(SOLVE_TOLERANCE), expected));
-    inexact = v128.or(inexact, v128.and(isInexact, v128.ne<real>(node.pull, splat(0))));
+    inexact = v128.or(inexact, v128.and(isInexact, v128.ne<real>(node.impulseOverLength, splat(0))));
     x = toX;
     y = toY;
     z = toZ;

@@ -4,7 +4,7 @@
 // batches that share no movable body form a pass, such as all polylines of a cloth in one direction.
 import { LANES } from '../memory/lanes';
 import { appendPadding, hasRow, isMovable, linkAt, linkCount, putLink } from './links';
-import { ConstraintTable, LAYERS, putWord, word } from './table';
+import { ConstraintTable, MAX_PASSES, putWord, word } from './table';
 
 // The minimum number of springs of a polyline: a direct solve of three gains nothing.
 const MIN_POLYLINE: i32 = 4;
@@ -20,10 +20,10 @@ export function findPolylines(t: ConstraintTable, movable: u32, lastId: i32): i3
   // `joined` now holds, per body, the last polyline and the last batch that contain it; the chains are done with it.
   memory.fill(t.joined, 0, (<usize>(lastId + 1)) << 3);
   const links = linkCount(t);
-  t.strandCount = 0;
-  t.longest = 0;
-  t.layerCount = 1;
-  putWord(t.layers, 0, 0);
+  t.batchCount = 0;
+  t.longestPolyline = 0;
+  t.passCount = 1;
+  putWord(t.passes, 0, 0);
   polylineCount = 0;
   spare = links >> 1;
   let polyline: u32 = 0;
@@ -33,8 +33,8 @@ export function findPolylines(t: ConstraintTable, movable: u32, lastId: i32): i3
     link += count;
   }
   closeBatch(t);
-  putWord(t.strands, t.strandCount, t.rowCount);
-  putWord(t.layers, t.layerCount, t.strandCount);
+  putWord(t.batches, t.batchCount, t.rowCount);
+  putWord(t.passes, t.passCount, t.batchCount);
   return spare;
 }
 
@@ -61,24 +61,24 @@ function addPolyline(t: ConstraintTable, link: i32, count: i32, movable: u32): v
     closeBatch(t);
     openBatch(t, count);
   }
-  if (t.layerCount < LAYERS && conflictsWithPass(t, link, count, movable)) {
-    putWord(t.layers, t.layerCount++, t.strandCount - 1);
+  if (t.passCount < MAX_PASSES && conflictsWithPass(t, link, count, movable)) {
+    putWord(t.passes, t.passCount++, t.batchCount - 1);
   }
-  const first = <i32>word(t.strands, t.strandCount - 1);
+  const first = <i32>word(t.batches, t.batchCount - 1);
   putWord(t.broken, polylineCount, link);
   for (let j = 0; j < count; j++) {
     const p = linkAt(t, link + j);
     const a = load<u32>(p, 4);
     const b = load<u32>(p, 8);
-    putWord(t.joined, a * 2 + 1, t.strandCount);
-    putWord(t.joined, b * 2 + 1, t.strandCount);
+    putWord(t.joined, a * 2 + 1, t.batchCount);
+    putWord(t.joined, b * 2 + 1, t.batchCount);
     putLink(t, first + LANES * j + polylineCount, link + j);
   }
   polylineCount++;
 }
 
 function openBatch(t: ConstraintTable, count: i32): void {
-  putWord(t.strands, t.strandCount++, t.rowCount);
+  putWord(t.batches, t.batchCount++, t.rowCount);
   springsEach = count;
   appendPadding(t, LANES * count);
 }
@@ -87,25 +87,25 @@ function openBatch(t: ConstraintTable, count: i32): void {
 function closeBatch(t: ConstraintTable): void {
   const wasted = (LANES - polylineCount) * springsEach;
   if (polylineCount > 0 && wasted > spare) {
-    t.rowCount = word(t.strands, --t.strandCount);
+    t.rowCount = word(t.batches, --t.batchCount);
     for (let l = 0; l < polylineCount; l++) {
-      for (let j = 0; j < springsEach; j++) putWord(t.state, <i32>word(t.broken, l) + j, 0);
+      for (let j = 0; j < springsEach; j++) putWord(t.assigned, <i32>word(t.broken, l) + j, 0);
     }
   } else if (polylineCount > 0) {
     spare -= wasted;
-    t.longest = max<i32>(t.longest, springsEach);
+    t.longestPolyline = max<i32>(t.longestPolyline, springsEach);
   }
   polylineCount = 0;
 }
 
 // Tests whether a polyline shares a movable body with the open batch.
 function conflictsWithBatch(t: ConstraintTable, link: i32, count: i32, movable: u32): bool {
-  return polylineCount == 0 || conflictsWith(t, link, count, movable, t.strandCount, t.strandCount);
+  return polylineCount == 0 || conflictsWith(t, link, count, movable, t.batchCount, t.batchCount);
 }
 
 // Tests whether a polyline shares a movable body with the earlier batches of the open pass.
 function conflictsWithPass(t: ConstraintTable, link: i32, count: i32, movable: u32): bool {
-  return conflictsWith(t, link, count, movable, <i32>word(t.layers, t.layerCount - 1) + 1, t.strandCount - 1);
+  return conflictsWith(t, link, count, movable, <i32>word(t.passes, t.passCount - 1) + 1, t.batchCount - 1);
 }
 
 // Tests whether the last batch of any movable body of a polyline is between `first` and `last`, counted from 1.

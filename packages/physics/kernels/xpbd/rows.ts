@@ -36,7 +36,7 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
     const body = word(t.nodes, i);
     const mass = get(c.mass, body);
     const moves = mass > 0 && (word(c.members, body) & movable) == movable;
-    put(t.inverse, body, moves ? 1 / mass : 0);
+    put(t.inverseMass, body, moves ? 1 / mass : 0);
   }
   inverseA = -1;
   rodCount = 0;
@@ -48,15 +48,15 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
     return 0;
   }
   const chainedCount = word(t.chains, t.chainCount);
-  t.rigid = i32(rodCount == chainedCount && <u32>t.rowCount < chainedCount + 4);
+  t.onlyRodChains = i32(rodCount == chainedCount && <u32>t.rowCount < chainedCount + 4);
   return 1;
 }
 
 // Returns false if the spring joins bodies other than its row says.
 // @ts-ignore: decorator
 @inline function readRow(t: ConstraintTable, springs: SpringTable, row: i32, h: f64): bool {
-  const spring = word(t.source, row);
-  const isInBatch = <u32>row >= word(t.strands, 0) && <u32>row < word(t.strands, t.strandCount);
+  const spring = word(t.springIds, row);
+  const isInBatch = <u32>row >= word(t.batches, 0) && <u32>row < word(t.batches, t.batchCount);
   if (spring == 0) {
     put(t.gain, row, isInBatch ? Infinity : 0);
     return true;
@@ -69,8 +69,8 @@ export function readConstraints(table: usize, movable: u32, h: f64): i32 {
   const length = get(springs.length, spring);
   put(t.length, row, word(springs.tensionOnly, spring) != 0 ? -length : length);
   const k = get(springs.stiffness, spring);
-  const wa = get(t.inverse, a);
-  const wb = get(t.inverse, b);
+  const wa = get(t.inverseMass, a);
+  const wb = get(t.inverseMass, b);
   if (wa != inverseA || wb != inverseB || k != stiffness) updateCoefficients(k, wa, wb, h);
   put(t.gain, row, isInBatch ? diagonal : gain);
   put(t.softness, row, isInBatch ? compliance : softness);
@@ -100,7 +100,7 @@ export function findBroken(table: usize, h: f64): i32 {
   const t = tableAt(table);
   let count = 0;
   for (let row = 0; row < t.rowCount; row++) {
-    const spring = word(t.source, row);
+    const spring = word(t.springIds, row);
     if (spring == 0) continue;
     const limit = <f64>get(t.breakForce, spring);
     if (limit > 0 && <f64>get(t.tension, row) > limit * h * h) putWord(t.broken, count++, spring);

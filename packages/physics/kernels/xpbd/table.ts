@@ -1,7 +1,7 @@
 // The record of a world's constraints; src/xpbd/constraint-table.ts writes the addresses.
 //
 // A row is one spring as the solver sees it. Rows have this order: the chains, row after row along each; the batches
-// of polylines (`strands`), whose rows are interleaved; the groups of four that share no movable body, padded where a
+// of polylines, whose rows are interleaved; the groups of four that share no movable body, padded where a
 // group is incomplete; last the few springs that fit into no group. A packed body is x, y, z, inverse mass.
 
 @unmanaged
@@ -14,15 +14,15 @@ export class ConstraintTable {
   // Per body: packed x, y, z, inverse mass; inverse mass; bitmask of the open groups that contain it; number of
   // springs; the first two of them.
   packed: usize;
-  inverse: usize;
-  masks: usize;
+  inverseMass: usize;
+  groupMasks: usize;
   degree: usize;
   joined: usize;
   // Per link: 1 if it has a row.
-  state: usize;
+  assigned: usize;
   // Per row: id of the spring (0 is padding), its ends, natural length (negative if tension-only), gain, softness,
   // tension times h^2.
-  source: usize;
+  springIds: usize;
   a: usize;
   b: usize;
   length: usize;
@@ -32,27 +32,27 @@ export class ConstraintTable {
   // First row of each chain and of each batch, each list closed by the end of the last; next free row of each open
   // group.
   chains: usize;
-  strands: usize;
-  open: usize;
-  // The first batch of each pass, closed by the end of the last; from word LAYERS + 1 on, the order in which the
-  // passes are solved; from word 2 (LAYERS + 1) on, the mean tension of each.
-  layers: usize;
+  batches: usize;
+  openGroups: usize;
+  // The first batch of each pass, closed by the end of the last; from word MAX_PASSES + 1 on, the order in which the
+  // passes are solved; from word 2 (MAX_PASSES + 1) on, the mean tension of each.
+  passes: usize;
   // Scratch memory of the solver for one chain or one batch.
-  work: usize;
+  scratch: usize;
   // The checksum of the springs: checksum.ts.
-  sum: usize;
+  checksum: usize;
   // Ids of the springs that exceed their breaking force.
   broken: usize;
   nodeCount: i32;
   // The number of movable bodies without springs.
-  looseCount: i32;
+  freeBodyCount: i32;
   chainCount: i32;
-  strandCount: i32;
-  layerCount: i32;
+  batchCount: i32;
+  passCount: i32;
   // The length of the longest polyline, in rows.
-  longest: i32;
+  longestPolyline: i32;
   // 1 if every spring is a rod in a chain.
-  rigid: i32;
+  onlyRodChains: i32;
   groupsFirst: i32;
   serialFirst: i32;
   rowCount: i32;
@@ -64,7 +64,7 @@ export class ConstraintTable {
 export const OPEN_GROUPS: i32 = 64;
 
 // The maximum number of passes; further batches join the last.
-export const LAYERS: i32 = 15;
+export const MAX_PASSES: i32 = 15;
 
 // Minimum stiffness of a rod, N/m: src/components/spring.ts stores infinity as 1e30.
 export const RIGID: f64 = 1e29;

@@ -60,15 +60,15 @@ class Node {
   ny: f64;
   nz: f64;
   error: f64;
-  flexibility: f64;
-  across: f64;
+  compliance: f64;
+  transverse: f64;
   active: f64;
   mass: f64;
 }
 
 // @ts-ignore: decorator
 @inline function nodeOf(t: ConstraintTable, row: i32): Node {
-  return changetype<Node>(t.work + <usize>row * NODE_BYTES);
+  return changetype<Node>(t.scratch + <usize>row * NODE_BYTES);
 }
 
 // The ratio T w/L above which explicit directions would be unstable: a transverse wave crosses a link in sqrt(L m/T),
@@ -139,10 +139,10 @@ function updateRows(t: ConstraintTable, first: i32, last: i32, isRepeated: bool)
     const z = b.z - a.z;
     const d = sqrt<f64>(x * x + y * y + z * z);
     const isSeparate = d >= 1e-15;
-    const per = isSeparate ? 1 / d : 0;
-    a.nx = isSeparate ? x * per : 1;
-    a.ny = y * per;
-    a.nz = z * per;
+    const inverseLength = isSeparate ? 1 / d : 0;
+    a.nx = isSeparate ? x * inverseLength : 1;
+    a.ny = y * inverseLength;
+    a.nz = z * inverseLength;
     const gain = <f64>get(t.gain, row);
     const length = get(t.length, row);
     const restLength = abs<f64>(<f64>length);
@@ -151,10 +151,10 @@ function updateRows(t: ConstraintTable, first: i32, last: i32, isRepeated: bool)
     const slack = isTensionOnly(length) && d <= restLength && tension <= 0 && !(isRepeated && a.active > 0);
     const active = gain > 0 && !slack;
     const mass = a.mass + b.mass;
-    const across = abs<f64>(tension) * per;
+    const transverse = abs<f64>(tension) * inverseLength;
     a.error = d - restLength;
-    a.flexibility = max<f64>(e, MIN_COMPLIANCE / mass);
-    a.across = across > MIN_TRANSVERSE * mass ? across : 0;
+    a.compliance = max<f64>(e, MIN_COMPLIANCE / mass);
+    a.transverse = transverse > MIN_TRANSVERSE * mass ? transverse : 0;
     a.active = active ? 1 : 0;
     if (active) largestError = max<f64>(largestError, abs<f64>(d - restLength - e * tension) / (d + restLength));
   }
@@ -185,29 +185,29 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   const x = node.nx;
   const y = node.ny;
   const z = node.nz;
-  const e = node.flexibility;
+  const e = node.compliance;
   if (node.active == 0) {
     node.sxx = node.sxy = node.sxz = node.syy = node.syz = node.szz = 0;
     return;
   }
-  if (node.across == 0) {
+  if (node.transverse == 0) {
     const qx = node.xx * x + node.xy * y + node.xz * z;
     const qy = node.xy * x + node.yy * y + node.yz * z;
     const qz = node.xz * x + node.yz * y + node.zz * z;
-    const per = 1 / (e + x * qx + y * qy + z * qz);
-    node.sxx = per * x * x;
-    node.sxy = per * x * y;
-    node.sxz = per * x * z;
-    node.syy = per * y * y;
-    node.syz = per * y * z;
-    node.szz = per * z * z;
+    const scale = 1 / (e + x * qx + y * qy + z * qz);
+    node.sxx = scale * x * x;
+    node.sxy = scale * x * y;
+    node.sxz = scale * x * z;
+    node.syy = scale * y * y;
+    node.syz = scale * y * z;
+    node.szz = scale * z * z;
     return;
   }
-  const turn = 1 / node.across;
-  const k = e - turn;
-  const xx = node.xx + turn + k * x * x;
-  const yy = node.yy + turn + k * y * y;
-  const zz = node.zz + turn + k * z * z;
+  const transverseCompliance = 1 / node.transverse;
+  const k = e - transverseCompliance;
+  const xx = node.xx + transverseCompliance + k * x * x;
+  const yy = node.yy + transverseCompliance + k * y * y;
+  const zz = node.zz + transverseCompliance + k * z * z;
   const xy = node.xy + k * x * y;
   const xz = node.xz + k * x * z;
   const yz = node.yz + k * y * z;
@@ -243,9 +243,9 @@ class Symmetric {
   const yx = xy * a;
   const zx = xz * a;
   const b = 1 / (yy - yx * xy);
-  const across = yz - zx * xy;
-  const zy = across * b;
-  const c = 1 / (zz - zx * xz - zy * across);
+  const reducedZy = yz - zx * xy;
+  const zy = reducedZy * b;
+  const c = 1 / (zz - zx * xz - zy * reducedZy);
   const back = yx * zy - zx;
   to.zz = c;
   to.yz = -zy * c;

@@ -8,7 +8,7 @@ export function dampConstraints(table: usize, h: f64): void {
   const t = tableAt(table);
   const springs = changetype<SpringTable>(t.springs);
   for (let row = 0; row < t.rowCount; row++) {
-    const spring = word(t.source, row);
+    const spring = word(t.springIds, row);
     if (spring == 0) continue;
     const damping = <f64>get(springs.damping, spring);
     if (damping == 0 || <f64>get(springs.stiffness, spring) >= RIGID) continue;

@@ -11,7 +11,7 @@ import { assertBody } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
-import { ANY, LENGTHS, PLACES } from '../forces/support/bounds.ts';
+import { ANY, LENGTH_BOUNDS, POSITION_BOUNDS } from '../forces/support/bounds.ts';
 import { forceKernels } from '../forces/support/force-kernels.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -25,7 +25,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 export function applyImpulse(world: PhysicsWorld, eid: number, impulse: VectorInput, point?: VectorInput): void {
   assertBody(world, eid);
   const j = checkVector(impulse, 'impulse', ANY);
-  const p = point === undefined ? undefined : checkVector(point, 'point', PLACES);
+  const p = point === undefined ? undefined : checkVector(point, 'point', POSITION_BOUNDS);
   const { Mass, Velocity: v, Position, Inertia, AngularVelocity: w } = world.components;
   const mass = Mass.value[eid];
   if (!(mass > 0)) return;
@@ -63,9 +63,9 @@ export interface ExplosionOptions {
 export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
   assertUsable(world);
   checkKeys(options, 'explode', ['centre', 'impulse', 'radius', 'falloff']);
-  const { x, y, z } = checkVector(options.centre ?? {}, 'explode.centre', PLACES);
+  const { x, y, z } = checkVector(options.centre ?? {}, 'explode.centre', POSITION_BOUNDS);
   const impulse = checkNumber(options.impulse, 'explode.impulse', ANY);
-  const radius = checkNumber(options.radius, 'explode.radius', LENGTHS);
+  const radius = checkNumber(options.radius, 'explode.radius', LENGTH_BOUNDS);
   const falloff = checkWhole(options.falloff ?? 1, 'explode.falloff', 0, 16);
   const depth = world.dimensions === 3 ? z : 0;
   forceKernels(world).blast(x, y, depth, impulse, radius, falloff, 0, world.lastId + 1);

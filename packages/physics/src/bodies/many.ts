@@ -25,24 +25,24 @@ export type Column = number | Float64Array;
 type Columns = Record<string, Column>;
 
 /** A component of the new bodies, with validated values for all its fields. */
-export interface Filling {
+export interface ComponentValues {
   readonly name: ComponentName;
   readonly fields: readonly (readonly [string, Column])[];
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function checkMany(space: WorldView, values: ManyInput, count: number): Filling[] {
+export function checkMany(space: WorldView, values: ManyInput, count: number): ComponentValues[] {
   if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
-  const fillings: Filling[] = [];
+  const components: ComponentValues[] = [];
   for (const [key, data] of Object.entries(values)) {
     if (data === undefined) continue;
     const name = componentOfKey(key, 'spawnMany');
-    fillings.push({ name, fields: checkComponent(space, name, data, count) });
+    components.push({ name, fields: checkComponent(space, name, data, count) });
   }
-  if (lacksVelocity(fillings.map(({ name }) => name))) {
-    fillings.push({ name: 'Velocity', fields: Object.entries(initialValues('Velocity')) });
+  if (lacksVelocity(components.map(({ name }) => name))) {
+    components.push({ name: 'Velocity', fields: Object.entries(initialValues('Velocity')) });
   }
-  return fillings;
+  return components;
 }
 
 function checkComponent(space: WorldView, name: ComponentName, data: unknown, count: number): [string, Column][] {
@@ -74,20 +74,20 @@ function checkColumn(space: WorldView, name: string, spec: FieldSpec, many: unkn
   const checked = new Float64Array(count);
   for (let i = 0; i < count; i++) {
     const value: unknown = many[i];
-    const isGood = !special && isWithin(value, spec.bounds);
-    checked[i] = isGood ? value : checkField(space, spec, `${name}[${i}]`, value);
+    const isValid = !special && isWithin(value, spec.bounds);
+    checked[i] = isValid ? value : checkField(space, spec, `${name}[${i}]`, value);
   }
   return checked;
 }
 
-const nothing = (): FieldValues => ({});
+const noDefaults = (): FieldValues => ({});
 
 /** Components with interdependent fields are completed body by body, or once if all values are equal. */
 function completeColumns(space: WorldView, name: ComponentName, columns: Columns, count: number): Columns {
   const given = Object.entries(columns);
   const bodyAt = (i: number): FieldValues => {
     const values = Object.fromEntries(given.map(([field, column]) => [field, valueAt(column, i)]));
-    return completeValues(space, name, values, nothing);
+    return completeValues(space, name, values, noDefaults);
   };
   if (!given.some(([, column]) => isList(column))) return bodyAt(0);
   const completed = Object.fromEntries(given.map(([field]) => [field, new Float64Array(count)]));

@@ -13,10 +13,10 @@ import { cleanRow } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkWhole } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { type Column, checkMany, type Filling, type ManyInput } from './many.ts';
+import { type Column, type ComponentValues, checkMany, type ManyInput } from './many.ts';
 
 /** Called during creation with the number of bodies created so far. */
-export type Progress = (made: number, count: number) => void;
+export type Progress = (created: number, count: number) => void;
 
 const CHUNK = 65536;
 
@@ -37,13 +37,13 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
     });
   }
   ensureCapacity(world, count);
-  const fillings = checkMany(world, values, count);
+  const components = checkMany(world, values, count);
   const ids = new Uint32Array(count);
   try {
-    makeEntities(world, fillings, ids, progress);
-    fillColumns(world, fillings, ids);
-    const changed = joinQueries(world, fillings, ids);
-    finish(world, fillings, ids);
+    createEntities(world, components, ids, progress);
+    writeColumns(world, components, ids);
+    const changed = joinQueries(world, components, ids);
+    finish(world, components, ids);
     notifyObservers(changed, ids);
   } catch (error) {
     undoSpawn(world, ids);
@@ -52,19 +52,19 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   return ids;
 }
 
-function bitsOf(fillings: readonly Filling[]): number {
-  return fillings.reduce((bits, { name }) => bits | bitOf(name), 0);
+function bitsOf(components: readonly ComponentValues[]): number {
+  return components.reduce((bits, { name }) => bits | bitOf(name), 0);
 }
 
-function makeEntities(
+function createEntities(
   world: PhysicsWorld,
-  fillings: readonly Filling[],
+  components: readonly ComponentValues[],
   ids: Uint32Array,
   progress: Progress | undefined,
 ): void {
   const count = ids.length;
   const context = contextOf(world);
-  const bits = bitsOf(fillings);
+  const bits = bitsOf(components);
   // Our components are the first that bitECS registers, so its bits for them are equal to ours.
   const masks = context.entityMasks[0];
   const used = world.lastId;
@@ -75,9 +75,9 @@ function makeEntities(
     if (eid <= used) cleanRow(world, eid);
     masks[eid] |= bits;
     context.entityComponents.set(eid, new ComponentSet(world, bits) as unknown as Set<ComponentRef>);
-    const made = i + 1;
-    if (progress !== undefined && (made % CHUNK === 0 || made === count)) {
-      progress(made, count);
+    const created = i + 1;
+    if (progress !== undefined && (created % CHUNK === 0 || created === count)) {
+      progress(created, count);
       assertUsable(world);
     }
   }
@@ -95,15 +95,15 @@ interface Changed {
  * all.
  * @returns the queries that users may observe
  */
-function joinQueries(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Array): Changed[] {
+function joinQueries(world: PhysicsWorld, components: readonly ComponentValues[], ids: Uint32Array): Changed[] {
   const context = contextOf(world);
-  const affected = new Set(fillings.flatMap(({ name }) => queriesOf(world, name)));
+  const affected = new Set(components.flatMap(({ name }) => queriesOf(world, name)));
   const changed: Changed[] = [];
   for (const query of affected) {
     const joined = matches(context, query, ids[0]);
     if (!joined && !isIn(query, ids[0])) continue;
-    if (joined) join(query, ids);
-    else leave(context, query, ids);
+    if (joined) joinQuery(query, ids);
+    else leaveQuery(context, query, ids);
     if (!world.internal.unobserved.has(query)) changed.push({ query, joined });
   }
   return changed;
@@ -124,7 +124,7 @@ function isIn(query: Query, eid: number): boolean {
   return query.has(eid) && !query.toRemove.has(eid);
 }
 
-function join(query: Query, ids: Uint32Array): void {
+function joinQuery(query: Query, ids: Uint32Array): void {
   const pending = query.toRemove.dense.length > 0;
   for (let i = 0; i < ids.length; i++) {
     if (pending) query.toRemove.remove(ids[i]);
@@ -132,7 +132,7 @@ function join(query: Query, ids: Uint32Array): void {
   }
 }
 
-function leave({ dirtyQueries }: WorldContext, query: Query, ids: Uint32Array): void {
+function leaveQuery({ dirtyQueries }: WorldContext, query: Query, ids: Uint32Array): void {
   for (let i = 0; i < ids.length; i++) if (query.has(ids[i])) query.toRemove.add(ids[i]);
   dirtyQueries.add(query);
 }
@@ -159,8 +159,8 @@ function undoSpawn(world: PhysicsWorld, ids: Uint32Array): void {
 
 type Columns = Record<ComponentName, Record<string, Float64Array>>;
 
-function fillColumns(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Array): void {
-  for (const { name, fields } of fillings) {
+function writeColumns(world: PhysicsWorld, components: readonly ComponentValues[], ids: Uint32Array): void {
+  for (const { name, fields } of components) {
     for (const { [name]: columns } of [world.components, world.previous] as Partial<Columns>[]) {
       if (columns !== undefined) for (const [field, values] of fields) writeColumn(columns[field], values, ids);
     }
@@ -172,10 +172,10 @@ function writeColumn(column: Float64Array, values: Column, ids: Uint32Array): vo
   else for (let i = 0; i < ids.length; i++) column[ids[i]] = values[i];
 }
 
-function finish(world: PhysicsWorld, fillings: readonly Filling[], ids: Uint32Array): void {
+function finish(world: PhysicsWorld, components: readonly ComponentValues[], ids: Uint32Array): void {
   const { internal, versions } = world;
-  const bits = bitsOf(fillings);
-  for (const { name } of fillings) internal.counts[name] += ids.length;
+  const bits = bitsOf(components);
+  for (const { name } of components) internal.counts[name] += ids.length;
   for (let i = 0; i < ids.length; i++) {
     const eid = ids[i];
     internal.members[eid] |= bits;

@@ -87,8 +87,8 @@ export function lacksVelocity(names: readonly ComponentName[]): boolean {
 }
 
 /**
- * Removes a body (or a wall, or a spring) and its entity. During a step it is removed at the end of the step; until then
- * it takes part in the step, but `isAlive` is false for it, and removing it again does nothing.
+ * Removes a body (or a wall, or a spring) and its entity. During a step removal takes effect at the end of the step;
+ * until then the body takes part in the step, but `isAlive` is false for it, and removing it again does nothing.
  * @throws PhysicsError E_STALE if there is no entity with this id, E_DESTROYED; and exceptions of user observers, after
  *   the entity is removed
  */

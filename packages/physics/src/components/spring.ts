@@ -8,11 +8,11 @@ import { bodyId, defineComponent, real, u32 } from './define.ts';
 export const Spring = defineComponent({
   fields: {
     /** The ids of the bodies that it joins. */
-    a: bodyId('aLife'),
-    b: bodyId('bLife'),
+    a: bodyId('aGeneration'),
+    b: bodyId('bGeneration'),
     /** The generations of these ids, filled in by the engine. */
-    aLife: u32(''),
-    bLife: u32(''),
+    aGeneration: u32(''),
+    bGeneration: u32(''),
     /** Force per extension, N/m. Infinity makes a rod, or an inextensible string: only for the integrator `xpbd`. */
     stiffness: real('N/m', { bounds: { min: 0, max: 1e30 }, infinite: 1e30 }),
     /** Force per rate of extension, N s/m. */

@@ -1,4 +1,4 @@
-// Stands in for `warnings.ts` under the export condition `production`: no checks, no texts.
+// Replaces `warnings.ts` under the export condition `production`, and checks nothing.
 import type * as warnings from './warnings.ts';
 
 export const warnOnce: typeof warnings.warnOnce = () => {};

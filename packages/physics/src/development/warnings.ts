@@ -1,4 +1,4 @@
-// Warnings about input that is legal but surely not meant. Each is given once per world. The export condition
+// Warnings about valid input that is probably a mistake. Each is given once per world. The export condition
 // `production` replaces this file by `no-warnings.ts`.
 import type { ComponentName } from '../components/all.ts';
 import type { Force, PhysicsWorld, Plan, Warning } from '../world/types.ts';

@@ -131,18 +131,18 @@ function cut(
     return level;
   };
   const columns = intermediateColumns(world);
-  const places = new Map<Node, number>();
+  const indices = new Map<Node, number>();
   const extra: Store[][] = roots.map(() => []);
   // Replaces a value of an earlier segment by the column that stores it.
   const storeForLater = (node: Node): Node => {
-    let place = places.get(node);
-    if (place === undefined) {
-      place = places.size;
-      places.set(node, place);
-      columns[place] ??= realColumn(world.internal.arena, world.precision, world.rows, 'a stage of the integrator')[1];
-      extra[levelOf(node)].push({ address: columns[place], node });
+    let index = indices.get(node);
+    if (index === undefined) {
+      index = indices.size;
+      indices.set(node, index);
+      columns[index] ??= realColumn(world.internal.arena, world.precision, world.rows, 'a stage of the integrator')[1];
+      extra[levelOf(node)].push({ address: columns[index], node });
     }
-    return graph.make('real', [], columns[place]);
+    return graph.make('real', [], columns[index]);
   };
   const moved = roots.map((stores, segment) => {
     const done = new Map<Node, Node>();

@@ -40,11 +40,11 @@ export const evaluateForces: EvaluateForces = (world, ranges, time) => {
 /** Clears the columns and calls every force that is not a law. */
 function accumulateKernels(world: PhysicsWorld, ranges: Ranges, time: number): void {
   const { force, torque } = world.scratch.at;
-  const turns = anyForceAppliesTorque(world);
+  const hasTorque = anyForceAppliesTorque(world);
   for (let r = 0; r < ranges.count; r++) {
     const [first, last] = [ranges.bounds[2 * r], ranges.bounds[2 * r + 1]];
     clearAxes(world, force, AXES[world.dimensions], first, last);
-    if (turns) clearAxes(world, torque, AXES[3], first, last);
+    if (hasTorque) clearAxes(world, torque, AXES[3], first, last);
   }
   for (const each of world.forces) {
     if (each.accumulate === undefined) continue;
@@ -73,8 +73,8 @@ export function anyForceAppliesTorque({ forces }: PhysicsWorld): boolean {
 }
 
 /**
- * Prepares every force for the step. Forces that consume fuel come last: when another force throws, the step is refused
- * and nothing has been consumed.
+ * Prepares every force for the step. Forces that consume fuel come last, so that nothing has been consumed if
+ * another force throws and the step is rejected.
  */
 export function prepareForces(world: PhysicsWorld, dt: number): void {
   const { forces } = world;
@@ -120,13 +120,14 @@ function forceLoopSource(
   const { x, y, z } = scratch.at.torque;
   const none = zeroVector(graph);
   const column = (address: number) => graph.make('real', [], address);
-  const torqueNow: Axes = dimensions === 2 ? [graph.zero, graph.zero, column(z)] : [column(x), column(y), column(z)];
+  const currentTorque: Axes =
+    dimensions === 2 ? [graph.zero, graph.zero, column(z)] : [column(x), column(y), column(z)];
   const sum = sumLaws(columns, laws, {
     position: columns.axes(addresses.Position),
     velocity: columns.axes(addresses.Velocity),
     startVelocity: columns.axes(scratch.at.startVelocity),
     force: addsToColumns ? columns.axes(scratch.at.force) : none,
-    torque: addsToColumns && hasTorque ? torqueNow : none,
+    torque: addsToColumns && hasTorque ? currentTorque : none,
     stage: 0,
     time: columns.timeAt(0),
   });

@@ -17,7 +17,7 @@ import {
   select,
   spawn,
   step,
-  type TablePlace,
+  type TableLocation,
   table,
   uniformGravity,
   vec3,
@@ -89,7 +89,7 @@ describe('formulas', () => {
   test('of conditions and sums', () => {
     const law = defineLaw({
       name: 'cases',
-      parameters: { t: table(['q'], (): TablePlace => ({ at: 0, count: 0 })) },
+      parameters: { t: table(['q'], (): TableLocation => ({ at: 0, count: 0 })) },
       force: ({ velocity, position, mass }, { t }) =>
         select(mass.less(1), velocity, position).add(t.sum(({ q }) => velocity.mul(q))),
     }) as () => Force;

@@ -9,7 +9,7 @@ import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { anyForceAppliesTorque } from './evaluate-forces.ts';
 
 export const integrateRotation: LocalSystem = {
-  name: 'turn',
+  name: 'rotation',
   role: 'rotate',
   run: forEachRange((world, first, last, dt) => {
     if (world.internal.counts.AngularVelocity === 0) return;
@@ -38,5 +38,5 @@ function rotateRange(world: PhysicsWorld, first: number, last: number, dt: numbe
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Orientation: q, Rotation } = addresses;
   if (world.dimensions === 2) kernels.driftAxis(Rotation.angle, w.z, dt, first, last);
-  else kernels.turnQuaternion(q.x, q.y, q.z, q.w, dt, first, last);
+  else kernels.rotateQuaternion(q.x, q.y, q.z, q.w, dt, first, last);
 }

@@ -22,7 +22,7 @@ import {
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 
-const PLACES = [
+const POSITION_BOUNDS = [
   { x: 0.7, y: -0.4, z: 0.3 },
   { x: -1.6, y: 0.2, z: 0.9 },
   { x: 0.3, y: 1.9, z: -1.1 },
@@ -38,7 +38,7 @@ const bodyAt = (at: { x: number; y: number; z: number }, dimensions: 2 | 3): Bod
 /** The two forces are derived differently, so they differ by some tens of roundings of the largest term. */
 function expectSame(derived: Force, written: Force): void {
   for (const dimensions of [2, 3] as const) {
-    for (const at of PLACES) {
+    for (const at of POSITION_BOUNDS) {
       const [a, b] = [derived, written].map((law) => lawOn(law, bodyAt(at, dimensions), { dimensions }));
       const size = Math.hypot(b.x, b.y, b.z);
       expect(Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z)).toBeLessThan(1e-13 * size);
@@ -151,7 +151,7 @@ describe('the derivative of', () => {
 
   test.each(Object.keys(POTENTIALS))('%s', (name) => {
     for (const dimensions of [2, 3] as const) {
-      for (const at of PLACES) {
+      for (const at of POSITION_BOUNDS) {
         const { world, eid } = single([potentialLaw(POTENTIALS[name])], bodyAt(at, dimensions), { dimensions });
         const force = forceOn(world, eid);
         const fall = slope(world, eid, 1e-5);

@@ -28,17 +28,17 @@ export function checksOf(
   start: Moved,
   result: Result,
   { box, list }: StepFeatures,
-): Pick<LoopSource, 'inRange' | 'walls' | 'usual'> {
+): Pick<LoopSource, 'inRange' | 'walls' | 'fastCheck'> {
   const inRange = rangeTest(columns, result);
   const inside = box === undefined ? undefined : insideBox(columns, result, box);
   if (box === undefined || inside === undefined) return { inRange };
   const at = columns.world.scratch.at.startVelocity;
   const stores = columns.axisNames.map((axis, i) => ({ address: at[axis], node: start.velocity[i] }));
   const walls: WallTest = { inside, list, stores, resting: restingBodies(columns, start, result, box) };
-  const usual = isClosed(columns, box)
+  const fastCheck = isClosed(columns, box)
     ? wellInside(columns, result, box)
     : columns.graph.make('and', [inside, inRange]);
-  return { inRange, walls, usual };
+  return { inRange, walls, fastCheck };
 }
 
 /**
@@ -84,9 +84,9 @@ function wellInside(columns: WorldColumns, { position, velocity }: Moved, box: B
   const conditions = axisNames.map((axis, i) => {
     const half = (box.high[axis] - box.low[axis]) / 2;
     const centre = box.low[axis] + half;
-    const room = graph.make('sub', [graph.constant(half - MARGIN * Math.max(half, Math.abs(centre))), radius]);
+    const halfWidth = graph.make('sub', [graph.constant(half - MARGIN * Math.max(half, Math.abs(centre))), radius]);
     const distance = graph.make('abs', [graph.make('sub', [position[i], graph.constant(centre)])]);
-    return graph.make('lessOrEqual', [distance, room]);
+    return graph.make('lessOrEqual', [distance, halfWidth]);
   });
   if (!endsWithDrift(columns, { position, velocity })) {
     conditions.push(graph.make('lessOrEqual', [squareOf(columns, velocity), graph.constant(MAX_SPEED * MAX_SPEED)]));
@@ -119,9 +119,9 @@ function restingBodies(columns: WorldColumns, start: Moved, result: Result, box:
     graph.make('real', [], at),
   );
   const and = (nodes: readonly Node[]) => nodes.reduce((a, b) => graph.make('and', [a, b]));
-  const isDead = graph.make('lessOrEqual', [restitution, graph.constant(REST_RESTITUTION)]);
-  const isSmooth = box.friction === 0 ? [] : [graph.make('lessOrEqual', [friction, graph.zero])];
-  const canRest = and([isMovable, graph.make('less', [graph.zero, radius]), isDead, ...isSmooth]);
+  const isInelastic = graph.make('lessOrEqual', [restitution, graph.constant(REST_RESTITUTION)]);
+  const isFrictionless = box.friction === 0 ? [] : [graph.make('lessOrEqual', [friction, graph.zero])];
+  const canRest = and([isMovable, graph.make('less', [graph.zero, radius]), isInelastic, ...isFrictionless]);
   const stores: Store[] = [];
   const conditions = axisNames.map((axis, i) => {
     const [x, x0] = [result.position[i], start.position[i]];
@@ -130,15 +130,15 @@ function restingBodies(columns: WorldColumns, start: Moved, result: Result, box:
     const [isBelow, isAbove] = [graph.make('less', [x, low]), graph.make('less', [high, x])];
     const onLow = and([isBelow, graph.make('equal', [x0, low])]);
     const onHigh = and([isAbove, graph.make('equal', [x0, high])]);
-    const isStill = and([graph.make('equal', [start.velocity[i], graph.zero]), canRest]);
-    const rests = and([graph.make('or', [onLow, onHigh]), isStill]);
-    stores.push({ address: Position[axis], node: graph.make('select', [rests, x0, x]) });
+    const isAtRest = and([graph.make('equal', [start.velocity[i], graph.zero]), canRest]);
+    const staysAtRest = and([graph.make('or', [onLow, onHigh]), isAtRest]);
+    stores.push({ address: Position[axis], node: graph.make('select', [staysAtRest, x0, x]) });
     stores.push({
       address: Velocity[axis],
-      node: graph.make('keep', [graph.make('not', [rests]), result.velocity[i]]),
+      node: graph.make('keep', [graph.make('not', [staysAtRest]), result.velocity[i]]),
     });
     const isInside = and([graph.make('lessOrEqual', [low, x]), graph.make('lessOrEqual', [x, high])]);
-    return graph.make('or', [isInside, rests]);
+    return graph.make('or', [isInside, staysAtRest]);
   });
   if (!isClosed(columns, box) || !endsWithDrift(columns, result)) conditions.push(rangeTest(columns, result));
   return { condition: and(conditions), stores };

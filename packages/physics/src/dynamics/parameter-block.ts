@@ -27,7 +27,7 @@ const REGION_DOUBLES = 512;
 const regionOf = resource((world) => ({ at: allocateDoubles(world, REGION_DOUBLES), doubles: REGION_DOUBLES }));
 
 /** Number of f64 in use; a new plan starts at zero. */
-const takenOf = cachedWithPlan(() => ({ doubles: 0 }));
+const usageOf = cachedWithPlan(() => ({ doubles: 0 }));
 
 function allocateDoubles(world: PhysicsWorld, doubles: number): number {
   return allocate(world.internal.arena, 8 * doubles, 'parameters of laws');
@@ -36,16 +36,16 @@ function allocateDoubles(world: PhysicsWorld, doubles: number): number {
 /** Bytes of a world's memory reserved for parameters. */
 export const PARAMETER_BYTES = 8 * REGION_DOUBLES + 64;
 
-function takeDoubles(world: PhysicsWorld, doubles: number): number {
+function reserveDoubles(world: PhysicsWorld, doubles: number): number {
   const region = regionOf(world);
-  const taken = takenOf(world);
-  if (taken.doubles + doubles > region.doubles) {
+  const usage = usageOf(world);
+  if (usage.doubles + doubles > region.doubles) {
     region.doubles = Math.max(doubles, 2 * region.doubles);
     region.at = allocateDoubles(world, region.doubles);
-    taken.doubles = 0;
+    usage.doubles = 0;
   }
-  const at = region.at + 8 * taken.doubles;
-  taken.doubles += doubles;
+  const at = region.at + 8 * usage.doubles;
+  usage.doubles += doubles;
   return at;
 }
 
@@ -81,7 +81,7 @@ export class ParameterBlock {
       });
       this.#starts.set(owner, starts);
     }
-    this.at = takeDoubles(world, size);
+    this.at = reserveDoubles(world, size);
     this.#values = new Float64Array(world.memory.buffer, this.at, size);
     for (const owner of owners) this.#addWriters(owner);
   }

@@ -29,8 +29,8 @@ export const validateState: LocalSystem = { name: 'check finite', role: 'check',
 function beginRange(world: PhysicsWorld, first: number, last: number): void {
   // The fused loop checks positions and velocities itself.
   const isFused = world.internal.plan?.fusion?.begin === true;
-  const isGood = isFused || saveAxes(world, first, last) === 1;
-  if (!isGood || !areAnglesValid(world, first, last)) {
+  const isValid = isFused || saveAxes(world, first, last) === 1;
+  if (!isValid || !areAnglesValid(world, first, last)) {
     repairRows(world, first, last, 'begin');
     if (!isFused) saveAxes(world, first, last);
   }
@@ -59,22 +59,22 @@ function saveAxes(world: PhysicsWorld, first: number, last: number): number {
   const { kernels, addresses, previousAddresses, scratch } = world;
   const { Position, Velocity } = addresses;
   const start = scratch.at.startVelocity;
-  let good = 1;
+  let valid = 1;
   const axes = AXES[world.dimensions];
   for (let a = 0; a < axes.length; a++) {
     const axis = axes[a];
     const previous = previousAddresses.Position[axis];
     const v = Velocity[axis];
-    good &= kernels.beginAxis(previous, start[axis], Position[axis], v, MAX_POSITION, MAX_SPEED, first, last);
+    valid &= kernels.beginAxis(previous, start[axis], Position[axis], v, MAX_POSITION, MAX_SPEED, first, last);
   }
-  return good;
+  return valid;
 }
 
 function saveAngles(world: PhysicsWorld, first: number, last: number): void {
   const angle = ANGLES[world.dimensions];
-  const now: Record<string, number> = world.addresses[angle];
+  const current: Record<string, number> = world.addresses[angle];
   const before: Record<string, number> = world.previousAddresses[angle];
-  for (const part in now) world.kernels.copyColumn(before[part], now[part], first, last);
+  for (const field in current) world.kernels.copyColumn(before[field], current[field], first, last);
 }
 
 function checkRange(world: PhysicsWorld, first: number, last: number): void {
@@ -88,13 +88,13 @@ function checkRange(world: PhysicsWorld, first: number, last: number): void {
 export function isInRange(world: PhysicsWorld, first: number, last: number): boolean {
   const { kernels, addresses } = world;
   const { Position, Velocity } = addresses;
-  let good = 1;
+  let valid = 1;
   const axes = AXES[world.dimensions];
   for (let a = 0; a < axes.length; a++) {
     const axis = axes[a];
-    good &= kernels.checkAxis(Position[axis], Velocity[axis], MAX_POSITION, MAX_SPEED, first, last);
+    valid &= kernels.checkAxis(Position[axis], Velocity[axis], MAX_POSITION, MAX_SPEED, first, last);
   }
-  return good === 1;
+  return valid === 1;
 }
 
 /** Returns whether any body has an orientation or angular velocity; other worlds skip the checks of rotation. */
@@ -108,13 +108,13 @@ function areAnglesValid(world: PhysicsWorld, first: number, last: number): boole
   const { AngularVelocity: w, Rotation, Orientation: q } = addresses;
   const maxSpin = MAX_ANGULAR_SPEED;
   const part = MAX_QUATERNION_COMPONENT;
-  const good =
+  const valid =
     kernels.checkAxis(w.x, w.y, maxSpin, maxSpin, first, last) &
     kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, maxSpin, first, last);
-  if (world.dimensions === 2) return good === 1;
-  const whole =
+  if (world.dimensions === 2) return valid === 1;
+  const orientationValid =
     kernels.checkAxis(q.x, q.y, part, part, first, last) & kernels.checkAxis(q.z, q.w, part, part, first, last);
-  return (good & whole) === 1;
+  return (valid & orientationValid) === 1;
 }
 
 /** The largest magnitude of each column of a body. */
@@ -133,7 +133,7 @@ const LIMITS = [
 function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string): void {
   for (const [name, limit] of LIMITS) {
     const columns: Columns = world.components[name];
-    let isTold = false;
+    let isReported = false;
     for (const axis in columns) {
       const value = columns[axis][row];
       if (Math.abs(value) <= limit) continue;
@@ -143,8 +143,8 @@ function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string):
         quarantine(world, row, field, value, phase, law);
         return;
       }
-      if (!isTold) reportFault(world, { code: 'E_SPEED', entity: row, field, value, phase });
-      isTold = true;
+      if (!isReported) reportFault(world, { code: 'E_SPEED', entity: row, field, value, phase });
+      isReported = true;
       columns[axis][row] = Math.sign(value) * limit;
     }
   }
@@ -208,9 +208,9 @@ function reportOnce(world: PhysicsWorld, row: number, field: string, value: numb
 export function quarantineBadForces(world: PhysicsWorld, first: number, last: number): void {
   const { x, y, z } = world.scratch.at.force;
   const { checkAxis } = world.kernels;
-  let good = checkAxis(x, y, MAX_FORCE, MAX_FORCE, first, last);
-  if (world.dimensions === 3) good &= checkAxis(z, z, MAX_FORCE, MAX_FORCE, first, last);
-  if (good === 1) return;
+  let valid = checkAxis(x, y, MAX_FORCE, MAX_FORCE, first, last);
+  if (world.dimensions === 3) valid &= checkAxis(z, z, MAX_FORCE, MAX_FORCE, first, last);
+  if (valid === 1) return;
   const { force } = world.scratch;
   for (let row = first; row < last; row++) {
     for (const axis of AXES[world.dimensions]) {

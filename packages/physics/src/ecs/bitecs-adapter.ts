@@ -60,11 +60,11 @@ function foreignError(name: ComponentName): PhysicsError {
 function guardQueries(world: PhysicsWorld): void {
   const { queries } = contextOf(world);
   const { unobserved } = world.internal;
-  const ours = new Set<Query>();
+  const registered = new Set<Query>();
   for (const name of COMPONENT_NAMES) {
     // The first query that bitECS made for the component.
     const [query] = queriesOf(world, name);
-    ours.add(query);
+    registered.add(query);
     unobserved.add(query);
     const { subscribe } = query.addObservable;
     query.addObservable.subscribe = (observer) => {
@@ -73,7 +73,7 @@ function guardQueries(world: PhysicsWorld): void {
     };
   }
   const remove = queries.delete.bind(queries);
-  queries.delete = (query) => !ours.has(query) && remove(query);
+  queries.delete = (query) => !registered.has(query) && remove(query);
 }
 
 /** bitECS's queries that include a component. */

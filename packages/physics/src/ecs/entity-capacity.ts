@@ -16,15 +16,15 @@ export function ensureCapacity(world: PhysicsWorld, count: number): void {
     if (aliveCount + count > world.capacity) throw capacityError(world, count);
     return;
   }
-  let room = 0;
-  for (let i = aliveCount; i < dense.length && room < count; i++) {
+  let moved = 0;
+  for (let i = aliveCount; i < dense.length && moved < count; i++) {
     if (dense[i] > world.capacity) continue;
-    const target = aliveCount + room++;
+    const target = aliveCount + moved++;
     [dense[target], dense[i]] = [dense[i], dense[target]];
     entityIndex.sparse[dense[target]] = target;
     entityIndex.sparse[dense[i]] = i;
   }
-  if (room < count) throw capacityError(world, count);
+  if (moved < count) throw capacityError(world, count);
 }
 
 export function capacityError(world: PhysicsWorld, more: number, entity?: number): PhysicsError {

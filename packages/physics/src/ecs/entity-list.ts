@@ -11,14 +11,14 @@ export interface EntityList {
   /** Address of the additional bytes per entity. */
   at: number;
   /** Capacity in entities. */
-  room: number;
+  capacity: number;
   /** Membership version for which the list is valid. */
   version: number;
 }
 
 /** An empty list, to be kept in a resource. */
 export function emptyEntityList(): EntityList {
-  return { ids: 0, at: 0, count: 0, room: 0, version: -1 };
+  return { ids: 0, at: 0, count: 0, capacity: 0, version: -1 };
 }
 
 /**
@@ -39,11 +39,11 @@ export function refreshEntityList(
   const { internal, versions, kernels } = world;
   if (entityList.version === versions.membership) return false;
   const max = internal.counts[name];
-  if (max > entityList.room) {
-    const room = Math.min(world.rows, Math.ceil(max / 32) * 64);
-    entityList.ids = allocate(internal.arena, room * (4 + bytes), `a list of ${name}`);
-    entityList.at = entityList.ids + 4 * room;
-    entityList.room = room;
+  if (max > entityList.capacity) {
+    const capacity = Math.min(world.rows, Math.ceil(max / 32) * 64);
+    entityList.ids = allocate(internal.arena, capacity * (4 + bytes), `a list of ${name}`);
+    entityList.at = entityList.ids + 4 * capacity;
+    entityList.capacity = capacity;
   }
   entityList.count = max === 0 ? 0 : kernels.listIds(internal.membersAt, bits, world.lastId + 1, entityList.ids);
   entityList.version = versions.membership;

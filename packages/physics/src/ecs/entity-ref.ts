@@ -37,8 +37,7 @@ function generationOf(world: PhysicsWorld, eid: number): number {
 }
 
 /**
- * Returns whether the body of a reference is in the world and not about to leave it: a body that was despawned in this
- * step counts as gone.
+ * Returns whether the body of a reference exists. A body that was despawned in this step does not count as existing.
  * @throws PhysicsError E_DESTROYED
  */
 export function isAlive(world: PhysicsWorld, ref: EntityRef): boolean {

@@ -106,7 +106,7 @@ function isPlain(data: object): boolean {
   return prototype === Object.prototype || prototype === null;
 }
 
-/** The fields of an object of a class, such as DOMPoint, whose accessors are no keys of its own. */
+/** Returns the fields of a class instance such as DOMPoint, whose accessors are on the prototype. */
 function withAccessors(data: Readonly<Record<string, unknown>>, fields: readonly string[]): Record<string, unknown> {
   const values: Record<string, unknown> = { ...data };
   for (const field of fields) if (data[field] !== undefined) values[field] = data[field];

@@ -43,7 +43,7 @@ import type { Emitter } from './types.ts';
  */
 export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   assertUsable(world);
-  // Each option is read once: what is checked is what is used.
+  // Each option is read once, so that a getter cannot return an unchecked value later.
   const copy = isRecord(options) ? { ...options } : options;
   checkOptionNames(copy, 'createEmitter', false);
   return makeEmitter(world, copy);
@@ -117,7 +117,7 @@ function writeParameters(world: PhysicsWorld, { at, words, numbers }: MemoryReco
     words[W.stops0 + r] = ramp.length;
   });
   emitterKernels(world).prepareEmitter(at);
-  words[W.repaint] = 1;
+  words[W.refreshAppearance] = 1;
 }
 
 /** Sets the last position to the position, so that the emitter has no velocity. */
@@ -202,12 +202,12 @@ export interface BurstOptions {
  * Creates `count` particles at once, at the next step.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond 256 bursts per step
  */
-export function burst(emitter: Emitter, count: number, options: BurstOptions = NOTHING): void {
+export function burst(emitter: Emitter, count: number, options: BurstOptions = NO_OPTIONS): void {
   const { words } = recordOf(emitter);
   const { world, internal, capacity } = emitter;
   checkWhole(count, 'count', 0, capacity);
   checkKeys(options, 'burst', BURST_OPTIONS);
-  const { ramp = -1, pattern, scale = 1, position = NOTHING, velocity = NOTHING } = options;
+  const { ramp = -1, pattern, scale = 1, position = NO_OPTIONS, velocity = NO_OPTIONS } = options;
   checkWhole(ramp, 'ramp', -1, words[W.rampCount] - 1);
   checkNumber(scale, 'scale', SCALE_BOUNDS);
   if (pattern !== undefined) checkPattern(world, pattern);
@@ -235,7 +235,7 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
 }
 
 const BURST_OPTIONS = ['ramp', 'pattern', 'scale', 'position', 'velocity'];
-const NOTHING = {};
+const NO_OPTIONS = {};
 const SCALE_BOUNDS = { min: -1e6, max: 1e6 };
 const POSITION_BOUNDS = { min: -1e15, max: 1e15 };
 const VELOCITY_BOUNDS = { min: -1e9, max: 1e9 };
@@ -251,13 +251,13 @@ export interface EmitterCounts {
   readonly born: number;
   readonly ended: number;
   /** Births that were dropped because the pool was full. */
-  readonly lost: number;
+  readonly dropped: number;
 }
 
 /** @throws PhysicsError E_STALE, E_DESTROYED */
 export function emitterCounts(emitter: Emitter): EmitterCounts {
   const { words, numbers } = recordOf(emitter);
-  return { alive: words[W.alive], born: numbers[N.born], ended: numbers[N.ended], lost: numbers[N.lost] };
+  return { alive: words[W.alive], born: numbers[N.born], ended: numbers[N.ended], dropped: numbers[N.droppedCount] };
 }
 
 /** Particles that ended in the last step. */
@@ -289,7 +289,7 @@ export function endings(emitter: Emitter): Endings {
     ids: new Uint32Array(buffer, words[W.endedIds], capacity),
     states: new Float64Array(buffer, words[W.endedAt], 6 * capacity),
   };
-  internal.endings.count = words[W.endedNow];
+  internal.endings.count = words[W.endedThisStep];
   return internal.endings;
 }
 

@@ -46,7 +46,7 @@ export interface EmitterOptions extends EmitterParameters {
    */
   readonly entity?: number;
   /**
-   * Behaviour when the pool is full: 'skip' (default) drops the birth and counts it as lost, 'oldest' ends the
+   * Behaviour when the pool is full: 'skip' (default) drops the birth and counts it as dropped, 'oldest' ends the
    * oldest particle.
    */
   readonly whenFull?: 'skip' | 'oldest';

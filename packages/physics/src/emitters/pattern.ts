@@ -52,10 +52,10 @@ export function createPattern(world: PhysicsWorld, velocities: readonly VectorIn
   return pattern;
 }
 
-/** The patterns of a world. A snapshot brings back those that there were: the memory of later ones is used again. */
+/** The patterns of a world. Restoring a snapshot removes patterns created since, whose memory is reused. */
 const patternsOf = resource(() => new Set<BurstPattern>());
 
-/** @throws PhysicsError E_RANGE for the pattern of another world, E_STALE for one that a restored snapshot did not know */
+/** @throws PhysicsError E_RANGE for a pattern of another world, E_STALE for a pattern that a restored snapshot removed */
 export function checkPattern(world: PhysicsWorld, pattern: BurstPattern): void {
   if (patternsOf(world).has(pattern)) return;
   if (pattern?.world !== world) {

@@ -59,7 +59,7 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
   words[W.colors] = allocateBytes(COLOR_BYTES);
   words[W.bornAt] = allocateBytes(capacity * 8);
   if (reports) words[W.endedAt] = allocateBytes(capacity * 48);
-  for (const list of [W.ids, W.generation, W.free, W.older, W.newer, W.ramp, W.life, W.factor]) {
+  for (const list of [W.ids, W.generation, W.free, W.older, W.newer, W.ramp, W.lifetime, W.sizeFactor]) {
     words[list] = allocateBytes(capacity * 4);
   }
   if (reports) words[W.endedIds] = allocateBytes(capacity * 4);
@@ -102,9 +102,9 @@ export function dropIncomplete(world: PhysicsWorld, { words }: MemoryRecord): vo
   const { members } = world.internal;
   const capacity = words[W.capacity];
   const ids = new Uint32Array(buffer, words[W.ids], capacity);
-  const mine = new Uint32Array(buffer, words[W.generation], capacity);
+  const ownGenerations = new Uint32Array(buffer, words[W.generation], capacity);
   for (let slot = 0; slot < capacity; slot++) {
-    if ((members[ids[slot]] & WRITTEN) !== WRITTEN) mine[slot] = NO_GENERATION;
+    if ((members[ids[slot]] & WRITTEN) !== WRITTEN) ownGenerations[slot] = NO_GENERATION;
   }
 }
 

@@ -10,9 +10,9 @@ describe('the number of living particles', () => {
     run(world, 10);
     expect(Math.abs(aliveCount(emitter) - 75)).toBeLessThanOrEqual(1);
     expect(living(emitter)).toHaveLength(aliveCount(emitter));
-    const { born, ended, lost } = emitterCounts(emitter);
+    const { born, ended, dropped } = emitterCounts(emitter);
     expect(born - ended).toBe(aliveCount(emitter));
-    expect(lost).toBe(0);
+    expect(dropped).toBe(0);
   });
 
   test('is rate × mean lifetime within statistical error (ch12-sparks: 60 × 7)', () => {
@@ -38,11 +38,11 @@ describe('the number of living particles', () => {
   test('a full pool skips births and counts them, or ends the oldest (ch12-emitter)', () => {
     const skipping = emitting({ capacity: 120, rate: 30, lifetime: 100 });
     run(skipping.world, 10);
-    expect(emitterCounts(skipping.emitter)).toEqual({ alive: 120, born: 120, ended: 0, lost: 179 });
+    expect(emitterCounts(skipping.emitter)).toEqual({ alive: 120, born: 120, ended: 0, dropped: 179 });
     const recycling = emitting({ capacity: 120, rate: 30, lifetime: 100, whenFull: 'oldest', speed: 0 });
     recycling.world.phases.input.push((w) => moveEmitter(recycling.emitter, { x: w.time }, true));
     run(recycling.world, 10);
-    expect(emitterCounts(recycling.emitter)).toEqual({ alive: 120, born: 299, ended: 179, lost: 0 });
+    expect(emitterCounts(recycling.emitter)).toEqual({ alive: 120, born: 299, ended: 179, dropped: 0 });
     // Age at recycling: 120 births at 30 per second.
     const ages = living(recycling.emitter).map((eid) => 10 - recycling.world.components.Position.x[eid]);
     expect(Math.max(...ages)).toBeLessThan(4 + 0.1);
@@ -53,7 +53,7 @@ describe('the number of living particles', () => {
     const { world, emitter } = emitting({ capacity: 10, rate: 1e9, lifetime: 100 });
     run(world, 1);
     expect(aliveCount(emitter)).toBe(10);
-    expect(emitterCounts(emitter).lost).toBeGreaterThan(9e8);
+    expect(emitterCounts(emitter).dropped).toBeGreaterThan(9e8);
   });
 
   test('a life shorter than a step is counted but never visible', () => {

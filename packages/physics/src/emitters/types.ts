@@ -23,7 +23,7 @@ export interface EmitterInternals {
   readonly bursts: Float64Array;
   /** The result of `endings`, created on first use; the same object every time. */
   endings: { count: number; readonly ids: Uint32Array; readonly states: Float64Array } | undefined;
-  /** The world's version of membership when the pool was last found complete. */
+  /** The membership version of the world at the last check that the pool was complete. */
   membership: number;
   destroyed: boolean;
   /** The world's number of restores when the emitter's existence was last checked. */

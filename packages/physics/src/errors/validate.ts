@@ -92,7 +92,7 @@ export interface Vector {
 export function checkVector(value: unknown, field: string, bounds: Bounds = {}): Vector {
   checkKeys(value, field, ['x', 'y', 'z'], 'axis');
   const vector = { x: 0, y: 0, z: 0 };
-  // Points such as DOMPoint have accessors in their class, which are no keys of their own.
+  // Points such as DOMPoint have accessors on the prototype, which Object.keys does not list.
   for (const axis of ['x', 'y', 'z'] as const) {
     const component = (value as VectorInput)[axis];
     if (component !== undefined || Object.hasOwn(value as object, axis)) {
@@ -111,9 +111,9 @@ export function readVector(out: Float64Array, at: number, value: VectorInput, fi
   if (!isRecord(value)) checkVector(value, field, bounds);
   out[at] = out[at + 1] = out[at + 2] = 0;
   for (const axis in value) {
-    const place = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
+    const index = axis === 'x' ? 0 : axis === 'y' ? 1 : axis === 'z' ? 2 : -1;
     const component = value[axis as 'x'];
-    if (place >= 0 && isWithin(component, bounds)) out[at + place] = component;
+    if (index >= 0 && isWithin(component, bounds)) out[at + index] = component;
     // This call throws the error with the details.
     else checkVector(value, field, bounds);
   }

@@ -16,7 +16,7 @@ import { checkNumber } from '../errors/validate.ts';
 import { type Scalar, select, type Vector } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { type FluidVolume, fluidVolumeValues, immersion, POOL } from './support/fluid-volume.ts';
+import { FLUID_VOLUME, type FluidVolume, fluidVolumeValues, immersion } from './support/fluid-volume.ts';
 
 const about = {
   name: 'added mass',
@@ -25,7 +25,7 @@ const about = {
   reads: { hull: Hull, collider: Collider },
 };
 
-const { density } = POOL;
+const { density } = FLUID_VOLUME;
 const coefficient = /* @__PURE__ */ scalar('');
 
 /** Returns the change of the acceleration, a m/(m + M) - a, for the added mass M, kg. */
@@ -42,10 +42,10 @@ const unbounded = /* @__PURE__ */ defineLaw({
 
 const withSurface = /* @__PURE__ */ defineLaw({
   ...about,
-  parameters: { density, up: POOL.up, level: POOL.level, coefficient },
-  acceleration(body, pool) {
-    const displaced = body.hull.volume.mul(immersion(body, pool).share);
-    return accelerationChange(body, pool.coefficient.mul(pool.density).mul(displaced));
+  parameters: { density, up: FLUID_VOLUME.up, level: FLUID_VOLUME.level, coefficient },
+  acceleration(body, fluid) {
+    const displaced = body.hull.volume.mul(immersion(body, fluid).immersedFraction);
+    return accelerationChange(body, fluid.coefficient.mul(fluid.density).mul(displaced));
   },
 });
 
@@ -53,8 +53,8 @@ const withSurface = /* @__PURE__ */ defineLaw({
  * @param coefficient C
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
-export function addedMass(pool: FluidVolume, coefficient = 0.5): Force {
-  const { fluid, level } = fluidVolumeValues(pool, 'addedMass');
+export function addedMass(fluidVolume: FluidVolume, coefficient = 0.5): Force {
+  const { fluid, level } = fluidVolumeValues(fluidVolume, 'addedMass');
   const given = {
     density: fluid.density,
     coefficient: checkNumber(coefficient, 'addedMass.coefficient', { min: 0, max: 100 }),

@@ -125,8 +125,8 @@ function gather(world: PhysicsWorld): EntityList {
   refreshEntityList(world, centres, 'Attractor', CENTRE_BYTES, bitOf('Attractor') | bitOf('Position'));
   const { ids, at, count } = centres;
   const { mu, softening } = world.addresses.Attractor;
-  const bad = world.kernels.gatherAttractors(ids, count, mu, softening, at);
-  if (bad > 0) repair(world, centres);
+  const invalidCount = world.kernels.gatherAttractors(ids, count, mu, softening, at);
+  if (invalidCount > 0) repair(world, centres);
   return centres;
 }
 

@@ -17,11 +17,11 @@ import { type Scalar, select } from '../laws/expression.ts';
 import type { Force } from '../world/types.ts';
 import {
   FLUID,
+  FLUID_VOLUME,
   type FluidVolume,
   fluidVolumeValues,
   type HullSymbols,
   immersion,
-  POOL,
 } from './support/fluid-volume.ts';
 
 const about = {
@@ -46,19 +46,19 @@ const unbounded = /* @__PURE__ */ defineLaw({
 const withSurface = /* @__PURE__ */ defineLaw({
   ...about,
   reads: { hull: Hull, collider: Collider },
-  parameters: POOL,
-  force: (body, pool) => pool.up.mul(weight(body, pool).mul(immersion(body, pool).share)),
-  potential(body, pool) {
-    const { depth, half, relative: d } = immersion(body, pool);
+  parameters: FLUID_VOLUME,
+  force: (body, fluid) => fluid.up.mul(weight(body, fluid).mul(immersion(body, fluid).immersedFraction)),
+  potential(body, fluid) {
+    const { depth, half, relative: d } = immersion(body, fluid);
     const ofSphere = d.square().mul(-0.0625).add(0.375).mul(d).add(0.5).mul(d).add(0.1875);
     const ofBox = d.add(1).square().mul(0.25);
     const immersedEnergy = half.mul(select(body.hull.shape.equals(0), ofSphere, ofBox));
-    return weight(body, pool).mul(select(d.less(1), immersedEnergy, depth));
+    return weight(body, fluid).mul(select(d.less(1), immersedEnergy, depth));
   },
 });
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function buoyancy(pool: FluidVolume): Force {
-  const { fluid, level } = fluidVolumeValues(pool, 'buoyancy');
+export function buoyancy(fluidVolume: FluidVolume): Force {
+  const { fluid, level } = fluidVolumeValues(fluidVolume, 'buoyancy');
   return level === undefined ? unbounded(fluid) : withSurface({ ...fluid, level });
 }

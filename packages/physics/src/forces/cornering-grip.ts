@@ -12,7 +12,7 @@ import type { VectorInput } from '../errors/validate.ts';
 import { select } from '../laws/expression.ts';
 import { scalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { NOT_NEGATIVE, PLACES } from './support/bounds.ts';
+import { NOT_NEGATIVE, POSITION_BOUNDS } from './support/bounds.ts';
 import { STANDARD_GRAVITY } from './support/standard-gravity.ts';
 
 export interface CorneringGripOptions {
@@ -29,7 +29,7 @@ const law = /* @__PURE__ */ defineLaw({
   formula: 'F = min(m v²/r, μ m g) towards the centre',
   source: 'Feynman, Lectures on Physics I, section 12-2.',
   parameters: {
-    centre: vector('m', { default: {}, ...PLACES }),
+    centre: vector('m', { default: {}, ...POSITION_BOUNDS }),
     friction: scalar('', { min: 0, max: 100 }),
     gravity: scalar('m/s²', { default: STANDARD_GRAVITY, ...NOT_NEGATIVE }),
   },

@@ -17,7 +17,7 @@ import { table } from '../laws/table.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force } from '../world/types.ts';
-import { LENGTHS, NOT_NEGATIVE, POSITIVE } from './support/bounds.ts';
+import { LENGTH_BOUNDS, NOT_NEGATIVE, POSITIVE } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
 /** Newton's constant of gravitation, m³/(kg s²): CODATA 2022. */
@@ -118,7 +118,7 @@ function checkProfile(radii: readonly number[], masses: readonly number[]): void
   }
   for (let i = 0; i < count; i++) {
     const [minRadius, minMass] = i === 0 ? [0, 0] : [radii[i - 1], masses[i - 1]];
-    checkNumber(radii[i], `enclosedMassGravity.radii[${i}]`, { ...LENGTHS, above: minRadius });
+    checkNumber(radii[i], `enclosedMassGravity.radii[${i}]`, { ...LENGTH_BOUNDS, above: minRadius });
     checkNumber(masses[i], `enclosedMassGravity.masses[${i}]`, { ...NOT_NEGATIVE, min: minMass });
   }
 }

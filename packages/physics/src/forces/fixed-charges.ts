@@ -15,7 +15,7 @@ import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/enti
 import { reportFault } from '../errors/report-fault.ts';
 import { type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
-import { type TablePlace, table } from '../laws/table.ts';
+import { type TableLocation, table } from '../laws/table.ts';
 import { SOURCE_BYTES, SOURCE_FIELDS } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
@@ -75,12 +75,12 @@ function voltageOf({ x, y, z, charge, radius }: Source, position: Vector, consta
 }
 
 /** Returns the sources at the start of the step; outside a step the current ones. */
-function sourcesAtStart(world: PhysicsWorld): TablePlace {
+function sourcesAtStart(world: PhysicsWorld): TableLocation {
   return world.state === 'stepping' ? sourcesOf(world).fixed : gather(world);
 }
 
 /** Lists the charges if entities changed, and copies the current state of those without mass. */
-function gather(world: PhysicsWorld): TablePlace {
+function gather(world: PhysicsWorld): TableLocation {
   const sources = sourcesOf(world);
   refreshEntityList(world, sources, 'Charge', SOURCE_BYTES, bitOf('Charge') | bitOf('Position'));
   const { fixed, ids, at } = sources;

@@ -38,14 +38,14 @@ const withSurface = /* @__PURE__ */ defineLaw({
   ...about,
   reads: { k: QuadraticDrag, c: LinearDrag, hull: Hull, collider: Collider },
   parameters: { up: vector(''), level: scalar('m'), flow: vector('m/s') },
-  force(body, pool) {
-    const { share } = immersion(body, pool);
-    return drag(body.velocity.sub(pool.flow), body.k.mul(share), body.c.mul(share));
+  force(body, fluid) {
+    const { immersedFraction } = immersion(body, fluid);
+    return drag(body.velocity.sub(fluid.flow), body.k.mul(immersedFraction), body.c.mul(immersedFraction));
   },
 });
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function immersedDrag(pool: FluidVolume): Force {
-  const { fluid, level, flow } = fluidVolumeValues(pool, 'immersedDrag');
+export function immersedDrag(fluidVolume: FluidVolume): Force {
+  const { fluid, level, flow } = fluidVolumeValues(fluidVolume, 'immersedDrag');
   return level === undefined ? unbounded({ flow }) : withSurface({ up: fluid.up, level, flow });
 }

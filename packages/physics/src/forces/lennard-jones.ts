@@ -10,7 +10,7 @@ import { checkKeys } from '../errors/validate.ts';
 import type { Scalar, Vector } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { LENGTHS, NOT_NEGATIVE } from './support/bounds.ts';
+import { LENGTH_BOUNDS, NOT_NEGATIVE } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
 import { checkCoupling } from './support/coupling.ts';
 
@@ -35,7 +35,7 @@ export function lennardJones(options: LennardJonesOptions): Force {
       source: 'Lennard-Jones, Proc. Phys. Soc. 43, 461 (1931).',
       parameters: {
         depth: scalar(couplesTo === 'Mass' ? 'J/kg' : 'J/C', NOT_NEGATIVE),
-        diameter: scalar('m', LENGTHS),
+        diameter: scalar('m', LENGTH_BOUNDS),
       },
       field(r, { depth, diameter }) {
         const { inverse, sixth } = powersOf(r, diameter);

@@ -13,7 +13,7 @@ import { checkKeys, checkVector, type VectorInput } from '../errors/validate.ts'
 import { select } from '../laws/expression.ts';
 import { vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { PLACES } from './support/bounds.ts';
+import { POSITION_BOUNDS } from './support/bounds.ts';
 import { unit } from './support/unit-vector.ts';
 
 export interface MotorOptions {
@@ -38,6 +38,6 @@ const law = /* @__PURE__ */ defineLaw({
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function motors(options: MotorOptions = {}): Force {
   checkKeys(options, 'motors', ['heading']);
-  const heading = checkVector(options.heading ?? { x: 1 }, 'motors.heading', PLACES);
+  const heading = checkVector(options.heading ?? { x: 1 }, 'motors.heading', POSITION_BOUNDS);
   return law({ heading: unit(heading, 'motors.heading') });
 }

@@ -13,7 +13,7 @@ import { MAX_SPEED } from '../components/velocity.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { LENGTHS, POSITIVE } from './support/bounds.ts';
+import { LENGTH_BOUNDS, POSITIVE } from './support/bounds.ts';
 import {
   CENTRE_KEYS,
   type CentralLaw,
@@ -29,7 +29,7 @@ export interface PaczynskiWiitaOptions extends CentreOptions {
   readonly horizon?: number;
 }
 
-const parameters = { mu: scalar('m³/s²', POSITIVE), horizon: scalar('m', LENGTHS) };
+const parameters = { mu: scalar('m³/s²', POSITIVE), horizon: scalar('m', LENGTH_BOUNDS) };
 
 const LAW: CentralLaw<typeof parameters> = {
   name: 'Paczyński-Wiita gravity',

@@ -24,7 +24,7 @@ import type { BodySymbols } from '../laws/body-symbols.ts';
 import { type Condition, constant, type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
 import { scalar, suppliedScalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { PLACES } from './support/bounds.ts';
+import { POSITION_BOUNDS } from './support/bounds.ts';
 import { unit } from './support/unit-vector.ts';
 
 export interface PlaneSupportOptions {
@@ -129,7 +129,7 @@ const law = /* @__PURE__ */ defineLaw({
   source: 'Coulomb (1785); Goldstein, Classical Mechanics, section 2.4.',
   reads: { collider: Collider, inertia: Inertia },
   parameters: {
-    point: vector('m', { default: {}, ...PLACES }),
+    point: vector('m', { default: {}, ...POSITION_BOUNDS }),
     normal: vector(''),
     staticFriction: scalar('', { min: 0, max: 100 }),
     kineticFriction: scalar('', { min: 0, max: 100 }),
@@ -153,7 +153,7 @@ const KEYS = ['point', 'normal', 'staticFriction', 'kineticFriction', 'gap', 'st
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function planeSupport(options: PlaneSupportOptions = {}): Force {
   checkKeys(options, 'planeSupport', KEYS);
-  const normal = checkVector(options.normal ?? { y: 1 }, 'planeSupport.normal', PLACES);
+  const normal = checkVector(options.normal ?? { y: 1 }, 'planeSupport.normal', POSITION_BOUNDS);
   const { kineticFriction = 0, staticFriction = kineticFriction } = options;
   return law({ ...options, normal: unit(normal, 'planeSupport.normal'), staticFriction, kineticFriction });
 }

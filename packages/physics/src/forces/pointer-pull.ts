@@ -15,11 +15,11 @@ import { assertBody, type EntityRef, entityRef, isAlive } from '../ecs/entity-re
 import { checkVector, type VectorInput } from '../errors/validate.ts';
 import { constant, select, vec3 } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
-import { type TablePlace, table } from '../laws/table.ts';
+import { type TableLocation, table } from '../laws/table.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { PLACES } from './support/bounds.ts';
+import { POSITION_BOUNDS } from './support/bounds.ts';
 
 export interface PointerPullOptions {
   /** Frequency f, Hz; default 2. */
@@ -49,28 +49,28 @@ export function pointerPull(options: PointerPullOptions = {}): PointerPull {
   let target = checkVector({}, 'pointerPull');
   const grabOf = resource(({ internal, memory }) => {
     const at = allocate(internal.arena, 8 * GRAB.length, 'a pointer pull');
-    return { row: new Float64Array(memory.buffer, at, GRAB.length), place: { at, count: 0 } };
+    return { row: new Float64Array(memory.buffer, at, GRAB.length), tableAt: { at, count: 0 } };
   });
   const force = definePull((world) => {
-    const { row, place } = grabOf(world);
-    place.count = grabbed.world === world && isAlive(world, grabbed.ref) ? 1 : 0;
+    const { row, tableAt } = grabOf(world);
+    tableAt.count = grabbed.world === world && isAlive(world, grabbed.ref) ? 1 : 0;
     row[0] = grabbed.eid;
     row[1] = target.x;
     row[2] = target.y;
     row[3] = target.z;
-    return place;
+    return tableAt;
   })(options);
   return {
     ...force,
     grab(world, eid, point) {
       assertBody(world, eid);
-      target = checkVector(point, 'pointerPull.point', PLACES);
+      target = checkVector(point, 'pointerPull.point', POSITION_BOUNDS);
       grabbed.ref = entityRef(world, eid);
       grabbed.eid = eid;
       grabbed.world = world;
     },
     moveTo(point) {
-      target = checkVector(point, 'pointerPull.point', PLACES);
+      target = checkVector(point, 'pointerPull.point', POSITION_BOUNDS);
     },
     release() {
       grabbed.world = undefined;
@@ -78,7 +78,7 @@ export function pointerPull(options: PointerPullOptions = {}): PointerPull {
   };
 }
 
-function definePull(placeOf: (world: PhysicsWorld) => TablePlace) {
+function definePull(locate: (world: PhysicsWorld) => TableLocation) {
   return defineLaw({
     name: 'pointer pull',
     formula: 'F = m ω² (p - r) - 2 ζ m ω v',
@@ -87,7 +87,7 @@ function definePull(placeOf: (world: PhysicsWorld) => TablePlace) {
       frequency: scalar('Hz', { default: 2, above: 0, max: 1e6 }),
       dampingRatio: scalar('', { default: 1, min: 0, max: 100 }),
       maxForce: scalar('N', { default: 1e30, above: 0, max: 1e38 }),
-      grip: table(GRAB, placeOf),
+      grip: table(GRAB, locate),
     },
     acceleration: ({ position, velocity, mass, entity }, { frequency, dampingRatio, maxForce, grip }) =>
       grip.sum(({ entity: held, x, y, z }) => {
@@ -106,6 +106,6 @@ function definePull(placeOf: (world: PhysicsWorld) => TablePlace) {
         const energy = select(stiffness.mul(distance).lessOrEqual(maxForce), elastic, limited);
         return select(entity.equals(held), energy, 0);
       }),
-    prepare: (world) => void placeOf(world),
+    prepare: (world) => void locate(world),
   });
 }

@@ -16,12 +16,12 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkList, checkNumber, checkWhole } from '../errors/validate.ts';
 import { axial3, type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
 import { scalar, vector } from '../laws/parameter.ts';
-import { type Table, type TablePlace, table } from '../laws/table.ts';
+import { type Table, type TableLocation, table } from '../laws/table.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { PLACES } from './support/bounds.ts';
-import { FLUID, type FluidVolume, fluidVolumeValues, POOL } from './support/fluid-volume.ts';
+import { POSITION_BOUNDS } from './support/bounds.ts';
+import { FLUID, FLUID_VOLUME, type FluidVolume, fluidVolumeValues } from './support/fluid-volume.ts';
 
 export interface PolygonHull {
   /** Number of this polygon in `hull: { volume, shape }` of a body; 2 or more. */
@@ -67,11 +67,11 @@ function upOf({ angle }: HullSymbols, { up }: FluidSymbols): Vector {
 const unbounded = /* @__PURE__ */ defineLaw({
   ...about,
   parameters: { ...FLUID, ...HULL, centroid: vector('m') },
-  force: (body, pool) => pool.up.mul(weight(body, pool)),
-  torque: (body, pool) => pool.centroid.cross(upOf(body, pool)).mul(weight(body, pool)),
-  potential(body, pool) {
-    const height = pool.up.dot(body.position).add(upOf(body, pool).dot(pool.centroid));
-    return weight(body, pool).mul(height).negate();
+  force: (body, fluid) => fluid.up.mul(weight(body, fluid)),
+  torque: (body, fluid) => fluid.centroid.cross(upOf(body, fluid)).mul(weight(body, fluid)),
+  potential(body, fluid) {
+    const height = fluid.up.dot(body.position).add(upOf(body, fluid).dot(fluid.centroid));
+    return weight(body, fluid).mul(height).negate();
   },
 });
 
@@ -100,8 +100,8 @@ type FloatingSymbols = HullSymbols & { readonly position: Vector };
 const submergedParts = /* @__PURE__ */ new WeakMap<HullSymbols, Submerged>();
 
 /** Returns the immersed part, cached because force and torque share the same sums. */
-function submerged(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
-  const immersed = submergedParts.get(body) ?? cutOutline(body, pool);
+function submerged(body: FloatingSymbols, fluid: OutlineSymbols): Submerged {
+  const immersed = submergedParts.get(body) ?? cutOutline(body, fluid);
   submergedParts.set(body, immersed);
   return immersed;
 }
@@ -111,12 +111,12 @@ function submerged(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
  * the closing edges along the surface contribute nothing. A hull far from the surface has no such edges, and a
  * distant reference point would lose digits.
  */
-function cutOutline(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
-  const up = upOf(body, pool);
-  const depth = pool.level.sub(pool.up.dot(body.position));
-  const isNear = depth.abs().lessOrEqual(pool.extent);
+function cutOutline(body: FloatingSymbols, fluid: OutlineSymbols): Submerged {
+  const up = upOf(body, fluid);
+  const depth = fluid.level.sub(fluid.up.dot(body.position));
+  const isNear = depth.abs().lessOrEqual(fluid.extent);
   const about = up.mul(select(isNear, depth, 0));
-  const sums = pool.edges.sum(({ x, y, dx, dy }) => {
+  const sums = fluid.edges.sum(({ x, y, dx, dy }) => {
     const [corner, edge] = [vec3(x, y), vec3(dx, dy)];
     const rise = up.dot(edge);
     const under = depth.sub(up.dot(corner));
@@ -132,31 +132,31 @@ function cutOutline(body: FloatingSymbols, pool: OutlineSymbols): Submerged {
   return { depth, up, area, moments: vec3(sums.x, sums.y).div(6).add(about.mul(area)) };
 }
 
-/** Defines the law of a polygon, whose table `placeOf` returns. */
-function withSurface(placeOf: (world: PhysicsWorld) => TablePlace) {
+/** Defines the law of a polygon, whose table `locate` returns. */
+function withSurface(locate: (world: PhysicsWorld) => TableLocation) {
   return defineLaw({
     ...about,
-    parameters: { ...POOL, ...HULL, extent: scalar('m'), edges: table(EDGE, placeOf) },
-    force: (body, pool) => pool.up.mul(weight(body, pool).div(pool.area).mul(submerged(body, pool).area)),
-    torque(body, pool) {
-      const { moments, up } = submerged(body, pool);
-      return moments.cross(up).mul(weight(body, pool).div(pool.area));
+    parameters: { ...FLUID_VOLUME, ...HULL, extent: scalar('m'), edges: table(EDGE, locate) },
+    force: (body, fluid) => fluid.up.mul(weight(body, fluid).div(fluid.area).mul(submerged(body, fluid).area)),
+    torque(body, fluid) {
+      const { moments, up } = submerged(body, fluid);
+      return moments.cross(up).mul(weight(body, fluid).div(fluid.area));
     },
     // Every area element contributes its depth: the derivative by height is the area, by angle the torque.
-    potential(body, pool) {
-      const { depth, up, area, moments } = submerged(body, pool);
-      return weight(body, pool)
-        .div(pool.area)
+    potential(body, fluid) {
+      const { depth, up, area, moments } = submerged(body, fluid);
+      return weight(body, fluid)
+        .div(fluid.area)
         .mul(area.mul(depth).sub(moments.dot(up)));
     },
     // Allocates the memory before the step.
-    prepare: (world) => void placeOf(world),
+    prepare: (world) => void locate(world),
   });
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function polygonBuoyancy(pool: FluidVolume, hull: PolygonHull): Force {
-  const { fluid, level } = fluidVolumeValues(pool, 'polygonBuoyancy');
+export function polygonBuoyancy(fluidVolume: FluidVolume, hull: PolygonHull): Force {
+  const { fluid, level } = fluidVolumeValues(fluidVolume, 'polygonBuoyancy');
   checkKeys(hull, 'polygonBuoyancy', ['shape', 'vertices']);
   const shape = checkWhole(hull.shape, 'polygonBuoyancy.shape', 2, 1000);
   const corners = anticlockwise(hull.vertices);
@@ -166,14 +166,14 @@ export function polygonBuoyancy(pool: FluidVolume, hull: PolygonHull): Force {
   });
   const area = areaOf(corners);
   if (level === undefined) return unbounded({ ...fluid, shape, area, centroid: centroidOf(edges, area) });
-  const placeOf = resource((world): TablePlace => {
+  const locate = resource((world): TableLocation => {
     const at = allocate(world.internal.arena, 8 * EDGE.length * edges.length, 'a hull');
     const values = edges.flatMap((edge) => EDGE.map((field) => edge[field]));
     new Float64Array(world.memory.buffer, at, values.length).set(values);
     return { at, count: edges.length };
   });
   const extent = Math.max(...corners.map(({ x, y }) => Math.sqrt(x * x + y * y)));
-  return withSurface(placeOf)({ ...fluid, level, shape, area, extent });
+  return withSurface(locate)({ ...fluid, level, shape, area, extent });
 }
 
 interface Corner {
@@ -185,8 +185,8 @@ interface Corner {
 function anticlockwise(vertices: PolygonHull['vertices']): Corner[] {
   checkList(vertices, 'polygonBuoyancy.vertices');
   const corners = (vertices ?? []).map((vertex, i) => ({
-    x: checkNumber(vertex?.x, `polygonBuoyancy.vertices[${i}].x`, PLACES),
-    y: checkNumber(vertex?.y, `polygonBuoyancy.vertices[${i}].y`, PLACES),
+    x: checkNumber(vertex?.x, `polygonBuoyancy.vertices[${i}].x`, POSITION_BOUNDS),
+    y: checkNumber(vertex?.y, `polygonBuoyancy.vertices[${i}].y`, POSITION_BOUNDS),
   }));
   const area = areaOf(corners);
   if (corners.length < 3 || area === 0) {
@@ -213,9 +213,9 @@ function areaOf(corners: readonly Corner[]): number {
 function centroidOf(edges: readonly Record<(typeof EDGE)[number], number>[], area: number): Corner {
   const sum = { x: 0, y: 0 };
   for (const { x, y, dx, dy } of edges) {
-    const share = (x * dy - y * dx) / (6 * area);
-    sum.x += share * (2 * x + dx);
-    sum.y += share * (2 * y + dy);
+    const weight = (x * dy - y * dx) / (6 * area);
+    sum.x += weight * (2 * x + dx);
+    sum.y += weight * (2 * y + dy);
   }
   return sum;
 }

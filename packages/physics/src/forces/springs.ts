@@ -18,7 +18,13 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { activeSprings, removeLost, type SpringTable, scanSprings, springTable } from './support/spring-table.ts';
+import {
+  activeSprings,
+  removeDanglingSprings,
+  type SpringTable,
+  scanSprings,
+  springTable,
+} from './support/spring-table.ts';
 
 /** The force of all springs: see the component `Spring`. */
 export function springs(): Force {
@@ -31,7 +37,7 @@ export function springs(): Force {
       if (world.integrator.solvesSprings === true) return;
       const table = scanSprings(world);
       assertStable(world, table, dt);
-      removeLost(world, table);
+      removeDanglingSprings(world, table);
     },
     accumulate(world) {
       if (world.internal.counts.Spring === 0 || world.integrator.solvesSprings === true) return;
@@ -61,13 +67,13 @@ export function removedSprings(world: PhysicsWorld): readonly number[] {
 function assertStable(world: PhysicsWorld, table: SpringTable, dt: number): void {
   const { isStable } = world.integrator;
   if (isStable === undefined) return;
-  const { stiffest, passed } = table;
+  const { maxima, passed } = table;
   // The last test passed with the same values and integrator: to skip it boxes no number.
-  const isKnown = passed[0] === stiffest[0] && passed[1] === stiffest[1] && passed[2] === dt;
+  const isKnown = passed[0] === maxima[0] && passed[1] === maxima[1] && passed[2] === dt;
   if (isKnown && table.passedBy === world.integrator) return;
-  if (isStable(stiffest[0] * dt * dt, stiffest[1] * dt)) {
-    passed[0] = stiffest[0];
-    passed[1] = stiffest[1];
+  if (isStable(maxima[0] * dt * dt, maxima[1] * dt)) {
+    passed[0] = maxima[0];
+    passed[1] = maxima[1];
     passed[2] = dt;
     table.passedBy = world.integrator;
     return;

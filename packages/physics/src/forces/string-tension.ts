@@ -15,7 +15,7 @@ import type { VectorInput } from '../errors/validate.ts';
 import { select, vec3 } from '../laws/expression.ts';
 import { scalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { LENGTHS, PLACES } from './support/bounds.ts';
+import { LENGTH_BOUNDS, POSITION_BOUNDS } from './support/bounds.ts';
 
 export interface StringOptions {
   /** Position of the pivot, m; default the origin. */
@@ -30,7 +30,7 @@ const law = /* @__PURE__ */ defineLaw({
   name: 'string tension',
   formula: 'T = F·n + m v_t²/r',
   source: 'Goldstein, Classical Mechanics, section 1.3.',
-  parameters: { pivot: vector('m', { default: {}, ...PLACES }), length: scalar('m', LENGTHS) },
+  parameters: { pivot: vector('m', { default: {}, ...POSITION_BOUNDS }), length: scalar('m', LENGTH_BOUNDS) },
   // The law is proportional to mass: T/m reacts to F/m. With the vector r for the unit vector n, T/(m r) = (F·r/m +
   // v_t²)/r².
   acceleration({ position, velocity, acceleration }, { pivot, length }) {

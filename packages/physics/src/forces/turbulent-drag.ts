@@ -16,13 +16,13 @@ import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { constant, type Scalar, vec3 } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
-import { type TablePlace, table } from '../laws/table.ts';
+import { type TableLocation, table } from '../laws/table.ts';
 import { cos, pow, sin } from '../math/elementary.ts';
 import { createRandom, type Random } from '../math/random.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { LENGTHS } from './support/bounds.ts';
+import { LENGTH_BOUNDS } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
 export interface TurbulenceOptions {
@@ -106,7 +106,7 @@ type Spectrum = ReturnType<typeof checkSpectrum>;
 
 function checkSpectrum(options: TurbulenceOptions) {
   const number = (key: 'deviation' | 'largest' | 'smallest' | 'time', byDefault?: number) =>
-    checkNumber(options[key] ?? byDefault, `turbulentDrag.${key}`, { ...LENGTHS, max: 1e8 });
+    checkNumber(options[key] ?? byDefault, `turbulentDrag.${key}`, { ...LENGTH_BOUNDS, max: 1e8 });
   const deviation = number('deviation');
   const largest = number('largest');
   const smallest = number('smallest', largest / 30);
@@ -118,7 +118,7 @@ function checkSpectrum(options: TurbulenceOptions) {
   return { deviation, largest, smallest, time, count, seed };
 }
 
-function drawModes(world: PhysicsWorld, spectrum: Spectrum): TablePlace {
+function drawModes(world: PhysicsWorld, spectrum: Spectrum): TableLocation {
   const { deviation, largest, smallest, time, count, seed } = spectrum;
   const { arena } = world.internal;
   const at = allocate(arena, 8 * MODE.length * count, 'turbulence');

@@ -10,7 +10,7 @@
 import { constant, select } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { ANY, LENGTHS } from './support/bounds.ts';
+import { ANY, LENGTH_BOUNDS } from './support/bounds.ts';
 import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
 export interface UniformSphereOptions extends CentreOptions {
@@ -20,7 +20,7 @@ export interface UniformSphereOptions extends CentreOptions {
   readonly radius: number;
 }
 
-const parameters = { mu: scalar('m³/s²', ANY), radius: scalar('m', LENGTHS) };
+const parameters = { mu: scalar('m³/s²', ANY), radius: scalar('m', LENGTH_BOUNDS) };
 
 const LAW: CentralLaw<typeof parameters> = {
   name: 'uniform sphere gravity',

@@ -13,7 +13,7 @@
 import { select } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { ANY, LENGTHS } from './support/bounds.ts';
+import { ANY, LENGTH_BOUNDS } from './support/bounds.ts';
 import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
 export interface VortexOptions extends CentreOptions {
@@ -23,7 +23,7 @@ export interface VortexOptions extends CentreOptions {
   readonly radius: number;
 }
 
-const parameters = { strength: scalar('1/s²', ANY), radius: scalar('m', LENGTHS) };
+const parameters = { strength: scalar('1/s²', ANY), radius: scalar('m', LENGTH_BOUNDS) };
 
 const LAW: CentralLaw<typeof parameters> = {
   name: 'vortex',

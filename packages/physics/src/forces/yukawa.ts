@@ -10,7 +10,7 @@ import { checkKeys } from '../errors/validate.ts';
 import { constant, type Scalar, type Vector } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { ANY, LENGTHS } from './support/bounds.ts';
+import { ANY, LENGTH_BOUNDS } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
 import { checkCoupling } from './support/coupling.ts';
 
@@ -33,7 +33,10 @@ export function yukawa(options: YukawaOptions): Force {
       name: 'Yukawa force',
       formula: 'F = q k e^(-r/λ) (1/r + 1/λ) r̂/r',
       source: 'Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935).',
-      parameters: { strength: scalar(couplesTo === 'Mass' ? 'N m²/kg' : 'N m²/C', ANY), range: scalar('m', LENGTHS) },
+      parameters: {
+        strength: scalar(couplesTo === 'Mass' ? 'N m²/kg' : 'N m²/C', ANY),
+        range: scalar('m', LENGTH_BOUNDS),
+      },
       field(r, { strength, range }) {
         const { screened, inverse } = termsOf(r, strength, range);
         return r.mul(inverse).mul(screened.mul(inverse.add(constant(1).div(range))).mul(inverse));

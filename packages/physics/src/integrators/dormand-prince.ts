@@ -26,11 +26,11 @@ import {
   RATIO,
   restore,
   STEP,
+  SUGGESTED,
   stagesOf,
   startOf,
   takeSubStep,
   VELOCITY_FLOOR,
-  WANTED,
 } from './support/dormand-prince-stages.ts';
 import { denseWeights, positionWeightsOf } from './support/dormand-prince-tableau.ts';
 import {
@@ -51,8 +51,8 @@ export interface DormandPrinceOptions {
   /** Minimum magnitude of a velocity for the relative error, m/s; default 0. */
   readonly velocityFloor?: number;
   /**
-   * Evaluations of the forces that a step may take; default 10⁷ divided by the number of bodies, at most 125 000. Beyond,
-   * the fault E_STEP names the body, and the rest of the step is crossed without control of the error.
+   * Maximum number of force evaluations per step; default 10⁷ divided by the number of bodies, at most 125 000. If it is
+   * exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
    */
   readonly maxEvaluations?: number;
 }
@@ -105,19 +105,19 @@ function advanceInterval(
   scalars[VELOCITY_FLOOR] = limits.velocityFloor;
   let passed = 0;
   // A copy of `dt` that V8 keeps unboxed; variables assigned from `dt` or from results would be heap numbers.
-  const whole = 1 * dt;
-  let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
+  const stepLength = 1 * dt;
+  let suggested = scalars[SUGGESTED] > 0 ? scalars[SUGGESTED] : stepLength;
   evaluateForces(world, ranges, world.time);
   begin(world, ranges, stages);
   const budget = limits.maxEvaluations ?? defaultEvaluations(world);
   for (let evaluations = 1; passed < dt; evaluations += 6) {
-    if (wanted < MIN_SUB_STEP * dt || evaluations > budget) {
-      reportUnderflow(world, stages.error.words[EmbeddedErrorWord.worstRow], wanted);
+    if (suggested < MIN_SUB_STEP * dt || evaluations > budget) {
+      reportUnderflow(world, stages.error.words[EmbeddedErrorWord.worstRow], suggested);
       fallbackSteps(world, ranges, passed, dt, evaluateForces);
       return;
     }
-    const rest = dt - passed;
-    const h = subStep(wanted, rest);
+    const remaining = dt - passed;
+    const h = subStep(suggested, remaining);
     scalars[PASSED] = passed;
     scalars[STEP] = h;
     takeSubStep(world, ranges, stages, evaluateForces);
@@ -125,11 +125,11 @@ function advanceInterval(
     scalars[ERROR] /= tolerance;
     const error = scalars[ERROR];
     if (error <= 1) {
-      passed = h === rest ? whole : passed + h;
+      passed = h === remaining ? stepLength : passed + h;
       findGrowth(scalars);
       const longer = scalars[GROWTH];
       // A sub-step shortened by the end of the step does not limit the next one.
-      wanted = longer < 5 ? h * longer : Math.max(wanted, h * longer);
+      suggested = longer < 5 ? h * longer : Math.max(suggested, h * longer);
       scalars[RATIO] = Math.max(error, 1e-4);
       scalars[LENGTH] = h;
       scalars[END] = world.time + passed;
@@ -137,10 +137,10 @@ function advanceInterval(
     } else {
       scalars[POWER] = error;
       if (error < Infinity) powInPlace(scalars, POWER, 0.17);
-      wanted = error < Infinity ? h / Math.min(5, scalars[POWER] / 0.9) : h / 5;
+      suggested = error < Infinity ? h / Math.min(5, scalars[POWER] / 0.9) : h / 5;
     }
   }
-  scalars[WANTED] = wanted;
+  scalars[SUGGESTED] = suggested;
 }
 
 /** Computes the growth factor of the next sub-step from ERROR, in units of the tolerance. */

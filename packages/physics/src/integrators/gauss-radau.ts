@@ -28,7 +28,7 @@ import {
   radauOf,
   START,
   STEP,
-  WANTED,
+  SUGGESTED,
 } from './support/gauss-radau-table.ts';
 import {
   checkEvaluations,
@@ -44,8 +44,8 @@ export interface GaussRadauOptions {
   /** Maximum last term of the series, relative to the acceleration; default 1e-9. */
   readonly tolerance?: number;
   /**
-   * Evaluations of the forces that a step may take; default 5·10⁶ divided by the number of bodies, at most 62 500. Beyond,
-   * the fault E_STEP names the body, and the rest of the step is crossed without control of the error.
+   * Maximum number of force evaluations per step; default 5·10⁶ divided by the number of bodies, at most 62 500. If it is
+   * exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
    */
   readonly maxEvaluations?: number;
 }
@@ -98,20 +98,20 @@ function advanceInterval(
   const radau = radauOf(world);
   const { scalars } = radau;
   // A copy of `dt` that V8 keeps unboxed; variables assigned from `dt` or from results would be heap numbers.
-  const whole = 1 * dt;
-  let wanted = scalars[WANTED] > 0 ? scalars[WANTED] : whole;
+  const stepLength = 1 * dt;
+  let suggested = scalars[SUGGESTED] > 0 ? scalars[SUGGESTED] : stepLength;
   let passed = 0;
   let isNew = true;
   scalars[EVALUATIONS] = 0;
   while (passed < dt) {
-    const rest = dt - passed;
-    if (wanted < MIN_SUB_STEP * dt || scalars[EVALUATIONS] > budget) {
-      reportUnderflow(world, worstRow(ranges, radau), wanted);
+    const remaining = dt - passed;
+    if (suggested < MIN_SUB_STEP * dt || scalars[EVALUATIONS] > budget) {
+      reportUnderflow(world, worstRow(ranges, radau), suggested);
       scalars[PASSED] = passed;
       fallbackSteps(world, ranges, radau, dt, evaluate);
       return;
     }
-    const h = subStep(wanted, rest);
+    const h = subStep(suggested, remaining);
     scalars[PASSED] = passed;
     scalars[STEP] = h;
     if (isNew) begin(world, ranges, radau, evaluate);
@@ -125,15 +125,15 @@ function advanceInterval(
     isNew = next >= MIN_RATIO * h;
     if (isNew) {
       end(ranges, radau);
-      passed = h === rest ? whole : passed + h;
+      passed = h === remaining ? stepLength : passed + h;
       // A sub-step shortened by the end of the step does not limit the next one.
-      wanted = next < MAX_GROWTH * h ? next : Math.max(wanted, next);
+      suggested = next < MAX_GROWTH * h ? next : Math.max(suggested, next);
     } else {
       if (!converged) clearPolynomial(ranges, radau);
-      wanted = converged ? next : h / MAX_GROWTH;
+      suggested = converged ? next : h / MAX_GROWTH;
     }
   }
-  scalars[WANTED] = wanted;
+  scalars[SUGGESTED] = suggested;
 }
 
 function begin(world: PhysicsWorld, ranges: Ranges, { table, kernels, scalars }: Radau, evaluate: EvaluateForces) {
@@ -155,22 +155,22 @@ function predict(ranges: Ranges, { table, kernels, scalars }: Radau, continues: 
 }
 
 function clearPolynomial(ranges: Ranges, { table, kernels, scalars }: Radau): void {
-  for (let r = 0; r < ranges.count; r++) kernels.radauForget(table, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
+  for (let r = 0; r < ranges.count; r++) kernels.radauReset(table, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
   scalars[LENGTH] = 0;
 }
 
 /** Iterates the polynomial; returns whether it converged. */
 function iterate(world: PhysicsWorld, ranges: Ranges, radau: Radau, evaluate: EvaluateForces): boolean {
   const tolerance = CONVERGED[world.precision];
-  let before = Number.POSITIVE_INFINITY;
+  let previous = Number.POSITIVE_INFINITY;
   for (let i = 0; i < MAX_ITERATIONS; i++) {
     sweepNodes(world, ranges, radau, evaluate);
     const change = radau.scalars[CHANGE];
     if (change <= tolerance) return true;
-    if (!(change < before)) return before < ROUNDING[world.precision];
+    if (!(change < previous)) return previous < ROUNDING[world.precision];
     // Convergence is linear, so the change of the next sweep is predictable.
-    if (i > 0 && change * (change / before) <= tolerance) return true;
-    before = change;
+    if (i > 0 && change * (change / previous) <= tolerance) return true;
+    previous = change;
   }
   return false;
 }
@@ -208,18 +208,18 @@ function findNextLength(
 ): void {
   const { bounds, count } = ranges;
   const h = scalars[STEP];
-  const wanted = Math.max(tolerance, world.precision === 'f32' ? 0.03 : 0);
+  const target = Math.max(tolerance, world.precision === 'f32' ? 0.03 : 0);
   let term = 0;
   let largest = 0;
   for (let r = 0; r < count; r++) {
     term = Math.max(term, kernels.radauLargestOf(table, LAST_TERM, bounds[2 * r], bounds[2 * r + 1]));
     largest = Math.max(largest, kernels.radauLargestOf(table, START, bounds[2 * r], bounds[2 * r + 1]));
   }
-  if (term <= largest * wanted * 4 ** -7) {
+  if (term <= largest * target * 4 ** -7) {
     scalars[NEXT] = MAX_GROWTH * h;
     return;
   }
-  scalars[NEXT] = (wanted * largest) / term;
+  scalars[NEXT] = (target * largest) / term;
   powInPlace(scalars, NEXT, 1 / 7);
   scalars[NEXT] = Math.min(MAX_GROWTH * h, h * scalars[NEXT]);
 }

@@ -38,14 +38,14 @@ export function instantiate<Exports>(
 }
 
 function leftOut(precision: Precision): PhysicsError {
-  const kept = precision === 'f32' ? 'f64' : 'f32';
+  const available = precision === 'f32' ? 'f64' : 'f32';
   return new PhysicsError(
     'E_RANGE',
-    `precision must be '${kept}' here, got '${precision}': the export condition principia-${kept} left the kernels for ${precision} out of this bundle.`,
+    `precision must be '${available}' here, got '${precision}': the export condition principia-${available} left the kernels for ${precision} out of this bundle.`,
     {
       field: 'precision',
       value: precision,
-      hint: `Create the world with precision: '${kept}', or build without the condition principia-${kept}.`,
+      hint: `Create the world with precision: '${available}', or build without the condition principia-${available}.`,
     },
   );
 }

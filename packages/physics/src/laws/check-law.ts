@@ -21,23 +21,23 @@ export function checkLaw(law: Law): void {
       vectors: { position: axes(0), velocity: axes(3), startVelocity: axes(6), force: axes(9), acceleration: axes(12) },
       time: graph.make('load', [], 0),
       dt: graph.make('load', [], 8),
-      parameter: (parameter, index) => graph.make('load', [], 16 + 8 * placeOf(law, parameter) + index),
+      parameter: (parameter, index) => graph.make('load', [], 16 + 8 * indexOfParameter(law, parameter) + index),
       column: () => leaf(100),
       noise: (seed, channel) => graph.make('noise', [seed], channel),
     });
-    const parts = [law.force, law.acceleration, law.torque].flatMap((part) =>
-      part === undefined ? [] : lowering.vector(part),
+    const formulas = [law.force, law.acceleration, law.torque].flatMap((formula) =>
+      formula === undefined ? [] : lowering.vector(formula),
     );
-    const nodes = law.potential === undefined ? parts : [...parts, lowering.scalar(law.potential)];
+    const nodes = law.potential === undefined ? formulas : [...formulas, lowering.scalar(law.potential)];
     if (nodes.some(({ scope }) => scope !== undefined))
       throw foreignSymbol(law, 'the row of a table outside of its sum');
   }
 }
 
-function placeOf(law: Law, parameter: Parameter): number {
-  const place = law.parameters.indexOf(parameter);
-  if (place < 0) throw foreignSymbol(law, 'a parameter of another law');
-  return place;
+function indexOfParameter(law: Law, parameter: Parameter): number {
+  const index = law.parameters.indexOf(parameter);
+  if (index < 0) throw foreignSymbol(law, 'a parameter of another law');
+  return index;
 }
 
 function foreignSymbol({ name }: Law, what: string): PhysicsError {

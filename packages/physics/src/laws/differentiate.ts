@@ -16,8 +16,8 @@ export function gradientOf(potential: Scalar, factor: Scalar): Vector {
 }
 
 /** The derivative of the result with respect to an expression: terms per axis and terms of the whole vector. */
-interface Change {
-  whole: Expression | undefined;
+interface Adjoint {
+  vector: Expression | undefined;
   readonly axes: (Scalar | undefined)[];
 }
 
@@ -25,62 +25,62 @@ const NONE = axial3(0, 0, 0);
 const AXES = [axial3(1, 0, 0), axial3(0, 1, 0), axial3(0, 0, 1)];
 
 class Gradient {
-  readonly #moves = new Map<Expression, boolean>();
+  readonly #dependence = new Map<Expression, boolean>();
 
   /** Returns the gradient of a scalar times a factor, or of the scalar product of a vector and a constant vector. */
   of(result: Expression, factor: Expression): Vector {
     if (!this.#depends(result)) return NONE;
-    const changes = new Map<Expression, Change>([[result, { whole: factor, axes: [] }]]);
+    const adjoints = new Map<Expression, Adjoint>([[result, { vector: factor, axes: [] }]]);
     let total: Vector | undefined;
-    const add = (part: Vector) => {
-      total = total?.add(part) ?? part;
+    const add = (contribution: Vector) => {
+      total = total?.add(contribution) ?? contribution;
     };
     for (const expression of this.#inOrder(result)) {
-      const change = wholeOf(changes.get(expression) as Change);
-      if (expression.op === 'position') add(change as Vector);
-      else if (isJoint(expression)) add(this.#ofJoint(expression, change));
+      const adjoint = combinedAdjoint(adjoints.get(expression) as Adjoint);
+      if (expression.op === 'position') add(adjoint as Vector);
+      else if (isJoint(expression)) add(this.#ofJoint(expression, adjoint));
       else {
-        const parts = partsOf(expression, change);
-        for (const [i, arg] of expression.args.entries()) this.#hand(changes, arg, parts[i]);
+        const contributions = contributionsToArgs(expression, adjoint);
+        for (const [i, arg] of expression.args.entries()) this.#contribute(adjoints, arg, contributions[i]);
       }
     }
     return total as unknown as Vector;
   }
 
-  #hand(changes: Map<Expression, Change>, to: Expression, part: Part): void {
+  #contribute(adjoints: Map<Expression, Adjoint>, to: Expression, contribution: Contribution): void {
     if (!this.#depends(to)) return;
-    const known = changes.get(to) ?? { whole: undefined, axes: [] };
-    changes.set(to, known);
-    if (part instanceof Expression) known.whole = plus(known.whole, part);
-    else known.axes[part[0]] = plus(known.axes[part[0]], part[1]) as Scalar;
+    const adjoint = adjoints.get(to) ?? { vector: undefined, axes: [] };
+    adjoints.set(to, adjoint);
+    if (contribution instanceof Expression) adjoint.vector = plus(adjoint.vector, contribution);
+    else adjoint.axes[contribution[0]] = plus(adjoint.axes[contribution[0]], contribution[1]) as Scalar;
   }
 
   /**
    * The gradient of a selection is selected last, because the gradient of the branch not taken may be NaN. The gradient
    * of a sum is the sum of the gradients.
    */
-  #ofJoint({ op, args, data }: Expression, change: Expression): Vector {
+  #ofJoint({ op, args, data }: Expression, adjoint: Expression): Vector {
     const [a, b, c] = args;
     switch (op) {
       case 'select':
-        return select(a as never, this.of(b, change), this.of(c, change));
+        return select(a as never, this.of(b, adjoint), this.of(c, adjoint));
       case 'min':
-        return select((b as Scalar).less(a as Scalar), this.of(b, change), this.of(a, change));
+        return select((b as Scalar).less(a as Scalar), this.of(b, adjoint), this.of(a, adjoint));
       case 'max':
-        return select((a as Scalar).less(b as Scalar), this.of(b, change), this.of(a, change));
+        return select((a as Scalar).less(b as Scalar), this.of(b, adjoint), this.of(a, adjoint));
       default:
-        if (a.shape === 'vector') return new Vector('sum', [this.of(a, change)], data as SumScope);
-        return scaled(new Vector('sum', [this.of(a, constant(1))], data as SumScope), change as Scalar);
+        if (a.shape === 'vector') return new Vector('sum', [this.of(a, adjoint)], data as SumScope);
+        return scaled(new Vector('sum', [this.of(a, constant(1))], data as SumScope), adjoint as Scalar);
     }
   }
 
   /** Returns whether an expression depends on the position. */
   #depends(expression: Expression): boolean {
-    let depends = this.#moves.get(expression);
+    let depends = this.#dependence.get(expression);
     if (depends === undefined) {
       const { op, args } = expression;
       depends = op === 'position' || (!STEPS.has(op) && args.some((arg) => this.#depends(arg)));
-      this.#moves.set(expression, depends);
+      this.#dependence.set(expression, depends);
     }
     return depends;
   }
@@ -109,108 +109,108 @@ function isJoint({ op }: Expression): boolean {
   return op === 'select' || op === 'min' || op === 'max' || op === 'sum';
 }
 
-/** Contribution to one argument: to the whole of it, or to one axis of a vector. */
-type Part = Expression | readonly [axis: number, Scalar];
+/** Contribution to one argument: to all axes, or to one axis of a vector. */
+type Contribution = Expression | readonly [axis: number, Scalar];
 
 /** Returns the derivative with respect to each argument, given the derivative with respect to the expression. */
-function partsOf(expression: Expression, change: Expression): readonly Part[] {
+function contributionsToArgs(expression: Expression, adjoint: Expression): readonly Contribution[] {
   switch (expression.op) {
     case 'add':
-      return [change, change];
+      return [adjoint, adjoint];
     case 'sub':
-      return [change, negative(change)];
+      return [adjoint, negative(adjoint)];
     case 'negate':
-      return [negative(change)];
+      return [negative(adjoint)];
     default:
-      return change instanceof Vector
-        ? partsOfVector(expression as Vector, change)
-        : partsOfScalar(expression as Scalar, change as Scalar);
+      return adjoint instanceof Vector
+        ? contributionsToVectorArgs(expression as Vector, adjoint)
+        : contributionsToScalarArgs(expression as Scalar, adjoint as Scalar);
   }
 }
 
-function partsOfScalar(f: Scalar, change: Scalar): readonly Part[] {
+function contributionsToScalarArgs(f: Scalar, adjoint: Scalar): readonly Contribution[] {
   const [a, b] = f.args as [Scalar, Scalar];
   switch (f.op) {
     case 'mul':
-      return [product(b, change), product(a, change)];
+      return [product(b, adjoint), product(a, adjoint)];
     case 'div':
-      return [change.div(b), product(f.div(b), change).negate()];
+      return [adjoint.div(b), product(f.div(b), adjoint).negate()];
     case 'abs':
-      return [product(select(a.less(0), -1, select(a.greater(0), 1, 0)), change)];
+      return [product(select(a.less(0), -1, select(a.greater(0), 1, 0)), adjoint)];
     case 'sqrt':
-      return [select(f.greater(0), change.div(f.mul(2)), 0)];
+      return [select(f.greater(0), adjoint.div(f.mul(2)), 0)];
     case 'sin':
-      return [product(a.cos(), change)];
+      return [product(a.cos(), adjoint)];
     case 'cos':
-      return [product(a.sin(), change).negate()];
+      return [product(a.sin(), adjoint).negate()];
     case 'exp':
-      return [product(f, change)];
+      return [product(f, adjoint)];
     case 'log':
-      return [change.div(a)];
+      return [adjoint.div(a)];
     case 'pow':
-      return [product(b.mul(powerBelow(a, b)), change), product(f.mul(a.log()), change)];
+      return [product(b.mul(powerBelow(a, b)), adjoint), product(f.mul(a.log()), adjoint)];
     case 'atan2': {
       const square = a.square().add(b.square());
-      const slope = select(square.greater(0), change.div(square), 0);
+      const slope = select(square.greater(0), adjoint.div(square), 0);
       return [b.mul(slope), a.mul(slope).negate()];
     }
     default:
-      return partsOfProduct(f, change);
+      return contributionsToProductArgs(f, adjoint);
   }
 }
 
 /** Derivatives of scalars that are functions of vectors. */
-function partsOfProduct({ op, args, data }: Scalar, change: Scalar): readonly Part[] {
+function contributionsToProductArgs({ op, args, data }: Scalar, adjoint: Scalar): readonly Contribution[] {
   const [a, b] = args as [Vector, Vector];
   switch (op) {
     case 'component':
-      return [[data as number, change]];
+      return [[data as number, adjoint]];
     case 'dot':
-      return [scaled(b, change), scaled(a, change)];
+      return [scaled(b, adjoint), scaled(a, adjoint)];
     case 'length':
-      return [scaled(a.normalize(), change)];
+      return [scaled(a.normalize(), adjoint)];
     default:
-      throw without(op);
+      throw notDifferentiable(op);
   }
 }
 
-function partsOfVector(f: Vector, change: Vector): readonly Part[] {
+function contributionsToVectorArgs(f: Vector, adjoint: Vector): readonly Contribution[] {
   const [a, b] = f.args as [Vector, Vector];
   const factor = f.args[1] as Scalar;
   switch (f.op) {
     case 'mul':
-      return [change.mul(factor), change.dot(a)];
+      return [adjoint.mul(factor), adjoint.dot(a)];
     case 'div':
-      return [change.div(factor), change.dot(f).div(factor).negate()];
+      return [adjoint.div(factor), adjoint.dot(f).div(factor).negate()];
     case 'cross':
-      return [b.cross(change), change.cross(a)];
+      return [b.cross(adjoint), adjoint.cross(a)];
     case 'normalize': {
       const length = a.length();
-      const across = change.sub(f.mul(f.dot(change)));
+      const across = adjoint.sub(f.mul(f.dot(adjoint)));
       return [select(length.greater(0), across.div(length), NONE)];
     }
     case 'rotate':
       // The inverse of a rotation is its transpose.
-      return [axialOf(AXES.map((axis) => new Vector('rotate', [axis]).dot(change)))];
+      return [axialOf(AXES.map((axis) => new Vector('rotate', [axis]).dot(adjoint)))];
     case 'vec3': {
-      const { x, y, z } = vec3(change.x, change.y, change.z);
+      const { x, y, z } = vec3(adjoint.x, adjoint.y, adjoint.z);
       return [x, y, z];
     }
     case 'axial3':
-      return [change.x, change.y, change.z];
+      return [adjoint.x, adjoint.y, adjoint.z];
     default:
-      throw without(f.op);
+      throw notDifferentiable(f.op);
   }
 }
 
-function without(op: string): PhysicsError {
+function notDifferentiable(op: string): PhysicsError {
   return new PhysicsError('E_TYPE', `${op} has no derivative with respect to the position.`, { field: op });
 }
 
-function wholeOf({ whole, axes }: Change): Expression {
-  if (axes.length === 0) return whole as Expression;
-  const apart = axialOf(axes);
-  return whole === undefined ? apart : (whole as Vector).add(apart);
+function combinedAdjoint({ vector, axes }: Adjoint): Expression {
+  if (axes.length === 0) return vector as Expression;
+  const byAxes = axialOf(axes);
+  return vector === undefined ? byAxes : (vector as Vector).add(byAxes);
 }
 
 function axialOf([x, y, z]: readonly (Scalar | undefined)[]): Vector {
@@ -235,12 +235,12 @@ function powerBelow(a: Scalar, b: Scalar): Scalar {
 }
 
 /** Omits a factor of 1, with which a sweep begins. */
-function product(a: Scalar, change: Scalar): Scalar {
-  if (change.op !== 'constant') return a.mul(change);
-  return change.data === 1 ? a : change.data === -1 ? a.negate() : a.mul(change);
+function product(a: Scalar, adjoint: Scalar): Scalar {
+  if (adjoint.op !== 'constant') return a.mul(adjoint);
+  return adjoint.data === 1 ? a : adjoint.data === -1 ? a.negate() : a.mul(adjoint);
 }
 
-function scaled(a: Vector, change: Scalar): Vector {
-  if (change.op !== 'constant') return a.mul(change);
-  return change.data === 1 ? a : change.data === -1 ? a.negate() : a.mul(change);
+function scaled(a: Vector, adjoint: Scalar): Vector {
+  if (adjoint.op !== 'constant') return a.mul(adjoint);
+  return adjoint.data === 1 ? a : adjoint.data === -1 ? a.negate() : a.mul(adjoint);
 }

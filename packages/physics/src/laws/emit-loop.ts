@@ -31,7 +31,7 @@ export interface LoopSource {
   readonly inRange?: Node | undefined;
   readonly walls?: WallTest | undefined;
   /** A cheap sufficient condition for the two above, true for almost all bodies. */
-  readonly usual?: Node | undefined;
+  readonly fastCheck?: Node | undefined;
   /** A value that is summed over all bodies. */
   readonly total?: Node | undefined;
   /** Describes an address in printed code. */
@@ -79,9 +79,9 @@ export function emitLoop(source: LoopSource): ModuleSource {
   };
 }
 
-function rootsOf({ stores, inRange, walls, usual, total }: LoopSource): Node[] {
+function rootsOf({ stores, inRange, walls, fastCheck, total }: LoopSource): Node[] {
   const stored = [...stores, ...(walls?.stores ?? []), ...(walls?.resting?.stores ?? [])].map(({ node }) => node);
-  return [...stored, inRange, walls?.inside, walls?.resting?.condition, usual, total].filter(
+  return [...stored, inRange, walls?.inside, walls?.resting?.condition, fastCheck, total].filter(
     (node) => node !== undefined,
   );
 }
@@ -97,20 +97,20 @@ function parametersOf(name: Operation): ModuleSource['parameters'] {
  */
 function emitBodies(emitter: NodeEmitter, source: LoopSource): void {
   const { code } = emitter;
-  const { stores, usual, total, noteOf } = source;
-  const results = stores.map(({ address, node }) => keepResult(emitter, node, mayRest(source, address)));
+  const { stores, fastCheck, total, noteOf } = source;
+  const results = stores.map(({ address, node }) => storeResult(emitter, node, mayRest(source, address)));
   if (total !== undefined) {
     code.add('local.get', TOTAL);
     emitter.push(total);
     emitter.lane('add');
     code.add('local.set', TOTAL);
   }
-  if (usual !== undefined) {
-    pushFails(emitter, usual);
+  if (fastCheck !== undefined) {
+    pushFails(emitter, fastCheck);
     code.add('if');
   }
   emitter.branch(() => emitChecks(emitter, source, results));
-  if (usual !== undefined) code.add('end');
+  if (fastCheck !== undefined) code.add('end');
   stores.forEach(({ address }, i) => {
     code.add('local.get', OFFSET).add('local.get', results[i]).memory('v128.store', address, noteOf(address));
   });
@@ -121,8 +121,8 @@ function mayRest({ walls }: LoopSource, address: number): boolean {
 }
 
 /** Returns the local of a result, a separate one if another value may replace it. */
-function keepResult(emitter: NodeEmitter, node: Node, isOwn: boolean): number {
-  const local = emitter.keep(node);
+function storeResult(emitter: NodeEmitter, node: Node, isOwn: boolean): number {
+  const local = emitter.toLocal(node);
   if (!isOwn) return local;
   const own = emitter.local('v128');
   emitter.code.add('local.get', local).add('local.set', own);
@@ -173,7 +173,7 @@ function emitFailures(emitter: NodeEmitter, { inRange, walls, types }: LoopSourc
 }
 
 function emitStore(emitter: NodeEmitter, address: number, node: Node, note: string | undefined): void {
-  const local = emitter.keep(node);
+  const local = emitter.toLocal(node);
   emitter.code.add('local.get', OFFSET).add('local.get', local).memory('v128.store', address, note);
 }
 

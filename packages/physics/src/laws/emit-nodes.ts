@@ -65,7 +65,7 @@ export class NodeEmitter extends ColumnEmitter {
   }
 
   /** Computes a node into a local and returns the local. */
-  keep(node: Node): number {
+  toLocal(node: Node): number {
     if (node.isUniform && node.scope === undefined) return this.#spreads.get(node) as number;
     const known = this.#vectors.get(node);
     if (known !== undefined) return known;
@@ -172,7 +172,7 @@ export class NodeEmitter extends ColumnEmitter {
   #pushCalls({ op, args, value }: Node): void {
     const { code } = this;
     const isWide = this.types.computed === 'f64';
-    const locals = args.map((arg) => (arg.isUniform ? undefined : this.keep(arg)));
+    const locals = args.map((arg) => (arg.isUniform ? undefined : this.toLocal(arg)));
     for (let lane = 0; lane < this.lanes; lane++) {
       args.forEach((arg, i) => {
         if (locals[i] === undefined) {

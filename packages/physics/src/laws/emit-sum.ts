@@ -7,7 +7,7 @@ import type { SumScope } from './table.ts';
 interface TermEmitter extends ColumnEmitter {
   push(node: Node): void;
   /** Computes a node and keeps it in a local. */
-  keep(node: Node): number;
+  toLocal(node: Node): number;
   /** Records that the value of a node is in a local. */
   know(node: Node, local: number): void;
   withRow(row: number, emit: () => void): void;
@@ -19,7 +19,7 @@ export function emitSum(emitter: TermEmitter, node: Node, sums: readonly Node[])
   const scope = node.over as SumScope;
   const rowBytes = 8 * scope.table.fields.length;
   const terms = sums.map(({ args }) => args[2]);
-  keepOutside(emitter, terms, scope);
+  storeBeforeLoop(emitter, terms, scope);
   const totals = sums.map(() => emitter.local('v128'));
   for (const total of totals) code.add('v128.const', ...emitter.vectorOf(0)).add('local.set', total);
   const [row, end] = [emitter.local('i32'), emitter.local('i32')];
@@ -46,13 +46,13 @@ export function emitSum(emitter: TermEmitter, node: Node, sums: readonly Node[])
 }
 
 /** Computes the parts of the terms that do not depend on the row before the loop over rows. */
-function keepOutside(emitter: TermEmitter, terms: readonly Node[], scope: SumScope): void {
+function storeBeforeLoop(emitter: TermEmitter, terms: readonly Node[], scope: SumScope): void {
   const seen = new Set<Node>();
   const visit = (node: Node) => {
     if (seen.has(node)) return;
     seen.add(node);
     if (node.scope === scope) node.args.forEach(visit);
-    else if (!node.isUniform) emitter.keep(node);
+    else if (!node.isUniform) emitter.toLocal(node);
   };
   terms.forEach(visit);
 }

@@ -6,7 +6,7 @@ import type { ColumnData } from './body-symbols.ts';
 import type { Expression } from './expression.ts';
 import { type RowData, SumScope } from './table.ts';
 
-type Parts = Readonly<Record<string, Expression | undefined>>;
+type Formulas = Readonly<Record<string, Expression | undefined>>;
 
 /** Numbers of custom components, so that equal structures read the same columns. */
 const ownNumbers = new WeakMap<ComponentSpec, number>();
@@ -24,7 +24,7 @@ function nameOf(component: ComponentName | ComponentSpec): string {
 }
 
 /** Returns the expressions of a law as text, each shared expression once. */
-export function structureOf(parameters: readonly Parameter[], parts: Parts): string {
+export function structureOf(parameters: readonly Parameter[], formulas: Formulas): string {
   const lines: string[] = parameters.map(
     (parameter) => `${parameter.kind}${'fields' in parameter ? parameter.fields : ''}`,
   );
@@ -51,8 +51,8 @@ export function structureOf(parameters: readonly Parameter[], parts: Parts): str
     seen.set(expression, seen.size);
     return seen.size - 1;
   };
-  for (const [part, expression] of Object.entries(parts)) {
-    if (expression !== undefined) lines.push(`${part}=${visit(expression)}`);
+  for (const [name, expression] of Object.entries(formulas)) {
+    if (expression !== undefined) lines.push(`${name}=${visit(expression)}`);
   }
   return lines.join(';');
 }
@@ -79,11 +79,11 @@ export function columnsRead(law: Pick<Law, 'force' | 'acceleration' | 'torque'>)
     }
     expression.args.forEach(visit);
   };
-  for (const part of ['force', 'acceleration', 'torque'] as const) {
-    const expression: Expression | undefined = law[part];
+  for (const name of ['force', 'acceleration', 'torque'] as const) {
+    const expression: Expression | undefined = law[name];
     if (expression === undefined) continue;
     visit(expression);
-    if (part === 'acceleration') names.add('Mass');
+    if (name === 'acceleration') names.add('Mass');
   }
   return [...names];
 }

@@ -6,7 +6,7 @@ import { rejectUnknown } from './body-symbols.ts';
 import { constant, Scalar, type ScalarInput, Vector } from './expression.ts';
 
 /** Location of a table in a world's memory: rows of f64, one per field. */
-export interface TablePlace {
+export interface TableLocation {
   readonly at: number;
   readonly count: number;
 }
@@ -31,7 +31,7 @@ export interface RowData {
 /** Creates a table of f64, whose location is queried before every step. */
 export function table<Field extends string>(
   fields: readonly Field[],
-  placeOf: (world: PhysicsWorld) => TablePlace,
+  locate: (world: PhysicsWorld) => TableLocation,
 ): TableParameter<Field> {
   return {
     kind: 'table',
@@ -42,9 +42,9 @@ export function table<Field extends string>(
     byDefault: undefined,
     fields,
     supply(world: PhysicsWorld, into: Float64Array, at: number) {
-      const place = placeOf(world);
-      into[at] = place.at;
-      into[at + 1] = place.count;
+      const tableAt = locate(world);
+      into[at] = tableAt.at;
+      into[at + 1] = tableAt.count;
     },
   } as unknown as TableParameter<Field>;
 }

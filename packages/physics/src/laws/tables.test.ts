@@ -11,7 +11,7 @@ import {
   rungeKutta4,
   spawn,
   step,
-  type TablePlace,
+  type TableLocation,
   table,
   vec3,
   velocityVerlet,
@@ -20,7 +20,7 @@ import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
 
 /** Stores the location of a table per world. */
-function places(): (world: PhysicsWorld) => TablePlace & { at: number; count: number } {
+function places(): (world: PhysicsWorld) => TableLocation & { at: number; count: number } {
   return resource(() => ({ at: 0, count: 0 }));
 }
 

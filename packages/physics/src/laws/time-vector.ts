@@ -29,12 +29,12 @@ export function timeVector(value: VectorOverTime, caller: string, name: string, 
   const now = { x: 0, y: 0, z: 0 };
   const [nameX, nameY, nameZ] = [`${name}.x`, `${name}.y`, `${name}.z`];
   // The time is in a typed array, because a captured number would allocate a heap object at every change.
-  const asked = new Float64Array([Number.NaN]);
+  const lastTime = new Float64Array([Number.NaN]);
   return {
     steady: undefined,
     at(world, time) {
-      if (time === asked[0]) return now;
-      asked[0] = time;
+      if (time === lastTime[0]) return now;
+      lastTime[0] = time;
       try {
         const { x = 0, y = 0, z = 0 } = value(time);
         checkNumber(x, nameX, bounds);

@@ -2,7 +2,7 @@ import { type Addresses, bitOf } from '../components/all.ts';
 import type { AxisAddresses } from './columns.ts';
 import { COLUMN_TABLE, COLUMNS_BYTES, ColumnsWord } from './layouts.gen.ts';
 
-/** Writes the addresses of columns where kernels/memory/columns.ts reads them. */
+/** Writes the addresses of columns to the table that kernels/memory/columns.ts reads. */
 export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, members: number): void {
   const table = new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4);
   const axes = (start: ColumnsWord, { x, y, z }: AxisAddresses) => table.set([x, y, z], start);
@@ -18,7 +18,7 @@ export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, memb
   table[ColumnsWord.angularVelocityBit] = bitOf('AngularVelocity');
 }
 
-/** Writes the address of the table of contacts, which kernels find by it. */
+/** Writes the address of the contact table for the kernels. */
 export function writeContactTable(memory: WebAssembly.Memory, at: number): void {
   new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4)[ColumnsWord.contacts] = at;
 }

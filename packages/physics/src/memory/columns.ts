@@ -60,7 +60,7 @@ export function componentColumns<Name extends ComponentName = ComponentName>(
       const what = `${name}.${field}`;
       return fields[field].kind === 'real' ? realColumn(arena, precision, rows, what) : wordColumn(arena, rows, what);
     });
-    // Frozen, so that `Velocity.x = 5`, whose index was forgotten, is an error and does not replace the column.
+    // Frozen, so that `Velocity.x = 5`, which lacks an index, throws instead of replacing the column.
     return [Object.freeze(made[0]), made[1]] as const;
   }) as unknown as [Pick<Components, Name>, Pick<Addresses, Name>];
 }

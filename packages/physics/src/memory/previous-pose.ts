@@ -16,7 +16,7 @@ export function copyPose(from: Previous, to: Previous, eid: number): void {
     const target: Columns = to[name];
     for (const field in source) {
       const value = source[field][eid];
-      // A value that is not finite must not become the last good one.
+      // The last valid pose must not be overwritten by a non-finite value.
       if (Math.abs(value) <= MAX_POSITION) target[field][eid] = value;
     }
   }

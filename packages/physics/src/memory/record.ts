@@ -1,8 +1,7 @@
 import { type Arena, allocate } from './arena.ts';
 
 /**
- * A record of the kernels in the world's memory. Its layout, the indices of the fields in `words` and `numbers`, is in
- * `layouts.gen.ts`.
+ * A kernel record in the world's memory. `layouts.gen.ts` has the indices of its fields in `words` and `numbers`.
  */
 export interface MemoryRecord {
   /** Its address. */
@@ -13,7 +12,7 @@ export interface MemoryRecord {
   readonly numbers: Float64Array;
 }
 
-/** The record of so many bytes at an address, a multiple of eight. */
+/** Returns the record of `bytes` bytes at an address, which is a multiple of eight. */
 export function recordAt({ buffer }: WebAssembly.Memory, at: number, bytes: number): MemoryRecord {
   return {
     at,
@@ -23,7 +22,7 @@ export function recordAt({ buffer }: WebAssembly.Memory, at: number, bytes: numb
 }
 
 /**
- * A new record, all zero.
+ * Allocates a record, all zero.
  * @throws PhysicsError E_CAPACITY when the arena is full
  */
 export function allocateRecord(arena: Arena, bytes: number, what: string): MemoryRecord {

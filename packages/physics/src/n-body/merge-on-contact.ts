@@ -34,12 +34,12 @@ interface State {
   lastStep: number;
   /** The body that absorbed each row in this step; 0 for rows that were not absorbed. */
   readonly into: Uint32Array;
-  readonly gone: number[];
+  readonly absorbedIds: number[];
 }
 
 const stateOf = resource((world): State => {
   activateContacts(world);
-  return { total: 0, lastStep: 0, into: new Uint32Array(world.rows), gone: [] };
+  return { total: 0, lastStep: 0, into: new Uint32Array(world.rows), absorbedIds: [] };
 });
 
 /** Returns the number of mergers. */
@@ -50,7 +50,7 @@ export function mergers(world: PhysicsWorld): Mergers {
 /** System of the `collide` phase: merges bodies with Mass whose colliders overlap. */
 export function mergeOnContact(world: PhysicsWorld): void {
   const state = stateOf(world);
-  const { into, gone } = state;
+  const { into, absorbedIds } = state;
   const { words } = findPairs(world);
   const count = words[Word.count];
   const pairs = new Uint32Array(world.memory.buffer);
@@ -60,13 +60,13 @@ export function mergeOnContact(world: PhysicsWorld): void {
     if (a === b || !isFree(world, a) || !isFree(world, b) || !overlap(world, a, b)) continue;
     merge(world, state, a, b);
   }
-  state.lastStep = gone.length;
-  state.total += gone.length;
-  for (let g = 0; g < gone.length; g++) {
-    into[gone[g]] = 0;
-    despawn(world, gone[g]);
+  state.lastStep = absorbedIds.length;
+  state.total += absorbedIds.length;
+  for (let g = 0; g < absorbedIds.length; g++) {
+    into[absorbedIds[g]] = 0;
+    despawn(world, absorbedIds[g]);
   }
-  gone.length = 0;
+  absorbedIds.length = 0;
 }
 
 function findPairs(world: PhysicsWorld) {
@@ -87,8 +87,8 @@ function remaining(into: Uint32Array, row: number): number {
 
 /** Immovable bodies do not merge: they act as walls. */
 function isFree({ internal, components }: PhysicsWorld, row: number): boolean {
-  const wanted = bitOf('Position') | bitOf('Velocity') | bitOf('Mass') | bitOf('Collider');
-  return (internal.members[row] & wanted) === wanted && components.Mass.value[row] > 0;
+  const required = bitOf('Position') | bitOf('Velocity') | bitOf('Mass') | bitOf('Collider');
+  return (internal.members[row] & required) === required && components.Mass.value[row] > 0;
 }
 
 function overlap({ components }: PhysicsWorld, a: number, b: number): boolean {
@@ -121,7 +121,7 @@ function merge(world: PhysicsWorld, state: State, a: number, b: number): void {
   // Until the end of the step the absorbed body exists without mass, and no force acts on it.
   Mass.value[absorbed] = 0;
   state.into[absorbed] = survivor;
-  state.gone.push(absorbed);
+  state.absorbedIds.push(absorbed);
   world.versions.style++;
 }
 

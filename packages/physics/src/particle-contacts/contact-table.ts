@@ -18,7 +18,7 @@ export interface ContactTable {
   readonly words: Uint32Array;
 }
 
-/** Maximum fraction of the free arena that contacts take, which leaves memory for other features. */
+/** Maximum fraction of the free arena that contacts allocateBytes, which leaves memory for other features. */
 const MAX_ARENA_FRACTION = 0.9;
 
 /** Contact capacity per body: a dense packing has three contacts per disc and six per ball. */
@@ -56,12 +56,12 @@ export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): 
 /** Allocates the memory at the first call. @throws PhysicsError E_CAPACITY */
 export const contactTable = resource<ContactTable>((world) => {
   const { arena } = world.internal;
-  const take = (size: number) => allocate(arena, size, 'contacts');
+  const allocateBytes = (size: number) => allocate(arena, size, 'contacts');
   const { at, words } = allocateRecord(arena, CONTACT_TABLE_BYTES, 'contacts');
-  allocateGrid(world, words, take);
-  allocateWallContacts(world, words, take);
-  allocateContacts(world, words, take);
-  allocateSorted(world, words, take);
+  allocateGrid(world, words, allocateBytes);
+  allocateWallContacts(world, words, allocateBytes);
+  allocateContacts(world, words, allocateBytes);
+  allocateSorted(world, words, allocateBytes);
   const { startVelocity, stage2 } = world.scratch.at;
   words.set([startVelocity.x, startVelocity.y, startVelocity.z, stage2.x, stage2.y], Word.startX);
   return { table: at, words };
@@ -74,30 +74,30 @@ export function activateContacts(world: PhysicsWorld): void {
 
 const SORTED = [Word.sortedX, Word.sortedY, Word.sortedZ, Word.sortedRadius, Word.sortedBucket];
 
-type Take = (bytes: number) => number;
+type AllocateBytes = (bytes: number) => number;
 
-function allocateGrid(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateGrid(world: PhysicsWorld, words: Uint32Array, allocateBytes: AllocateBytes): void {
   const { rows } = world;
   let buckets = 1024;
   while (buckets < 2 * rows) buckets *= 2;
   words[Word.maxBuckets] = buckets;
-  words[Word.rowWords] = take(4 * rows);
-  words[Word.bodyRows] = take(4 * rows);
-  words[Word.levels] = take(4 * rows);
+  words[Word.rowWords] = allocateBytes(4 * rows);
+  words[Word.bodyRows] = allocateBytes(4 * rows);
+  words[Word.levels] = allocateBytes(4 * rows);
   words[Word.maxLevels] = rows;
   // The broad phase ends before the first body is gathered, so both can share memory.
   const starts = 4 * (buckets + 16);
-  const region = take(Math.max(BODY_BYTES[world.precision] * rows, starts + 4 * rows));
+  const region = allocateBytes(Math.max(BODY_BYTES[world.precision] * rows, starts + 4 * rows));
   words[Word.starts] = region;
   words[Word.sortedRow] = region + starts;
   words[Word.bodies] = region;
-  words[Word.histogram] = take(4 * 256);
+  words[Word.histogram] = allocateBytes(4 * 256);
 }
 
 /** The broad phase ends before the first contact is packed into a block, so both can share memory. */
-function allocateSorted(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateSorted(world: PhysicsWorld, words: Uint32Array, allocateBytes: AllocateBytes): void {
   const column = sortedBytes(world) / SORTED.length;
-  const region = sharesSorted(world, words[Word.capacity]) ? words[Word.blocks] : take(SORTED.length * column);
+  const region = sharesSorted(world, words[Word.capacity]) ? words[Word.blocks] : allocateBytes(SORTED.length * column);
   for (const [i, list] of SORTED.entries()) words[list] = region + i * column;
 }
 
@@ -106,36 +106,37 @@ const sortedBytes = ({ rows, precision }: PhysicsWorld) => SORTED.length * (rows
 const sharesSorted = (world: PhysicsWorld, capacity: number) =>
   capacity * packedBytes(realBytes(world.precision)) >= sortedBytes(world);
 
-function allocateWallContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateWallContacts(world: PhysicsWorld, words: Uint32Array, allocateBytes: AllocateBytes): void {
   const capacity = Math.max(world.rows / 2, Math.min(2 * world.rows, MIN_WALL_CONTACTS));
   const bytes = realBytes(world.precision);
   words[Word.wallCapacity] = capacity;
-  for (const list of [Word.wallBody, Word.wallId]) words[list] = take(4 * capacity);
+  for (const list of [Word.wallBody, Word.wallId]) words[list] = allocateBytes(4 * capacity);
   for (const list of [Word.wallNx, Word.wallNy, Word.wallNz, Word.wallImpulse, Word.wallAccumulatedImpulse]) {
-    words[list] = take(bytes * capacity);
+    words[list] = allocateBytes(bytes * capacity);
   }
-  for (const list of [Word.wallGap, Word.wallFriction, Word.wallFrictionApplied]) words[list] = take(bytes * capacity);
-  words[Word.wallTangentImpulse] = take(12 * capacity);
-  words[Word.wallSlot] = take(4 * capacity);
+  for (const list of [Word.wallGap, Word.wallFriction, Word.wallFrictionApplied])
+    words[list] = allocateBytes(bytes * capacity);
+  words[Word.wallTangentImpulse] = allocateBytes(12 * capacity);
+  words[Word.wallSlot] = allocateBytes(4 * capacity);
 }
 
-function allocateContacts(world: PhysicsWorld, words: Uint32Array, take: Take): void {
+function allocateContacts(world: PhysicsWorld, words: Uint32Array, allocateBytes: AllocateBytes): void {
   const { dimensions, rows, precision, internal } = world;
   const bytes = realBytes(precision);
   // Columns of 4 KiB and more start at staggered addresses, which costs at most 8 KiB each.
-  const room = MAX_ARENA_FRACTION * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
-  const spare = (SPARE_FRACTION * room) / contactBytes(bytes);
-  const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY[dimensions] * rows, spare);
-  let max = Math.min(wanted, room / contactBytes(bytes));
-  if (!sharesSorted(world, max)) max = (room - sortedBytes(world)) / contactBytes(bytes);
+  const freeBytes = MAX_ARENA_FRACTION * (internal.arena.bytes - internal.arena.top) - 16 * 8192;
+  const spare = (SPARE_FRACTION * freeBytes) / contactBytes(bytes);
+  const desired = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY[dimensions] * rows, spare);
+  let max = Math.min(desired, freeBytes / contactBytes(bytes));
+  if (!sharesSorted(world, max)) max = (freeBytes - sortedBytes(world)) / contactBytes(bytes);
   const capacity = Math.max(256, Math.floor(max / 16) * 16);
   words[Word.capacity] = capacity;
-  for (const list of [Word.a, Word.b, Word.slotA, Word.slotB]) words[list] = take(4 * capacity);
+  for (const list of [Word.a, Word.b, Word.slotA, Word.slotB]) words[list] = allocateBytes(4 * capacity);
   for (const list of [Word.nx, Word.ny, Word.nz, Word.impulse, Word.accumulatedImpulse])
-    words[list] = take(bytes * capacity);
-  words[Word.frictionState] = take(16 * capacity);
-  words[Word.blocks] = take(packedBytes(bytes) * capacity);
-  const previous = take((8 + bytes) * capacity);
+    words[list] = allocateBytes(bytes * capacity);
+  words[Word.frictionState] = allocateBytes(16 * capacity);
+  words[Word.blocks] = allocateBytes(packedBytes(bytes) * capacity);
+  const previous = allocateBytes((8 + bytes) * capacity);
   words[Word.previousA] = previous;
   words[Word.previousB] = previous + 4 * capacity;
   words[Word.previousAccumulatedImpulse] = previous + 8 * capacity;

@@ -103,7 +103,7 @@ describe('sides and ends', () => {
 describe('no tunnelling', () => {
   test.each(['f32', 'f64'] as const)('a thousand balls of 1 at 10⁴ a second, %s', (precision) => {
     const world = make({ precision, capacity: 1100 });
-    // A wall from top to bottom parts the box: none of those on either side may ever be on the other.
+    // A wall from top to bottom divides the box: no ball may change sides.
     const PARTITION = [300, 50, 320, 400] as const;
     for (const ends of [...BOX, ...INNER, PARTITION]) wall(world, ends, { restitution: 1 });
     const random = createRandom(7);
@@ -120,13 +120,12 @@ describe('no tunnelling', () => {
       const strays = balls.filter((ball, k) => {
         const [x, y] = [p.x[ball], p.y[ball]];
         const beyond = ((x - 300) * 350 - (y - 50) * 20) / root;
-        // A radius off every wall, to a few roundings of 550 in f32, 3e-5 each.
+        // Each ball is a radius from every wall, to a few rounding errors of 550 in f32, 3e-5 each.
         return !(x > 50.999 && x < 549.001 && y > 50.999 && y < 399.001 && (k < 500 ? -beyond : beyond) > 0.999);
       });
       expect(strays).toEqual([]);
     }
-    // And they are still moving, at the speed they had: a bounce rounds it a few times, and there are at most 1000 on a way
-    // of 10⁴.
+    // The balls keep their speed to rounding: at most 1000 bounces over a path of 10⁴ m, each with a few rounding errors.
     const rounding = 1000 * 4 * (precision === 'f32' ? 2 ** -24 : 2 ** -53);
     for (const ball of balls) expect(Math.abs(Math.hypot(v.x[ball], v.y[ball]) / 1e4 - 1)).toBeLessThan(rounding);
   });

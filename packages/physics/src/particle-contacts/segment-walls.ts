@@ -20,7 +20,7 @@ interface SegmentList extends EntityList {
   readonly words: Uint32Array;
   /** The step in which the walls were gathered. */
   tick: number;
-  /** Walls that were reported because an end of theirs is not finite. */
+  /** Walls that were reported because one of their ends is not finite. */
   readonly reported: Set<number>;
 }
 
@@ -42,10 +42,10 @@ function gather(world: PhysicsWorld): SegmentList {
   if (list.tick === world.tick) return list;
   const size = SEGMENT_BYTES[world.precision];
   if (refreshEntityList(world, list, 'SegmentWall', size + 4 * ITEMS_PER_WALL)) {
-    const { words, at, room } = list;
+    const { words, at, capacity } = list;
     words[Word.segments] = at;
-    words[Word.items] = at + size * room;
-    words[Word.maxItems] = ITEMS_PER_WALL * room;
+    words[Word.items] = at + size * capacity;
+    words[Word.maxItems] = ITEMS_PER_WALL * capacity;
   }
   collisionKernels(world).gatherSegments(list.grid, list.ids, list.count);
   list.tick = world.tick;
@@ -54,7 +54,7 @@ function gather(world: PhysicsWorld): SegmentList {
   return list;
 }
 
-/** Reports each wall that was left out, once until it is put right. */
+/** Reports each wall that was omitted, and again only after it was corrected. */
 function reportBadWalls(world: PhysicsWorld, { ids, count, reported }: SegmentList): void {
   const { SegmentWall } = world.components;
   const all = new Uint32Array(world.memory.buffer, ids, count);

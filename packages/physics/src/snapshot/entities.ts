@@ -54,12 +54,12 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
     }
   };
   if (!isSameIndex(world, saved)) {
-    const wanted = new Set(saved.dense.subarray(0, saved.alive));
-    removeOthers(world, wanted, attempt);
-    for (const eid of wanted) if (!entityExists(world, eid)) recreateEntity(world, eid);
+    const savedIds = new Set(saved.dense.subarray(0, saved.alive));
+    removeOthers(world, savedIds, attempt);
+    for (const eid of savedIds) if (!entityExists(world, eid)) recreateEntity(world, eid);
   }
   changeAllComponents(world, saved, attempt);
-  // Observers may have made entities, or changed components, when they were told of those that came back.
+  // Observers may have created entities or changed components when they were notified of restored entities.
   for (let round = 0; round < MAX_ROUNDS && !isSameIndex(world, saved); round++) {
     removeOthers(world, new Set(saved.dense.subarray(0, saved.alive)), attempt);
     changeAllComponents(world, saved, attempt);
@@ -69,14 +69,15 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
   return thrown;
 }
 
-/** Rounds in which the edits of observers are taken back: one that always makes another is not waited for. */
+/** Maximum number of rounds that undo edits by observers, because an observer may repeat its edit in every round. */
 const MAX_ROUNDS = 8;
 
 type Attempt = (act: () => void) => void;
 
-function removeOthers(world: PhysicsWorld, wanted: ReadonlySet<number>, attempt: Attempt): void {
+function removeOthers(world: PhysicsWorld, savedIds: ReadonlySet<number>, attempt: Attempt): void {
   const { dense, aliveCount } = contextOf(world).entityIndex;
-  for (const eid of dense.slice(0, aliveCount)) if (!wanted.has(eid)) attempt(() => removeEntityCompletely(world, eid));
+  for (const eid of dense.slice(0, aliveCount))
+    if (!savedIds.has(eid)) attempt(() => removeEntityCompletely(world, eid));
 }
 
 function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt: Attempt): void {
@@ -112,7 +113,7 @@ function recreateEntity(world: PhysicsWorld, eid: number): void {
   addEntity(world);
 }
 
-/** Each by itself: an observer that throws at one must not keep the others away. */
+/** Handles each entity separately, so that an observer that throws does not prevent the others. */
 function changeComponents(world: PhysicsWorld, eid: number, bits: number, attempt: Attempt): void {
   for (const name of COMPONENT_NAMES) {
     const differs = ((world.internal.members[eid] ^ bits) & bitOf(name)) !== 0;

@@ -4,7 +4,7 @@ import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The objects to save, in the order in which they were passed. */
-export const keptOf = resource((): object[] => []);
+export const keptObjects = resource((): object[] => []);
 
 const named = new WeakSet<object>();
 
@@ -24,5 +24,5 @@ export function keepState(world: PhysicsWorld, ...objects: readonly object[]): v
   assertUsable(world);
   for (const object of objects) checkObject(object, 'keepState: objects');
   for (const object of objects) named.add(object);
-  keptOf(world).push(...objects);
+  keptObjects(world).push(...objects);
 }

@@ -23,10 +23,10 @@ export interface MemoryImage {
   staggered: number;
 }
 
-const NOTHING: Layout = { runs: [], views: [], length: 0, top: 0 };
+const EMPTY_LAYOUT: Layout = { runs: [], views: [], length: 0, top: 0 };
 
 export function noImage(): MemoryImage {
-  return { layout: NOTHING, bytes: new Uint8Array(0), top: 0, staggered: 0 };
+  return { layout: EMPTY_LAYOUT, bytes: new Uint8Array(0), top: 0, staggered: 0 };
 }
 
 /** Granularity in bytes: one page, which most systems allocate only when it is first written. */
@@ -59,7 +59,7 @@ const layouts = new WeakMap<PhysicsWorld, Layout>();
 function layoutOf(world: PhysicsWorld, top: number): Layout {
   const last = layouts.get(world);
   // After a restore to a smaller arena, old ranges may lie beyond its end.
-  const previous = last === undefined || top < last.top ? NOTHING : last;
+  const previous = last === undefined || top < last.top ? EMPTY_LAYOUT : last;
   if (previous.top === top && coversAll(world, previous.runs, top)) return previous;
   const made = extendRanges(world, previous.runs, top);
   layouts.set(world, made);
@@ -98,8 +98,8 @@ function extendRanges({ kernels, memory: { buffer } }: PhysicsWorld, before: rea
   return { runs, views, length, top };
 }
 
-function fits(room: number, length: number): boolean {
-  return room >= length && room <= 2 * length + PAGE_BYTES;
+function fits(capacity: number, length: number): boolean {
+  return capacity >= length && capacity <= 2 * length + PAGE_BYTES;
 }
 
 /** Restores an image: every byte has its saved value, and memory allocated since is free and zero. */

@@ -58,7 +58,7 @@ export class PlainRecord {
     this.#copies.length = this.#count;
   }
 
-  /** An object that was frozen since, whose contents cannot be put back. */
+  /** Returns an object that was frozen since the copy, so that its contents cannot be restored. */
   findFrozen(): object | undefined {
     for (let i = 0; i < this.#count; i++) {
       const { target } = this.#copies[i];
@@ -72,7 +72,7 @@ export class PlainRecord {
   }
 }
 
-/** Freezing leaves the entries of maps and sets as they are. */
+/** Freezing does not affect the entries of maps and sets. */
 function hasContents(value: object): boolean {
   return !(value instanceof Map) && !(value instanceof Set) && Object.keys(value).length > 0;
 }

@@ -44,9 +44,9 @@ export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {
  * @throws PhysicsError E_TYPE for a snapshot of another world, E_REENTRANT, E_DESTROYED: nothing is changed
  * @throws AggregateError of exceptions of observers, after everything is restored
  */
-export function restore(world: PhysicsWorld, taken: Snapshot): void {
+export function restore(world: PhysicsWorld, snapshot: Snapshot): void {
   assertIdle(world, 'restore');
-  const content = contentOf(world, taken, 'restore');
+  const content = contentOf(world, snapshot, 'restore');
   content.assertWritable();
   const thrown = content.putBack();
   world.versions.restored++;
@@ -58,8 +58,8 @@ function isState(key: object): boolean {
   return key instanceof ResourceKey && !key.outlives;
 }
 
-function contentOf(world: PhysicsWorld, taken: Snapshot, caller: string): Content {
-  const found = taken instanceof Content ? taken : undefined;
+function contentOf(world: PhysicsWorld, snapshot: Snapshot, caller: string): Content {
+  const found = snapshot instanceof Content ? snapshot : undefined;
   if (found?.world === world && found.isWhole) return found;
   const problem =
     found === undefined ? 'the argument is not a snapshot' : 'the snapshot is of another world, or incomplete';
@@ -127,7 +127,7 @@ class Content implements Snapshot {
     this.isWhole = true;
   }
 
-  /** @throws PhysicsError E_TYPE when an object named to `keepState` was frozen since */
+  /** @throws PhysicsError E_TYPE if an object passed to `keepState` was frozen since the snapshot */
   assertWritable(): void {
     const frozen = this.#plain.findFrozen();
     if (frozen === undefined) return;

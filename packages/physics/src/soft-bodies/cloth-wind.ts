@@ -12,7 +12,7 @@
 
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import { SPEEDS } from '../forces/support/bounds.ts';
+import { VELOCITY_BOUNDS } from '../forces/support/bounds.ts';
 import { shownVector, timeVector, type VectorOverTime } from '../laws/time-vector.ts';
 import { SHEET_IN_WIND_BYTES, SheetInWindNumber, SheetInWindWord } from '../memory/layouts.gen.ts';
 import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
@@ -40,7 +40,7 @@ export function clothWind(options: ClothWindOptions): Force {
   const density = checkNumber(options.density ?? 1.2, 'clothWind.density', { min: 0, max: 1e6 });
   const normal = checkNumber(options.normal ?? 2, 'clothWind.normal', { min: 0, max: 100 });
   const tangential = checkNumber(options.tangential ?? 0.01, 'clothWind.tangential', { min: 0, max: 100 });
-  const wind = timeVector(options.velocity ?? {}, 'clothWind.velocity', 'velocity', SPEEDS);
+  const wind = timeVector(options.velocity ?? {}, 'clothWind.velocity', 'velocity', VELOCITY_BOUNDS);
   const faces = facesOf(options.triangles, 3, 'clothWind.triangles');
   const sheetOf = resource((world) => writeSheet(world, faces(world), [density, normal, tangential]));
   return {

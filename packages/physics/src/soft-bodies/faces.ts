@@ -48,13 +48,13 @@ function copyFaces(world: PhysicsWorld, ids: ArrayLike<number>, corners: number,
   for (let i = 0; i < ids.length; i++) {
     const word = count * (i % corners) + Math.floor(i / corners);
     words[word] = ids[i];
-    // A node that is gone already is one that was lost: no generation is this high.
+    // No generation is this high, so a node that does not exist counts as removed.
     words[word + ids.length] = isBody(world, ids[i]) ? generations[ids[i]] : 0xffffffff;
   }
   return { at, count, parts };
 }
 
-/** Whether some body had this id, be it gone now. */
+/** Returns whether an entity ever had this id. */
 function wasBody({ capacity, internal }: PhysicsWorld, eid: number): boolean {
   return Number.isInteger(eid) && eid > 0 && eid <= capacity && internal.generations[eid] > 0;
 }

@@ -1,4 +1,4 @@
-// The kernels of wind on cloth and of gas in soft bodies, on every world that has either.
+// The kernels of wind on cloths and of gas in soft bodies, for worlds with either.
 import { KERNELS, type KernelExports } from '../kernels/soft-bodies.gen.ts';
 import { kernelModule } from '../memory/kernel-module.ts';
 

@@ -50,7 +50,7 @@ export interface PhysicsWorldOptions {
    * end of the step.
    */
   readonly onFault?: 'quarantine' | 'throw';
-  /** Receives warnings about input that is legal but surely not meant, each once. Default: they are printed. */
+  /** Receives each warning about valid input that is probably a mistake, once. By default warnings are printed. */
   readonly onWarning?: (warning: Warning) => void;
   /**
    * Bytes of memory for features that allocate (contacts, grids). The default is 2 MiB, plus what the preset requests,
@@ -59,7 +59,7 @@ export interface PhysicsWorldOptions {
   readonly arenaBytes?: number;
 }
 
-/** What features take however few the bodies are: trees, grids, tables of coefficients. */
+/** Memory of features that does not depend on the number of bodies: trees, grids, coefficient tables. */
 const DEFAULT_ARENA_BYTES = 2 ** 21;
 
 const OPTIONS = [
@@ -92,7 +92,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const seed = checkWhole(options.seed ?? 1, 'seed', 0, 2 ** 53 - 1);
   const onWarning = options.onWarning ?? printWarning;
   checkFunction(onWarning, 'onWarning');
-  checkParts(options);
+  checkFeatures(options);
   const rows = Math.ceil((capacity + 1) / 1024) * 1024;
   const { preset = standard, integrator = velocityVerlet, forces = [] } = options;
   const perEntity = preset.bytesPerEntity?.(dimensions, precision) ?? 256;
@@ -105,7 +105,8 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
   const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault, onWarning };
-  const world = createWorld({ ...chosen, ...worldParts(arena, precision, rows, components) }) as object as PhysicsWorld;
+  const parts = createInternals(arena, precision, rows, components);
+  const world = createWorld({ ...chosen, ...parts }) as object as PhysicsWorld;
   // Kernels sweep the rows up to it: a value that user code writes would lead them out of the columns.
   Object.defineProperty(world, 'lastId', { get: () => world.internal.lastId, enumerable: true });
   world.internal.componentMap = contextOf(world).componentMap;
@@ -117,7 +118,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   return world;
 }
 
-function checkParts({ dimensions = 2, forces = [], walls = [], integrator, preset }: PhysicsWorldOptions): void {
+function checkFeatures({ dimensions = 2, forces = [], walls = [], integrator, preset }: PhysicsWorldOptions): void {
   checkForces(forces, 'forces', dimensions);
   checkSystems(walls, 'walls');
   if (integrator !== undefined) checkIntegrator(integrator, 'integrator');
@@ -139,7 +140,7 @@ function columnBytes(columns: number, rows: number, precision: Precision): numbe
   return columns * (rows * realBytes(precision) + 8192);
 }
 
-function worldParts(arena: Arena, precision: Precision, rows: number, own: readonly ComponentSpec[]) {
+function createInternals(arena: Arena, precision: Precision, rows: number, own: readonly ComponentSpec[]) {
   const [components, addresses] = componentColumns(arena, precision, rows);
   const [previous, previousAddresses] = componentColumns<(typeof POSE)[number]>(arena, precision, rows, POSE);
   const scratch = createScratch(arena, precision, rows);

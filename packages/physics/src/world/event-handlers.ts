@@ -19,7 +19,7 @@ export type Handler<Name extends EventName> = (event: EventMap[Name], world: Phy
 
 interface Listener<Name extends EventName> {
   readonly handler: Handler<Name>;
-  gone: boolean;
+  removed: boolean;
 }
 
 /** A list is replaced and never mutated, so a list that is being iterated does not change. */
@@ -44,16 +44,16 @@ export function on<Name extends EventName>(world: PhysicsWorld, name: Name, hand
     throw unknownName('a world', 'event', name, Object.keys(listeners));
   checkFunction(handler, 'handler');
   const lists = listeners as { [N in EventName]: readonly Listener<Name>[] };
-  const listener = { handler, gone: false };
+  const listener = { handler, removed: false };
   lists[name] = [...lists[name], listener];
   world.internal.reviewed.plan = undefined;
   return () => {
-    listener.gone = true;
+    listener.removed = true;
     lists[name] = lists[name].filter((other) => other !== listener);
   };
 }
 
-/** Returns whether the event has handlers. Systems that dispatch an event ask this first, in every step. */
+/** Returns whether the event has handlers. Systems that dispatch an event check this in every step. */
 export function hasHandlers(world: PhysicsWorld, name: EventName): boolean {
   dispatchedBy(world).add(name);
   return listenersOf(world)[name].length > 0;
@@ -70,7 +70,7 @@ export function ignoredEvents(world: PhysicsWorld): EventName[] {
 export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, event: EventMap[Name]): void {
   const list: readonly Listener<Name>[] = listenersOf(world)[name];
   for (let i = 0; i < list.length; i++) {
-    if (list[i].gone) continue;
+    if (list[i].removed) continue;
     try {
       const result: unknown = list[i].handler(event, world);
       if (result instanceof Promise) reportRejection(world, name, result);
@@ -80,7 +80,7 @@ export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, ev
   }
 }
 
-/** A rejection comes after the step, which cannot throw it any more; without this it would end the process. */
+/** A promise rejects after the step, which cannot throw then; an unhandled rejection would end the process. */
 function reportRejection(world: PhysicsWorld, name: EventName, result: Promise<unknown>): void {
   result.catch((error) => {
     world.onWarning({

@@ -15,8 +15,8 @@ export interface RunnerOptions {
 /** Maximum steps per frame. More would freeze the program, for example when dt is given in microseconds. */
 const MAX_STEPS = 1e6;
 
-/** Indices of the time waiting for a step, of the time that was not simulated and of the last frame, s. */
-const [WAITING, DROPPED, LAST_FRAME] = [0, 1, 2];
+/** Indices of the accumulated time, of the dropped time and of the length of the last frame, s. */
+const [ACCUMULATED, DROPPED, LAST_FRAME] = [0, 1, 2];
 
 const NOT_NEGATIVE = { min: 0 };
 
@@ -51,7 +51,7 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
   return {
     dt,
     get alpha() {
-      return Math.min(1, times[WAITING] / dt);
+      return Math.min(1, times[ACCUMULATED] / dt);
     },
     get droppedTime() {
       return times[DROPPED];
@@ -59,19 +59,19 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
     advance(elapsed) {
       assertIdle(world, 'advance');
       checkNumber(elapsed, 'elapsed', NOT_NEGATIVE);
-      // One long frame is a page that was hidden; two in a row are not.
+      // A single long frame means that the page was hidden; two in a row suggest times in milliseconds.
       if (times[LAST_FRAME] > 1 && dt < 1) warnAboutDuration(world, elapsed, 'advance');
       times[LAST_FRAME] = elapsed;
       const frame = Math.min(elapsed, maxFrame);
-      const wanted = times[WAITING] + frame;
+      const available = times[ACCUMULATED] + frame;
       // Steps that threw may leave time behind; a world that throws at every step must not accumulate it.
-      times[WAITING] = Math.min(wanted, maxFrame + dt);
-      times[DROPPED] += elapsed - frame + (wanted - times[WAITING]);
+      times[ACCUMULATED] = Math.min(available, maxFrame + dt);
+      times[DROPPED] += elapsed - frame + (available - times[ACCUMULATED]);
       let steps = 0;
       // A sum of frame times such as 1/30 + 1/30 may be below 4/60 by rounding, which must not lose a step.
       const threshold = dt * (1 - 1e-9);
-      while (times[WAITING] >= threshold && world.state === 'idle') {
-        times[WAITING] = Math.max(0, times[WAITING] - dt);
+      while (times[ACCUMULATED] >= threshold && world.state === 'idle') {
+        times[ACCUMULATED] = Math.max(0, times[ACCUMULATED] - dt);
         step(world, dt);
         steps++;
       }

@@ -67,7 +67,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   throwStepErrors(world);
 }
 
-/** Warns about what is surely not meant, whenever the plan, the handlers or the set of components has changed. */
+/** Warns about probable mistakes whenever the plan, the handlers or the set of components has changed. */
 function review(world: PhysicsWorld, plan: Plan, dt: number): void {
   const { reviewed } = world.internal;
   if (reviewed.plan === plan && reviewed.membership === world.versions.membership) return;
@@ -78,8 +78,8 @@ function review(world: PhysicsWorld, plan: Plan, dt: number): void {
 }
 
 /**
- * What happens before anything has moved: an error refuses the step. Forces that consume something come last, so that a
- * refused step has consumed nothing.
+ * Runs the preparations before anything moves; an error rejects the step. Forces that consume a column come last, so
+ * that a rejected step has consumed nothing.
  */
 function prepare(world: PhysicsWorld, dt: number): void {
   world.state = 'preparing';

@@ -228,7 +228,7 @@ export interface OwnColumns {
 
 export type OwnComponents = ReadonlyMap<ComponentSpec, OwnColumns>;
 
-/** Legal input that is surely not meant. */
+/** A warning about valid input that is probably a mistake. */
 export interface Warning {
   readonly message: string;
   readonly hint: string;
@@ -256,7 +256,7 @@ export interface PhysicsWorld {
   readonly forces: Force[];
   integrator: Integrator;
   onFault: 'quarantine' | 'throw';
-  /** Receives each warning once; by default it is printed to the console. Builds for production give none. */
+  /** Receives each warning once; by default it is printed to the console. Production builds give no warnings. */
   onWarning: (warning: Warning) => void;
   /** Simulated time, s. */
   time: number;
@@ -320,11 +320,11 @@ export interface WorldInternals {
   readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
   /** The world is destroyed at the end of this step. */
   ending: boolean;
-  /** The integrator tries a state that it may reject: a bad force there is no fault. */
+  /** True while the integrator attempts a state that it may reject: an invalid force is not a fault then. */
   isTrial: boolean;
-  /** Messages of the warnings that were given. */
+  /** The messages of the warnings given so far. */
   readonly warned: Set<string>;
-  /** What the world was last checked with for warnings. */
+  /** The plan and versions at the last check for warnings. */
   readonly reviewed: { plan: Plan | undefined; membership: number };
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   /** The value of `world.lastId`. */

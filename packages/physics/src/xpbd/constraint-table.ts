@@ -1,7 +1,7 @@
 // The record of a world's constraints (kernels/xpbd/table.ts). Its rows are assigned anew when springs or bodies are
 // added or removed; their coefficients are read every step.
 import { bitOf } from '../components/all.ts';
-import { removeLost, scanSprings, springTable } from '../forces/support/spring-table.ts';
+import { removeDanglingSprings, scanSprings, springTable } from '../forces/support/spring-table.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { CONSTRAINT_TABLE_BYTES, ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
@@ -52,13 +52,13 @@ export const constraintTable = resource((world): ConstraintTable => {
   words[Word.breakForce] = world.addresses.Spring.breakForce;
   allocateColumn(Word.nodes, 4 * rows);
   allocateColumn(Word.packed, 4 * real * rows);
-  allocateColumn(Word.inverse, real * rows);
-  allocateColumn(Word.masks, 8 * rows);
+  allocateColumn(Word.inverseMass, real * rows);
+  allocateColumn(Word.groupMasks, 8 * rows);
   allocateColumn(Word.degree, 4 * rows);
   allocateColumn(Word.joined, 8 * rows);
-  allocateColumn(Word.open, 4 * 64);
-  allocateColumn(Word.sum, 64);
-  allocateColumn(Word.layers, (4 + 4 + real) * PASSES);
+  allocateColumn(Word.openGroups, 4 * 64);
+  allocateColumn(Word.checksum, 64);
+  allocateColumn(Word.passes, (4 + 4 + real) * PASSES);
   return table;
 });
 
@@ -72,7 +72,7 @@ export function refreshConstraints(world: PhysicsWorld, h: number): ConstraintTa
   const springs = springTable(world);
   if (springs.removed.length > 0) springs.removed = [];
   if (table.version === world.versions.membership && kernels.readConstraints(table.at, MOVABLE, h) === 1) return table;
-  removeLost(world, scanSprings(world));
+  removeDanglingSprings(world, scanSprings(world));
   allocateRows(world, table);
   allocateScratch(world, table, kernels.arrangeConstraints(table.at, MOVABLE, world.lastId));
   kernels.readConstraints(table.at, MOVABLE, h);
@@ -91,7 +91,7 @@ export function allocateRows(world: PhysicsWorld, table: ConstraintTable): void 
   const allocateColumn = (word: Word, bytes: number) => {
     table.words[word] = allocate(arena, bytes, `${counts.Spring} springs as constraints`);
   };
-  for (const word of [Word.state, Word.source, Word.a, Word.b, Word.chains, Word.strands, Word.broken])
+  for (const word of [Word.assigned, Word.springIds, Word.a, Word.b, Word.chains, Word.batches, Word.broken])
     allocateColumn(word, 4 * (rows + 1));
   for (const word of [Word.length, Word.gain, Word.softness, Word.tension]) allocateColumn(word, real * rows);
   table.capacity = capacity;
@@ -103,10 +103,10 @@ const BATCH_BYTES = 192;
 
 /** Allocates scratch memory for `chained` rows of chains, or for the longest batch. @throws PhysicsError E_CAPACITY */
 function allocateScratch(world: PhysicsWorld, table: ConstraintTable, chained: number): void {
-  const longest = table.words[Word.longest];
+  const longest = table.words[Word.longestPolyline];
   const bytes = Math.max(chained && CHAIN_BYTES * (chained + 1), longest && BATCH_BYTES * (longest + 2));
   if (bytes <= table.scratchBytes) return;
   const size = Math.ceil(1.5 * bytes);
-  table.words[Word.work] = allocate(world.internal.arena, size, `${Math.max(chained, longest)} springs in a chain`);
+  table.words[Word.scratch] = allocate(world.internal.arena, size, `${Math.max(chained, longest)} springs in a chain`);
   table.scratchBytes = size;
 }

@@ -166,13 +166,13 @@ describe('springs of finite stiffness', () => {
     const x = 0.5 * Math.exp(-1) * (Math.cos(2 * omega) + Math.sin(2 * omega) / (2 * omega));
     const v = -0.5 * Math.exp(-1) * (10 / omega) * Math.sin(2 * omega);
     const exact = 0.5 * v * v + 5 * x * x;
-    // Verlet errs by some ω² dt²/12.
+    // The relative error of Verlet is about ω² dt²/12.
     expect(Math.abs(end(1, velocityVerlet) / exact - 1)).toBeLessThan(1e-5);
-    // Backward Euler takes ω² - 1/4 times dt of the energy a second besides, and delays the phase by ω dt/2 a second, 3e-3
-    // in all, of an energy that swings by a sixth twice a period.
+    // Backward Euler dissipates a fraction (ω² - 1/4) dt of the energy per second. It delays the phase by ω dt/2 per
+    // second, 3e-3 in all, which changes an energy that oscillates by a sixth twice per period.
     expect(Math.abs(end(1, xpbd()) / (exact * Math.exp(-9.5 * 1e-3 * 2)) - 1)).toBeLessThan(1e-3);
-    // What is stopped at the end of every step creeps by the pull of one, k dt²/m of its stretch: 2 k dt t/m of its energy,
-    // to the square of the share of one step.
+    // Strong damping stops the body at the end of every step, so a step shortens the extension by a fraction k dt²/m. The
+    // energy decays as e^(-2 k dt t/m), up to the square of this fraction.
     expect(Math.abs(end(1e6, xpbd()) / (1.25 * Math.exp(-2 * 10 * 1e-3 * 2)) - 1)).toBeLessThan(1e-4);
   });
 

@@ -62,7 +62,6 @@ export function xpbd(options: XpbdOptions = {}): Integrator {
   const bounds = { min: 1, max: 10_000, integer: true };
   const substeps = checkNumber(options.substeps ?? 1, 'xpbd.substeps', bounds);
   const iterations = checkNumber(options.iterations ?? 10, 'xpbd.iterations', bounds);
-  let times = timesOf(Number.NaN, substeps);
   return {
     name: 'XPBD',
     order: 2,
@@ -71,73 +70,60 @@ export function xpbd(options: XpbdOptions = {}): Integrator {
     wholeWorld: true,
     solvesSprings: true,
     prepare(world, dt) {
-      if (times.dt !== dt) times = timesOf(dt, substeps);
-      if (world.internal.counts.Spring > 0) refreshConstraints(world, times.list[H] as number);
+      if (world.internal.counts.Spring > 0) refreshConstraints(world, dt / substeps);
     },
     advance(world, ranges, dt, evaluateForces) {
-      if (times.dt !== dt) times = timesOf(dt, substeps);
-      const { list } = times;
+      const h = dt / substeps;
       const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
-      if (table !== undefined && table.words[Word.rigid] === 0 && table.words[Word.looseCount] === 0) {
-        for (let s = 0; s < substeps; s++) moveNodes(world, ranges, table, list, iterations, evaluateForces, s);
+      if (table !== undefined && table.words[Word.onlyRodChains] === 0 && table.words[Word.freeBodyCount] === 0) {
+        for (let s = 0; s < substeps; s++) moveNodes(world, ranges, table, h, iterations, evaluateForces, s * h);
         return;
       }
       evaluate(world, ranges, evaluateForces, 0);
-      for (let s = 0; s < substeps; s++) subStep(world, ranges, list, iterations, evaluateForces, s);
+      for (let s = 1; s <= substeps; s++) subStep(world, ranges, h, iterations, evaluateForces, s * h);
     },
   };
 }
 
-/** Returns the times of a step. An array of mixed types holds its numbers boxed, so reading them makes no garbage. */
-function timesOf(dt: number, substeps: number) {
-  const h = dt / substeps;
-  const list: (number | undefined)[] = [undefined, h, h / 2, -h / 2];
-  for (let s = 0; s <= substeps; s++) list.push(s * h);
-  return { dt, list };
-}
-
-const [H, HALF, MINUS_HALF, START_TIMES] = [1, 2, 3, 4];
-
 /**
  * A sub-step in which all movable bodies have springs, not all in chains: the whole velocity change precedes the
- * correction.
+ * correction. `start` is the time of the sub-step since the start of the step, s.
  */
 function moveNodes(
   world: PhysicsWorld,
   ranges: Ranges,
   table: ConstraintTable,
-  times: readonly (number | undefined)[],
+  h: number,
   iterations: number,
   evaluateForces: EvaluateForces,
-  s: number,
+  start: number,
 ): void {
-  const h = times[H] as number;
-  evaluate(world, ranges, evaluateForces, times[START_TIMES + s] as number);
+  evaluate(world, ranges, evaluateForces, start);
   kick(world, ranges, h);
   drift(world, ranges, h);
   correctPositions(world, table, h, iterations);
 }
 
+/** A sub-step in general; the forces at its start were evaluated before. `end` is in s since the start of the step. */
 function subStep(
   world: PhysicsWorld,
   ranges: Ranges,
-  times: readonly (number | undefined)[],
+  h: number,
   iterations: number,
   evaluateForces: EvaluateForces,
-  s: number,
+  end: number,
 ): void {
-  const h = times[H] as number;
-  const half = times[HALF] as number;
-  kick(world, ranges, half);
-  drift(world, ranges, h);
   const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
-  const rigid = table === undefined || table.words[Word.rigid] === 1;
-  if (!rigid) kickNodes(world, table, half, h);
+  const springs = table !== undefined && table.words[Word.onlyRodChains] === 0 ? table : undefined;
+  const rods = springs === undefined ? table : undefined;
+  kick(world, ranges, h / 2);
+  drift(world, ranges, h);
+  if (springs !== undefined) kickNodes(world, springs, h / 2, h);
   if (table !== undefined) correctPositions(world, table, h, iterations);
-  evaluate(world, ranges, evaluateForces, times[START_TIMES + s + 1] as number);
-  kick(world, ranges, half);
-  if (!rigid) kickNodes(world, table, times[MINUS_HALF] as number, 0);
-  else if (table !== undefined) constraintKernels(world).solveChainVelocities(table.at);
+  evaluate(world, ranges, evaluateForces, end);
+  kick(world, ranges, h / 2);
+  if (springs !== undefined) kickNodes(world, springs, -h / 2, 0);
+  if (rods !== undefined) constraintKernels(world).solveChainVelocities(rods.at);
 }
 
 /**

@@ -44,7 +44,7 @@ export class WallGrid {
   previousY: usize;
   startX: usize;
   startY: usize;
-  // Bounds of all walls, and columns of cells per metre: `real` values.
+  // Bounds of all walls, m, and grid cells per metre; all are exact `real` values.
   minX: f64;
   minY: f64;
   maxX: f64;

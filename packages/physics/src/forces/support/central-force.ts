@@ -7,7 +7,7 @@ import { type Condition, constant, type Scalar, select, type Vector } from '../.
 import type { LawSymbols } from '../../laws/law.ts';
 import { type ParameterInput, type Parameters, vector } from '../../laws/parameter.ts';
 import type { Force, PhysicsWorld } from '../../world/types.ts';
-import { PLACES, SPEEDS } from './bounds.ts';
+import { POSITION_BOUNDS, VELOCITY_BOUNDS } from './bounds.ts';
 
 /** The position of a centre over time. */
 export interface CentreOptions {
@@ -20,8 +20,8 @@ export interface CentreOptions {
 export const CENTRE_KEYS = ['centre', 'centreVelocity'] as const;
 
 const CENTRE = {
-  centre: vector('m', { default: {}, ...PLACES }),
-  centreVelocity: vector('m/s', { default: {}, ...SPEEDS }),
+  centre: vector('m', { default: {}, ...POSITION_BOUNDS }),
+  centreVelocity: vector('m/s', { default: {}, ...VELOCITY_BOUNDS }),
 };
 
 /** A field about a centre. */

@@ -13,7 +13,7 @@
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { exp } from '../../math/elementary.ts';
 import { createRandom, seedWords } from '../../math/random.ts';
-import { LENGTHS, SPEEDS } from './bounds.ts';
+import { LENGTH_BOUNDS, VELOCITY_BOUNDS } from './bounds.ts';
 
 export interface CorrelatedGustOptions {
   /** Mean wind, m/s; default zero. */
@@ -36,9 +36,9 @@ const MEMORY = 20 * NODES_PER_TIME;
  */
 export function correlatedGusts(options: CorrelatedGustOptions): (time: number) => Vector {
   checkKeys(options, 'correlatedGusts', ['mean', 'deviation', 'time', 'seed']);
-  const mean = checkVector(options.mean ?? {}, 'correlatedGusts.mean', SPEEDS);
-  const deviation = checkVector(options.deviation, 'correlatedGusts.deviation', SPEEDS);
-  const interval = checkNumber(options.time ?? 1, 'correlatedGusts.time', LENGTHS) / NODES_PER_TIME;
+  const mean = checkVector(options.mean ?? {}, 'correlatedGusts.mean', VELOCITY_BOUNDS);
+  const deviation = checkVector(options.deviation, 'correlatedGusts.deviation', VELOCITY_BOUNDS);
+  const interval = checkNumber(options.time ?? 1, 'correlatedGusts.time', LENGTH_BOUNDS) / NODES_PER_TIME;
   const series = nodes(options.seed ?? 1);
   const now = { x: 0, y: 0, z: 0 };
   return (time) => {
@@ -61,18 +61,18 @@ interface Axes {
 
 /** Returns a function that gives the values at a node and at the next. */
 function nodes(seed: number): (node: number) => { readonly before: Axes; readonly after: Axes } {
-  const keep = exp(-1 / NODES_PER_TIME);
+  const correlation = exp(-1 / NODES_PER_TIME);
   // Linear interpolation reduces the variance to two thirds, plus a third of the covariance of the nodes.
-  const scale = 1 / Math.sqrt(1 - (1 - keep) / 3);
-  const innovation = scale * Math.sqrt(1 - keep * keep);
+  const scale = 1 / Math.sqrt(1 - (1 - correlation) / 3);
+  const innovation = scale * Math.sqrt(1 - correlation * correlation);
   const random = createRandom(seed);
   const pair = { before: { x: 0, y: 0, z: 0 }, after: { x: 0, y: 0, z: 0 } };
   let currentNode = Number.NaN;
   const advance = (axes: Axes, node: number) => {
     seedWords(random.state, seed, ((node % 2 ** 32) + 2 ** 32) % 2 ** 32);
-    axes.x = keep * axes.x + innovation * random.gaussian();
-    axes.y = keep * axes.y + innovation * random.gaussian();
-    axes.z = keep * axes.z + innovation * random.gaussian();
+    axes.x = correlation * axes.x + innovation * random.gaussian();
+    axes.y = correlation * axes.y + innovation * random.gaussian();
+    axes.z = correlation * axes.z + innovation * random.gaussian();
   };
   // Every node is computed from the start of the block before its own, independent of earlier calls: a pure function.
   const computeNode = (axes: Axes, node: number) => {

@@ -2,7 +2,7 @@
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { type Scalar, select, type Vector as VectorSymbol } from '../../laws/expression.ts';
 import { scalar, vector } from '../../laws/parameter.ts';
-import { ANY, PLACES, POSITIVE, SPEEDS } from './bounds.ts';
+import { ANY, POSITION_BOUNDS, POSITIVE, VELOCITY_BOUNDS } from './bounds.ts';
 import { STANDARD_GRAVITY } from './standard-gravity.ts';
 import { unit } from './unit-vector.ts';
 
@@ -25,7 +25,7 @@ export interface FluidVolume {
 export const FLUID = /* @__PURE__ */ { density: scalar('kg/m³'), gravity: scalar('m/s²'), up: vector('') };
 
 /** Parameters of laws of a fluid with a surface. */
-export const POOL = /* @__PURE__ */ { ...FLUID, level: scalar('m') };
+export const FLUID_VOLUME = /* @__PURE__ */ { ...FLUID, level: scalar('m') };
 
 /** The validated values of these parameters. */
 export interface FluidVolumeValues {
@@ -35,16 +35,17 @@ export interface FluidVolumeValues {
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
-export function fluidVolumeValues(pool: FluidVolume, caller: string): FluidVolumeValues {
-  checkKeys(pool, caller, ['density', 'gravity', 'level', 'flow']);
-  const density = checkNumber(pool.density, `${caller}.density`, POSITIVE);
-  const given = checkVector(pool.gravity ?? { y: -STANDARD_GRAVITY }, `${caller}.gravity`, ANY);
+export function fluidVolumeValues(fluidVolume: FluidVolume, caller: string): FluidVolumeValues {
+  checkKeys(fluidVolume, caller, ['density', 'gravity', 'level', 'flow']);
+  const density = checkNumber(fluidVolume.density, `${caller}.density`, POSITIVE);
+  const given = checkVector(fluidVolume.gravity ?? { y: -STANDARD_GRAVITY }, `${caller}.gravity`, ANY);
   const down = unit(given, `${caller}.gravity`);
   const gravity = given.x * down.x + given.y * down.y + given.z * down.z;
   // 0 - x instead of -x, which may be -0.
   const up = { x: 0 - down.x, y: 0 - down.y, z: 0 - down.z };
-  const level = pool.level === undefined ? undefined : checkNumber(pool.level, `${caller}.level`, PLACES);
-  const flow = checkVector(pool.flow ?? {}, `${caller}.flow`, SPEEDS);
+  const level =
+    fluidVolume.level === undefined ? undefined : checkNumber(fluidVolume.level, `${caller}.level`, POSITION_BOUNDS);
+  const flow = checkVector(fluidVolume.flow ?? {}, `${caller}.flow`, VELOCITY_BOUNDS);
   return { fluid: { density, gravity, up }, level, flow };
 }
 
@@ -70,7 +71,7 @@ export interface Immersion {
   /** Depth over half height, from -1 to 1. */
   readonly relative: Scalar;
   /** Immersed fraction of the volume. */
-  readonly share: Scalar;
+  readonly immersedFraction: Scalar;
 }
 
 /** Computes the immersion. Shape 0 is a sphere; all others count as an upright box. */
@@ -81,5 +82,5 @@ export function immersion({ position, hull, collider }: HullSymbols, { up, level
   const ofPoint = select(depth.greater(0), 1, -1);
   const d = select(half.greater(0), depth.div(half).min(1).max(-1), ofPoint);
   const ofSphere = d.mul(d.square().negate().add(3)).mul(0.25).add(0.5);
-  return { depth, half, relative: d, share: select(hull.shape.equals(0), ofSphere, d.mul(0.5).add(0.5)) };
+  return { depth, half, relative: d, immersedFraction: select(hull.shape.equals(0), ofSphere, d.mul(0.5).add(0.5)) };
 }

@@ -2,7 +2,7 @@
 import { bitOf, COMPONENT_NAMES, type ComponentName } from '../../components/all.ts';
 import { describe, PhysicsError } from '../../errors/physics-error.ts';
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
-import { LENGTHS, PLACES } from './bounds.ts';
+import { LENGTH_BOUNDS, POSITION_BOUNDS } from './bounds.ts';
 
 /** A box, or a ball (a disc in 2D). Omitted axes of a box are unlimited. */
 export type Region = Box | Ball;
@@ -70,15 +70,15 @@ function groupBits(group: Restrictions['group']): number {
 function checkBall(region: Ball): NonNullable<CheckedRestrictions['ball']> {
   checkKeys(region, 'restrictForce.region', ['centre', 'radius']);
   return {
-    centre: checkVector(region.centre, 'restrictForce.region.centre', PLACES),
-    radius: checkNumber(region.radius, 'restrictForce.region.radius', LENGTHS),
+    centre: checkVector(region.centre, 'restrictForce.region.centre', POSITION_BOUNDS),
+    radius: checkNumber(region.radius, 'restrictForce.region.radius', LENGTH_BOUNDS),
   };
 }
 
 function checkBox(region: Box): NonNullable<CheckedRestrictions['box']> {
   checkKeys(region, 'restrictForce.region', ['min', 'max']);
-  checkVector(region.min, 'restrictForce.region.min', PLACES);
-  checkVector(region.max, 'restrictForce.region.max', PLACES);
+  checkVector(region.min, 'restrictForce.region.min', POSITION_BOUNDS);
+  checkVector(region.max, 'restrictForce.region.max', POSITION_BOUNDS);
   const min = { x: -Infinity, y: -Infinity, z: -Infinity, ...region.min };
   const max = { x: Infinity, y: Infinity, z: Infinity, ...region.max };
   if (min.x > max.x || min.y > max.y || min.z > max.z) {

@@ -14,8 +14,8 @@ export interface SpringTable {
   readonly entityList: EntityList;
   readonly words: Uint32Array;
   /** Largest stiffness over reduced mass, 1/s², and damping over reduced mass, 1/s. */
-  readonly stiffest: Float64Array;
-  /** The values of `stiffest` and the step, s, with which the integrator `passedBy` was last stable. */
+  readonly maxima: Float64Array;
+  /** The values of `maxima` and the step, s, with which the integrator `passedBy` was last stable. */
   readonly passed: Float64Array;
   passedBy: object | undefined;
   /** The springs removed before the last step because they lost an end. */
@@ -24,13 +24,13 @@ export interface SpringTable {
 
 export const springTable = resource((world): SpringTable => {
   const { at, words, numbers } = allocateRecord(world.internal.arena, SPRING_TABLE_BYTES, 'springs');
-  const { a, b, aLife, bLife, stiffness, damping, length, tensionOnly } = world.addresses.Spring;
-  words.set([a, b, aLife, bLife, stiffness, damping, length, tensionOnly], Word.a);
+  const { a, b, aGeneration, bGeneration, stiffness, damping, length, tensionOnly } = world.addresses.Spring;
+  words.set([a, b, aGeneration, bGeneration, stiffness, damping, length, tensionOnly], Word.a);
   words[Word.generations] = world.internal.generations.byteOffset;
   words[Word.rows] = world.rows;
-  const stiffest = numbers.subarray(SpringTableNumber.stiffest, SpringTableNumber.mostDamped + 1);
+  const maxima = numbers.subarray(SpringTableNumber.maxStiffness, SpringTableNumber.maxDamping + 1);
   const passed = new Float64Array(3).fill(Number.NaN);
-  return { at, words, stiffest, passed, passedBy: undefined, removed: [], entityList: emptyEntityList() };
+  return { at, words, maxima, passed, passedBy: undefined, removed: [], entityList: emptyEntityList() };
 });
 
 /**
@@ -44,7 +44,7 @@ export function scanSprings(world: PhysicsWorld): SpringTable {
   if (refreshEntityList(world, entityList, 'Spring', 16)) {
     words[Word.ids] = entityList.ids;
     words[Word.links] = entityList.at;
-    words[Word.lost] = entityList.at + entityList.room * 12;
+    words[Word.dangling] = entityList.at + entityList.capacity * 12;
     words[Word.count] = entityList.count;
   }
   world.kernels.scanSprings(table.at, bitOf('Position'));
@@ -52,10 +52,10 @@ export function scanSprings(world: PhysicsWorld): SpringTable {
 }
 
 /** Removes the springs that lost an end, with their entities. */
-export function removeLost(world: PhysicsWorld, table: SpringTable): void {
-  const lost = table.words[Word.lostCount];
-  if (lost === 0 && table.removed.length === 0) return;
-  const ids = new Uint32Array(world.memory.buffer, table.words[Word.lost], lost);
+export function removeDanglingSprings(world: PhysicsWorld, table: SpringTable): void {
+  const count = table.words[Word.danglingCount];
+  if (count === 0 && table.removed.length === 0) return;
+  const ids = new Uint32Array(world.memory.buffer, table.words[Word.dangling], count);
   table.removed = Array.from(ids);
   for (const spring of table.removed) {
     try {

@@ -3,13 +3,13 @@ import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } fr
 import { vectorOverTime } from '../../laws/parameter.ts';
 import type { VectorOverTime } from '../../laws/time-vector.ts';
 import { createRandom } from '../../math/random.ts';
-import { SPEEDS } from './bounds.ts';
+import { VELOCITY_BOUNDS } from './bounds.ts';
 
 /** Velocity of a medium, m/s, steady or over time. */
 export type Wind = VectorOverTime;
 
 /** The velocity of a medium as a parameter of a law. */
-export const windParameter = vectorOverTime('m/s', { default: {}, ...SPEEDS });
+export const windParameter = vectorOverTime('m/s', { default: {}, ...VELOCITY_BOUNDS });
 
 /** The options of `gusts`. */
 export interface GustOptions {
@@ -29,8 +29,8 @@ export interface GustOptions {
  */
 export function gusts(options: GustOptions): (time: number) => Vector {
   checkKeys(options, 'gusts', ['mean', 'spread', 'interval', 'seed']);
-  const mean = checkVector(options.mean ?? {}, 'gusts.mean', SPEEDS);
-  const spread = checkVector(options.spread, 'gusts.spread', SPEEDS);
+  const mean = checkVector(options.mean ?? {}, 'gusts.mean', VELOCITY_BOUNDS);
+  const spread = checkVector(options.spread, 'gusts.spread', VELOCITY_BOUNDS);
   const interval = checkNumber(options.interval ?? 0.1, 'gusts.interval', { above: 0 });
   const { seed = 1 } = options;
   createRandom(seed);

@@ -10,8 +10,8 @@ import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts'
 import { A, AA, C, E, EA } from './dormand-prince-tableau.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
-/** State kept between sub-steps: wanted length, last error, last length and end. */
-export const WANTED = 0;
+/** State kept between sub-steps: suggested length, last error, last length and end. */
+export const SUGGESTED = 0;
 export const RATIO = 1;
 export const LENGTH = 2;
 export const END = 3;

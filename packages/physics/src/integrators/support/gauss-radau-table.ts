@@ -26,8 +26,8 @@ const AXIS_COLUMNS = 19;
 /** Number of real columns in 3D. */
 export const RADAU_COLUMNS = 3 * AXIS_COLUMNS;
 
-/** State kept between sub-steps: wanted length, and last length (0: none). */
-export const WANTED = 0;
+/** State kept between sub-steps: suggested length, and last length (0: none). */
+export const SUGGESTED = 0;
 export const LENGTH = 1;
 /**
  * The attempted sub-step: its start within the step, its length, and the length that would have met the tolerance,
@@ -38,7 +38,7 @@ export const STEP = 3;
 export const NEXT = 4;
 /** Change of the last term by a sweep over the nodes, relative to the largest acceleration. */
 export const CHANGE = 5;
-/** Evaluations of the forces in this step. */
+/** The number of force evaluations in this step. */
 export const EVALUATIONS = 6;
 const SCALARS = 7;
 

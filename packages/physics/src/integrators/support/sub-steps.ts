@@ -22,19 +22,19 @@ export function checkEvaluations(value: unknown): number | undefined {
 /** Number of sub-steps without error control that complete a step after a failure. */
 export const FALLBACK_STEPS = 16;
 
-/** Returns the next sub-step: as long as wanted, but leaves no tiny remainder at the end of the step. */
-export function subStep(wanted: number, rest: number): number {
-  if (wanted >= rest) return rest;
-  return 2 * wanted > rest ? rest / 2 : wanted;
+/** Returns the next sub-step: as long as suggested, but leaves no tiny remainder at the end of the step. */
+export function subStep(suggested: number, remaining: number): number {
+  if (suggested >= remaining) return remaining;
+  return 2 * suggested > remaining ? remaining / 2 : suggested;
 }
 
-/** Reports that the tolerance was not met, and the body that needed a step of `wanted` seconds. */
-export function reportUnderflow(world: PhysicsWorld, entity: number, wanted: number): void {
+/** Reports that the tolerance was not met, and the body that needed a step of `suggested` seconds. */
+export function reportUnderflow(world: PhysicsWorld, entity: number, suggested: number): void {
   reportFault(world, {
     code: 'E_STEP',
     entity,
     field: 'Position',
-    value: wanted,
+    value: suggested,
     phase: 'integrate',
     hint: 'A force is singular, stiff or jumps there: soften it, take shorter steps, or allow more maxEvaluations.',
   });
