@@ -85,7 +85,7 @@ describe('capacity', () => {
     const steal = () => {
       if (world.internal.counts.Position === 0) spawnMany(world, 1000, { position: {} });
     };
-    expect(refusal(() => spawnMany(world, 69_900, { velocity: {} }, steal)).code).toBe('E_CAPACITY');
+    expect(refusal(() => spawnMany(world, 69_900, { angularVelocity: {} }, steal)).code).toBe('E_CAPACITY');
     expect(world.internal.counts).toMatchObject({ Position: 1000, Velocity: 0 });
     assertWorldAlive(world);
   });
@@ -117,9 +117,9 @@ describe('capacity', () => {
 
   it('70 unread faults are bounded, and the others are counted', () => {
     const world = groundWorld();
-    const ids = spawnMany(world, 20, { position: { y: 5 }, velocity: {} });
+    const ids = spawnMany(world, 20, { position: { y: 5 }, angularVelocity: {} });
     for (let i = 0; i < 1000; i++) {
-      for (const eid of ids) world.components.Velocity.x[eid] = 1e30;
+      for (const eid of ids) world.components.AngularVelocity.z[eid] = 1e30;
       step(world, DT);
     }
     const { faults } = world;
@@ -132,13 +132,13 @@ describe('capacity', () => {
 
   it('70 handlers receive every fault, even if the log is full', () => {
     const world = groundWorld();
-    const eid = spawn(world, { position: { y: 5 }, velocity: {} });
+    const eid = spawn(world, { position: { y: 5 }, angularVelocity: {} });
     let heard = 0;
     on(world, 'fault', () => {
       heard++;
     });
     for (let i = 0; i < 1500; i++) {
-      world.components.Velocity.x[eid] = 1e30;
+      world.components.AngularVelocity.z[eid] = 1e30;
       step(world, DT);
     }
     expect([heard, world.faults.droppedCount]).toEqual([1500, 476]);

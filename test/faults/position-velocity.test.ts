@@ -1,4 +1,13 @@
-import { type BodyInput, entityRef, MAX_ANGULAR_SPEED, MAX_SPEED, spawn, stateHash, step } from '@principia/physics';
+import {
+  type BodyInput,
+  entityRef,
+  MAX_ANGULAR_SPEED,
+  MAX_SPEED,
+  spawn,
+  stateHash,
+  step,
+  uniformGravity,
+} from '@principia/physics';
 import { addComponent, addEntity, set } from 'bitecs';
 import { describe, expect, it } from 'vitest';
 import {
@@ -118,12 +127,34 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
     refuse({ position: {}, velocity: { x: 1e30 } }, 'E_RANGE', 'velocity.x');
   });
 
-  it('8 velocity 1e30 written into the column is capped, with one fault', () => {
+  it('8 velocity 1e30 written into the column quarantines the body where it is, with one fault', () => {
     const { world, victim } = withWitness(({ world, victim }) => {
       world.components.Velocity.x[victim] = -1e30;
     }, kind);
-    expect(world.faults.faults).toMatchObject([{ code: 'E_SPEED', entity: victim, field: 'Velocity.x', step: 0 }]);
-    expect(world.components.Velocity.x[victim]).toBe(kind.precision === 'f32' ? -Math.fround(MAX_SPEED) : -MAX_SPEED);
+    expect(world.faults.faults).toMatchObject([{ code: 'E_RANGE', entity: victim, field: 'Velocity.x', step: 0 }]);
+    expect(world.components.Velocity.x[victim]).toBe(0);
+  });
+
+  it('8 a speed beyond that of light that a force causes is clamped, with one fault', () => {
+    const world = emptySpace({ ...kind, forces: [uniformGravity({ x: 1e12 })] });
+    const eid = spawn(world, { position: {}, mass: 1 });
+    step(world, 1e-3);
+    expect(world.faults.faults).toMatchObject([{ code: 'E_SPEED', entity: eid, field: 'Velocity.x', phase: 'finish' }]);
+    expect(world.components.Velocity.x[eid]).toBe(kind.precision === 'f32' ? Math.fround(MAX_SPEED) : MAX_SPEED);
+  });
+
+  it('6 a quarantined body rests until its position or velocity is set', () => {
+    const world = groundWorld(kind);
+    const eid = ball(world, 0, 5, { x: 1 });
+    world.components.Velocity.y[eid] = Number.NaN;
+    steps(world, 60);
+    expect([world.components.Position.x[eid], world.components.Position.y[eid]]).toEqual([0, 5]);
+    expect(world.faults.faults.length).toBe(1);
+    addComponent(world, eid, set(world.components.Velocity, { x: 1 }));
+    steps(world, 30);
+    // Half a second of uniform motion, and of free fall, which velocity Verlet computes exactly.
+    expect(world.components.Position.x[eid]).toBeCloseTo(0.5, 4);
+    expect(world.components.Position.y[eid]).toBeCloseTo(5 - (9.80665 * 0.25) / 2, 4);
   });
 
   it.each([NaN, Infinity])('9 angular velocity %d: refused by the API, quarantined in the column', (bad) => {

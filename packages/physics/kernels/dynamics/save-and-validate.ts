@@ -101,3 +101,18 @@ export function zeroColumn(column: usize, first: i32, last: i32): void {
 export function copyColumn(to: usize, from: usize, first: i32, last: i32): void {
   memory.copy(to + at(first), from + at(first), at(last - first));
 }
+
+// Returns 1 if every value is 0, as in rows without the component, or in [min, max]. NaN is not.
+export function isColumnWithin(column: usize, min: real, max: real, first: i32, last: i32): i32 {
+  const zero = splat(0);
+  const low = splat(min);
+  const high = splat(max);
+  let valid = i32x4.splat(-1);
+  const end = at(last);
+  for (let o = at(first); o < end; o += 16) {
+    const value = v128.load(column + o);
+    const inRange = v128.and(v128.ge<real>(value, low), v128.le<real>(value, high));
+    valid = v128.and(valid, v128.or(inRange, v128.eq<real>(value, zero)));
+  }
+  return i32(i32x4.all_true(valid));
+}

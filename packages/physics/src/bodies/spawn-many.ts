@@ -179,7 +179,7 @@ function finish(world: PhysicsWorld, components: readonly ComponentValues[], ids
   for (let i = 0; i < ids.length; i++) {
     const eid = ids[i];
     internal.members[eid] |= bits;
-    if (bits !== 0 && eid > world.lastId) world.lastId = eid;
+    if (bits !== 0 && eid > world.lastId) world.internal.lastId = eid;
   }
   countPartialEntities(world, 0, bits, ids.length);
   versions.membership++;

@@ -1,6 +1,9 @@
 import { defineComponent, u32 } from './define.ts';
 
-/** Marks a body with a non-finite state: it was reset to its last valid pose and stopped. */
+/**
+ * Marks a body with an invalid state: it rests at its last valid pose, whatever acts on it, until its Position or
+ * Velocity is set, or the component is removed.
+ */
 export const Quarantined = defineComponent({
   scalar: 'step',
   fields: { step: u32('', {}) },

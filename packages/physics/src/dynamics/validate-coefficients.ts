@@ -1,37 +1,94 @@
-// Validates the coefficients by which a body acts on others: a NaN mass would spread to every body that it attracts.
-import { COMPONENTS } from '../components/all.ts';
+// Finds coefficients that user code has written out of the bounds of their component: a NaN mass would reach every body
+// that it attracts, and a negative drag coefficient accelerates.
+import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all.ts';
+import type { ComponentSpec, RealColumn } from '../components/define.ts';
+import { isOpen } from '../ecs/rows.ts';
 import { reportFault } from '../errors/report-fault.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-const SHARED = [
-  ['Mass', 'value'],
-  ['Charge', 'value'],
-  ['Collider', 'radius'],
-  ['Collider', 'restitution'],
-  ['Collider', 'friction'],
-] as const;
+/** A column, and the range of its values beside 0, which is the value of rows without the component. */
+interface Coefficient {
+  readonly component: ComponentName;
+  readonly field: string;
+  readonly min: number;
+  readonly max: number;
+  /** Whether other bodies read it too: then no value but 0 is harmless. */
+  readonly isShared: boolean;
+}
+
+/** Components with checks of their own: the state of bodies, walls, and columns that physics does not read. */
+const OTHER_CHECKS: readonly string[] = [
+  'Position',
+  'Velocity',
+  'Rotation',
+  'Orientation',
+  'AngularVelocity',
+  'SegmentWall',
+  'PlaneWall',
+  'Appearance',
+  'Quarantined',
+];
+
+const SHARED: readonly string[] = ['Mass', 'Charge', 'Collider'];
+
+/** The largest finite number of f32: a column of either precision holds it. */
+const MAX_REAL = 3.4028234663852886e38;
+
+const COEFFICIENTS: readonly Coefficient[] = /* @__PURE__ */ COMPONENT_NAMES.filter(
+  (name) => !OTHER_CHECKS.includes(name),
+).flatMap((component) =>
+  Object.entries((COMPONENTS[component] as ComponentSpec).fields)
+    .filter(([, { kind }]) => kind === 'real')
+    .map(([field, { bounds }]) => {
+      const { min = bounds.above ?? -MAX_REAL, max = MAX_REAL } = bounds;
+      return { component, field, min, max, isShared: SHARED.includes(component) };
+    }),
+);
+
+/** Steps in which all rows of a column are checked once, where a bad value stays with its own body. */
+const ROUND = 64;
 
 /**
- * Reports coefficients outside the bounds of their component and sets them to zero, the value of an absent component.
- * Does nothing if no force, integrator or contact couples bodies, because an invalid body cannot affect others then.
+ * Reports coefficients out of bounds and corrects them. Every step checks the columns through which bodies act on each
+ * other; of the others it checks one part in 64, so that a bad value is found within 64 steps.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
-  const { forcesLocal } = world.internal.plan as { forcesLocal: boolean };
-  if (forcesLocal && world.integrator.wholeWorld !== true && world.phases.collide.length === 0) return;
-  const { counts, bodyList } = world.internal;
-  const { ids, count } = bodyList;
-  for (const [name, field] of SHARED) {
-    if (counts[name] === 0) continue;
-    const column = (world.components[name] as Readonly<Record<string, { [row: number]: number }>>)[field];
-    const { bounds } = (COMPONENTS[name].fields as Readonly<Record<string, { bounds: { max?: number } }>>)[field];
-    const { max = Number.MAX_VALUE } = bounds;
-    for (let i = 0; i < count; i++) {
-      const value = column[ids[i]];
-      // Zero is the value of an absent component; a body of mass zero is immovable.
-      if (value <= max && value >= -max) continue;
-      const code = Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
-      reportFault(world, { code, entity: ids[i], field: `${name}.${field}`, value, phase: 'begin' });
-      column[ids[i]] = 0;
-    }
+  const { counts, sweptRows } = world.internal;
+  const part = 16 * Math.ceil(sweptRows / 16 / ROUND);
+  const start = part * (world.tick % ROUND);
+  for (let c = 0; c < COEFFICIENTS.length; c++) {
+    const coefficient = COEFFICIENTS[c];
+    if (counts[coefficient.component] === 0) continue;
+    // A bad engine would burn its fuel within the step.
+    if (coefficient.isShared || coefficient.component === 'Engine') checkRows(world, coefficient, 0, sweptRows);
+    else if (start < sweptRows) checkRows(world, coefficient, start, Math.min(start + part, sweptRows));
   }
+}
+
+function checkRows(world: PhysicsWorld, coefficient: Coefficient, first: number, last: number): void {
+  const { component, field, min, max } = coefficient;
+  const address = (world.addresses[component] as Readonly<Record<string, number>>)[field];
+  if (world.kernels.isColumnWithin(address, min, max, first, last) === 0) correctRows(world, coefficient, first, last);
+}
+
+function correctRows(world: PhysicsWorld, coefficient: Coefficient, first: number, last: number): void {
+  const { component, field, min, max } = coefficient;
+  const column = (world.components[component] as Readonly<Record<string, RealColumn>>)[field];
+  const { hint } = (COMPONENTS[component] as ComponentSpec).fields[field];
+  for (let row = first; row < last; row++) {
+    const value = column[row];
+    if (value === 0 || (value >= min && value <= max)) continue;
+    column[row] = nearestValid(value, coefficient);
+    if (!isOpen(world, row, component)) continue;
+    const code = Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
+    const described = hint === undefined ? {} : { hint };
+    reportFault(world, { code, entity: row, field: `${component}.${field}`, value, phase: 'begin', ...described });
+  }
+}
+
+/** Returns the nearest bound, or 0 for NaN, below a positive lower bound, and where other bodies read the value. */
+function nearestValid(value: number, { min, max, isShared }: Coefficient): number {
+  if (isShared || !Number.isFinite(value)) return 0;
+  if (value > max) return max;
+  return min > 0 ? 0 : min;
 }

@@ -3,7 +3,7 @@
 // Every row is checked before a step, when its pose is saved, so that an invalid value never reaches a force or
 // contact; and again after the step, so that no reader sees one. Kernels that process the rows anyway make both checks;
 // this file handles rows that failed.
-import { addComponent, entityExists, hasComponent, set } from 'bitecs';
+import { addComponent, entityExists, hasComponent, query, set } from 'bitecs';
 import { MAX_POSITION } from '../components/position.ts';
 import { MAX_ANGLE, MAX_ANGULAR_SPEED, MAX_QUATERNION_COMPONENT } from '../components/rotation.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
@@ -126,7 +126,10 @@ const LIMITS = [
   ['AngularVelocity', MAX_ANGULAR_SPEED],
 ] as const;
 
-/** Clamps speeds to their limit; any other invalid value quarantines the body. */
+/**
+ * Quarantines a body with an invalid value. A finite speed beyond the limit that a force or contact has caused is clamped
+ * instead; one that user code has written would carry the body thousands of kilometres within the step.
+ */
 function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string): void {
   for (const [name, limit] of LIMITS) {
     const columns: Columns = world.components[name];
@@ -135,7 +138,8 @@ function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string):
       const value = columns[axis][row];
       if (Math.abs(value) <= limit) continue;
       const field = `${name}.${axis}`;
-      if (name in world.previous || !Number.isFinite(value)) {
+      const isWritten = phase === 'begin' && name === 'Velocity';
+      if (isWritten || name in world.previous || !Number.isFinite(value)) {
         quarantine(world, row, field, value, phase, law);
         return;
       }
@@ -144,6 +148,18 @@ function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string):
       columns[axis][row] = Math.sign(value) * limit;
     }
   }
+}
+
+/**
+ * Keeps quarantined bodies at rest where they are, until their Position or Velocity is set or they lose `Quarantined`.
+ * It runs after the bodies have moved, and again after contacts.
+ */
+export function holdQuarantined(world: PhysicsWorld): void {
+  const { counts, stepFaults } = world.internal;
+  // A body that was quarantined in this step gets the component at its end.
+  if (counts.Quarantined === 0 && stepFaults.length === 0) return;
+  const quarantined = query(world, [world.components.Quarantined]);
+  for (let i = 0; i < quarantined.length; i++) stop(world, quarantined[i]);
 }
 
 /** Stops a body at its position at the start of the step. */
@@ -155,14 +171,20 @@ function quarantine(
   phase: When,
   law: string | undefined,
 ): void {
-  copyPose(world.previous, world.components, row);
+  stop(world, row);
   // The restored pose may differ from the one that renderers read last.
   world.versions.pose++;
-  for (const axis of AXES[3]) {
-    world.components.Velocity[axis][row] = 0;
-    world.components.AngularVelocity[axis][row] = 0;
-  }
   reportOnce(world, row, field, value, phase, law);
+}
+
+function stop(world: PhysicsWorld, row: number): void {
+  copyPose(world.previous, world.components, row);
+  const { Velocity, AngularVelocity } = world.components;
+  for (let a = 0; a < 3; a++) {
+    const axis = AXES[3][a];
+    Velocity[axis][row] = 0;
+    AngularVelocity[axis][row] = 0;
+  }
 }
 
 /** Reports the fault of a body, once until its values are corrected. */

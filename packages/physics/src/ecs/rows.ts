@@ -25,7 +25,7 @@ export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): 
   if (internal.members[eid] === 0) cleanRow(world, eid);
   changeBits(world, eid, internal.members[eid] | bitOf(name));
   internal.counts[name]++;
-  if (eid > world.lastId) world.lastId = eid;
+  if (eid > world.lastId) world.internal.lastId = eid;
   versions.membership++;
   writeRow(world, eid, name, initialValues(name));
 }
@@ -88,5 +88,5 @@ export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName):
 
 function lowerLastId(world: PhysicsWorld): void {
   const { members } = world.internal;
-  while (world.lastId > 0 && members[world.lastId] === 0) world.lastId--;
+  while (world.lastId > 0 && members[world.lastId] === 0) world.internal.lastId--;
 }

@@ -245,7 +245,7 @@ describe('rejected calls', () => {
     restore(world, taken);
   });
 
-  it('inside a step, and of a destroyed world', () => {
+  it('80 a snapshot or a restore inside a step, and of a destroyed world, is refused', () => {
     const world = crowd();
     const taken = snapshot(world);
     const seen: string[] = [];

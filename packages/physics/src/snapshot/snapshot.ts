@@ -155,7 +155,7 @@ class Content implements Snapshot {
     refill(world.forces, this.#forces as typeof world.forces);
     for (let p = 0; p < PHASES.length; p++) refill(world.phases[PHASES[p]], this.#phases[p]);
     world.integrator = this.#integrator;
-    world.lastId = this.#lastId;
+    world.internal.lastId = this.#lastId;
     world.time = this.time;
     world.tick = this.tick;
     // Compiled loops contain addresses of objects created since.

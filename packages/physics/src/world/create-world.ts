@@ -105,7 +105,12 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
   const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault, onWarning };
-  const world = createWorld({ ...chosen, ...createInternals(arena, precision, rows, components) }) as PhysicsWorld;
+  const world = createWorld({
+    ...chosen,
+    ...createInternals(arena, precision, rows, components),
+  }) as object as PhysicsWorld;
+  // Read-only, because kernels sweep the rows up to it: a larger value would lead them beyond the columns.
+  Object.defineProperty(world, 'lastId', { get: () => world.internal.lastId, enumerable: true });
   world.internal.componentMap = contextOf(world).componentMap;
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
   observeComponents(world);
@@ -156,7 +161,6 @@ function createInternals(arena: Arena, precision: Precision, rows: number, own: 
     phases: createPhases(),
     time: 0,
     tick: 0,
-    lastId: 0,
     ranges: { bounds: new Int32Array(rangeWords.buffer, rangeWords.byteOffset, rangeWords.length), count: 0 },
     versions: { pose: 0, style: 0, membership: 0, restored: 0 },
     faults: createFaultLog(),
@@ -197,6 +201,7 @@ function initialInternals(components: Components) {
     templates: new Map(),
     ending: false,
     isTrial: false,
+    lastId: 0,
     warned: new Set(),
     reviewed: { plan: undefined, membership: -1 },
     rangesVersion: -1,

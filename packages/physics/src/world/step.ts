@@ -2,6 +2,7 @@ import { warnAboutDuration, warnAboutWorld } from '#warnings';
 import { prepareForces } from '../dynamics/evaluate-forces.ts';
 import { prepareLoops } from '../dynamics/fused-step.ts';
 import { validateCoefficients } from '../dynamics/validate-coefficients.ts';
+import { holdQuarantined } from '../dynamics/validate-state.ts';
 import { applyDeferredEdits } from '../ecs/deferred.ts';
 import { assertIdle } from '../ecs/guards.ts';
 import { refreshRanges } from '../ecs/ranges.ts';
@@ -40,17 +41,19 @@ export function step(world: PhysicsWorld, dt: number): void {
   clearStepErrors(world);
   prepare(world, dt);
   refreshRanges(world);
-  validateCoefficients(world);
   world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
+  validateCoefficients(world);
 
   world.state = 'stepping';
   runPhase(world, plan, 'input', dt);
   runPhase(world, plan, 'emit', dt);
   runPhase(world, plan, 'begin', dt);
   runPhase(world, plan, 'integrate', dt);
+  holdQuarantined(world);
   runPhase(world, plan, 'walls', dt);
   runPhase(world, plan, 'collide', dt);
   runPhase(world, plan, 'finish', dt);
+  holdQuarantined(world);
   runPhase(world, plan, 'events', dt);
   world.time += dt;
   world.tick++;

@@ -263,7 +263,7 @@ export interface PhysicsWorld {
   /** Number of steps completed. */
   tick: number;
   /** Highest entity id in use. */
-  lastId: number;
+  readonly lastId: number;
   /** Ranges of bodies, ascending. */
   readonly ranges: Ranges;
   /**
@@ -327,6 +327,8 @@ export interface WorldInternals {
   /** The plan and versions at the last check for warnings. */
   readonly reviewed: { plan: Plan | undefined; membership: number };
   readonly bodyList: { readonly ids: Uint32Array; count: number };
+  /** The value of `world.lastId`. */
+  lastId: number;
   rangesVersion: number;
   /** Number of rows in use, rounded up to whole blocks. */
   sweptRows: number;
