@@ -107,12 +107,12 @@ export function isColumnWithin(column: usize, min: real, max: real, first: i32, 
   const zero = splat(0);
   const low = splat(min);
   const high = splat(max);
-  let good = i32x4.splat(-1);
+  let valid = i32x4.splat(-1);
   const end = at(last);
   for (let o = at(first); o < end; o += 16) {
     const value = v128.load(column + o);
     const inRange = v128.and(v128.ge<real>(value, low), v128.le<real>(value, high));
-    good = v128.and(good, v128.or(inRange, v128.eq<real>(value, zero)));
+    valid = v128.and(valid, v128.or(inRange, v128.eq<real>(value, zero)));
   }
-  return i32(i32x4.all_true(good));
+  return i32(i32x4.all_true(valid));
 }

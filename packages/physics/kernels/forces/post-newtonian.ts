@@ -33,10 +33,10 @@ export function postNewtonian(
     if (r2 == 0) continue;
     const r = sqrt<f64>(r2);
     const k = (mass * scale) / (r2 * r);
-    const along = k * ((4 * mu) / r - (vx * vx + vy * vy + vz * vz));
-    const across = 4 * k * (x * vx + y * vy + z * vz);
-    put(fx, row, get(fx, row) + <real>(along * x + across * vx));
-    put(fy, row, get(fy, row) + <real>(along * y + across * vy));
-    if (fz != 0) put(fz, row, get(fz, row) + <real>(along * z + across * vz));
+    const radial = k * ((4 * mu) / r - (vx * vx + vy * vy + vz * vz));
+    const velocityFactor = 4 * k * (x * vx + y * vy + z * vz);
+    put(fx, row, get(fx, row) + <real>(radial * x + velocityFactor * vx));
+    put(fy, row, get(fy, row) + <real>(radial * y + velocityFactor * vy));
+    if (fz != 0) put(fz, row, get(fz, row) + <real>(radial * z + velocityFactor * vz));
   }
 }

@@ -86,10 +86,10 @@ export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: 
     if (w.resultsByTree) fieldAt(w, get(w.px, position), get(w.py, position), get(w.pz, position), inverseSquare);
     else fieldAt(w, get(w.x, position), get(w.y, position), get(w.z, position), inverseSquare);
     // The direct sum stores forces where the tree stores accelerations.
-    const per = w.resultsByTree || position >= w.sources ? 1 : 1 / <f64>get(w.s, position);
-    const dx = <f64>get(w.ax, position) * per - field.x;
-    const dy = <f64>get(w.ay, position) * per - field.y;
-    const dz = <f64>get(w.az, position) * per - field.z;
+    const scale = w.resultsByTree || position >= w.sources ? 1 : 1 / <f64>get(w.s, position);
+    const dx = <f64>get(w.ax, position) * scale - field.x;
+    const dy = <f64>get(w.ay, position) * scale - field.y;
+    const dz = <f64>get(w.az, position) * scale - field.z;
     const at = w.sample + ((<usize>k) << 4);
     store<f64>(at, dx * dx + dy * dy + dz * dz);
     store<real>(at, <real>sqrt<f64>(field.x * field.x + field.y * field.y + field.z * field.z), 8);
@@ -99,8 +99,8 @@ export function sampleError(w: NBody, samples: i32, choice: i32, inverseSquare: 
   let sum: f64 = 0;
   for (let k = 0; k < n; k++) {
     const at = w.sample + ((<usize>k) << 4);
-    const size = max<f64>(minField, <f64>load<real>(at, 8));
-    sum += load<f64>(at) / (size * size);
+    const magnitude = max<f64>(minField, <f64>load<real>(at, 8));
+    sum += load<f64>(at) / (magnitude * magnitude);
   }
   return sqrt<f64>(sum / <f64>n);
 }

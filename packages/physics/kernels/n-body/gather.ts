@@ -33,7 +33,7 @@ let count: i32 = 0;
 let testCount: i32 = 0;
 
 // Determines extent and units, and counts the bodies.
-function survey(w: NBody, column: usize, required: u32, testBit: u32, rows: i32): void {
+function measure(w: NBody, column: usize, required: u32, testBit: u32, rows: i32): void {
   const c = columns();
   let lowX: real = Infinity;
   let lowY: real = Infinity;
@@ -76,20 +76,20 @@ function survey(w: NBody, column: usize, required: u32, testBit: u32, rows: i32)
     max<real>(abs<real>(lowZ), abs<real>(highZ)),
   );
   const epsilon: f64 = sizeof<real>() == 4 ? 5e-7 : 1e-15;
-  w.grain = max<f64>((epsilon * <f64>farthest) / length, sizeof<real>() == 4 ? 1e-5 : 1e-12);
+  w.minDistance = max<f64>((epsilon * <f64>farthest) / length, sizeof<real>() == 4 ? 1e-5 : 1e-12);
   w.lowX = <f64>lowX / length;
   w.lowY = <f64>lowY / length;
   w.lowZ = <f64>lowZ / length;
 }
 
-// Fills slots from `slot` with the bodies whose test bit is `wanted`; returns the slot after the last.
-function pack(w: NBody, column: usize, required: u32, testBit: u32, wanted: u32, rows: i32, slot: i32): i32 {
+// Fills slots from `slot` with the bodies whose test bit is `expectedTestBit`; returns the slot after the last.
+function pack(w: NBody, column: usize, required: u32, testBit: u32, expectedTestBit: u32, rows: i32, slot: i32): i32 {
   const c = columns();
   const perLength = <real>(1 / w.length);
   const perStrength = <real>(1 / w.strength);
   for (let row = 0; row < rows; row++) {
     const bits = load<u32>(c.members + ((<usize>row) << 2));
-    if ((bits & required) != required || (bits & testBit) != wanted) continue;
+    if ((bits & required) != required || (bits & testBit) != expectedTestBit) continue;
     const x = get(c.positionX, row);
     const y = get(c.positionY, row);
     const z = get(c.positionZ, row);
@@ -101,7 +101,7 @@ function pack(w: NBody, column: usize, required: u32, testBit: u32, wanted: u32,
     storeIfChanged(w.x, slot, x * perLength);
     storeIfChanged(w.y, slot, y * perLength);
     storeIfChanged(w.z, slot, z * perLength);
-    storeIfChanged(w.s, slot, wanted != 0 ? 0 : s * perStrength);
+    storeIfChanged(w.s, slot, expectedTestBit != 0 ? 0 : s * perStrength);
     slot++;
   }
   return slot;
@@ -131,7 +131,7 @@ export function nBodyGather(
 ): i32 {
   const w = changetype<NBody>(address);
   changed = false;
-  survey(w, column, required, testBit, rows);
+  measure(w, column, required, testBit, rows);
   const sources = count;
   const tests = (sources + 7) & ~7;
   const end = tests + testCount;

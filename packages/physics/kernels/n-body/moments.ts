@@ -31,11 +31,11 @@ let syy: f64 = 0;
 let syz: f64 = 0;
 let szz: f64 = 0;
 let spread: f64 = 0;
-let reach: f64 = 0;
+let radius: f64 = 0;
 
 function clear(): void {
   strength = weight = centreX = centreY = centreZ = dipoleX = dipoleY = dipoleZ = 0;
-  sxx = sxy = sxz = syy = syz = szz = spread = reach = 0;
+  sxx = sxy = sxz = syy = syz = szz = spread = radius = 0;
 }
 
 // @ts-ignore: decorator
@@ -111,7 +111,7 @@ function sumChildren(w: NBody, node: i32, next: i32, perFactor: f64): void {
   roundCentre(load<real>(one), load<real>(one + REAL), load<real>(one + 2 * REAL));
   for (let c = node + 1; c < next; c = nextOf(w, c)) {
     const p = w.nodes + <usize>c * NODE_BYTES;
-    const aside = w.sums + <usize>c * SUM_BYTES;
+    const sums = w.sums + <usize>c * SUM_BYTES;
     const s = num(p, 3);
     const x = num(p, 0) - centreX;
     const y = num(p, 1) - centreY;
@@ -129,8 +129,8 @@ function sumChildren(w: NBody, node: i32, next: i32, perFactor: f64): void {
     syz += num(p, 8) * perFactor + s * y * z + dy * z + dz * y;
     szz += num(p, 9) * perFactor + (s * z + 2 * dz) * z;
     const d2 = x * x + y * y + z * z;
-    spread += load<f64>(aside, 8) + load<f64>(aside) * d2;
-    reach = max<f64>(reach, sqrt<f64>(d2) + load<f64>(aside, 16));
+    spread += load<f64>(sums, 8) + load<f64>(sums) * d2;
+    radius = max<f64>(radius, sqrt<f64>(d2) + load<f64>(sums, 16));
   }
 }
 
@@ -142,7 +142,7 @@ function farthest(w: NBody, first: i32, last: i32): void {
     const z = <f64>get(w.pz, i) - centreZ;
     maxSquare = max<f64>(maxSquare, x * x + y * y + z * z);
   }
-  reach = sqrt<f64>(maxSquare);
+  radius = sqrt<f64>(maxSquare);
 }
 
 function write(w: NBody, node: i32, factor: f64): void {
@@ -161,13 +161,13 @@ function write(w: NBody, node: i32, factor: f64): void {
   store<real>(p + 11 * REAL, <real>dipoleX);
   store<real>(p + 12 * REAL, <real>dipoleY);
   store<real>(p + 13 * REAL, <real>dipoleZ);
-  const aside = w.sums + <usize>node * SUM_BYTES;
-  store<f64>(aside, weight);
-  store<f64>(aside, spread, 8);
-  store<f64>(aside, reach, 16);
+  const sums = w.sums + <usize>node * SUM_BYTES;
+  store<f64>(sums, weight);
+  store<f64>(sums, spread, 8);
+  store<f64>(sums, radius, 16);
   // The size that bounds the first neglected moment; nodes of test particles alone are skipped.
-  store<real>(p + SIZE, weight > 0 ? <real>(spread * reach) : -1);
-  const near = max<f64>(reach * ACCEPTANCE_FRACTION, w.grain);
+  store<real>(p + SIZE, weight > 0 ? <real>(spread * radius) : -1);
+  const near = max<f64>(radius * ACCEPTANCE_FRACTION, w.minDistance);
   store<real>(p + NEAR2, <real>(near * near));
 }
 

@@ -16,7 +16,7 @@ import { LINK_BYTES, NBody, NODE_BYTES, REAL, coincident2 } from './workspace';
 }
 
 // Sum of s psi over positions [first, last) of the columns, excluding the body at `self`.
-function ofBodies(
+function potentialOfBodies(
   xs: usize,
   ys: usize,
   zs: usize,
@@ -43,40 +43,40 @@ function ofBodies(
 }
 
 // @ts-ignore: decorator
-@inline function num(node: usize, index: usize): f64 {
+@inline function valueAt(node: usize, index: usize): f64 {
   return <f64>load<real>(node + index * REAL);
 }
 
 // A cell's expansion to second order, in the notation of evaluate-3d.ts.
-function ofCell(p: usize, x: f64, y: f64, z: f64, soft: f64, law: i32): f64 {
-  const dx = num(p, 0) - x;
-  const dy = num(p, 1) - y;
-  const dz = num(p, 2) - z;
+function potentialOfCell(p: usize, x: f64, y: f64, z: f64, soft: f64, law: i32): f64 {
+  const dx = valueAt(p, 0) - x;
+  const dy = valueAt(p, 1) - y;
+  const dz = valueAt(p, 2) - z;
   const u = dx * dx + dy * dy + dz * dz + soft;
-  const sx = num(p, 4) * dx + num(p, 5) * dy + num(p, 6) * dz;
-  const sy = num(p, 5) * dx + num(p, 7) * dy + num(p, 8) * dz;
-  const sz = num(p, 6) * dx + num(p, 8) * dy + num(p, 9) * dz;
+  const sx = valueAt(p, 4) * dx + valueAt(p, 5) * dy + valueAt(p, 6) * dz;
+  const sy = valueAt(p, 5) * dx + valueAt(p, 7) * dy + valueAt(p, 8) * dz;
+  const sz = valueAt(p, 6) * dx + valueAt(p, 8) * dy + valueAt(p, 9) * dz;
   const ds = dx * sx + dy * sy + dz * sz;
-  const dipole = num(p, 11) * dx + num(p, 12) * dy + num(p, 13) * dz;
-  const trace = num(p, 10);
+  const dipole = valueAt(p, 11) * dx + valueAt(p, 12) * dy + valueAt(p, 13) * dz;
+  const trace = valueAt(p, 10);
   if (law == 2) {
     const r1 = 1 / sqrt<f64>(u);
     const r3 = r1 / u;
-    return num(p, 3) * r1 + (0.5 * ds * r3) / u - (trace / 3 + dipole) * r3;
+    return valueAt(p, 3) * r1 + (0.5 * ds * r3) / u - (trace / 3 + dipole) * r3;
   }
   const w = 1 / u;
-  return -0.5 * num(p, 3) * logarithm(u) + (0.5 * ds * w - 0.5 * trace - dipole) * w;
+  return -0.5 * valueAt(p, 3) * logarithm(u) + (0.5 * ds * w - 0.5 * trace - dipole) * w;
 }
 
 // Coincident bodies; the body at position `self` may be among them.
-function ofPoint(w: NBody, p: usize, self: i32, law: i32): f64 {
-  const dx = num(p, 0) - <f64>get(w.px, self);
-  const dy = num(p, 1) - <f64>get(w.py, self);
-  const dz = num(p, 2) - <f64>get(w.pz, self);
+function potentialOfPoint(w: NBody, p: usize, self: i32, law: i32): f64 {
+  const dx = valueAt(p, 0) - <f64>get(w.px, self);
+  const dy = valueAt(p, 1) - <f64>get(w.py, self);
+  const dz = valueAt(p, 2) - <f64>get(w.pz, self);
   const link = w.links + <usize>((p - w.nodes) / NODE_BYTES) * LINK_BYTES;
-  const among = self >= load<i32>(link, 4) && self < load<i32>(link, 8);
-  const others = num(p, 3) - (among ? <f64>get(w.ps, self) : 0);
-  return others * psi(dx * dx + dy * dy + dz * dz, w.softening2, law);
+  const isMember = self >= load<i32>(link, 4) && self < load<i32>(link, 8);
+  const strength = valueAt(p, 3) - (isMember ? <f64>get(w.ps, self) : 0);
+  return strength * psi(dx * dx + dy * dy + dz * dz, w.softening2, law);
 }
 
 function direct(w: NBody, column: usize, law: i32): f64 {
@@ -84,14 +84,14 @@ function direct(w: NBody, column: usize, law: i32): f64 {
   for (let i = 0; i < w.end; i++) {
     const row = load<u32>(w.ids + ((<usize>i) << 2));
     if (row == 0) continue;
-    const pulls = i < w.sources;
-    const weight = pulls ? <f64>get(w.s, i) : <f64>get(column, row) / w.strength;
+    const isSource = i < w.sources;
+    const weight = isSource ? <f64>get(w.s, i) : <f64>get(column, row) / w.strength;
     // Pairs of sources count once; a test particle interacts with all sources.
-    const last = pulls ? i : w.sources;
+    const last = isSource ? i : w.sources;
     const x = <f64>get(w.x, i);
     const y = <f64>get(w.y, i);
     const z = <f64>get(w.z, i);
-    sum += weight * ofBodies(w.x, w.y, w.z, w.s, 0, last, i, x, y, z, w.softening2, law);
+    sum += weight * potentialOfBodies(w.x, w.y, w.z, w.s, 0, last, i, x, y, z, w.softening2, law);
   }
   return sum;
 }
@@ -106,20 +106,20 @@ function byTree(w: NBody, column: usize, dimensions: i32, law: i32): f64 {
       const x = <f64>get(w.px, i);
       const y = <f64>get(w.py, i);
       const z = <f64>get(w.pz, i);
-      let own: f64 = 0;
+      let potential: f64 = 0;
       for (let c = 0; c < w.cellCount; c++) {
-        own += ofCell(<usize>load<u32>(w.cells + ((<usize>c) << 2)), x, y, z, w.softening2, law);
+        potential += potentialOfCell(<usize>load<u32>(w.cells + ((<usize>c) << 2)), x, y, z, w.softening2, law);
       }
-      for (let q = 0; q < w.pointCount; q++) own += ofPoint(w, <usize>load<u32>(w.points + ((<usize>q) << 2)), i, law);
+      for (let q = 0; q < w.pointCount; q++) potential += potentialOfPoint(w, <usize>load<u32>(w.points + ((<usize>q) << 2)), i, law);
       for (let r = 0; r < w.rangeCount; r++) {
         const range = w.ranges + ((<usize>r) << 3);
         const first = load<i32>(range);
         const last = load<i32>(range, 4);
-        own += ofBodies(w.px, w.py, w.pz, w.ps, first, last, i, x, y, z, w.softening2, law);
+        potential += potentialOfBodies(w.px, w.py, w.pz, w.ps, first, last, i, x, y, z, w.softening2, law);
       }
       const slot = load<i32>(w.order + ((<usize>i) << 2));
       const row = load<u32>(w.ids + ((<usize>slot) << 2));
-      sum += slot < w.sources ? 0.5 * <f64>get(w.ps, i) * own : (<f64>get(column, row) / w.strength) * own;
+      sum += slot < w.sources ? 0.5 * <f64>get(w.ps, i) * potential : (<f64>get(column, row) / w.strength) * potential;
     }
   }
   return sum;

@@ -45,21 +45,21 @@ function split(w: NBody, first: i32, last: i32, bitsPerLevel: i32, grouped: bool
   const link = w.links + <usize>node * LINK_BYTES;
   store<i32>(link, first, 4);
   store<i32>(link, last, 8);
-  let atOnePlace = false;
+  let coincident = false;
   let differing = keyAt(w, first) ^ keyAt(w, last - 1);
   if (last - first > LEAF_SIZE && differing == 0) {
     // The key bits are used up: the cell gets new keys for its extent, or its bodies coincide.
     const extent = extentOf(w, first, last);
-    atOnePlace = extent * extent <= coincident2();
-    if (!atOnePlace) {
+    coincident = extent * extent <= coincident2();
+    if (!coincident) {
       sortWithin(w, first, last, bitsPerLevel);
       differing = keyAt(w, first) ^ keyAt(w, last - 1);
     }
   }
-  store<i32>(link, i32(atOnePlace), 12);
+  store<i32>(link, i32(coincident), 12);
   const full = w.nodeCount + 8 + (level << 3) > w.nodeCapacity;
   if (last - first > LEAF_SIZE && differing != 0 && !full) {
-    if (level > w.deepest) w.deepest = level;
+    if (level > w.maxDepth) w.maxDepth = level;
     const top = 63 - <i32>clz<u64>(differing);
     const shift = top - (top % bitsPerLevel);
     let groupFirst = first;
@@ -86,7 +86,7 @@ export function buildTree(w: NBody, dimensions: i32, factor: f64): void {
   sortBodies(w, dimensions);
   w.nodeCount = 0;
   w.groupCount = 0;
-  w.deepest = 0;
+  w.maxDepth = 0;
   split(w, 0, w.bodies, dimensions, w.bodies <= GROUP_SIZE, 0);
   if (w.bodies <= GROUP_SIZE) addGroup(w, 0, w.bodies);
   moments(w, factor);

@@ -56,7 +56,7 @@ export class NBody {
   resultsValid: i32;
   resultsByTree: i32;
   // The deepest level at which a node was split, for tests.
-  deepest: i32;
+  maxDepth: i32;
   evaluations: i32;
   length: f64;
   strength: f64;
@@ -67,7 +67,7 @@ export class NBody {
   // Softening length squared, in units of length².
   softening2: f64;
   // Distances below this are lost in the rounding of the coordinates or in the range of their seventh power.
-  grain: f64;
+  minDistance: f64;
   // Permitted error of a cell relative to the field scale, and the error measured last.
   tolerance: f64;
   error: f64;

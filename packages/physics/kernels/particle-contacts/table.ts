@@ -23,7 +23,7 @@ export class ContactTable {
   // Slots of the two bodies in `bodies`; earlier in the step, the unsorted pairs from the grid.
   slotA: usize;
   slotB: usize;
-  // Contacts of the last step; then the solving order, flags (later levels) and gaps of this step's contacts; then the
+  // Contacts of the last step; then the solving order, flags (later batches) and gaps of this step's contacts; then the
   // contact points.
   previousCount: i32;
   previousA: usize;
@@ -54,10 +54,10 @@ export class ContactTable {
   wallFrictionApplied: usize;
   wallTangentImpulse: usize;
   wallSlot: usize;
-  // Resting contacts packed by levels into blocks of LANES (wide-contacts.ts), and the capacity of `levels` in keys.
+  // Resting contacts packed by batches into blocks of LANES (wide-contacts.ts), and the capacity of `batches` in keys.
   blocks: usize;
-  levels: usize;
-  maxLevels: i32;
+  batches: usize;
+  maxBatches: i32;
   // Gathered bodies that have contacts, and their rows.
   bodies: usize;
   bodyRows: usize;

@@ -1,8 +1,8 @@
 // Wide contacts: solves LANES contacts at a time with bits identical to the sequential solver.
 //
-// In an iteration a contact depends only on the earlier contacts of its two bodies. Its level (colour) is one more than
-// the highest level of an earlier contact of either body, so contacts of one level share no body, and solving level by
-// level is bitwise equal to the sequential order, forwards and backwards. In a pile a level has dozens or hundreds of
+// In an iteration a contact depends only on the earlier contacts of its two bodies. Its batch (colour) is one more than
+// the highest batch of an earlier contact of either body, so contacts of one batch share no body, and solving batch by
+// batch is bitwise equal to the sequential order, forwards and backwards. In a pile a batch has dozens or hundreds of
 // contacts, which are packed into blocks of LANES. Contacts with friction or with a wall-supported body are kept in
 // separate blocks and solved sequentially.
 import { get, put } from '../memory/columns';
@@ -50,12 +50,12 @@ const MIN_CONTACTS: i32 = 32;
 // with friction are solved sequentially.
 export function packBlocks(t: ContactTable, count: i32, step: real, singleFriction: bool): i32 {
   if (count < MIN_CONTACTS) return 0;
-  const keys = findLevels(t, count, singleFriction);
+  const keys = findBatches(t, count, singleFriction);
   if (keys == 0) return 0;
   let lanes = 0;
   for (let key = 0; key < keys; key++) {
-    const size = word(t.levels, key);
-    putWord(t.levels, key, lanes);
+    const size = word(t.batches, key);
+    putWord(t.batches, key, lanes);
     lanes += (size + LANES - 1) & -LANES;
   }
   if (lanes > t.capacity) return 0;
@@ -64,16 +64,16 @@ export function packBlocks(t: ContactTable, count: i32, step: real, singleFricti
   for (let k = 0; k < count; k++) {
     const i = word(t.order, k);
     const key = word(t.flags, i);
-    const lanePosition = word(t.levels, key);
-    putWord(t.levels, key, lanePosition + 1);
+    const lanePosition = word(t.batches, key);
+    putWord(t.batches, key, lanePosition + 1);
     fillLane(t, blockAt(t, lanePosition / LANES), lanePosition & (LANES - 1), i, (key & 1) != 0, step);
   }
   return blocks;
 }
 
-// Stores the key of each contact in its flags, which is 2 * level, plus 1 if it is solved sequentially, and counts the
-// contacts of each key in t.levels. Returns the number of keys, or 0 if there are too many.
-function findLevels(t: ContactTable, count: i32, singleFriction: bool): i32 {
+// Stores the key of each contact in its flags, which is 2 * batch, plus 1 if it is solved sequentially, and counts the
+// contacts of each key in t.batches. Returns the number of keys, or 0 if there are too many.
+function findBatches(t: ContactTable, count: i32, singleFriction: bool): i32 {
   const last = t.rowWords;
   memory.fill(last, 0, (<usize>t.bodyCount) << 2);
   let keys = 0;
@@ -83,19 +83,19 @@ function findLevels(t: ContactTable, count: i32, singleFriction: bool): i32 {
     const slotB = word(t.slotB, i);
     const a = body(t, slotA);
     const b = body(t, slotB);
-    const level = max<i32>(word(last, slotA), word(last, slotB));
-    // Solving does not change an immovable body, so contacts may share it within a level.
-    if (a.inverseMass > 0) putWord(last, slotA, level + 1);
-    if (b.inverseMass > 0) putWord(last, slotB, level + 1);
+    const batch = max<i32>(word(last, slotA), word(last, slotB));
+    // Solving does not change an immovable body, so contacts may share it within a batch.
+    if (a.inverseMass > 0) putWord(last, slotA, batch + 1);
+    if (b.inverseMass > 0) putWord(last, slotB, batch + 1);
     const single = a.wall != 0 || b.wall != 0 || (singleFriction && load<f32>(frictionStateAt(t, i), 12) > 0);
-    const key = 2 * level + i32(single);
+    const key = 2 * batch + i32(single);
     if (key >= keys) {
-      const end = 2 * level + 2;
-      if (end > t.maxLevels) return 0;
-      memory.fill(t.levels + ((<usize>keys) << 2), 0, (<usize>(end - keys)) << 2);
+      const end = 2 * batch + 2;
+      if (end > t.maxBatches) return 0;
+      memory.fill(t.batches + ((<usize>keys) << 2), 0, (<usize>(end - keys)) << 2);
       keys = end;
     }
-    putWord(t.levels, key, word(t.levels, key) + 1);
+    putWord(t.batches, key, word(t.batches, key) + 1);
     putWord(t.flags, i, key);
   }
   return keys;

@@ -3,7 +3,7 @@
 // Both triangles of a quad are processed together, so each node is read and written only once per side of the strip.
 import { columns } from '../memory/columns';
 import { LANES, add, at, splat, sub } from '../memory/lanes';
-import { computeWindForce, windState } from './blow';
+import { computeWindForce, windState } from './wind-force';
 import { corner } from './faces';
 import { word } from '../xpbd/table';
 

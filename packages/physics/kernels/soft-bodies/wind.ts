@@ -1,6 +1,6 @@
 // Wind on a sheet of triangles.
 import { LANES, at } from '../memory/lanes';
-import { computeWindForce, setWind, windState } from './blow';
+import { computeWindForce, setWind, windState } from './wind-force';
 import { CHUNK, addChunkForces, chunkAddress, readTriangles, triangles } from './faces';
 import { addWindToStrip, isStripAlive } from './strips';
 import { word } from '../xpbd/table';
@@ -11,7 +11,7 @@ import { word } from '../xpbd/table';
 export class SheetInWind {
   faces: usize;
   count: i32;
-  parts: usize;
+  sections: usize;
   generations: usize;
   forceX: usize;
   forceY: usize;
@@ -24,22 +24,22 @@ export class SheetInWind {
   tangential: f64;
 }
 
-// Adds the wind forces. `parts` has two words per part of the faces: its first face, and whether it is a quad strip;
+// Adds the wind forces. `sections` has two words per section of the faces: its first face, and whether it is a quad strip;
 // behind the last, the number of faces. A triangle with a removed corner receives no force.
-export function blowTriangles(sheet: usize): void {
+export function addWindForces(sheet: usize): void {
   const s = changetype<SheetInWind>(sheet);
   const faces = s.faces;
   const count = s.count;
-  const parts = s.parts;
+  const sections = s.sections;
   const generations = s.generations;
   const fx = s.forceX;
   const fy = s.forceY;
   const fz = s.forceZ;
   setWind(s.windX, s.windY, s.windZ, s.density, s.normal, s.tangential);
   let first = 0;
-  for (let part = 0; first < count; part++) {
-    const last = <i32>word(parts, 2 * part + 2);
-    const isStrip = word(parts, 2 * part + 1) != 0 && isStripAlive(faces, count, first, last, generations);
+  for (let section = 0; first < count; section++) {
+    const last = <i32>word(sections, 2 * section + 2);
+    const isStrip = word(sections, 2 * section + 1) != 0 && isStripAlive(faces, count, first, last, generations);
     if (isStrip) addWindToStrip(faces, count, first, last, fx, fy, fz);
     else addWindToEach(faces, count, first, last, generations, fx, fy, fz);
     first = last;

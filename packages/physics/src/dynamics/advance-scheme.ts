@@ -94,13 +94,13 @@ function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeMemory):
     },
   });
   const end = { position: lowering.vector(scheme.position), velocity: lowering.vector(scheme.velocity) };
-  const kept = scheme.memory.map((vector) => lowering.vector(vector));
-  const put = (to: Readonly<Record<'x' | 'y' | 'z', number>>, values: Axes): Store[] =>
+  const memoryValues = scheme.memory.map((vector) => lowering.vector(vector));
+  const storesTo = (to: Readonly<Record<'x' | 'y' | 'z', number>>, values: Axes): Store[] =>
     columns.axisNames.map((axis, i) => ({ address: to[axis], node: values[i] }));
   const roots = [...stages, end].map(({ position, velocity }, p) => [
-    ...put(addresses.Position, position),
-    ...put(addresses.Velocity, velocity),
-    ...(p < stages.length ? [] : kept.flatMap((vector, i) => put(memory.columns[i], vector))),
+    ...storesTo(addresses.Position, position),
+    ...storesTo(addresses.Velocity, velocity),
+    ...(p < stages.length ? [] : memoryValues.flatMap((vector, i) => storesTo(memory.columns[i], vector))),
   ]);
   return cut(
     columns,
@@ -144,15 +144,15 @@ function cut(
     }
     return graph.make('real', [], columns[index]);
   };
-  const moved = roots.map((stores, segment) => {
+  const segments = roots.map((stores, segment) => {
     const done = new Map<Node, Node>();
     const rewrite = (node: Node): Node => {
-      let made = done.get(node);
-      if (made === undefined) {
-        made = rewriteNode(node);
-        done.set(node, made);
+      let rewritten = done.get(node);
+      if (rewritten === undefined) {
+        rewritten = rewriteNode(node);
+        done.set(node, rewritten);
       }
-      return made;
+      return rewritten;
     };
     const rewriteNode = (node: Node): Node => {
       const isForce = forces.some((nodes) => nodes.has(node));
@@ -160,23 +160,26 @@ function cut(
       if (node.args.length === 0 && !isForce) return node;
       if (levelOf(node) < segment && levelOf(node) > 0 && !node.isUniform) {
         // The state of the evaluation is in the bodies' own columns.
-        const left = roots[segment - 1].find((store) => store.node === node);
-        return left === undefined ? storeForLater(node) : graph.make('real', [], left.address);
+        const existing = roots[segment - 1].find((store) => store.node === node);
+        return existing === undefined ? storeForLater(node) : graph.make('real', [], existing.address);
       }
       return graph.make(node.op, node.args.map(rewrite), node.value, node.over ?? node.scope);
     };
     return { rewrite, stores: stores.map(({ address, node }) => ({ address, node: rewrite(node) })) };
   });
   // Segments are processed from last to first, because a stored value may depend on values stored earlier.
-  const kept: Store[][] = [];
+  const memoryValues: Store[][] = [];
   for (let segment = roots.length - 1; segment >= 0; segment--) {
-    kept[segment] = extra[segment].map(({ address, node }) => ({ address, node: moved[segment].rewrite(node) }));
+    memoryValues[segment] = extra[segment].map(({ address, node }) => ({
+      address,
+      node: segments[segment].rewrite(node),
+    }));
   }
   const { precision } = world;
-  return moved.map(({ stores }, segment) => ({
+  return segments.map(({ stores }, segment) => ({
     name: 'piece',
     types: { stored: precision, computed: precision },
-    stores: [...stores, ...kept[segment]],
+    stores: [...stores, ...memoryValues[segment]],
     noteOf: notesOf(world, block),
   }));
 }

@@ -51,9 +51,9 @@ export function sumLaws(columns: WorldColumns, laws: readonly LawForce[], at: Ev
   for (const force of laws) {
     const { law } = force;
     const lowering = new Lowering(graph, environmentOf(columns, force, at, sum));
-    const add = (part: 'force' | 'acceleration' | 'torque') => {
-      const expression = law[part];
-      return expression === undefined ? sum[part] : addAxes(graph, sum[part], lowering.vector(expression));
+    const add = (field: 'force' | 'acceleration' | 'torque') => {
+      const expression = law[field];
+      return expression === undefined ? sum[field] : addAxes(graph, sum[field], lowering.vector(expression));
     };
     sum = { force: add('force'), acceleration: add('acceleration'), torque: add('torque') };
   }

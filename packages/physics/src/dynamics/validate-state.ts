@@ -158,8 +158,8 @@ export function holdQuarantined(world: PhysicsWorld): void {
   const { counts, stepFaults } = world.internal;
   // A body that was quarantined in this step gets the component at its end.
   if (counts.Quarantined === 0 && stepFaults.length === 0) return;
-  const held = query(world, [world.components.Quarantined]);
-  for (let i = 0; i < held.length; i++) stop(world, held[i]);
+  const quarantined = query(world, [world.components.Quarantined]);
+  for (let i = 0; i < quarantined.length; i++) stop(world, quarantined[i]);
 }
 
 /** Stops a body at its position at the start of the step. */

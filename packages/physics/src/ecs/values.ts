@@ -97,8 +97,8 @@ function normalise(name: ComponentName, data: unknown, entity: number | undefine
   const { scalar, fields }: ComponentSpec = COMPONENTS[name];
   if (isRecord(data)) return isPlain(data) ? data : withAccessors(data, Object.keys(fields));
   if (scalar !== undefined && typeof data === 'number') return { [scalar]: data };
-  const wanted = `${scalar ? 'a number or ' : ''}{ ${Object.keys(fields).join(', ')} }`;
-  throw mustBe(wanted, data, keyOf(name), 'E_TYPE', entity);
+  const expected = `${scalar ? 'a number or ' : ''}{ ${Object.keys(fields).join(', ')} }`;
+  throw mustBe(expected, data, keyOf(name), 'E_TYPE', entity);
 }
 
 function isPlain(data: object): boolean {

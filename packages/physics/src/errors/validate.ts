@@ -20,10 +20,10 @@ export function checkNumber(
   hint?: string,
 ): number {
   const isNumber = typeof value === 'number';
-  const wanted = !isNumber ? 'a number' : !Number.isFinite(value) ? 'finite' : outOfBounds(value, bounds);
-  if (wanted === undefined) return value as number;
+  const expected = !isNumber ? 'a number' : !Number.isFinite(value) ? 'finite' : outOfBounds(value, bounds);
+  if (expected === undefined) return value as number;
   const code = !isNumber ? 'E_TYPE' : Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
-  throw mustBe(wanted, value, field, code, entity, hint);
+  throw mustBe(expected, value, field, code, entity, hint);
 }
 
 /** `checkNumber` for an integer; allocates no object, for values that are checked in every step. */
@@ -34,14 +34,19 @@ export function checkWhole(value: unknown, field: string, min: number, max: numb
 
 /** Returns the error for an invalid value: "mass must be a number, got an object." */
 export function mustBe(
-  wanted: string,
+  expected: string,
   value: unknown,
   field: string,
   code: FaultCode = 'E_TYPE',
   entity?: number,
   hint?: string,
 ): PhysicsError {
-  return new PhysicsError(code, `${field} must be ${wanted}, got ${describe(value)}.`, { entity, field, value, hint });
+  return new PhysicsError(code, `${field} must be ${expected}, got ${describe(value)}.`, {
+    entity,
+    field,
+    value,
+    hint,
+  });
 }
 
 /** Returns the error for an unknown name: "position has no field "w". Valid: x, y, z." */

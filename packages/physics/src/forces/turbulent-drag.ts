@@ -42,7 +42,7 @@ export interface TurbulenceOptions {
   readonly seed?: number;
 }
 
-/** A mode: wave vector, 1/m, amplitude, m/s, phase at time 0, in turns, and frequency, Hz. */
+/** A mode: wave vector, 1/m, amplitude, m/s, phase at time 0, in cycles, and frequency, Hz. */
 const MODE = ['kx', 'ky', 'kz', 'ax', 'ay', 'az', 'phase', 'frequency'] as const;
 type Mode = Readonly<Record<(typeof MODE)[number], Scalar>>;
 
@@ -74,7 +74,7 @@ function dragIn(spectrum: Spectrum) {
     force({ position, velocity, time, c, k }, { mean, waves }) {
       const eddies = waves.sum((wave) => {
         const { kx, ky, kz, ax, ay, az } = wave;
-        return vec3(ax, ay, az).mul(cosineOfTurns(position.dot(vec3(kx, ky, kz)).add(phaseAt(wave, time))));
+        return vec3(ax, ay, az).mul(cosineOfCycles(position.dot(vec3(kx, ky, kz)).add(phaseAt(wave, time))));
       });
       const w = velocity.sub(mean.add(eddies));
       return w.mul(c.add(k.mul(w.length()))).negate();
@@ -83,18 +83,18 @@ function dragIn(spectrum: Spectrum) {
   });
 }
 
-/** Reduces the phase to a fraction of a turn, so that it stays exact in f32 at late times. */
+/** Reduces the phase to a fraction of a cycle, so that it stays exact in f32 at late times. */
 function phaseAt({ phase, frequency }: Mode, time: Scalar): Scalar {
-  const turns = phase.add(frequency.mul(time));
-  return turns.sub(turns.floor());
+  const cycles = phase.add(frequency.mul(time));
+  return cycles.sub(cycles.floor());
 }
 
 /**
- * Returns cos(2π t) for t in turns: reduced to ±½ turn, then its Taylor series to the 16th power, whose last
+ * Returns cos(2π t) for t in cycles: reduced to ±½, then its Taylor series to the 16th power, whose last
  * coefficient absorbs most of the next term. Error below 5e-9 in f64, one or two ulp in f32.
  */
-function cosineOfTurns(turns: Scalar): Scalar {
-  const square = turns.sub(turns.round()).square();
+function cosineOfCycles(cycles: Scalar): Scalar {
+  const square = cycles.sub(cycles.round()).square();
   const series = [
     0.2734560008, -1.71439071109, 7.90353637132, -26.4262567834, 60.2446413719, -85.4568172067, 64.9393940227,
     -19.7392088022, 1,
@@ -130,13 +130,13 @@ function drawModes(world: PhysicsWorld, spectrum: Spectrum): TableLocation {
   for (let j = 0; j < count; j++) {
     // Half the squared amplitude of a wave is its share of the mean square speed, deviation² per axis.
     const amplitude = deviation * Math.sqrt((2 * world.dimensions * energies[j]) / totalEnergy);
-    const { wave, across } = world.dimensions === 2 ? drawPair2d(random) : drawPair3d(random);
+    const { wave, polarization } = world.dimensions === 2 ? drawPair2d(random) : drawPair3d(random);
     const number = ratios[j] / largest;
     const phase = random.uniform();
     const frequency = (random.gaussian() * pow(ratios[j], 2 / 3)) / (2 * Math.PI * time);
     const row = [
       ...wave.map((component) => number * component),
-      ...across.map((component) => amplitude * component),
+      ...polarization.map((component) => amplitude * component),
       phase,
       frequency,
     ];
@@ -145,11 +145,11 @@ function drawModes(world: PhysicsWorld, spectrum: Spectrum): TableLocation {
   return { at, count };
 }
 
-type Pair = { readonly wave: readonly number[]; readonly across: readonly number[] };
+type Pair = { readonly wave: readonly number[]; readonly polarization: readonly number[] };
 
 function drawPair2d(random: Random): Pair {
   const { x, y } = random.onCircle();
-  return { wave: [x, y, 0], across: [-y, x, 0] };
+  return { wave: [x, y, 0], polarization: [-y, x, 0] };
 }
 
 /** Returns a random direction and a random perpendicular one. */
@@ -161,5 +161,5 @@ function drawPair3d(random: Random): Pair {
   const other = [y * c - z * b, z * a - x * c, x * b - y * a];
   const angle = random.uniform(0, 2 * Math.PI);
   const [sine, cosine] = [sin(angle), cos(angle)];
-  return { wave: [x, y, z], across: [a, b, c].map((component, i) => component * cosine + other[i] * sine) };
+  return { wave: [x, y, z], polarization: [a, b, c].map((component, i) => component * cosine + other[i] * sine) };
 }

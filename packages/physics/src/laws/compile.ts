@@ -19,8 +19,8 @@ const MAX_COMPILED = 256;
 
 /** Returns the module of the loop identified by `key`; `make` builds the loop if it is not cached. */
 export function compileLoop(key: string, make: () => LoopSource): CompiledLoop {
-  const known = compiled.get(key);
-  if (known !== undefined) return known;
+  const cached = compiled.get(key);
+  if (cached !== undefined) return cached;
   const source = emitLoop(make());
   const made = { module: compileBytes(encodeModule(source)), source };
   if (compiled.size >= MAX_COMPILED) compiled.delete(compiled.keys().next().value as string);

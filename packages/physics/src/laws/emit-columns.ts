@@ -31,8 +31,8 @@ export class ColumnEmitter extends UniformEmitter {
   pushHas(address: number, bits: number): void {
     const { code } = this;
     this.loadWords(address);
-    const wanted = this.lanes === 4 ? Uint32Array.of(bits, bits, bits, bits) : Uint32Array.of(bits, 0, bits, 0);
-    const bytes = new Uint8Array(wanted.buffer);
+    const expected = this.lanes === 4 ? Uint32Array.of(bits, bits, bits, bits) : Uint32Array.of(bits, 0, bits, 0);
+    const bytes = new Uint8Array(expected.buffer);
     if (this.lanes === 2) code.add('i64x2.extend_low_i32x4_u');
     code
       .add('v128.const', ...bytes)

@@ -121,12 +121,12 @@ function mayRest({ walls }: LoopSource, address: number): boolean {
 }
 
 /** Returns the local of a result, a separate one if another value may replace it. */
-function storeResult(emitter: NodeEmitter, node: Node, isOwn: boolean): number {
+function storeResult(emitter: NodeEmitter, node: Node, isReplaceable: boolean): number {
   const local = emitter.toLocal(node);
-  if (!isOwn) return local;
-  const own = emitter.local('v128');
-  emitter.code.add('local.get', local).add('local.set', own);
-  return own;
+  if (!isReplaceable) return local;
+  const copy = emitter.local('v128');
+  emitter.code.add('local.get', local).add('local.set', copy);
+  return copy;
 }
 
 /** Keeps resting bodies in place; otherwise returns if a value is out of range, and lists bodies outside. */

@@ -67,8 +67,8 @@ export class NodeEmitter extends ColumnEmitter {
   /** Computes a node into a local and returns the local. */
   toLocal(node: Node): number {
     if (node.isUniform && node.scope === undefined) return this.#spreads.get(node) as number;
-    const known = this.#vectors.get(node);
-    if (known !== undefined) return known;
+    const cached = this.#vectors.get(node);
+    if (cached !== undefined) return cached;
     this.#compute(node);
     return this.#assign(node);
   }

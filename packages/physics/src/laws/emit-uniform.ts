@@ -41,9 +41,9 @@ export class UniformEmitter extends FunctionBuilder {
     else if (op === 'row') code.add('local.get', this.row).memory('f64.load', 8 * value);
     else this.#pushOperation(op, args);
     if (local !== undefined || node.scope === undefined || !this.shared.has(node)) return;
-    const own = this.local(node.isMask ? 'i32' : 'f64');
-    this.rowDoubles.set(node, own);
-    code.add('local.tee', own);
+    const double = this.local(node.isMask ? 'i32' : 'f64');
+    this.rowDoubles.set(node, double);
+    code.add('local.tee', double);
   }
 
   #pushOperation(op: Operation, args: readonly Node[]): void {

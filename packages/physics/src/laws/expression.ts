@@ -233,8 +233,8 @@ export function conditionOf(value: unknown, method: string): Condition {
   throw mismatch('a condition', value, method);
 }
 
-function mismatch(wanted: string, value: unknown, method: string): PhysicsError {
-  return new PhysicsError('E_TYPE', `${method} takes ${wanted}, got ${kindOf(value)}.`, { field: method, value });
+function mismatch(expected: string, value: unknown, method: string): PhysicsError {
+  return new PhysicsError('E_TYPE', `${method} takes ${expected}, got ${kindOf(value)}.`, { field: method, value });
 }
 
 /** Returns the kind of a value, for messages. */

@@ -210,10 +210,10 @@ function measure(root: Expression) {
   const sizes = new Map<Expression, number>();
   const shared = new Set<Expression>();
   const visit = (expression: Expression): number => {
-    const known = sizes.get(expression);
-    if (known !== undefined) {
+    const cached = sizes.get(expression);
+    if (cached !== undefined) {
       if (expression.args.length > 0) shared.add(expression);
-      return known;
+      return cached;
     }
     const size = expression.args.reduce((sum, arg) => sum + visit(arg), 1);
     sizes.set(expression, size);

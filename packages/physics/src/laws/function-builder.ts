@@ -52,7 +52,7 @@ export class FunctionBuilder {
 
   /** Returns the index of an imported function. */
   importOf(name: Operation): number {
-    const known = this.imports.indexOf(name);
-    return known >= 0 ? known : this.imports.push(name) - 1;
+    const index = this.imports.indexOf(name);
+    return index >= 0 ? index : this.imports.push(name) - 1;
   }
 }

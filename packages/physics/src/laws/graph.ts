@@ -10,7 +10,7 @@ const OF_BODIES = new Set<Operation>(['real', 'word', 'entity', 'has', 'noise', 
 
 /** Creates nodes. */
 export class Graph {
-  readonly #known = new Map<string, Node>();
+  readonly #cached = new Map<string, Node>();
   readonly #scopes = new Map<SumScope, number>();
   #count = 0;
 
@@ -36,8 +36,8 @@ export class Graph {
   #find(op: Operation, args: readonly Node[], value: number, scope: SumScope | undefined): Node {
     let key = `${op} ${Object.is(value, -0) ? '-0' : value} ${scope === undefined ? '' : this.#scopeId(scope)}`;
     for (const { id } of args) key += ` ${id}`;
-    const known = this.#known.get(key);
-    if (known !== undefined) return known;
+    const cached = this.#cached.get(key);
+    if (cached !== undefined) return cached;
     const node: Node = {
       id: this.#count++,
       op,
@@ -51,7 +51,7 @@ export class Graph {
       ),
       over: op === 'sum' ? scope : undefined,
     };
-    this.#known.set(key, node);
+    this.#cached.set(key, node);
     return node;
   }
 

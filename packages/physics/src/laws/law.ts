@@ -71,15 +71,25 @@ export function recordLaw(
     ]),
   );
   const given = rejectUnknown(symbols, `${name}.parameters`) as LawSymbols<Parameters>;
-  const ask = <Result extends Expression>(part: 'force' | 'acceleration' | 'torque' | 'potential', shape: string) =>
-    record<Result>(name, part, shape, options[part] as undefined | ((...symbols: unknown[]) => unknown), body, given);
-  const parts = {
-    force: ask<Vector>('force', 'vector'),
-    acceleration: ask<Vector>('acceleration', 'vector'),
-    torque: ask<Vector>('torque', 'vector'),
-    potential: ask<Scalar>('potential', 'scalar'),
+  const recordFormula = <Result extends Expression>(
+    formula: 'force' | 'acceleration' | 'torque' | 'potential',
+    shape: string,
+  ) =>
+    record<Result>(
+      name,
+      formula,
+      shape,
+      options[formula] as undefined | ((...symbols: unknown[]) => unknown),
+      body,
+      given,
+    );
+  const formulas = {
+    force: recordFormula<Vector>('force', 'vector'),
+    acceleration: recordFormula<Vector>('acceleration', 'vector'),
+    torque: recordFormula<Vector>('torque', 'vector'),
+    potential: recordFormula<Scalar>('potential', 'scalar'),
   };
-  if (parts.force === undefined && parts.acceleration === undefined && parts.torque === undefined) {
+  if (formulas.force === undefined && formulas.acceleration === undefined && formulas.torque === undefined) {
     throw new PhysicsError('E_TYPE', `law "${name}" has neither force nor acceleration nor torque.`, { field: name });
   }
   const list = Object.values(parameters);
@@ -87,8 +97,8 @@ export function recordLaw(
     name,
     dimensions,
     parameters: list,
-    ...parts,
-    structure: structureOf(list, parts),
+    ...formulas,
+    structure: structureOf(list, formulas),
     names: Object.keys(parameters),
     columns: columnNames(options.reads ?? {}),
   };
@@ -111,13 +121,13 @@ function columnNames(reads: Reads): Record<string, string> {
 /** Calls a function of a law with symbols. */
 function record<Result extends Expression>(
   law: string,
-  part: string,
+  formula: string,
   shape: string,
   make: ((...symbols: unknown[]) => unknown) | undefined,
   ...symbols: readonly unknown[]
 ): Result | undefined {
   if (make === undefined) return undefined;
-  const where = `law "${law}", ${part}`;
+  const where = `law "${law}", ${formula}`;
   checkFunction(make, where);
   let result: unknown;
   try {

@@ -61,8 +61,8 @@ export class Lowering {
   }
 
   #lower(expression: Expression): Lowered {
-    const known = this.#done.get(expression);
-    if (known !== undefined) return known;
+    const cached = this.#done.get(expression);
+    if (cached !== undefined) return cached;
     const made = expression.shape === 'vector' ? this.#makeVector(expression) : this.#makeScalar(expression);
     this.#done.set(expression, made);
     return made;

@@ -78,8 +78,12 @@ export function recordScheme(step: SchemeFunction, options: SchemeOptions = {}):
     ),
   );
   checkObject(result, 'defineIntegrator: the result of the function');
-  const { position, velocity, memory: kept = [] } = result;
-  const parts = { position, velocity, ...Object.fromEntries(kept.map((vector, i) => [`memory${i}`, vector])) };
-  const structure = `${structureOf(parameters, parts)};${stages}`;
-  return { structure, position, velocity, memory: kept, stages, parameters, sources };
+  const { position, velocity, memory: memoryVectors = [] } = result;
+  const formulas = {
+    position,
+    velocity,
+    ...Object.fromEntries(memoryVectors.map((vector, i) => [`memory${i}`, vector])),
+  };
+  const structure = `${structureOf(parameters, formulas)};${stages}`;
+  return { structure, position, velocity, memory: memoryVectors, stages, parameters, sources };
 }

@@ -44,8 +44,8 @@ export function structureOf(parameters: readonly Parameter[], formulas: Formulas
     return Object.is(data, -0) ? '-0' : String(data);
   };
   const visit = (expression: Expression): number => {
-    const known = seen.get(expression);
-    if (known !== undefined) return known;
+    const cached = seen.get(expression);
+    if (cached !== undefined) return cached;
     const args = expression.args.map(visit);
     lines.push(`${expression.op}:${expression.shape[0]} ${args} ${dataOf(expression)}`);
     seen.set(expression, seen.size);

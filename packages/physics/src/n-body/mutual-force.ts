@@ -173,7 +173,7 @@ function reportOf(world: PhysicsWorld, work: number): MutualForceReport {
     error: numbers[NBodyNumber.error],
     tolerance: numbers[NBodyNumber.tolerance],
     nodes: hasNodes ? words[Word.nodeCount] : 0,
-    depth: hasNodes ? words[Word.deepest] : 0,
+    depth: hasNodes ? words[Word.maxDepth] : 0,
     evaluations: words[Word.evaluations],
   };
 }

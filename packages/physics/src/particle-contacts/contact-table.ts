@@ -83,8 +83,8 @@ function allocateGrid(world: PhysicsWorld, words: Uint32Array, allocateBytes: Al
   words[Word.maxBuckets] = buckets;
   words[Word.rowWords] = allocateBytes(4 * rows);
   words[Word.bodyRows] = allocateBytes(4 * rows);
-  words[Word.levels] = allocateBytes(4 * rows);
-  words[Word.maxLevels] = rows;
+  words[Word.batches] = allocateBytes(4 * rows);
+  words[Word.maxBatches] = rows;
   // The broad phase ends before the first body is gathered, so both can share memory.
   const starts = 4 * (buckets + 16);
   const region = allocateBytes(Math.max(BODY_BYTES[world.precision] * rows, starts + 4 * rows));

@@ -70,15 +70,19 @@ export function clothWind(options: ClothWindOptions): Force {
       numbers[SheetInWindNumber.windX] = x;
       numbers[SheetInWindNumber.windY] = y;
       numbers[SheetInWindNumber.windZ] = z;
-      softBodyKernels(world).blowTriangles(at);
+      softBodyKernels(world).addWindForces(at);
     },
   };
 }
 
-function writeSheet(world: PhysicsWorld, { at, count, parts }: Faces, coefficients: readonly number[]): MemoryRecord {
+function writeSheet(
+  world: PhysicsWorld,
+  { at, count, sections }: Faces,
+  coefficients: readonly number[],
+): MemoryRecord {
   const sheet = allocateRecord(world.internal.arena, SHEET_IN_WIND_BYTES, 'wind on cloth');
   const { x, y, z } = world.scratch.at.force;
-  sheet.words.set([at, count, parts, world.internal.generations.byteOffset], SheetInWindWord.faces);
+  sheet.words.set([at, count, sections, world.internal.generations.byteOffset], SheetInWindWord.faces);
   sheet.words.set([x, y, z], SheetInWindWord.forceX);
   sheet.numbers.set(coefficients, SheetInWindNumber.density);
   return sheet;

@@ -12,7 +12,7 @@ export interface Faces {
   readonly at: number;
   readonly count: number;
   /** Address of the list of quad strips: strips.ts. */
-  readonly parts: number;
+  readonly sections: number;
 }
 
 /**
@@ -42,8 +42,8 @@ function copyFaces(world: PhysicsWorld, ids: ArrayLike<number>, corners: number,
   const count = ids.length / corners;
   const list = corners === 3 ? listStrips(ids, world.rows) : [];
   const at = allocate(arena, 8 * ids.length + FORCE_BYTES, field);
-  const parts = allocate(arena, 4 * list.length, field);
-  new Uint32Array(arena.memory.buffer, parts, list.length).set(list);
+  const sections = allocate(arena, 4 * list.length, field);
+  new Uint32Array(arena.memory.buffer, sections, list.length).set(list);
   const words = new Uint32Array(arena.memory.buffer, at, 2 * ids.length);
   for (let i = 0; i < ids.length; i++) {
     const word = count * (i % corners) + Math.floor(i / corners);
@@ -51,7 +51,7 @@ function copyFaces(world: PhysicsWorld, ids: ArrayLike<number>, corners: number,
     // No generation is this high, so a node that does not exist counts as removed.
     words[word + ids.length] = isBody(world, ids[i]) ? generations[ids[i]] : 0xffffffff;
   }
-  return { at, count, parts };
+  return { at, count, sections };
 }
 
 /** Returns whether an entity ever had this id. */

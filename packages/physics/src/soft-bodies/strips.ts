@@ -7,22 +7,22 @@ const MIN_QUADS = 8;
 const ROWS_BEHIND = 3;
 
 /**
- * Splits a list of triangles into quad strips and others, as kernels/soft-bodies/wind.ts reads it: for each part its
+ * Splits a list of triangles into quad strips and others, as kernels/soft-bodies/wind.ts reads it: for each section its
  * first triangle and 1 if it is a strip (kernels/soft-bodies/strips.ts), else 0; then the number of triangles. `rows` is
  * the length of a column.
  */
 export function listStrips(ids: ArrayLike<number>, rows: number): number[] {
-  const parts: number[] = [];
+  const sections: number[] = [];
   const count = ids.length / 3;
-  let openPart = -1;
+  let openSection = -1;
   for (let first = 0; first < count; ) {
     const quads = countQuads(ids, first, rows);
-    if (quads >= MIN_QUADS) parts.push(first, 1);
-    else if (openPart < 0) parts.push(first, 0);
-    openPart = quads >= MIN_QUADS ? -1 : first;
+    if (quads >= MIN_QUADS) sections.push(first, 1);
+    else if (openSection < 0) sections.push(first, 0);
+    openSection = quads >= MIN_QUADS ? -1 : first;
     first += quads >= MIN_QUADS ? 2 * quads : 1;
   }
-  return [...parts, count];
+  return [...sections, count];
 }
 
 /** Returns the number of quads of the strip that starts with triangle `first`; 0 if there is no strip. */

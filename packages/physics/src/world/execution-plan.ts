@@ -24,11 +24,11 @@ export function checkForce(force: unknown, what: string, dimensions?: 2 | 3): vo
     checkHas(force, 'accumulate', what, FORCE_HINT);
     return;
   }
-  const { dimensions: wanted, name } = force.law;
-  if (dimensions === undefined || wanted === undefined || wanted === dimensions) return;
+  const { dimensions: required, name } = force.law;
+  if (dimensions === undefined || required === undefined || required === dimensions) return;
   throw new PhysicsError(
     'E_RANGE',
-    `${what}: law "${name}" requires ${wanted} dimensions, but the world has ${dimensions}.`,
+    `${what}: law "${name}" requires ${required} dimensions, but the world has ${dimensions}.`,
     {
       field: what,
     },

@@ -36,9 +36,9 @@ let restingLanes: v128 = i32x4.splat(0);
   const zero = splat(0);
   const position = v128.load(x);
   const velocity = v128.load(v);
-  const before = v128.load(start);
+  const startVelocity = v128.load(start);
   const depth = mul(side, sub(plane, position));
-  const acceleration = div(mul(side, sub(before, velocity)), dt);
+  const acceleration = div(mul(side, sub(startVelocity, velocity)), dt);
   const speed = add(v128.neg<real>(mul(side, velocity)), mul(acceleration, lag));
   const timeSinceImpact = computeTimeSinceImpact<v128>(depth, speed, acceleration, dt);
   const impact = computeImpactSpeed<v128>(speed, acceleration, timeSinceImpact);
@@ -46,14 +46,14 @@ let restingLanes: v128 = i32x4.splat(0);
   const reboundDistance = computeReboundDistance<v128>(reboundSpeed, acceleration, timeSinceImpact, splat(0.5));
   const entering = v128.and(hit, v128.gt<real>(speed, zero));
   const rebounds = v128.and(entering, v128.and(v128.gt<real>(reboundDistance, zero), v128.gt<real>(impact, zero)));
-  const away = v128.and(sub(reboundSpeed, mul(acceleration, sub(timeSinceImpact, lag))), rebounds);
-  const after = mul(side, away);
+  const outgoing = v128.and(sub(reboundSpeed, mul(acceleration, sub(timeSinceImpact, lag))), rebounds);
+  const newVelocity = mul(side, outgoing);
   restingLanes = v128.andnot(entering, rebounds);
   v128.store(x, v128.bitselect(add(plane, v128.and(mul(side, reboundDistance), rebounds)), position, hit));
-  v128.store(v, v128.bitselect(after, velocity, entering));
-  v128.store(start, v128.bitselect(add(before, v128.and(sub(after, velocity), rebounds)), before, rebounds));
+  v128.store(v, v128.bitselect(newVelocity, velocity, entering));
+  v128.store(start, v128.bitselect(add(startVelocity, v128.and(sub(newVelocity, velocity), rebounds)), startVelocity, rebounds));
   v128.store(start, v128.andnot(v128.load(start), restingLanes));
-  return v128.and(add(away, mul(side, v128.neg<real>(velocity))), entering);
+  return v128.and(add(outgoing, mul(side, v128.neg<real>(velocity))), entering);
 }
 
 // @ts-ignore: decorator
@@ -66,7 +66,7 @@ function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, side: real
   const nx = axis == 0 ? side : <real>0;
   const ny = axis == 1 ? side : <real>0;
   const nz = axis == 2 ? side : <real>0;
-  const still = restingLanes;
+  const resting = restingLanes;
   if (c.contacts == 0 && (friction == 0 || !hasFriction(c, row))) return;
   for (let lane = 0; lane < LANES; lane++) {
     const body = row + lane;
@@ -75,7 +75,7 @@ function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, side: real
     const own = get(c.friction, body);
     const mu = friction < 0 ? own : sqrt<real>(own * friction);
     applyWallFriction(c, body, nx, ny, nz, mu, impulse);
-    recordWallContact(body, 0, nx, ny, nz, mu, impulse, laneOf(still, lane) != 0 ? impulse : <real>0);
+    recordWallContact(body, 0, nx, ny, nz, mu, impulse, laneOf(resting, lane) != 0 ? impulse : <real>0);
   }
 }
 
@@ -180,7 +180,7 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
   const end = load<usize>(list);
   const limit = splat(maxSpeed);
   const one = splat(1);
-  let bad = 0;
+  let invalidCount = 0;
   for (let axis = 0; axis < b.axes; axis++) {
     const w = wallsAcross(b, axis, dt, lag);
     const lowest = splat(w.low);
@@ -189,10 +189,10 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
       const o = load<usize>(p);
       if (!v128.any_true(isOutside(w.x + o, c.radius + o, one, lowest, highest))) continue;
       bounce(w, <i32>(o / sizeof<real>()));
-      if (!v128.all_true<i32>(v128.le<real>(v128.abs<real>(v128.load(w.v + o)), limit))) bad++;
+      if (!v128.all_true<i32>(v128.le<real>(v128.abs<real>(v128.load(w.v + o)), limit))) invalidCount++;
     }
   }
-  return bad;
+  return invalidCount;
 }
 
 // @ts-ignore: decorator
@@ -231,11 +231,11 @@ function bounce(w: Walls, row: i32): void {
     v128.and(v128.lt<real>(x0, lower), v128.ge<real>(add(x0, displacement), lower)),
     v128.and(v128.gt<real>(x0, upper), v128.le<real>(add(x0, displacement), upper)),
   );
-  const fits = v128.andnot(v128.and(solid, v128.le<real>(lower, upper)), returns);
+  const active = v128.andnot(v128.and(solid, v128.le<real>(lower, upper)), returns);
   for (let bounceCount = 0; bounceCount < MAX_BOUNCES; bounceCount++) {
     const position = v128.load(x + o);
-    const hitLow = v128.and(v128.lt<real>(position, lower), fits);
-    const hitHigh = v128.and(v128.gt<real>(position, upper), fits);
+    const hitLow = v128.and(v128.lt<real>(position, lower), active);
+    const hitHigh = v128.and(v128.gt<real>(position, upper), active);
     if (!v128.any_true(v128.or(hitLow, hitHigh))) break;
     if (v128.any_true(hitLow)) {
       const change = rebound(x + o, v + o, start + o, lower, splat(1), hitLow, e, splat(dt), splat(lag));
@@ -249,20 +249,20 @@ function bounce(w: Walls, row: i32): void {
   // Bodies still outside are clamped to the inside. A body larger than the gap between the walls is held in the middle.
   const position = v128.load(x + o);
   const inside = v128.min<real>(v128.max<real>(position, lower), upper);
-  const tight = v128.and(solid, v128.gt<real>(lower, upper));
-  const held = v128.bitselect(mul(splat(0.5), add(lower, upper)), position, tight);
-  v128.store(x + o, v128.bitselect(inside, held, fits));
-  v128.store(v + o, v128.andnot(v128.load(v + o), tight));
+  const tooLarge = v128.and(solid, v128.gt<real>(lower, upper));
+  const centred = v128.bitselect(mul(splat(0.5), add(lower, upper)), position, tooLarge);
+  v128.store(x + o, v128.bitselect(inside, centred, active));
+  v128.store(v + o, v128.andnot(v128.load(v + o), tooLarge));
 }
 
-// Holds the lanes `able` that began the step at rest on a wall and end it beyond the wall.
-function holdRestingBodies(w: Walls, row: i32, lower: v128, upper: v128, able: v128): void {
+// Holds the lanes `canRest` that began the step at rest on a wall and end it beyond the wall.
+function holdRestingBodies(w: Walls, row: i32, lower: v128, upper: v128, canRest: v128): void {
   const o = at(row);
   const x = v128.load(w.x + o);
   const origin = v128.load(w.origin + o);
-  const still = v128.and(able, v128.eq<real>(v128.load(w.start + o), splat(0)));
-  const onLow = v128.and(still, v128.and(v128.lt<real>(x, lower), v128.eq<real>(origin, lower)));
-  const onHigh = v128.and(still, v128.and(v128.gt<real>(x, upper), v128.eq<real>(origin, upper)));
+  const resting = v128.and(canRest, v128.eq<real>(v128.load(w.start + o), splat(0)));
+  const onLow = v128.and(resting, v128.and(v128.lt<real>(x, lower), v128.eq<real>(origin, lower)));
+  const onHigh = v128.and(resting, v128.and(v128.gt<real>(x, upper), v128.eq<real>(origin, upper)));
   restingLanes = v128.or(onLow, onHigh);
   if (!v128.any_true(restingLanes)) return;
   const velocity = v128.load(w.v + o);

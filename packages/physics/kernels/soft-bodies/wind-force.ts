@@ -12,8 +12,8 @@ class WindState {
   // rho / 12, since the normal is as long as twice the area and the force is split over three corners.
   strength: v128;
   // c_n - c_t, and c_t.
-  across: v128;
-  along: v128;
+  normalExcess: v128;
+  tangential: v128;
   fx: v128;
   fy: v128;
   fz: v128;
@@ -29,8 +29,8 @@ export function setWind(x: f64, y: f64, z: f64, density: f64, normal: f64, tange
   windState.y = splat(<real>y);
   windState.z = splat(<real>z);
   windState.strength = splat(<real>(density / 12));
-  windState.across = splat(<real>normal - <real>tangential);
-  windState.along = splat(<real>tangential);
+  windState.normalExcess = splat(<real>normal - <real>tangential);
+  windState.tangential = splat(<real>tangential);
 }
 
 // Computes the force from the vectors b and d from the first corner to the two others, and the sum v of the corners'
@@ -58,9 +58,9 @@ export function setWind(x: f64, y: f64, z: f64, density: f64, normal: f64, tange
   const uz = sub(windState.z, mul(vz, third));
   const scale = mul(windState.strength, v128.sqrt<real>(mul(square, dot(ux, uy, uz, ux, uy, uz))));
   const strength = v128.and(scale, v128.gt<real>(square, splat(0)));
-  const across = mul(windState.across, dot(ux, uy, uz, nx, ny, nz));
-  const normalPart = mul(strength, div(across, larger(square, splat(MIN_SQUARE))));
-  const tangentPart = mul(strength, windState.along);
+  const normalTerm = mul(windState.normalExcess, dot(ux, uy, uz, nx, ny, nz));
+  const normalPart = mul(strength, div(normalTerm, larger(square, splat(MIN_SQUARE))));
+  const tangentPart = mul(strength, windState.tangential);
   windState.fx = add(mul(normalPart, nx), mul(tangentPart,  ux));
   windState.fy = add(mul(normalPart, ny), mul(tangentPart,  uy));
   windState.fz = add(mul(normalPart, nz), mul(tangentPart,  uz));
