@@ -44,6 +44,7 @@ export const physicsLayers: readonly string[] = [
   'world/run-phase.ts',
   'dynamics',
   'forces/support',
+  'collision/shapes',
   'bodies',
   'forces',
   'integrators/support',

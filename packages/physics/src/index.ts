@@ -1,10 +1,19 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
 
+export type { ShapeInput } from './bodies/collider-shape.ts';
 export { applyImpulse, type ExplosionOptions, explode } from './bodies/impulse.ts';
 export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia.ts';
 export type { Many, ManyInput } from './bodies/many.ts';
+export { setShape } from './bodies/set-shape.ts';
 export { type BodyInput, despawn, spawn } from './bodies/spawn.ts';
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';
+export { box, type RoundingOptions } from './collision/shapes/2d/box.ts';
+export { capsule } from './collision/shapes/2d/capsule.ts';
+export { circle } from './collision/shapes/2d/circle.ts';
+export { polygon } from './collision/shapes/2d/polygon.ts';
+export { segment } from './collision/shapes/2d/segment.ts';
+export type { PointInput, Shape } from './collision/shapes/2d/shape.ts';
+export { shapeAt } from './collision/shapes/shape-pool.ts';
 export { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from './components/all.ts';
 export { rgba } from './components/appearance.ts';
 export {

@@ -3,6 +3,7 @@
 // its membership mask and one small set. That reaches into bitECS's own tables (public by its `$internal` symbol, and its version is
 // pinned); a test holds the result against the component-by-component path.
 import { addEntity, type ComponentRef, type Query, type WorldContext } from 'bitecs';
+import { shapeIndex } from '../collision/shapes/shape-pool.ts';
 import { bitOf, type ComponentName } from '../components/all.ts';
 import { contextOf, queriesOf, removeWholly } from '../ecs/bitecs-adapter.ts';
 import { ComponentSet } from '../ecs/component-set.ts';
@@ -11,9 +12,10 @@ import { assertUsable } from '../ecs/guards.ts';
 import { countPartialEntities } from '../ecs/partial-entities.ts';
 import { cleanRow } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkFunction, checkWhole } from '../errors/validate.ts';
+import { checkFunction, checkWhole, isRecord, mustBe } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { type Column, checkMany, type Filling, type ManyInput } from './many.ts';
+import { resolveShape } from './collider-shape.ts';
+import { type Column, checkMany, type Filling, type ManyInput, withShape } from './many.ts';
 
 /** Called as bodies are made, with how many are. */
 export type Progress = (made: number, count: number) => void;
@@ -35,7 +37,10 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
     throw new PhysicsError('E_REENTRANT', 'spawnMany cannot run inside a step.', { hint: 'Use spawn, or wait.' });
   }
   makeRoom(world, count);
-  const fillings = checkMany(world, values, count);
+  if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
+  const { body, shape } = resolveShape(world, values);
+  const checked = checkMany(world, body, count);
+  const fillings = shape === undefined ? checked : withShape(checked, shapeIndex(world, shape));
   const ids = new Uint32Array(count);
   try {
     makeEntities(world, fillings, ids, progress);
