@@ -1,4 +1,5 @@
 // Rigid bodies in two dimensions form a separate module, so that games without them do not load it.
+export { collidePair, collidePairs } from '../collision/narrow-phase/2d/collide-shapes';
 export { findRigidPairs } from '../collision/broad-phase/2d/find-pairs';
 export { clearContacts } from '../collision/narrow-phase/2d/contact-list';
 export { updateContacts } from '../collision/narrow-phase/2d/update-contacts';

@@ -12,8 +12,8 @@ import { type Shape, ShapeKind } from './2d/shape.ts';
 /** Records that a pool has at first; it moves to twice the room when they are used up. */
 const FIRST_CAPACITY = 256;
 
-/** The integers `kind` and `count` come first, then the reals. */
-const INTEGER_BYTES = 8;
+/** The integers `kind`, `count`, `isBox` and `isChained` come first, then the reals. */
+const INTEGER_BYTES = 16;
 
 /** Where the shapes of a world are. */
 export interface ShapePool {
@@ -62,9 +62,10 @@ function growPool(world: PhysicsWorld, pool: ShapePool): void {
   pool.capacity = capacity;
 }
 
-function writeShape({ memory, precision }: PhysicsWorld, at: number, shape: Shape): void {
+/** Writes the record of a shape to an address, a multiple of eight. */
+export function writeShape({ memory, precision }: PhysicsWorld, at: number, shape: Shape): void {
   const { kind, vertices, normals, radius, area, inertiaPerMass, extent, minExtent } = shape;
-  new Uint32Array(memory.buffer, at, 2).set([ShapeKind[kind], vertices.length / 2]);
+  new Uint32Array(memory.buffer, at, 4).set([ShapeKind[kind], vertices.length / 2, isBox(vertices) ? 1 : 0, 0]);
   const length = (SHAPE_BYTES[precision] - INTEGER_BYTES) / realBytes(precision);
   const Reals = precision === 'f32' ? Float32Array : Float64Array;
   const reals = new Reals(memory.buffer, at + INTEGER_BYTES, length);
@@ -72,6 +73,11 @@ function writeShape({ memory, precision }: PhysicsWorld, at: number, shape: Shap
   reals.set([radius, area, inertiaPerMass, extent, minExtent]);
   reals.set(vertices, start);
   reals.set(normals, start + 2 * MAX_VERTICES);
+}
+
+function isBox([ax, ay, bx, by, cx, cy, dx, dy, ...more]: readonly number[]): boolean {
+  const isRectangle = ax === -cx && ay === -cy && bx === cx && by === ay && dx === ax && dy === cy;
+  return isRectangle && more.length === 0;
 }
 
 /**

@@ -1,6 +1,6 @@
 // A convex shape in the frame of its body: the points within `radius` of a point, of a segment or of a polygon. Its
 // centroid is the origin, because a body's position is its centre of mass. src/collision/shapes/shape-pool.ts writes
-// these records: first the two integers, then all reals in this order.
+// these records: first the four integers, then all reals in this order.
 
 export const CIRCLE: i32 = 0;
 export const CAPSULE: i32 = 1;
@@ -14,6 +14,11 @@ export class Shape {
   kind: i32;
   // Number of vertices: 1 for a circle, 2 for a capsule or a segment, 3 to 8 for a polygon.
   count: i32;
+  // 1 for a rectangle whose vertices are (-x, -y), (x, -y), (x, y), (-x, y), which has faster tests.
+  isBox: i32;
+  // 1 for a segment of a chain, which only bodies on the side of its first normal meet: vertices 2 and 3 are then the
+  // far ends of its neighbours before and after.
+  isChained: i32;
   // Radius of a circle or of the caps of a capsule; rounding of a polygon. 0 for sharp corners.
   radius: real;
   // m²; 0 for a segment.
