@@ -129,6 +129,14 @@ export { velocityVerlet } from './integrators/velocity-verlet.ts';
 export { type WisdomHolmanOptions, wisdomHolman } from './integrators/wisdom-holman.ts';
 export { yoshida4 } from './integrators/yoshida4.ts';
 export { yoshida6 } from './integrators/yoshida6.ts';
+export { createJoint, endedJoints, jointForce } from './joints/create-joint.ts';
+export { type DistanceOptions, distance } from './joints/distance.ts';
+export type { JointInput, JointLimits, JointMotor, JointOptions, JointSpring } from './joints/joint-input.ts';
+export type { EndedJoints } from './joints/joint-table.ts';
+export { type PrismaticOptions, prismatic } from './joints/prismatic.ts';
+export { type RevoluteOptions, revolute } from './joints/revolute.ts';
+export { type WeldOptions, weld } from './joints/weld.ts';
+export { type WheelOptions, wheel } from './joints/wheel.ts';
 export type { Precision } from './kernels/instantiate.ts';
 export type { BodySymbols, ReadSymbols, Reads } from './laws/body-symbols.ts';
 export {

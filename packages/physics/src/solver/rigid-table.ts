@@ -1,5 +1,7 @@
 // The memory of a world's rigid bodies: a table of settings, counters and addresses (kernels/solver/2d/rigid-table.ts) and
 // the lists it points to, all in the world's arena.
+
+import { rigidKernels } from '../collision/kernels.ts';
 import { bitOf } from '../components/all.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { allocate } from '../memory/arena.ts';
@@ -8,7 +10,6 @@ import { RIGID_TABLE_BYTES, RigidTableWord as Word } from '../memory/layouts.gen
 import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { rigidKernels } from './kernels.ts';
 
 /** Contacts there is room for, by body: a pile of boxes has three each, and pairs that only come near need room too. */
 const CONTACTS_PER_BODY = 6;
@@ -48,6 +49,7 @@ function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
   const { Collider, Rotation } = world.addresses;
   const { force, torque } = world.scratch.at;
   words[Word.generations] = world.internal.generations.byteOffset;
+  words[Word.members] = world.internal.membersAt;
   words[Word.forceX] = force.x;
   words[Word.forceY] = force.y;
   words[Word.torqueZ] = torque.z;

@@ -11,11 +11,13 @@
 // First order. Sources: Catto, Solver2D (2024), box2d.org/posts/2024/02/solver2d, and Box2D 3, whose defaults these are;
 // Macklin et al.: Small Steps in Physics Simulation (SCA 2019).
 
+import { rigidKernels } from '../collision/kernels.ts';
 import { anyForceTurns } from '../dynamics/evaluate-forces.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { jointTable, refreshJoints } from '../joints/joint-table.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
-import { rigidKernels } from './kernels.ts';
+import { markSoftStep } from './is-soft-step.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -29,19 +31,23 @@ export interface SoftStepOptions {
   readonly contactDampingRatio?: number;
   /** Largest speed at which overlap is pushed out, m/s; default 3. */
   readonly contactSpeed?: number;
+  /** Frequency of joints as springs, Hz; default 60, at most a quarter of the rate of sub-steps. */
+  readonly jointHertz?: number;
+  /** Damping ratio of joints; default 2. */
+  readonly jointDampingRatio?: number;
   /** Slower impacts do not bounce, m/s; default 1. */
   readonly restitutionThreshold?: number;
 }
 
-const OPTIONS = ['substeps', 'contactHertz', 'contactDampingRatio', 'contactSpeed', 'restitutionThreshold'];
-
-/** Marks the integrators that solve rigid bodies. */
-const softSteps = new WeakSet<Integrator>();
-
-/** Whether an integrator solves rigid bodies. */
-export function isSoftStep(integrator: Integrator): boolean {
-  return softSteps.has(integrator);
-}
+const OPTIONS = [
+  'substeps',
+  'contactHertz',
+  'contactDampingRatio',
+  'contactSpeed',
+  'jointHertz',
+  'jointDampingRatio',
+  'restitutionThreshold',
+] as const;
 
 /**
  * The integrator of the preset `rigidBodies`, with other settings than its own.
@@ -56,9 +62,11 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     [Value.contactHertz, number('contactHertz', 30, 0.1, 1e6)],
     [Value.contactDampingRatio, number('contactDampingRatio', 10, 0, 1000)],
     [Value.contactSpeed, number('contactSpeed', 3, 0, 1e6)],
+    [Value.jointHertz, number('jointHertz', 60, 0.1, 1e6)],
+    [Value.jointDampingRatio, number('jointDampingRatio', 2, 0, 1000)],
     [Value.restitutionThreshold, number('restitutionThreshold', 1, 0, 1e6)],
   ];
-  const integrator: Integrator = {
+  return markSoftStep({
     name: 'soft step',
     order: 1,
     symplectic: false,
@@ -71,11 +79,10 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
       refuseUnsupported(world);
       const { numbers } = rigidTable(world);
       for (const [value, number] of values) numbers[value] = number;
+      refreshJoints(world);
     },
     advance: (world, ranges, dt, evaluateForces) => advance(world, ranges, dt, evaluateForces, substeps),
-  };
-  softSteps.add(integrator);
-  return integrator;
+  });
 }
 
 function advance(
@@ -98,17 +105,39 @@ function advance(
   kernels.updateContacts(at);
   kernels.colorContacts(at);
   kernels.prepareContacts(at);
+  const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
+  if (joints !== 0) kernels.prepareJoints(joints);
   for (let s = 0; s < substeps; s++) {
     evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
+    if (joints !== 0) startJoints(kernels, joints);
     kernels.warmStartContacts(at);
+    if (joints !== 0) solveJoints(kernels, joints, 1);
     kernels.solveContacts(at);
     kernels.integratePositions(at);
+    if (joints !== 0) solveJoints(kernels, joints, 0);
     kernels.relaxContacts(at);
     kernels.writeBodies(at);
+    if (joints !== 0) kernels.watchJoints(joints);
   }
   kernels.applyRestitution(at);
   kernels.storeImpulses(at);
   kernels.writeBodies(at);
   kernels.writeAngles(at);
+  if (joints !== 0) kernels.listBroken(joints);
+}
+
+type Kernels = ReturnType<typeof rigidKernels>;
+
+/** The directions of all joints in this sub-step, and the impulses of the last. */
+function startJoints(kernels: Kernels, joints: number): void {
+  kernels.measureJoints(joints);
+  kernels.factorJoints(joints);
+  kernels.warmStartJoints(joints);
+}
+
+/** With `soft` 1 joints pull together what is apart. */
+function solveJoints(kernels: Kernels, joints: number, soft: number): void {
+  kernels.solveAxes(joints, soft);
+  kernels.solveLocks(joints, soft);
 }

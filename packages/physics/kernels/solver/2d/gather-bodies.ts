@@ -10,7 +10,7 @@ import { RigidTable } from './rigid-table';
 const KEPT: u32 = ASLEEP | FAST;
 
 // Where the circle of a body without a shape of the pool is written.
-const spare = changetype<Shape>(memory.data(SHAPE_BYTES, 8));
+const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
 // Classifies all rows, and lists those that move and are awake. Between steps anyone may have changed any column.
 export function gatherBodies(table: usize): void {

@@ -22,6 +22,7 @@ export class RigidTable {
   // Rows in use, from 0, and the addresses of the columns that only this solver reads.
   rows: i32;
   generations: usize;
+  members: usize;
   forceX: usize;
   forceY: usize;
   torqueZ: usize;
@@ -63,6 +64,9 @@ export class RigidTable {
   sortedPairs: usize;
   pairCapacity: i32;
   pairCount: i32;
+  // Sorted keys of the pairs that joints keep from colliding.
+  jointPairs: usize;
+  jointPairCount: i32;
   // Contacts: records (class RigidContact), those in use sorted by (a, b), and those that are free.
   contactCapacity: i32;
   contactCount: i32;

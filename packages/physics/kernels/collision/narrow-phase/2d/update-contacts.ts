@@ -9,7 +9,7 @@ import { columns } from '../../../memory/columns';
 import { ASLEEP, DYNAMIC, FAST, MOVES, flagsOf, poseOf, putWord, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
-import { layersMeet } from '../../broad-phase/2d/find-pairs';
+import { areJoined, layersMeet } from '../../broad-phase/2d/find-pairs';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { shapeOf } from '../../shapes/2d/shape-pool';
 import { collideShapes } from './collide-shapes';
@@ -24,8 +24,8 @@ const RECYCLE_DISTANCE: real = 0.05;
 const RECYCLE_COSINE: real = 0.98;
 
 const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16));
-const spareA = changetype<Shape>(memory.data(SHAPE_BYTES, 8));
-const spareB = changetype<Shape>(memory.data(SHAPE_BYTES, 8));
+const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
@@ -48,6 +48,7 @@ function isOver(t: RigidTable, contact: RigidContact): bool {
   const b = contact.b;
   if (((flagsOf(t, a) | flagsOf(t, b)) & DYNAMIC) == 0) return true;
   if (!overlaps(rowBox(t, a), rowBox(t, b)) || !layersMeet(t, a, b)) return true;
+  if (areJoined(t, a, b)) return true;
   const sameA = contact.generationA == <u32>word(t.generations, a);
   return !sameA || contact.generationB != <u32>word(t.generations, b);
 }
