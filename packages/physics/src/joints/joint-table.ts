@@ -18,7 +18,7 @@ const IMPULSES_BYTES = 64;
 
 /** Bytes of a joint in all lists: what the solver works with, two keys of pairs, and six words. */
 const WORK_BYTES = 400;
-const LIST_BYTES = WORK_BYTES + 16 + 24;
+const LIST_BYTES = WORK_BYTES + 40;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -122,6 +122,7 @@ function makeRoom(world: PhysicsWorld, table: JointTable): void {
   take(Word.pairs, 8);
   take(Word.spare, 8);
   take(Word.next, 8);
+  take(Word.links, 8);
   for (const word of [Word.lost, Word.broken, Word.order, Word.roots]) take(word, 4);
   table.room = room;
 }

@@ -26,8 +26,11 @@ const BLOCK_BYTES = 640;
 /** Bytes for each contact in all lists. Contacts without a color take a block each. */
 const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 4 + 4 + 8 + 8 + 8;
 
+/** Reals that sleep keeps of a body, and two words: kernels/solver/2d/sleeper.ts. */
+const SLEEPER_REALS = 5;
+
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
-const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + 4 * (4 * bytes + 8) + 6 * 4;
+const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 6 * 4;
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function rigidBytesPerEntity(precision: Precision): number {
@@ -59,7 +62,6 @@ function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
   words[Word.layers] = Collider.layers;
   words[Word.masks] = Collider.mask;
   words[Word.dynamicBits] = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
-  words[Word.movingBits] = (bitOf('Velocity') | bitOf('AngularVelocity')) >>> 0;
   words[Word.turningBits] = (bitOf('Rotation') | bitOf('AngularVelocity')) >>> 0;
   words[Word.colliderBit] = bitOf('Collider');
 }
@@ -73,6 +75,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.states, 8 * bytes);
   take(Word.poses, 8 * bytes);
   take(Word.boxes, 4 * bytes);
+  take(Word.sleepers, SLEEPER_REALS * bytes + 8);
   const node = 4 * bytes + 8;
   take(Word.staticNodes, 2 * node);
   take(Word.movingNodes, 2 * node);

@@ -37,6 +37,10 @@ export interface SoftStepOptions {
   readonly jointDampingRatio?: number;
   /** Slower impacts do not bounce, m/s; default 1. */
   readonly restitutionThreshold?: number;
+  /** A body none of whose points is faster is still, m/s; default 0.05. */
+  readonly sleepSpeed?: number;
+  /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
+  readonly sleepTime?: number;
 }
 
 const OPTIONS = [
@@ -47,6 +51,8 @@ const OPTIONS = [
   'jointHertz',
   'jointDampingRatio',
   'restitutionThreshold',
+  'sleepSpeed',
+  'sleepTime',
 ] as const;
 
 /**
@@ -62,6 +68,8 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     [Value.contactHertz, number('contactHertz', 30, 0.1, 1e6)],
     [Value.contactDampingRatio, number('contactDampingRatio', 10, 0, 1000)],
     [Value.contactSpeed, number('contactSpeed', 3, 0, 1e6)],
+    [Value.sleepSpeed, number('sleepSpeed', 0.05, 0, 1e6)],
+    [Value.sleepTime, number('sleepTime', 0.5, 0, 1e6)],
     [Value.jointHertz, number('jointHertz', 60, 0.1, 1e6)],
     [Value.jointDampingRatio, number('jointDampingRatio', 2, 0, 1000)],
     [Value.restitutionThreshold, number('restitutionThreshold', 1, 0, 1e6)],
@@ -101,12 +109,14 @@ function advance(
   words[Word.torqueZ] = anyForceTurns(world) ? world.scratch.at.torque.z : 0;
 
   kernels.gatherBodies(at);
+  const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
+  words[Word.linkCount] = 0;
   kernels.findRigidPairs(at);
+  kernels.wakeTouched(at);
+  if (joints !== 0) kernels.prepareJoints(joints);
   kernels.updateContacts(at);
   kernels.colorContacts(at);
   kernels.prepareContacts(at);
-  const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
-  if (joints !== 0) kernels.prepareJoints(joints);
   for (let s = 0; s < substeps; s++) {
     evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
@@ -125,6 +135,7 @@ function advance(
   kernels.writeBodies(at);
   kernels.writeAngles(at);
   if (joints !== 0) kernels.listBroken(joints);
+  kernels.updateSleep(at);
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;

@@ -43,6 +43,8 @@ export class JointTable {
   pairs: usize;
   spare: usize;
   pairCount: i32;
+  // The pairs of bodies of all joints, two rows each.
+  links: usize;
   // Joints in the order of the trees, parents first, and the first bodies of the trees.
   order: usize;
   orderCount: i32;

@@ -1,7 +1,8 @@
 // Begins and ends a step of the joints: which of them act, with which masses, from which impulses.
 import { get } from '../../memory/columns';
 import { ASLEEP, DYNAMIC, MOVES, flagsOf, poseOf, putWord, word } from '../../solver/2d/body';
-import { forgetBox } from '../../solver/2d/gather-bodies';
+import { forgetBox, listAwake } from '../../solver/2d/gather-bodies';
+import { wakeIsland } from '../../solver/2d/islands';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { keyAt, sortKeys } from '../../collision/broad-phase/2d/sort-keys';
 import { JointImpulses, JointTable, impulsesOf } from './joint-table';
@@ -52,6 +53,8 @@ export function prepareJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   t.workCount = 0;
+  rigid.links = t.links;
+  wakeJoined(t, rigid);
   for (let i = 0; i < t.count; i++) {
     const id = word(t.ids, i);
     const impulses = impulsesOf(t, id);
@@ -59,12 +62,37 @@ export function prepareJoints(table: usize): void {
       memory.fill(changetype<usize>(impulses), 0, 64);
       putWord(t.started, id, 1);
     }
-    impulses.force = 0;
     const a = word(t.a, id);
     const b = word(t.b, id);
     if (isMoved(rigid, a) || isMoved(rigid, b)) startWork(t, rigid, id, a, b);
   }
   orderTrees(t);
+}
+
+// A body that sleeps wakes with what it is joined to, as far as that moves.
+function wakeJoined(t: JointTable, rigid: RigidTable): void {
+  let any = false;
+  let links = 0;
+  for (let i = 0; i < t.count; i++) {
+    const id = word(t.ids, i);
+    const a = word(t.a, id);
+    const b = word(t.b, id);
+    putWord(t.links, links++, a);
+    putWord(t.links, links++, b);
+    const flagsA = flagsOf(rigid, a);
+    const flagsB = flagsOf(rigid, b);
+    const sleeps = ((flagsA | flagsB) & ASLEEP) != 0;
+    if (!sleeps || !(isActive(flagsA) || isActive(flagsB))) continue;
+    wakeIsland(rigid, (flagsA & ASLEEP) != 0 ? a : b);
+    any = true;
+  }
+  rigid.linkCount = t.count;
+  if (any) listAwake(rigid);
+}
+
+// @ts-ignore: decorator
+@inline function isActive(flags: u32): bool {
+  return (flags & MOVES) != 0 && (flags & ASLEEP) == 0;
 }
 
 // @ts-ignore: decorator
@@ -76,6 +104,8 @@ function startWork(t: JointTable, rigid: RigidTable, id: i32, a: i32, b: i32): v
   const work = workAt(t, t.workCount++);
   memory.fill(changetype<usize>(work), 0, JOINT_WORK_SIZE);
   work.id = id;
+  // A joint between bodies that sleep keeps its force.
+  impulsesOf(t, id).force = 0;
   work.rowA = a;
   work.rowB = b;
   work.a = (flagsOf(rigid, a) & MOVES) != 0 ? a : 0;

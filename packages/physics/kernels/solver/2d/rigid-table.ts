@@ -31,9 +31,8 @@ export class RigidTable {
   rollingResistance: usize;
   layers: usize;
   masks: usize;
-  // Bits of membership: what makes a body dynamic, what lets it move, and what lets it turn.
+  // Bits of membership: what makes a body dynamic, and what lets it turn.
   dynamicBits: u32;
-  movingBits: u32;
   turningBits: u32;
   colliderBit: u32;
   // By row: class BodyState, class BodyPose, flags (body.ts), fat box, the generation these belong to, colors in use.
@@ -46,6 +45,10 @@ export class RigidTable {
   // Rows of bodies that the solver moves in this step, ascending.
   awake: usize;
   awakeCount: i32;
+  // What sleep keeps, by row (class Sleeper), and the pairs of bodies that joints connect in this step.
+  sleepers: usize;
+  links: usize;
+  linkCount: i32;
   // Trees of boxes: the nodes, their number, and a list of rows for making them. `treesValid` is 0 when the set of bodies
   // changed.
   staticNodes: usize;

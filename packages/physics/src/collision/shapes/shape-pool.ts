@@ -87,3 +87,11 @@ function isBox([ax, ay, bx, by, cx, cy, dx, dy, ...more]: readonly number[]): bo
 export function shapeAt(world: PhysicsWorld, index: number): Shape | undefined {
   return shapePool(world).shapes[index];
 }
+
+/**
+ * Returns one more than the highest index that `shapeAt` knows.
+ * @throws PhysicsError E_DESTROYED
+ */
+export function shapeCount(world: PhysicsWorld): number {
+  return shapePool(world).count;
+}

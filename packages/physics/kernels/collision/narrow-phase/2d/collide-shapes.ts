@@ -35,8 +35,3 @@ export function collideShapes(m: Manifold, a: Shape, b: Shape): void {
 export function collidePair(manifold: usize, a: usize, b: usize): void {
   collideShapes(changetype<Manifold>(manifold), changetype<Shape>(a), changetype<Shape>(b));
 }
-
-// For the bench: the same for each of `count` manifolds that follow each other.
-export function collidePairs(manifold: usize, a: usize, b: usize, count: i32): void {
-  for (let i = 0; i < count; i++) collidePair(manifold + <usize>i * offsetof<Manifold>(), a, b);
-}

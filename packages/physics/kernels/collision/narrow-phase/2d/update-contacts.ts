@@ -6,7 +6,9 @@
 //
 //   separation = that found + n · (movement of b's anchor - movement of a's)
 import { columns } from '../../../memory/columns';
-import { ASLEEP, DYNAMIC, FAST, MOVES, flagsOf, poseOf, putWord, word } from '../../../solver/2d/body';
+import { ASLEEP, DYNAMIC, FAST, MOVES, SHIFTED, WAKES, flagsOf, poseOf, putFlags, putWord, word } from '../../../solver/2d/body';
+import { listAwake } from '../../../solver/2d/gather-bodies';
+import { wakeIsland } from '../../../solver/2d/islands';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
 import { areJoined, layersMeet } from '../../broad-phase/2d/find-pairs';
@@ -27,6 +29,24 @@ const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16)
 const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
+// Wakes the islands that something awake touches, before contacts are updated.
+export function wakeTouched(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  let any = false;
+  for (let i = 0; i < t.contactCount; i++) {
+    const contact = contactAt(t, word(t.order, i));
+    const flagsA = flagsOf(t, contact.a);
+    const flagsB = flagsOf(t, contact.b);
+    if (((flagsA | flagsB) & ASLEEP) == 0 || !(isActive(flagsA) || isActive(flagsB)) || isOver(t, contact)) continue;
+    const touched = (contact.flags & TOUCHING) != 0;
+    findManifold(t, contact);
+    if (!touched && contact.count == 0) continue;
+    wakeIsland(t, (flagsA & ASLEEP) != 0 ? contact.a : contact.b);
+    any = true;
+  }
+  if (any) listAwake(t);
+}
+
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   let kept = 0;
@@ -34,6 +54,7 @@ export function updateContacts(table: usize): void {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
     if (isOver(t, contact)) {
+      if ((contact.flags & TOUCHING) != 0) wakeLater(t, contact);
       freeContact(t, slot);
       continue;
     }
@@ -53,10 +74,18 @@ function isOver(t: RigidTable, contact: RigidContact): bool {
   return !sameA || contact.generationB != <u32>word(t.generations, b);
 }
 
+// What lay on something that is gone wakes in the next step.
+function wakeLater(t: RigidTable, contact: RigidContact): void {
+  for (let side = 0; side < 2; side++) {
+    const row = side == 0 ? contact.a : contact.b;
+    if ((flagsOf(t, row) & ASLEEP) != 0) putFlags(t, row, flagsOf(t, row) | WAKES);
+  }
+}
+
 // Where nobody moves nothing changes.
 // @ts-ignore: decorator
 @inline function isActive(flags: u32): bool {
-  return (flags & MOVES) != 0 && (flags & ASLEEP) == 0;
+  return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;
 }
 
 function updateContact(t: RigidTable, contact: RigidContact): void {
