@@ -132,6 +132,7 @@ function advance(
   }
   kernels.applyRestitution(at);
   kernels.storeImpulses(at);
+  kernels.stopFastBodies(at);
   kernels.writeBodies(at);
   kernels.writeAngles(at);
   if (joints !== 0) kernels.listBroken(joints);
