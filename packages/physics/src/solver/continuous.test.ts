@@ -10,7 +10,10 @@ const TRIANGLE = [{ shape: polygon([{}, { x: 0.3 }, { y: 0.3 }]), radius: undefi
 test.each([ROUND, BOX, TRIANGLE])('a body of 400 m/s stays in front of a line', ({ shape, radius }) => {
   for (const precision of ['f32', 'f64'] as const) {
     const world = createPhysicsWorld({ preset: rigidBodies, precision, capacity: 100 });
-    spawn(world, { collider: { shape: segment({ x: 10, y: -20 }, { x: 10, y: 20 }), friction: 0.5 }, position: { x: 10 } });
+    spawn(world, {
+      collider: { shape: segment({ x: 10, y: -20 }, { x: 10, y: 20 }), friction: 0.5 },
+      position: { x: 10 },
+    });
     // They pass through each other.
     const filter = { density: 1, layers: 2, mask: 1 };
     const collider = shape === undefined ? { radius, ...filter } : { shape, ...filter };
@@ -28,7 +31,11 @@ test.each([ROUND, BOX, TRIANGLE])('a body of 400 m/s stays in front of a line', 
 test('a fast body slides along the ground that it lies on', () => {
   const world = createPhysicsWorld({ preset: rigidBodies, capacity: 100 });
   spawn(world, { position: { y: -0.5 }, collider: { shape: box(1000, 1) } });
-  const body = spawn(world, { position: { y: 0.1 }, velocity: { x: 100 }, collider: { shape: box(0.2, 0.2), density: 1 } });
+  const body = spawn(world, {
+    position: { y: 0.1 },
+    velocity: { x: 100 },
+    collider: { shape: box(0.2, 0.2), density: 1 },
+  });
   for (let i = 0; i < 60; i++) step(world, DT);
   // Without friction nothing slows it down.
   expect(world.components.Position.x[body] / 100).toBeCloseTo(1, 2);

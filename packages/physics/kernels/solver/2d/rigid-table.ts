@@ -86,6 +86,21 @@ export class RigidTable {
   touchingCount: i32;
   colors: usize;
   colorCounts: usize;
+  // Events of the last step: rows of the bodies, and of impacts point, normal and speed.
+  beginCount: i32;
+  beginA: usize;
+  beginB: usize;
+  endCount: i32;
+  endA: usize;
+  endB: usize;
+  hitCount: i32;
+  hitA: usize;
+  hitB: usize;
+  hitX: usize;
+  hitY: usize;
+  hitNx: usize;
+  hitNy: usize;
+  hitSpeeds: usize;
 }
 
 // A color for every bit of a word; contacts that found none are in the last one.
