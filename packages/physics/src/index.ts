@@ -198,6 +198,7 @@ export type { Network, SpringOptions } from './soft-bodies/network.ts';
 export { movePin, pin, unpin } from './soft-bodies/pins.ts';
 export { createRope, type RopeOptions } from './soft-bodies/rope.ts';
 export { createSoftBody, type SoftBody, type SoftBodyOptions } from './soft-bodies/soft-body.ts';
+export { type ContactEvents, type ContactHits, type ContactPairs, contactEvents } from './solver/contact-events.ts';
 export { asleepCount, isAsleep, wake } from './solver/sleep.ts';
 export { type SoftStepOptions, softStep } from './solver/soft-step.ts';
 export { createPhysicsWorld, destroyWorld, type PhysicsWorldOptions } from './world/create-world.ts';
