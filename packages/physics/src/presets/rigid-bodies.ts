@@ -5,6 +5,7 @@ import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { breakJoints } from '../joints/create-joint.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { isSoftStep } from '../solver/is-soft-step.ts';
+import { refuseUnsupported } from '../solver/refuse-unsupported.ts';
 import { rigidBytesPerEntity, rigidTable } from '../solver/rigid-table.ts';
 import { softStep } from '../solver/soft-step.ts';
 import { dispatchFaultEvents } from '../world/event-handlers.ts';
@@ -22,6 +23,7 @@ export const rigidBodies: Preset = /* @__PURE__ */ Object.assign(fill, {
 
 function fill(world: PhysicsWorld): void {
   // Allocates the memory immediately, so that a world too small for contacts fails at its creation.
+  refuseUnsupported(world);
   if (!isSoftStep(world.integrator)) world.integrator = defaultFor(world);
   rigidTable(world);
   const { phases } = world;
