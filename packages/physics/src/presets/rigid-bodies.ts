@@ -3,6 +3,7 @@ import { beginStep, validateState } from '../dynamics/validate-state.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { breakJoints } from '../joints/create-joint.ts';
+import { JOINT_BYTES_PER_ENTITY } from '../joints/joint-table.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { isSoftStep } from '../solver/is-soft-step.ts';
 import { refuseUnsupported } from '../solver/refuse-unsupported.ts';
@@ -18,7 +19,8 @@ import type { PhysicsWorld, Preset } from '../world/types.ts';
  */
 export const rigidBodies: Preset = /* @__PURE__ */ Object.assign(fill, {
   // The default memory is added, because other features may need it.
-  bytesPerEntity: (_dimensions: 2 | 3, precision: Precision) => 256 + rigidBytesPerEntity(precision),
+  bytesPerEntity: (_dimensions: 2 | 3, precision: Precision) =>
+    256 + rigidBytesPerEntity(precision) + JOINT_BYTES_PER_ENTITY,
 });
 
 function fill(world: PhysicsWorld): void {
