@@ -173,6 +173,7 @@ export {
 export { planeWalls } from './particle-contacts/plane-walls.ts';
 export { segmentWalls } from './particle-contacts/segment-walls.ts';
 export { particleContacts } from './presets/particle-contacts.ts';
+export { rigidBodies } from './presets/rigid-bodies.ts';
 export { standard } from './presets/standard.ts';
 export type { Hit, PoseInput, QueryFilter } from './queries/body-query.ts';
 export { castShape, castShapeAll } from './queries/cast-shape.ts';
@@ -189,6 +190,7 @@ export type { Network, SpringOptions } from './soft-bodies/network.ts';
 export { movePin, pin, unpin } from './soft-bodies/pins.ts';
 export { createRope, type RopeOptions } from './soft-bodies/rope.ts';
 export { createSoftBody, type SoftBody, type SoftBodyOptions } from './soft-bodies/soft-body.ts';
+export { type SoftStepOptions, softStep } from './solver/soft-step.ts';
 export { createPhysicsWorld, destroyWorld, type PhysicsWorldOptions } from './world/create-world.ts';
 export { type EventMap, type EventName, type Handler, on } from './world/event-handlers.ts';
 export {

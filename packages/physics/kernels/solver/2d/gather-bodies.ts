@@ -1,0 +1,107 @@
+// Begins a step: which rows are bodies of the solver, their poses, and their velocities, gathered from the columns.
+import { Columns, columns, get } from '../../memory/columns';
+import { cosine, sine, turn, turned } from '../../math/elementary';
+import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
+import { shapeOf } from '../../collision/shapes/2d/shape-pool';
+import { ASLEEP, COLLIDES, DYNAMIC, ENLARGED, FAST, KINEMATIC, MOVES, STATIC, flagsOf, poseOf, putFlags, putWord, stateOf, word } from './body';
+import { RigidTable } from './rigid-table';
+
+// A body may sleep where it is still: see sleep.ts.
+const KEPT: u32 = ASLEEP | FAST;
+
+// Where the circle of a body without a shape of the pool is written.
+const spare = changetype<Shape>(memory.data(SHAPE_BYTES, 8));
+
+// Classifies all rows, and lists those that move and are awake. Between steps anyone may have changed any column.
+export function gatherBodies(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  const c = columns();
+  rest(t, 0);
+  let awake = 0;
+  for (let row = 1; row < t.rows; row++) {
+    const before = flagsOf(t, row);
+    const kind = kindOf(c, t, row);
+    const same = kind != 0 && word(t.bodyGenerations, row) == word(t.generations, row);
+    const now = kind | (same && (kind & MOVES) != 0 ? before & KEPT : 0);
+    // Trees are made of what collides, static or not.
+    if (((before ^ now) & ~(KEPT | ENLARGED)) != 0 || (kind != 0 && !same)) {
+      t.treesValid = 0;
+      if (!same) forgetBox(t, row);
+    }
+    putFlags(t, row, now);
+    if (kind == 0) continue;
+    putWord(t.bodyGenerations, row, word(t.generations, row));
+    if ((now & ASLEEP) != 0) continue;
+    readPose(c, t, row);
+    if ((now & MOVES) == 0) continue;
+    readVelocity(c, t, row);
+    putWord(t.awake, awake++, row);
+  }
+  t.awakeCount = awake;
+}
+
+// @ts-ignore: decorator
+@inline function kindOf(c: Columns, t: RigidTable, row: i32): u32 {
+  const bits = <u32>word(c.members, row);
+  // Position is the first component: its bit is 1.
+  if ((bits & 1) == 0) return 0;
+  const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES : 0;
+  if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) return DYNAMIC | collides;
+  if (collides == 0) return 0;
+  return ((bits & t.movingBits) != 0 ? KINEMATIC : STATIC) | collides;
+}
+
+// A row's fat box is turned inside out, so that no box is inside it and it overlaps nothing.
+export function forgetBox(t: RigidTable, row: i32): void {
+  const box = t.boxes + <usize>row * (4 * sizeof<real>());
+  store<real>(box, <real>Infinity);
+  store<real>(box, <real>Infinity, sizeof<real>());
+  store<real>(box, -<real>Infinity, 2 * sizeof<real>());
+  store<real>(box, -<real>Infinity, 3 * sizeof<real>());
+}
+
+function rest(t: RigidTable, row: i32): void {
+  const state = stateOf(t, row);
+  memory.fill(changetype<usize>(state), 0, 8 * sizeof<real>());
+  state.dc = 1;
+}
+
+function readPose(c: Columns, t: RigidTable, row: i32): void {
+  const pose = poseOf(t, row);
+  pose.x = get(c.positionX, row);
+  pose.y = get(c.positionY, row);
+  turnTo(<f64>get(t.angle, row));
+  pose.c = <real>turned.cosine;
+  pose.s = <real>turned.sine;
+  const flags = flagsOf(t, row);
+  pose.inverseMass = 0;
+  pose.inverseInertia = 0;
+  if ((flags & DYNAMIC) != 0) {
+    const inertia = get(c.inertia, row);
+    const turns = inertia > 0 && (<u32>word(c.members, row) & t.turningBits) == t.turningBits;
+    pose.inverseMass = <real>1 / get(c.mass, row);
+    pose.inverseInertia = turns ? <real>1 / inertia : <real>0;
+  }
+  if ((flags & COLLIDES) == 0) return;
+  const shape = shapeOf(row, spare);
+  pose.extent = shape.extent;
+  pose.minExtent = shape.minExtent;
+}
+
+// Sine and cosine of any angle.
+// @ts-ignore: decorator
+@inline function turnTo(angle: f64): void {
+  if (abs<f64>(angle) < 1e6) return turn(angle);
+  turned.cosine = cosine(angle);
+  turned.sine = sine(angle);
+}
+
+// What is kinematic moves and turns by its velocity, whatever it lacks.
+function readVelocity(c: Columns, t: RigidTable, row: i32): void {
+  rest(t, row);
+  const state = stateOf(t, row);
+  state.vx = get(c.velocityX, row);
+  state.vy = get(c.velocityY, row);
+  const turns = (flagsOf(t, row) & KINEMATIC) != 0 || poseOf(t, row).inverseInertia > 0;
+  state.w = turns ? get(c.angularVelocityZ, row) : <real>0;
+}
