@@ -3,14 +3,29 @@ import { Columns, columns, get } from '../../memory/columns';
 import { cosine, sine, turn, turned } from '../../math/elementary';
 import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
-import { ASLEEP, COLLIDES, DYNAMIC, ENLARGED, FAST, KINEMATIC, MOVES, STATIC, flagsOf, poseOf, putFlags, putWord, stateOf, word } from './body';
+import {
+  ASLEEP,
+  COLLIDES,
+  DYNAMIC,
+  ENLARGED,
+  FAST,
+  KINEMATIC,
+  MOVES,
+  STATIC,
+  flagsOf,
+  poseOf,
+  putFlags,
+  putWord,
+  stateOf,
+  word,
+} from './body';
 import { RigidTable } from './rigid-table';
 
 // A body may sleep where it is still: see sleep.ts.
 const KEPT: u32 = ASLEEP | FAST;
 
 // Where the circle of a body without a shape of the pool is written.
-const spare = changetype<Shape>(memory.data(SHAPE_BYTES, 8));
+const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
 // Classifies all rows, and lists those that move and are awake. Between steps anyone may have changed any column.
 export function gatherBodies(table: usize): void {
@@ -56,8 +71,8 @@ export function forgetBox(t: RigidTable, row: i32): void {
   const box = t.boxes + <usize>row * (4 * sizeof<real>());
   store<real>(box, <real>Infinity);
   store<real>(box, <real>Infinity, sizeof<real>());
-  store<real>(box, -<real>Infinity, 2 * sizeof<real>());
-  store<real>(box, -<real>Infinity, 3 * sizeof<real>());
+  store<real>(box, -(<real>Infinity), 2 * sizeof<real>());
+  store<real>(box, -(<real>Infinity), 3 * sizeof<real>());
 }
 
 function rest(t: RigidTable, row: i32): void {

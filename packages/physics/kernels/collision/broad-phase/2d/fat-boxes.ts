@@ -19,7 +19,7 @@ export class FatBox {
 const MARGIN: real = 0.05;
 const MARGIN_FRACTION: real = 0.125;
 
-const spare = changetype<Shape>(memory.data(SHAPE_BYTES, 8));
+const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
 // The tight box about a shape, as `measureBox` leaves it.
 export const tight = changetype<FatBox>(memory.data(offsetof<FatBox>() + sizeof<real>(), 8));

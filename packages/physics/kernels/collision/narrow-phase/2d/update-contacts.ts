@@ -24,8 +24,8 @@ const RECYCLE_DISTANCE: real = 0.05;
 const RECYCLE_COSINE: real = 0.98;
 
 const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16));
-const spareA = changetype<Shape>(memory.data(SHAPE_BYTES, 8));
-const spareB = changetype<Shape>(memory.data(SHAPE_BYTES, 8));
+const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
