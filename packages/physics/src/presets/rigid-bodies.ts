@@ -2,9 +2,11 @@ import { integrate } from '../dynamics/integrate.ts';
 import { beginStep, validateState } from '../dynamics/validate-state.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
+import { breakJoints } from '../joints/create-joint.ts';
 import type { Precision } from '../kernels/instantiate.ts';
+import { isSoftStep } from '../solver/is-soft-step.ts';
 import { rigidBytesPerEntity, rigidTable } from '../solver/rigid-table.ts';
-import { isSoftStep, softStep } from '../solver/soft-step.ts';
+import { softStep } from '../solver/soft-step.ts';
 import { dispatchFaultEvents } from '../world/event-handlers.ts';
 import type { PhysicsWorld, Preset } from '../world/types.ts';
 
@@ -25,7 +27,7 @@ function fill(world: PhysicsWorld): void {
   const { phases } = world;
   phases.begin.push(beginStep);
   phases.integrate.push(integrate);
-  phases.finish.push(validateState);
+  phases.finish.push(validateState, breakJoints);
   phases.events.push(dispatchFaultEvents);
 }
 

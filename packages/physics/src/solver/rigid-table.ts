@@ -24,10 +24,13 @@ const contactBytes = (bytes: number) => 48 + 42 * bytes;
 const BLOCK_BYTES = 640;
 
 /** Bytes for each contact in all lists. Contacts without a color take a block each. */
-const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 4 + 4 + 8 + 8 + 8;
+const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 32 + 24 + 5 * bytes;
+
+/** Reals that sleep keeps of a body, and two words: kernels/solver/2d/sleeper.ts. */
+const SLEEPER_REALS = 5;
 
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
-const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + 4 * (4 * bytes + 8) + 6 * 4;
+const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 6 * 4;
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function rigidBytesPerEntity(precision: Precision): number {
@@ -49,6 +52,7 @@ function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
   const { Collider, Rotation } = world.addresses;
   const { force, torque } = world.scratch.at;
   words[Word.generations] = world.internal.generations.byteOffset;
+  words[Word.members] = world.internal.membersAt;
   words[Word.forceX] = force.x;
   words[Word.forceY] = force.y;
   words[Word.torqueZ] = torque.z;
@@ -58,7 +62,6 @@ function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
   words[Word.layers] = Collider.layers;
   words[Word.masks] = Collider.mask;
   words[Word.dynamicBits] = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
-  words[Word.movingBits] = (bitOf('Velocity') | bitOf('AngularVelocity')) >>> 0;
   words[Word.turningBits] = (bitOf('Rotation') | bitOf('AngularVelocity')) >>> 0;
   words[Word.colliderBit] = bitOf('Collider');
 }
@@ -72,6 +75,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.states, 8 * bytes);
   take(Word.poses, 8 * bytes);
   take(Word.boxes, 4 * bytes);
+  take(Word.sleepers, SLEEPER_REALS * bytes + 8);
   const node = 4 * bytes + 8;
   take(Word.staticNodes, 2 * node);
   take(Word.movingNodes, 2 * node);
@@ -85,7 +89,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   const bytes = realBytes(precision);
   const { arena } = internal;
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
-  const room = 0.9 * (arena.bytes - arena.top) - 8 * 8192;
+  const room = 0.9 * (arena.bytes - arena.top) - 24 * 8192;
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
   const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(bytes))));
   const take = (word: Word, size: number) => {
@@ -101,6 +105,8 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.pairs, 8 * capacity);
   take(Word.sortedPairs, 8 * capacity);
   take(Word.blocks, BLOCK_BYTES * words[Word.blockCapacity]);
+  for (const word of [Word.beginA, Word.beginB, Word.endA, Word.endB, Word.hitA, Word.hitB]) take(word, 4 * capacity);
+  for (const word of [Word.hitX, Word.hitY, Word.hitNx, Word.hitNy, Word.hitSpeeds]) take(word, bytes * capacity);
   take(Word.colors, 4 * 32);
   take(Word.colorCounts, 4 * 32);
 }

@@ -14,8 +14,10 @@
 import { rigidKernels } from '../collision/kernels.ts';
 import { anyForceTurns } from '../dynamics/evaluate-forces.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { jointTable, refreshJoints } from '../joints/joint-table.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
+import { markSoftStep } from './is-soft-step.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -29,19 +31,32 @@ export interface SoftStepOptions {
   readonly contactDampingRatio?: number;
   /** Largest speed at which overlap is pushed out, m/s; default 3. */
   readonly contactSpeed?: number;
+  /** Frequency of joints as springs, Hz; default 60, at most a quarter of the rate of sub-steps. */
+  readonly jointHertz?: number;
+  /** Damping ratio of joints; default 2. */
+  readonly jointDampingRatio?: number;
   /** Slower impacts do not bounce, m/s; default 1. */
   readonly restitutionThreshold?: number;
+  /** Impacts faster than this are listed in `contactEvents(world).hit`, m/s; default 1. */
+  readonly hitSpeed?: number;
+  /** A body none of whose points is faster is still, m/s; default 0.05. */
+  readonly sleepSpeed?: number;
+  /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
+  readonly sleepTime?: number;
 }
 
-const OPTIONS = ['substeps', 'contactHertz', 'contactDampingRatio', 'contactSpeed', 'restitutionThreshold'];
-
-/** Marks the integrators that solve rigid bodies. */
-const softSteps = new WeakSet<Integrator>();
-
-/** Whether an integrator solves rigid bodies. */
-export function isSoftStep(integrator: Integrator): boolean {
-  return softSteps.has(integrator);
-}
+const OPTIONS = [
+  'substeps',
+  'contactHertz',
+  'contactDampingRatio',
+  'contactSpeed',
+  'jointHertz',
+  'jointDampingRatio',
+  'restitutionThreshold',
+  'hitSpeed',
+  'sleepSpeed',
+  'sleepTime',
+] as const;
 
 /**
  * The integrator of the preset `rigidBodies`, with other settings than its own.
@@ -56,9 +71,14 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     [Value.contactHertz, number('contactHertz', 30, 0.1, 1e6)],
     [Value.contactDampingRatio, number('contactDampingRatio', 10, 0, 1000)],
     [Value.contactSpeed, number('contactSpeed', 3, 0, 1e6)],
+    [Value.sleepSpeed, number('sleepSpeed', 0.05, 0, 1e6)],
+    [Value.sleepTime, number('sleepTime', 0.5, 0, 1e6)],
+    [Value.hitSpeed, number('hitSpeed', 1, 0, 1e6)],
+    [Value.jointHertz, number('jointHertz', 60, 0.1, 1e6)],
+    [Value.jointDampingRatio, number('jointDampingRatio', 2, 0, 1000)],
     [Value.restitutionThreshold, number('restitutionThreshold', 1, 0, 1e6)],
   ];
-  const integrator: Integrator = {
+  return markSoftStep({
     name: 'soft step',
     order: 1,
     symplectic: false,
@@ -71,11 +91,10 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
       refuseUnsupported(world);
       const { numbers } = rigidTable(world);
       for (const [value, number] of values) numbers[value] = number;
+      refreshJoints(world);
     },
     advance: (world, ranges, dt, evaluateForces) => advance(world, ranges, dt, evaluateForces, substeps),
-  };
-  softSteps.add(integrator);
-  return integrator;
+  });
 }
 
 function advance(
@@ -94,21 +113,48 @@ function advance(
   words[Word.torqueZ] = anyForceTurns(world) ? world.scratch.at.torque.z : 0;
 
   kernels.gatherBodies(at);
+  const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
+  words[Word.linkCount] = 0;
   kernels.findRigidPairs(at);
+  kernels.wakeTouched(at);
+  if (joints !== 0) kernels.prepareJoints(joints);
   kernels.updateContacts(at);
   kernels.colorContacts(at);
   kernels.prepareContacts(at);
   for (let s = 0; s < substeps; s++) {
     evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
+    if (joints !== 0) startJoints(kernels, joints);
     kernels.warmStartContacts(at);
+    if (joints !== 0) solveJoints(kernels, joints, 1);
     kernels.solveContacts(at);
     kernels.integratePositions(at);
+    if (joints !== 0) solveJoints(kernels, joints, 0);
     kernels.relaxContacts(at);
     kernels.writeBodies(at);
+    if (joints !== 0) kernels.watchJoints(joints);
   }
   kernels.applyRestitution(at);
   kernels.storeImpulses(at);
+  kernels.stopFastBodies(at);
   kernels.writeBodies(at);
   kernels.writeAngles(at);
+  if (joints !== 0) kernels.listBroken(joints);
+  kernels.updateSleep(at);
+  kernels.listContactEvents(at);
+}
+
+type Kernels = ReturnType<typeof rigidKernels>;
+
+/** The directions of all joints in this sub-step, and the impulses of the last. */
+function startJoints(kernels: Kernels, joints: number): void {
+  kernels.measureJoints(joints);
+  kernels.factorJoints(joints);
+  kernels.warmStartJoints(joints);
+}
+
+/** With `soft` 1 joints pull together what is apart. */
+function solveJoints(kernels: Kernels, joints: number, soft: number): void {
+  kernels.solveAxes(joints, soft);
+  kernels.solveLocks(joints, soft);
 }

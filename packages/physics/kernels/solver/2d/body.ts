@@ -44,6 +44,14 @@ export const COLLIDES: u32 = 32;
 // In the last step it moved so far that it may have passed through something thin.
 export const FAST: u32 = 64;
 
+// It sleeps and must wake in the next step.
+export const WAKES: u32 = 128;
+// It does not move, but was moved between two steps.
+export const SHIFTED: u32 = 256;
+
+// It is a disc, which looks the same however it turns.
+export const ROUND: u32 = 512;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator

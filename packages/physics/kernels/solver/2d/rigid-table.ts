@@ -22,6 +22,7 @@ export class RigidTable {
   // Rows in use, from 0, and the addresses of the columns that only this solver reads.
   rows: i32;
   generations: usize;
+  members: usize;
   forceX: usize;
   forceY: usize;
   torqueZ: usize;
@@ -30,9 +31,8 @@ export class RigidTable {
   rollingResistance: usize;
   layers: usize;
   masks: usize;
-  // Bits of membership: what makes a body dynamic, what lets it move, and what lets it turn.
+  // Bits of membership: what makes a body dynamic, and what lets it turn.
   dynamicBits: u32;
-  movingBits: u32;
   turningBits: u32;
   colliderBit: u32;
   // By row: class BodyState, class BodyPose, flags (body.ts), fat box, the generation these belong to, colors in use.
@@ -45,6 +45,10 @@ export class RigidTable {
   // Rows of bodies that the solver moves in this step, ascending.
   awake: usize;
   awakeCount: i32;
+  // What sleep keeps, by row (class Sleeper), and the pairs of bodies that joints connect in this step.
+  sleepers: usize;
+  links: usize;
+  linkCount: i32;
   // Trees of boxes: the nodes, their number, and a list of rows for making them. `treesValid` is 0 when the set of bodies
   // changed.
   staticNodes: usize;
@@ -63,6 +67,9 @@ export class RigidTable {
   sortedPairs: usize;
   pairCapacity: i32;
   pairCount: i32;
+  // Sorted keys of the pairs that joints keep from colliding.
+  jointPairs: usize;
+  jointPairCount: i32;
   // Contacts: records (class RigidContact), those in use sorted by (a, b), and those that are free.
   contactCapacity: i32;
   contactCount: i32;
@@ -79,6 +86,21 @@ export class RigidTable {
   touchingCount: i32;
   colors: usize;
   colorCounts: usize;
+  // Events of the last step: rows of the bodies, and of impacts point, normal and speed.
+  beginCount: i32;
+  beginA: usize;
+  beginB: usize;
+  endCount: i32;
+  endA: usize;
+  endB: usize;
+  hitCount: i32;
+  hitA: usize;
+  hitB: usize;
+  hitX: usize;
+  hitY: usize;
+  hitNx: usize;
+  hitNy: usize;
+  hitSpeeds: usize;
 }
 
 // A color for every bit of a word; contacts that found none are in the last one.

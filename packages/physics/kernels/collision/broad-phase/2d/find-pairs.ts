@@ -5,7 +5,7 @@ import { RigidTable } from '../../../solver/2d/rigid-table';
 import { addContacts } from '../../narrow-phase/2d/contact-list';
 import { buildTree, nodeAt, refitTree } from './box-tree';
 import { FatBox, overlaps, rowBox, updateBoxes } from './fat-boxes';
-import { sortKeys } from './sort-keys';
+import { keyAt, sortKeys } from './sort-keys';
 
 // A tree whose boxes have grown by this factor is made anew.
 const MAX_GROWTH: f64 = 1.5;
@@ -80,7 +80,21 @@ function findIn(t: RigidTable, nodes: usize, count: i32, row: i32): void {
   const others = flagsOf(t, other);
   if (((own | others) & DYNAMIC) == 0) return false;
   if ((others & ENLARGED) != 0 && other < row && (own & others & MOVES) != 0) return false;
-  return layersMeet(t, row, other);
+  return layersMeet(t, row, other) && !areJoined(t, row, other);
+}
+
+// Whether a joint keeps two bodies from colliding: a binary search.
+export function areJoined(t: RigidTable, a: i32, b: i32): bool {
+  if (t.jointPairCount == 0) return false;
+  const key = keyOf(a, b);
+  let low = 0;
+  let high = t.jointPairCount;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (keyAt(t.jointPairs, middle) < key) low = middle + 1;
+    else high = middle;
+  }
+  return low < t.jointPairCount && keyAt(t.jointPairs, low) == key;
 }
 
 // Two bodies collide where each is on a layer of the other's mask.
@@ -89,14 +103,18 @@ function findIn(t: RigidTable, nodes: usize, count: i32, row: i32): void {
   return (word(t.layers, a) & word(t.masks, b)) != 0 && (word(t.layers, b) & word(t.masks, a)) != 0;
 }
 
-// A key sorts by the smaller id, then by the larger.
+// Sorts by the smaller id, then by the larger.
+// @ts-ignore: decorator
+@inline function keyOf(a: i32, b: i32): u64 {
+  return ((<u64>min<i32>(a, b)) << 32) | <u64>max<i32>(a, b);
+}
+
 // @ts-ignore: decorator
 @inline function notePair(t: RigidTable, a: i32, b: i32): void {
   if (t.pairCount == t.pairCapacity) {
     t.lostCount++;
     return;
   }
-  const key = ((<u64>min<i32>(a, b)) << 32) | <u64>max<i32>(a, b);
-  store<u64>(t.pairs + ((<usize>t.pairCount) << 3), key);
+  store<u64>(t.pairs + ((<usize>t.pairCount) << 3), keyOf(a, b));
   t.pairCount++;
 }

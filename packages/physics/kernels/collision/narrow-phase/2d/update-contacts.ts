@@ -6,10 +6,13 @@
 //
 //   separation = that found + n · (movement of b's anchor - movement of a's)
 import { columns } from '../../../memory/columns';
-import { ASLEEP, DYNAMIC, FAST, MOVES, flagsOf, poseOf, putWord, word } from '../../../solver/2d/body';
+import { ASLEEP, DYNAMIC, FAST, MOVES, SHIFTED, WAKES, flagsOf, poseOf, putFlags, putWord, word } from '../../../solver/2d/body';
+import { listAwake } from '../../../solver/2d/gather-bodies';
+import { noteEnd } from '../../../solver/2d/contact-events';
+import { wakeIsland } from '../../../solver/2d/islands';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
-import { layersMeet } from '../../broad-phase/2d/find-pairs';
+import { areJoined, layersMeet } from '../../broad-phase/2d/find-pairs';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { shapeOf } from '../../shapes/2d/shape-pool';
 import { collideShapes } from './collide-shapes';
@@ -27,13 +30,36 @@ const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16)
 const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
+// Wakes the islands that something awake touches, before contacts are updated.
+export function wakeTouched(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  let any = false;
+  for (let i = 0; i < t.contactCount; i++) {
+    const contact = contactAt(t, word(t.order, i));
+    const flagsA = flagsOf(t, contact.a);
+    const flagsB = flagsOf(t, contact.b);
+    if (((flagsA | flagsB) & ASLEEP) == 0 || !(isActive(flagsA) || isActive(flagsB)) || isOver(t, contact)) continue;
+    const touched = (contact.flags & TOUCHING) != 0;
+    findManifold(t, contact);
+    if (!touched && contact.count == 0) continue;
+    wakeIsland(t, (flagsA & ASLEEP) != 0 ? contact.a : contact.b);
+    any = true;
+  }
+  if (any) listAwake(t);
+}
+
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   let kept = 0;
+  t.endCount = 0;
   for (let i = 0; i < t.contactCount; i++) {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
     if (isOver(t, contact)) {
+      if ((contact.flags & TOUCHING) != 0) {
+        wakeLater(t, contact);
+        noteEnd(t, contact);
+      }
       freeContact(t, slot);
       continue;
     }
@@ -48,22 +74,35 @@ function isOver(t: RigidTable, contact: RigidContact): bool {
   const b = contact.b;
   if (((flagsOf(t, a) | flagsOf(t, b)) & DYNAMIC) == 0) return true;
   if (!overlaps(rowBox(t, a), rowBox(t, b)) || !layersMeet(t, a, b)) return true;
+  if (areJoined(t, a, b)) return true;
   const sameA = contact.generationA == <u32>word(t.generations, a);
   return !sameA || contact.generationB != <u32>word(t.generations, b);
+}
+
+// What lay on something that is gone wakes in the next step.
+function wakeLater(t: RigidTable, contact: RigidContact): void {
+  for (let side = 0; side < 2; side++) {
+    const row = side == 0 ? contact.a : contact.b;
+    if ((flagsOf(t, row) & ASLEEP) != 0) putFlags(t, row, flagsOf(t, row) | WAKES);
+  }
 }
 
 // Where nobody moves nothing changes.
 // @ts-ignore: decorator
 @inline function isActive(flags: u32): bool {
-  return (flags & MOVES) != 0 && (flags & ASLEEP) == 0;
+  return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;
 }
 
 function updateContact(t: RigidTable, contact: RigidContact): void {
   const flagsA = flagsOf(t, contact.a);
   const flagsB = flagsOf(t, contact.b);
-  if (!isActive(flagsA) && !isActive(flagsB)) return;
   const touched = (contact.flags & TOUCHING) != 0;
-  contact.flags = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
+  const kept = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
+  if (!isActive(flagsA) && !isActive(flagsB)) {
+    contact.flags = kept | (touched ? TOUCHING : 0);
+    return;
+  }
+  contact.flags = kept;
   if (((flagsA | flagsB) & FAST) != 0 || !mayRecycle(t, contact, touched)) findManifold(t, contact);
   if (contact.count == 0) return;
   contact.flags |= TOUCHING;
