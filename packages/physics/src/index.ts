@@ -30,6 +30,7 @@ export {
 export { MAX_POSITION } from './components/position.ts';
 export { MAX_ANGULAR_SPEED } from './components/rotation.ts';
 export { MAX_SPEED } from './components/velocity.ts';
+export { type ContactPoints, contactPoints } from './debug/contact-points.ts';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy.ts';
 export { stateHash } from './diagnostics/hash.ts';
 export { defineCheckedLaw as defineLaw, type LawFactory } from './dynamics/define-law.ts';
