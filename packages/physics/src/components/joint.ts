@@ -34,7 +34,7 @@ export const Joint = defineComponent({
     /** Length of a distance joint. */
     length: real('m', { bounds: { min: 0, max: 1e12 } }),
     /** 1 where `lower` and `upper` bound the free coordinate, m or rad. */
-    limited: u32('', { bounds: { max: 1 } }),
+    hasLimits: u32('', { bounds: { max: 1 } }),
     lower: real('', LENGTH),
     upper: real('', LENGTH),
     /** Frequency of the spring along the free coordinate; 0 for none. */

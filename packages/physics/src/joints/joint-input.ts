@@ -88,7 +88,7 @@ export function describeJoint(
   fields.collide = Number(checkFlag(collide ?? false, `${caller}.collide`));
   if (limits !== undefined) {
     checkKeys(limits, `${caller}.limits`, ['lower', 'upper']);
-    fields.limited = 1;
+    fields.hasLimits = 1;
     take('lower', limits.lower ?? -UNLIMITED, 'limits.lower', -UNLIMITED);
     take('upper', limits.upper ?? UNLIMITED, 'limits.upper', -UNLIMITED);
   }

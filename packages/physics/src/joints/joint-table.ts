@@ -34,7 +34,7 @@ const COLUMNS = [
   ['angle', Word.angle],
   ['axis', Word.axis],
   ['length', Word.length],
-  ['limited', Word.limited],
+  ['hasLimits', Word.hasLimits],
   ['lower', Word.lower],
   ['upper', Word.upper],
   ['hertz', Word.hertz],

@@ -65,7 +65,7 @@ const eventsOf = /* @__PURE__ */ resource<ContactEvents>((world) => {
     end: pairs(Word.endCount, Word.endA, Word.endB),
     hit: hit as ContactHits,
     get droppedCount() {
-      return words[Word.lostCount];
+      return words[Word.droppedCount];
     },
   });
 });

@@ -17,7 +17,7 @@ export class JointTable {
   angle: usize;
   axis: usize;
   length: usize;
-  limited: usize;
+  hasLimits: usize;
   lower: usize;
   upper: usize;
   hertz: usize;

@@ -139,7 +139,7 @@ function dropUnused(t: JointTable, work: JointWork, impulses: JointImpulses): vo
   const id = work.id;
   if (!(get(t.hertz, id) > 0)) impulses.spring = 0;
   if (!(get(t.maxMotor, id) > 0)) impulses.motor = 0;
-  if (word(t.limited, id) == 0) {
+  if (word(t.hasLimits, id) == 0) {
     impulses.lower = 0;
     impulses.upper = 0;
   }

@@ -77,7 +77,7 @@ export class RigidTable {
   order: usize;
   free: usize;
   freeCount: i32;
-  lostCount: u32;
+  droppedCount: u32;
   // Blocks of contacts that the solver goes through, and where each color begins and ends among their lanes.
   blocks: usize;
   blockCapacity: i32;
