@@ -5,6 +5,7 @@ import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { hasAnyComponent, staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkValues, completeValues, initialValues } from '../ecs/values.ts';
+import { describe } from '../errors/physics-error.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 
@@ -97,7 +98,7 @@ export function despawn(world: PhysicsWorld, eid: number): void {
     despawnLater(world, eid);
     return;
   }
-  if (!hasAnyComponent(world, eid)) throw staleError(eid, `there is no body ${String(eid)} in this world.`);
+  if (!hasAnyComponent(world, eid)) throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
   removeEntityCompletely(world, eid);
 }
 
@@ -105,7 +106,7 @@ function despawnLater(world: PhysicsWorld, eid: number): void {
   const { leaving, deferredEdits } = world.internal;
   // Asks bitECS rather than the rows: bodies created in this step have no rows yet, and others may be removed already.
   if (!Number.isInteger(eid) || !entityExists(world, eid) || !hasAny(world, eid)) {
-    throw staleError(eid, `there is no body ${String(eid)} in this world.`);
+    throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
   }
   const components = contextOf(world).entityComponents.get(eid);
   if (leaving.get(eid) === components) return;

@@ -1,5 +1,5 @@
 import { PhysicsError } from '../errors/physics-error.ts';
-import type { Bounds } from '../errors/validate.ts';
+import { type Bounds, checkObject } from '../errors/validate.ts';
 
 /** A column of real numbers: f32 or f64 according to the world's precision. */
 export type RealColumn = Float32Array | Float64Array;
@@ -48,6 +48,7 @@ interface FieldOptions {
 
 /** A field of real numbers. */
 export function real(unit: string, options: FieldOptions = {}): FieldSpec<'real'> {
+  checkObject(options, 'the options of a field');
   const { initial = 0, bounds = {}, hint, infinite, spatial } = options;
   return { kind: 'real', unit, initial, bounds, hint, infinite, spatial };
 }

@@ -1,8 +1,10 @@
 // Evaluates all forces of a world into the force columns: first the forces that are not laws, kernel by kernel, then
 // all laws in one loop. Used by integrators that choose their own stages, and if some force is not a law.
 
+import { assertUsable } from '../ecs/guards.ts';
 import { clearForcesOfImmovable } from '../ecs/partial-entities.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
+import { checkNumber, mustBe } from '../errors/validate.ts';
 import type { LoopSource, Store } from '../laws/emit-loop.ts';
 import { type Axes, zeroVector } from '../laws/vector-algebra.ts';
 import { AXES } from '../memory/axes.ts';
@@ -21,7 +23,11 @@ import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 /** Length of the step for which forces were last prepared, s. */
 const preparedFor = resource(() => ({ dt: 0 }));
 
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_DESTROYED */
 export const evaluateForces: EvaluateForces = (world, ranges, time) => {
+  assertUsable(world);
+  if (ranges?.bounds === undefined) throw mustBe('ranges of rows, such as `world.ranges`', ranges, 'ranges');
+  checkNumber(time, 'time');
   const lawLoop = lawLoopOf(world);
   if (lawLoop === undefined || lawLoop.addsToColumns) accumulateKernels(world, ranges, time);
   if (lawLoop !== undefined) {

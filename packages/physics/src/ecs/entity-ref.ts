@@ -1,5 +1,5 @@
 import { bitOf } from '../components/all.ts';
-import { PhysicsError } from '../errors/physics-error.ts';
+import { describe, PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { isLeaving } from './bitecs-adapter.ts';
 import { assertUsable } from './guards.ts';
@@ -54,7 +54,7 @@ export function isAlive(world: PhysicsWorld, ref: EntityRef): boolean {
  */
 export function resolve(world: PhysicsWorld, ref: EntityRef): number {
   if (isAlive(world, ref)) return ref % ID_SPAN;
-  throw new PhysicsError('E_STALE', `the body of reference ${String(ref)} was removed.`, {
+  throw new PhysicsError('E_STALE', `the body of reference ${describe(ref)} was removed.`, {
     entity: typeof ref === 'number' ? ref % ID_SPAN : undefined,
     value: ref,
     hint: 'Call `isAlive(world, ref)` before using a reference whose body may have been removed.',
@@ -84,7 +84,7 @@ export function hasAnyComponent(world: PhysicsWorld, eid: number): boolean {
  * @throws PhysicsError E_STALE if `eid` is not a body, E_DESTROYED
  */
 export function assertBody(world: PhysicsWorld, eid: number): void {
-  if (!isBody(world, eid)) throw staleError(eid, `there is no body ${String(eid)} in this world.`);
+  if (!isBody(world, eid)) throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
 }
 
 export function staleError(eid: number, problem: string): PhysicsError {

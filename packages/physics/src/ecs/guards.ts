@@ -6,7 +6,7 @@ import { contextOf } from './bitecs-adapter.ts';
  * @throws PhysicsError E_DESTROYED, or E_TYPE if the argument is not a world
  */
 export function assertUsable(world: PhysicsWorld): void {
-  if (world?.internal === undefined) {
+  if (world?.internal?.arena === undefined) {
     throw new PhysicsError('E_TYPE', 'the first argument must be a world made by createPhysicsWorld.');
   }
   if (world.state === 'destroyed') throw new PhysicsError('E_DESTROYED', 'this world was destroyed.');

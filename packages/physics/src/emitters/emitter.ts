@@ -125,9 +125,14 @@ function stopMotion({ numbers }: MemoryRecord): void {
   numbers.copyWithin(N.lastX, N.x, N.x + 3);
 }
 
-/** @throws PhysicsError E_DESTROYED (the world), E_STALE (the emitter) */
-function recordOf(emitter: Emitter): MemoryRecord {
+/** @throws PhysicsError E_TYPE */
+function checkEmitter(emitter: Emitter): void {
   if (emitter?.internal === undefined) throw mustBe('an emitter made by createEmitter', emitter, 'emitter');
+}
+
+/** @throws PhysicsError E_TYPE, E_DESTROYED (the world), E_STALE (the emitter) */
+function recordOf(emitter: Emitter): MemoryRecord {
+  checkEmitter(emitter);
   const { world, internal } = emitter;
   assertUsable(world);
   checkRestored(emitter);
@@ -293,6 +298,7 @@ export function endings(emitter: Emitter): Endings {
  * @throws PhysicsError E_DESTROYED
  */
 export function destroyEmitter(emitter: Emitter): void {
+  checkEmitter(emitter);
   const { world, internal } = emitter;
   assertUsable(world);
   whenIdle(world, () => {

@@ -53,12 +53,14 @@ export function mustBe(
 export function unknownName(
   what: string,
   kind: string,
-  name: string,
+  name: unknown,
   known: readonly string[],
   entity?: number,
 ): PhysicsError {
   const hint = `Valid: ${known.join(', ') || 'none'}.`;
-  return new PhysicsError('E_UNKNOWN', `${what} has no ${kind} "${name}".`, { entity, field: name, value: name, hint });
+  const field = typeof name === 'string' ? name : kind;
+  const text = typeof name === 'string' ? `"${name}"` : describe(name);
+  return new PhysicsError('E_UNKNOWN', `${what} has no ${kind} ${text}.`, { entity, field, value: name, hint });
 }
 
 /** Returns whether `checkNumber` accepts the value. */

@@ -1,5 +1,6 @@
 // Prints expressions as formulas: as plain text for terminals, or as LaTeX for pages.
 
+import { checkObject } from '../errors/validate.ts';
 import type { Law, Parameter } from '../world/types.ts';
 import type { ColumnData } from './body-symbols.ts';
 import type { Expression } from './expression.ts';
@@ -53,6 +54,7 @@ interface Printed {
 
 /** Returns the formulas of a law: its force, acceleration, torque and potential. */
 export function formulasOf(law: Law, kind: 'text' | 'latex' = 'text'): string[] {
+  checkObject(law, 'formulasOf: law');
   const style = kind === 'text' ? text : latex;
   const parts: [string, Expression | undefined][] = [
     [style.vector('F'), law.force],

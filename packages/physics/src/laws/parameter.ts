@@ -1,6 +1,6 @@
 // Parameters of laws: numbers and vectors with units, constant or functions of time. Their values are in the world's
 // memory, so changing them does not recompile.
-import { type Bounds, checkKeys, checkNumber, type VectorInput } from '../errors/validate.ts';
+import { type Bounds, checkKeys, checkNumber, checkObject, type VectorInput } from '../errors/validate.ts';
 import type { Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
 import { Scalar, Vector } from './expression.ts';
 import { timeVector, type VectorOverTime } from './time-vector.ts';
@@ -16,6 +16,7 @@ export function scalar(
 ): Optional<number>;
 export function scalar(unit: string, options?: ParameterOptions<number>): Parameter<number>;
 export function scalar(unit: string, options: ParameterOptions<number> = {}): Parameter<number> {
+  checkObject(options, 'the options of a parameter');
   const { default: byDefault, ...bounds } = options;
   return { kind: 'scalar', unit, bounds, size: 1, overTime: false, byDefault };
 }
@@ -70,6 +71,7 @@ function vectorParameter<Input>(
   options: ParameterOptions<Input>,
   overTime: boolean,
 ): Parameter<Input> {
+  checkObject(options, 'the options of a parameter');
   const { default: byDefault, ...bounds } = options;
   return { kind, unit, bounds, size: 3, overTime, byDefault };
 }

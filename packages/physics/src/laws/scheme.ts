@@ -1,6 +1,7 @@
 // Integrators with a fixed number of stages, written as expressions: the state after the step, and the states and times
 // at which the forces are evaluated.
 
+import { checkObject } from '../errors/validate.ts';
 import type { Parameter, ParameterSource, Scheme } from '../world/types.ts';
 import { Scalar, scalarOf, Vector, vectorOf } from './expression.ts';
 import { structureOf } from './structure.ts';
@@ -76,6 +77,7 @@ export function recordScheme(step: SchemeFunction, options: SchemeOptions = {}):
       parameter.kind === 'scalar' ? new Scalar('parameter', [], parameter) : new Vector('parameter', [], parameter),
     ),
   );
+  checkObject(result, 'defineIntegrator: the result of the function');
   const { position, velocity, memory: memoryVectors = [] } = result;
   const formulas = {
     position,

@@ -1,5 +1,5 @@
 import { assertUsable } from '../ecs/guards.ts';
-import { checkFunction, checkObject } from '../errors/validate.ts';
+import { checkFlag, checkFunction, checkKeys, checkObject } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The key of a resource. */
@@ -38,9 +38,11 @@ export function isImmutable(value: object): boolean {
  */
 export function resource<T>(
   create: (world: PhysicsWorld) => T,
-  { outlives = false }: { readonly outlives?: boolean } = {},
+  options: { readonly outlives?: boolean } = {},
 ): (world: PhysicsWorld) => T {
   checkFunction(create, 'resource: create');
+  checkKeys(options, 'resource', ['outlives']);
+  const outlives = checkFlag(options.outlives, 'resource.outlives');
   const key = new ResourceKey(outlives);
   return (world) => {
     assertUsable(world);

@@ -40,7 +40,8 @@ const dispatchedBy = resource(() => new Set<EventName>(['fault']), { outlives: t
  */
 export function on<Name extends EventName>(world: PhysicsWorld, name: Name, handler: Handler<Name>): () => void {
   const listeners = listenersOf(world);
-  if (!Object.hasOwn(listeners, name)) throw unknownName('a world', 'event', String(name), Object.keys(listeners));
+  if (typeof name !== 'string' || !Object.hasOwn(listeners, name))
+    throw unknownName('a world', 'event', name, Object.keys(listeners));
   checkFunction(handler, 'handler');
   const lists = listeners as { [N in EventName]: readonly Listener<Name>[] };
   const listener = { handler, removed: false };

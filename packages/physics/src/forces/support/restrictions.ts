@@ -1,6 +1,6 @@
 // The validated limits of a restricted force.
 import { bitOf, COMPONENT_NAMES, type ComponentName } from '../../components/all.ts';
-import { PhysicsError } from '../../errors/physics-error.ts';
+import { describe, PhysicsError } from '../../errors/physics-error.ts';
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { LENGTH_BOUNDS, POSITION_BOUNDS } from './bounds.ts';
 
@@ -56,7 +56,7 @@ function groupBits(group: Restrictions['group']): number {
   let bits = 0;
   for (const name of typeof group === 'string' ? [group] : group) {
     if (!COMPONENT_NAMES.includes(name)) {
-      throw new PhysicsError('E_UNKNOWN', `restrictForce.group: "${String(name)}" is not a component.`, {
+      throw new PhysicsError('E_UNKNOWN', `restrictForce.group: ${describe(name)} is not a component.`, {
         field: 'group',
         value: name,
         hint: `Valid names: ${COMPONENT_NAMES.join(', ')}.`,
