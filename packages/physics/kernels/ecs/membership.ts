@@ -3,8 +3,8 @@
 const BLOCK: i32 = 16;
 
 // Writes ascending ranges [first, last) of whole 16-row blocks with at least one row that has all `required` bits, as
-// pairs of i32 at `ranges`, and returns their number. Ranges closer than `gap` blocks are joined: processing a few empty
-// rows costs less than another call.
+// pairs of i32 at `ranges`, and returns their number. Ranges closer than `gap` blocks are joined: processing a few
+// empty rows costs less than another call.
 export function buildRanges(members: usize, required: u32, rows: i32, gap: i32, ranges: usize): i32 {
   const requiredBits = i32x4.splat(required);
   let count = 0;

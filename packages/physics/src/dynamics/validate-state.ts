@@ -127,8 +127,8 @@ const LIMITS = [
 ] as const;
 
 /**
- * Quarantines a body with an invalid value. A finite speed beyond the limit that a force or contact has caused is clamped
- * instead; one that user code has written would carry the body thousands of kilometres within the step.
+ * Quarantines a body with an invalid value. A finite speed beyond the limit that a force or contact has caused is
+ * clamped instead; one that user code has written would carry the body thousands of kilometres within the step.
  */
 function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string): void {
   for (const [name, limit] of LIMITS) {
