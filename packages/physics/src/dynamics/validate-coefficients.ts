@@ -55,8 +55,8 @@ const ROUND = 64;
  */
 export function validateCoefficients(world: PhysicsWorld): void {
   const { counts, sweptRows } = world.internal;
-  const part = 16 * Math.ceil(sweptRows / 16 / ROUND);
-  const start = part * (world.tick % ROUND);
+  const rowsPerStep = 16 * Math.ceil(sweptRows / 16 / ROUND);
+  const start = rowsPerStep * (world.tick % ROUND);
   const isCoupled = couplesBodies(world);
   for (let c = 0; c < COEFFICIENTS.length; c++) {
     const coefficient = COEFFICIENTS[c];
@@ -64,7 +64,7 @@ export function validateCoefficients(world: PhysicsWorld): void {
     // A bad engine would burn its fuel within the step.
     const isUrgent = (isCoupled && coefficient.isShared) || coefficient.component === 'Engine';
     if (isUrgent) checkRows(world, coefficient, 0, sweptRows);
-    else if (start < sweptRows) checkRows(world, coefficient, start, Math.min(start + part, sweptRows));
+    else if (start < sweptRows) checkRows(world, coefficient, start, Math.min(start + rowsPerStep, sweptRows));
   }
 }
 
