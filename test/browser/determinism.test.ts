@@ -3,6 +3,7 @@ import { afterAll, beforeAll, expect, test } from 'vitest';
 import { chaosHashes } from '../support/chaos.ts';
 import { launchChromium } from '../support/chromium.ts';
 import { openPage, type ServedPage, servePage } from '../support/page.ts';
+import { sceneHashes } from '../support/scene-hashes.ts';
 
 let browser: Browser;
 let served: ServedPage;
@@ -19,10 +20,10 @@ afterAll(async () => {
   await served?.close();
 });
 
-test('a chaotic scene ends in the same bits in Node and in Chromium', async () => {
+test('chaotic worlds and every scene end in the same bits in Node and in Chromium', async () => {
   const { page, errors } = await openPage(browser, served.url);
-  const found = await page.evaluate('chaosHashes()');
+  const found = await page.evaluate('[chaosHashes(), sceneHashes()]');
   expect(errors).toEqual([]);
-  expect(found).toEqual(chaosHashes());
+  expect(found).toEqual([chaosHashes(), sceneHashes()]);
   await page.close();
 });

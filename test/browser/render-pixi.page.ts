@@ -1,5 +1,6 @@
 /** The page of `render-pixi.test.ts`: builds pictures with the pixi layers and hands back their pixels. */
-import { SHAPES } from '@principia/render-core';
+import { box, capsule, createPhysicsWorld, polygon, type Shape, segment, spawn } from '@principia/physics';
+import { SHAPES, worldSource } from '@principia/render-core';
 import {
   applyCamera,
   createBodyLayer,
@@ -96,6 +97,19 @@ function place(source: TestBodySource, id: number, x: number, y: number, size: n
   source.previousAngle[id] = angle;
   source.size[id] = size;
   source.color[id] = color;
+}
+
+/** One collider of each kind, some 80 m across. */
+function colliderShapes(): Shape[] {
+  const corners = [0, 1, 2, 3, 4].map((i) => ({ x: 40 * Math.cos(1.25 * i), y: 30 * Math.sin(1.25 * i) }));
+  return [
+    box(80, 50),
+    box(80, 50, { rounding: 15 }),
+    capsule(50, 15),
+    polygon(corners),
+    polygon(corners.slice(0, 3), { rounding: 6 }),
+    segment({ x: -40 }, { x: 40 }),
+  ];
 }
 
 /** All five shapes, some turned, some translucent: a picture worth comparing between back ends. */
@@ -244,8 +258,52 @@ export const lab = {
     return stage.shoot();
   },
 
+  /** Light of each shape that a collider can have, alone and filled: its area and where it is, beside what they must be. */
+  async colliders(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const seen = colliderShapes().map((shape) => {
+      const world = createPhysicsWorld({ capacity: 2000, precision: 'f32' });
+      const [x, y] = [12, -7];
+      spawn(world, {
+        position: { x, y },
+        rotation: 0.4,
+        collider: { shape },
+        appearance: { color: 0xffffffff },
+      });
+      const layer = createBodyLayer({ source: worldSource(world) });
+      stage.world.addChild(layer.container);
+      layer.update(1);
+      const found = light(stage.shoot());
+      layer.destroy();
+      return { kind: shape.kind, area: found.area, expected: shape.area, offX: found.x - x, offY: found.y - y };
+    });
+    stage.close();
+    return seen;
+  },
+
+  /** Leaves a picture of all collider shapes, filled with a rim above and as outlines below, on the page. */
+  async showColliders(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const world = createPhysicsWorld({ capacity: 2000 });
+    const colors = [0xff5ec8ff, 0xff7de0ff, 0xffff9fff, 0xffd98cff, 0xff6ee7ff, 0xffffffff];
+    for (const [i, shape] of colliderShapes().entries()) {
+      for (const [row, kind] of [SHAPES.disc, SHAPES.ring].entries()) {
+        spawn(world, {
+          position: { x: 42 * i - 105, y: 50 - 100 * row },
+          rotation: 0.3 * i,
+          collider: { shape },
+          appearance: { color: colors[i], shape: kind, size: 20 },
+        });
+      }
+    }
+    const layer = createBodyLayer({ source: worldSource(world), rimWidth: 2 });
+    stage.world.addChild(layer.container);
+    layer.update(1);
+    return stage.shoot();
+  },
+
   /** Pixels in which WebGL and WebGPU disagree, at all and by more than rounding, and the lit area. */
-  async backendsDiffer(show: 'showShapes' | 'showAll') {
+  async backendsDiffer(show: 'showShapes' | 'showAll' | 'showColliders') {
     const gl = await lab[show]('webgl');
     const gpu = await lab[show]('webgpu');
     return { lit: light(gl).area, exact: differing(gl, gpu), beyondRounding: differing(gl, gpu, 2) };

@@ -68,6 +68,15 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
     expect(faded / areas[2]).toBeCloseTo(0.5, 2);
   });
 
+  it('draws the shape of each collider, turned by its angle', async () => {
+    const seen = await page.evaluate((b) => pixiLab.colliders(b), backend);
+    for (const { kind, area, expected, offX, offY } of seen) {
+      // A segment of 80 m is drawn as a line of 1.5 pixels.
+      expect(area / (kind === 'segment' ? 80 * 1.5 : expected)).toBeCloseTo(1, kind === 'segment' ? 1 : 2);
+      expect(Math.hypot(offX, offY)).toBeLessThan(0.05);
+    }
+  });
+
   it('draws a population with holes as it grows and shrinks', async () => {
     const counts = [10, 3000, 4096, 100, 0];
     const lights = await page.evaluate(([b, c]) => pixiLab.population(b, c), [backend, counts] as const);
@@ -116,11 +125,14 @@ describe.each<Backend>(['webgl', 'webgpu'])('trails and lines with %s', (backend
 describe('bodies', () => {
   useFreshPage();
 
-  it.each(['showShapes', 'showAll'] as const)('look the same in WebGL and WebGPU: %s', async (show) => {
-    const seen = await page.evaluate((s) => pixiLab.backendsDiffer(s), show);
-    expect(seen.lit).toBeGreaterThan(3000);
-    expect(seen.beyondRounding).toBe(0);
-  });
+  it.each(['showShapes', 'showAll', 'showColliders'] as const)(
+    'look the same in WebGL and WebGPU: %s',
+    async (show) => {
+      const seen = await page.evaluate((s) => pixiLab.backendsDiffer(s), show);
+      expect(seen.lit).toBeGreaterThan(3000);
+      expect(seen.beyondRounding).toBe(0);
+    },
+  );
 
   it('come back unchanged after the context was lost', async () => {
     const seen = await page.evaluate(() => pixiLab.contextLoss());

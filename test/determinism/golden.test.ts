@@ -8,6 +8,7 @@
  */
 import { expect, it } from 'vitest';
 import { chaosHashes } from '../support/chaos.ts';
+import { sceneHashes } from '../support/scene-hashes.ts';
 
 it('1 500 steps of chaotic scenes end where they always ended', { timeout: 30_000 }, () => {
   expect(chaosHashes()).toEqual({
@@ -16,4 +17,27 @@ it('1 500 steps of chaotic scenes end where they always ended', { timeout: 30_00
     '3D f32': '392a4bd99888cfca',
     '3D f64': '74ea4dd9ad1713f5',
   });
+});
+
+it('240 steps of every scene end where they always ended', () => {
+  expect(sceneHashes()).toMatchInlineSnapshot(`
+    {
+      "attractors": "2777c379c355bcec",
+      "black-hole": "e70744aaf492d90f",
+      "bouncing-balls": "0333dfe705c51ec6",
+      "circles": "6f26557c9b4c24bb",
+      "cloth": "5dffac56cde82676",
+      "emitters": "abddb031d9398eaf",
+      "fireworks": "221c65b03e030b93",
+      "galaxy": "702381d7d241eebf",
+      "gas": "8a5c399a04e77aea",
+      "nbody-direct": "39ef8796d15dfc35",
+      "nbody-tree": "ddd31645c01e433a",
+      "particles": "dcd8a69771fd17d6",
+      "plasma": "8088946b47a727e0",
+      "rope": "dd59fcd83d628992",
+      "solar-system": "c3c20eeb71567dfe",
+      "springs": "2f827429c1ac197b",
+    }
+  `);
 });

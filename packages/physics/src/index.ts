@@ -1,10 +1,19 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
 
+export type { ShapeInput } from './bodies/collider-shape.ts';
 export { applyImpulse, type ExplosionOptions, explode } from './bodies/impulse.ts';
 export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia.ts';
 export type { Many, ManyInput } from './bodies/many.ts';
+export { setShape } from './bodies/set-shape.ts';
 export { type BodyInput, despawn, spawn } from './bodies/spawn.ts';
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';
+export { box, type RoundingOptions } from './collision/shapes/2d/box.ts';
+export { capsule } from './collision/shapes/2d/capsule.ts';
+export { circle } from './collision/shapes/2d/circle.ts';
+export { polygon } from './collision/shapes/2d/polygon.ts';
+export { segment } from './collision/shapes/2d/segment.ts';
+export type { PointInput, Shape } from './collision/shapes/2d/shape.ts';
+export { shapeAt, shapeCount } from './collision/shapes/shape-pool.ts';
 export { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from './components/all.ts';
 export { rgba } from './components/appearance.ts';
 export {
@@ -120,6 +129,14 @@ export { velocityVerlet } from './integrators/velocity-verlet.ts';
 export { type WisdomHolmanOptions, wisdomHolman } from './integrators/wisdom-holman.ts';
 export { yoshida4 } from './integrators/yoshida4.ts';
 export { yoshida6 } from './integrators/yoshida6.ts';
+export { createJoint, endedJoints, jointForce } from './joints/create-joint.ts';
+export { type DistanceOptions, distance } from './joints/distance.ts';
+export type { JointInput, JointLimits, JointMotor, JointOptions, JointSpring } from './joints/joint-input.ts';
+export type { EndedJoints } from './joints/joint-table.ts';
+export { type PrismaticOptions, prismatic } from './joints/prismatic.ts';
+export { type RevoluteOptions, revolute } from './joints/revolute.ts';
+export { type WeldOptions, weld } from './joints/weld.ts';
+export { type WheelOptions, wheel } from './joints/wheel.ts';
 export type { Precision } from './kernels/instantiate.ts';
 export type { BodySymbols, ReadSymbols, Reads } from './laws/body-symbols.ts';
 export {
@@ -164,8 +181,14 @@ export {
 export { planeWalls } from './particle-contacts/plane-walls.ts';
 export { segmentWalls } from './particle-contacts/segment-walls.ts';
 export { particleContacts } from './presets/particle-contacts.ts';
+export { rigidBodies } from './presets/rigid-bodies.ts';
 export { standard } from './presets/standard.ts';
+export type { Hit, PoseInput, QueryFilter } from './queries/body-query.ts';
+export { castShape, castShapeAll } from './queries/cast-shape.ts';
+export { type NearestPoint, type NearestPointOptions, nearestPoint } from './queries/nearest-point.ts';
+export { overlapShape } from './queries/overlap-shape.ts';
 export { bodyAt, type PickOptions } from './queries/pick.ts';
+export { rayCast, rayCastAll } from './queries/ray-cast.ts';
 export { keepState } from './snapshot/keep-state.ts';
 export { restore, type Snapshot, snapshot } from './snapshot/snapshot.ts';
 export { type Cloth, type ClothOptions, createCloth } from './soft-bodies/cloth.ts';
@@ -175,6 +198,8 @@ export type { Network, SpringOptions } from './soft-bodies/network.ts';
 export { movePin, pin, unpin } from './soft-bodies/pins.ts';
 export { createRope, type RopeOptions } from './soft-bodies/rope.ts';
 export { createSoftBody, type SoftBody, type SoftBodyOptions } from './soft-bodies/soft-body.ts';
+export { asleepCount, isAsleep, wake } from './solver/sleep.ts';
+export { type SoftStepOptions, softStep } from './solver/soft-step.ts';
 export { createPhysicsWorld, destroyWorld, type PhysicsWorldOptions } from './world/create-world.ts';
 export { type EventMap, type EventName, type Handler, on } from './world/event-handlers.ts';
 export {

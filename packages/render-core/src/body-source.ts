@@ -1,6 +1,22 @@
 /** A column of real numbers as the world stores it: `Float32Array` in an f32 world, `Float64Array` in an f64 one. */
 export type RealColumn = Float32Array | Float64Array;
 
+/** Outlines of colliders, for shaders. */
+export interface Outlines {
+  /**
+   * `OUTLINE_TEXELS` numbers for each outline: number of vertices, rounding, greatest distance from the origin, an unused
+   * one, then x and y of each vertex, metres. Its length is a multiple of 1024; the first outline is unused.
+   */
+  readonly texels: Float32Array;
+  /** Numbers in use, from the start. */
+  readonly used: number;
+  /** Changes when they may have changed. */
+  readonly version: number;
+}
+
+/** Numbers that an outline takes: four and up to eight vertices. */
+export const OUTLINE_TEXELS = 20;
+
 /**
  * The data that a renderer reads from a world: columns indexed by entity id, a dense list of the ids to draw, and
  * version counters that say when a column must be uploaded again. Columns have `rows` values, a multiple of 1024, so a
@@ -37,6 +53,10 @@ export interface BodySource {
   readonly color: Uint32Array;
   /** Shape kind, see `SHAPES`. */
   readonly shape: Uint32Array;
+  /** Number of the outline of the collider in `outlines`, 0 for a disc or ball. If omitted, all are. */
+  readonly outline?: Uint32Array;
+  /** The outlines that colliders have. */
+  readonly outlines?: Outlines;
   /**
    * The ids to draw, ascending: `ids[0 … count)`. The array may be replaced; read it again when `membership` changed.
    */

@@ -1,4 +1,4 @@
-export type { BodySource, RealColumn } from './body-source.ts';
+export { type BodySource, OUTLINE_TEXELS, type Outlines, type RealColumn } from './body-source.ts';
 export {
   type Bounds2,
   type Camera2D,

@@ -1,11 +1,12 @@
 /**
  * Kinds of shape a renderer can draw for a body, as stored in `BodySource.shape`. Every shape fills the body's drawn
- * radius: a disc of that radius, or a square of that half-width.
+ * radius: a disc of that radius, or a square of that half-width. Where the collider has another shape than a disc, `disc`, `ring` and `markedDisc`
+ * draw that shape.
  */
 export const SHAPES = {
-  /** Filled disc; the default. */
+  /** Filled disc, or the filled shape of the collider; the default. */
   disc: 0,
-  /** Circle outline. */
+  /** Outline of the disc or of the collider. */
   ring: 1,
   /** Filled square with half-width `size`, rotated by the body's angle. */
   box: 2,

@@ -1,5 +1,6 @@
 import { bodies, type PhysicsWorld } from '@principia/physics';
 import type { BodySource } from './body-source.ts';
+import { OutlineTable } from './outline-table.ts';
 
 /** Restoring a snapshot resets the version counters; this offset keeps them unique for renderers. */
 const RESTORE_OFFSET = 2 ** 32;
@@ -8,6 +9,7 @@ const RESTORE_OFFSET = 2 ** 32;
 export function worldSource(world: PhysicsWorld): BodySource {
   const { components, previous, versions } = world;
   const { Position, Rotation, Orientation, Collider, Appearance } = components;
+  const outlines = new OutlineTable();
   return {
     dimensions: world.dimensions,
     rows: world.rows,
@@ -21,6 +23,10 @@ export function worldSource(world: PhysicsWorld): BodySource {
     size: Appearance.size,
     color: Appearance.color,
     shape: Appearance.shape,
+    outline: Collider.shape,
+    get outlines() {
+      return outlines.refresh(world);
+    },
     get ids() {
       return bodies(world).ids;
     },

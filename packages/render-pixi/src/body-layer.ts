@@ -16,7 +16,9 @@ export interface BodyLayerOptions {
   blendMode?: 'normal' | 'add';
   /** Smallest drawn radius, physical pixels; default 0.5. */
   minimumPixels?: number;
-  /** False ignores the angles of boxes and marked discs. Default true. */
+  /** Width of a darker rim of filled shapes, CSS pixels; default 0. */
+  rimWidth?: number;
+  /** False ignores the angles of boxes, marked discs and colliders. Default true. */
   rotation?: boolean;
 }
 
@@ -41,21 +43,23 @@ export interface BodyLayer {
 }
 
 /**
- * Draws every body of a source as a disc, ring, box, marked disc or glow. The GPU reads the world's columns by entity
+ * Draws every body of a source as the shape of its collider, or as a disc, ring, box, marked disc or glow. The GPU reads the world's columns by entity
  * id, so the cost in JavaScript is one upload per changed column, independent of the number of bodies.
  *
  * @throws Error when an option is out of range or the source's rows are not a multiple of 1024
  */
 export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
   const { source, pixelsPerMetre = 1, defaultColor = 0x4f9dde, blendMode = 'normal' } = options;
-  const { minimumPixels = 0.5, rotation = true } = options;
+  const { minimumPixels = 0.5, rotation = true, rimWidth = 0 } = options;
   const color = new Float32Array(4);
   writeColor(color, defaultColor);
   if (!(minimumPixels > 0)) throw new Error(`minimumPixels must be above zero, got ${minimumPixels}`);
+  if (!(rimWidth >= 0)) throw new Error(`rimWidth must be zero or more, got ${rimWidth}`);
   const textures = SourceTextures.acquire(source);
   const mesh = new PullMesh(BODY_PROGRAM, bindings(textures), pixelsPerMetre, blendMode);
   mesh.uniforms.uDefaultColor = color;
   mesh.uniforms.uMinimumPixels = minimumPixels;
+  mesh.uniforms.uRim = rimWidth;
   let live = true;
 
   return {
@@ -94,5 +98,7 @@ function bindings(textures: SourceTextures) {
     uSize: textures.size.texture.source,
     uBodyColor: textures.color.source,
     uShape: textures.shape.source,
+    uOutline: textures.outline.source,
+    uOutlines: textures.outlines.source,
   };
 }

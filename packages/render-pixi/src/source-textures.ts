@@ -1,6 +1,7 @@
 import {
   type BodySource,
   ColumnUpload,
+  OUTLINE_TEXELS,
   PosePair,
   type RealColumn,
   SHAPES,
@@ -52,12 +53,15 @@ export class SourceTextures {
   readonly size = new RealTexture();
   readonly color = new ColumnTexture('whole');
   readonly shape = new ColumnTexture('whole');
+  readonly outline = new ColumnTexture('whole');
+  readonly outlines = new ColumnTexture('real');
   readonly #source: BodySource;
   readonly #poses = new PosePair();
   readonly #positionSent = new UploadedPoses();
   readonly #angleSent = new UploadedPoses();
   readonly #style: Uploaded = { version: Number.NaN, membership: Number.NaN };
   #membership = Number.NaN;
+  #outlinesVersion = 0;
   #hasTurning = false;
   #idList: Uint32Array | undefined;
   #originX = 0;
@@ -86,7 +90,7 @@ export class SourceTextures {
     if (--this.#users > 0) return;
     SourceTextures.#shared.delete(this.#source);
     for (const { texture } of this.#reals()) texture.destroy();
-    for (const texture of [this.ids, this.color, this.shape]) texture.destroy();
+    for (const texture of [this.ids, this.color, this.shape, this.outline, this.outlines]) texture.destroy();
   }
 
   /** Where zero of the uploaded positions lies in the world, metres; (0, 0) for an f32 source. */
@@ -158,7 +162,20 @@ export class SourceTextures {
     this.size.upload(size, used);
     this.color.upload(color, used);
     this.shape.upload(shape, used);
-    this.#hasTurning = anyTurns(shape, used);
+    const hasOutlines = this.#syncOutlines(used);
+    this.#hasTurning = hasOutlines || anyTurns(shape, used);
+  }
+
+  /** Returns whether any collider has a shape other than a disc. A world without such shapes uploads nothing here. */
+  #syncOutlines(used: number): boolean {
+    const { outline, outlines } = this.#source;
+    if (outline === undefined || outlines === undefined || outlines.used <= OUTLINE_TEXELS) return false;
+    this.outline.upload(outline, used);
+    if (outlines.version !== this.#outlinesVersion) {
+      this.#outlinesVersion = outlines.version;
+      this.outlines.upload(outlines.texels, outlines.used);
+    }
+    return true;
   }
 
   /** Membership counts too, because rows above the former last id were never uploaded. */

@@ -23,6 +23,11 @@ export class Columns {
   // 0 if there is none.
   angularVelocityBit: u32;
   contacts: usize;
+  // Column `Collider.shape`; the first record of the shape pool (kernels/collision/shapes/2d/shape.ts) and the number of
+  // its records, both 0 while the world has no shape but circles. Index 0 belongs to none.
+  shape: usize;
+  shapes: usize;
+  shapeCount: i32;
 }
 
 // @ts-ignore: decorator

@@ -4,17 +4,20 @@ import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import type { WorldView } from '../ecs/body-references.ts';
 import { checkField, completeValues, fieldName, initialValues } from '../ecs/values.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkKeys, isRecord, isWithin, mustBe } from '../errors/validate.ts';
+import { checkKeys, isWithin, mustBe } from '../errors/validate.ts';
 import type { FieldValues } from '../world/types.ts';
 import { type BodyInput, componentOfKey, lacksVelocity } from './spawn.ts';
 
 /** A value for each body: one number for all, or an array with one number per body. */
 export type Many = number | ArrayLike<number>;
 
+/** A shape is one for all bodies. */
+type FieldsOfMany<Fields> = { readonly [F in keyof Fields]?: Many | Exclude<Fields[F], number> };
+
 /** Like `BodyInput`, with an array wherever bodies differ. */
 export type ManyInput = {
   readonly [Key in keyof BodyInput]?:
-    | { readonly [F in keyof Exclude<NonNullable<BodyInput[Key]>, number>]?: Many }
+    | FieldsOfMany<Exclude<NonNullable<BodyInput[Key]>, number>>
     | (Extract<NonNullable<BodyInput[Key]>, number> extends never ? never : Many)
     | undefined;
 };
@@ -30,9 +33,17 @@ export interface ComponentValues {
   readonly fields: readonly (readonly [string, Column])[];
 }
 
+/** Returns the values with the index of a shape in those of the collider. */
+export function withShape(components: readonly ComponentValues[], index: number): ComponentValues[] {
+  const setIndex = ({ name, fields }: ComponentValues): ComponentValues => ({
+    name,
+    fields: fields.map(([field, column]) => [field, field === 'shape' ? index : column] as const),
+  });
+  return components.map((component) => (component.name === 'Collider' ? setIndex(component) : component));
+}
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function checkMany(space: WorldView, values: ManyInput, count: number): ComponentValues[] {
-  if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
   const components: ComponentValues[] = [];
   for (const [key, data] of Object.entries(values)) {
     if (data === undefined) continue;

@@ -3,6 +3,7 @@
 // write of its membership mask and one small set. This uses bitECS's internal tables (public by its `$internal` symbol;
 // its version is pinned); a test compares the result with that of adding component by component.
 import { addEntity, type ComponentRef, type Query, type WorldContext } from 'bitecs';
+import { shapeIndex } from '../collision/shapes/shape-pool.ts';
 import { bitOf, type ComponentName } from '../components/all.ts';
 import { contextOf, queriesOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { ComponentSet } from '../ecs/component-set.ts';
@@ -11,9 +12,10 @@ import { assertUsable } from '../ecs/guards.ts';
 import { countPartialEntities } from '../ecs/partial-entities.ts';
 import { cleanRow } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkFunction, checkWhole } from '../errors/validate.ts';
+import { checkFunction, checkWhole, isRecord, mustBe } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { type Column, type ComponentValues, checkMany, type ManyInput } from './many.ts';
+import { resolveShape } from './collider-shape.ts';
+import { type Column, type ComponentValues, checkMany, type ManyInput, withShape } from './many.ts';
 
 /** Called during creation with the number of bodies created so far. */
 export type Progress = (created: number, count: number) => void;
@@ -37,7 +39,10 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
     });
   }
   ensureCapacity(world, count);
-  const components = checkMany(world, values, count);
+  if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
+  const { body, shape } = resolveShape(world, values);
+  const checked = checkMany(world, body, count);
+  const components = shape === undefined ? checked : withShape(checked, shapeIndex(world, shape));
   const ids = new Uint32Array(count);
   try {
     createEntities(world, components, ids, progress);

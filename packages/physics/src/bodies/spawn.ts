@@ -1,4 +1,6 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
+import type { Shape } from '../collision/shapes/2d/shape.ts';
+import { shapeIndex } from '../collision/shapes/shape-pool.ts';
 import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import { contextOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
@@ -8,6 +10,7 @@ import { checkValues, completeValues, initialValues } from '../ecs/values.ts';
 import { describe } from '../errors/physics-error.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
+import { type ResolvedInput, resolveShape, type ShapeInput } from './collider-shape.ts';
 
 type FieldsOf<Name extends ComponentName> = {
   readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: number;
@@ -21,10 +24,13 @@ type NamesWithScalar = {
     : never;
 }[ComponentName];
 
-/** The components of a new body: `{ position: { x: 1 }, velocity: { y: 2 }, mass: 3, collider: { radius: 0.5 } }`. */
+/**
+ * The components of a new body: `{ position: { x: 1 }, velocity: { y: 2 }, mass: 3, collider: { radius: 0.5 } }`, or with
+ * a shape `{ position: { x: 1 }, collider: { shape: box(1, 0.5), density: 1000 } }`.
+ */
 export type BodyInput = {
   readonly [Name in ComponentName as Uncapitalize<Name>]?:
-    | FieldsOf<Name>
+    | (Name extends 'Collider' ? Omit<FieldsOf<Name>, 'shape'> & ShapeInput : FieldsOf<Name>)
     | (Name extends NamesWithScalar ? number : never)
     | undefined;
 };
@@ -48,8 +54,10 @@ export function componentOfKey(key: string, caller: string): ComponentName {
  */
 export function spawn(world: PhysicsWorld, body: BodyInput): number {
   assertUsable(world);
-  const checked = checkBody(world, body);
+  const { body: resolved, shape } = resolveInput(world, body);
+  const checked = checkBody(world, resolved);
   ensureCapacity(world, 1);
+  if (shape !== undefined) storeShape(world, checked, shape);
   const eid = addEntity(world);
   try {
     for (const [name, values] of checked) {
@@ -65,8 +73,18 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
   return eid;
 }
 
-function checkBody(world: PhysicsWorld, body: BodyInput): [ComponentName, FieldValues][] {
+function resolveInput(world: PhysicsWorld, body: BodyInput): ResolvedInput<BodyInput> {
   if (!isRecord(body)) throw mustBe('an object', body, 'spawn');
+  return resolveShape(world, body);
+}
+
+/** Shapes enter the pool only when all values are known to be valid, so that an error leaves the world unchanged. */
+function storeShape(world: PhysicsWorld, checked: [ComponentName, FieldValues][], shape: Shape): void {
+  const index = shapeIndex(world, shape);
+  for (const [name, values] of checked) if (name === 'Collider') values.shape = index;
+}
+
+function checkBody(world: PhysicsWorld, body: BodyInput): [ComponentName, FieldValues][] {
   const checked: [ComponentName, FieldValues][] = [];
   for (const [key, data] of Object.entries(body)) {
     if (data === undefined) continue;

@@ -6,6 +6,7 @@ import type { ColumnsOf } from './define.ts';
 import { AngularDrag, LinearDrag, QuadraticDrag } from './drag.ts';
 import { Hull } from './hull.ts';
 import { Inertia } from './inertia.ts';
+import { Joint } from './joint.ts';
 import { Lift } from './lift.ts';
 import { Mass } from './mass.ts';
 import { Position } from './position.ts';
@@ -43,6 +44,7 @@ export const COMPONENTS = {
   Engine,
   TestParticle,
   Quarantined,
+  Joint,
 } as const;
 
 export type ComponentName = keyof typeof COMPONENTS;

@@ -1,10 +1,13 @@
-import { defineComponent, real } from './define.ts';
+import { defineComponent, real, u32 } from './define.ts';
 
-/** A round collider (disc in 2D, ball in 3D) at the body's position, and its surface properties. */
+/**
+ * The shape by which a body meets others, about its position, and how its surface behaves: a disc (2D) or a ball (3D) of
+ * `radius`, or in 2D a shape of the world's shape pool.
+ */
 export const Collider = defineComponent({
   scalar: 'radius',
   fields: {
-    /** Radius, m. */
+    /** Radius, or greatest distance of the surface of `shape` from the body's position, m. */
     radius: real('m', {
       initial: 0.5,
       bounds: { min: 1e-9, max: 1e12 },
@@ -14,5 +17,15 @@ export const Collider = defineComponent({
     restitution: real('', { initial: 0, bounds: { min: 0, max: 10 } }),
     /** Coulomb friction coefficient, static and kinetic. */
     friction: real('', { initial: 0, bounds: { min: 0, max: 100 } }),
+    /** Index into the world's shape pool, which `spawn` and `setShape` write; 0 is the disc or ball of `radius`. */
+    shape: u32('', { hint: 'Give a shape such as box(1, 0.5), or leave it out for a disc.' }),
+    /** Torque that resists rolling, as a fraction of normal force times radius. */
+    rollingResistance: real('', { bounds: { min: 0, max: 100 } }),
+    /** Speed of the surface along its tangent, m/s, as of a conveyor belt. */
+    tangentSpeed: real('m/s', { bounds: { min: -1e6, max: 1e6 } }),
+    /** Layers that the body is on, one bit each. */
+    layers: u32('', { initial: 1 }),
+    /** Layers that it collides with, one bit each: two bodies collide where each is on a layer of the other's mask. */
+    mask: u32('', { initial: 0xffffffff }),
   },
 });

@@ -1,10 +1,12 @@
+import { shapePool } from '../collision/shapes/shape-pool.ts';
 import { COMPONENT_NAMES, COMPONENTS } from '../components/all.ts';
 import { assertUsable } from '../ecs/guards.ts';
+import { SHAPE_BYTES } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /**
- * Returns a 64-bit hash of the world's state, which covers membership and every component column up to the highest
- * entity in use, as 16 hexadecimal digits. Equal states give equal hashes on every JavaScript engine; -0 counts as 0.
+ * Returns a 64-bit hash of the world's state, which covers membership, every component column up to the highest
+ * entity in use, and the shapes, as 16 hexadecimal digits. Equal states give equal hashes on every JavaScript engine; -0 counts as 0.
  * @throws PhysicsError E_DESTROYED
  */
 export function stateHash(world: PhysicsWorld): string {
@@ -21,6 +23,8 @@ export function stateHash(world: PhysicsWorld): string {
       else kernels.hashWords(address, rows);
     }
   }
+  const { at, count } = shapePool(world);
+  if (count > 1) kernels.hashWords(at, (count * SHAPE_BYTES[world.precision]) / 4);
   const hex = (word: number) => (word >>> 0).toString(16).padStart(8, '0');
   return hex(kernels.hashHigh()) + hex(kernels.hashLow());
 }

@@ -14,6 +14,7 @@ export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, memb
   table[ColumnsWord.radius] = at.Collider.radius;
   table[ColumnsWord.restitution] = at.Collider.restitution;
   table[ColumnsWord.friction] = at.Collider.friction;
+  table[ColumnsWord.shape] = at.Collider.shape;
   table[ColumnsWord.members] = members;
   table[ColumnsWord.angularVelocityBit] = bitOf('AngularVelocity');
 }
@@ -21,4 +22,11 @@ export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, memb
 /** Writes the address of the contact table for the kernels. */
 export function writeContactTable(memory: WebAssembly.Memory, at: number): void {
   new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4)[ColumnsWord.contacts] = at;
+}
+
+/** Writes where the shapes of a world lie, and their number. */
+export function writeShapePool(memory: WebAssembly.Memory, at: number, count: number): void {
+  const table = new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4);
+  table[ColumnsWord.shapes] = at;
+  table[ColumnsWord.shapeCount] = count;
 }

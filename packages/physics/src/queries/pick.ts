@@ -1,6 +1,9 @@
+import { distanceToShape } from '../collision/shapes/2d/distance-to-shape.ts';
+import { shapeAt } from '../collision/shapes/shape-pool.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { bodies } from '../ecs/ranges.ts';
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
+import { cos, sin } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Options of picking a body by a point. */
@@ -33,10 +36,20 @@ export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOpt
     const dz = (Position.z[id] - z) * depth;
     const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
     const reach = Math.max(Collider.radius[id], Appearance.size[id]) + margin;
-    if (distance <= reach && distance < nearest) {
+    if (distance <= reach && distance < nearest && isNearShape(world, id, -dx, -dy, margin)) {
       nearest = distance;
       found = id;
     }
   }
   return found;
+}
+
+/** Whether a point, given from the centre of a body, is within a distance of its shape; discs and balls have none. */
+function isNearShape(world: PhysicsWorld, id: number, x: number, y: number, margin: number): boolean {
+  const { Collider, Rotation } = world.components;
+  const shape = Collider.shape[id] > 0 ? shapeAt(world, Collider.shape[id]) : undefined;
+  if (shape === undefined) return true;
+  const angle = Rotation.angle[id];
+  const [c, s] = [cos(angle), sin(angle)];
+  return distanceToShape(shape, c * x + s * y, c * y - s * x) <= margin;
 }

@@ -1,11 +1,16 @@
+import { OUTLINE_TEXELS } from '@principia/render-core';
 import type { PullProgram } from './pull-program.ts';
 
 const TAU = '6.283185307179586';
 
 const glslVertex = `
+const int OUTLINE = ${OUTLINE_TEXELS};
 flat out vec4 vColor;
 flat out float vPixels;
 flat out int vShape;
+flat out int vOutline;
+flat out float vScale;
+flat out float vRim;
 out vec2 vLocal;
 
 /** The angle shown now: from the former to the present one along the shorter way. */
@@ -28,6 +33,11 @@ void main() {
   vLocal = corner * (1.0 + 1.0 / pixels);
   vPixels = pixels;
   vShape = int(whole(uShape, id));
+  int outline = OUTLINE * int(whole(uOutline, id));
+  float extent = outline > 0 ? real(uOutlines, outline + 2) : radius;
+  vOutline = outline;
+  vScale = pixels / max(extent, 1e-30);
+  vRim = uRim * pixelRatio();
   uint bytes = whole(uBodyColor, id);
   vColor = tinted(bytes == 0u ? uDefaultColor : rgba(bytes));
   float angle = shownAngle(id);
@@ -44,17 +54,46 @@ const glslFragment = `
 flat in vec4 vColor;
 flat in float vPixels;
 flat in int vShape;
+flat in int vOutline;
+flat in float vScale;
+flat in float vRim;
 in vec2 vLocal;
 
 /** How much of a pixel lies inside an edge that is \`distance\` pixels away, negative inside. */
 float inside(float distance) { return clamp(0.5 - distance, 0.0, 1.0); }
 
+vec2 corner(int i) {
+  return vScale * vec2(real(uOutlines, vOutline + 4 + 2 * i), real(uOutlines, vOutline + 5 + 2 * i));
+}
+
+/** Distance from the outline of the collider, pixels: from the nearest of its edges, less the rounding. */
+float outlineDistance(vec2 p) {
+  int count = int(real(uOutlines, vOutline));
+  float nearest = 1e30;
+  bool isInside = count > 2;
+  vec2 start = corner(count - 1);
+  for (int i = 0; i < count; i++) {
+    vec2 end = corner(i);
+    vec2 edge = end - start;
+    vec2 from = p - start;
+    vec2 off = from - edge * clamp(dot(from, edge) / dot(edge, edge), 0.0, 1.0);
+    nearest = min(nearest, dot(off, off));
+    if (edge.x * from.y - edge.y * from.x < 0.0) isInside = false;
+    start = end;
+  }
+  float rounding = real(uOutlines, vOutline + 1) * vScale;
+  // A segment has no width, and is drawn as a thin line.
+  return (isInside ? -sqrt(nearest) : sqrt(nearest)) - (count > 2 ? rounding : max(rounding, 0.75));
+}
+
 void main() {
   float r = length(vLocal);
-  float cover = inside((r - 1.0) * vPixels);
+  float distance = vOutline > 0 ? outlineDistance(vLocal * vPixels) : (r - 1.0) * vPixels;
+  float cover = inside(distance);
   vec3 rgb = vColor.rgb;
+  if (vRim > 0.0 && vShape != 1) rgb = mix(rgb, 0.45 * rgb, 1.0 - inside(distance + vRim));
   if (vShape == 1) {
-    cover *= 1.0 - inside((r - 1.0) * vPixels + max(0.14 * vPixels, 1.5));
+    cover *= 1.0 - inside(distance + max((vOutline > 0 ? 0.05 : 0.14) * vPixels, 1.5));
   } else if (vShape == 2) {
     vec2 edge = (abs(vLocal) - 1.0) * vPixels;
     cover = inside(edge.x) * inside(edge.y);
@@ -73,12 +112,16 @@ void main() {
 `;
 
 const wgsl = `
+const OUTLINE = ${OUTLINE_TEXELS};
 struct Varyings {
   @builtin(position) position: vec4<f32>,
   @location(0) @interpolate(flat) color: vec4<f32>,
   @location(1) @interpolate(flat) pixels: f32,
   @location(2) @interpolate(flat) shape: i32,
   @location(3) local: vec2<f32>,
+  @location(4) @interpolate(flat) outline: i32,
+  @location(5) @interpolate(flat) scale: f32,
+  @location(6) @interpolate(flat) rim: f32,
 }
 
 fn shownAngle(id: i32) -> f32 {
@@ -103,6 +146,9 @@ fn mainVertex(@builtin(vertex_index) vertex: u32) -> Varyings {
   out.local = corner * (1.0 + 1.0 / pixels);
   out.pixels = pixels;
   out.shape = i32(whole(uShape, id));
+  out.outline = OUTLINE * i32(whole(uOutline, id));
+  out.scale = pixels / max(select(radius, real(uOutlines, out.outline + 2), out.outline > 0), 1e-30);
+  out.rim = own.uRim * pixelRatio();
   out.color = tinted(select(rgba(bytes), own.uDefaultColor, bytes == 0u));
   let angle = shownAngle(id);
   let c = cos(angle);
@@ -117,13 +163,38 @@ fn mainVertex(@builtin(vertex_index) vertex: u32) -> Varyings {
 
 fn inside(distance: f32) -> f32 { return clamp(0.5 - distance, 0.0, 1.0); }
 
+fn corner(outline: i32, scale: f32, i: i32) -> vec2<f32> {
+  return scale * vec2<f32>(real(uOutlines, outline + 4 + 2 * i), real(uOutlines, outline + 5 + 2 * i));
+}
+
+fn outlineDistance(p: vec2<f32>, outline: i32, scale: f32) -> f32 {
+  let count = i32(real(uOutlines, outline));
+  var nearest = 1e30;
+  var isInside = count > 2;
+  var start = corner(outline, scale, count - 1);
+  for (var i = 0; i < count; i++) {
+    let end = corner(outline, scale, i);
+    let edge = end - start;
+    let away = p - start;
+    let off = away - edge * clamp(dot(away, edge) / dot(edge, edge), 0.0, 1.0);
+    nearest = min(nearest, dot(off, off));
+    if (edge.x * away.y - edge.y * away.x < 0.0) { isInside = false; }
+    start = end;
+  }
+  let rounding = real(uOutlines, outline + 1) * scale;
+  return select(sqrt(nearest), -sqrt(nearest), isInside) - select(max(rounding, 0.75), rounding, count > 2);
+}
+
 @fragment
 fn mainFragment(in: Varyings) -> @location(0) vec4<f32> {
   let r = length(in.local);
-  var cover = inside((r - 1.0) * in.pixels);
+  var distance = (r - 1.0) * in.pixels;
+  if (in.outline > 0) { distance = outlineDistance(in.local * in.pixels, in.outline, in.scale); }
+  var cover = inside(distance);
   var rgb = in.color.rgb;
+  if (in.rim > 0.0 && in.shape != 1) { rgb = mix(rgb, 0.45 * rgb, 1.0 - inside(distance + in.rim)); }
   if (in.shape == 1) {
-    cover *= 1.0 - inside((r - 1.0) * in.pixels + max(0.14 * in.pixels, 1.5));
+    cover *= 1.0 - inside(distance + max(select(0.14, 0.05, in.outline > 0) * in.pixels, 1.5));
   } else if (in.shape == 2) {
     let edge = (abs(in.local) - 1.0) * in.pixels;
     cover = inside(edge.x) * inside(edge.y);
@@ -143,7 +214,8 @@ fn mainFragment(in: Varyings) -> @location(0) vec4<f32> {
 
 /**
  * Draws bodies as quads, four vertices each, and cuts the shape out of each quad by its distance to the edge. Corners
- * are in units of the drawn radius, so a pixel's distance to the rim is a length times `pixels`.
+ * are in units of the drawn radius, so a pixel's distance to the rim is a length times `pixels`. Outlines of colliders
+ * are read by the index of the collider's shape, from a texture of their vertices.
  */
 export const BODY_PROGRAM: PullProgram = {
   name: 'principia-bodies',
@@ -159,8 +231,11 @@ export const BODY_PROGRAM: PullProgram = {
     uSize: 'real',
     uBodyColor: 'whole',
     uShape: 'whole',
+    uOutline: 'whole',
+    uOutlines: 'real',
   },
-  uniforms: { uDefaultColor: 'vec4<f32>', uAlpha: 'f32', uMinimumPixels: 'f32' },
+  fragmentTextures: ['uOutlines'],
+  uniforms: { uDefaultColor: 'vec4<f32>', uAlpha: 'f32', uMinimumPixels: 'f32', uRim: 'f32' },
   glsl: { vertex: glslVertex, fragment: glslFragment },
   wgsl,
 };

@@ -9,6 +9,8 @@ export interface PullProgram {
    * storage buffers, so columns are textures there too).
    */
   readonly textures: Readonly<Record<string, 'real' | 'whole'>>;
+  /** Those of them, of reals, that the fragment stage reads, too. */
+  readonly fragmentTextures?: readonly string[];
   /** The program's uniforms by name, widest types first so that WGSL needs no padding between them. */
   readonly uniforms: Readonly<Record<string, UniformType>>;
   /** Code after the header: `main` of either stage. */
@@ -41,6 +43,9 @@ precision highp int;
 precision highp sampler2D;
 precision highp usampler2D;
 `;
+  const access = `ivec2 texel(int i) { return ivec2(i & 1023, i >> 10); }
+float real(sampler2D column, int i) { return texelFetch(column, texel(i), 0).r; }
+`;
   const vertex = `${precision}
 uniform mat3 uProjectionMatrix;
 uniform mat3 uWorldTransformMatrix;
@@ -49,9 +54,7 @@ uniform vec2 uResolution;
 uniform mat3 uTransformMatrix;
 uniform vec4 uColor;
 ${[...uniforms, ...textures].join('\n')}
-ivec2 texel(int i) { return ivec2(i & 1023, i >> 10); }
-float real(sampler2D column, int i) { return texelFetch(column, texel(i), 0).r; }
-uint whole(usampler2D column, int i) { return texelFetch(column, texel(i), 0).r; }
+${access}uint whole(usampler2D column, int i) { return texelFetch(column, texel(i), 0).r; }
 mat3 metresToClip() { return uProjectionMatrix * uWorldTransformMatrix * uTransformMatrix; }
 vec4 clip(vec2 p) { return vec4((metresToClip() * vec3(p, 1.0)).xy, 0.0, 1.0); }
 float pixelsPerMetre() { return length(metresToClip()[0].xy * uResolution) * 0.5; }
@@ -63,7 +66,10 @@ vec4 rgba(uint bytes) {
 vec4 tinted(vec4 c) { return vec4(c.rgb * c.a, c.a) * uColor * uWorldColorAlpha; }
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
 `;
-  return { vertex, fragment: `${precision}out vec4 finalColor;\n` };
+  const shared = program.fragmentTextures?.map((name) => `uniform sampler2D ${name};\n`) ?? [];
+  // A uniform that both stages declare is one, and a stage may declare what it does not read.
+  const fragment = [precision, 'out vec4 finalColor;\n', ...uniforms.map((line) => `${line}\n`), ...shared, access];
+  return { vertex, fragment: fragment.join('') };
 }
 
 /** Start of the WGSL source, with the same functions as `glslHeader`. */
@@ -124,10 +130,10 @@ export function gpuLayout(program: PullProgram): GPUBindGroupLayoutEntry[][] {
     visibility: VERTEX | FRAGMENT,
     buffer: { type: 'uniform' },
   });
-  const textures = Object.values(program.textures).map(
-    (kind, i): GPUBindGroupLayoutEntry => ({
+  const textures = Object.entries(program.textures).map(
+    ([name, kind], i): GPUBindGroupLayoutEntry => ({
       binding: i + 1,
-      visibility: VERTEX,
+      visibility: program.fragmentTextures?.includes(name) ? VERTEX | FRAGMENT : VERTEX,
       texture: { sampleType: kind === 'real' ? 'unfilterable-float' : 'uint', viewDimension: '2d' },
     }),
   );

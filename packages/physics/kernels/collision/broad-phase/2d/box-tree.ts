@@ -1,0 +1,96 @@
+// A tree of boxes, for finding those that overlap a given one. Its nodes lie in the order of a walk that visits a node, then
+// all below it: the first child of a node follows it, and `skip` is the node behind all below it. So a query needs no
+// stack, and boxes that changed are brought up to date in one pass from the end. A tree is made at once, from the top, by
+// halving the extent of the centres.
+import { rowBox } from './fat-boxes';
+import { RigidTable } from '../../../solver/2d/rigid-table';
+import { putWord, word } from '../../../solver/2d/body';
+
+@unmanaged
+export class TreeNode {
+  minX: real;
+  minY: real;
+  maxX: real;
+  maxY: real;
+  skip: i32;
+  // Of a leaf; 0 of an inner node.
+  row: i32;
+}
+
+const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>() - 1);
+
+// @ts-ignore: decorator
+@inline export function nodeAt(nodes: usize, i: i32): TreeNode {
+  return changetype<TreeNode>(nodes + <usize>i * NODE);
+}
+
+// Makes a tree of the boxes of `count` rows, listed at t.treeRows, and returns the number of its nodes.
+export function buildTree(t: RigidTable, nodes: usize, count: i32): i32 {
+  return count == 0 ? 0 : buildBelow(t, nodes, 0, 0, count);
+}
+
+// Makes the node with the rows [first, last) of the list, and returns the index behind it.
+function buildBelow(t: RigidTable, nodes: usize, at: i32, first: i32, last: i32): i32 {
+  const node = nodeAt(nodes, at);
+  if (last - first == 1) {
+    node.row = word(t.treeRows, first);
+    node.skip = at + 1;
+    return at + 1;
+  }
+  node.row = 0;
+  const middle = divide(t, first, last);
+  node.skip = buildBelow(t, nodes, buildBelow(t, nodes, at + 1, first, middle), middle, last);
+  return node.skip;
+}
+
+// Puts the rows whose centre is in the lower half of the longer extent first, and returns where the others begin.
+function divide(t: RigidTable, first: i32, last: i32): i32 {
+  let minX = <real>Infinity;
+  let minY = <real>Infinity;
+  let maxX = -minX;
+  let maxY = -minY;
+  for (let i = first; i < last; i++) {
+    const box = rowBox(t, word(t.treeRows, i));
+    const x = box.minX + box.maxX;
+    const y = box.minY + box.maxY;
+    minX = min<real>(minX, x);
+    maxX = max<real>(maxX, x);
+    minY = min<real>(minY, y);
+    maxY = max<real>(maxY, y);
+  }
+  const alongX = maxX - minX >= maxY - minY;
+  const limit = alongX ? <real>0.5 * (minX + maxX) : <real>0.5 * (minY + maxY);
+  let middle = first;
+  for (let i = first; i < last; i++) {
+    const row = word(t.treeRows, i);
+    const box = rowBox(t, row);
+    if ((alongX ? box.minX + box.maxX : box.minY + box.maxY) >= limit) continue;
+    putWord(t.treeRows, i, word(t.treeRows, middle));
+    putWord(t.treeRows, middle++, row);
+  }
+  return middle == first || middle == last ? (first + last) >> 1 : middle;
+}
+
+// Brings the boxes of all nodes up to date, and returns the sum of their half perimeters.
+export function refitTree(t: RigidTable, nodes: usize, count: i32): f64 {
+  let perimeter: f64 = 0;
+  for (let i = count - 1; i >= 0; i--) {
+    const node = nodeAt(nodes, i);
+    if (node.row != 0) {
+      const box = rowBox(t, node.row);
+      node.minX = box.minX;
+      node.minY = box.minY;
+      node.maxX = box.maxX;
+      node.maxY = box.maxY;
+    } else {
+      const a = nodeAt(nodes, i + 1);
+      const b = nodeAt(nodes, a.skip);
+      node.minX = min<real>(a.minX, b.minX);
+      node.minY = min<real>(a.minY, b.minY);
+      node.maxX = max<real>(a.maxX, b.maxX);
+      node.maxY = max<real>(a.maxY, b.maxY);
+    }
+    perimeter += <f64>(node.maxX - node.minX + node.maxY - node.minY);
+  }
+  return perimeter;
+}

@@ -1,0 +1,78 @@
+// The fat box of a body: an axis-aligned box about its shape with a margin, so that it stays while the body moves a little.
+//
+//   margin = min(0.05 m, extent / 8)
+//
+// Source: the margin is that of Box2D 3 (constants.h).
+import { SHAPE_BYTES, Shape, vertexX, vertexY } from '../../shapes/2d/shape';
+import { shapeOf } from '../../shapes/2d/shape-pool';
+import { ASLEEP, COLLIDES, ENLARGED, flagsOf, poseOf, putFlags, putWord } from '../../../solver/2d/body';
+import { RigidTable } from '../../../solver/2d/rigid-table';
+
+@unmanaged
+export class FatBox {
+  minX: real;
+  minY: real;
+  maxX: real;
+  maxY: real;
+}
+
+const MARGIN: real = 0.05;
+const MARGIN_FRACTION: real = 0.125;
+
+const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+
+// The tight box about a shape, as `measureBox` leaves it.
+export const tight = changetype<FatBox>(memory.data(offsetof<FatBox>() + sizeof<real>(), 8));
+
+// @ts-ignore: decorator
+@inline export function rowBox(t: RigidTable, row: i32): FatBox {
+  return changetype<FatBox>(t.boxes + <usize>row * (4 * sizeof<real>()));
+}
+
+// @ts-ignore: decorator
+@inline export function overlaps(a: FatBox, b: FatBox): bool {
+  return a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY;
+}
+
+// Gives every body that left its fat box another, and lists these bodies.
+export function updateBoxes(t: RigidTable): void {
+  let count = 0;
+  for (let row = 1; row < t.rows; row++) {
+    const flags = flagsOf(t, row);
+    if ((flags & COLLIDES) == 0 || (flags & ASLEEP) != 0) continue;
+    const pose = poseOf(t, row);
+    measureBox(shapeOf(row, spare), pose.x, pose.y, pose.c, pose.s);
+    const box = rowBox(t, row);
+    if (box.minX <= tight.minX && box.minY <= tight.minY && tight.maxX <= box.maxX && tight.maxY <= box.maxY) continue;
+    const margin = min<real>(MARGIN, MARGIN_FRACTION * pose.extent);
+    box.minX = tight.minX - margin;
+    box.minY = tight.minY - margin;
+    box.maxX = tight.maxX + margin;
+    box.maxY = tight.maxY + margin;
+    putFlags(t, row, flags | ENLARGED);
+    putWord(t.enlarged, count++, row);
+  }
+  t.enlargedCount = count;
+}
+
+// Writes the box about a shape at a pose to `tight`.
+export function measureBox(shape: Shape, x: real, y: real, c: real, s: real): void {
+  let minX = <real>Infinity;
+  let minY = <real>Infinity;
+  let maxX = -minX;
+  let maxY = -minY;
+  for (let i = 0; i < shape.count; i++) {
+    const vx = vertexX(shape, i);
+    const vy = vertexY(shape, i);
+    const px = c * vx - s * vy;
+    const py = s * vx + c * vy;
+    minX = min<real>(minX, px);
+    maxX = max<real>(maxX, px);
+    minY = min<real>(minY, py);
+    maxY = max<real>(maxY, py);
+  }
+  tight.minX = x + minX - shape.radius;
+  tight.minY = y + minY - shape.radius;
+  tight.maxX = x + maxX + shape.radius;
+  tight.maxY = y + maxY + shape.radius;
+}

@@ -1,0 +1,70 @@
+// The list of contacts, sorted by (a, b). Records stay where they are; the list holds their numbers.
+import { keyAt } from '../../broad-phase/2d/sort-keys';
+import { putWord, word } from '../../../solver/2d/body';
+import { RigidTable } from '../../../solver/2d/rigid-table';
+import { RIGID_CONTACT_SIZE, RigidContact, contactAt } from './rigid-contact';
+
+// Adds a contact for every new pair of t.pairs, which is sorted. The list is merged from its end, so that it needs no room.
+export function addContacts(t: RigidTable): void {
+  const added = dropKnown(t);
+  const total = t.contactCount + added;
+  let old = t.contactCount - 1;
+  let fresh = added - 1;
+  for (let i = total - 1; fresh >= 0; i--) {
+    if (old >= 0 && keyOf(contactAt(t, word(t.order, old))) > keyAt(t.pairs, fresh)) {
+      putWord(t.order, i, word(t.order, old--));
+    } else {
+      putWord(t.order, i, openContact(t, keyAt(t.pairs, fresh--)));
+    }
+  }
+  t.contactCount = total;
+}
+
+// Leaves in t.pairs, once each, those that are in no contact yet and find room. Returns their number.
+function dropKnown(t: RigidTable): i32 {
+  let kept = 0;
+  let at = 0;
+  let last: u64 = 0;
+  for (let i = 0; i < t.pairCount; i++) {
+    const key = keyAt(t.pairs, i);
+    while (at < t.contactCount && keyOf(contactAt(t, word(t.order, at))) < key) at++;
+    const known = at < t.contactCount && keyOf(contactAt(t, word(t.order, at))) == key;
+    if (known || key == last) continue;
+    last = key;
+    if (kept == t.freeCount) {
+      t.lostCount++;
+    } else {
+      store<u64>(t.pairs + ((<usize>kept) << 3), key);
+      kept++;
+    }
+  }
+  return kept;
+}
+
+// @ts-ignore: decorator
+@inline function keyOf(contact: RigidContact): u64 {
+  return ((<u64>contact.a) << 32) | <u64>contact.b;
+}
+
+function openContact(t: RigidTable, key: u64): i32 {
+  const slot = word(t.free, --t.freeCount);
+  const contact = contactAt(t, slot);
+  memory.fill(changetype<usize>(contact), 0, RIGID_CONTACT_SIZE);
+  contact.a = <i32>(key >> 32);
+  contact.b = <i32>key;
+  contact.generationA = <u32>word(t.generations, contact.a);
+  contact.generationB = <u32>word(t.generations, contact.b);
+  return slot;
+}
+
+export function freeContact(t: RigidTable, slot: i32): void {
+  putWord(t.free, t.freeCount++, slot);
+}
+
+// Fills the list of free records, once.
+export function clearContacts(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  for (let i = 0; i < t.contactCapacity; i++) putWord(t.free, i, t.contactCapacity - 1 - i);
+  t.freeCount = t.contactCapacity;
+  t.contactCount = 0;
+}

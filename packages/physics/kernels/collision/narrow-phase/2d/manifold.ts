@@ -1,0 +1,94 @@
+// The contact of two shapes: up to two points with a common normal.
+import { Shape } from '../../shapes/2d/shape';
+
+@unmanaged
+export class Manifold {
+  // Points found, 0 to 2.
+  count: i32;
+  // Feature ids: the vertices of a (high byte) and b (low byte) that made a point. They stay the same from step to step
+  // while the same corners and edges touch, whichever of the two shapes has the reference edge.
+  id0: u32;
+  id1: u32;
+  // Pose of a and of b: position, m, then cosine and sine of the angle.
+  ax: real;
+  ay: real;
+  ac: real;
+  as: real;
+  bx: real;
+  by: real;
+  bc: real;
+  bs: real;
+  // Points further apart than this are left out, m.
+  speculative: real;
+  // Unit normal from a to b.
+  nx: real;
+  ny: real;
+  // Points half-way between the surfaces, m, and the distance of the surfaces there, negative where they overlap.
+  x0: real;
+  y0: real;
+  separation0: real;
+  x1: real;
+  y1: real;
+  separation1: real;
+}
+
+// Sets the normal. Pair functions write normal and points in the frame of their first shape; `toWorld` comes last.
+// @ts-ignore: decorator
+@inline export function setNormal(m: Manifold, nx: real, ny: real): void {
+  m.nx = nx;
+  m.ny = ny;
+}
+
+// Adds a point unless it is further away than is asked for.
+// @ts-ignore: decorator
+@inline export function addPoint(m: Manifold, x: real, y: real, separation: real, id: u32): void {
+  if (separation > m.speculative) return;
+  if (m.count == 0) {
+    m.x0 = x;
+    m.y0 = y;
+    m.separation0 = separation;
+    m.id0 = id;
+  } else {
+    m.x1 = x;
+    m.y1 = y;
+    m.separation1 = separation;
+    m.id1 = id;
+  }
+  m.count++;
+}
+
+// Adds the point between a core point of the first shape and one of the second: each is `radius` inside its surface, and
+// the two are `distance` apart along the normal.
+// @ts-ignore: decorator
+@inline export function addRoundedPoint(
+  m: Manifold,
+  x: real,
+  y: real,
+  distance: real,
+  first: Shape,
+  second: Shape,
+  id: u32,
+): void {
+  const middle = <real>0.5 * (first.radius + distance - second.radius);
+  addPoint(m, x + middle * m.nx, y + middle * m.ny, distance - first.radius - second.radius, id);
+}
+
+// Moves normal and points from the frame of a into the world, or from that of b, where the normal is from b to a.
+// @ts-ignore: decorator
+@inline export function toWorld(m: Manifold, isFlipped: bool): void {
+  if (m.count == 0) return;
+  const x = isFlipped ? m.bx : m.ax;
+  const y = isFlipped ? m.by : m.ay;
+  const c = isFlipped ? m.bc : m.ac;
+  const s = isFlipped ? m.bs : m.as;
+  const sign: real = isFlipped ? -1 : 1;
+  const nx = m.nx;
+  m.nx = sign * (c * nx - s * m.ny);
+  m.ny = sign * (s * nx + c * m.ny);
+  const x0 = m.x0;
+  m.x0 = x + (c * x0 - s * m.y0);
+  m.y0 = y + (s * x0 + c * m.y0);
+  const x1 = m.x1;
+  m.x1 = x + (c * x1 - s * m.y1);
+  m.y1 = y + (s * x1 + c * m.y1);
+}

@@ -1,0 +1,77 @@
+// A pair of bodies whose fat boxes overlap, from the step in which they begin to until they no longer do. It keeps the
+// manifold and its impulses, from which the next step starts.
+import { RigidTable } from '../../../solver/2d/rigid-table';
+
+@unmanaged
+export class RigidContact {
+  // Rows, a < b, and what the contact was made for: generations of the bodies, and the indices of their shapes.
+  a: i32;
+  b: i32;
+  generationA: u32;
+  generationB: u32;
+  shapeA: u32;
+  shapeB: u32;
+  flags: u32;
+  // Points of the manifold: 0 to 2.
+  count: i32;
+  id0: u32;
+  id1: u32;
+  friction: real;
+  restitution: real;
+  rollingResistance: real;
+  tangentSpeed: real;
+  rollingImpulse: real;
+  // Poses when the manifold was found: rotations, and the position of b from a.
+  ac: real;
+  as: real;
+  bc: real;
+  bs: real;
+  dx: real;
+  dy: real;
+  // Unit normal from a to b.
+  nx: real;
+  ny: real;
+  // Two points, class ContactPoint: each has this many reals.
+  point0: real;
+}
+
+// A point as it was found: anchors from the centres of both bodies, and separation. Then as it is in this step, and the
+// impulses.
+@unmanaged
+export class ContactPoint {
+  foundAx: real;
+  foundAy: real;
+  foundBx: real;
+  foundBy: real;
+  foundSeparation: real;
+  ax: real;
+  ay: real;
+  bx: real;
+  by: real;
+  separation: real;
+  normalImpulse: real;
+  tangentImpulse: real;
+  // The sum of all sub-steps, N s, and the speed along the normal before the step, m/s.
+  totalImpulse: real;
+  normalSpeed: real;
+}
+
+const POINT: usize = 14 * sizeof<real>();
+
+// @ts-ignore: decorator
+@inline export const RIGID_CONTACT_SIZE: usize = (offsetof<RigidContact>('point0') + 2 * POINT + 15) & ~15;
+
+// Bits of `flags`: the shapes touch now, and did in the step before; the manifold was found and may be kept.
+export const TOUCHING: u32 = 1;
+export const WAS_TOUCHING: u32 = 2;
+export const FOUND: u32 = 4;
+
+// @ts-ignore: decorator
+@inline export function contactAt(t: RigidTable, slot: i32): RigidContact {
+  return changetype<RigidContact>(t.contacts + <usize>slot * RIGID_CONTACT_SIZE);
+}
+
+// @ts-ignore: decorator
+@inline export function pointOf(contact: RigidContact, i: i32): ContactPoint {
+  return changetype<ContactPoint>(changetype<usize>(contact) + offsetof<RigidContact>('point0') + <usize>i * POINT);
+}

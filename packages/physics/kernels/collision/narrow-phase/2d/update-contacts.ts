@@ -1,0 +1,212 @@
+// The narrow phase: brings the manifold of every contact up to date, and drops contacts whose boxes no longer overlap.
+//
+// Recycling: a manifold is kept while neither body has turned by more than 11 degrees since it was found, and no point of
+// one has moved by 0.05 m against the other (0.02 m while they do not touch, so that no touch is missed). Only its
+// separations change, by the same formula as within sub-steps. Source: Box2D 3.2 (physics_world.c).
+//
+//   separation = that found + n · (movement of b's anchor - movement of a's)
+import { columns } from '../../../memory/columns';
+import { ASLEEP, DYNAMIC, FAST, MOVES, SHIFTED, WAKES, flagsOf, poseOf, putFlags, putWord, word } from '../../../solver/2d/body';
+import { listAwake } from '../../../solver/2d/gather-bodies';
+import { wakeIsland } from '../../../solver/2d/islands';
+import { RigidTable } from '../../../solver/2d/rigid-table';
+import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
+import { areJoined, layersMeet } from '../../broad-phase/2d/find-pairs';
+import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
+import { shapeOf } from '../../shapes/2d/shape-pool';
+import { collideShapes } from './collide-shapes';
+import { freeContact } from './contact-list';
+import { Manifold } from './manifold';
+import { mixMaterials } from './mix-materials';
+import { ContactPoint, FOUND, RigidContact, TOUCHING, WAS_TOUCHING, contactAt, pointOf } from './rigid-contact';
+
+// Points are reported up to this distance, m: four times the slop of 5 mm.
+const SPECULATIVE_DISTANCE: real = 0.02;
+const RECYCLE_DISTANCE: real = 0.05;
+const RECYCLE_COSINE: real = 0.98;
+
+const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16));
+const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+
+// Wakes the islands that something awake touches, before contacts are updated.
+export function wakeTouched(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  let any = false;
+  for (let i = 0; i < t.contactCount; i++) {
+    const contact = contactAt(t, word(t.order, i));
+    const flagsA = flagsOf(t, contact.a);
+    const flagsB = flagsOf(t, contact.b);
+    if (((flagsA | flagsB) & ASLEEP) == 0 || !(isActive(flagsA) || isActive(flagsB)) || isOver(t, contact)) continue;
+    const touched = (contact.flags & TOUCHING) != 0;
+    findManifold(t, contact);
+    if (!touched && contact.count == 0) continue;
+    wakeIsland(t, (flagsA & ASLEEP) != 0 ? contact.a : contact.b);
+    any = true;
+  }
+  if (any) listAwake(t);
+}
+
+export function updateContacts(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  let kept = 0;
+  for (let i = 0; i < t.contactCount; i++) {
+    const slot = word(t.order, i);
+    const contact = contactAt(t, slot);
+    if (isOver(t, contact)) {
+      if ((contact.flags & TOUCHING) != 0) wakeLater(t, contact);
+      freeContact(t, slot);
+      continue;
+    }
+    putWord(t.order, kept++, slot);
+    updateContact(t, contact);
+  }
+  t.contactCount = kept;
+}
+
+function isOver(t: RigidTable, contact: RigidContact): bool {
+  const a = contact.a;
+  const b = contact.b;
+  if (((flagsOf(t, a) | flagsOf(t, b)) & DYNAMIC) == 0) return true;
+  if (!overlaps(rowBox(t, a), rowBox(t, b)) || !layersMeet(t, a, b)) return true;
+  if (areJoined(t, a, b)) return true;
+  const sameA = contact.generationA == <u32>word(t.generations, a);
+  return !sameA || contact.generationB != <u32>word(t.generations, b);
+}
+
+// What lay on something that is gone wakes in the next step.
+function wakeLater(t: RigidTable, contact: RigidContact): void {
+  for (let side = 0; side < 2; side++) {
+    const row = side == 0 ? contact.a : contact.b;
+    if ((flagsOf(t, row) & ASLEEP) != 0) putFlags(t, row, flagsOf(t, row) | WAKES);
+  }
+}
+
+// Where nobody moves nothing changes.
+// @ts-ignore: decorator
+@inline function isActive(flags: u32): bool {
+  return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;
+}
+
+function updateContact(t: RigidTable, contact: RigidContact): void {
+  const flagsA = flagsOf(t, contact.a);
+  const flagsB = flagsOf(t, contact.b);
+  if (!isActive(flagsA) && !isActive(flagsB)) return;
+  const touched = (contact.flags & TOUCHING) != 0;
+  contact.flags = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
+  if (((flagsA | flagsB) & FAST) != 0 || !mayRecycle(t, contact, touched)) findManifold(t, contact);
+  if (contact.count == 0) return;
+  contact.flags |= TOUCHING;
+  moveAnchors(t, contact);
+}
+
+function mayRecycle(t: RigidTable, contact: RigidContact, touched: bool): bool {
+  const c = columns();
+  const shapeA = <u32>word(c.shape, contact.a);
+  const shapeB = <u32>word(c.shape, contact.b);
+  // A circle turns without changing what it touches, and is cheap.
+  if ((contact.flags & FOUND) == 0 || shapeA == 0 || shapeB == 0) return false;
+  if (shapeA != contact.shapeA || shapeB != contact.shapeB) return false;
+  const a = poseOf(t, contact.a);
+  const b = poseOf(t, contact.b);
+  const cosA = a.c * contact.ac + a.s * contact.as;
+  const cosB = b.c * contact.bc + b.s * contact.bs;
+  if (min<real>(cosA, cosB) <= RECYCLE_COSINE) return false;
+  const sinA = a.s * contact.ac - a.c * contact.as;
+  const sinB = b.s * contact.bc - b.c * contact.bs;
+  // The vector between the centres, as b moved in the frame of a.
+  const x = b.x - a.x - (cosA * contact.dx - sinA * contact.dy);
+  const y = b.y - a.y - (sinA * contact.dx + cosA * contact.dy);
+  const turn = abs<real>(sinB * cosA - cosB * sinA);
+  const extentA = (flagsOf(t, contact.a) & MOVES) != 0 ? a.extent : <real>0;
+  const extentB = (flagsOf(t, contact.b) & MOVES) != 0 ? b.extent : <real>0;
+  const moved = sqrt<real>(x * x + y * y) + max<real>(extentA, extentB) * turn;
+  const limit = touched ? RECYCLE_DISTANCE : SPECULATIVE_DISTANCE;
+  return moved < limit;
+}
+
+function findManifold(t: RigidTable, contact: RigidContact): void {
+  const m = manifold;
+  const a = poseOf(t, contact.a);
+  const b = poseOf(t, contact.b);
+  // Positions from a: far from the origin their difference has digits that they lack.
+  m.ax = 0;
+  m.ay = 0;
+  m.ac = a.c;
+  m.as = a.s;
+  m.bx = b.x - a.x;
+  m.by = b.y - a.y;
+  m.bc = b.c;
+  m.bs = b.s;
+  m.speculative = SPECULATIVE_DISTANCE;
+  const c = columns();
+  contact.shapeA = <u32>word(c.shape, contact.a);
+  contact.shapeB = <u32>word(c.shape, contact.b);
+  collideShapes(m, shapeOf(contact.a, spareA), shapeOf(contact.b, spareB));
+  contact.ac = a.c;
+  contact.as = a.s;
+  contact.bc = b.c;
+  contact.bs = b.s;
+  contact.dx = m.bx;
+  contact.dy = m.by;
+  contact.flags |= FOUND;
+  takePoints(contact, m);
+  if (contact.count > 0) mixMaterials(t, contact);
+}
+
+// Points with the id of an earlier one go on with its impulses.
+function takePoints(contact: RigidContact, m: Manifold): void {
+  const first = pointOf(contact, 0);
+  const second = pointOf(contact, 1);
+  const oldCount = contact.count;
+  const old0 = oldCount > 0 ? contact.id0 : NO_POINT;
+  const old1 = oldCount > 1 ? contact.id1 : NO_POINT;
+  const n0 = first.normalImpulse;
+  const t0 = first.tangentImpulse;
+  const n1 = second.normalImpulse;
+  const t1 = second.tangentImpulse;
+  contact.count = m.count;
+  contact.nx = m.nx;
+  contact.ny = m.ny;
+  contact.id0 = m.id0;
+  contact.id1 = m.id1;
+  takePoint(first, m.bx, m.by, m.x0, m.y0, m.separation0);
+  takePoint(second, m.bx, m.by, m.x1, m.y1, m.separation1);
+  first.normalImpulse = m.id0 == old0 ? n0 : m.id0 == old1 ? n1 : <real>0;
+  first.tangentImpulse = m.id0 == old0 ? t0 : m.id0 == old1 ? t1 : <real>0;
+  second.normalImpulse = m.id1 == old0 ? n0 : m.id1 == old1 ? n1 : <real>0;
+  second.tangentImpulse = m.id1 == old0 ? t0 : m.id1 == old1 ? t1 : <real>0;
+  if (m.count == 0) contact.rollingImpulse = 0;
+}
+
+// No feature has this id.
+const NO_POINT: u32 = 0xffffffff;
+
+// @ts-ignore: decorator
+@inline function takePoint(p: ContactPoint, bx: real, by: real, x: real, y: real, separation: real): void {
+  p.foundAx = x;
+  p.foundAy = y;
+  p.foundBx = x - bx;
+  p.foundBy = y - by;
+  p.foundSeparation = separation;
+}
+
+// Anchors and separations at the present poses.
+function moveAnchors(t: RigidTable, contact: RigidContact): void {
+  const a = poseOf(t, contact.a);
+  const b = poseOf(t, contact.b);
+  const cosA = a.c * contact.ac + a.s * contact.as;
+  const sinA = a.s * contact.ac - a.c * contact.as;
+  const cosB = b.c * contact.bc + b.s * contact.bs;
+  const sinB = b.s * contact.bc - b.c * contact.bs;
+  const dx = b.x - a.x;
+  const dy = b.y - a.y;
+  for (let i = 0; i < contact.count; i++) {
+    const p = pointOf(contact, i);
+    p.ax = cosA * p.foundAx - sinA * p.foundAy;
+    p.ay = sinA * p.foundAx + cosA * p.foundAy;
+    p.bx = cosB * p.foundBx - sinB * p.foundBy;
+    p.by = sinB * p.foundBx + cosB * p.foundBy;
+    p.separation = p.foundSeparation + contact.nx * (dx + p.bx - p.ax) + contact.ny * (dy + p.by - p.ay);
+  }
+}

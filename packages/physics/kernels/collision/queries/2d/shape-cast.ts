@@ -1,0 +1,42 @@
+// Where a shape that moves along a line first meets bodies.
+import { Sweep, timeOfImpact } from '../../narrow-phase/2d/time-of-impact';
+import { Shape } from '../../shapes/2d/shape';
+import { shapeOf } from '../../shapes/2d/shape-pool';
+import { BodyQuery, nextNear, poseFromQuery, queryAt, spare } from './body-query';
+
+// Surfaces this far apart have met, m.
+const TARGET: real = 1e-4;
+
+const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
+
+// Returns the first body from `row` on that the shape at this address meets within the limit, 0 if there is none.
+export function nextShapeHit(query: usize, shape: usize, row: i32): i32 {
+  const q = queryAt(query);
+  for (let r = nextNear(q, row); r > 0; r = nextNear(q, r + 1)) {
+    if (shapeMeetsBody(q, changetype<Shape>(shape), r)) return r;
+  }
+  return 0;
+}
+
+function shapeMeetsBody(q: BodyQuery, own: Shape, row: i32): bool {
+  const pose = poseFromQuery(q, row);
+  // Positions from the start of the query.
+  sweep.ax = sweep.endAx = pose.x;
+  sweep.ay = sweep.endAy = pose.y;
+  sweep.ac = sweep.endAc = pose.c;
+  sweep.as = sweep.endAs = pose.s;
+  sweep.bx = sweep.by = 0;
+  sweep.endBx = q.limit * q.dx;
+  sweep.endBy = q.limit * q.dy;
+  sweep.bc = sweep.endBc = q.c;
+  sweep.bs = sweep.endBs = q.s;
+  sweep.target = TARGET;
+  timeOfImpact(sweep, shapeOf(row, spare()), own);
+  if (sweep.isHit == 0) return false;
+  q.fraction = sweep.fraction * q.limit;
+  q.nx = sweep.nx;
+  q.ny = sweep.ny;
+  q.pointX = q.x + sweep.x;
+  q.pointY = q.y + sweep.y;
+  return true;
+}

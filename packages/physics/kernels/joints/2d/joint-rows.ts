@@ -1,0 +1,48 @@
+// Speed and impulse along a row of a joint.
+import { BodyState, stateOf } from '../../solver/2d/body';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { JointRow, JointWork } from './joint-work';
+
+// @ts-ignore: decorator
+@inline export function speedAlong(a: BodyState, b: BodyState, row: JointRow): f64 {
+  const linear = row.x * (<f64>b.vx - <f64>a.vx) + row.y * (<f64>b.vy - <f64>a.vy);
+  return linear + row.armB * <f64>b.w - row.armA * <f64>a.w;
+}
+
+// Applies an impulse to b along a row, and its opposite to a. Bodies without mass keep their velocities.
+// @ts-ignore: decorator
+@inline export function applyAlong(work: JointWork, a: BodyState, b: BodyState, row: JointRow, impulse: f64): void {
+  const ja = impulse * work.massA;
+  const jb = impulse * work.massB;
+  a.vx = <real>(<f64>a.vx - ja * row.x);
+  a.vy = <real>(<f64>a.vy - ja * row.y);
+  a.w = <real>(<f64>a.w - work.inertiaA * row.armA * impulse);
+  b.vx = <real>(<f64>b.vx + jb * row.x);
+  b.vy = <real>(<f64>b.vy + jb * row.y);
+  b.w = <real>(<f64>b.w + work.inertiaB * row.armB * impulse);
+}
+
+// What one row and another have to do with each other through the masses of both bodies, 1/kg: an element of J M⁻¹ Jᵀ.
+// @ts-ignore: decorator
+@inline export function coupling(work: JointWork, p: JointRow, q: JointRow): f64 {
+  const linear = (work.massA + work.massB) * (p.x * q.x + p.y * q.y);
+  return linear + work.inertiaA * p.armA * q.armA + work.inertiaB * p.armB * q.armB;
+}
+
+// @ts-ignore: decorator
+@inline export function stateA(rigid: RigidTable, work: JointWork): BodyState {
+  return stateOf(rigid, work.a);
+}
+
+// @ts-ignore: decorator
+@inline export function stateB(rigid: RigidTable, work: JointWork): BodyState {
+  return stateOf(rigid, work.b);
+}
+
+// No impulse is larger, N s: what is not finite would reach every body of a chain.
+const MAX_IMPULSE: f64 = 1e30;
+
+// @ts-ignore: decorator
+@inline export function finite(impulse: f64): f64 {
+  return impulse > -MAX_IMPULSE && impulse < MAX_IMPULSE ? impulse : 0;
+}

@@ -1,0 +1,84 @@
+// What joints are kept in: the addresses of the columns of Joint, the list of joints, and what the solver works with. All
+// numbers of joints are f64, because long chains with heavy ends need the digits. src/joints/joint-table.ts makes the table.
+@unmanaged
+export class JointTable {
+  // The table of the bodies (solver/2d/rigid-table.ts).
+  rigid: usize;
+  // Columns of Joint.
+  kind: usize;
+  a: usize;
+  b: usize;
+  aLife: usize;
+  bLife: usize;
+  ax: usize;
+  ay: usize;
+  bx: usize;
+  by: usize;
+  angle: usize;
+  axis: usize;
+  length: usize;
+  limited: usize;
+  lower: usize;
+  upper: usize;
+  hertz: usize;
+  dampingRatio: usize;
+  motorSpeed: usize;
+  maxMotor: usize;
+  breakForce: usize;
+  collide: usize;
+  started: usize;
+  // Ids of all joints, ascending, and the joints of this step, class JointWork.
+  ids: usize;
+  count: i32;
+  works: usize;
+  workCount: i32;
+  // Joints that lost a body, and joints that broke: ids.
+  lost: usize;
+  lostCount: i32;
+  broken: usize;
+  brokenCount: i32;
+  // Impulses by row of the joint, class JointImpulses.
+  impulses: usize;
+  // Sorted keys of the pairs of bodies that do not collide because of a joint, and room to sort them.
+  pairs: usize;
+  spare: usize;
+  pairCount: i32;
+  // The pairs of bodies of all joints, two rows each.
+  links: usize;
+  // Joints in the order of the trees, parents first, and the first bodies of the trees.
+  order: usize;
+  orderCount: i32;
+  roots: usize;
+  rootCount: i32;
+  // By row of a body: class ArticulatedBody, the set it belongs to, and its first joint in `next`, which has two entries for
+  // each joint.
+  bodies: usize;
+  sets: usize;
+  heads: usize;
+  next: usize;
+}
+
+// What a joint has exerted, N s and N m s, on b: by its locked directions, spring, motor and limits.
+@unmanaged
+export class JointImpulses {
+  lock0: f64;
+  lock1: f64;
+  lock2: f64;
+  spring: f64;
+  motor: f64;
+  lower: f64;
+  upper: f64;
+  // Largest force in the step, N.
+  force: f64;
+}
+
+export const REVOLUTE: u32 = 0;
+export const DISTANCE: u32 = 1;
+export const WELD: u32 = 2;
+export const PRISMATIC: u32 = 3;
+export const WHEEL: u32 = 4;
+
+// @ts-ignore: decorator
+@inline export function impulsesOf(t: JointTable, id: i32): JointImpulses {
+  return changetype<JointImpulses>(t.impulses + ((<usize>id) << 6));
+}

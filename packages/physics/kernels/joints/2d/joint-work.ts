@@ -1,0 +1,77 @@
+// A joint of this step. Each direction in which it acts is a row of the Jacobian: with the vector d and the arms of both
+// bodies, its speed is d · (v_b - v_a) + arm_b ω_b - arm_a ω_a.
+import { JointTable } from './joint-table';
+
+@unmanaged
+export class JointRow {
+  x: f64;
+  y: f64;
+  armA: f64;
+  armB: f64;
+  // How far the direction is from where it should be, m or rad.
+  error: f64;
+  // Of a locked direction: an intermediate of the solution.
+  value: f64;
+}
+
+@unmanaged
+export class JointWork {
+  id: i32;
+  // Rows of the bodies' states, 0 for one that does not move, and of their poses.
+  a: i32;
+  b: i32;
+  rowA: i32;
+  rowB: i32;
+  // Number of locked directions.
+  locks: i32;
+  // In a tree: 1 where a is the parent, 2 where b is, 0 for a joint that closes a loop.
+  parent: i32;
+  pad: i32;
+  massA: f64;
+  inertiaA: f64;
+  massB: f64;
+  inertiaB: f64;
+  // Anchors from the centres of both bodies, m.
+  rax: f64;
+  ray: f64;
+  rbx: f64;
+  rby: f64;
+  // The inverse of the effective mass matrix of the locked directions, by rows of its upper half.
+  i00: f64;
+  i01: f64;
+  i02: f64;
+  i11: f64;
+  i12: f64;
+  i22: f64;
+  // Rows: three locked ones, that of spring and limits, and that of the motor.
+  rows: f64;
+}
+
+const ROW: usize = 48;
+const ROWS: usize = offsetof<JointWork>('rows');
+const SIZE: usize = (ROWS + 5 * ROW + 15) & ~15;
+
+export const SPRING_ROW: i32 = 3;
+export const MOTOR_ROW: i32 = 4;
+export const JOINT_WORK_SIZE: usize = SIZE;
+
+// @ts-ignore: decorator
+@inline export function workAt(t: JointTable, i: i32): JointWork {
+  return changetype<JointWork>(t.works + <usize>i * SIZE);
+}
+
+// @ts-ignore: decorator
+@inline export function rowOf(work: JointWork, i: i32): JointRow {
+  return changetype<JointRow>(changetype<usize>(work) + ROWS + <usize>i * ROW);
+}
+
+// The row of a body in trees: 0 for what joints do not move.
+// @ts-ignore: decorator
+@inline export function nodeA(work: JointWork): i32 {
+  return work.massA > 0 ? work.a : 0;
+}
+
+// @ts-ignore: decorator
+@inline export function nodeB(work: JointWork): i32 {
+  return work.massB > 0 ? work.b : 0;
+}

@@ -1,0 +1,183 @@
+// Begins and ends a step of the joints: which of them act, with which masses, from which impulses.
+import { get } from '../../memory/columns';
+import { ASLEEP, DYNAMIC, MOVES, flagsOf, poseOf, putWord, word } from '../../solver/2d/body';
+import { forgetBox, listAwake } from '../../solver/2d/gather-bodies';
+import { wakeIsland } from '../../solver/2d/islands';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { keyAt, sortKeys } from '../../collision/broad-phase/2d/sort-keys';
+import { JointImpulses, JointTable, impulsesOf } from './joint-table';
+import { JOINT_WORK_SIZE, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { applyAlong, stateA, stateB } from './joint-rows';
+import { orderTrees } from './joint-trees';
+
+// Finds the joints that lost a body, and the pairs that do not collide. Before a step, when joints or bodies came or went.
+export function listJoints(table: usize): void {
+  const t = changetype<JointTable>(table);
+  const rigid = changetype<RigidTable>(t.rigid);
+  separatePairs(t, rigid);
+  t.lostCount = 0;
+  t.pairCount = 0;
+  for (let i = 0; i < t.count; i++) {
+    const id = word(t.ids, i);
+    const a = word(t.a, id);
+    const b = word(t.b, id);
+    if (!lives(rigid, a, word(t.aLife, id)) || !lives(rigid, b, word(t.bLife, id))) {
+      putWord(t.lost, t.lostCount++, id);
+      continue;
+    }
+    if (word(t.collide, id) != 0) continue;
+    const key = ((<u64>min<i32>(a, b)) << 32) | <u64>max<i32>(a, b);
+    store<u64>(t.pairs + ((<usize>t.pairCount) << 3), key);
+    t.pairCount++;
+  }
+  sortKeys(t.pairs, t.spare, t.pairCount);
+  rigid.jointPairs = t.pairs;
+  rigid.jointPairCount = t.pairCount;
+}
+
+// Bodies that a joint kept from colliding look for each other again.
+function separatePairs(t: JointTable, rigid: RigidTable): void {
+  for (let i = 0; i < t.pairCount; i++) {
+    const key = keyAt(t.pairs, i);
+    forgetBox(rigid, <i32>(key >> 32));
+    forgetBox(rigid, <i32>key);
+  }
+}
+
+// @ts-ignore: decorator
+@inline function lives(rigid: RigidTable, row: i32, life: i32): bool {
+  return row > 0 && word(rigid.generations, row) == life && (word(rigid.members, row) & 1) != 0;
+}
+
+export function prepareJoints(table: usize): void {
+  const t = changetype<JointTable>(table);
+  const rigid = changetype<RigidTable>(t.rigid);
+  t.workCount = 0;
+  rigid.links = t.links;
+  wakeJoined(t, rigid);
+  for (let i = 0; i < t.count; i++) {
+    const id = word(t.ids, i);
+    const impulses = impulsesOf(t, id);
+    if (word(t.started, id) == 0) {
+      memory.fill(changetype<usize>(impulses), 0, 64);
+      putWord(t.started, id, 1);
+    }
+    const a = word(t.a, id);
+    const b = word(t.b, id);
+    if (isMoved(rigid, a) || isMoved(rigid, b)) startWork(t, rigid, id, a, b);
+  }
+  orderTrees(t);
+}
+
+// A body that sleeps wakes with what it is joined to, as far as that moves.
+function wakeJoined(t: JointTable, rigid: RigidTable): void {
+  let any = false;
+  let links = 0;
+  for (let i = 0; i < t.count; i++) {
+    const id = word(t.ids, i);
+    const a = word(t.a, id);
+    const b = word(t.b, id);
+    putWord(t.links, links++, a);
+    putWord(t.links, links++, b);
+    const flagsA = flagsOf(rigid, a);
+    const flagsB = flagsOf(rigid, b);
+    const sleeps = ((flagsA | flagsB) & ASLEEP) != 0;
+    if (!sleeps || !(isActive(flagsA) || isActive(flagsB))) continue;
+    wakeIsland(rigid, (flagsA & ASLEEP) != 0 ? a : b);
+    any = true;
+  }
+  rigid.linkCount = t.count;
+  if (any) listAwake(rigid);
+}
+
+// @ts-ignore: decorator
+@inline function isActive(flags: u32): bool {
+  return (flags & MOVES) != 0 && (flags & ASLEEP) == 0;
+}
+
+// @ts-ignore: decorator
+@inline function isMoved(rigid: RigidTable, row: i32): bool {
+  return (flagsOf(rigid, row) & (DYNAMIC | ASLEEP)) == DYNAMIC;
+}
+
+function startWork(t: JointTable, rigid: RigidTable, id: i32, a: i32, b: i32): void {
+  const work = workAt(t, t.workCount++);
+  memory.fill(changetype<usize>(work), 0, JOINT_WORK_SIZE);
+  work.id = id;
+  // A joint between bodies that sleep keeps its force.
+  impulsesOf(t, id).force = 0;
+  work.rowA = a;
+  work.rowB = b;
+  work.a = (flagsOf(rigid, a) & MOVES) != 0 ? a : 0;
+  work.b = (flagsOf(rigid, b) & MOVES) != 0 ? b : 0;
+  work.massA = <f64>poseOf(rigid, a).inverseMass;
+  work.inertiaA = <f64>poseOf(rigid, a).inverseInertia;
+  work.massB = <f64>poseOf(rigid, b).inverseMass;
+  work.inertiaB = <f64>poseOf(rigid, b).inverseInertia;
+}
+
+// Applies the impulses of the last sub-step once more.
+export function warmStartJoints(table: usize): void {
+  const t = changetype<JointTable>(table);
+  const rigid = changetype<RigidTable>(t.rigid);
+  for (let i = 0; i < t.workCount; i++) {
+    const work = workAt(t, i);
+    const a = stateA(rigid, work);
+    const b = stateB(rigid, work);
+    const impulses = impulsesOf(t, work.id);
+    dropUnused(t, work, impulses);
+    if (work.locks > 0) applyAlong(work, a, b, rowOf(work, 0), impulses.lock0);
+    if (work.locks > 1) applyAlong(work, a, b, rowOf(work, 1), impulses.lock1);
+    if (work.locks > 2) applyAlong(work, a, b, rowOf(work, 2), impulses.lock2);
+    applyAlong(work, a, b, rowOf(work, SPRING_ROW), impulses.spring + impulses.lower - impulses.upper);
+    applyAlong(work, a, b, rowOf(work, MOTOR_ROW), impulses.motor);
+  }
+}
+
+// What was switched off exerts nothing.
+function dropUnused(t: JointTable, work: JointWork, impulses: JointImpulses): void {
+  const id = work.id;
+  if (!(get(t.hertz, id) > 0)) impulses.spring = 0;
+  if (!(get(t.maxMotor, id) > 0)) impulses.motor = 0;
+  if (word(t.limited, id) == 0) {
+    impulses.lower = 0;
+    impulses.upper = 0;
+  }
+}
+
+// Notes the largest force of the step, and lists the joints that it breaks.
+export function watchJoints(table: usize): void {
+  const t = changetype<JointTable>(table);
+  const rigid = changetype<RigidTable>(t.rigid);
+  for (let i = 0; i < t.workCount; i++) {
+    const work = workAt(t, i);
+    const impulses = impulsesOf(t, work.id);
+    const force = linearImpulse(work, impulses) / rigid.h;
+    impulses.force = max<f64>(impulses.force, force);
+  }
+}
+
+// The length of the sum of all impulses that are no torques, N s.
+function linearImpulse(work: JointWork, impulses: JointImpulses): f64 {
+  let x: f64 = 0;
+  let y: f64 = 0;
+  for (let p = 0; p < work.locks; p++) {
+    const impulse = load<f64>(changetype<usize>(impulses) + ((<usize>p) << 3));
+    x += impulse * rowOf(work, p).x;
+    y += impulse * rowOf(work, p).y;
+  }
+  const free = impulses.spring + impulses.lower - impulses.upper;
+  x += free * rowOf(work, SPRING_ROW).x + impulses.motor * rowOf(work, MOTOR_ROW).x;
+  y += free * rowOf(work, SPRING_ROW).y + impulses.motor * rowOf(work, MOTOR_ROW).y;
+  return sqrt<f64>(x * x + y * y);
+}
+
+export function listBroken(table: usize): void {
+  const t = changetype<JointTable>(table);
+  t.brokenCount = 0;
+  for (let i = 0; i < t.workCount; i++) {
+    const id = workAt(t, i).id;
+    const limit = <f64>get(t.breakForce, id);
+    if (limit > 0 && impulsesOf(t, id).force > limit) putWord(t.broken, t.brokenCount++, id);
+  }
+}

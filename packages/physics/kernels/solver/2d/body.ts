@@ -1,0 +1,82 @@
+// A body as the solver sees it. Both records are indexed by row. Row 0 belongs to no entity: it stands for every body that
+// does not move.
+import { RigidTable } from './rigid-table';
+
+// What changes from sub-step to sub-step: in f32 it is 32 bytes, two vectors, which four contacts gather at once.
+@unmanaged
+export class BodyState {
+  vx: real;
+  vy: real;
+  // Angular velocity, rad/s.
+  w: real;
+  // Angle turned since the step began, rad.
+  turned: real;
+  // Distance moved since the step began, m, and cosine and sine of the angle sineCosine.
+  dx: real;
+  dy: real;
+  dc: real;
+  ds: real;
+}
+
+// What holds for a whole step: the pose at its start, cosine and sine of the angle, the inverses of mass and moment of
+// inertia (0 for what does not move), and the extents of the shape.
+@unmanaged
+export class BodyPose {
+  x: real;
+  y: real;
+  c: real;
+  s: real;
+  inverseMass: real;
+  inverseInertia: real;
+  extent: real;
+  minExtent: real;
+}
+
+// Bits of a row's flags. A body is one of the first three, or none when it takes no part.
+export const DYNAMIC: u32 = 1;
+export const KINEMATIC: u32 = 2;
+export const STATIC: u32 = 4;
+export const ASLEEP: u32 = 8;
+// Its fat box changed in this step.
+export const ENLARGED: u32 = 16;
+// It has a shape that collides, and so a box.
+export const COLLIDES: u32 = 32;
+// In the last step it moved so far that it may have passed through something thin.
+export const FAST: u32 = 64;
+
+// It sleeps and must wake in the next step.
+export const WAKES: u32 = 128;
+// It does not move, but was moved between two steps.
+export const SHIFTED: u32 = 256;
+
+export const MOVES: u32 = DYNAMIC | KINEMATIC;
+
+// @ts-ignore: decorator
+@inline export function stateOf(t: RigidTable, row: i32): BodyState {
+  return changetype<BodyState>(t.states + <usize>row * (8 * sizeof<real>()));
+}
+
+// @ts-ignore: decorator
+@inline export function poseOf(t: RigidTable, row: i32): BodyPose {
+  return changetype<BodyPose>(t.poses + <usize>row * (8 * sizeof<real>()));
+}
+
+// @ts-ignore: decorator
+@inline export function word(list: usize, i: i32): i32 {
+  return load<i32>(list + ((<usize>i) << 2));
+}
+
+// @ts-ignore: decorator
+@inline export function putWord(list: usize, i: i32, value: i32): void {
+  store<i32>(list + ((<usize>i) << 2), value);
+}
+
+// @ts-ignore: decorator
+@inline export function flagsOf(t: RigidTable, row: i32): u32 {
+  return load<u32>(t.flags + ((<usize>row) << 2));
+}
+
+// @ts-ignore: decorator
+@inline export function putFlags(t: RigidTable, row: i32, flags: u32): void {
+  store<u32>(t.flags + ((<usize>row) << 2), flags);
+}

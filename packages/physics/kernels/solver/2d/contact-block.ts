@@ -1,0 +1,51 @@
+// A block of contacts that are solved side by side: one vector for each of these numbers, with a lane for each contact.
+import { RigidTable } from './rigid-table';
+
+// @ts-ignore: decorator
+@inline const V: usize = 16;
+
+// Addresses of the states of the bodies a and b, and the number of the contact's record, -1 for a lane without contact.
+export const A: usize = 0;
+export const B: usize = V;
+export const SLOT: usize = 2 * V;
+export const MASS_A: usize = 3 * V;
+export const INERTIA_A: usize = 4 * V;
+export const MASS_B: usize = 5 * V;
+export const INERTIA_B: usize = 6 * V;
+export const NX: usize = 7 * V;
+export const NY: usize = 8 * V;
+export const FRICTION: usize = 9 * V;
+export const TANGENT_SPEED: usize = 10 * V;
+export const ROLLING: usize = 11 * V;
+export const ROLLING_MASS: usize = 12 * V;
+export const ROLLING_IMPULSE: usize = 13 * V;
+// Softness: the rate at which overlap is pushed out, 1/s, times the mass scale; mass scale and impulse scale.
+export const BIAS_RATE: usize = 14 * V;
+export const MASS_SCALE: usize = 15 * V;
+export const IMPULSE_SCALE: usize = 16 * V;
+export const RESTITUTION: usize = 17 * V;
+// Two points follow, each with these.
+export const POINTS: usize = 18 * V;
+export const AX: usize = 0;
+export const AY: usize = V;
+export const BX: usize = 2 * V;
+export const BY: usize = 3 * V;
+// Separation less n · (anchor of b - anchor of a).
+export const SEPARATION: usize = 4 * V;
+// Effective masses along the normal and the tangent, kg.
+export const NORMAL_MASS: usize = 5 * V;
+export const TANGENT_MASS: usize = 6 * V;
+export const NORMAL_IMPULSE: usize = 7 * V;
+export const TANGENT_IMPULSE: usize = 8 * V;
+export const TOTAL_IMPULSE: usize = 9 * V;
+export const NORMAL_SPEED: usize = 10 * V;
+export const POINT: usize = 11 * V;
+export const CONTACT_BLOCK: usize = POINTS + 2 * POINT;
+
+// @ts-ignore: decorator
+@inline export function blockOf(t: RigidTable, i: i32): usize {
+  return t.blocks + <usize>i * CONTACT_BLOCK;
+}
+
+// No impulse is larger than this, N s: a number that is not finite would reach every body of a heap.
+export const MAX_IMPULSE: real = 1e30;

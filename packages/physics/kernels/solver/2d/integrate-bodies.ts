@@ -1,0 +1,76 @@
+// The motion of bodies within a sub-step of h seconds, semi-implicit Euler, and its result in the columns.
+//
+//   v += h F/m      ω += h τ/I      then, when contacts and joints have changed both,      x += h v      θ += h ω
+import { columns, get, put } from '../../memory/columns';
+import { computeSineCosine, sineCosine } from '../../math/elementary';
+import { DYNAMIC, flagsOf, poseOf, stateOf, word } from './body';
+import { RigidTable } from './rigid-table';
+
+// Applies the forces of the last evaluation.
+export function integrateVelocities(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  const h = <real>t.h;
+  for (let i = 0; i < t.awakeCount; i++) {
+    const row = word(t.awake, i);
+    const pose = poseOf(t, row);
+    const state = stateOf(t, row);
+    const k = h * pose.inverseMass;
+    state.vx += k * get(t.forceX, row);
+    state.vy += k * get(t.forceY, row);
+    if (pose.inverseInertia > 0 && t.torqueZ != 0) state.w += h * pose.inverseInertia * get(t.torqueZ, row);
+  }
+}
+
+export function integratePositions(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  const h = <real>t.h;
+  for (let i = 0; i < t.awakeCount; i++) {
+    const state = stateOf(t, word(t.awake, i));
+    state.dx += h * state.vx;
+    state.dy += h * state.vy;
+    if (state.w == 0 && state.turned == 0) continue;
+    state.turned += h * state.w;
+    setRotation(state.turned);
+    state.dc = <real>sineCosine.cosine;
+    state.ds = <real>sineCosine.sine;
+  }
+}
+
+// Cosine and sine of the angle turned within a step. Below 1/4 rad, 900 rpm at 60 steps a second, Taylor's series are exact
+// to 2e-10.
+// @ts-ignore: decorator
+@inline function setRotation(angle: real): void {
+  const a = <f64>angle;
+  if (abs<f64>(a) > 0.25) return abs<f64>(a) < 1e6 ? computeSineCosine(a) : computeSineCosine(0);
+  const z = a * a;
+  sineCosine.sine = a * (1 - z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040))));
+  sineCosine.cosine = 1 - z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
+}
+
+// Writes poses and velocities to the columns: for laws that read them in the next sub-step, and at the end.
+export function writeBodies(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  const c = columns();
+  for (let i = 0; i < t.awakeCount; i++) {
+    const row = word(t.awake, i);
+    const pose = poseOf(t, row);
+    const state = stateOf(t, row);
+    put(c.positionX, row, pose.x + state.dx);
+    put(c.positionY, row, pose.y + state.dy);
+    if ((flagsOf(t, row) & DYNAMIC) == 0) continue;
+    put(c.velocityX, row, state.vx);
+    put(c.velocityY, row, state.vy);
+    if (pose.inverseInertia > 0) put(c.angularVelocityZ, row, state.w);
+  }
+}
+
+// Adds the angles turned to the columns, once a step, because an angle has no start that is kept.
+export function writeAngles(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  const c = columns();
+  for (let i = 0; i < t.awakeCount; i++) {
+    const row = word(t.awake, i);
+    const mayTurn = (<u32>word(c.members, row) & t.turningBits) == t.turningBits;
+    if (mayTurn) put(t.angle, row, get(t.angle, row) + stateOf(t, row).turned);
+  }
+}

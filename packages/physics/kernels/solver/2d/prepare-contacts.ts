@@ -1,0 +1,134 @@
+// Fills the blocks of contacts for the sub-steps of a step, and empties them into the contacts afterwards.
+import { LANES } from '../../memory/lanes';
+import { get, put } from '../../memory/columns';
+import { RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { MOVES, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { takeLane } from './color-contacts';
+import * as block from './contact-block';
+import { RigidTable } from './rigid-table';
+import { soften, softness } from './softness';
+
+// The frequency of a contact is at most this part of the rate of sub-steps.
+const MAX_PART_OF_RATE: f64 = 0.125;
+
+export function prepareContacts(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  for (let i = 0; i < t.blockCount; i++) clearBlock(t, i);
+  const hertz = min<f64>(t.contactHertz, MAX_PART_OF_RATE / t.h);
+  soften(hertz, t.contactDampingRatio, t.h);
+  const biasRate = <real>(softness.biasRate * softness.massScale);
+  const massScale = <real>softness.massScale;
+  const impulseScale = <real>softness.impulseScale;
+  // Against what does not move contacts are stiffer, so that nothing is pushed through the ground.
+  soften(2 * hertz, t.contactDampingRatio, t.h);
+  for (let i = 0; i < t.touchingCount; i++) {
+    const slot = word(t.touching, 2 * i);
+    const lane = takeLane(t, word(t.touching, 2 * i + 1));
+    const at = block.blockOf(t, lane / LANES);
+    const l = lane & (LANES - 1);
+    const contact = contactAt(t, slot);
+    putWord(at + block.SLOT, l, slot);
+    const single = !(poseOf(t, contact.a).inverseMass > 0 && poseOf(t, contact.b).inverseMass > 0);
+    put(at + block.BIAS_RATE, l, single ? <real>(softness.biasRate * softness.massScale) : biasRate);
+    put(at + block.MASS_SCALE, l, single ? <real>softness.massScale : massScale);
+    put(at + block.IMPULSE_SCALE, l, single ? <real>softness.impulseScale : impulseScale);
+    fillBodies(t, contact, at, l);
+    for (let p = 0; p < contact.count; p++) fillPoint(t, contact, at, l, p);
+  }
+}
+
+// Lanes without a contact act on row 0 with no mass.
+// @ts-ignore: decorator
+@inline function clearBlock(t: RigidTable, i: i32): void {
+  const at = block.blockOf(t, i);
+  memory.fill(at, 0, block.CONTACT_BLOCK);
+  const none = i32x4.splat(<i32>t.states);
+  v128.store(at + block.A, none);
+  v128.store(at + block.B, none);
+  v128.store(at + block.SLOT, i32x4.splat(-1));
+}
+
+// Bodies that do not move have row 0 in their place.
+// @ts-ignore: decorator
+@inline function solverRow(t: RigidTable, row: i32): i32 {
+  return (flagsOf(t, row) & MOVES) != 0 ? row : 0;
+}
+
+// @ts-ignore: decorator
+@inline function fillBodies(t: RigidTable, contact: RigidContact, at: usize, l: i32): void {
+  const a = poseOf(t, contact.a);
+  const b = poseOf(t, contact.b);
+  putWord(at + block.A, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.a))));
+  putWord(at + block.B, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.b))));
+  put(at + block.MASS_A, l, a.inverseMass);
+  put(at + block.INERTIA_A, l, a.inverseInertia);
+  put(at + block.MASS_B, l, b.inverseMass);
+  put(at + block.INERTIA_B, l, b.inverseInertia);
+  put(at + block.NX, l, contact.nx);
+  put(at + block.NY, l, contact.ny);
+  put(at + block.FRICTION, l, contact.friction);
+  put(at + block.TANGENT_SPEED, l, contact.tangentSpeed);
+  put(at + block.ROLLING, l, contact.rollingResistance);
+  const turning = a.inverseInertia + b.inverseInertia;
+  put(at + block.ROLLING_MASS, l, turning > 0 ? <real>1 / turning : <real>0);
+  put(at + block.ROLLING_IMPULSE, l, contact.rollingImpulse);
+  put(at + block.RESTITUTION, l, contact.restitution);
+}
+
+// @ts-ignore: decorator
+@inline function fillPoint(t: RigidTable, contact: RigidContact, at: usize, l: i32, p: i32): void {
+  const point = pointOf(contact, p);
+  const to = at + block.POINTS + <usize>p * block.POINT;
+  const nx = contact.nx;
+  const ny = contact.ny;
+  const ax = point.ax;
+  const ay = point.ay;
+  const bx = point.bx;
+  const by = point.by;
+  put(to + block.AX, l, ax);
+  put(to + block.AY, l, ay);
+  put(to + block.BX, l, bx);
+  put(to + block.BY, l, by);
+  put(to + block.SEPARATION, l, point.separation - (nx * (bx - ax) + ny * (by - ay)));
+  const a = poseOf(t, contact.a);
+  const b = poseOf(t, contact.b);
+  const mass = a.inverseMass + b.inverseMass;
+  const normalA = ax * ny - ay * nx;
+  const normalB = bx * ny - by * nx;
+  // The tangent is the normal turned to the right: (ny, -nx).
+  const tangentA = ax * nx + ay * ny;
+  const tangentB = bx * nx + by * ny;
+  const normal = mass + a.inverseInertia * normalA * normalA + b.inverseInertia * normalB * normalB;
+  const tangent = mass + a.inverseInertia * tangentA * tangentA + b.inverseInertia * tangentB * tangentB;
+  put(to + block.NORMAL_MASS, l, normal > 0 ? <real>1 / normal : <real>0);
+  put(to + block.TANGENT_MASS, l, tangent > 0 ? <real>1 / tangent : <real>0);
+  put(to + block.NORMAL_IMPULSE, l, point.normalImpulse);
+  put(to + block.TANGENT_IMPULSE, l, point.tangentImpulse);
+  const sa = stateOf(t, solverRow(t, contact.a));
+  const sb = stateOf(t, solverRow(t, contact.b));
+  const vx = sb.vx - sb.w * by - (sa.vx - sa.w * ay);
+  const vy = sb.vy + sb.w * bx - (sa.vy + sa.w * ax);
+  point.normalSpeed = nx * vx + ny * vy;
+  put(to + block.NORMAL_SPEED, l, point.normalSpeed);
+}
+
+// Keeps the impulses for the next step, and for who asks about this one.
+export function storeImpulses(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  for (let i = 0; i < t.blockCount; i++) {
+    const at = block.blockOf(t, i);
+    for (let l = 0; l < LANES; l++) {
+      const slot = word(at + block.SLOT, l);
+      if (slot < 0) continue;
+      const contact = contactAt(t, slot);
+      contact.rollingImpulse = get(at + block.ROLLING_IMPULSE, l);
+      for (let p = 0; p < contact.count; p++) {
+        const point = pointOf(contact, p);
+        const from = at + block.POINTS + <usize>p * block.POINT;
+        point.normalImpulse = get(from + block.NORMAL_IMPULSE, l);
+        point.tangentImpulse = get(from + block.TANGENT_IMPULSE, l);
+        point.totalImpulse = get(from + block.TOTAL_IMPULSE, l);
+      }
+    }
+  }
+}

@@ -1,0 +1,92 @@
+// What the solver of rigid bodies keeps in a world's memory: settings, counters, and the addresses of its lists. Lists "by
+// row" have one entry for each entity id. src/solver/rigid-table.ts makes the table.
+@unmanaged
+export class RigidTable {
+  // Length of the step and of a sub-step, s.
+  dt: f64;
+  h: f64;
+  // Contacts as damped springs: frequency, Hz, damping ratio, and the fastest speed at which overlap is pushed out, m/s.
+  contactHertz: f64;
+  contactDampingRatio: f64;
+  contactSpeed: f64;
+  // Slower impacts do not bounce, m/s.
+  restitutionThreshold: f64;
+  // Joints as damped springs: frequency, Hz, and damping ratio.
+  jointHertz: f64;
+  jointDampingRatio: f64;
+  // A body slower than this, m/s, for this long, s, may sleep; a time of 0 keeps all bodies awake.
+  sleepSpeed: f64;
+  sleepTime: f64;
+  // Impacts faster than this are reported, m/s.
+  hitSpeed: f64;
+  // Rows in use, from 0, and the addresses of the columns that only this solver reads.
+  rows: i32;
+  generations: usize;
+  members: usize;
+  forceX: usize;
+  forceY: usize;
+  torqueZ: usize;
+  angle: usize;
+  tangentSpeed: usize;
+  rollingResistance: usize;
+  layers: usize;
+  masks: usize;
+  // Bits of membership: what makes a body dynamic, and what lets it turn.
+  dynamicBits: u32;
+  turningBits: u32;
+  colliderBit: u32;
+  // By row: class BodyState, class BodyPose, flags (body.ts), fat box, the generation these belong to, colors in use.
+  states: usize;
+  poses: usize;
+  flags: usize;
+  boxes: usize;
+  bodyGenerations: usize;
+  usedColors: usize;
+  // Rows of bodies that the solver moves in this step, ascending.
+  awake: usize;
+  awakeCount: i32;
+  // What sleep keeps, by row (class Sleeper), and the pairs of bodies that joints connect in this step.
+  sleepers: usize;
+  links: usize;
+  linkCount: i32;
+  // Trees of boxes: the nodes, their number, and a list of rows for making them. `treesValid` is 0 when the set of bodies
+  // changed.
+  staticNodes: usize;
+  staticNodeCount: i32;
+  movingNodes: usize;
+  movingNodeCount: i32;
+  treeRows: usize;
+  treesValid: i32;
+  // Half perimeter of all nodes of the moving tree, when it was made.
+  builtPerimeter: f64;
+  // Rows whose fat box changed in this step.
+  enlarged: usize;
+  enlargedCount: i32;
+  // Pairs found in this step, as keys of u64, and as much room to sort them.
+  pairs: usize;
+  sortedPairs: usize;
+  pairCapacity: i32;
+  pairCount: i32;
+  // Sorted keys of the pairs that joints keep from colliding.
+  jointPairs: usize;
+  jointPairCount: i32;
+  // Contacts: records (class RigidContact), those in use sorted by (a, b), and those that are free.
+  contactCapacity: i32;
+  contactCount: i32;
+  contacts: usize;
+  order: usize;
+  free: usize;
+  freeCount: i32;
+  lostCount: u32;
+  // Blocks of contacts that the solver goes through, and where each color begins and ends among their lanes.
+  blocks: usize;
+  blockCapacity: i32;
+  blockCount: i32;
+  touching: usize;
+  touchingCount: i32;
+  colors: usize;
+  colorCounts: usize;
+}
+
+// A color for every bit of a word; contacts that found none are in the last one.
+export const COLORS: i32 = 32;

@@ -1,0 +1,206 @@
+// Contacts in blocks of LANES: soft constraints along the normals, then friction and rolling resistance.
+//
+// For a point with accumulated impulse λ, effective mass m, relative normal speed u and separation s:
+//
+//   s > 0     Δλ = -m (u + s/h)                                   it may close within the sub-step, and not more
+//   s <= 0    Δλ = -m (q u + max(q r s, -v)) - p λ                r, q, p: bias rate, mass and impulse scale (softness.ts)
+//   relaxing  Δλ = -m u                                           takes back the speed that pushed the bodies apart
+//
+// and λ + Δλ is at least 0. Anchors are those at the start of the step, but separations follow the bodies. Friction, in
+// the relaxing pass: |λ_t| <= μ λ. Rolling resistance likewise bounds an impulse of torque.
+// Sources: Catto, Solver2D (2024); Macklin et al., Small Steps in Physics Simulation (2019); Box2D 3.
+import { add, larger, mul, splat, sub } from '../../memory/lanes';
+import * as block from './contact-block';
+import { MOVEMENT, gather, gathered, scatter } from './gather-lanes';
+import { RigidTable } from './rigid-table';
+
+// The smaller of two vectors; where the second is not a number, the first.
+// @ts-ignore: decorator
+@inline function smaller(a: v128, b: v128): v128 {
+  return v128.pmin<real>(a, b);
+}
+
+// @ts-ignore: decorator
+@inline function cross(ax: v128, ay: v128, bx: v128, by: v128): v128 {
+  return sub(mul(ax, by), mul(ay, bx));
+}
+
+// Applies the impulses of the last sub-step once more.
+export function warmStartContacts(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  for (let i = 0; i < t.blockCount; i++) warmStartBlock(block.blockOf(t, i));
+}
+
+// @ts-ignore: decorator
+@inline function warmStartBlock(at: usize): void {
+  const nx = v128.load(at, block.NX);
+  const ny = v128.load(at, block.NY);
+  let px = splat(0);
+  let py = splat(0);
+  let turnA = v128.load(at, block.ROLLING_IMPULSE);
+  let turnB = turnA;
+  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+    const normal = v128.load(p, block.NORMAL_IMPULSE);
+    const tangent = v128.load(p, block.TANGENT_IMPULSE);
+    v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), normal), block.TOTAL_IMPULSE);
+    const x = add(mul(normal, nx), mul(tangent, ny));
+    const y = sub(mul(normal, ny), mul(tangent, nx));
+    px = add(px, x);
+    py = add(py, y);
+    turnA = add(turnA, cross(v128.load(p, block.AX), v128.load(p, block.AY), x, y));
+    turnB = add(turnB, cross(v128.load(p, block.BX), v128.load(p, block.BY), x, y));
+  }
+  const mA = v128.load(at, block.MASS_A);
+  const mB = v128.load(at, block.MASS_B);
+  gather(at + block.A, 0);
+  const wa = sub(gathered.z, mul(v128.load(at, block.INERTIA_A), turnA));
+  scatter(at + block.A, sub(gathered.x, mul(mA, px)), sub(gathered.y, mul(mA, py)), wa, gathered.w);
+  gather(at + block.B, 0);
+  const wb = add(gathered.z, mul(v128.load(at, block.INERTIA_B), turnB));
+  scatter(at + block.B, add(gathered.x, mul(mB, px)), add(gathered.y, mul(mB, py)), wb, gathered.w);
+}
+
+// Softly, with overlap pushed out at a bounded speed.
+export function solveContacts(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  const inverseH = splat(<real>(1 / t.h));
+  const speed = splat(<real>-t.contactSpeed);
+  for (let i = 0; i < t.blockCount; i++) solveNormals(block.blockOf(t, i), inverseH, speed, true);
+}
+
+// Rigidly and without pushing, with friction.
+export function relaxContacts(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  const inverseH = splat(<real>(1 / t.h));
+  for (let i = 0; i < t.blockCount; i++) {
+    solveNormals(block.blockOf(t, i), inverseH, inverseH, false);
+    applyFriction(block.blockOf(t, i));
+  }
+}
+
+// @ts-ignore: decorator
+@inline function solveNormals(at: usize, inverseH: v128, slowest: v128, soft: bool): void {
+  const zero = splat(0);
+  gather(at + block.A, MOVEMENT);
+  const dxA = gathered.x;
+  const dyA = gathered.y;
+  const cA = gathered.z;
+  const sA = gathered.w;
+  gather(at + block.B, MOVEMENT);
+  const dx = sub(gathered.x, dxA);
+  const dy = sub(gathered.y, dyA);
+  const cB = gathered.z;
+  const sB = gathered.w;
+  gather(at + block.A, 0);
+  let vxA = gathered.x;
+  let vyA = gathered.y;
+  let wA = gathered.z;
+  const turnedA = gathered.w;
+  gather(at + block.B, 0);
+  let vxB = gathered.x;
+  let vyB = gathered.y;
+  let wB = gathered.z;
+  const turnedB = gathered.w;
+  const mA = v128.load(at, block.MASS_A);
+  const iA = v128.load(at, block.INERTIA_A);
+  const mB = v128.load(at, block.MASS_B);
+  const iB = v128.load(at, block.INERTIA_B);
+  const nx = v128.load(at, block.NX);
+  const ny = v128.load(at, block.NY);
+
+  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+    const ax = v128.load(p, block.AX);
+    const ay = v128.load(p, block.AY);
+    const bx = v128.load(p, block.BX);
+    const by = v128.load(p, block.BY);
+    const sx = add(dx, sub(sub(mul(cB, bx), mul(sB, by)), sub(mul(cA, ax), mul(sA, ay))));
+    const sy = add(dy, sub(add(mul(sB, bx), mul(cB, by)), add(mul(sA, ax), mul(cA, ay))));
+    const s = add(v128.load(p, block.SEPARATION), add(mul(sx, nx), mul(sy, ny)));
+    const vx = sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay)));
+    const vy = sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax)));
+    const speed = add(mul(vx, nx), mul(vy, ny));
+    const old = v128.load(p, block.NORMAL_IMPULSE);
+    const apart = v128.gt<real>(s, zero);
+    let change = add(speed, v128.and(apart, mul(s, inverseH)));
+    if (soft) {
+      const bias = larger(slowest, mul(v128.load(at, block.BIAS_RATE), s));
+      change = v128.bitselect(change, add(mul(v128.load(at, block.MASS_SCALE), speed), bias), apart);
+    }
+    change = mul(v128.load(p, block.NORMAL_MASS), change);
+    if (soft) change = add(change, v128.andnot(mul(v128.load(at, block.IMPULSE_SCALE), old), apart));
+    // Of a number and what is none, these take the number.
+    const impulse = smaller(splat(block.MAX_IMPULSE), larger(zero, sub(old, change)));
+    v128.store(p, impulse, block.NORMAL_IMPULSE);
+    const delta = sub(impulse, old);
+    v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), delta), block.TOTAL_IMPULSE);
+    const px = mul(delta, nx);
+    const py = mul(delta, ny);
+    vxA = sub(vxA, mul(mA, px));
+    vyA = sub(vyA, mul(mA, py));
+    wA = sub(wA, mul(iA, cross(ax, ay, px, py)));
+    vxB = add(vxB, mul(mB, px));
+    vyB = add(vyB, mul(mB, py));
+    wB = add(wB, mul(iB, cross(bx, by, px, py)));
+  }
+  scatter(at + block.A, vxA, vyA, wA, turnedA);
+  scatter(at + block.B, vxB, vyB, wB, turnedB);
+}
+
+// @ts-ignore: decorator
+@inline function applyFriction(at: usize): void {
+  gather(at + block.A, 0);
+  let vxA = gathered.x;
+  let vyA = gathered.y;
+  let wA = gathered.z;
+  const turnedA = gathered.w;
+  gather(at + block.B, 0);
+  let vxB = gathered.x;
+  let vyB = gathered.y;
+  let wB = gathered.z;
+  const turnedB = gathered.w;
+  const mA = v128.load(at, block.MASS_A);
+  const iA = v128.load(at, block.INERTIA_A);
+  const mB = v128.load(at, block.MASS_B);
+  const iB = v128.load(at, block.INERTIA_B);
+  const nx = v128.load(at, block.NX);
+  const ny = v128.load(at, block.NY);
+  const surface = v128.load(at, block.TANGENT_SPEED);
+  let total = splat(0);
+  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+    const ax = v128.load(p, block.AX);
+    const ay = v128.load(p, block.AY);
+    const bx = v128.load(p, block.BX);
+    const by = v128.load(p, block.BY);
+    const vx = sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay)));
+    const vy = sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax)));
+    const speed = sub(sub(mul(vx, ny), mul(vy, nx)), surface);
+    const normal = v128.load(p, block.NORMAL_IMPULSE);
+    total = add(total, normal);
+    const old = v128.load(p, block.TANGENT_IMPULSE);
+    const wanted = sub(old, mul(v128.load(p, block.TANGENT_MASS), speed));
+    const impulse = clamp(wanted, mul(v128.load(at, block.FRICTION), normal));
+    v128.store(p, impulse, block.TANGENT_IMPULSE);
+    const delta = sub(impulse, old);
+    const px = mul(delta, ny);
+    const py = v128.neg<real>(mul(delta, nx));
+    vxA = sub(vxA, mul(mA, px));
+    vyA = sub(vyA, mul(mA, py));
+    wA = sub(wA, mul(iA, cross(ax, ay, px, py)));
+    vxB = add(vxB, mul(mB, px));
+    vyB = add(vyB, mul(mB, py));
+    wB = add(wB, mul(iB, cross(bx, by, px, py)));
+  }
+  const old = v128.load(at, block.ROLLING_IMPULSE);
+  const wanted = sub(old, mul(v128.load(at, block.ROLLING_MASS), sub(wB, wA)));
+  const impulse = clamp(wanted, mul(v128.load(at, block.ROLLING), total));
+  v128.store(at, impulse, block.ROLLING_IMPULSE);
+  const delta = sub(impulse, old);
+  scatter(at + block.A, vxA, vyA, sub(wA, mul(iA, delta)), turnedA);
+  scatter(at + block.B, vxB, vyB, add(wB, mul(iB, delta)), turnedB);
+}
+
+// Within plus and minus `limit`; what is not a number becomes the limit.
+// @ts-ignore: decorator
+@inline function clamp(value: v128, limit: v128): v128 {
+  return larger(v128.neg<real>(limit), smaller(limit, value));
+}

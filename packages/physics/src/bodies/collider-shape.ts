@@ -1,0 +1,112 @@
+// What `spawn` makes of the shape and the density of a collider: its radius, and the mass and inertia of the body.
+import { circle } from '../collision/shapes/2d/circle.ts';
+import { isShape, type Shape } from '../collision/shapes/2d/shape.ts';
+import { shapeAt, shapePool } from '../collision/shapes/shape-pool.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkNumber, isRecord, mustBe } from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { ballInertia, ballMass } from './inertia.ts';
+
+/** Shape and density, which are no columns of `Collider`. */
+export interface ShapeInput {
+  /**
+   * Shape of two dimensions: `circle`, `box`, `capsule`, `polygon` or `segment`, or the index of a shape that the world
+   * has. Default a disc or ball of `radius`.
+   */
+  readonly shape?: Shape | number;
+  /** Mass by area, kg/m² (in 3D by volume, kg/m³), from which mass and inertia follow unless they are given. */
+  readonly density?: number;
+}
+
+type Input = Readonly<Record<string, unknown>>;
+
+/** An input without shape and density. */
+export interface ResolvedInput<Body> {
+  readonly body: Body;
+  /** The shape to store in the shape pool once everything is checked. */
+  readonly shape: Shape | undefined;
+}
+
+/**
+ * Replaces shape and density by what follows from them. A body with a shape turns, so that it also gets `Rotation` and,
+ * if it has mass, `AngularVelocity`; give `inertia: Infinity` to one that must not turn.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function resolveShape<Body extends object>(world: PhysicsWorld, body: Body): ResolvedInput<Body> {
+  const { collider } = body as Input;
+  if (!isRecord(collider) || (collider.shape === undefined && collider.density === undefined)) {
+    return { body, shape: undefined };
+  }
+  const { shape: given, density, ...fields } = collider;
+  const shape = given === undefined || given === 0 ? undefined : checkShape(world, given, 'collider.shape');
+  if (shape !== undefined && fields.radius !== undefined) {
+    throw new PhysicsError('E_RANGE', 'collider has both a shape and a radius.', {
+      field: 'collider.radius',
+      value: fields.radius,
+      hint: 'The radius follows from the shape: leave one of the two out.',
+    });
+  }
+  const radius = shape?.extent ?? fields.radius ?? 0.5;
+  const resolved: Record<string, unknown> = { ...body, collider: { ...fields, radius } };
+  if (shape !== undefined || density !== undefined) addMass(world, resolved, solidOf(world, shape, radius), density);
+  return { body: resolved as Body, shape };
+}
+
+/**
+ * Returns the shape that a caller gave, as a value or as an index.
+ * @throws PhysicsError E_TYPE, E_RANGE
+ */
+export function checkShape(world: PhysicsWorld, given: unknown, field: string): Shape {
+  const shape = typeof given === 'number' ? shapeAt(world, given) : given;
+  if (typeof given === 'number' && shape === undefined) {
+    throw mustBe(`an index of the ${shapePool(world).count - 1} shapes of this world`, given, field, 'E_RANGE');
+  }
+  if (!isShape(shape)) throw mustBe('a shape such as box(1, 0.5)', given, field);
+  if (world.dimensions === 3) {
+    throw new PhysicsError('E_RANGE', `${field} is of two dimensions and the world of three.`, {
+      field,
+      hint: 'Make the world with `dimensions: 2`, or give the collider a radius.',
+    });
+  }
+  return shape;
+}
+
+/** Mass for each unit of density, and inertia for each unit of mass. */
+interface Solid {
+  readonly massPerDensity: number;
+  readonly inertiaPerMass: number;
+}
+
+function solidOf(world: PhysicsWorld, shape: Shape | undefined, radius: unknown): Solid {
+  if (shape === undefined && world.dimensions === 3) {
+    const ball = checkNumber(radius, 'collider.radius');
+    return { massPerDensity: ballMass(1, ball), inertiaPerMass: ballInertia(1, ball) };
+  }
+  const { area, inertiaPerMass } = shape ?? circle(checkNumber(radius, 'collider.radius'));
+  return { massPerDensity: area, inertiaPerMass };
+}
+
+function addMass(world: PhysicsWorld, body: Record<string, unknown>, solid: Solid, density: unknown): void {
+  if (density !== undefined) {
+    const checked = checkNumber(density, 'collider.density', { above: 0, max: 1e38 });
+    if (solid.massPerDensity === 0) {
+      throw new PhysicsError('E_RANGE', 'collider.density is given for a segment, which has no area.', {
+        field: 'collider.density',
+        value: density,
+        hint: 'Leave it out, or give the body a mass.',
+      });
+    }
+    body.mass ??= checked * solid.massPerDensity;
+  }
+  const mass = isRecord(body.mass) ? body.mass.value : body.mass;
+  body[world.dimensions === 2 ? 'rotation' : 'orientation'] ??= {};
+  if (body.mass === undefined) return;
+  body.inertia ??= scaled(mass ?? 1, solid.inertiaPerMass);
+  body.angularVelocity ??= {};
+}
+
+/** The product of a number or of each number of a list; what is neither is refused where the mass itself is checked. */
+function scaled(mass: unknown, factor: number): unknown {
+  if (typeof mass === 'number') return mass * factor;
+  return Array.from(mass as ArrayLike<number>, (value) => value * factor);
+}

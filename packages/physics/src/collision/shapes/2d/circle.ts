@@ -1,0 +1,11 @@
+import { checkLength } from './limits.ts';
+import { makeShape, type Shape } from './shape.ts';
+
+/**
+ * A disc.
+ * @param radius m, 1e-5 to 1e6
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
+ */
+export function circle(radius: number): Shape {
+  return makeShape('circle', [0, 0], checkLength(radius, 'circle: radius'));
+}

@@ -1,0 +1,67 @@
+import { PhysicsError } from '../errors/physics-error.ts';
+import { bodyId, defineComponent, real, u32 } from './define.ts';
+
+/** Kinds of joints, by the number in `Joint.kind`. */
+export const JOINT_KINDS = ['revolute', 'distance', 'weld', 'prismatic', 'wheel'] as const;
+
+const LENGTH = { bounds: { min: -1e12, max: 1e12 } };
+const ANGLE = { bounds: { min: -1e9, max: 1e9 } };
+
+/**
+ * A joint between two rigid bodies, made by `createJoint`. The entity that has it is the joint, and goes when one of its
+ * bodies goes. Limits, springs and motors may be changed at any time. The free coordinate of a joint is the angle of b from
+ * a, the distance along its axis, or the distance of its anchors.
+ */
+export const Joint = defineComponent({
+  fields: {
+    /** 0 revolute, 1 distance, 2 weld, 3 prismatic, 4 wheel. */
+    kind: u32('', { bounds: { max: JOINT_KINDS.length - 1 } }),
+    /** The bodies it joins, by id. */
+    a: bodyId('aLife'),
+    b: bodyId('bLife'),
+    /** Which life of those ids is meant; filled in by the engine. */
+    aLife: u32(''),
+    bLife: u32(''),
+    /** The anchors in the frames of a and of b. */
+    ax: real('m', LENGTH),
+    ay: real('m', LENGTH),
+    bx: real('m', LENGTH),
+    by: real('m', LENGTH),
+    /** Angle of b from a at which the joint's angle is 0. */
+    angle: real('rad', ANGLE),
+    /** Direction of the axis of a prismatic or wheel joint in the frame of a. */
+    axis: real('rad', ANGLE),
+    /** Length of a distance joint. */
+    length: real('m', { bounds: { min: 0, max: 1e12 } }),
+    /** 1 where `lower` and `upper` bound the free coordinate, m or rad. */
+    limited: u32('', { bounds: { max: 1 } }),
+    lower: real('', LENGTH),
+    upper: real('', LENGTH),
+    /** Frequency of the spring along the free coordinate; 0 for none. */
+    hertz: real('Hz', { bounds: { min: 0, max: 1e6 } }),
+    /** Damping ratio of the spring: 1 is critical. */
+    dampingRatio: real('', { initial: 1, bounds: { min: 0, max: 1000 } }),
+    /** Speed that the motor keeps, m/s or rad/s. */
+    motorSpeed: real('', { bounds: { min: -1e9, max: 1e9 } }),
+    /** Largest force, N, or torque, N m, of the motor; 0 for none. */
+    maxMotor: real('', { bounds: { min: 0, max: 1e30 } }),
+    /** Force at which it breaks, N; 0 for never. */
+    breakForce: real('N', { bounds: { min: 0, max: 1e30 } }),
+    /** 1 where the two bodies collide with each other. */
+    collide: u32('', { bounds: { max: 1 } }),
+    /** 1 once the solver knows the joint; filled in by the engine. */
+    started: u32('', { bounds: { max: 1 } }),
+  },
+  complete({ a, b, lower, upper }, entity) {
+    const details = { entity, field: 'joint.b', value: b, hint: 'Give the ids of two different bodies as a and b.' };
+    if (a === 0 || b === 0) throw new PhysicsError('E_RANGE', 'joint needs two bodies.', details);
+    if (a === b) throw new PhysicsError('E_RANGE', `joint joins body ${a} to itself.`, details);
+    if (lower <= upper) return;
+    throw new PhysicsError('E_RANGE', `joint.lower is ${lower}, above joint.upper, which is ${upper}.`, {
+      entity,
+      field: 'joint.lower',
+      value: lower,
+      hint: 'Swap the two limits.',
+    });
+  },
+});

@@ -1,0 +1,100 @@
+// Joints as entities. What a joint does is in kernels/joints/2d.
+import { despawn, spawn } from '../bodies/spawn.ts';
+import { assertBody } from '../ecs/entity-ref.ts';
+import { assertUsable } from '../ecs/guards.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { isRecord, mustBe, type VectorInput } from '../errors/validate.ts';
+import { atan2, cos, sin } from '../math/elementary.ts';
+import { JointTableWord as Word } from '../memory/layouts.gen.ts';
+import { isSoftStep } from '../solver/is-soft-step.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import type { JointInput } from './joint-input.ts';
+import { type EndedJoints, endedOf, jointTable } from './joint-table.ts';
+
+/**
+ * Joins two rigid bodies as they stand now. The joint is an entity with the component Joint, whose limits, spring and motor
+ * may be changed at any time; `despawn` removes it, and it goes when one of its bodies goes.
+ * @param joint made by `revolute`, `distance`, `weld`, `prismatic` or `wheel`
+ * @returns the entity id of the joint
+ * @throws PhysicsError E_STALE for a body that is not there; E_TYPE, E_RANGE, E_CAPACITY, E_DESTROYED
+ */
+export function createJoint(world: PhysicsWorld, joint: JointInput): number {
+  assertUsable(world);
+  if (!isRecord(joint) || !isRecord(joint.fields))
+    throw mustBe('made by a function such as revolute()', joint, 'joint');
+  if (!isSoftStep(world.integrator)) {
+    throw new PhysicsError('E_RANGE', 'joints join rigid bodies, and this world has none.', {
+      field: 'joint',
+      hint: 'Make the world with `preset: rigidBodies`.',
+    });
+  }
+  const { kind, a, b, axis, fields } = joint;
+  assertBody(world, a);
+  assertBody(world, b);
+  const angles = world.components.Rotation.angle;
+  const anchorA = placeOf(world, a, joint.anchorA);
+  const anchorB = placeOf(world, b, joint.anchorB);
+  const localA = toLocal(world, a, anchorA);
+  const localB = toLocal(world, b, anchorB);
+  const values: Record<string, number> = {
+    kind,
+    a,
+    b,
+    ax: localA.x,
+    ay: localA.y,
+    bx: localB.x,
+    by: localB.y,
+    angle: angles[b] - angles[a],
+    length: distanceBetween(anchorA, anchorB),
+    ...fields,
+  };
+  if (axis !== undefined) values.axis = atan2(axis.y ?? 0, axis.x ?? 0) - angles[a];
+  return spawn(world, { joint: values });
+}
+
+function placeOf({ components }: PhysicsWorld, body: number, point: VectorInput | undefined) {
+  const { x, y } = components.Position;
+  return point === undefined ? { x: x[body], y: y[body] } : { x: point.x ?? 0, y: point.y ?? 0 };
+}
+
+type Point = { readonly x: number; readonly y: number };
+
+function distanceBetween(a: Point, b: Point): number {
+  const dx = b.x - a.x;
+  const dy = b.y - a.y;
+  return Math.sqrt(dx * dx + dy * dy);
+}
+
+function toLocal({ components }: PhysicsWorld, body: number, point: Point) {
+  const { Position, Rotation } = components;
+  const dx = point.x - Position.x[body];
+  const dy = point.y - Position.y[body];
+  const c = cos(Rotation.angle[body]);
+  const s = sin(Rotation.angle[body]);
+  return { x: c * dx + s * dy, y: c * dy - s * dx };
+}
+
+/** Returns the joints that ended by themselves: always the same object. @throws PhysicsError E_DESTROYED */
+export function endedJoints(world: PhysicsWorld): EndedJoints {
+  return endedOf(world);
+}
+
+/** Removes the joints whose force was above `breakForce`, when the step ends. */
+export function breakJoints(world: PhysicsWorld): void {
+  const { broken } = endedOf(world);
+  if (broken.length > 0) broken.length = 0;
+  if (world.internal.counts.Joint === 0) return;
+  const { words } = jointTable(world);
+  const ids = new Uint32Array(world.memory.buffer, words[Word.broken], words[Word.brokenCount]);
+  for (const id of ids) {
+    broken.push(id);
+    despawn(world, id);
+  }
+}
+
+/** Returns the largest force that a joint exerted in the last step, N: of its locked directions, spring, motor and limits. */
+export function jointForce(world: PhysicsWorld, joint: number): number {
+  assertUsable(world);
+  const { words } = jointTable(world);
+  return new Float64Array(world.memory.buffer, words[Word.impulses] + 64 * joint, 8)[7];
+}

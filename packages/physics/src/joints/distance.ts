@@ -1,0 +1,31 @@
+import type { VectorInput } from '../errors/validate.ts';
+import {
+  describeJoint,
+  type JointInput,
+  type JointLimits,
+  type JointMotor,
+  type JointOptions,
+  type JointSpring,
+} from './joint-input.ts';
+
+export interface DistanceOptions extends JointOptions {
+  /** Points of a and b, m, in world coordinates; default their centres. */
+  readonly anchorA?: VectorInput;
+  readonly anchorB?: VectorInput;
+  /** Length, m; default the distance of the points now. */
+  readonly length?: number;
+  /** With a spring the length is that at rest; without spring and limits it is fixed. */
+  readonly spring?: JointSpring;
+  /** Bounds of the distance, m: `{ upper: 2 }` is a rope. */
+  readonly limits?: JointLimits;
+  /** Speed at which it grows, m/s, and largest force, N. */
+  readonly motor?: JointMotor;
+}
+
+/**
+ * A rod, a spring or a rope between two points of two bodies.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function distance(options: DistanceOptions): JointInput {
+  return describeJoint('distance', 1, options, ['anchorA', 'anchorB', 'length', 'spring', 'limits', 'motor']);
+}

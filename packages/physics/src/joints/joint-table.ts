@@ -1,0 +1,142 @@
+// The memory of a world's joints (kernels/joints/2d/joint-table.ts), and the list of joints, kept until joints or bodies
+// come or go.
+
+import { rigidKernels } from '../collision/kernels.ts';
+import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
+import { collectThrown } from '../errors/collect-thrown.ts';
+import { allocate } from '../memory/arena.ts';
+import { JOINT_TABLE_BYTES, JointTableWord as Word } from '../memory/layouts.gen.ts';
+import { allocateRecord } from '../memory/record.ts';
+import { resource } from '../memory/resource.ts';
+import { rigidTable } from '../solver/rigid-table.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+
+/** Bytes of an articulated body, and of the impulses of a joint. */
+const BODY_BYTES = 72;
+const IMPULSES_BYTES = 64;
+
+/** Bytes of a joint in all lists: what the solver works with, two keys of pairs, and six words. */
+const WORK_BYTES = 400;
+const LIST_BYTES = WORK_BYTES + 40;
+
+/** The columns of Joint that the kernels read, in the order of the table. */
+const COLUMNS = [
+  ['kind', Word.kind],
+  ['a', Word.a],
+  ['b', Word.b],
+  ['aLife', Word.aLife],
+  ['bLife', Word.bLife],
+  ['ax', Word.ax],
+  ['ay', Word.ay],
+  ['bx', Word.bx],
+  ['by', Word.by],
+  ['angle', Word.angle],
+  ['axis', Word.axis],
+  ['length', Word.length],
+  ['limited', Word.limited],
+  ['lower', Word.lower],
+  ['upper', Word.upper],
+  ['hertz', Word.hertz],
+  ['dampingRatio', Word.dampingRatio],
+  ['motorSpeed', Word.motorSpeed],
+  ['maxMotor', Word.maxMotor],
+  ['breakForce', Word.breakForce],
+  ['collide', Word.collide],
+  ['started', Word.started],
+] as const;
+
+export interface JointTable {
+  /** Its address. */
+  readonly at: number;
+  readonly words: Uint32Array;
+  readonly entityList: EntityList;
+  /** Joints there is room for. */
+  room: number;
+}
+
+/** The joints that ended by themselves, in ascending order; their entities are gone. */
+export interface EndedJoints {
+  /** Joints that broke in the last step. */
+  readonly broken: readonly number[];
+  /** Joints that went before the last step because one of their bodies was gone. */
+  readonly removed: readonly number[];
+}
+
+export const endedOf = resource(() => ({ broken: [] as number[], removed: [] as number[] }));
+
+/** Takes memory for each row: a joint may be any entity. @throws PhysicsError E_CAPACITY */
+export const jointTable = resource((world): JointTable => {
+  const { arena } = world.internal;
+  const { at, words } = allocateRecord(arena, JOINT_TABLE_BYTES, 'joints');
+  words[Word.rigid] = rigidTable(world).at;
+  for (const [field, word] of COLUMNS) words[word] = world.addresses.Joint[field];
+  const take = (word: Word, bytes: number) => {
+    words[word] = allocate(arena, bytes * world.rows, 'joints');
+  };
+  take(Word.impulses, IMPULSES_BYTES);
+  take(Word.bodies, BODY_BYTES);
+  take(Word.sets, 4);
+  take(Word.heads, 4);
+  return { at, words, entityList: emptyEntityList(), room: 0 };
+});
+
+/**
+ * Brings the list of joints up to date. Joints that lost a body are removed.
+ * @throws PhysicsError E_CAPACITY
+ */
+export function refreshJoints(world: PhysicsWorld): void {
+  const { removed } = endedOf(world);
+  if (removed.length > 0) removed.length = 0;
+  if (world.internal.counts.Joint === 0) return;
+  const table = jointTable(world);
+  const { words } = table;
+  if (!listJoints(world, table) || words[Word.lostCount] === 0) return;
+  removed.push(...new Uint32Array(world.memory.buffer, words[Word.lost], words[Word.lostCount]));
+  removeJoints(world, removed);
+  listJoints(world, table);
+}
+
+function listJoints(world: PhysicsWorld, table: JointTable): boolean {
+  const { entityList, words } = table;
+  if (!refreshEntityList(world, entityList, 'Joint', 0)) return false;
+  words[Word.ids] = entityList.ids;
+  words[Word.count] = entityList.count;
+  ensureCapacity(world, table);
+  rigidKernels(world).listJoints(table.at);
+  return true;
+}
+
+function ensureCapacity(world: PhysicsWorld, table: JointTable): void {
+  const { words, entityList } = table;
+  if (entityList.count <= table.room) return;
+  const room = Math.min(world.rows, Math.max(64, Math.ceil(1.5 * entityList.count)));
+  const at = allocate(world.internal.arena, LIST_BYTES * room, `${entityList.count} joints`);
+  let next = at;
+  const take = (word: Word, bytes: number) => {
+    words[word] = next;
+    next += bytes * room;
+  };
+  take(Word.works, WORK_BYTES);
+  moveWords(world, words[Word.pairs], next, 2 * words[Word.pairCount]);
+  take(Word.pairs, 8);
+  take(Word.spare, 8);
+  take(Word.next, 8);
+  take(Word.links, 8);
+  for (const word of [Word.lost, Word.broken, Word.order, Word.roots]) take(word, 4);
+  table.room = room;
+}
+
+function moveWords(world: PhysicsWorld, from: number, to: number, count: number): void {
+  new Uint32Array(world.memory.buffer, to, count).set(new Uint32Array(world.memory.buffer, from, count));
+}
+
+function removeJoints(world: PhysicsWorld, ids: readonly number[]): void {
+  for (const id of ids) {
+    try {
+      removeEntityCompletely(world, id);
+    } catch (error) {
+      collectThrown(world, error);
+    }
+  }
+}

@@ -1,0 +1,30 @@
+import type { VectorInput } from '../errors/validate.ts';
+import {
+  describeJoint,
+  type JointInput,
+  type JointLimits,
+  type JointMotor,
+  type JointOptions,
+  type JointSpring,
+} from './joint-input.ts';
+
+export interface PrismaticOptions extends JointOptions {
+  /** Point of b that slides, m, in world coordinates. */
+  readonly anchor: VectorInput;
+  /** Direction in which it slides, in world coordinates; it turns with a. */
+  readonly axis: VectorInput;
+  /** Bounds of the distance from where b is now, m. */
+  readonly limits?: JointLimits;
+  /** Pulls b back to where it is now. */
+  readonly spring?: JointSpring;
+  /** Speed in m/s, largest force in N. */
+  readonly motor?: JointMotor;
+}
+
+/**
+ * A slider: b moves along a straight line of a and does not turn against it.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function prismatic(options: PrismaticOptions): JointInput {
+  return describeJoint('prismatic', 3, options, ['anchor', 'axis', 'limits', 'spring', 'motor']);
+}

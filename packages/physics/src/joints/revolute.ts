@@ -1,0 +1,28 @@
+import type { VectorInput } from '../errors/validate.ts';
+import {
+  describeJoint,
+  type JointInput,
+  type JointLimits,
+  type JointMotor,
+  type JointOptions,
+  type JointSpring,
+} from './joint-input.ts';
+
+export interface RevoluteOptions extends JointOptions {
+  /** Point about which the bodies turn, m, in world coordinates. */
+  readonly anchor: VectorInput;
+  /** Bounds of the angle of b from a, rad, which is 0 as the bodies are now. */
+  readonly limits?: JointLimits;
+  /** Turns the bodies back to the angle 0. */
+  readonly spring?: JointSpring;
+  /** Speed in rad/s, largest torque in N m. */
+  readonly motor?: JointMotor;
+}
+
+/**
+ * A hinge: the two bodies share a point and turn about it.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function revolute(options: RevoluteOptions): JointInput {
+  return describeJoint('revolute', 0, options, ['anchor', 'limits', 'spring', 'motor']);
+}

@@ -1,0 +1,17 @@
+import type { VectorInput } from '../errors/validate.ts';
+import { describeJoint, type JointInput, type JointOptions, type JointSpring } from './joint-input.ts';
+
+export interface WeldOptions extends JointOptions {
+  /** Point at which the bodies are joined, m, in world coordinates. */
+  readonly anchor: VectorInput;
+  /** With a spring the joint bends; without one the angle is fixed. */
+  readonly spring?: JointSpring;
+}
+
+/**
+ * Joins two bodies as they are now.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function weld(options: WeldOptions): JointInput {
+  return describeJoint('weld', 2, options, ['anchor', 'spring']);
+}

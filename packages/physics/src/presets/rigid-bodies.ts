@@ -1,0 +1,41 @@
+import { integrate } from '../dynamics/integrate.ts';
+import { beginStep, validateState } from '../dynamics/validate-state.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { velocityVerlet } from '../integrators/velocity-verlet.ts';
+import { breakJoints } from '../joints/create-joint.ts';
+import type { Precision } from '../kernels/instantiate.ts';
+import { isSoftStep } from '../solver/is-soft-step.ts';
+import { rigidBytesPerEntity, rigidTable } from '../solver/rigid-table.ts';
+import { softStep } from '../solver/soft-step.ts';
+import { dispatchFaultEvents } from '../world/event-handlers.ts';
+import type { PhysicsWorld, Preset } from '../world/types.ts';
+
+/**
+ * Rigid bodies of two dimensions with shapes: they fall, stack, slide, roll and bounce. Bodies with a Collider and no Mass
+ * are static, or kinematic where they have a Velocity. The integrator is `softStep()`, which takes its own sub-steps and
+ * evaluates the forces of the world in each; pass `integrator: softStep({ … })` for other settings.
+ */
+export const rigidBodies: Preset = /* @__PURE__ */ Object.assign(fill, {
+  // The default memory is added, because other features may need it.
+  bytesPerEntity: (_dimensions: 2 | 3, precision: Precision) => 256 + rigidBytesPerEntity(precision),
+});
+
+function fill(world: PhysicsWorld): void {
+  // Allocates the memory immediately, so that a world too small for contacts fails at its creation.
+  if (!isSoftStep(world.integrator)) world.integrator = defaultFor(world);
+  rigidTable(world);
+  const { phases } = world;
+  phases.begin.push(beginStep);
+  phases.integrate.push(integrate);
+  phases.finish.push(validateState, breakJoints);
+  phases.events.push(dispatchFaultEvents);
+}
+
+/** Velocity Verlet is what a world has that was given no integrator. */
+function defaultFor({ integrator }: PhysicsWorld) {
+  if (integrator === velocityVerlet) return softStep();
+  throw new PhysicsError('E_RANGE', `rigid bodies are not solved by ${integrator.name}.`, {
+    field: 'integrator',
+    hint: 'Leave `integrator` out, or pass softStep({ substeps: 8 }).',
+  });
+}

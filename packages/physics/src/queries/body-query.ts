@@ -1,0 +1,177 @@
+// What the queries about bodies with colliders share: the record that their kernels read (kernels/collision/queries/2d/
+// body-query.ts), the choice of bodies, and the form of a hit.
+import { rigidKernels } from '../collision/kernels.ts';
+import type { Shape } from '../collision/shapes/2d/shape.ts';
+import { writeShape } from '../collision/shapes/shape-pool.ts';
+import { bitOf } from '../components/all.ts';
+import type { RealColumn } from '../components/define.ts';
+import { assertUsable } from '../ecs/guards.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { checkKeys, checkNumber, checkVector, checkWhole } from '../errors/validate.ts';
+import type { KernelExports } from '../kernels/rigid-2d.gen.ts';
+import { cos, sin } from '../math/elementary.ts';
+import { allocate } from '../memory/arena.ts';
+import { BODY_QUERY_BYTES, SHAPE_BYTES } from '../memory/layouts.gen.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+
+/** Which bodies a query is about. */
+export interface QueryFilter {
+  /** Layers, one bit each: bodies that are on none of them are left out. Default all. */
+  readonly mask?: number;
+  /** A body that is left out, such as the one that asks. Default none. */
+  readonly ignore?: number;
+}
+
+/** Where a ray or a moving shape met a body. */
+export interface Hit {
+  /** Entity id. */
+  readonly body: number;
+  /** Fraction of the movement until then, 0 to 1. */
+  readonly fraction: number;
+  /** Point on the surface of the body, m. */
+  readonly x: number;
+  readonly y: number;
+  /** Unit normal of the surface there, outward; zero where a shape overlapped the body from the start. */
+  readonly nx: number;
+  readonly ny: number;
+}
+
+/** The position and angle of a shape. */
+export interface PoseInput {
+  /** Metres; default 0. */
+  readonly x?: number;
+  readonly y?: number;
+  /** Radians, anticlockwise; default 0. */
+  readonly angle?: number;
+}
+
+/** Bytes of the six integers at the start of the record, and of the reals behind them in this order. */
+const INTEGER_BYTES = 24;
+const REALS = ['x', 'y', 'c', 's', 'dx', 'dy', 'limit', 'reach', 'fraction', 'nx', 'ny', 'pointX', 'pointY'] as const;
+
+/** Indices into the reals of the record. */
+const R = Object.fromEntries(REALS.map((name, i) => [name, i])) as Record<(typeof REALS)[number], number>;
+
+interface QueryMemory {
+  /** Address of the record, and of a record for the shape of the query. */
+  readonly at: number;
+  readonly shapeAt: number;
+  readonly words: Uint32Array;
+  readonly reals: RealColumn;
+}
+
+/** The memory of queries, of which one at a time runs. Nothing in it outlasts a call. */
+const queryMemory = resource((world): QueryMemory => {
+  const { internal, memory, precision } = world;
+  const at = allocate(internal.arena, BODY_QUERY_BYTES[precision], 'queries');
+  const shapeAt = allocate(internal.arena, SHAPE_BYTES[precision], 'queries');
+  const Reals = precision === 'f32' ? Float32Array : Float64Array;
+  const words = new Uint32Array(memory.buffer, at, INTEGER_BYTES / 4);
+  return { at, shapeAt, words, reals: new Reals(memory.buffer, at + INTEGER_BYTES, REALS.length) };
+});
+
+const BODY = (bitOf('Position') | bitOf('Collider')) >>> 0;
+
+/** A query that runs: `next` finds the next body, and the other functions read what was found. */
+export interface RunningQuery {
+  readonly kernels: KernelExports;
+  readonly at: number;
+  readonly shapeAt: number;
+  readonly reals: RealColumn;
+}
+
+/** The path of a query: where it starts, the angle of its shape, and where it moves to from there. */
+export interface Path {
+  readonly x: number;
+  readonly y: number;
+  readonly angle: number;
+  readonly dx: number;
+  readonly dy: number;
+}
+
+/**
+ * Fills the record for a query along a path, about bodies whose surface comes within `reach` of it.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE for the filter; E_CAPACITY, E_DESTROYED
+ */
+export function openQuery(
+  world: PhysicsWorld,
+  path: Path,
+  reach: number,
+  filter: QueryFilter,
+  shape?: Shape,
+): RunningQuery {
+  const { mask = 0xffffffff, ignore = 0 } = filter;
+  const { at, shapeAt, words, reals } = queryMemory(world);
+  const { Rotation, Collider } = world.addresses;
+  const checked = [checkWhole(mask, 'mask', 0, 0xffffffff), checkWhole(ignore, 'ignore', 0, 0xffffffff)];
+  words.set([BODY, ...checked, world.lastId, Rotation.angle, Collider.layers]);
+  reals.set([path.x, path.y, cos(path.angle), sin(path.angle), path.dx, path.dy, 1, reach]);
+  if (shape !== undefined) writeShape(world, shapeAt, shape);
+  return { kernels: rigidKernels(world), at, shapeAt, reals };
+}
+
+/** The hit that the kernel wrote. */
+export function readHit({ reals }: RunningQuery, body: number): Hit {
+  return {
+    body,
+    fraction: reals[R.fraction],
+    x: reals[R.pointX],
+    y: reals[R.pointY],
+    nx: reals[R.nx],
+    ny: reals[R.ny],
+  };
+}
+
+/**
+ * The first of all hits, and of equally early ones that of the smallest id.
+ * @param next finds the next hit from a row on, none as 0
+ */
+export function firstHit(query: RunningQuery, next: (row: number) => number): Hit | undefined {
+  let first: Hit | undefined;
+  for (let row = next(1); row > 0; row = next(row + 1)) {
+    const hit = readHit(query, row);
+    if (first !== undefined && hit.fraction >= first.fraction) continue;
+    first = hit;
+    // What lies behind it need not be computed.
+    query.reals[R.limit] = hit.fraction;
+  }
+  return first;
+}
+
+/** All hits, the earliest first, and of equally early ones that of the smaller id. */
+export function allHits(query: RunningQuery, next: (row: number) => number): Hit[] {
+  const hits: Hit[] = [];
+  for (let row = next(1); row > 0; row = next(row + 1)) hits.push(readHit(query, row));
+  return hits.sort((a, b) => a.fraction - b.fraction || a.body - b.body);
+}
+
+/** Changes the distance from the path within which bodies are of interest. */
+export function setReach(query: RunningQuery, reach: number): void {
+  query.reals[R.reach] = reach;
+}
+
+/**
+ * Checks that a world has two dimensions, as queries about shapes need.
+ * @throws PhysicsError E_RANGE, E_DESTROYED, E_TYPE
+ */
+export function assertPlanar(world: PhysicsWorld, caller: string): void {
+  assertUsable(world);
+  if (world.dimensions === 2) return;
+  throw new PhysicsError('E_RANGE', `${caller} is for worlds of two dimensions, and this one has three.`, {
+    hint: 'Make the world with `dimensions: 2`, or use bodyAt.',
+  });
+}
+
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN */
+export function checkFilter(filter: unknown, caller: string, others: readonly string[] = []): void {
+  checkKeys(filter, caller, ['mask', 'ignore', ...others]);
+}
+
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN */
+export function checkPose(pose: unknown, field: string): { x: number; y: number; angle: number } {
+  checkKeys(pose, field, ['x', 'y', 'angle'], 'field');
+  const { angle = 0, ...point } = pose as PoseInput;
+  const { x, y } = checkVector(point, field);
+  return { x, y, angle: checkNumber(angle, `${field}.angle`) };
+}

@@ -1,0 +1,21 @@
+import { checkShape } from '../bodies/collider-shape.ts';
+import type { Shape } from '../collision/shapes/2d/shape.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { assertPlanar, checkFilter, checkPose, openQuery, type PoseInput, type QueryFilter } from './body-query.ts';
+
+/**
+ * Returns the ids of all bodies that a shape overlaps or touches, ascending. Tests every body with a collider, where it
+ * is now.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
+ */
+export function overlapShape(world: PhysicsWorld, shape: Shape, pose: PoseInput, filter: QueryFilter = {}): number[] {
+  assertPlanar(world, 'overlapShape');
+  const checked = checkShape(world, shape, 'overlapShape: shape');
+  const start = checkPose(pose, 'overlapShape: pose');
+  checkFilter(filter, 'overlapShape');
+  const query = openQuery(world, { ...start, dx: 0, dy: 0 }, checked.extent, filter, checked);
+  const next = (row: number) => query.kernels.nextNearBody(query.at, query.shapeAt, row);
+  const ids: number[] = [];
+  for (let row = next(1); row > 0; row = next(row + 1)) ids.push(row);
+  return ids;
+}

@@ -1,0 +1,54 @@
+import type { PointInput } from '../collision/shapes/2d/shape.ts';
+import { checkVector } from '../errors/validate.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import {
+  allHits,
+  assertPlanar,
+  checkFilter,
+  firstHit,
+  type Hit,
+  openQuery,
+  type QueryFilter,
+  type RunningQuery,
+} from './body-query.ts';
+
+/**
+ * Returns the first body that a ray enters, and where. A ray that starts inside a body does not enter that body. Tests
+ * every body with a collider, where it is now.
+ * @param from start of the ray, m
+ * @param to end of the ray, m
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
+ */
+export function rayCast(
+  world: PhysicsWorld,
+  from: PointInput,
+  to: PointInput,
+  filter: QueryFilter = {},
+): Hit | undefined {
+  const query = openRay(world, from, to, filter, 'rayCast');
+  return firstHit(query, (row) => query.kernels.nextRayHit(query.at, row));
+}
+
+/**
+ * Returns all bodies that a ray enters, the nearest to its start first; otherwise as `rayCast`.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
+ */
+export function rayCastAll(world: PhysicsWorld, from: PointInput, to: PointInput, filter: QueryFilter = {}): Hit[] {
+  const query = openRay(world, from, to, filter, 'rayCastAll');
+  return allHits(query, (row) => query.kernels.nextRayHit(query.at, row));
+}
+
+function openRay(
+  world: PhysicsWorld,
+  from: PointInput,
+  to: PointInput,
+  filter: QueryFilter,
+  caller: string,
+): RunningQuery {
+  assertPlanar(world, caller);
+  const start = checkVector(from, `${caller}: from`);
+  const end = checkVector(to, `${caller}: to`);
+  checkFilter(filter, caller);
+  const path = { x: start.x, y: start.y, angle: 0, dx: end.x - start.x, dy: end.y - start.y };
+  return openQuery(world, path, 0, filter);
+}

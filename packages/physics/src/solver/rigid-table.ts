@@ -1,0 +1,110 @@
+// The memory of a world's rigid bodies: a table of settings, counters and addresses (kernels/solver/2d/rigid-table.ts) and
+// the lists it points to, all in the world's arena.
+
+import { rigidKernels } from '../collision/kernels.ts';
+import { bitOf } from '../components/all.ts';
+import type { Precision } from '../kernels/instantiate.ts';
+import { allocate } from '../memory/arena.ts';
+import { realBytes } from '../memory/columns.ts';
+import { RIGID_TABLE_BYTES, RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+
+/** Contacts there is room for, by body: a pile of boxes has three each, and pairs that only come near need room too. */
+const CONTACTS_PER_BODY = 6;
+
+/** Small worlds have room for a heap. */
+const MIN_CONTACTS = 4096;
+
+/** Bytes of a contact's record: kernels/collision/narrow-phase/2d/rigid-contact.ts. */
+const contactBytes = (bytes: number) => 48 + 42 * bytes;
+
+/** Bytes of a block of contacts, one for each lane of a vector: kernels/solver/2d/contact-block.ts. */
+const BLOCK_BYTES = 640;
+
+/** Bytes for each contact in all lists. Contacts without a color take a block each. */
+const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 4 + 4 + 8 + 8 + 8;
+
+/** Reals that sleep keeps of a body, and two words: kernels/solver/2d/sleeper.ts. */
+const SLEEPER_REALS = 5;
+
+/** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
+const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 6 * 4;
+
+/** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
+export function rigidBytesPerEntity(precision: Precision): number {
+  const bytes = realBytes(precision);
+  return Math.ceil(rowBytes(bytes) + CONTACTS_PER_BODY * listBytes(bytes));
+}
+
+/** Takes the memory, the first time it is asked for. @throws PhysicsError E_CAPACITY */
+export const rigidTable = resource((world): MemoryRecord => {
+  const table = allocateRecord(world.internal.arena, RIGID_TABLE_BYTES, 'rigid bodies');
+  writeColumns(world, table.words);
+  takeRows(world, table.words);
+  takeContacts(world, table.words);
+  rigidKernels(world).clearContacts(table.at);
+  return table;
+});
+
+function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
+  const { Collider, Rotation } = world.addresses;
+  const { force, torque } = world.scratch.at;
+  words[Word.generations] = world.internal.generations.byteOffset;
+  words[Word.members] = world.internal.membersAt;
+  words[Word.forceX] = force.x;
+  words[Word.forceY] = force.y;
+  words[Word.torqueZ] = torque.z;
+  words[Word.angle] = Rotation.angle;
+  words[Word.tangentSpeed] = Collider.tangentSpeed;
+  words[Word.rollingResistance] = Collider.rollingResistance;
+  words[Word.layers] = Collider.layers;
+  words[Word.masks] = Collider.mask;
+  words[Word.dynamicBits] = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
+  words[Word.turningBits] = (bitOf('Rotation') | bitOf('AngularVelocity')) >>> 0;
+  words[Word.colliderBit] = bitOf('Collider');
+}
+
+function takeRows(world: PhysicsWorld, words: Uint32Array): void {
+  const { rows, precision, internal } = world;
+  const bytes = realBytes(precision);
+  const take = (word: Word, size: number) => {
+    words[word] = allocate(internal.arena, size * rows, 'rigid bodies');
+  };
+  take(Word.states, 8 * bytes);
+  take(Word.poses, 8 * bytes);
+  take(Word.boxes, 4 * bytes);
+  take(Word.sleepers, SLEEPER_REALS * bytes + 8);
+  const node = 4 * bytes + 8;
+  take(Word.staticNodes, 2 * node);
+  take(Word.movingNodes, 2 * node);
+  for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.treeRows, Word.enlarged]) {
+    take(word, 4);
+  }
+}
+
+function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
+  const { rows, precision, internal } = world;
+  const bytes = realBytes(precision);
+  const { arena } = internal;
+  // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
+  const room = 0.9 * (arena.bytes - arena.top) - 8 * 8192;
+  const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
+  const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(bytes))));
+  const take = (word: Word, size: number) => {
+    words[word] = allocate(arena, size, 'contacts of rigid bodies');
+  };
+  words[Word.contactCapacity] = capacity;
+  words[Word.pairCapacity] = capacity;
+  words[Word.blockCapacity] = Math.ceil(capacity / (16 / bytes)) + 64;
+  take(Word.contacts, contactBytes(bytes) * capacity);
+  take(Word.order, 4 * capacity);
+  take(Word.free, 4 * capacity);
+  take(Word.touching, 8 * capacity);
+  take(Word.pairs, 8 * capacity);
+  take(Word.sortedPairs, 8 * capacity);
+  take(Word.blocks, BLOCK_BYTES * words[Word.blockCapacity]);
+  take(Word.colors, 4 * 32);
+  take(Word.colorCounts, 4 * 32);
+}

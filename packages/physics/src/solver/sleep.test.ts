@@ -1,0 +1,156 @@
+// Bodies at rest sleep together and wake together.
+import {
+  applyImpulse,
+  asleepCount,
+  box,
+  createJoint,
+  createPhysicsWorld,
+  despawn,
+  distance,
+  isAsleep,
+  type PhysicsWorldOptions,
+  restore,
+  rigidBodies,
+  snapshot,
+  softStep,
+  spawn,
+  stateHash,
+  step,
+  uniformGravity,
+  wake,
+} from '@principia/physics';
+import { expect, test } from 'vitest';
+
+const DT = 1 / 60;
+
+function rigidWorld(options: PhysicsWorldOptions = {}) {
+  return createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 500, ...options });
+}
+
+type World = ReturnType<typeof rigidWorld>;
+
+const addGround = (world: World) =>
+  spawn(world, { position: { y: -0.5 }, collider: { shape: box(100, 1), friction: 0.6 } });
+
+const addBox = (world: World, x: number, y: number) =>
+  spawn(world, { position: { x, y }, collider: { shape: box(1, 1), density: 1, friction: 0.6 } });
+
+function run(world: World, seconds: number) {
+  for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
+}
+
+/** A stack of three and a box apart from it, all asleep. */
+function sleepingWorld(options: PhysicsWorldOptions = {}) {
+  const world = rigidWorld(options);
+  const ground = addGround(world);
+  const stack = [0, 1, 2].map((i) => addBox(world, 0, 0.5 + i));
+  const apart = addBox(world, 10, 0.5);
+  run(world, 3);
+  expect(asleepCount(world)).toBe(4);
+  return { world, ground, stack, apart };
+}
+
+test('bodies at rest sleep, and then nothing moves', () => {
+  const { world } = sleepingWorld();
+  const before = stateHash(world);
+  const { time } = world;
+  run(world, 1);
+  world.time = time;
+  expect(stateHash(world)).toBe(before);
+});
+
+test('a falling body wakes the stack that it hits, with its momentum, and nothing else', () => {
+  const { world, stack, apart } = sleepingWorld();
+  const ball = spawn(world, {
+    position: { x: -3, y: 2.5 },
+    velocity: { x: 8, y: 1 },
+    collider: { radius: 0.4, density: 2 },
+  });
+  const { Velocity, Mass } = world.components;
+  const mass = Mass.value[stack[2]];
+  while (Velocity.x[stack[2]] === 0 && world.time < 5) step(world, DT);
+  expect(isAsleep(world, stack[0])).toBe(false);
+  expect(isAsleep(world, apart)).toBe(true);
+  const momentum = Mass.value[ball] * Velocity.x[ball] + stack.reduce((sum, id) => sum + mass * Velocity.x[id], 0);
+  // Friction with the ground takes some of it within the step.
+  expect(momentum / (8 * Mass.value[ball])).toBeGreaterThan(0.85);
+  run(world, 10);
+  expect(asleepCount(world)).toBeGreaterThan(3);
+});
+
+test('what changes a sleeping body wakes it', () => {
+  const { world, ground, stack, apart } = sleepingWorld();
+  const awake = () => [isAsleep(world, stack[0]), isAsleep(world, apart)].map((asleep) => !asleep);
+  const changes: [() => void, boolean[]][] = [
+    [() => applyImpulse(world, apart, { x: 1 }), [false, true]],
+    [() => (world.components.Position.y[apart] += 0.1), [false, true]],
+    [() => wake(world, stack[2]), [true, false]],
+    [() => despawn(world, stack[1]), [true, false]],
+    [() => world.forces.push(uniformGravity({ x: 1 })), [true, true]],
+    [() => (world.components.Position.y[ground] -= 0.2), [true, true]],
+  ];
+  for (const [change, expected] of changes) {
+    change();
+    run(world, 3 * DT);
+    expect(awake()).toEqual(expected);
+    if (world.forces.length > 1) world.forces.pop();
+    run(world, 4);
+    expect(awake()).toEqual([false, false]);
+  }
+  despawn(world, ground);
+  run(world, 3 * DT);
+  expect(awake()).toEqual([true, true]);
+});
+
+test('an island sleeps as a whole: a joint keeps a resting body awake while its other end swings', () => {
+  const world = rigidWorld();
+  addGround(world);
+  const resting = addBox(world, 0, 0.5);
+  const swinging = spawn(world, { position: { x: 2, y: 4 }, mass: 0.01 });
+  createJoint(world, distance({ a: resting, b: swinging }));
+  run(world, 2);
+  expect(isAsleep(world, resting)).toBe(false);
+  const other = addBox(world, 20, 0.5);
+  run(world, 2);
+  expect(isAsleep(world, other)).toBe(true);
+});
+
+test('what moves without mass carries bodies, wakes them and keeps them awake', () => {
+  const world = rigidWorld();
+  const platform = spawn(world, {
+    position: { y: -0.5 },
+    velocity: {},
+    collider: { shape: box(10, 1), friction: 1 },
+  });
+  const load = addBox(world, 0, 0.5);
+  run(world, 2);
+  expect(isAsleep(world, load)).toBe(true);
+  world.components.Velocity.x[platform] = 0.5;
+  run(world, 3);
+  expect(isAsleep(world, load)).toBe(false);
+  expect(world.components.Velocity.x[load]).toBeCloseTo(0.5, 3);
+});
+
+test('with a sleep time of 0 nobody sleeps', () => {
+  const world = rigidWorld({ integrator: softStep({ sleepTime: 0 }) });
+  addGround(world);
+  addBox(world, 0, 0.5);
+  run(world, 2);
+  expect(asleepCount(world)).toBe(0);
+});
+
+test.each(['f32', 'f64'] as const)(
+  'a restored world goes on to the bit in %s, with sleepers, contacts and joints',
+  (precision) => {
+    const { world, stack } = sleepingWorld({ precision });
+    const bob = spawn(world, { position: { x: 3, y: 3 }, mass: 1, collider: { radius: 0.2 } });
+    createJoint(world, distance({ a: stack[2], b: bob }));
+    run(world, 0.5);
+    const before = snapshot(world);
+    run(world, 2);
+    const hash = stateHash(world);
+    restore(world, before);
+    run(world, 2);
+    expect(stateHash(world)).toBe(hash);
+  },
+);

@@ -1,0 +1,40 @@
+// Which rigid bodies sleep. They neither move nor cost much until something touches them, other forces act on them, or
+// someone changes their columns.
+import { assertBody } from '../ecs/entity-ref.ts';
+import { assertUsable } from '../ecs/guards.ts';
+import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { isSoftStep } from './is-soft-step.ts';
+import { rigidTable } from './rigid-table.ts';
+
+/** Bits of a row's flags: kernels/solver/2d/body.ts. */
+const ASLEEP = 8;
+const WAKES = 128;
+
+function flagsOf(world: PhysicsWorld): Uint32Array {
+  if (!isSoftStep(world.integrator)) return new Uint32Array(0);
+  return new Uint32Array(world.memory.buffer, rigidTable(world).words[Word.flags], world.lastId + 1);
+}
+
+/** Returns whether a body sleeps; false in worlds without rigid bodies. @throws PhysicsError E_STALE, E_DESTROYED */
+export function isAsleep(world: PhysicsWorld, body: number): boolean {
+  assertBody(world, body);
+  return (flagsOf(world)[body] & ASLEEP) !== 0;
+}
+
+/** Returns the number of bodies that sleep. @throws PhysicsError E_DESTROYED */
+export function asleepCount(world: PhysicsWorld): number {
+  assertUsable(world);
+  let count = 0;
+  for (const flags of flagsOf(world)) if ((flags & ASLEEP) !== 0) count++;
+  return count;
+}
+
+/**
+ * Wakes a body, and with it all that it touches, in the next step. Not needed after an impulse, a change of position or of
+ * forces. @throws PhysicsError E_STALE, E_DESTROYED
+ */
+export function wake(world: PhysicsWorld, body: number): void {
+  if (!isAsleep(world, body)) return;
+  flagsOf(world)[body] |= WAKES;
+}

@@ -1,0 +1,154 @@
+// Rigid bodies in soft steps: contacts and joints are damped springs, solved implicitly in sub-steps.
+//
+//   once a step      broad phase, narrow phase, prepare                   kernels/collision, kernels/solver/2d
+//   in a sub-step    forces; velocities; warm start; solve; positions; relax
+//   once a step      restitution, impulses kept for the next step
+//
+// Forces are those of the world, evaluated in every sub-step, so that drag, wind and springs act on rigid bodies, with their
+// torque. Momentum is conserved to rounding. Contacts are rigid when relaxed, and soft only where they push overlap out, so
+// that stacks stand without jitter; the residual overlap is a fraction of the slop of 5 mm.
+//
+// First order. Sources: Catto, Solver2D (2024), box2d.org/posts/2024/02/solver2d, and Box2D 3, whose defaults these are;
+// Macklin et al.: Small Steps in Physics Simulation (SCA 2019).
+
+import { rigidKernels } from '../collision/kernels.ts';
+import { anyForceAppliesTorque } from '../dynamics/evaluate-forces.ts';
+import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { jointTable, refreshJoints } from '../joints/joint-table.ts';
+import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
+import { markSoftStep } from './is-soft-step.ts';
+import { refuseUnsupported } from './refuse-unsupported.ts';
+import { rigidTable } from './rigid-table.ts';
+
+/** How rigid bodies are solved. Lengths are for bodies from 0.1 m to 10 m. */
+export interface SoftStepOptions {
+  /** Sub-steps of a step; default 4. */
+  readonly substeps?: number;
+  /** Frequency of contacts as springs, Hz; default 30, at most an eighth of the rate of sub-steps. */
+  readonly contactHertz?: number;
+  /** Damping ratio of contacts; default 10. */
+  readonly contactDampingRatio?: number;
+  /** Largest speed at which overlap is pushed out, m/s; default 3. */
+  readonly contactSpeed?: number;
+  /** Frequency of joints as springs, Hz; default 60, at most a quarter of the rate of sub-steps. */
+  readonly jointHertz?: number;
+  /** Damping ratio of joints; default 2. */
+  readonly jointDampingRatio?: number;
+  /** Slower impacts do not bounce, m/s; default 1. */
+  readonly restitutionThreshold?: number;
+  /** A body none of whose points is faster is still, m/s; default 0.05. */
+  readonly sleepSpeed?: number;
+  /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
+  readonly sleepTime?: number;
+}
+
+const OPTIONS = [
+  'substeps',
+  'contactHertz',
+  'contactDampingRatio',
+  'contactSpeed',
+  'jointHertz',
+  'jointDampingRatio',
+  'restitutionThreshold',
+  'sleepSpeed',
+  'sleepTime',
+] as const;
+
+/**
+ * The integrator of the preset `rigidBodies`, with other settings than its own.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function softStep(options: SoftStepOptions = {}): Integrator {
+  checkKeys(options, 'softStep', OPTIONS);
+  const number = (name: keyof SoftStepOptions, standard: number, min: number, max: number, integer = false) =>
+    checkNumber(options[name] ?? standard, `softStep.${name}`, { min, max, integer });
+  const substeps = number('substeps', 4, 1, 1000, true);
+  const values: readonly (readonly [Value, number])[] = [
+    [Value.contactHertz, number('contactHertz', 30, 0.1, 1e6)],
+    [Value.contactDampingRatio, number('contactDampingRatio', 10, 0, 1000)],
+    [Value.contactSpeed, number('contactSpeed', 3, 0, 1e6)],
+    [Value.sleepSpeed, number('sleepSpeed', 0.05, 0, 1e6)],
+    [Value.sleepTime, number('sleepTime', 0.5, 0, 1e6)],
+    [Value.jointHertz, number('jointHertz', 60, 0.1, 1e6)],
+    [Value.jointDampingRatio, number('jointDampingRatio', 2, 0, 1000)],
+    [Value.restitutionThreshold, number('restitutionThreshold', 1, 0, 1e6)],
+  ];
+  return markSoftStep({
+    name: 'soft step',
+    order: 1,
+    symplectic: false,
+    evaluations: substeps,
+    velocityLag: 0.5 / substeps,
+    wholeWorld: true,
+    // As of semi-implicit Euler with the length of a sub-step.
+    isStable: (stiffness, damping) => stiffness / (substeps * substeps) + (2 * damping) / substeps <= 4,
+    prepare(world) {
+      refuseUnsupported(world);
+      const { numbers } = rigidTable(world);
+      for (const [value, number] of values) numbers[value] = number;
+      refreshJoints(world);
+    },
+    advance: (world, ranges, dt, evaluateForces) => advance(world, ranges, dt, evaluateForces, substeps),
+  });
+}
+
+function advance(
+  world: PhysicsWorld,
+  ranges: Ranges,
+  dt: number,
+  evaluateForces: EvaluateForces,
+  substeps: number,
+): void {
+  const kernels = rigidKernels(world);
+  const { at, words, numbers } = rigidTable(world);
+  const h = dt / substeps;
+  numbers[Value.dt] = dt;
+  numbers[Value.h] = h;
+  words[Word.rows] = world.lastId + 1;
+  words[Word.torqueZ] = anyForceAppliesTorque(world) ? world.scratch.at.torque.z : 0;
+
+  kernels.gatherBodies(at);
+  const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
+  words[Word.linkCount] = 0;
+  kernels.findRigidPairs(at);
+  kernels.wakeTouched(at);
+  if (joints !== 0) kernels.prepareJoints(joints);
+  kernels.updateContacts(at);
+  kernels.colorContacts(at);
+  kernels.prepareContacts(at);
+  for (let s = 0; s < substeps; s++) {
+    evaluateForces(world, ranges, world.time + s * h);
+    kernels.integrateVelocities(at);
+    if (joints !== 0) startJoints(kernels, joints);
+    kernels.warmStartContacts(at);
+    if (joints !== 0) solveJoints(kernels, joints, 1);
+    kernels.solveContacts(at);
+    kernels.integratePositions(at);
+    if (joints !== 0) solveJoints(kernels, joints, 0);
+    kernels.relaxContacts(at);
+    kernels.writeBodies(at);
+    if (joints !== 0) kernels.watchJoints(joints);
+  }
+  kernels.applyRestitution(at);
+  kernels.storeImpulses(at);
+  kernels.writeBodies(at);
+  kernels.writeAngles(at);
+  if (joints !== 0) kernels.listBroken(joints);
+  kernels.updateSleep(at);
+}
+
+type Kernels = ReturnType<typeof rigidKernels>;
+
+/** The directions of all joints in this sub-step, and the impulses of the last. */
+function startJoints(kernels: Kernels, joints: number): void {
+  kernels.measureJoints(joints);
+  kernels.factorJoints(joints);
+  kernels.warmStartJoints(joints);
+}
+
+/** With `soft` 1 joints pull together what is apart. */
+function solveJoints(kernels: Kernels, joints: number, soft: number): void {
+  kernels.solveAxes(joints, soft);
+  kernels.solveLocks(joints, soft);
+}
