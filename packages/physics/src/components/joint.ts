@@ -17,11 +17,11 @@ export const Joint = defineComponent({
     /** 0 revolute, 1 distance, 2 weld, 3 prismatic, 4 wheel. */
     kind: u32('', { bounds: { max: JOINT_KINDS.length - 1 } }),
     /** The bodies it joins, by id. */
-    a: bodyId('aLife'),
-    b: bodyId('bLife'),
+    a: bodyId('aGeneration'),
+    b: bodyId('bGeneration'),
     /** Which life of those ids is meant; filled in by the engine. */
-    aLife: u32(''),
-    bLife: u32(''),
+    aGeneration: u32(''),
+    bGeneration: u32(''),
     /** The anchors in the frames of a and of b. */
     ax: real('m', LENGTH),
     ay: real('m', LENGTH),
@@ -34,7 +34,7 @@ export const Joint = defineComponent({
     /** Length of a distance joint. */
     length: real('m', { bounds: { min: 0, max: 1e12 } }),
     /** 1 where `lower` and `upper` bound the free coordinate, m or rad. */
-    limited: u32('', { bounds: { max: 1 } }),
+    hasLimits: u32('', { bounds: { max: 1 } }),
     lower: real('', LENGTH),
     upper: real('', LENGTH),
     /** Frequency of the spring along the free coordinate; 0 for none. */

@@ -1,8 +1,9 @@
 // Joints as entities. What a joint does is in kernels/joints/2d.
 import { despawn, spawn } from '../bodies/spawn.ts';
-import { assertBody } from '../ecs/entity-ref.ts';
+import { assertBody, staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
-import { PhysicsError } from '../errors/physics-error.ts';
+import { isOpen } from '../ecs/rows.ts';
+import { describe, PhysicsError } from '../errors/physics-error.ts';
 import { isRecord, mustBe, type VectorInput } from '../errors/validate.ts';
 import { atan2, cos, sin } from '../math/elementary.ts';
 import { JointTableWord as Word } from '../memory/layouts.gen.ts';
@@ -92,9 +93,14 @@ export function breakJoints(world: PhysicsWorld): void {
   }
 }
 
-/** Returns the largest force that a joint exerted in the last step, N: of its locked directions, spring, motor and limits. */
+/**
+ * Returns the largest force that a joint exerted in the last step, N: of its locked directions, spring, motor and limits.
+ * @throws PhysicsError E_STALE when there is no joint with this id, E_DESTROYED
+ */
 export function jointForce(world: PhysicsWorld, joint: number): number {
   assertUsable(world);
+  if (!Number.isInteger(joint) || !isOpen(world, joint, 'Joint'))
+    throw staleError(joint, `there is no joint ${describe(joint)} in this world.`);
   const { words } = jointTable(world);
   return new Float64Array(world.memory.buffer, words[Word.impulses] + 64 * joint, 8)[7];
 }

@@ -8,8 +8,8 @@ export class JointTable {
   kind: usize;
   a: usize;
   b: usize;
-  aLife: usize;
-  bLife: usize;
+  aGeneration: usize;
+  bGeneration: usize;
   ax: usize;
   ay: usize;
   bx: usize;
@@ -17,7 +17,7 @@ export class JointTable {
   angle: usize;
   axis: usize;
   length: usize;
-  limited: usize;
+  hasLimits: usize;
   lower: usize;
   upper: usize;
   hertz: usize;

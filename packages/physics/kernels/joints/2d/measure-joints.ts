@@ -128,7 +128,7 @@ function alongLine(t: JointTable, work: JointWork): void {
   setRow(rowOf(work, SPRING_ROW), ux, uy, armA, armB, distance);
   setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance);
   work.locks = 0;
-  if (get(t.hertz, id) > 0 || word(t.limited, id) != 0) return;
+  if (get(t.hertz, id) > 0 || word(t.hasLimits, id) != 0) return;
   setRow(rowOf(work, 0), ux, uy, armA, armB, distance - <f64>get(t.length, id));
   work.locks = 1;
 }

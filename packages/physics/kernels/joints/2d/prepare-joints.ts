@@ -21,7 +21,7 @@ export function listJoints(table: usize): void {
     const id = word(t.ids, i);
     const a = word(t.a, id);
     const b = word(t.b, id);
-    if (!lives(rigid, a, word(t.aLife, id)) || !lives(rigid, b, word(t.bLife, id))) {
+    if (!lives(rigid, a, word(t.aGeneration, id)) || !lives(rigid, b, word(t.bGeneration, id))) {
       putWord(t.lost, t.lostCount++, id);
       continue;
     }
@@ -139,7 +139,7 @@ function dropUnused(t: JointTable, work: JointWork, impulses: JointImpulses): vo
   const id = work.id;
   if (!(get(t.hertz, id) > 0)) impulses.spring = 0;
   if (!(get(t.maxMotor, id) > 0)) impulses.motor = 0;
-  if (word(t.limited, id) == 0) {
+  if (word(t.hasLimits, id) == 0) {
     impulses.lower = 0;
     impulses.upper = 0;
   }

@@ -26,7 +26,7 @@ export function solveAxes(table: usize, soft: i32): void {
     const impulses = impulsesOf(t, work.id);
     if (get(t.hertz, work.id) > 0) solveSpring(t, work, a, b, impulses, rigid.h);
     if (get(t.maxMotor, work.id) > 0) solveMotor(t, work, a, b, impulses, rigid.h);
-    if (word(t.limited, work.id) != 0) solveLimits(t, work, a, b, impulses, soft != 0);
+    if (word(t.hasLimits, work.id) != 0) solveLimits(t, work, a, b, impulses, soft != 0);
   }
 }
 

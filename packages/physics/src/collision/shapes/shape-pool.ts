@@ -85,7 +85,8 @@ function isBox([ax, ay, bx, by, cx, cy, dx, dy, ...more]: readonly number[]): bo
  * @throws PhysicsError E_DESTROYED
  */
 export function shapeAt(world: PhysicsWorld, index: number): Shape | undefined {
-  return shapePool(world).shapes[index];
+  const { shapes } = shapePool(world);
+  return typeof index === 'number' ? shapes[index] : undefined;
 }
 
 /**
