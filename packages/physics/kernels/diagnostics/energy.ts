@@ -23,8 +23,8 @@ export function dotColumns(a: usize, b: usize, first: i32, last: i32): f64 {
   return sum;
 }
 
-// Sum of m (p vq - q vp), p and q the two axes after `axis` (0, 1, 2): angular momentum about that axis through the point
-// (p0, q0), kg m^2/s.
+// Sum of m (p vq - q vp), p and q the two axes after `axis` (0, 1, 2): angular momentum about that axis through the
+// point (p0, q0), kg m^2/s.
 export function angularMomentumAxis(axis: usize, p0: f64, q0: f64, first: i32, last: i32): f64 {
   const c = columns();
   const mass = c.mass;

@@ -4,7 +4,7 @@
 const PRIME: u64 = 0x100000001b3;
 
 // @ts-ignore: decorator
-@inline function stir(hash: u64, word: u32): u64 {
+@inline function mix(hash: u64, word: u32): u64 {
   const h = (hash ^ <u64>word) * PRIME;
   return h ^ (h >> 29);
 }
@@ -21,10 +21,10 @@ export function hashReals(column: usize, rows: i32): void {
   for (let row = 0; row < rows; row++) {
     const value = load<real>(column + <usize>row * sizeof<real>()) + <real>0;
     if (sizeof<real>() == 4) {
-      h = stir(h, value == value ? reinterpret<u32>(<f32>value) : 0x7fc00000);
+      h = mix(h, value == value ? reinterpret<u32>(<f32>value) : 0x7fc00000);
     } else {
       const bits = value == value ? reinterpret<u64>(<f64>value) : 0x7ff8000000000000;
-      h = stir(stir(h, <u32>bits), <u32>(bits >> 32));
+      h = mix(mix(h, <u32>bits), <u32>(bits >> 32));
     }
   }
   state = h;
@@ -32,7 +32,7 @@ export function hashReals(column: usize, rows: i32): void {
 
 export function hashWords(column: usize, rows: i32): void {
   let h = state;
-  for (let row = 0; row < rows; row++) h = stir(h, load<u32>(column + ((<usize>row) << 2)));
+  for (let row = 0; row < rows; row++) h = mix(h, load<u32>(column + ((<usize>row) << 2)));
   state = h;
 }
 

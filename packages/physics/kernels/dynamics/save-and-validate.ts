@@ -63,7 +63,11 @@ export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real,
 
 // @ts-ignore: decorator
 @inline function accumulateBlock(accumulated: v128, p: usize, limit: v128): v128 {
-  return accumulate(accumulate(accumulate(accumulate(accumulated, p, limit), p + 16, limit), p + 32, limit), p + 48, limit);
+  return accumulate(
+    accumulate(accumulate(accumulate(accumulated, p, limit), p + 16, limit), p + 32, limit),
+    p + 48,
+    limit,
+  );
 }
 
 // Returns a mask of the lanes whose values are all within the limit.

@@ -3,24 +3,24 @@
 const BLOCK: i32 = 16;
 
 // Writes ascending ranges [first, last) of whole 16-row blocks with at least one row that has all `required` bits, as
-// pairs of i32 at `runs`, and returns their number. Ranges closer than `gap` blocks are joined: processing a few empty
-// rows costs less than another call.
-export function buildRuns(members: usize, required: u32, rows: i32, gap: i32, runs: usize): i32 {
-  const want = i32x4.splat(required);
+// pairs of i32 at `ranges`, and returns their number. Ranges closer than `gap` blocks are joined: processing a few
+// empty rows costs less than another call.
+export function buildRanges(members: usize, required: u32, rows: i32, gap: i32, ranges: usize): i32 {
+  const requiredBits = i32x4.splat(required);
   let count = 0;
   let last = 0;
   for (let row = 0; row < rows; row += BLOCK) {
-    let hit = false;
+    let found = false;
     for (let i = 0; i < BLOCK; i += 4) {
-      const bits = v128.and(v128.load(members + ((<usize>(row + i)) << 2)), want);
-      if (v128.any_true(i32x4.eq(bits, want))) hit = true;
+      const bits = v128.and(v128.load(members + ((<usize>(row + i)) << 2)), requiredBits);
+      if (v128.any_true(i32x4.eq(bits, requiredBits))) found = true;
     }
-    if (!hit) continue;
+    if (!found) continue;
     if (count > 0 && row - last <= gap * BLOCK) {
-      store<i32>(runs + ((<usize>(count - 1)) << 3), row + BLOCK, 4);
+      store<i32>(ranges + ((<usize>(count - 1)) << 3), row + BLOCK, 4);
     } else {
-      store<i32>(runs + ((<usize>count) << 3), row);
-      store<i32>(runs + ((<usize>count) << 3), row + BLOCK, 4);
+      store<i32>(ranges + ((<usize>count) << 3), row);
+      store<i32>(ranges + ((<usize>count) << 3), row + BLOCK, 4);
       count++;
     }
     last = row + BLOCK;
@@ -29,7 +29,7 @@ export function buildRuns(members: usize, required: u32, rows: i32, gap: i32, ru
 }
 
 // Writes the ids of all rows with all `required` bits in ascending order, and returns their number.
-export function listIds(members: usize, required: u32, rows: i32, ids: usize): i32 {
+export function collectEntities(members: usize, required: u32, rows: i32, ids: usize): i32 {
   let count = 0;
   for (let row = 0; row < rows; row++) {
     if ((load<u32>(members + ((<usize>row) << 2)) & required) == required) {

@@ -94,7 +94,7 @@ function solveTime(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f6
   const time = abs<f64>(dt);
   let low: f64 = 0;
   let high: f64 = Infinity;
-  let s = guess(r0, inverse, beta, signedEta, zeta, time);
+  let s = initialGuess(r0, inverse, beta, signedEta, zeta, time);
   for (let i = 0; i < MAX_ITERATIONS; i++) {
     stumpff(beta * s * s);
     const G1 = s * c1;
@@ -128,7 +128,7 @@ function solveTime(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f6
 
 // Initial guess: four terms of the series of s in dt for a short step, else the mean motion.
 // @ts-ignore: decorator
-@inline function guess(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f64): f64 {
+@inline function initialGuess(r0: f64, inverse: f64, beta: f64, eta: f64, zeta: f64, dt: f64): f64 {
   const first = dt * inverse;
   const e = eta * first * inverse;
   const z = zeta * first * first * inverse;

@@ -1,5 +1,5 @@
-// The reserved ranges at the start of a world's memory, by ascending address. Each range ends where the next begins. The
-// build of the kernels checks that the contents of a range fit, and writes the addresses for TypeScript into
+// The reserved ranges at the start of a world's memory, by ascending address. Each range ends where the next begins.
+// The build of the kernels checks that the contents of a range fit, and writes the addresses for TypeScript into
 // src/memory/layouts.gen.ts. The bytes before the first range stay zero, so that a read through a null address gives 0.
 
 // The addresses of columns: class Columns.

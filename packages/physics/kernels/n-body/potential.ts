@@ -110,7 +110,8 @@ function byTree(w: NBody, column: usize, dimensions: i32, law: i32): f64 {
       for (let c = 0; c < w.cellCount; c++) {
         potential += potentialOfCell(<usize>load<u32>(w.cells + ((<usize>c) << 2)), x, y, z, w.softening2, law);
       }
-      for (let q = 0; q < w.pointCount; q++) potential += potentialOfPoint(w, <usize>load<u32>(w.points + ((<usize>q) << 2)), i, law);
+      for (let q = 0; q < w.pointCount; q++)
+        potential += potentialOfPoint(w, <usize>load<u32>(w.points + ((<usize>q) << 2)), i, law);
       for (let r = 0; r < w.rangeCount; r++) {
         const range = w.ranges + ((<usize>r) << 3);
         const first = load<i32>(range);

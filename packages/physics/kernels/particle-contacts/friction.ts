@@ -27,11 +27,21 @@ function readSlip(a: Body, b: Body, nx: real, ny: real, nz: real): void {
   slipX = ux - un * nx;
   slipY = uy - un * ny;
   slipZ = uz - un * nz;
-  tangentMass = <real>1 / (a.inverseMass + b.inverseMass + a.radiusOverInertia * a.radius + b.radiusOverInertia * b.radius);
+  tangentMass =
+    <real>1 / (a.inverseMass + b.inverseMass + a.radiusOverInertia * a.radius + b.radiusOverInertia * b.radius);
 }
 
 // Applies the friction impulse of an impact with normal impulse `impulse` that happened `time` ago.
-export function applyFriction(a: Body, b: Body, nx: real, ny: real, nz: real, friction: real, impulse: real, time: real): void {
+export function applyFriction(
+  a: Body,
+  b: Body,
+  nx: real,
+  ny: real,
+  nz: real,
+  friction: real,
+  impulse: real,
+  time: real,
+): void {
   if (!(friction * impulse > 0)) return;
   readSlip(a, b, nx, ny, nz);
   const slip = sqrt<real>(slipX * slipX + slipY * slipY + slipZ * slipZ);
@@ -41,9 +51,18 @@ export function applyFriction(a: Body, b: Body, nx: real, ny: real, nz: real, fr
   applyTangentImpulse(a, b, nx, ny, nz, slipX * scale, slipY * scale, slipZ * scale, time);
 }
 
-// Updates the friction of a persistent contact. `accumulated` points to the accumulated tangential impulse on b in this step
-// (three f32), whose magnitude must not exceed `limit`.
-export function solveFriction(a: Body, b: Body, nx: real, ny: real, nz: real, limit: real, accumulated: usize, time: real): void {
+// Updates the friction of a persistent contact. `accumulated` points to the accumulated tangential impulse on b in this
+// step (three f32), whose magnitude must not exceed `limit`.
+export function solveFriction(
+  a: Body,
+  b: Body,
+  nx: real,
+  ny: real,
+  nz: real,
+  limit: real,
+  accumulated: usize,
+  time: real,
+): void {
   readSlip(a, b, nx, ny, nz);
   const oldX = <real>load<f32>(accumulated);
   const oldY = <real>load<f32>(accumulated, 4);
@@ -71,13 +90,33 @@ export function solveFriction(a: Body, b: Body, nx: real, ny: real, nz: real, li
   );
 }
 
-function applyTangentImpulse(a: Body, b: Body, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real, time: real): void {
+function applyTangentImpulse(
+  a: Body,
+  b: Body,
+  nx: real,
+  ny: real,
+  nz: real,
+  jx: real,
+  jy: real,
+  jz: real,
+  time: real,
+): void {
   applyToBody(a, -a.inverseMass, nx, ny, nz, jx, jy, jz, time);
   applyToBody(b, b.inverseMass, nx, ny, nz, jx, jy, jz, time);
 }
 
 // Both bodies receive the same angular impulse, because impulse and lever arm are both opposite: omega -= r/I (n x j).
-function applyToBody(b: Body, signedInverseMass: real, nx: real, ny: real, nz: real, jx: real, jy: real, jz: real, time: real): void {
+function applyToBody(
+  b: Body,
+  signedInverseMass: real,
+  nx: real,
+  ny: real,
+  nz: real,
+  jx: real,
+  jy: real,
+  jz: real,
+  time: real,
+): void {
   applyVelocityChange(b, signedInverseMass * jx, signedInverseMass * jy, signedInverseMass * jz, time);
   const k = b.radiusOverInertia;
   b.wx -= k * (ny * jz - nz * jy);
@@ -86,7 +125,15 @@ function applyToBody(b: Body, signedInverseMass: real, nx: real, ny: real, nz: r
 }
 
 // Applies wall friction to the columns of one row; positions do not change.
-export function applyWallFriction(c: Columns, row: i32, nx: real, ny: real, nz: real, friction: real, impulse: real): void {
+export function applyWallFriction(
+  c: Columns,
+  row: i32,
+  nx: real,
+  ny: real,
+  nz: real,
+  friction: real,
+  impulse: real,
+): void {
   if (!(friction * impulse > 0)) return;
   const b = wallContactBody();
   loadMotion(c, row, b);

@@ -10,8 +10,8 @@ import { linkWalls } from './wall-reactions';
 import { ContactTable, contactTable, putWord, word } from './table';
 
 // Solves impacts, resting contacts and overlaps, then removes the contacts that did not touch. `lag` is the time by
-// which the integrator's velocities lag its positions, `lastId` the highest entity id. With `savePositions` the positions
-// before the response are saved for `clampToSegments`.
+// which the integrator's velocities lag its positions, `lastId` the highest entity id. With `savePositions` the
+// positions before the response are saved for `clampToSegments`.
 export function respond(dt: real, lag: real, lastId: i32, savePositions: bool): void {
   const c = columns();
   const t = contactTable();

@@ -43,7 +43,10 @@ export function solveRestingContacts(c: Columns, t: ContactTable, dt: real, lag:
     let change: real = 0;
     for (let k = 0; k < t.wallCount; k++) change = max<real>(change, solveWallContact(t, k));
     const forward = (iteration & 1) == 0;
-    change = max<real>(change, blocks > 0 ? iterateBlocks(t, blocks, forward, false) : iterateContacts(t, count, forward));
+    change = max<real>(
+      change,
+      blocks > 0 ? iterateBlocks(t, blocks, forward, false) : iterateContacts(t, count, forward),
+    );
     if (change <= speed * VELOCITY_TOLERANCE) break;
   }
   for (let n = 0; n < blocks; n++) unpackBlock(t, blockAt(t, n));
@@ -191,7 +194,8 @@ function solveContact(t: ContactTable, i: i32): real {
   impulseDuration = halfStep;
   const frictionState = frictionStateAt(t, i);
   const friction = <real>load<f32>(frictionState, 12);
-  if (friction > 0) solveFriction(a, b, x, y, z, friction * get(t.accumulatedImpulse, i), frictionState, impulseDuration);
+  if (friction > 0)
+    solveFriction(a, b, x, y, z, friction * get(t.accumulatedImpulse, i), frictionState, impulseDuration);
   return change;
 }
 

@@ -48,8 +48,8 @@ export class ContactTable {
   wallImpulse: usize;
   wallAccumulatedImpulse: usize;
   wallGap: usize;
-  // Friction coefficient, the normal impulse for which friction has been applied, the friction impulse applied since (three
-  // f32), and the slot of the body in `bodies`.
+  // Friction coefficient, the normal impulse for which friction has been applied, the friction impulse applied since
+  // (three f32), and the slot of the body in `bodies`.
   wallFriction: usize;
   wallFrictionApplied: usize;
   wallTangentImpulse: usize;

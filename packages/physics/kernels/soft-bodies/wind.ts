@@ -24,8 +24,8 @@ export class SheetInWind {
   tangential: f64;
 }
 
-// Adds the wind forces. `sections` has two words per section of the faces: its first face, and whether it is a quad strip;
-// behind the last, the number of faces. A triangle with a removed corner receives no force.
+// Adds the wind forces. `sections` has two words per section of the faces: its first face, and whether it is a quad
+// strip; behind the last, the number of faces. A triangle with a removed corner receives no force.
 export function addWindForces(sheet: usize): void {
   const s = changetype<SheetInWind>(sheet);
   const faces = s.faces;

@@ -331,7 +331,8 @@ function moveTurning(t: ConstraintTable, first: i32, last: i32, taut: v128): v12
   for (; node != end; node = after(node)) {
     const w = node.inverseMass;
     const underTension = v128.and(taut, v128.gt<real>(node.impulseOverLength, zero));
-    const g = v128.and(div(node.impulseOverLength, larger(mul(node.restLength, node.inverseLength), splat(MIN_END_LENGTH))), underTension);
+    const endRatio = larger(mul(node.restLength, node.inverseLength), splat(MIN_END_LENGTH));
+    const g = v128.and(div(node.impulseOverLength, endRatio), underTension);
     const scaled = v128.bitselect(g, node.impulseOverLength, underTension);
     const x = mul(scaled, node.rx);
     const y = mul(scaled, node.ry);

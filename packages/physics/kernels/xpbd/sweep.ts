@@ -94,7 +94,8 @@ function applyTension(t: ConstraintTable, row: i32, by: real): void {
   v128.store(p3, transpose3(x, y, z, w));
 }
 
-// Solves groups of LANES rows that share no movable body. If `isFirst`, the stored tensions are ignored and count as zero.
+// Solves groups of LANES rows that share no movable body. If `isFirst`, the stored tensions are ignored and count as
+// zero.
 function solveGroups(t: ConstraintTable, first: i32, last: i32, isFirst: bool): void {
   const packed = t.packed;
   const lengths = t.length;

@@ -81,7 +81,7 @@ function checkColumn(space: WorldView, name: string, spec: FieldSpec, many: unkn
     throw new PhysicsError('E_RANGE', `${name} has ${many.length} values for ${count} bodies.`, { field: name });
   }
   // The full check, which formats names, runs only for values that need it.
-  const special = spec.life !== undefined || (spec.spatial === true && space.dimensions === 2);
+  const special = spec.generationField !== undefined || (spec.spatial === true && space.dimensions === 2);
   const checked = new Float64Array(count);
   for (let i = 0; i < count; i++) {
     const value: unknown = many[i];

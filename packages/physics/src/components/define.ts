@@ -20,7 +20,7 @@ export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
   /** Whether the field must be 0 in 2D. */
   readonly spatial?: boolean | undefined;
   /** For the id of a body: the name of the field with the generation of that body. */
-  readonly life?: string | undefined;
+  readonly generationField?: string | undefined;
 }
 
 /** A component: its fields, and the field set by a plain number. `COMPONENTS` names it. */
@@ -59,9 +59,9 @@ export function u32(unit: string, options: FieldOptions = {}): FieldSpec<'u32'> 
   return { ...field, kind: 'u32', bounds: { min: 0, max: 0xffffffff, integer: true, ...field.bounds } };
 }
 
-/** A field with the id of a body. The field `life` stores its generation, because ids are reused. */
-export function bodyId(life: string): FieldSpec<'u32'> {
-  return { ...u32('id', { bounds: { min: 1 } }), life };
+/** A field with the id of a body. The field `generationField` stores its generation, because ids are reused. */
+export function bodyId(generationField: string): FieldSpec<'u32'> {
+  return { ...u32('id', { bounds: { min: 1 } }), generationField };
 }
 
 /**

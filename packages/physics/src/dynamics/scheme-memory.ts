@@ -14,8 +14,8 @@ export interface SchemeMemory {
 const memories = resource((): Map<string, SchemeMemory> => new Map());
 
 export function schemeMemory(world: PhysicsWorld, scheme: Scheme): SchemeMemory {
-  const known = memories(world).get(scheme.structure);
-  if (known !== undefined) return known;
+  const existing = memories(world).get(scheme.structure);
+  if (existing !== undefined) return existing;
   const { internal, precision, rows } = world;
   const columns = scheme.memory.map((_, i) => axisColumns(internal.arena, precision, rows, `memory ${i}`)[1]);
   const made = { columns, tick: -1, dt: 0, last: 0 };

@@ -49,14 +49,14 @@ const COEFFICIENTS: readonly Coefficient[] = /* @__PURE__ */ COMPONENT_NAMES.fil
 const ROUND = 64;
 
 /**
- * Reports coefficients out of bounds and corrects them. Where forces, the integrator or contacts couple bodies, every step
- * checks the columns through which they do; of all others it checks one part in 64, so that a bad value is found within 64
- * steps: to read every column in every step would cost particles a third of their time.
+ * Reports coefficients out of bounds and corrects them. If forces, the integrator or contacts couple bodies, every step
+ * checks the columns that couple them. Of all other columns it checks one part in 64, so that an invalid value is found
+ * within 64 steps; reading every column in every step would slow particles down by a third.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
   const { counts, sweptRows } = world.internal;
-  const part = 16 * Math.ceil(sweptRows / 16 / ROUND);
-  const start = part * (world.tick % ROUND);
+  const rowsPerStep = 16 * Math.ceil(sweptRows / 16 / ROUND);
+  const start = rowsPerStep * (world.tick % ROUND);
   const isCoupled = couplesBodies(world);
   for (let c = 0; c < COEFFICIENTS.length; c++) {
     const coefficient = COEFFICIENTS[c];
@@ -64,7 +64,7 @@ export function validateCoefficients(world: PhysicsWorld): void {
     // A bad engine would burn its fuel within the step.
     const isUrgent = (isCoupled && coefficient.isShared) || coefficient.component === 'Engine';
     if (isUrgent) checkRows(world, coefficient, 0, sweptRows);
-    else if (start < sweptRows) checkRows(world, coefficient, start, Math.min(start + part, sweptRows));
+    else if (start < sweptRows) checkRows(world, coefficient, start, Math.min(start + rowsPerStep, sweptRows));
   }
 }
 

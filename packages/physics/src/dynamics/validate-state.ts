@@ -107,13 +107,13 @@ function areAnglesValid(world: PhysicsWorld, first: number, last: number): boole
   const { kernels, addresses } = world;
   const { AngularVelocity: w, Rotation, Orientation: q } = addresses;
   const maxSpin = MAX_ANGULAR_SPEED;
-  const part = MAX_QUATERNION_COMPONENT;
+  const limit = MAX_QUATERNION_COMPONENT;
   const valid =
     kernels.checkAxis(w.x, w.y, maxSpin, maxSpin, first, last) &
     kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, maxSpin, first, last);
   if (world.dimensions === 2) return valid === 1;
   const orientationValid =
-    kernels.checkAxis(q.x, q.y, part, part, first, last) & kernels.checkAxis(q.z, q.w, part, part, first, last);
+    kernels.checkAxis(q.x, q.y, limit, limit, first, last) & kernels.checkAxis(q.z, q.w, limit, limit, first, last);
   return (valid & orientationValid) === 1;
 }
 
@@ -127,8 +127,8 @@ const LIMITS = [
 ] as const;
 
 /**
- * Quarantines a body with an invalid value. A finite speed beyond the limit that a force or contact has caused is clamped
- * instead; one that user code has written would carry the body thousands of kilometres within the step.
+ * Quarantines a body with an invalid value. A finite speed beyond the limit that a force or contact has caused is
+ * clamped instead; one that user code has written would carry the body thousands of kilometres within the step.
  */
 function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string): void {
   for (const [name, limit] of LIMITS) {

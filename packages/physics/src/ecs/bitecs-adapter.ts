@@ -107,7 +107,7 @@ export function removeEntityCompletely(world: PhysicsWorld, eid: number): void {
   if (first !== undefined) throw first.error;
 }
 
-/** Whether this life of the entity ends with the present step. */
+/** Returns whether the entity of this generation is removed at the end of the present step. */
 export function isLeaving(world: PhysicsWorld, eid: number): boolean {
   const leaving = world.internal.leaving.get(eid);
   return leaving !== undefined && leaving === contextOf(world).entityComponents.get(eid);

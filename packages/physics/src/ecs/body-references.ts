@@ -33,7 +33,8 @@ export function recordGenerations(
   values: FieldValues,
 ): void {
   for (const field of Object.keys(spec.fields)) {
-    const { life } = spec.fields[field];
-    if (life !== undefined && given[field] !== undefined) values[life] = space.internal.generations[given[field]] ?? 0;
+    const { generationField } = spec.fields[field];
+    if (generationField !== undefined && given[field] !== undefined)
+      values[generationField] = space.internal.generations[given[field]] ?? 0;
   }
 }

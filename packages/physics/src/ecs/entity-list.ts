@@ -45,7 +45,8 @@ export function refreshEntityList(
     entityList.at = entityList.ids + 4 * capacity;
     entityList.capacity = capacity;
   }
-  entityList.count = max === 0 ? 0 : kernels.listIds(internal.membersAt, bits, world.lastId + 1, entityList.ids);
+  entityList.count =
+    max === 0 ? 0 : kernels.collectEntities(internal.membersAt, bits, world.lastId + 1, entityList.ids);
   entityList.version = versions.membership;
   return true;
 }

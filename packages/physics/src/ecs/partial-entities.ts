@@ -36,7 +36,7 @@ export function clearForcesOfImmovable(world: PhysicsWorld, first: number, last:
   const { kernels, internal, scratch } = world;
   if (internal.partialEntities.immovable === 0) return;
   for (const axis of AXES[world.dimensions]) {
-    kernels.zeroAbsent(scratch.at.force[axis], internal.membersAt, MOVABLE, first, last);
+    kernels.zeroMissing(scratch.at.force[axis], internal.membersAt, MOVABLE, first, last);
   }
 }
 
@@ -47,9 +47,9 @@ export function clearMissing(world: PhysicsWorld, first: number, last: number): 
   if (immovable === 0 && withoutPose === 0) return;
   const at = internal.membersAt;
   for (const axis of AXES[dimensions]) {
-    kernels.zeroAbsent(addresses.Position[axis], at, bitOf('Position'), first, last);
-    kernels.zeroAbsent(addresses.Velocity[axis], at, bitOf('Velocity'), first, last);
+    kernels.zeroMissing(addresses.Position[axis], at, bitOf('Position'), first, last);
+    kernels.zeroMissing(addresses.Velocity[axis], at, bitOf('Velocity'), first, last);
   }
   const angles: Record<string, number> = addresses[ANGLES[dimensions]];
-  for (const part in angles) kernels.zeroAbsent(angles[part], at, angularVelocityBit(world), first, last);
+  for (const part in angles) kernels.zeroMissing(angles[part], at, angularVelocityBit(world), first, last);
 }

@@ -11,8 +11,8 @@ export function refreshRanges(world: PhysicsWorld): void {
   const { kernels, internal } = world;
   const bodies = bitOf('Position');
   const rows = Math.ceil((world.lastId + 1) / 16) * 16;
-  world.ranges.count = kernels.buildRuns(internal.membersAt, bodies, rows, JOIN_BLOCKS, internal.rangesAt);
-  internal.bodyList.count = kernels.listIds(internal.membersAt, bodies, world.lastId + 1, internal.idsAt);
+  world.ranges.count = kernels.buildRanges(internal.membersAt, bodies, rows, JOIN_BLOCKS, internal.rangesAt);
+  internal.bodyList.count = kernels.collectEntities(internal.membersAt, bodies, world.lastId + 1, internal.idsAt);
   internal.rangesVersion = world.versions.membership;
 }
 

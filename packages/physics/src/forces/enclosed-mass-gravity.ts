@@ -97,8 +97,8 @@ function massWithin(distance: Scalar, { inner, outer, mass, perMetre }: Shell): 
  * linear M.
  */
 function energyOf(distance: Scalar, { inner, outer, mass, perMetre }: Shell): Scalar {
-  const here = distance.max(inner).min(outer);
-  const between = outer.div(here).log().sub(inner.div(here)).add(inner.div(outer));
+  const clamped = distance.max(inner).min(outer);
+  const between = outer.div(clamped).log().sub(inner.div(clamped)).add(inner.div(outer));
   return mass.div(distance.max(outer)).add(perMetre.mul(between));
 }
 

@@ -93,9 +93,9 @@ function definePull(locate: (world: PhysicsWorld) => TableLocation) {
       grip.sum(({ entity: held, x, y, z }) => {
         const omega = frequency.mul(2 * Math.PI);
         const springAcceleration = vec3(x, y, z).sub(position).mul(omega.square());
-        const wanted = springAcceleration.sub(velocity.mul(dampingRatio.mul(2).mul(omega)));
-        const scale = constant(1).min(maxForce.div(wanted.length().mul(mass)));
-        return select(entity.equals(held), wanted.mul(scale), vec3(0, 0, 0));
+        const desired = springAcceleration.sub(velocity.mul(dampingRatio.mul(2).mul(omega)));
+        const scale = constant(1).min(maxForce.div(desired.length().mul(mass)));
+        return select(entity.equals(held), desired.mul(scale), vec3(0, 0, 0));
       }),
     potential: ({ position, mass, entity }, { frequency, maxForce, grip }) =>
       grip.sum(({ entity: held, x, y, z }) => {

@@ -119,10 +119,10 @@ function cutOutline(body: FloatingSymbols, fluid: OutlineSymbols): Submerged {
   const sums = fluid.edges.sum(({ x, y, dx, dy }) => {
     const [corner, edge] = [vec3(x, y), vec3(dx, dy)];
     const rise = up.dot(edge);
-    const under = depth.sub(up.dot(corner));
-    const crossing = select(rise.equals(0), 0, under.div(rise));
-    const from = select(under.greater(0), 0, crossing);
-    const to = select(under.greater(rise), 1, crossing);
+    const cornerDepth = depth.sub(up.dot(corner));
+    const crossing = select(rise.equals(0), 0, cornerDepth.div(rise));
+    const from = select(cornerDepth.greater(0), 0, crossing);
+    const to = select(cornerDepth.greater(rise), 1, crossing);
     const start = corner.sub(about);
     const twice = start.x.mul(dy).sub(start.y.mul(dx)).mul(to.sub(from));
     const ends = start.mul(2).add(edge.mul(from.add(to)));

@@ -69,8 +69,8 @@ function assertStable(world: PhysicsWorld, table: SpringTable, dt: number): void
   if (isStable === undefined) return;
   const { maxima, passed } = table;
   // The last test passed with the same values and integrator: to skip it boxes no number.
-  const isKnown = passed[0] === maxima[0] && passed[1] === maxima[1] && passed[2] === dt;
-  if (isKnown && table.passedBy === world.integrator) return;
+  const isUnchanged = passed[0] === maxima[0] && passed[1] === maxima[1] && passed[2] === dt;
+  if (isUnchanged && table.passedBy === world.integrator) return;
   if (isStable(maxima[0] * dt * dt, maxima[1] * dt)) {
     passed[0] = maxima[0];
     passed[1] = maxima[1];

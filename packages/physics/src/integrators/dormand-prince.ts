@@ -51,8 +51,8 @@ export interface DormandPrinceOptions {
   /** Minimum magnitude of a velocity for the relative error, m/s; default 0. */
   readonly velocityFloor?: number;
   /**
-   * Maximum number of force evaluations per step; default 10⁷ divided by the number of bodies, at most 125 000. If it is
-   * exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
+   * Maximum number of force evaluations per step; default 10⁷ divided by the number of bodies, at most 125 000. If it
+   * is exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
    */
   readonly maxEvaluations?: number;
 }

@@ -44,8 +44,8 @@ export interface GaussRadauOptions {
   /** Maximum last term of the series, relative to the acceleration; default 1e-9. */
   readonly tolerance?: number;
   /**
-   * Maximum number of force evaluations per step; default 5·10⁶ divided by the number of bodies, at most 62 500. If it is
-   * exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
+   * Maximum number of force evaluations per step; default 5·10⁶ divided by the number of bodies, at most 62 500. If it
+   * is exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
    */
   readonly maxEvaluations?: number;
 }

@@ -80,8 +80,8 @@ describe('order of convergence', () => {
 
   test('gaussRadau, a force of time: 15', () => {
     // Legendre's polynomial of degree 15 has no integral over [0, 1]. A scheme of order 15 knows those of lower degree
-    // exactly, so that its error goes with the fifteenth power of the step from the first step on. The 3 keeps the force
-    // from zero where a step begins, by which the scheme measures.
+    // exactly, so that its error goes with the fifteenth power of the step from the first step on. The 3 keeps the
+    // force from zero where a step begins, by which the scheme measures.
     const legendre = (t: number) => {
       let [before, here] = [1, 2 * t - 1];
       for (let n = 1; n < 15; n++) [before, here] = [here, ((2 * n + 1) * (2 * t - 1) * here - n * before) / (n + 1)];

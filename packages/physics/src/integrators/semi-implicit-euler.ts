@@ -14,8 +14,8 @@ export const semiImplicitEuler = /* @__PURE__ */ defineIntegrator(
     evaluations: 1,
     // x(n+1) - x(n) = v(n+1) dt: the stored velocity is that of the middle of the step.
     velocityLag: 0.5,
-    // The step multiplies (x, v dt) by a matrix of trace 2 - γ dt - ω² dt² and determinant 1 - γ dt; its eigenvalues lie in
-    // the unit circle when |trace| <= 1 + determinant and |determinant| <= 1 (Jury).
+    // The step multiplies (x, v dt) by a matrix of trace 2 - γ dt - ω² dt² and determinant 1 - γ dt; its eigenvalues
+    // lie in the unit circle when |trace| <= 1 + determinant and |determinant| <= 1 (Jury).
     isStable: (stiffness, damping) => stiffness + 2 * damping <= 4,
   },
   ({ position, velocity, dt }, kick) => {

@@ -78,22 +78,22 @@ function text(value: string): number[] {
 /** LEB128: seven bits per byte, lowest first. */
 function unsigned(value: number): number[] {
   const bytes: number[] = [];
-  let rest = value;
-  while (rest > 0x7f) {
-    bytes.push((rest % 0x80) | 0x80);
-    rest = Math.floor(rest / 0x80);
+  let remaining = value;
+  while (remaining > 0x7f) {
+    bytes.push((remaining % 0x80) | 0x80);
+    remaining = Math.floor(remaining / 0x80);
   }
-  bytes.push(rest);
+  bytes.push(remaining);
   return bytes;
 }
 
 function signed(value: number): number[] {
   const bytes: number[] = [];
-  let rest = value | 0;
+  let remaining = value | 0;
   for (;;) {
-    const low = rest & 0x7f;
-    rest >>= 7;
-    if ((rest === 0 && (low & 0x40) === 0) || (rest === -1 && (low & 0x40) !== 0)) return [...bytes, low];
+    const low = remaining & 0x7f;
+    remaining >>= 7;
+    if ((remaining === 0 && (low & 0x40) === 0) || (remaining === -1 && (low & 0x40) !== 0)) return [...bytes, low];
     bytes.push(low | 0x80);
   }
 }

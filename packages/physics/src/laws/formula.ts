@@ -56,14 +56,14 @@ interface Printed {
 export function formulasOf(law: Law, kind: 'text' | 'latex' = 'text'): string[] {
   checkObject(law, 'formulasOf: law');
   const style = kind === 'text' ? text : latex;
-  const parts: [string, Expression | undefined][] = [
+  const formulas: [string, Expression | undefined][] = [
     [style.vector('F'), law.force],
     [style.vector('a'), law.acceleration],
     [kind === 'text' ? 'τ' : style.vector('\\tau'), law.torque],
     ['U', law.potential],
   ];
-  return parts.flatMap(([name, part]) =>
-    part === undefined ? [] : [`${name} = ${new Printer(law, style).whole(part)}`],
+  return formulas.flatMap(([name, expression]) =>
+    expression === undefined ? [] : [`${name} = ${new Printer(law, style).printWithDefinitions(expression)}`],
   );
 }
 
@@ -79,16 +79,16 @@ class Printer {
   ) {}
 
   /** Returns the formula, followed by the definitions of its names. */
-  whole(expression: Expression): string {
+  printWithDefinitions(expression: Expression): string {
     const { sizes, shared } = measure(expression);
     if ((sizes.get(expression) as number) <= LONG) return this.print(expression).text;
-    const parts = shared.map((part, i) => {
-      const { text: printed } = this.print(part);
+    const definitions = shared.map((subexpression, i) => {
+      const { text: printed } = this.print(subexpression);
       const name = `q_${i + 1}`;
-      this.#names.set(part, name);
+      this.#names.set(subexpression, name);
       return `${name} = ${printed}`;
     });
-    return [this.print(expression).text, ...parts.reverse()].join(', ');
+    return [this.print(expression).text, ...definitions.reverse()].join(', ');
   }
 
   print(expression: Expression): Printed {

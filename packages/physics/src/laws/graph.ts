@@ -62,8 +62,8 @@ export class Graph {
 }
 
 /** Returns the only sum whose rows the arguments read. Outside its loop, a sum is an ordinary number. */
-function scopeOf(args: readonly Node[], own: SumScope | undefined): SumScope | undefined {
-  let found = own;
+function scopeOf(args: readonly Node[], declared: SumScope | undefined): SumScope | undefined {
+  let found = declared;
   for (const { scope } of args) {
     if (found !== undefined && scope !== undefined && scope !== found) {
       throw new PhysicsError('E_TYPE', 'a sum inside a sum cannot read the rows of both.', { field: 'sum' });

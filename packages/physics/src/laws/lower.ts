@@ -198,8 +198,8 @@ export class Lowering {
    * earlier one.
    */
   #scopeOf(scope: SumScope): SumScope {
-    const own = this.#scopes.get(scope) ?? new SumScope(scope.table);
-    this.#scopes.set(scope, own);
-    return own;
+    const copy = this.#scopes.get(scope) ?? new SumScope(scope.table);
+    this.#scopes.set(scope, copy);
+    return copy;
   }
 }

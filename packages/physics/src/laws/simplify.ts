@@ -69,10 +69,10 @@ function isNumber(node: Node, value: number): boolean {
 function isPowerOfTwo({ op, value }: Node): boolean {
   const size = Math.abs(value);
   if (op !== 'constant' || !(size >= 2 ** -60 && size <= 2 ** 60)) return false;
-  let rest = size;
-  while (rest > 1) rest /= 2;
-  while (rest < 1) rest *= 2;
-  return rest === 1;
+  let remaining = size;
+  while (remaining > 1) remaining /= 2;
+  while (remaining < 1) remaining *= 2;
+  return remaining === 1;
 }
 
 function evaluate(op: Operation, [a, b]: readonly number[]): number | undefined {

@@ -26,27 +26,27 @@ export function timeVector(value: VectorOverTime, caller: string, name: string, 
     const steady = checkVector(value, caller, bounds);
     return { steady, at: () => steady };
   }
-  const now = { x: 0, y: 0, z: 0 };
+  const current = { x: 0, y: 0, z: 0 };
   const [nameX, nameY, nameZ] = [`${name}.x`, `${name}.y`, `${name}.z`];
   // The time is in a typed array, because a captured number would allocate a heap object at every change.
   const lastTime = new Float64Array([Number.NaN]);
   return {
     steady: undefined,
     at(world, time) {
-      if (time === lastTime[0]) return now;
+      if (time === lastTime[0]) return current;
       lastTime[0] = time;
       try {
         const { x = 0, y = 0, z = 0 } = value(time);
         checkNumber(x, nameX, bounds);
         checkNumber(y, nameY, bounds);
         checkNumber(z, nameZ, bounds);
-        now.x = x;
-        now.y = y;
-        now.z = z;
+        current.x = x;
+        current.y = y;
+        current.z = z;
       } catch (error) {
         collectThrown(world, error);
       }
-      return now;
+      return current;
     },
   };
 }

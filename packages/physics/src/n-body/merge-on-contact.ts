@@ -143,8 +143,8 @@ function addSpin(world: PhysicsWorld, survivor: number, absorbed: number, growth
   const [ux, uy, uz] = between(v);
   const orbital = { x: dy * uz - dz * uy, y: dz * ux - dx * uz, z: dx * uy - dy * ux };
   for (const axis of AXES[3]) {
-    const own = Inertia.value[survivor] * w[axis][survivor] + Inertia.value[absorbed] * w[axis][absorbed];
-    w[axis][survivor] = (own + reduced * orbital[axis]) / inertia;
+    const spin = Inertia.value[survivor] * w[axis][survivor] + Inertia.value[absorbed] * w[axis][absorbed];
+    w[axis][survivor] = (spin + reduced * orbital[axis]) / inertia;
   }
   Inertia.value[survivor] = inertia;
 }

@@ -7,10 +7,10 @@
 //   position correction    displacement at bounded speed                      position-correction.ts
 //   wide contacts          SIMD form of the two solvers above                 wide-contacts.ts
 //
-// The files are in kernels/particle-contacts. The restitution of a contact is the larger of the two bodies', its friction
-// coefficient their geometric mean, as for walls. Contacts are found at the end of the step: bodies that pass through
-// each other within one step, at a relative speed above the sum of their diameters per step, do not collide. Cost:
-// `npm run bench -- circles --peers`, which also measures the same scene in plain JavaScript.
+// The files are in kernels/particle-contacts. The restitution of a contact is the larger of the two bodies', its
+// friction coefficient their geometric mean, as for walls. Contacts are found at the end of the step: bodies that pass
+// through each other within one step, at a relative speed above the sum of their diameters per step, do not collide.
+// Cost: `npm run bench -- circles --peers`, which also measures the same scene in plain JavaScript.
 
 import { resource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';

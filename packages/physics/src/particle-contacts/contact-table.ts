@@ -18,7 +18,7 @@ export interface ContactTable {
   readonly words: Uint32Array;
 }
 
-/** Maximum fraction of the free arena that contacts allocateBytes, which leaves memory for other features. */
+/** Maximum fraction of the free arena that contacts take, which leaves memory for other features. */
 const MAX_ARENA_FRACTION = 0.9;
 
 /** Contact capacity per body: a dense packing has three contacts per disc and six per ball. */

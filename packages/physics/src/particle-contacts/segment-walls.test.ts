@@ -125,7 +125,8 @@ describe('no tunnelling', () => {
       });
       expect(strays).toEqual([]);
     }
-    // The balls keep their speed to rounding: at most 1000 bounces over a path of 10⁴ m, each with a few rounding errors.
+    // The balls keep their speed to rounding: at most 1000 bounces over a path of 10⁴ m, each with a few rounding
+    // errors.
     const rounding = 1000 * 4 * (precision === 'f32' ? 2 ** -24 : 2 ** -53);
     for (const ball of balls) expect(Math.abs(Math.hypot(v.x[ball], v.y[ball]) / 1e4 - 1)).toBeLessThan(rounding);
   });

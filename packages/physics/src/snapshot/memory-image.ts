@@ -70,10 +70,10 @@ function layoutOf(world: PhysicsWorld, top: number): Layout {
 function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: number): boolean {
   let at = FIRST_COLUMN;
   for (let r = 0; r < runs.length; r += 2) {
-    if (kernels.nextPiece(at, runs[r], PAGE_BYTES, 1) < runs[r]) return false;
+    if (kernels.findPage(at, runs[r], PAGE_BYTES, 1) < runs[r]) return false;
     at = runs[r + 1];
   }
-  return at >= top || kernels.nextPiece(at, top, PAGE_BYTES, 1) >= top;
+  return at >= top || kernels.findPage(at, top, PAGE_BYTES, 1) >= top;
 }
 
 /** Returns the given ranges extended by all non-zero pages. */
@@ -83,13 +83,13 @@ function extendRanges({ kernels, memory: { buffer } }: PhysicsWorld, before: rea
   let length = COLUMNS_BYTES;
   let b = 0;
   for (let at = FIRST_COLUMN; ; ) {
-    const from = Math.min(kernels.nextPiece(at, top, PAGE_BYTES, 1), b < before.length ? before[b] : top);
+    const from = Math.min(kernels.findPage(at, top, PAGE_BYTES, 1), b < before.length ? before[b] : top);
     if (from >= top) break;
     at = from;
     for (let end = -1; end !== at; ) {
       end = at;
       for (; b < before.length && before[b] <= at; b += 2) at = Math.max(at, before[b + 1]);
-      if (at < top) at = kernels.nextPiece(at, top, PAGE_BYTES, 0);
+      if (at < top) at = kernels.findPage(at, top, PAGE_BYTES, 0);
     }
     runs.push(from, at);
     views.push(new Uint8Array(buffer, from, at - from));
@@ -112,8 +112,8 @@ export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld,
   // Zeros are written only over non-zero bytes, because writing would commit untouched pages.
   const clear = (from: number, to: number) => {
     for (let at = from; at < to; ) {
-      const first = kernels.nextPiece(at, to, PAGE_BYTES, 1);
-      at = kernels.nextPiece(first, to, PAGE_BYTES, 0);
+      const first = kernels.findPage(at, to, PAGE_BYTES, 1);
+      at = kernels.findPage(first, to, PAGE_BYTES, 0);
       target.fill(0, first, at);
     }
   };

@@ -86,7 +86,8 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   checkKeys(options, 'createCloth', OPTION_NAMES);
   const columns = checkNumber(options.columns, 'cloth.columns', COUNT_BOUNDS);
   const rows = checkNumber(options.rows, 'cloth.rows', COUNT_BOUNDS);
-  // The nodes and structural springs are counted first, because the lists of a cloth that is too large would fill the heap.
+  // The nodes and structural springs are counted first, because the lists of a cloth that is too large would fill the
+  // heap.
   ensureCapacity(world, columns * rows + columns * (rows - 1) + rows * (columns - 1));
   const list = new SpringList();
   if (checkFlag(options.tethers, 'cloth.tethers')) addTethers(list, options, columns, rows);

@@ -8,8 +8,8 @@ const ROWS_BEHIND = 3;
 
 /**
  * Splits a list of triangles into quad strips and others, as kernels/soft-bodies/wind.ts reads it: for each section its
- * first triangle and 1 if it is a strip (kernels/soft-bodies/strips.ts), else 0; then the number of triangles. `rows` is
- * the length of a column.
+ * first triangle and 1 if it is a strip (kernels/soft-bodies/strips.ts), else 0; then the number of triangles. `rows`
+ * is the length of a column.
  */
 export function listStrips(ids: ArrayLike<number>, rows: number): number[] {
   const sections: number[] = [];

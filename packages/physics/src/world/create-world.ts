@@ -105,10 +105,8 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
   const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault, onWarning };
-  const world = createWorld({
-    ...chosen,
-    ...createInternals(arena, precision, rows, components),
-  }) as object as PhysicsWorld;
+  const internals = createInternals(arena, precision, rows, components);
+  const world = createWorld({ ...chosen, ...internals }) as object as PhysicsWorld;
   // Read-only, because kernels sweep the rows up to it: a larger value would lead them beyond the columns.
   Object.defineProperty(world, 'lastId', { get: () => world.internal.lastId, enumerable: true });
   world.internal.componentMap = contextOf(world).componentMap;

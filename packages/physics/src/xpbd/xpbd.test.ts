@@ -171,8 +171,8 @@ describe('springs of finite stiffness', () => {
     // Backward Euler dissipates a fraction (ω² - 1/4) dt of the energy per second. It delays the phase by ω dt/2 per
     // second, 3e-3 in all, which changes an energy that oscillates by a sixth twice per period.
     expect(Math.abs(end(1, xpbd()) / (exact * Math.exp(-9.5 * 1e-3 * 2)) - 1)).toBeLessThan(1e-3);
-    // Strong damping stops the body at the end of every step, so a step shortens the extension by a fraction k dt²/m. The
-    // energy decays as e^(-2 k dt t/m), up to the square of this fraction.
+    // Strong damping stops the body at the end of every step, so a step shortens the extension by a fraction k dt²/m.
+    // The energy decays as e^(-2 k dt t/m), up to the square of this fraction.
     expect(Math.abs(end(1e6, xpbd()) / (1.25 * Math.exp(-2 * 10 * 1e-3 * 2)) - 1)).toBeLessThan(1e-4);
   });
 

@@ -51,7 +51,10 @@ let restingLanes: v128 = i32x4.splat(0);
   restingLanes = v128.andnot(entering, rebounds);
   v128.store(x, v128.bitselect(add(plane, v128.and(mul(side, reboundDistance), rebounds)), position, hit));
   v128.store(v, v128.bitselect(newVelocity, velocity, entering));
-  v128.store(start, v128.bitselect(add(startVelocity, v128.and(sub(newVelocity, velocity), rebounds)), startVelocity, rebounds));
+  v128.store(
+    start,
+    v128.bitselect(add(startVelocity, v128.and(sub(newVelocity, velocity), rebounds)), startVelocity, rebounds),
+  );
   v128.store(start, v128.andnot(v128.load(start), restingLanes));
   return v128.and(add(outgoing, mul(side, v128.neg<real>(velocity))), entering);
 }

@@ -56,7 +56,9 @@
 // @ts-ignore: decorator
 @inline export function computeTimeSinceImpact<T>(depth: T, speed: T, acceleration: T, dt: T): T {
   const twice = add<T>(depth, depth);
-  const impactSpeed = squareRoot<T>(clampToPositive<T>(subtract<T>(multiply<T>(speed, speed), multiply<T>(acceleration, twice))));
+  const impactSpeed = squareRoot<T>(
+    clampToPositive<T>(subtract<T>(multiply<T>(speed, speed), multiply<T>(acceleration, twice))),
+  );
   return minimum<T>(divide<T>(twice, add<T>(impactSpeed, speed)), dt);
 }
 
@@ -69,5 +71,8 @@
 // Returns the distance that a rebound has moved away from the surface.
 // @ts-ignore: decorator
 @inline export function computeReboundDistance<T>(reboundSpeed: T, acceleration: T, timeSinceImpact: T, half: T): T {
-  return multiply<T>(timeSinceImpact, subtract<T>(reboundSpeed, multiply<T>(half, multiply<T>(acceleration, timeSinceImpact))));
+  return multiply<T>(
+    timeSinceImpact,
+    subtract<T>(reboundSpeed, multiply<T>(half, multiply<T>(acceleration, timeSinceImpact))),
+  );
 }

@@ -2,8 +2,9 @@
 import { put } from '../../memory/columns';
 import { ContactTable, contactTable, putWord } from '../table';
 
-// Records that a body touched a wall. `impulse` (N s) is along the normal (nx, ny, nz) out of the wall; `restingImpulse` is
-// the part of it that supports a resting body, 0 for a rebound; `friction` is the coefficient that was applied.
+// Records that a body touched a wall. `impulse` (N s) is along the normal (nx, ny, nz) out of the wall;
+// `restingImpulse` is the part of it that supports a resting body, 0 for a rebound; `friction` is the coefficient that
+// was applied.
 export function recordWallContact(
   body: i32,
   wall: i32,

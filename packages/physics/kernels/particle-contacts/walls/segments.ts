@@ -54,7 +54,10 @@ export function segmentWalls(grid: usize, dt: real, lag: real, first: i32, last:
 function overlapsAny(g: WallGrid, x: v128, y: v128, fx: v128, fy: v128, r: v128): bool {
   for (let i = 0; i < g.count; i++) {
     const s = segment(g, i);
-    const near = v128.and(overlaps(x, fx, r, splat(s.minX), splat(s.maxX)), overlaps(y, fy, r, splat(s.minY), splat(s.maxY)));
+    const near = v128.and(
+      overlaps(x, fx, r, splat(s.minX), splat(s.maxX)),
+      overlaps(y, fy, r, splat(s.minY), splat(s.maxY)),
+    );
     if (v128.any_true(near)) return true;
   }
   return false;
@@ -174,7 +177,14 @@ function continueAfterRebound(c: Columns, row: i32, x: real, y: real, dx: real, 
   const half = <real>0.5 * timeSinceImpact * timeSinceImpact;
   put(c.velocityX, row, get(c.velocityX, row) + rx * timeSinceImpact);
   put(c.velocityY, row, get(c.velocityY, row) + ry * timeSinceImpact);
-  setPath(x + rx * half, y + ry * half, path.ux + dx + rx * timeSinceImpact, path.uy + dy + ry * timeSinceImpact, freeAccelerationX, freeAccelerationY);
+  setPath(
+    x + rx * half,
+    y + ry * half,
+    path.ux + dx + rx * timeSinceImpact,
+    path.uy + dy + ry * timeSinceImpact,
+    freeAccelerationX,
+    freeAccelerationY,
+  );
 }
 
 // Starts the path of a resting body, along the wall.
@@ -183,7 +193,14 @@ function continueAlongWall(x: real, y: real, nx: real, ny: real, dx: real, dy: r
   const ux = path.ux + dx;
   const uy = path.uy + dy;
   const normalSpeed = ux * nx + uy * ny;
-  setPath(x, y, ux - normalSpeed * nx, uy - normalSpeed * ny, path.ax - normalAcceleration * nx, path.ay - normalAcceleration * ny);
+  setPath(
+    x,
+    y,
+    ux - normalSpeed * nx,
+    uy - normalSpeed * ny,
+    path.ax - normalAcceleration * nx,
+    path.ay - normalAcceleration * ny,
+  );
 }
 
 // Keeps the bodies that contacts moved since `fromX`, `fromY` of the table on their side of the walls. Only positions

@@ -88,7 +88,15 @@ function testSegment(s: Segment, i: i32): void {
 
 // An earlier hit replaces a later one; of simultaneous hits, the wall with the smaller id is kept.
 // @ts-ignore: decorator
-@inline function keepEarliest(i: i32, timeSinceImpact: real, x: real, y: real, speed: real, depth: real, end: bool): void {
+@inline function keepEarliest(
+  i: i32,
+  timeSinceImpact: real,
+  x: real,
+  y: real,
+  speed: real,
+  depth: real,
+  end: bool,
+): void {
   if (timeSinceImpact < hit.timeSinceImpact || (timeSinceImpact == hit.timeSinceImpact && i >= hit.wall)) return;
   hit.wall = i;
   hit.timeSinceImpact = timeSinceImpact;
@@ -117,14 +125,43 @@ function testFace(s: Segment, i: i32): void {
   const x = path.x - timeSinceImpact * (path.ux - half * path.ax) - s.ax;
   const y = path.y - timeSinceImpact * (path.uy - half * path.ay) - s.ay;
   const along = x * s.tx + y * s.ty;
-  if (along >= 0 && along <= s.length) keepEarliest(i, timeSinceImpact, nx, ny, computeImpactSpeed<real>(speed, acceleration, timeSinceImpact), depth, false);
+  if (along >= 0 && along <= s.length)
+    keepEarliest(
+      i,
+      timeSinceImpact,
+      nx,
+      ny,
+      computeImpactSpeed<real>(speed, acceleration, timeSinceImpact),
+      depth,
+      false,
+    );
 }
 
 function testEnd(x: real, y: real, i: i32): void {
   const dx = path.x - x;
   const dy = path.y - y;
-  const timeSinceImpact = timeSinceRoundImpact(dx, dy, 0, path.ux, path.uy, 0, path.ax, path.ay, 0, path.radius, path.duration);
+  const timeSinceImpact = timeSinceRoundImpact(
+    dx,
+    dy,
+    0,
+    path.ux,
+    path.uy,
+    0,
+    path.ax,
+    path.ay,
+    0,
+    path.radius,
+    path.duration,
+  );
   if (timeSinceImpact >= 0 && roundImpact.speed > 0) {
-    keepEarliest(i, timeSinceImpact, roundImpact.nx, roundImpact.ny, roundImpact.speed, path.radius - (dx * roundImpact.nx + dy * roundImpact.ny), true);
+    keepEarliest(
+      i,
+      timeSinceImpact,
+      roundImpact.nx,
+      roundImpact.ny,
+      roundImpact.speed,
+      path.radius - (dx * roundImpact.nx + dy * roundImpact.ny),
+      true,
+    );
   }
 }

@@ -40,16 +40,16 @@ export function correlatedGusts(options: CorrelatedGustOptions): (time: number) 
   const deviation = checkVector(options.deviation, 'correlatedGusts.deviation', VELOCITY_BOUNDS);
   const interval = checkNumber(options.time ?? 1, 'correlatedGusts.time', LENGTH_BOUNDS) / NODES_PER_TIME;
   const series = nodes(options.seed ?? 1);
-  const now = { x: 0, y: 0, z: 0 };
+  const current = { x: 0, y: 0, z: 0 };
   return (time) => {
     const position = time / interval;
     const node = Math.floor(position);
     const { before, after } = series(node);
     const s = position - node;
-    now.x = mean.x + deviation.x * (before.x + (after.x - before.x) * s);
-    now.y = mean.y + deviation.y * (before.y + (after.y - before.y) * s);
-    now.z = mean.z + deviation.z * (before.z + (after.z - before.z) * s);
-    return now;
+    current.x = mean.x + deviation.x * (before.x + (after.x - before.x) * s);
+    current.y = mean.y + deviation.y * (before.y + (after.y - before.y) * s);
+    current.z = mean.z + deviation.z * (before.z + (after.z - before.z) * s);
+    return current;
   };
 }
 

@@ -52,14 +52,14 @@ export function restrictedLaw(force: LawForce, limits: CheckedRestrictions): Law
   ];
   if (conditions.length === 0) return { ...force, name };
   const where = conditions.reduce((a, b) => a.and(b));
-  const within = (vector: Vector | undefined) => vector && select(where, vector, vec3(0, 0, 0));
+  const limited = (vector: Vector | undefined) => vector && select(where, vector, vec3(0, 0, 0));
   // Energy changes at the border of a region, and a force may lack a potential for other reasons than its law.
   const isRegion = limits.box !== undefined || limits.ball !== undefined;
   const hasPotential = !isRegion && law.potential !== undefined && force.potential !== undefined;
   const expressions = {
-    force: within(law.force),
-    acceleration: within(law.acceleration),
-    torque: within(law.torque),
+    force: limited(law.force),
+    acceleration: limited(law.acceleration),
+    torque: limited(law.torque),
     potential: hasPotential ? select(where, law.potential as Scalar, 0) : undefined,
   };
   const parameters = [...law.parameters, ...added.parameters];

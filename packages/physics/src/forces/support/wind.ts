@@ -34,16 +34,16 @@ export function gusts(options: GustOptions): (time: number) => Vector {
   const interval = checkNumber(options.interval ?? 0.1, 'gusts.interval', { above: 0 });
   const { seed = 1 } = options;
   createRandom(seed);
-  const now = { x: 0, y: 0, z: 0 };
+  const current = { x: 0, y: 0, z: 0 };
   let drawn = -1;
   return (time) => {
     const gust = Math.floor(time / interval);
-    if (gust === drawn) return now;
+    if (gust === drawn) return current;
     drawn = gust;
     const random = createRandom(seed, ((gust % 2 ** 32) + 2 ** 32) % 2 ** 32);
-    now.x = mean.x + spread.x * random.uniform(-1, 1);
-    now.y = mean.y + spread.y * random.uniform(-1, 1);
-    now.z = mean.z + spread.z * random.uniform(-1, 1);
-    return now;
+    current.x = mean.x + spread.x * random.uniform(-1, 1);
+    current.y = mean.y + spread.y * random.uniform(-1, 1);
+    current.z = mean.z + spread.z * random.uniform(-1, 1);
+    return current;
   };
 }

@@ -91,7 +91,7 @@ export function clearRemovedBodies(world: PhysicsWorld, radau: Radau): void {
   radau.rows = lastId + 1;
   for (const block of radau.blocks) {
     for (let column = 0; column < AXIS_COLUMNS; column++) {
-      kernels.zeroAbsent(block + column * radau.stride, internal.membersAt, MOVABLE, 0, rows);
+      kernels.zeroMissing(block + column * radau.stride, internal.membersAt, MOVABLE, 0, rows);
     }
   }
 }
