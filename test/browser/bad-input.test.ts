@@ -10,6 +10,7 @@ const games = [
   ['fireworks', 'pixi'],
   ['fireworks', 'three'],
   ['cloth', 'pixi'],
+  ['stacking', 'pixi'],
 ] as const;
 
 /** A world that goes on when it is told to: whatever happened did not kill it. */

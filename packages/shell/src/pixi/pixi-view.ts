@@ -45,6 +45,11 @@ export interface PixiViewOptions<Sim extends Simulation> {
   readonly margin?: number;
   /** Whether pointers may drag bodies; default true. */
   readonly grab?: boolean;
+  /**
+   * Finds the body under a point, m, which a touch may miss by `slack`; 0 for none. Default: the body whose circle contains
+   * the point.
+   */
+  pick?(sim: Sim, point: { readonly x: number; readonly y: number }, slack: number): number;
   /** Radius within which a pointer grabs all bodies, m; default 0, which grabs only the body under the pointer. */
   readonly grabRadius?: number;
 }
@@ -74,8 +79,12 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
     isFitted = false;
   };
   const canGrab = options.grab ?? true;
-  const pick = (x: number, y: number) =>
-    canGrab ? pickBody2D(shown.source, context.alpha(), x, y, TOUCH_SLACK / camera.pixelsPerMetre) : 0;
+  const pick = (x: number, y: number) => {
+    const slack = TOUCH_SLACK / camera.pixelsPerMetre;
+    if (!canGrab) return 0;
+    if (options.pick !== undefined) return options.pick(context.sim(), { x, y }, slack);
+    return pickBody2D(shown.source, context.alpha(), x, y, slack);
+  };
   const grab = (id: number, x: number, y: number, pointer: number) => {
     context.dragging().grab(pointer, id, x, y);
     for (const other of bodiesWithin(shown.source, x, y, options.grabRadius ?? 0))
