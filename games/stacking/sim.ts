@@ -48,8 +48,8 @@ export function createSim({ values, seed }: { readonly values: StackingValues; r
   build(world, values.build, count, { friction, restitution });
   const { x: width, y: height } = extentOf(world);
   const ground = spawn(world, {
-    position: { y: -2 },
-    collider: { shape: box(4 * width + 60, 4), friction, restitution, layers: GROUND_LAYER },
+    position: { y: -6 },
+    collider: { shape: box(4 * width + 60, 12), friction, restitution, layers: GROUND_LAYER },
     appearance: { color: GROUND_COLOR },
   });
   const reach = Math.max(6, 1.25 * width);
