@@ -16,12 +16,15 @@ export const OTHER_READERS: Partial<Record<ComponentName, string>> = {
   Position: 'everything',
   Velocity: 'every integrator, walls, contacts, `energy`, `momentum`',
   Mass: 'every integrator, walls, contacts, `xpbd`, `energy`, `momentum`, `totalMass`',
-  Inertia: 'the integration of rotation, contacts and wall entities (friction turns a body), `explode`, `energy`',
+  Inertia:
+    'the integration of rotation, the preset `rigidBodies`, contacts and wall entities (friction turns a body), `explode`, `energy`',
   Rotation: 'the integration of rotation in 2D, renderers',
   Orientation: 'the integration of rotation in 3D, renderers',
   AngularVelocity: 'the integration of rotation, contacts and wall entities, `angularMomentum`, `energy`',
-  Collider: '`boxWalls`, `segmentWalls`, `planeWalls`, `collideBodies`, `mergeOnContact`, `bodyAt`, renderers',
+  Collider:
+    'the preset `rigidBodies`, `boxWalls`, `segmentWalls`, `planeWalls`, `collideBodies`, `mergeOnContact`, `bodyAt`, renderers',
   Appearance: 'renderers, `bodyAt`',
+  Joint: 'the preset `rigidBodies`',
   Spring: '`xpbd`, `breakSprings`, `maxStrain`, `rmsStrain`, `createLinkLayer`',
   SegmentWall: '`segmentWalls`, in the preset `particleContacts`',
   PlaneWall: '`planeWalls`, in the preset `particleContacts`',

@@ -3,15 +3,23 @@ import * as physics from '@principia/physics';
 import { createPhysicsWorld, PHASES, type Preset, type System } from '@principia/physics';
 import { integrate } from '../../packages/physics/src/dynamics/integrate.ts';
 import { integrateRotation } from '../../packages/physics/src/dynamics/integrate-rotation.ts';
+import { breakJoints } from '../../packages/physics/src/joints/create-joint.ts';
 import { dispatchFaultEvents } from '../../packages/physics/src/world/event-handlers.ts';
 
 export const PRESETS: Readonly<Record<string, Preset>> = {
   standard: physics.standard,
   particleContacts: physics.particleContacts,
+  rigidBodies: physics.rigidBodies,
 };
 
 /** Systems by the names under which the sources export them. */
-const NAMED: Readonly<Record<string, unknown>> = { ...physics, integrate, integrateRotation, dispatchFaultEvents };
+const NAMED: Readonly<Record<string, unknown>> = {
+  ...physics,
+  integrate,
+  integrateRotation,
+  dispatchFaultEvents,
+  breakJoints,
+};
 
 function nameOf(system: System): string {
   const found = Object.entries(NAMED).find(([, value]) => value === system);

@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { boxWalls, createPhysicsWorld, type Preset, spawn, step } from '@principia/physics';
 import { expect, test } from 'vitest';
 import * as indexOfPresets from '../../packages/physics/src/presets/particle-contacts.ts';
+import * as rigidPreset from '../../packages/physics/src/presets/rigid-bodies.ts';
 import * as standardPreset from '../../packages/physics/src/presets/standard.ts';
 import { withMarkedPart } from './marked-table.ts';
 import { PRESETS, presetsTable } from './presets-table.ts';
@@ -13,7 +14,11 @@ test('docs/presets.md lists what presets run; `npx vitest run test/docs/presets.
 });
 
 test('every preset of the package is listed', () => {
-  expect(Object.values(PRESETS)).toEqual([...Object.values(standardPreset), ...Object.values(indexOfPresets)]);
+  expect(Object.values(PRESETS)).toEqual([
+    ...Object.values(standardPreset),
+    ...Object.values(indexOfPresets),
+    ...Object.values(rigidPreset),
+  ]);
 });
 
 /** How fast a body falls, upwards, after it met something that lies at the origin. */
@@ -40,8 +45,15 @@ test.each(Object.entries(OBSTACLES))(
   },
 );
 
-test('boxWalls turn a body back in every preset', () => {
-  for (const preset of Object.values(PRESETS)) {
-    expect(speedAfter(preset, true, { position: { x: 50 } })).toBeCloseTo(10, 9);
+test('boxWalls turn a body back in every preset but rigidBodies, which refuses all walls', () => {
+  for (const preset of [PRESETS.standard, PRESETS.particleContacts]) {
+    expect(speedAfter(preset as Preset, true, { position: { x: 50 } })).toBeCloseTo(10, 9);
+  }
+  const { rigidBodies } = PRESETS;
+  const refused = { code: 'E_RANGE' };
+  for (const [name, obstacle] of Object.entries({ boxWalls: { position: {} }, ...OBSTACLES })) {
+    const act = () => speedAfter(rigidBodies as Preset, name === 'boxWalls', obstacle);
+    if (name === 'Collider') expect(act()).toBeGreaterThan(9);
+    else expect(act, name).toThrow(expect.objectContaining(refused));
   }
 });

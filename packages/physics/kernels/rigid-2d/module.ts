@@ -12,9 +12,12 @@ export { integratePositions, integrateVelocities, writeAngles, writeBodies } fro
 export { colorContacts } from '../solver/2d/color-contacts';
 export { prepareContacts, storeImpulses } from '../solver/2d/prepare-contacts';
 export { relaxContacts, solveContacts, warmStartContacts } from '../solver/2d/solve-contacts';
+export { listContactEvents } from '../solver/2d/contact-events';
+export { stopFastBodies } from '../solver/2d/continuous';
 export { updateSleep } from '../solver/2d/islands';
 export { applyRestitution } from '../solver/2d/restitution';
 export { measureJoints } from '../joints/2d/measure-joints';
 export { listBroken, listJoints, prepareJoints, warmStartJoints, watchJoints } from '../joints/2d/prepare-joints';
 export { solveAxes } from '../joints/2d/solve-axes';
 export { factorJoints, solveLocks } from '../joints/2d/solve-locks';
+export { nextContactPoint } from '../debug/2d/contact-points';

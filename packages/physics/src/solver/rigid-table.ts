@@ -24,7 +24,7 @@ const contactBytes = (bytes: number) => 48 + 42 * bytes;
 const BLOCK_BYTES = 640;
 
 /** Bytes for each contact in all lists. Contacts without a color take a block each. */
-const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 4 + 4 + 8 + 8 + 8;
+const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 32 + 24 + 5 * bytes;
 
 /** Reals that sleep keeps of a body, and two words: kernels/solver/2d/sleeper.ts. */
 const SLEEPER_REALS = 5;
@@ -89,7 +89,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   const bytes = realBytes(precision);
   const { arena } = internal;
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
-  const room = 0.9 * (arena.bytes - arena.top) - 8 * 8192;
+  const room = 0.9 * (arena.bytes - arena.top) - 24 * 8192;
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
   const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(bytes))));
   const take = (word: Word, size: number) => {
@@ -105,6 +105,8 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.pairs, 8 * capacity);
   take(Word.sortedPairs, 8 * capacity);
   take(Word.blocks, BLOCK_BYTES * words[Word.blockCapacity]);
+  for (const word of [Word.beginA, Word.beginB, Word.endA, Word.endB, Word.hitA, Word.hitB]) take(word, 4 * capacity);
+  for (const word of [Word.hitX, Word.hitY, Word.hitNx, Word.hitNy, Word.hitSpeeds]) take(word, bytes * capacity);
   take(Word.colors, 4 * 32);
   take(Word.colorCounts, 4 * 32);
 }

@@ -37,6 +37,8 @@ export interface SoftStepOptions {
   readonly jointDampingRatio?: number;
   /** Slower impacts do not bounce, m/s; default 1. */
   readonly restitutionThreshold?: number;
+  /** Impacts faster than this are listed in `contactEvents(world).hit`, m/s; default 1. */
+  readonly hitSpeed?: number;
   /** A body none of whose points is faster is still, m/s; default 0.05. */
   readonly sleepSpeed?: number;
   /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
@@ -51,6 +53,7 @@ const OPTIONS = [
   'jointHertz',
   'jointDampingRatio',
   'restitutionThreshold',
+  'hitSpeed',
   'sleepSpeed',
   'sleepTime',
 ] as const;
@@ -70,6 +73,7 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     [Value.contactSpeed, number('contactSpeed', 3, 0, 1e6)],
     [Value.sleepSpeed, number('sleepSpeed', 0.05, 0, 1e6)],
     [Value.sleepTime, number('sleepTime', 0.5, 0, 1e6)],
+    [Value.hitSpeed, number('hitSpeed', 1, 0, 1e6)],
     [Value.jointHertz, number('jointHertz', 60, 0.1, 1e6)],
     [Value.jointDampingRatio, number('jointDampingRatio', 2, 0, 1000)],
     [Value.restitutionThreshold, number('restitutionThreshold', 1, 0, 1e6)],
@@ -132,10 +136,12 @@ function advance(
   }
   kernels.applyRestitution(at);
   kernels.storeImpulses(at);
+  kernels.stopFastBodies(at);
   kernels.writeBodies(at);
   kernels.writeAngles(at);
   if (joints !== 0) kernels.listBroken(joints);
   kernels.updateSleep(at);
+  kernels.listContactEvents(at);
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;

@@ -49,6 +49,9 @@ export const WAKES: u32 = 128;
 // It does not move, but was moved between two steps.
 export const SHIFTED: u32 = 256;
 
+// It is a disc, which looks the same however it turns.
+export const ROUND: u32 = 512;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator

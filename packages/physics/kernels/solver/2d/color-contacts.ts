@@ -19,8 +19,9 @@ const UNCOLORED: i32 = COLORS - 1;
 export function colorContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   for (let i = 0; i < t.awakeCount; i++) putWord(t.usedColors, word(t.awake, i), 0);
-  memory.fill(t.colorCounts, 0, <usize>COLORS << 2);
+  memory.fill(t.colorCounts, 0, (<usize>COLORS) << 2);
   let count = 0;
+  let blocks = 0;
   for (let i = 0; i < t.contactCount; i++) {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
@@ -29,7 +30,15 @@ export function colorContacts(table: usize): void {
     const movesB = isPushed(t, contact.b);
     if (!movesA && !movesB) continue;
     const color = chooseColor(t, contact.a, contact.b, movesA, movesB);
-    putWord(t.colorCounts, color, word(t.colorCounts, color) + 1);
+    const size = word(t.colorCounts, color);
+    if (color == UNCOLORED || (size & (LANES - 1)) == 0) {
+      if (blocks == t.blockCapacity) {
+        t.droppedCount++;
+        continue;
+      }
+      blocks++;
+    }
+    putWord(t.colorCounts, color, size + 1);
     putWord(t.touching, 2 * count, slot);
     putWord(t.touching, 2 * count++ + 1, color);
   }

@@ -1,7 +1,7 @@
 // Begins a step: which rows are bodies of the solver, their poses, and their velocities, gathered from the columns.
 import { Columns, columns, get } from '../../memory/columns';
 import { computeSineCosine, cosine, sine, sineCosine } from '../../math/elementary';
-import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
+import { CIRCLE, SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
 import {
   ASLEEP,
@@ -11,6 +11,7 @@ import {
   FAST,
   KINEMATIC,
   MOVES,
+  ROUND,
   SHIFTED,
   STATIC,
   WAKES,
@@ -123,6 +124,7 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   const shape = shapeOf(row, spare);
   pose.extent = shape.extent;
   pose.minExtent = shape.minExtent;
+  if (shape.kind == CIRCLE) putFlags(t, row, flagsOf(t, row) | ROUND);
 }
 
 // @ts-ignore: decorator

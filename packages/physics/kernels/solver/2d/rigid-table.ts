@@ -77,7 +77,7 @@ export class RigidTable {
   order: usize;
   free: usize;
   freeCount: i32;
-  lostCount: u32;
+  droppedCount: u32;
   // Blocks of contacts that the solver goes through, and where each color begins and ends among their lanes.
   blocks: usize;
   blockCapacity: i32;
@@ -86,6 +86,21 @@ export class RigidTable {
   touchingCount: i32;
   colors: usize;
   colorCounts: usize;
+  // Events of the last step: rows of the bodies, and of impacts point, normal and speed.
+  beginCount: i32;
+  beginA: usize;
+  beginB: usize;
+  endCount: i32;
+  endA: usize;
+  endB: usize;
+  hitCount: i32;
+  hitA: usize;
+  hitB: usize;
+  hitX: usize;
+  hitY: usize;
+  hitNx: usize;
+  hitNy: usize;
+  hitSpeeds: usize;
 }
 
 // A color for every bit of a word; contacts that found none are in the last one.

@@ -112,7 +112,7 @@ export function areJoined(t: RigidTable, a: i32, b: i32): bool {
 // @ts-ignore: decorator
 @inline function notePair(t: RigidTable, a: i32, b: i32): void {
   if (t.pairCount == t.pairCapacity) {
-    t.lostCount++;
+    t.droppedCount++;
     return;
   }
   store<u64>(t.pairs + ((<usize>t.pairCount) << 3), keyOf(a, b));

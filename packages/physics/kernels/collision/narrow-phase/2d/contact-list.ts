@@ -32,7 +32,7 @@ function dropKnown(t: RigidTable): i32 {
     if (known || key == last) continue;
     last = key;
     if (kept == t.freeCount) {
-      t.lostCount++;
+      t.droppedCount++;
     } else {
       store<u64>(t.pairs + ((<usize>kept) << 3), key);
       kept++;

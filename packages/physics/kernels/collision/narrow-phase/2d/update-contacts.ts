@@ -8,6 +8,7 @@
 import { columns } from '../../../memory/columns';
 import { ASLEEP, DYNAMIC, FAST, MOVES, SHIFTED, WAKES, flagsOf, poseOf, putFlags, putWord, word } from '../../../solver/2d/body';
 import { listAwake } from '../../../solver/2d/gather-bodies';
+import { noteEnd } from '../../../solver/2d/contact-events';
 import { wakeIsland } from '../../../solver/2d/islands';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
@@ -50,11 +51,15 @@ export function wakeTouched(table: usize): void {
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   let kept = 0;
+  t.endCount = 0;
   for (let i = 0; i < t.contactCount; i++) {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
     if (isOver(t, contact)) {
-      if ((contact.flags & TOUCHING) != 0) wakeLater(t, contact);
+      if ((contact.flags & TOUCHING) != 0) {
+        wakeLater(t, contact);
+        noteEnd(t, contact);
+      }
       freeContact(t, slot);
       continue;
     }
@@ -91,9 +96,13 @@ function wakeLater(t: RigidTable, contact: RigidContact): void {
 function updateContact(t: RigidTable, contact: RigidContact): void {
   const flagsA = flagsOf(t, contact.a);
   const flagsB = flagsOf(t, contact.b);
-  if (!isActive(flagsA) && !isActive(flagsB)) return;
   const touched = (contact.flags & TOUCHING) != 0;
-  contact.flags = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
+  const kept = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
+  if (!isActive(flagsA) && !isActive(flagsB)) {
+    contact.flags = kept | (touched ? TOUCHING : 0);
+    return;
+  }
+  contact.flags = kept;
   if (((flagsA | flagsB) & FAST) != 0 || !mayRecycle(t, contact, touched)) findManifold(t, contact);
   if (contact.count == 0) return;
   contact.flags |= TOUCHING;

@@ -1,0 +1,52 @@
+// Contacts are reported when they begin, when they end, and when they are hard.
+import {
+  box,
+  contactEvents,
+  createPhysicsWorld,
+  despawn,
+  rigidBodies,
+  spawn,
+  step,
+  uniformGravity,
+} from '@principia/physics';
+import { expect, test } from 'vitest';
+
+const DT = 1 / 60;
+
+test('a ball that falls and bounces begins a contact, hits with √(2 g h), and ends the contact', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 100 });
+  const ground = spawn(world, { position: { y: -0.5 }, collider: { shape: box(10, 1), restitution: 0.8 } });
+  const ball = spawn(world, { position: { x: 1, y: 2.5 }, collider: { radius: 0.5, density: 1 } });
+  const events = contactEvents(world);
+  const seen: string[] = [];
+  for (let i = 0; i < 60 && seen.length < 3; i++) {
+    step(world, DT);
+    for (const name of ['begin', 'hit', 'end'] as const) {
+      for (let k = 0; k < events[name].count; k++) {
+        expect([events[name].a[k], events[name].b[k]]).toEqual([ground, ball]);
+        seen.push(name);
+      }
+    }
+    if (events.hit.count === 0) continue;
+    // The speed is that before the step: up to g dt less than at the impact.
+    const speed = Math.sqrt(2 * 9.80665 * 2);
+    expect(Math.abs(events.hit.speed[0] - speed)).toBeLessThan(2 * 9.80665 * DT);
+    expect(events.hit.x[0]).toBeCloseTo(1, 6);
+    // The point is in the middle of an overlap of up to v dt.
+    expect(Math.abs(events.hit.y[0])).toBeLessThan(0.5 * speed * DT);
+    expect([events.hit.nx[0], events.hit.ny[0]]).toEqual([0, 1]);
+  }
+  expect(seen).toEqual(['begin', 'hit', 'end']);
+});
+
+test('a contact ends with its body', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 100 });
+  const ground = spawn(world, { position: { y: -0.5 }, collider: { shape: box(10, 1) } });
+  const body = spawn(world, { position: { y: 0.5 }, collider: { shape: box(1, 1), density: 1 } });
+  for (let i = 0; i < 60; i++) step(world, DT);
+  const { end } = contactEvents(world);
+  expect(end.count).toBe(0);
+  despawn(world, body);
+  step(world, DT);
+  expect([end.count, end.a[0], end.b[0]]).toEqual([1, ground, body]);
+});
