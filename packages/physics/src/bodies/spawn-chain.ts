@@ -1,7 +1,7 @@
 import { type ChainOptions, chain } from '../collision/shapes/2d/chain.ts';
 import type { PointInput } from '../collision/shapes/2d/shape.ts';
-import { removeWholly } from '../ecs/bitecs-adapter.ts';
-import { makeRoom } from '../ecs/entity-capacity.ts';
+import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { type BodyInput, spawn } from './spawn.ts';
@@ -25,12 +25,12 @@ export function spawnChain(
 ): number[] {
   assertUsable(world);
   const shapes = chain(points, options);
-  makeRoom(world, shapes.length);
+  ensureCapacity(world, shapes.length);
   const ids: number[] = [];
   try {
     for (const shape of shapes) ids.push(spawn(world, { position: shape.centre, collider: { ...surface, shape } }));
   } catch (error) {
-    for (const id of ids) removeWholly(world, id);
+    for (const id of ids) removeEntityCompletely(world, id);
     throw error;
   }
   return ids;
