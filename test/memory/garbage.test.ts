@@ -8,7 +8,7 @@ import { build } from 'esbuild';
 import { afterAll, describe, expect, it } from 'vitest';
 import { bundleOptions } from '../../scripts/lib/bundle.mjs';
 
-/** Bytes a step. */
+/** Bytes per step. */
 interface Measured {
   readonly bodies: number;
   readonly allocated: number;
@@ -26,8 +26,8 @@ async function bundled(name: string): Promise<string> {
 }
 
 function measure(program: string, ...args: string[]): Measured {
-  // Young space of 64 MB: no collection happens while the steps are measured, so what is used is what was allocated.
-  // The compiler works at once and not when a core is free: what it has not compiled makes numbers on the heap.
+  // With a young space of 64 MB no collection happens during the measurement, so the used size is what was allocated.
+  // The compiler runs synchronously, because code that is not compiled yet allocates numbers on the heap.
   const flags = ['--expose-gc', '--max-semi-space-size=64', '--no-concurrent-recompilation'];
   return JSON.parse(execFileSync(process.execPath, [...flags, program, ...args], { encoding: 'utf8' })) as Measured;
 }
@@ -36,8 +36,8 @@ it('steps keep nothing on the heap, and allocate nothing per body', { timeout: 6
   const { bodies, allocated, kept } = measure(await bundled('steps'));
   // Less than one pointer (8 bytes) is kept: nothing is.
   expect(kept).toBeLessThan(8);
-  // The least that can be allocated is a boxed number of 12 bytes: one a body would be three times this. What is left
-  // are the times that forces are asked for, and the numbers that kernels are given.
+  // The smallest allocation is a boxed number of 12 bytes; one per body would be three times this limit. The remaining
+  // allocations are times of force evaluations and arguments of kernels.
   expect(allocated).toBeLessThan(bodies * 4);
   expect(allocated).toBeLessThan(1024);
 });
@@ -45,10 +45,10 @@ it('steps keep nothing on the heap, and allocate nothing per body', { timeout: 6
 describe('a step of each integrator', async () => {
   const program = await bundled('integrators');
 
-  it.each([...Object.keys(INTEGRATORS), 'xpbd'])('%s makes no object a body', (name) => {
+  it.each([...Object.keys(INTEGRATORS), 'xpbd'])('%s allocates no object per body', (name) => {
     const { allocated, kept } = measure(program, name);
     expect(kept).toBeLessThan(8);
-    // Of a hundred bodies in space: less than one boxed number of 12 bytes each, for all evaluations and iterations.
+    // A hundred bodies in 3D: less than one boxed number of 12 bytes each, for all evaluations and iterations.
     expect(allocated).toBeLessThan(1024);
   });
 });

@@ -1,4 +1,4 @@
-/** Runs by itself under `node --expose-gc`: prints what a step of the integrator named leaves on the heap, as JSON. */
+/** A program for `node --expose-gc`: prints as JSON how many bytes a step of the named integrator allocates and keeps. */
 import { getHeapStatistics } from 'node:v8';
 import {
   boris,
@@ -18,13 +18,13 @@ import {
 declare const gc: () => void;
 
 const STEPS = 3000;
-/** Until the compiler has seen enough: what it has not compiled yet makes iterators and numbers that it would not. */
+/** Steps before the measurement: code that is not compiled yet allocates iterators and numbers. */
 const WARM = 10_000;
-/** What asking for the heap's size costs by itself, bytes a step; more is looked at again. */
+/** Bytes per step that the measurement itself allocates; a larger result is measured again. */
 const NOISE = 8;
 const heap = () => getHeapStatistics().used_heap_size;
 
-/** Bodies in a bowl; planets about a star for the scheme that knows nothing else. No force looks at the time. */
+/** Bodies in a harmonic potential, or planets around a star for Wisdom-Holman. No force depends on time. */
 function build(name: string): PhysicsWorld {
   const forces = name === 'wisdomHolman' ? [mutualGravity({ G: 1 })] : [powerLaw({ strength: -1, exponent: 1 })];
   const world = createPhysicsWorld({ dimensions: 3, capacity: 110, integrator: integratorOf(name), forces });

@@ -1,4 +1,4 @@
-/** Runs by itself under `node --expose-gc`: prints what steps leave on the JavaScript heap, as JSON. */
+/** A program for `node --expose-gc`: prints as JSON how many bytes per step are allocated and kept on the JavaScript heap. */
 import { getHeapStatistics } from 'node:v8';
 import { bodies, step } from '@principia/physics';
 import { chaoticWorld } from '../support/chaos.ts';
@@ -18,9 +18,9 @@ function round(): { allocated: number; kept: number } {
   return { allocated: allocated / STEPS, kept: (heap() - start) / STEPS };
 }
 
-// A leak shows in every round; the compiler, which works when it has the time, only in some.
+// A leak shows in every round, allocations of the compiler only in some.
 const rounds = [round(), round(), round(), round(), round()];
-const least = (key: 'allocated' | 'kept') => Math.min(...rounds.map((each) => each[key]));
+const minimum = (key: 'allocated' | 'kept') => Math.min(...rounds.map((each) => each[key]));
 process.stdout.write(
-  JSON.stringify({ bodies: bodies(world).count, allocated: least('allocated'), kept: least('kept') }),
+  JSON.stringify({ bodies: bodies(world).count, allocated: minimum('allocated'), kept: minimum('kept') }),
 );

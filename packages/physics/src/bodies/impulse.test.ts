@@ -28,7 +28,7 @@ describe('impulses', () => {
     for (const axis of ['x', 'y', 'z'] as const) expect(about[axis]).toBeCloseTo(0, 12);
   });
 
-  test('do nothing to a body without mass, and turn nothing that cannot turn', () => {
+  test('have no effect on a body without mass, and do not rotate a body that cannot rotate', () => {
     const world = createPhysicsWorld({ capacity: 5 });
     const fixed = spawn(world, { position: {}, velocity: {} });
     const straight = spawn(world, { position: {}, velocity: {}, mass: 1, inertia: 1 });
@@ -41,7 +41,7 @@ describe('impulses', () => {
     expect(() => applyImpulse(world, straight, { x: Number.NaN })).toThrow(PhysicsError);
   });
 
-  test('an explosion throws outwards, less with distance, and nothing beyond its reach', () => {
+  test('an explosion pushes outwards, less with distance, and has no effect beyond its radius', () => {
     const world = createPhysicsWorld({ capacity: 9, dimensions: 3 });
     const at = [0, 1, 2, 3.9, 4, 5].map((x) => spawn(world, { position: { x }, velocity: {}, mass: 2 }));
     explode(world, { impulse: 8, radius: 4 });

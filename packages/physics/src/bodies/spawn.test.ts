@@ -16,7 +16,7 @@ it('a body spawned with mass and no velocity falls from rest', () => {
   expect(world.components.Position.y[first as number]).toBe(3.75);
 });
 
-it('components attached by hand, and bodies without mass, get nothing they were not given', () => {
+it('components added manually and bodies without mass get no additional components', () => {
   const world = createPhysicsWorld();
   const { Position, Mass, Velocity } = world.components;
   const byHand = addEntity(world);

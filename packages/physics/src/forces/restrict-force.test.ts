@@ -111,7 +111,7 @@ describe('restrictForce', () => {
     expect(restrictForce(gravity, { region: { centre: {}, radius: 1 } }).potential).toBeUndefined();
   });
 
-  test('keeps a law a law, and other values of its limits compile nothing', () => {
+  test('keeps a law a law, and other limits need no recompilation', () => {
     const structure = (force: Force) => force.law?.structure;
     const limits = { group: 'Charge', from: 1, region: { centre: { x: 1 }, radius: 2 } } as const;
     const other = { group: 'Charge', from: 7, region: { centre: { y: 3 }, radius: 5 } } as const;

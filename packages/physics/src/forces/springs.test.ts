@@ -132,7 +132,7 @@ describe('springs', () => {
 });
 
 describe('the ends of springs', () => {
-  test('identical, removed or missing bodies are refused, and nothing is created', () => {
+  test('identical, removed or missing bodies are rejected before anything is created', () => {
     const world = springWorld();
     const a = spawn(world, { position: {} });
     const hash = stateHash(world);

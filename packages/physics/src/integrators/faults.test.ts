@@ -159,7 +159,7 @@ describe('implicit Euler', () => {
     step(world, 0.1);
     expect(world.faults.faults[0]).toMatchObject({ code: 'E_CONVERGENCE', entity: body, phase: 'integrate' });
     expectFinite(world);
-    // Who wants to be told by an error hears what to do, too.
+    // With `onFault: 'throw'` the error contains the hint too.
     world.onFault = 'throw';
     expect(() => step(world, 0.1)).toThrow(/E_CONVERGENCE.*shorter steps/);
   });

@@ -20,11 +20,14 @@ import {
   stateOf,
 } from '../../../../test/support/integrator-problems.ts';
 
-/** Those that choose their own steps take the world's whole with a tolerance this wide. */
+/** With this tolerance, integrators with adaptive sub-steps take the whole step of the world. */
 const create = (name: IntegratorName) =>
   name === 'dormandPrince' ? dormandPrince({ tolerance: 1e9 }) : INTEGRATORS[name].create();
 
-/** Of the fifteenth order nothing is left here between the first step and rounding, and Wisdom-Holman is of planets only. */
+/**
+ * The error of order 15 is below rounding from the first step on, and Wisdom-Holman applies only to planets, so these two
+ * have separate tests.
+ */
 const names = (Object.keys(INTEGRATORS) as IntegratorName[]).filter(
   (name) => name !== 'gaussRadau' && name !== 'wisdomHolman',
 );
@@ -79,9 +82,9 @@ describe('order of convergence', () => {
   });
 
   test('gaussRadau, a force of time: 15', () => {
-    // Legendre's polynomial of degree 15 has no integral over [0, 1]. A scheme of order 15 knows those of lower degree
-    // exactly, so that its error goes with the fifteenth power of the step from the first step on. The 3 keeps the
-    // force from zero where a step begins, by which the scheme measures.
+    // The integral of Legendre's polynomial of degree 15 over [0, 1] is zero. A scheme of order 15 integrates polynomials
+    // of lower degree exactly, so its error is proportional to the fifteenth power of the step from the first step on.
+    // The 3 keeps the force at the start of a step, which scales the error estimate, from being zero.
     const legendre = (t: number) => {
       let [before, here] = [1, 2 * t - 1];
       for (let n = 1; n < 15; n++) [before, here] = [here, ((2 * n + 1) * (2 * t - 1) * here - n * before) / (n + 1)];

@@ -12,7 +12,7 @@ test.each([0, 1, 2, 3, 4, 5, 100_000])('%i bytes survive the round trip', (lengt
   expect(decodeBase64(Buffer.from(bytes).toString('base64'))).toEqual(bytes);
 });
 
-test('an engine that decodes base64 itself is asked to', () => {
+test('uses the base64 decoder of the engine if there is one', () => {
   const fromBase64 = vi.fn(() => Uint8Array.of(7));
   vi.stubGlobal('Uint8Array', Object.assign(Uint8Array.bind(undefined), { fromBase64 }));
   expect(decodeBase64('Bw==')).toEqual(Uint8Array.of(7));

@@ -197,7 +197,7 @@ describe('a law with', () => {
   });
 });
 
-describe('what a law is given', () => {
+describe('the arguments of a law', () => {
   const law = defineLaw({ name: 'pull', parameters: { k: scalar('N', { min: 0 }) }, force: (_, { k }) => vec3(k, 0) });
 
   test.each([
@@ -230,7 +230,7 @@ describe('a law for other dimensions', () => {
     expect(errorOf(() => createPhysicsWorld({ dimensions, forces: [force] })).message).toMatch(sentence);
   });
 
-  test('is refused by replaceForce and by the step, and nothing has moved', () => {
+  test('is rejected by replaceForce and by the step before anything moves', () => {
     const old = defineLaw({ name: 'corkscrew', force: velocity })();
     const world = createPhysicsWorld({ capacity: 10, forces: [old] });
     const eid = spawn(world, { position: {}, velocity: { x: 1 }, mass: 1 });
@@ -243,7 +243,7 @@ describe('a law for other dimensions', () => {
     expect(world.tick).toBe(1);
   });
 
-  test('runs in its own', () => {
+  test('runs in a world of its dimensions', () => {
     for (const [dimensions, force] of [
       [2, inPlane],
       [3, inSpace],
@@ -270,7 +270,7 @@ describe('many laws at once', () => {
     expect(world.components.Velocity.x[eid]).toBe(2525);
   });
 
-  test('a law that answers the force finds that of those before it alone', () => {
+  test('a law that reads the force sees the sum of the laws before it', () => {
     const push = defineLaw({ name: 'push', force: () => vec3(3, 4) })();
     const weight = defineLaw({ name: 'weight', acceleration: () => vec3(0, -2) })();
     const brake = defineLaw({ name: 'brake', force: ({ force }) => force.mul(-0.5) })();

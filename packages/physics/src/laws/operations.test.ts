@@ -139,7 +139,7 @@ describe.each(WORLD_KINDS)('in a world of $dimensions dimensions, $precision', (
     expectSameBits(forcesNow(world).x[eids[0]], round(plain(a, b, c)), name);
   });
 
-  test('a number that meets a column is rounded first, but a function is told it in full', () => {
+  test('a number combined with a column is rounded first, but a function receives it in f64', () => {
     const p = 0.1;
     const force = ({ a }: Symbols, { p: k }: { p: ScalarSymbol }) => vec3(a.mul(k), a.abs().pow(k));
     const { world, eids } = crowd([lawOf({ reads: THREE_READS, parameters: { p: scalar('') }, force }, { p })], kind);
@@ -152,7 +152,7 @@ describe.each(WORLD_KINDS)('in a world of $dimensions dimensions, $precision', (
     }
   });
 
-  test('ids, time and what an entity has are known for each body', () => {
+  test('ids, time and membership are available for each body', () => {
     const { Charge, Inertia } = { Charge: THREE_READS.a, Inertia: THREE_READS.b };
     const force = (body: { entity: ScalarSymbol; time: ScalarSymbol; has: (spec: object) => never }) =>
       vec3(body.entity, select(body.has(Charge), body.time, select(body.has(Inertia), 7, 8)));

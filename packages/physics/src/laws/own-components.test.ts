@@ -27,7 +27,7 @@ function worldWithGlow(precision: 'f32' | 'f64' = 'f64') {
   return { world, glow: columnsOf(world, Glow) };
 }
 
-describe('a component of one’s own', () => {
+describe('a custom component', () => {
   test.each(['f32', 'f64'] as const)('drives a law, %s: v′ = k v grows as e^(k t)', (precision) => {
     const { world, glow } = worldWithGlow(precision);
     const [bright, dark] = [1, 2].map(() => spawn(world, { position: {}, velocity: { x: 1 }, mass: 1 }));
@@ -39,7 +39,7 @@ describe('a component of one’s own', () => {
     expect(world.components.Velocity.x[dark]).toBe(1);
   });
 
-  test('is zero for those who do not have it any more, and comes back with a snapshot', () => {
+  test('is zero for bodies that lost it, and is restored by a snapshot', () => {
     const { world, glow } = worldWithGlow();
     const eid = spawn(world, { position: {}, velocity: { x: 1 }, mass: 1 });
     addComponent(world, eid, set(glow, { strength: 2 }));
@@ -54,7 +54,7 @@ describe('a component of one’s own', () => {
     expect(hasComponent(world, spawn(world, { position: {} }), glow)).toBe(false);
   });
 
-  test('is checked, and must be among those of the world', () => {
+  test('is validated, and must be one of the components of the world', () => {
     const { world, glow } = worldWithGlow();
     const eid = spawn(world, { position: {} });
     expect(() => addComponent(world, eid, set(glow, { strength: -1 }))).toThrow(PhysicsError);

@@ -19,7 +19,7 @@ const springsFrom = (points: readonly number[]) => {
 };
 
 describe('sums over a table', () => {
-  test('one that depends on another over the same table, in a later stage of the step', () => {
+  test('a sum may depend on another sum over the same table, in a later stage of the step', () => {
     // A body on the x axis between two springs of 1 N/m with midpoint 2 m: x'' = -2 (x - 2).
     for (const [integrator, within] of [
       [velocityVerlet, 1e-3],
@@ -32,7 +32,7 @@ describe('sums over a table', () => {
     }
   });
 
-  test('tables of two forces are told apart, also where one law made both', () => {
+  test('tables of two forces are distinct, even if both are of one law', () => {
     const values = [[1], [10, 20]];
     // The first law evaluates it first, then the second.
     let asked = 0;

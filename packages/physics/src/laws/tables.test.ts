@@ -52,7 +52,7 @@ afterEach(() => void vi.restoreAllMocks());
 describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
   const round = rounderOf(kind.precision);
 
-  test.each([0, 1, 2, 1000])('the sum of %i rows is that of a program, in the order of the rows', (count) => {
+  test.each([0, 1, 2, 1000])('the sum of %i rows equals that of a loop in the order of the rows', (count) => {
     const { world, eids } = crowd([springs()], kind);
     putRows(world, springsAt(world), ROWS.slice(0, count));
     eids.forEach((eid, i) => {
@@ -68,7 +68,7 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
     }
   });
 
-  test('what depends on rows alone is summed as well, and several sums share a loop', () => {
+  test('terms that depend only on rows are summed too, and several sums share a loop', () => {
     const at = places();
     const law = defineLaw({
       name: 'sums of sums',
@@ -94,14 +94,14 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
   });
 });
 
-describe('a sum inside of a sum', () => {
+describe('a nested sum', () => {
   const [outer, inner] = [places(), places()];
   const world = createPhysicsWorld({ capacity: 20 });
   const eid = spawn(world, { position: { x: 0.5 }, velocity: {}, mass: 1 });
   putRows(world, outer(world), [[1], [2], [4]]);
   putRows(world, inner(world), [[10], [20]]);
 
-  test('may read the row of the outer one, which goes on afterwards', () => {
+  test('may read the row of the outer sum, which continues afterwards', () => {
     const law = defineLaw({
       name: 'nested',
       parameters: { a: table(['p'], outer), b: table(['q'], inner) },
@@ -112,7 +112,7 @@ describe('a sum inside of a sum', () => {
     expect(forcesNow(world).x[eid]).toBe(2 * 1.5 + 1 * 4 + (2 * 2.5 + 2 * 9) + (2 * 4.5 + 4 * 25));
   });
 
-  test('may not read the rows of both', () => {
+  test('may not read the rows of both sums', () => {
     const define = () =>
       defineLaw({
         name: 'rows of two tables',
@@ -160,14 +160,14 @@ describe('in a step', () => {
     expect(p.x[many.eid]).not.toBe(0.3);
   });
 
-  test('the same law twice pulls twice', () => {
+  test('the same law listed twice gives twice the force', () => {
     const [once, twice] = [spring(rungeKutta4, [springs()]), spring(rungeKutta4, [springs(), springs()])];
     expect(forcesNow(twice.world).x[twice.eid]).toBe(2 * forcesNow(once.world).x[once.eid]);
     step(twice.world, 0.01);
     expect(twice.world.faults.faults).toEqual([]);
   });
 
-  test('two laws with tables of their own do not mix them up', () => {
+  test('two laws with separate tables use their own rows', () => {
     const [first, second] = [places(), places()];
     const make = (name: string, at: typeof first) =>
       (
@@ -184,7 +184,7 @@ describe('in a step', () => {
     expect(forcesNow(world).x[eid]).toBe(13);
   });
 
-  test('a table that moves and grows is summed where it is now, and nothing is compiled', () => {
+  test('a table that moves and grows is summed at its new address without recompilation', () => {
     const { world, eid } = spring(velocityVerlet, [springs()]);
     step(world, 0.01);
     const spy = vi.spyOn(WebAssembly, 'Module');
@@ -197,7 +197,7 @@ describe('in a step', () => {
     expect(Math.abs(v.x[eid] - w.x[fresh.eid])).toBeGreaterThan(1);
   });
 
-  test('beside a force that is no law it gives the same', () => {
+  test('gives the same result beside a force that is not a law', () => {
     const [fused, cut] = [
       spring(velocityVerlet, [springs()]),
       spring(velocityVerlet, [springs(), defineForce({ name: 'nothing', accumulate() {} })]),

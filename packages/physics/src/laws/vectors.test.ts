@@ -68,7 +68,7 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
     }
   });
 
-  test('a vector without length stays zero when it is normalised, others have length 1', () => {
+  test('normalising keeps a zero vector zero and gives any other vector length 1', () => {
     const made = onVectors(kind, ({ velocity }) => velocity.normalize());
     expect(made[2].force).toEqual([0, 0, 0]);
     for (const { force } of made.filter((_, i) => i !== 2)) {
@@ -93,7 +93,7 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
 describe.each(flat)('in the plane, $precision', (kind) => {
   const round = rounderOf(kind.precision);
 
-  test('polar vectors have no z, whatever they are made of', () => {
+  test('polar vectors have no z component in any operation', () => {
     const law = defineLaw({
       name: 'z of everything',
       parameters: { wind: vector('m/s') },
@@ -116,7 +116,7 @@ describe.each(flat)('in the plane, $precision', (kind) => {
     }
   });
 
-  test('rotate turns by the angle of the body', () => {
+  test('rotate uses the angle of the body', () => {
     const { world, eids } = crowd([lawOf({ force: ({ rotate }: BodySymbols) => rotate(vec3(3, 4, 5)) })], kind);
     eids.forEach((eid, i) => {
       world.components.Rotation.angle[eid] = i * 0.7 - 3;
@@ -134,7 +134,7 @@ describe.each(flat)('in the plane, $precision', (kind) => {
 describe.each(deep)('in space, $precision', (kind) => {
   const digits = kind.precision === 'f32' ? 6 : 14;
 
-  test('rotate turns by the orientation: a quarter about z takes x to y, and no turn changes a length', () => {
+  test('rotate uses the orientation: a quarter revolution about z maps x to y, and lengths do not change', () => {
     const body = vec3(3, 4, 12);
     const law = lawOf({
       force: ({ rotate }: BodySymbols) => rotate(body),
@@ -176,7 +176,7 @@ describe('one law in the plane and in space', () => {
     },
   });
 
-  test.each(['f32', 'f64'] as const)('moves a body that stays in the plane alike, bit for bit, %s', (precision) => {
+  test.each(['f32', 'f64'] as const)('moves a body in the plane bitwise equally in 2D and 3D, %s', (precision) => {
     const [plane, space] = ([2, 3] as const).map((dimensions) => {
       const forces = [law({ wind: { x: 0.3, y: -0.1 }, field: { z: 0.7 } })];
       const world = createPhysicsWorld({ capacity: 10, dimensions, precision, integrator: semiImplicitEuler, forces });

@@ -36,7 +36,7 @@ test('depth counts in 3D alone', () => {
   expect(bodyAt(deep, { z: 7 })).toBe(0);
 });
 
-test('refuses points and margins that are none, and worlds that are gone', () => {
+test('rejects invalid points and margins, and destroyed worlds', () => {
   const world = createPhysicsWorld();
   expect(() => bodyAt(world, { x: NaN })).toThrow(expect.objectContaining({ code: 'E_NONFINITE' }));
   expect(() => bodyAt(world, { w: 1 } as never)).toThrow(expect.objectContaining({ code: 'E_UNKNOWN' }));
