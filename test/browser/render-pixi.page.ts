@@ -1,9 +1,20 @@
 /** The page of `render-pixi.test.ts`: builds pictures with the pixi layers and hands back their pixels. */
-import { box, capsule, createPhysicsWorld, polygon, type Shape, segment, spawn } from '@principia/physics';
+import {
+  box,
+  capsule,
+  createPhysicsWorld,
+  polygon,
+  rigidBodies,
+  type Shape,
+  segment,
+  spawn,
+  step,
+} from '@principia/physics';
 import { SHAPES, worldSource } from '@principia/render-core';
 import {
   applyCamera,
   createBodyLayer,
+  createContactLayer,
   createLinkLayer,
   createSegmentLayer,
   createTrailLayer,
@@ -279,6 +290,28 @@ export const lab = {
     });
     stage.close();
     return seen;
+  },
+
+  /** Light of the contact points (red) and normals (green) of a box of 80 m that rests on another. */
+  async contacts(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const world = createPhysicsWorld({ capacity: 100, preset: rigidBodies });
+    spawn(world, { position: { y: -60 }, collider: { shape: box(200, 80) } });
+    spawn(world, { position: { y: 19.998 }, collider: { shape: box(80, 80), density: 1 } });
+    step(world, 1 / 60);
+    const layer = createContactLayer({
+      world,
+      pointSize: 9,
+      normalLength: 40,
+      pointColor: 0xff0000,
+      normalColor: 0x00ff00,
+    });
+    stage.world.addChild(layer.container);
+    layer.update();
+    const picture = stage.shoot();
+    layer.destroy();
+    stage.close();
+    return { points: light(picture, 0), normals: light(picture, 1) };
   },
 
   /** Leaves a picture of all collider shapes, filled with a rim above and as outlines below, on the page. */

@@ -77,6 +77,16 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
     }
   });
 
+  it('draws contact points as dots, and their normals as lines', async () => {
+    const { points, normals } = await page.evaluate((b) => pixiLab.contacts(b), backend);
+    // Two dots of 9 pixels at a height of -20 m, and two lines of 40 m by 1.5 pixels upward, whose feet the dots hide.
+    expect(points.area / (2 * discArea(4.5))).toBeCloseTo(1, 1);
+    expect(points.x).toBeCloseTo(0, 1);
+    expect(points.y).toBeCloseTo(-20, 0);
+    expect(normals.area / (2 * 1.5 * 36)).toBeCloseTo(1, 1);
+    expect(normals.y).toBeGreaterThan(-5);
+  });
+
   it('draws a population with holes as it grows and shrinks', async () => {
     const counts = [10, 3000, 4096, 100, 0];
     const lights = await page.evaluate(([b, c]) => pixiLab.population(b, c), [backend, counts] as const);

@@ -6,9 +6,11 @@ export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia.t
 export type { Many, ManyInput } from './bodies/many.ts';
 export { setShape } from './bodies/set-shape.ts';
 export { type BodyInput, despawn, spawn } from './bodies/spawn.ts';
+export { type ChainSurface, spawnChain } from './bodies/spawn-chain.ts';
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';
 export { box, type RoundingOptions } from './collision/shapes/2d/box.ts';
 export { capsule } from './collision/shapes/2d/capsule.ts';
+export { type ChainOptions, chain } from './collision/shapes/2d/chain.ts';
 export { circle } from './collision/shapes/2d/circle.ts';
 export { polygon } from './collision/shapes/2d/polygon.ts';
 export { segment } from './collision/shapes/2d/segment.ts';
@@ -28,6 +30,7 @@ export {
 export { MAX_POSITION } from './components/position.ts';
 export { MAX_ANGULAR_SPEED } from './components/rotation.ts';
 export { MAX_SPEED } from './components/velocity.ts';
+export { type ContactPoints, contactPoints } from './debug/contact-points.ts';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy.ts';
 export { stateHash } from './diagnostics/hash.ts';
 export { defineCheckedLaw as defineLaw, type LawFactory } from './dynamics/define-law.ts';

@@ -1,5 +1,6 @@
 export { type BodyLayer, type BodyLayerOptions, createBodyLayer } from './body-layer.ts';
 export { applyCamera, type CameraTarget } from './camera.ts';
+export { type ContactLayer, type ContactLayerOptions, createContactLayer } from './contact-layer.ts';
 export type { LineStyle } from './line-style.ts';
 export { createLinkLayer, type LinkLayer, type LinkLayerOptions } from './link-layer.ts';
 export { openScreen, type Screen, type ScreenOptions } from './screen.ts';

@@ -20,3 +20,4 @@ export { measureJoints } from '../joints/2d/measure-joints';
 export { listBroken, listJoints, prepareJoints, warmStartJoints, watchJoints } from '../joints/2d/prepare-joints';
 export { solveAxes } from '../joints/2d/solve-axes';
 export { factorJoints, solveLocks } from '../joints/2d/solve-locks';
+export { nextContactPoint } from '../debug/2d/contact-points';

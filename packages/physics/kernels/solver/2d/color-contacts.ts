@@ -19,7 +19,7 @@ const UNCOLORED: i32 = COLORS - 1;
 export function colorContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   for (let i = 0; i < t.awakeCount; i++) putWord(t.usedColors, word(t.awake, i), 0);
-  memory.fill(t.colorCounts, 0, <usize>COLORS << 2);
+  memory.fill(t.colorCounts, 0, (<usize>COLORS) << 2);
   let count = 0;
   let blocks = 0;
   for (let i = 0; i < t.contactCount; i++) {

@@ -41,7 +41,8 @@ export const shapePool = resource((): ShapePool => {
 export function shapeIndex(world: PhysicsWorld, shape: Shape): number {
   if (shape.kind === 'circle') return 0;
   const pool = shapePool(world);
-  const key = `${shape.kind} ${shape.radius} ${shape.vertices.join(' ')}`;
+  const { neighbours = [] } = shape;
+  const key = `${shape.kind} ${shape.radius} ${shape.vertices.join(' ')} | ${neighbours.join(' ')}`;
   const known = pool.indices.get(key);
   if (known !== undefined) return known;
   if (pool.count >= pool.capacity) growPool(world, pool);
@@ -65,13 +66,15 @@ function growPool(world: PhysicsWorld, pool: ShapePool): void {
 /** Writes the record of a shape to an address, a multiple of eight. */
 export function writeShape({ memory, precision }: PhysicsWorld, at: number, shape: Shape): void {
   const { kind, vertices, normals, radius, area, inertiaPerMass, extent, minExtent } = shape;
-  new Uint32Array(memory.buffer, at, 4).set([ShapeKind[kind], vertices.length / 2, isBox(vertices) ? 1 : 0, 0]);
+  const { neighbours = [] } = shape;
+  const flags = [isBox(vertices) ? 1 : 0, neighbours.length > 0 ? 1 : 0];
+  new Uint32Array(memory.buffer, at, 4).set([ShapeKind[kind], vertices.length / 2, ...flags]);
   const length = (SHAPE_BYTES[precision] - INTEGER_BYTES) / realBytes(precision);
   const Reals = precision === 'f32' ? Float32Array : Float64Array;
   const reals = new Reals(memory.buffer, at + INTEGER_BYTES, length);
   const start = length - 4 * MAX_VERTICES;
   reals.set([radius, area, inertiaPerMass, extent, minExtent]);
-  reals.set(vertices, start);
+  reals.set([...vertices, ...neighbours], start);
   reals.set(normals, start + 2 * MAX_VERTICES);
 }
 

@@ -14,7 +14,8 @@ const TOLERANCE: real = 0.025;
 const nearest = changetype<Distance>(memory.data(offsetof<Distance>() + 8, 8));
 
 // The points of `reference` and `incident`, whose pose in the frame of `reference` is given, in that frame. `separation`
-// is the greatest of all edges of both, that of `edge` of the reference shape.
+// is the greatest of all edges of both, that of `edge` of the reference shape. With `isFaceOnly` there are no points but
+// those on this edge.
 export function clipEdges(
   m: Manifold,
   reference: Shape,
@@ -23,6 +24,7 @@ export function clipEdges(
   separation: real,
   pose: RelativePose,
   isFlipped: bool,
+  isFaceOnly: bool = false,
 ): void {
   const nx = normalX(reference, edge);
   const ny = normalY(reference, edge);
@@ -50,13 +52,10 @@ export function clipEdges(
   const highDistance = highCut < highAlong ? highAway + (highCut - highAlong) * slope : highAway;
   const overlaps = lowCut <= highCut;
   const tolerance = TOLERANCE * m.speculative;
+  if (isFaceOnly && !overlaps) return;
   const least = overlaps ? min<real>(lowDistance, highDistance) : <real>Infinity;
-  if (
-    least > separation + tolerance &&
-    meetAtNearestPoints(m, reference, incident, pose, isFlipped, least - tolerance)
-  ) {
-    return;
-  }
+  const mayBeNearer = !isFaceOnly && least > separation + tolerance;
+  if (mayBeNearer && meetAtNearestPoints(m, reference, incident, pose, isFlipped, least - tolerance)) return;
   setNormal(m, nx, ny);
   if (!overlaps) {
     // The outlines overlap beyond an end of the reference edge: the deepest vertex stands for all.

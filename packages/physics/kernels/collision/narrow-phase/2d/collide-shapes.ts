@@ -1,15 +1,18 @@
 // The contact of any two shapes. One order of kinds is implemented, with the disc last; the other is flipped.
 import { CIRCLE, POLYGON, Shape } from '../../shapes/2d/shape';
 import { collideCapsuleCircle } from './capsule-circle';
+import { collideChainSegment } from './chain-segment';
 import { collideCircles } from './circle-circle';
-import { Manifold, toWorld } from './manifold';
+import { Manifold, swapShapes, toWorld } from './manifold';
 import { collidePolygonCircle } from './polygon-circle';
 import { collidePolygons } from './polygon-polygon';
 
 // Finds normal and points from the poses in the manifold.
 export function collideShapes(m: Manifold, a: Shape, b: Shape): void {
   m.count = 0;
-  if (b.kind == CIRCLE) {
+  if ((a.isChained | b.isChained) != 0) {
+    collideChained(m, a, b);
+  } else if (b.kind == CIRCLE) {
     const dx = m.bx - m.ax;
     const dy = m.by - m.ay;
     collideWithCircle(m, a, b, m.ac * dx + m.as * dy, m.ac * dy - m.as * dx);
@@ -21,6 +24,17 @@ export function collideShapes(m: Manifold, a: Shape, b: Shape): void {
     toWorld(m, true);
   } else {
     collidePolygons(m, a, b);
+  }
+}
+
+// Segments of chains do not meet each other.
+function collideChained(m: Manifold, a: Shape, b: Shape): void {
+  if (b.isChained == 0) {
+    collideChainSegment(m, a, b);
+  } else if (a.isChained == 0) {
+    swapShapes(m);
+    collideChainSegment(m, b, a);
+    swapShapes(m);
   }
 }
 

@@ -92,3 +92,23 @@ export class Manifold {
   m.x1 = x + (c * x1 - s * m.y1);
   m.y1 = y + (s * x1 + c * m.y1);
 }
+
+// Exchanges the two shapes: their poses, the direction of the normal, and the bytes of the ids.
+export function swapShapes(m: Manifold): void {
+  const x = m.ax;
+  const y = m.ay;
+  const c = m.ac;
+  const s = m.as;
+  m.ax = m.bx;
+  m.ay = m.by;
+  m.ac = m.bc;
+  m.as = m.bs;
+  m.bx = x;
+  m.by = y;
+  m.bc = c;
+  m.bs = s;
+  m.nx = -m.nx;
+  m.ny = -m.ny;
+  m.id0 = ((m.id0 & 255) << 8) | (m.id0 >> 8);
+  m.id1 = ((m.id1 & 255) << 8) | (m.id1 >> 8);
+}

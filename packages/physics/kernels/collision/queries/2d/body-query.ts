@@ -35,7 +35,7 @@ export class BodyQuery {
 }
 
 // For a shape that the query does not name, and for colliders that are only a radius.
-const spareShape: usize = memory.data(SHAPE_BYTES, 8);
+const spareShape: usize = memory.data(<i32>SHAPE_BYTES, 8);
 const POSE = changetype<RelativePose>(memory.data(offsetof<RelativePose>() + 8, 8));
 
 // @ts-ignore: decorator

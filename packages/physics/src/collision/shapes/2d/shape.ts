@@ -25,6 +25,8 @@ export interface Shape {
   readonly extent: number;
   /** Least distance of the surface from the centroid, m. */
   readonly minExtent: number;
+  /** Of a segment of a chain: x and y of the far ends of its neighbours, the one before and the one after. */
+  readonly neighbours?: readonly number[] | undefined;
   /** Centroid in the coordinates of the points that made the shape, m. */
   readonly centre: { readonly x: number; readonly y: number };
 }
@@ -34,16 +36,22 @@ export type PointInput = Pick<VectorInput, 'x' | 'y'>;
 
 const made = new WeakSet<object>();
 
-/** Returns whether a value was made by `circle`, `box`, `capsule`, `polygon` or `segment`. */
+/** Returns whether a value was made by `circle`, `box`, `capsule`, `polygon`, `segment` or `chain`. */
 export function isShape(value: unknown): value is Shape {
   return typeof value === 'object' && value !== null && made.has(value);
 }
 
 /** Makes a shape of checked vertices, anticlockwise, and moves its centroid to the origin. */
-export function makeShape(kind: Shape['kind'], points: readonly number[], radius: number): Shape {
+export function makeShape(
+  kind: Shape['kind'],
+  points: readonly number[],
+  radius: number,
+  neighbours?: readonly number[],
+): Shape {
   const normals = normalsOf(points);
   const { area, centreX, centreY, inertiaPerMass } = massProperties(points, normals, radius);
-  const vertices = points.map((value, i) => value - (i % 2 === 0 ? centreX : centreY));
+  const fromCentre = (value: number, i: number) => value - (i % 2 === 0 ? centreX : centreY);
+  const vertices = points.map(fromCentre);
   const distances: number[] = [];
   for (let i = 0; i < vertices.length; i += 2) distances.push(lengthOf(vertices[i], vertices[i + 1]));
   const shape: Shape = {
@@ -55,6 +63,7 @@ export function makeShape(kind: Shape['kind'], points: readonly number[], radius
     inertiaPerMass,
     extent: Math.max(...distances) + radius,
     minExtent: inradius(vertices, normals) + radius,
+    neighbours: neighbours && Object.freeze(neighbours.map(fromCentre)),
     centre: Object.freeze({ x: centreX, y: centreY }),
   };
   made.add(shape);

@@ -1,0 +1,44 @@
+// The contact points of rigid bodies, one after the other, for pictures and logs.
+import { columns, get } from '../../memory/columns';
+import { contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { word } from '../../solver/2d/body';
+import { RigidTable } from '../../solver/2d/rigid-table';
+
+@unmanaged
+export class ContactView {
+  // Rows, a < b.
+  a: i32;
+  b: i32;
+  // Point, m, from where a is now; unit normal from a to b; distance of the surfaces when the step began, m; impulse of
+  // the step along the normal, N s.
+  x: real;
+  y: real;
+  nx: real;
+  ny: real;
+  separation: real;
+  impulse: real;
+}
+
+// Writes the first point from `cursor` on to the record at `view`, and returns the cursor behind it, 0 after the last. The
+// first cursor is 0.
+export function nextContactPoint(table: usize, view: usize, cursor: i32): i32 {
+  const t = changetype<RigidTable>(table);
+  const to = changetype<ContactView>(view);
+  for (let at = cursor; at < 2 * t.contactCount; at++) {
+    const contact = contactAt(t, word(t.order, at >> 1));
+    const index = at & 1;
+    if (index >= contact.count) continue;
+    const point = pointOf(contact, index);
+    const c = columns();
+    to.a = contact.a;
+    to.b = contact.b;
+    to.x = get(c.positionX, contact.a) + point.ax;
+    to.y = get(c.positionY, contact.a) + point.ay;
+    to.nx = contact.nx;
+    to.ny = contact.ny;
+    to.separation = point.separation;
+    to.impulse = point.totalImpulse;
+    return at + 1;
+  }
+  return 0;
+}

@@ -1,0 +1,67 @@
+// The contact points of rigid bodies as lists, for pictures and logs: copying them costs some 50 ns each.
+import { rigidKernels } from '../collision/kernels.ts';
+import { allocate } from '../memory/arena.ts';
+import { realBytes } from '../memory/columns.ts';
+import { CONTACT_VIEW_BYTES } from '../memory/layouts.gen.ts';
+import { resource } from '../memory/resource.ts';
+import { rigidTable } from '../solver/rigid-table.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+
+/** Points at which rigid bodies touch or nearly touch; entry i of each list is valid for i < `count`. */
+export interface ContactPoints {
+  count: number;
+  /** Entity ids, a < b. */
+  readonly a: number[];
+  readonly b: number[];
+  /** Point, m, where the bodies are now. */
+  readonly x: number[];
+  readonly y: number[];
+  /** Unit normal from a to b. */
+  readonly nx: number[];
+  readonly ny: number[];
+  /** Distance of the surfaces when the last step began, m; negative where they overlapped. */
+  readonly separation: number[];
+  /** Impulse along the normal in the last step, N s. */
+  readonly impulse: number[];
+}
+
+/** Bytes of the two ids at the start of the record. */
+const ID_BYTES = 8;
+
+const viewOf = resource((world) => {
+  const { internal, memory, precision } = world;
+  const bytes = CONTACT_VIEW_BYTES[precision];
+  const at = allocate(internal.arena, bytes, 'contact points');
+  const Reals = precision === 'f32' ? Float32Array : Float64Array;
+  const reals = new Reals(memory.buffer, at + ID_BYTES, (bytes - ID_BYTES) / realBytes(precision));
+  return { at, ids: new Uint32Array(memory.buffer, at, 2), reals };
+});
+
+/**
+ * Lists the contact points of a world with the preset `rigidBodies`. They are those of the last step.
+ * @param into a list of an earlier call, which is written anew and returned: then nothing is allocated
+ * @throws PhysicsError E_CAPACITY, E_DESTROYED
+ */
+export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyList()): ContactPoints {
+  const table = rigidTable(world).at;
+  const { at, ids, reals } = viewOf(world);
+  const kernels = rigidKernels(world);
+  let count = 0;
+  for (let cursor = kernels.nextContactPoint(table, at, 0); cursor > 0; count++) {
+    into.a[count] = ids[0];
+    into.b[count] = ids[1];
+    into.x[count] = reals[0];
+    into.y[count] = reals[1];
+    into.nx[count] = reals[2];
+    into.ny[count] = reals[3];
+    into.separation[count] = reals[4];
+    into.impulse[count] = reals[5];
+    cursor = kernels.nextContactPoint(table, at, cursor);
+  }
+  into.count = count;
+  return into;
+}
+
+function emptyList(): ContactPoints {
+  return { count: 0, a: [], b: [], x: [], y: [], nx: [], ny: [], separation: [], impulse: [] };
+}

@@ -1,0 +1,74 @@
+import { type ContactPoints, contactPoints, type PhysicsWorld } from '@principia/physics';
+import { Container } from 'pixi.js';
+import { createSegmentLayer } from './segment-layer.ts';
+
+/** Options of a contact layer. */
+export interface ContactLayerOptions {
+  /** A world with the preset `rigidBodies`. */
+  world: PhysicsWorld;
+  /** Pixels of the layer's own coordinates per metre; default 1, which is what `applyCamera` expects. */
+  pixelsPerMetre?: number;
+  /** Diameter of a point, CSS pixels; default 5. */
+  pointSize?: number;
+  /** Length of a normal, m; default 0.25. */
+  normalLength?: number;
+  /** Colours of points and normals, as 0xRRGGBB; default 0xff5050 and 0xffd060. */
+  pointColor?: number;
+  normalColor?: number;
+}
+
+/** Contact points of rigid bodies and their normals, for looking into a simulation. */
+export interface ContactLayer {
+  readonly container: Container;
+  /** Draws the contacts of the last step, where the bodies are now; call it once a frame before rendering. */
+  update(): void;
+  destroy(): void;
+}
+
+/** Creates a layer that shows where rigid bodies touch. @throws Error when an option is out of range */
+export function createContactLayer(options: ContactLayerOptions): ContactLayer {
+  const { world, pixelsPerMetre = 1, pointSize = 5, normalLength = 0.25 } = options;
+  const { pointColor = 0xff5050, normalColor = 0xffd060 } = options;
+  const normals = createSegmentLayer({ pixelsPerMetre, thickness: 1.5, color: normalColor });
+  const points = createSegmentLayer({ pixelsPerMetre, thickness: pointSize, color: pointColor });
+  const container = new Container({
+    label: 'principia-contacts',
+    children: [normals.container, points.container],
+  });
+  const lines: number[] = [];
+  let list: ContactPoints | undefined;
+  let live = true;
+
+  return {
+    container,
+    update() {
+      list = contactPoints(world, list);
+      const { count, x, y } = list;
+      writeLines(lines, list, normalLength);
+      normals.set(lines, count);
+      // A line without length is a dot.
+      for (let i = 0; i < count; i++) {
+        lines[4 * i + 2] = x[i];
+        lines[4 * i + 3] = y[i];
+      }
+      points.set(lines, count);
+    },
+    destroy() {
+      if (!live) return;
+      live = false;
+      normals.destroy();
+      points.destroy();
+      container.destroy();
+    },
+  };
+}
+
+/** The ends of each normal, which starts at its point. */
+function writeLines(lines: number[], { count, x, y, nx, ny }: ContactPoints, length: number): void {
+  for (let i = 0; i < count; i++) {
+    lines[4 * i] = x[i];
+    lines[4 * i + 1] = y[i];
+    lines[4 * i + 2] = x[i] + length * nx[i];
+    lines[4 * i + 3] = y[i] + length * ny[i];
+  }
+}
