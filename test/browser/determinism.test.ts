@@ -2,6 +2,7 @@ import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { chaosHashes } from '../support/chaos.ts';
 import { launchChromium } from '../support/chromium.ts';
+import { hingeHashes } from '../support/falling-hinges.ts';
 import { openPage, type ServedPage, servePage } from '../support/page.ts';
 import { sceneHashes } from '../support/scene-hashes.ts';
 
@@ -25,5 +26,6 @@ test('chaotic worlds and every scene end in the same bits in Node and in Chromiu
   const found = await page.evaluate('[chaosHashes(), sceneHashes()]');
   expect(errors).toEqual([]);
   expect(found).toEqual([chaosHashes(), sceneHashes()]);
+  expect(await page.evaluate('hingeHashes()')).toEqual(hingeHashes());
   await page.close();
 });

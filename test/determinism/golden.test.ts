@@ -9,6 +9,7 @@
 import { expect, it } from 'vitest';
 import { chaosHashes } from '../support/chaos.ts';
 import { sceneHashes } from '../support/scene-hashes.ts';
+import { hingeHashes } from '../support/falling-hinges.ts';
 
 it('1 500 steps of chaotic scenes end where they always ended', { timeout: 30_000 }, () => {
   expect(chaosHashes()).toEqual({
@@ -40,4 +41,11 @@ it('240 steps of every scene end where they always ended', () => {
       "springs": "2f827429c1ac197b",
     }
   `);
+});
+
+it('falling hinges come to rest as they always did, after as many steps', { timeout: 30_000 }, () => {
+  expect(hingeHashes()).toEqual({
+    f32: '352 bb3e4f1057cdb9ef',
+    f64: '304 cc5b7d9c1f4a4086',
+  });
 });

@@ -20,7 +20,7 @@ const IMPULSES_BYTES = 64;
 const WORK_BYTES = 400;
 
 /** What joints need in the world's memory for each entity, all of which may be joints: for `Preset`. */
-export const JOINT_BYTES_PER_ENTITY = BODY_BYTES + IMPULSES_BYTES + WORK_BYTES + 4 * 8 + 6 * 4 + 4;
+export const JOINT_BYTES_PER_ENTITY = BODY_BYTES + IMPULSES_BYTES + WORK_BYTES + 5 * 8 + 9 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -77,8 +77,9 @@ export const jointTable = resource((world): JointTable => {
   take(Word.impulses, IMPULSES_BYTES);
   take(Word.bodies, BODY_BYTES);
   take(Word.works, WORK_BYTES);
-  for (const word of [Word.pairs, Word.spare, Word.next, Word.links]) take(word, 8);
+  for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.nodes]) take(word, 8);
   for (const word of [Word.sets, Word.heads, Word.lost, Word.broken, Word.order, Word.roots]) take(word, 4);
+  for (const word of [Word.axes, Word.active, Word.parents]) take(word, 4);
   return { at, words, entityList: emptyEntityList() };
 });
 
