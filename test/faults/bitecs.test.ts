@@ -109,7 +109,9 @@ describe('prefabs', () => {
     addComponent(world, prefab, Collider);
     const eid = addEntity(world);
     addComponent(world, eid, IsA(prefab));
-    expect(bodyState(world, eid)).toBe('Position.x=1 Position.y=8 Collider.radius=0.5');
+    expect(bodyState(world, eid)).toBe(
+      'Position.x=1 Position.y=8 Collider.radius=0.5 Collider.layers=1 Collider.mask=4294967295',
+    );
     expect(world.internal.counts.Mass).toBe(1);
     step(world, DT);
     expect(world.components.Position.y[eid]).toBe(8); // infinite mass stays put

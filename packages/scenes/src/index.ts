@@ -21,6 +21,7 @@ export { galaxy } from './n-body/galaxy.ts';
 export { type PlasmaRun, plasma } from './n-body/plasma.ts';
 export { type Particles, particles } from './particles.ts';
 export { findScene, SCENES } from './registry.ts';
+export { jointGrid, manyPyramids, pyramid, tumbler } from './rigid-piles.ts';
 export { rope } from './rope.ts';
 export type { ReferenceRuns, Scene, SceneOptions, SceneParameter, SceneRun, Stretch } from './scene.ts';
 export { buildSolarSystem, type SolarSystem, type SolarSystemOptions } from './solar-system/build.ts';

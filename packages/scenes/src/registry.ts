@@ -10,6 +10,7 @@ import { nbodyDirect, nbodyTree } from './n-body/cluster.ts';
 import { galaxy } from './n-body/galaxy.ts';
 import { plasma } from './n-body/plasma.ts';
 import { particles } from './particles.ts';
+import { jointGrid, manyPyramids, pyramid, tumbler } from './rigid-piles.ts';
 import { rope } from './rope.ts';
 import type { Scene } from './scene.ts';
 import { solarSystem } from './solar-system.ts';
@@ -29,6 +30,10 @@ export const SCENES: readonly Scene[] = [
   nbodyTree,
   galaxy,
   plasma,
+  pyramid,
+  manyPyramids,
+  jointGrid,
+  tumbler,
   bouncingBalls,
   blackHole,
   fireworks,

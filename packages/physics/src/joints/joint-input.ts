@@ -1,5 +1,5 @@
 // What the functions that describe joints have in common: options, checked, as the fields of the component Joint.
-import { checkFlag, checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
+import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
 
 /** Bounds of the free coordinate of a joint, m or rad; one that is left out is not there. */
 export interface JointLimits {
@@ -75,6 +75,7 @@ export function describeJoint(
   names: readonly (keyof AllOptions)[],
 ): JointInput {
   checkKeys(options, caller, ['a', 'b', 'collide', 'breakForce', ...names]);
+  for (const name of ['a', 'b'] as const) checkWhole(options[name], `${caller}.${name}`, 1, 2 ** 32 - 1);
   const { anchor, limits, spring, motor, length, breakForce, collide } = options;
   for (const name of ['anchor', 'anchorA', 'anchorB', 'axis'] as const) {
     if (options[name] !== undefined) checkVector(options[name], `${caller}.${name}`);

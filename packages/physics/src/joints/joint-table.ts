@@ -16,9 +16,11 @@ import type { PhysicsWorld } from '../world/types.ts';
 const BODY_BYTES = 72;
 const IMPULSES_BYTES = 64;
 
-/** Bytes of a joint in all lists: what the solver works with, two keys of pairs, and six words. */
+/** Bytes of a joint that the solver works with. */
 const WORK_BYTES = 400;
-const LIST_BYTES = WORK_BYTES + 40;
+
+/** What joints need in the world's memory for each entity, all of which may be joints: for `Preset`. */
+export const JOINT_BYTES_PER_ENTITY = BODY_BYTES + IMPULSES_BYTES + WORK_BYTES + 5 * 8 + 9 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -51,8 +53,6 @@ export interface JointTable {
   readonly at: number;
   readonly words: Uint32Array;
   readonly entityList: EntityList;
-  /** Joints there is room for. */
-  room: number;
 }
 
 /** The joints that ended by themselves, in ascending order; their entities are gone. */
@@ -76,9 +76,11 @@ export const jointTable = resource((world): JointTable => {
   };
   take(Word.impulses, IMPULSES_BYTES);
   take(Word.bodies, BODY_BYTES);
-  take(Word.sets, 4);
-  take(Word.heads, 4);
-  return { at, words, entityList: emptyEntityList(), room: 0 };
+  take(Word.works, WORK_BYTES);
+  for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.nodes]) take(word, 8);
+  for (const word of [Word.sets, Word.heads, Word.lost, Word.broken, Word.order, Word.roots]) take(word, 4);
+  for (const word of [Word.axes, Word.active, Word.parents]) take(word, 4);
+  return { at, words, entityList: emptyEntityList() };
 });
 
 /**
@@ -102,33 +104,8 @@ function listJoints(world: PhysicsWorld, table: JointTable): boolean {
   if (!refreshEntityList(world, entityList, 'Joint', 0)) return false;
   words[Word.ids] = entityList.ids;
   words[Word.count] = entityList.count;
-  makeRoom(world, table);
   rigidKernels(world).listJoints(table.at);
   return true;
-}
-
-function makeRoom(world: PhysicsWorld, table: JointTable): void {
-  const { words, entityList } = table;
-  if (entityList.count <= table.room) return;
-  const room = Math.min(world.rows, Math.max(64, Math.ceil(1.5 * entityList.count)));
-  const at = allocate(world.internal.arena, LIST_BYTES * room, `${entityList.count} joints`);
-  let next = at;
-  const take = (word: Word, bytes: number) => {
-    words[word] = next;
-    next += bytes * room;
-  };
-  take(Word.works, WORK_BYTES);
-  moveWords(world, words[Word.pairs], next, 2 * words[Word.pairCount]);
-  take(Word.pairs, 8);
-  take(Word.spare, 8);
-  take(Word.next, 8);
-  take(Word.links, 8);
-  for (const word of [Word.lost, Word.broken, Word.order, Word.roots]) take(word, 4);
-  table.room = room;
-}
-
-function moveWords(world: PhysicsWorld, from: number, to: number, count: number): void {
-  new Uint32Array(world.memory.buffer, to, count).set(new Uint32Array(world.memory.buffer, from, count));
 }
 
 function removeJoints(world: PhysicsWorld, ids: readonly number[]): void {

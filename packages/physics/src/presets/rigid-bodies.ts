@@ -3,8 +3,10 @@ import { beginStep, validateState } from '../dynamics/validate-state.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { breakJoints } from '../joints/create-joint.ts';
+import { JOINT_BYTES_PER_ENTITY } from '../joints/joint-table.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { isSoftStep } from '../solver/is-soft-step.ts';
+import { refuseUnsupported } from '../solver/refuse-unsupported.ts';
 import { rigidBytesPerEntity, rigidTable } from '../solver/rigid-table.ts';
 import { softStep } from '../solver/soft-step.ts';
 import { dispatchFaultEvents } from '../world/event-handlers.ts';
@@ -17,11 +19,13 @@ import type { PhysicsWorld, Preset } from '../world/types.ts';
  */
 export const rigidBodies: Preset = /* @__PURE__ */ Object.assign(fill, {
   // The default memory is added, because other features may need it.
-  bytesPerEntity: (_dimensions: 2 | 3, precision: Precision) => 256 + rigidBytesPerEntity(precision),
+  bytesPerEntity: (_dimensions: 2 | 3, precision: Precision) =>
+    256 + rigidBytesPerEntity(precision) + JOINT_BYTES_PER_ENTITY,
 });
 
 function fill(world: PhysicsWorld): void {
   // Allocates the memory immediately, so that a world too small for contacts fails at its creation.
+  refuseUnsupported(world);
   if (!isSoftStep(world.integrator)) world.integrator = defaultFor(world);
   rigidTable(world);
   const { phases } = world;

@@ -27,11 +27,14 @@ export class JointTable {
   breakForce: usize;
   collide: usize;
   started: usize;
-  // Ids of all joints, ascending, and the joints of this step, class JointWork.
+  // Ids of all joints, ascending, and the joints of this step in the order of the trees, class JointWork.
   ids: usize;
   count: i32;
   works: usize;
   workCount: i32;
+  // Indices of those that have a spring, a motor or limits.
+  axes: usize;
+  axisCount: i32;
   // Joints that lost a body, and joints that broke: ids.
   lost: usize;
   lostCount: i32;
@@ -45,7 +48,12 @@ export class JointTable {
   pairCount: i32;
   // The pairs of bodies of all joints, two rows each.
   links: usize;
-  // Joints in the order of the trees, parents first, and the first bodies of the trees.
+  // The joints that act in this step: ids, the rows of both bodies as far as joints move them, and which of the two is the
+  // parent in a tree. Then their indices in the order of the trees, parents first, and the first bodies of the trees.
+  active: usize;
+  nodes: usize;
+  parents: usize;
+  activeCount: i32;
   order: usize;
   orderCount: i32;
   roots: usize;

@@ -3,49 +3,48 @@
 // that closes a loop is left out and solved by itself, after the others.
 import { putWord, word } from '../../solver/2d/body';
 import { JointTable } from './joint-table';
-import { nodeA, nodeB, workAt } from './joint-work';
+
+// What t.parents holds of a joint: which body is its parent, that it closes a loop, or that no tree has grown to it yet.
+export const LOOP: i32 = 0;
+export const PARENT_A: i32 = 1;
+const UNREACHED: i32 = 3;
+
+// Of a body whose joints are in a tree: in the place of its first joint.
+const REACHED: i32 = -2;
 
 export function orderTrees(t: JointTable): void {
-  for (let i = 0; i < t.workCount; i++) {
-    const work = workAt(t, i);
-    for (let side = 0; side < 2; side++) {
-      const row = side == 0 ? nodeA(work) : nodeB(work);
-      putWord(t.sets, row, row);
-      putWord(t.heads, row, -1);
-    }
+  const count = t.activeCount;
+  for (let i = 0; i < 2 * count; i++) {
+    const row = word(t.nodes, i);
+    putWord(t.sets, row, row);
+    putWord(t.heads, row, -1);
   }
-  for (let i = 0; i < t.workCount; i++) linkJoint(t, i);
+  for (let i = 0; i < count; i++) linkJoint(t, i);
   t.orderCount = 0;
   t.rootCount = 0;
-  for (let i = 0; i < t.workCount; i++) {
-    const work = workAt(t, i);
-    if (work.massA > 0) growTree(t, work.a);
-    if (work.massB > 0) growTree(t, work.b);
+  for (let i = 0; i < 2 * count; i++) {
+    const row = word(t.nodes, i);
+    if (row != 0) growTree(t, row);
   }
   // What is in no tree comes last.
-  for (let i = 0; i < t.workCount; i++) if (workAt(t, i).parent == 0) putWord(t.order, t.orderCount++, i);
+  for (let i = 0; i < count; i++) if (word(t.parents, i) == LOOP) putWord(t.order, t.orderCount++, i);
 }
 
 // Joins the sets of the two bodies, and lists the joint at each; not where both are in one set already.
 function linkJoint(t: JointTable, i: i32): void {
-  const work = workAt(t, i);
-  work.parent = 0;
-  const a = nodeA(work);
-  const b = nodeB(work);
+  const a = word(t.nodes, 2 * i);
+  const b = word(t.nodes, 2 * i + 1);
+  putWord(t.parents, i, LOOP);
   if (a != 0 && b != 0) {
     const setA = setOf(t, a);
     const setB = setOf(t, b);
     if (setA == setB) return;
     putWord(t.sets, max<i32>(setA, setB), min<i32>(setA, setB));
   }
-  // Until the tree has grown to it.
-  work.parent = UNREACHED;
+  putWord(t.parents, i, UNREACHED);
   if (a != 0) listAt(t, a, 2 * i);
   if (b != 0) listAt(t, b, 2 * i + 1);
 }
-
-const UNREACHED: i32 = 3;
-const REACHED: i32 = -2;
 
 function setOf(t: JointTable, row: i32): i32 {
   let set = row;
@@ -66,13 +65,12 @@ function setOf(t: JointTable, row: i32): i32 {
 function growTree(t: JointTable, root: i32): void {
   if (word(t.heads, root) == REACHED) return;
   let at = t.orderCount;
-  const before = at;
   reach(t, root);
-  if (t.orderCount == before) return;
+  if (t.orderCount == at) return;
   putWord(t.roots, t.rootCount++, root);
   while (at < t.orderCount) {
-    const work = workAt(t, word(t.order, at++));
-    const child = work.parent == 1 ? nodeB(work) : nodeA(work);
+    const i = word(t.order, at++);
+    const child = word(t.nodes, 2 * i + (word(t.parents, i) == PARENT_A ? 1 : 0));
     if (child != 0) reach(t, child);
   }
 }
@@ -82,10 +80,10 @@ function reach(t: JointTable, row: i32): void {
   let entry = word(t.heads, row);
   putWord(t.heads, row, REACHED);
   while (entry >= 0) {
-    const work = workAt(t, entry >> 1);
-    if (work.parent == UNREACHED) {
-      work.parent = 1 + (entry & 1);
-      putWord(t.order, t.orderCount++, entry >> 1);
+    const i = entry >> 1;
+    if (word(t.parents, i) == UNREACHED) {
+      putWord(t.parents, i, PARENT_A + (entry & 1));
+      putWord(t.order, t.orderCount++, i);
     }
     entry = word(t.next, entry);
   }

@@ -52,21 +52,28 @@ function separatePairs(t: JointTable, rigid: RigidTable): void {
 export function prepareJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
-  t.workCount = 0;
   rigid.links = t.links;
   wakeJoined(t, rigid);
+  t.activeCount = 0;
   for (let i = 0; i < t.count; i++) {
     const id = word(t.ids, i);
-    const impulses = impulsesOf(t, id);
     if (word(t.started, id) == 0) {
-      memory.fill(changetype<usize>(impulses), 0, 64);
+      memory.fill(changetype<usize>(impulsesOf(t, id)), 0, 64);
       putWord(t.started, id, 1);
     }
     const a = word(t.a, id);
     const b = word(t.b, id);
-    if (isMoved(rigid, a) || isMoved(rigid, b)) startWork(t, rigid, id, a, b);
+    const movesA = isMoved(rigid, a);
+    const movesB = isMoved(rigid, b);
+    if (!movesA && !movesB) continue;
+    putWord(t.nodes, 2 * t.activeCount, movesA ? a : 0);
+    putWord(t.nodes, 2 * t.activeCount + 1, movesB ? b : 0);
+    putWord(t.active, t.activeCount++, id);
   }
   orderTrees(t);
+  t.workCount = 0;
+  t.axisCount = 0;
+  for (let k = 0; k < t.orderCount; k++) startWork(t, rigid, word(t.order, k));
 }
 
 // A body that sleeps wakes with what it is joined to, as far as that moves.
@@ -100,10 +107,16 @@ function wakeJoined(t: JointTable, rigid: RigidTable): void {
   return (flagsOf(rigid, row) & (DYNAMIC | ASLEEP)) == DYNAMIC;
 }
 
-function startWork(t: JointTable, rigid: RigidTable, id: i32, a: i32, b: i32): void {
+function startWork(t: JointTable, rigid: RigidTable, i: i32): void {
+  const id = word(t.active, i);
+  const a = word(t.a, id);
+  const b = word(t.b, id);
+  const isFree = get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0;
+  if (isFree) putWord(t.axes, t.axisCount++, t.workCount);
   const work = workAt(t, t.workCount++);
   memory.fill(changetype<usize>(work), 0, JOINT_WORK_SIZE);
   work.id = id;
+  work.parent = word(t.parents, i);
   // A joint between bodies that sleep keeps its force.
   impulsesOf(t, id).force = 0;
   work.rowA = a;

@@ -19,8 +19,8 @@ export const MAX_PART_OF_RATE: f64 = 0.25;
 export function solveAxes(table: usize, soft: i32): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
-  for (let i = 0; i < t.workCount; i++) {
-    const work = workAt(t, i);
+  for (let i = 0; i < t.axisCount; i++) {
+    const work = workAt(t, word(t.axes, i));
     const a = stateA(rigid, work);
     const b = stateB(rigid, work);
     const impulses = impulsesOf(t, work.id);

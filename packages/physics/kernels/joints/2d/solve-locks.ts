@@ -29,7 +29,7 @@ export function factorJoints(table: usize): void {
     if (work.massA > 0) startBody(t, work.a, work.massA, work.inertiaA);
     if (work.massB > 0) startBody(t, work.b, work.massB, work.inertiaB);
   }
-  for (let k = t.orderCount - 1; k >= 0; k--) factorJoint(t, workAt(t, word(t.order, k)));
+  for (let k = t.workCount - 1; k >= 0; k--) factorJoint(t, workAt(t, k));
   for (let k = 0; k < t.rootCount; k++) invert(changetype<usize>(articulated(t, word(t.roots, k))));
 }
 
@@ -121,9 +121,9 @@ export function solveLocks(table: usize, soft: i32): void {
   soften(min<f64>(rigid.jointHertz, MAX_PART_OF_RATE / rigid.h), rigid.jointDampingRatio, rigid.h);
   const bias = soft != 0 ? softness.biasRate : 0;
   for (let i = 0; i < t.workCount; i++) clearForces(t, workAt(t, i));
-  for (let k = t.orderCount - 1; k >= 0; k--) gatherForces(t, rigid, workAt(t, word(t.order, k)), bias);
+  for (let k = t.workCount - 1; k >= 0; k--) gatherForces(t, rigid, workAt(t, k), bias);
   for (let k = 0; k < t.rootCount; k++) accelerate(articulated(t, word(t.roots, k)));
-  for (let k = 0; k < t.orderCount; k++) exert(t, rigid, workAt(t, word(t.order, k)), bias, soft != 0);
+  for (let k = 0; k < t.workCount; k++) exert(t, rigid, workAt(t, k), bias, soft != 0);
 }
 
 // @ts-ignore: decorator
