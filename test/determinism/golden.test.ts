@@ -8,8 +8,8 @@
  */
 import { expect, it } from 'vitest';
 import { chaosHashes } from '../support/chaos.ts';
-import { sceneHashes } from '../support/scene-hashes.ts';
 import { hingeHashes } from '../support/falling-hinges.ts';
+import { sceneHashes } from '../support/scene-hashes.ts';
 
 it('1 500 steps of chaotic scenes end where they always ended', { timeout: 30_000 }, () => {
   expect(chaosHashes()).toEqual({
@@ -32,13 +32,17 @@ it('240 steps of every scene end where they always ended', () => {
       "fireworks": "221c65b03e030b93",
       "galaxy": "702381d7d241eebf",
       "gas": "8a5c399a04e77aea",
+      "joint-grid": "389bb6a6fed7c1a5",
+      "many-pyramids": "6edc0d4220c7576b",
       "nbody-direct": "39ef8796d15dfc35",
       "nbody-tree": "ddd31645c01e433a",
       "particles": "dcd8a69771fd17d6",
       "plasma": "8088946b47a727e0",
+      "pyramid": "30e50d115e706970",
       "rope": "dd59fcd83d628992",
       "solar-system": "c3c20eeb71567dfe",
       "springs": "2f827429c1ac197b",
+      "tumbler": "0f9c408cd375fd3f",
     }
   `);
 });

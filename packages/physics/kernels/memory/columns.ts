@@ -18,6 +18,8 @@ export class Columns {
   radius: usize;
   restitution: usize;
   friction: usize;
+  layers: usize;
+  mask: usize;
   members: usize;
   // The bit of AngularVelocity in `members`, and the address of the contact table (kernels/particle-contacts/table.ts),
   // 0 if there is none.

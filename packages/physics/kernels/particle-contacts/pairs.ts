@@ -113,13 +113,20 @@ function sortBodies(c: Columns, t: ContactTable, rows: i32): void {
   return sizeof<real>() == 4 ? i32x4.bitmask(near) : i64x2.bitmask(near);
 }
 
-// Adds the pairs of body i and the bodies j + k for the bits k of `near`, smaller row first, unless both are immovable.
+// Returns whether each of two bodies is on a layer of the other's mask.
+// @ts-ignore: decorator
+@inline function mayCollide(c: Columns, p: i32, q: i32): bool {
+  return (word(c.layers, p) & word(c.mask, q)) != 0 && (word(c.layers, q) & word(c.mask, p)) != 0;
+}
+
+// Adds the pairs of body i and the bodies j + k for the bits k of `near`, smaller row first, unless both are immovable
+// or their layers do not collide.
 // Returns false once the body has reached its contact limit.
 function addPairs(c: Columns, t: ContactTable, i: i32, j: i32, near: i32): bool {
   const p = word(t.sortedRow, i);
   for (; near != 0; near &= near - 1) {
     const q = word(t.sortedRow, j + ctz(near));
-    if (!(get(c.mass, p) > 0 || get(c.mass, q) > 0)) continue;
+    if (!(get(c.mass, p) > 0 || get(c.mass, q) > 0) || !mayCollide(c, p, q)) continue;
     const k = t.count;
     if (k >= t.capacity) {
       t.droppedCount++;

@@ -3,7 +3,7 @@
 // write of its membership mask and one small set. This uses bitECS's internal tables (public by its `$internal` symbol;
 // its version is pinned); a test compares the result with that of adding component by component.
 import { addEntity, type ComponentRef, type Query, type WorldContext } from 'bitecs';
-import { shapeIndex } from '../collision/shapes/shape-pool.ts';
+import { storeShape } from '../collision/shapes/2d/shape.ts';
 import { bitOf, type ComponentName } from '../components/all.ts';
 import { contextOf, queriesOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { ComponentSet } from '../ecs/component-set.ts';
@@ -42,7 +42,7 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
   const { body, shape } = resolveShape(world, values);
   const checked = checkMany(world, body, count);
-  const components = shape === undefined ? checked : withShape(checked, shapeIndex(world, shape));
+  const components = shape === undefined ? checked : withShape(checked, storeShape(world, shape));
   const ids = new Uint32Array(count);
   try {
     createEntities(world, components, ids, progress);

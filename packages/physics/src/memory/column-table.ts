@@ -14,6 +14,8 @@ export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, memb
   table[ColumnsWord.radius] = at.Collider.radius;
   table[ColumnsWord.restitution] = at.Collider.restitution;
   table[ColumnsWord.friction] = at.Collider.friction;
+  table[ColumnsWord.layers] = at.Collider.layers;
+  table[ColumnsWord.mask] = at.Collider.mask;
   table[ColumnsWord.shape] = at.Collider.shape;
   table[ColumnsWord.members] = members;
   table[ColumnsWord.angularVelocityBit] = bitOf('AngularVelocity');
