@@ -1,5 +1,7 @@
 // The contact points of rigid bodies as lists, for pictures and logs: copying them costs some 50 ns each.
+
 import { rigidKernels } from '../collision/kernels.ts';
+import { mustBe } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { CONTACT_VIEW_BYTES } from '../memory/layouts.gen.ts';
@@ -40,10 +42,11 @@ const viewOf = resource((world) => {
 /**
  * Lists the contact points of a world with the preset `rigidBodies`. They are those of the last step.
  * @param into a list of an earlier call, which is written anew and returned: then nothing is allocated
- * @throws PhysicsError E_CAPACITY, E_DESTROYED
+ * @throws PhysicsError E_TYPE, E_CAPACITY, E_DESTROYED
  */
 export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyList()): ContactPoints {
   const table = rigidTable(world).at;
+  checkList(into);
   const { at, ids, reals } = viewOf(world);
   const kernels = rigidKernels(world);
   let count = 0;
@@ -60,6 +63,22 @@ export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyLi
   }
   into.count = count;
   return into;
+}
+
+/** @throws PhysicsError E_TYPE unless a call without a list has made it */
+function checkList(into: ContactPoints): void {
+  const lists: readonly unknown[] = [
+    into?.a,
+    into?.b,
+    into?.x,
+    into?.y,
+    into?.nx,
+    into?.ny,
+    into?.separation,
+    into?.impulse,
+  ];
+  if (!lists.every(Array.isArray) || Object.isFrozen(into))
+    throw mustBe('a list made by contactPoints', into, 'contactPoints: into');
 }
 
 function emptyList(): ContactPoints {
