@@ -8,6 +8,7 @@
  */
 import { expect, it } from 'vitest';
 import { chaosHashes } from '../support/chaos.ts';
+import { hingeHashes } from '../support/falling-hinges.ts';
 
 it('1 500 steps of chaotic scenes end where they always ended', { timeout: 30_000 }, () => {
   expect(chaosHashes()).toEqual({
@@ -15,5 +16,12 @@ it('1 500 steps of chaotic scenes end where they always ended', { timeout: 30_00
     '2D f64': '53ec76dd34e0b2ee',
     '3D f32': '392a4bd99888cfca',
     '3D f64': '74ea4dd9ad1713f5',
+  });
+});
+
+it('falling hinges come to rest as they always did, after as many steps', { timeout: 30_000 }, () => {
+  expect(hingeHashes()).toEqual({
+    f32: '352 bb3e4f1057cdb9ef',
+    f64: '304 cc5b7d9c1f4a4086',
   });
 });

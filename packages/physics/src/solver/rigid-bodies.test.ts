@@ -130,6 +130,38 @@ describe.each(['f32', 'f64'] as const)('a rigid body in %s', (precision) => {
     expect(Math.abs(AngularVelocity.z[body] * 0.5 - speed)).toBeLessThan(0.01 * speed);
   });
 
+  it('stops rolling by rolling resistance, within v² (1 + I/m r²) / 2 μ g', () => {
+    const world = rigidWorld({ precision });
+    addGround(world, { friction: 1 });
+    const collider = { radius: 0.5, density: 1, friction: 1, rollingResistance: 0.1 };
+    const body = spawn(world, { position: { y: 0.5 }, velocity: { x: 2 }, angularVelocity: -4, collider });
+    run(world, 10);
+    // The torque μ_r r N acts on the moment 3/2 m r² about the point of contact.
+    const distance = (2 * 2 * 1.5) / (2 * 0.1 * G);
+    expect(world.components.Position.x[body] / distance).toBeCloseTo(1, 1);
+    expect(Math.abs(world.components.Velocity.x[body])).toBeLessThan(1e-3);
+  });
+
+  it('is carried by the surface of a conveyor belt', () => {
+    const world = rigidWorld({ precision });
+    addGround(world, { friction: 1, tangentSpeed: 1.5 });
+    const collider = { shape: box(1, 1), density: 1, friction: 1 };
+    const body = spawn(world, { position: { y: 0.5 }, collider });
+    run(world, 2);
+    expect(world.components.Velocity.x[body]).toBeCloseTo(1.5, 3);
+  });
+
+  it('falls through what is on no layer of its mask', () => {
+    const world = rigidWorld({ precision });
+    addGround(world, { layers: 2 });
+    const [through, held] = [1, 3].map((mask) =>
+      spawn(world, { position: { x: mask, y: 1 }, collider: { radius: 0.5, density: 1, mask } }),
+    );
+    run(world, 1);
+    expect(world.components.Position.y[through]).toBeLessThan(-1);
+    expect(world.components.Position.y[held]).toBeGreaterThan(0.4);
+  });
+
   it('spins by r × J / I after an impulse off its centre, and keeps the spin', () => {
     const world = rigidWorld({ precision, forces: [] });
     const body = spawn(world, { collider: { shape: box(2, 1), density: 3 }, position: {} });

@@ -111,14 +111,15 @@ function startWork(t: JointTable, rigid: RigidTable, i: i32): void {
   const id = word(t.active, i);
   const a = word(t.a, id);
   const b = word(t.b, id);
-  const isFree = get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0;
-  if (isFree) putWord(t.axes, t.axisCount++, t.workCount);
+  const impulses = impulsesOf(t, id);
+  dropUnused(t, id, impulses);
+  if (get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0) putWord(t.axes, t.axisCount++, t.workCount);
   const work = workAt(t, t.workCount++);
   memory.fill(changetype<usize>(work), 0, JOINT_WORK_SIZE);
   work.id = id;
   work.parent = word(t.parents, i);
   // A joint between bodies that sleep keeps its force.
-  impulsesOf(t, id).force = 0;
+  impulses.force = 0;
   work.rowA = a;
   work.rowB = b;
   work.a = (flagsOf(rigid, a) & MOVES) != 0 ? a : 0;
@@ -138,18 +139,22 @@ export function warmStartJoints(table: usize): void {
     const a = stateA(rigid, work);
     const b = stateB(rigid, work);
     const impulses = impulsesOf(t, work.id);
-    dropUnused(t, work, impulses);
     if (work.locks > 0) applyAlong(work, a, b, rowOf(work, 0), impulses.lock0);
     if (work.locks > 1) applyAlong(work, a, b, rowOf(work, 1), impulses.lock1);
     if (work.locks > 2) applyAlong(work, a, b, rowOf(work, 2), impulses.lock2);
+  }
+  for (let i = 0; i < t.axisCount; i++) {
+    const work = workAt(t, word(t.axes, i));
+    const a = stateA(rigid, work);
+    const b = stateB(rigid, work);
+    const impulses = impulsesOf(t, work.id);
     applyAlong(work, a, b, rowOf(work, SPRING_ROW), impulses.spring + impulses.lower - impulses.upper);
     applyAlong(work, a, b, rowOf(work, MOTOR_ROW), impulses.motor);
   }
 }
 
 // What was switched off exerts nothing.
-function dropUnused(t: JointTable, work: JointWork, impulses: JointImpulses): void {
-  const id = work.id;
+function dropUnused(t: JointTable, id: i32, impulses: JointImpulses): void {
   if (!(get(t.hertz, id) > 0)) impulses.spring = 0;
   if (!(get(t.maxMotor, id) > 0)) impulses.motor = 0;
   if (word(t.hasLimits, id) == 0) {
