@@ -1,7 +1,7 @@
 // Calls the narrow phase for one pair of shapes at a time, for tests.
 import { createPhysicsWorld, type Shape } from '@principia/physics';
 import { rigidKernels } from '../../packages/physics/src/collision/kernels.ts';
-import { writeShape } from '../../packages/physics/src/collision/shapes/shape-pool.ts';
+import { writeShape } from '../../packages/physics/src/collision/shapes/store-shape.ts';
 import { allocate } from '../../packages/physics/src/memory/arena.ts';
 import { realBytes } from '../../packages/physics/src/memory/columns.ts';
 import { MANIFOLD_BYTES, SHAPE_BYTES } from '../../packages/physics/src/memory/layouts.gen.ts';

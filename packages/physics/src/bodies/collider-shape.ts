@@ -1,11 +1,10 @@
 // What `spawn` makes of the shape and the density of a collider: its radius, and the mass and inertia of the body.
-import { circle } from '../collision/shapes/2d/circle.ts';
 import { isShape, type Shape } from '../collision/shapes/2d/shape.ts';
 import { shapeAt, shapePool } from '../collision/shapes/shape-pool.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkNumber, isRecord, mustBe } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { ballInertia, ballMass } from './inertia.ts';
+import { ballInertia, ballMass, discInertia, discMass } from './inertia.ts';
 
 /** Shape and density, which are no columns of `Collider`. */
 export interface ShapeInput {
@@ -78,12 +77,11 @@ interface Solid {
 }
 
 function solidOf(world: PhysicsWorld, shape: Shape | undefined, radius: unknown): Solid {
-  if (shape === undefined && world.dimensions === 3) {
-    const ball = checkNumber(radius, 'collider.radius');
-    return { massPerDensity: ballMass(1, ball), inertiaPerMass: ballInertia(1, ball) };
-  }
-  const { area, inertiaPerMass } = shape ?? circle(checkNumber(radius, 'collider.radius'));
-  return { massPerDensity: area, inertiaPerMass };
+  if (shape !== undefined) return { massPerDensity: shape.area, inertiaPerMass: shape.inertiaPerMass };
+  const checked = checkNumber(radius, 'collider.radius');
+  return world.dimensions === 3
+    ? { massPerDensity: ballMass(1, checked), inertiaPerMass: ballInertia(1, checked) }
+    : { massPerDensity: discMass(1, checked), inertiaPerMass: discInertia(1, checked) };
 }
 
 function addMass(world: PhysicsWorld, body: Record<string, unknown>, solid: Solid, density: unknown): void {

@@ -1,6 +1,5 @@
 import { addComponent, hasComponent, set } from 'bitecs';
-import type { Shape } from '../collision/shapes/2d/shape.ts';
-import { shapeIndex } from '../collision/shapes/shape-pool.ts';
+import { type Shape, storeShape } from '../collision/shapes/2d/shape.ts';
 import { staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -18,5 +17,5 @@ export function setShape(world: PhysicsWorld, eid: number, shape: Shape): void {
   if (!Number.isInteger(eid) || !hasComponent(world, eid, Collider)) {
     throw staleError(eid, `there is no body ${String(eid)} with a Collider in this world.`);
   }
-  addComponent(world, eid, set(Collider, { shape: shapeIndex(world, shape), radius: extent }));
+  addComponent(world, eid, set(Collider, { shape: storeShape(world, shape), radius: extent }));
 }

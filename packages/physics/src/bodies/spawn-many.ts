@@ -3,7 +3,7 @@
 // its membership mask and one small set. That reaches into bitECS's own tables (public by its `$internal` symbol, and its version is
 // pinned); a test holds the result against the component-by-component path.
 import { addEntity, type ComponentRef, type Query, type WorldContext } from 'bitecs';
-import { shapeIndex } from '../collision/shapes/shape-pool.ts';
+import { storeShape } from '../collision/shapes/2d/shape.ts';
 import { bitOf, type ComponentName } from '../components/all.ts';
 import { contextOf, queriesOf, removeWholly } from '../ecs/bitecs-adapter.ts';
 import { ComponentSet } from '../ecs/component-set.ts';
@@ -40,7 +40,7 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
   const { body, shape } = resolveShape(world, values);
   const checked = checkMany(world, body, count);
-  const fillings = shape === undefined ? checked : withShape(checked, shapeIndex(world, shape));
+  const fillings = shape === undefined ? checked : withShape(checked, storeShape(world, shape));
   const ids = new Uint32Array(count);
   try {
     makeEntities(world, fillings, ids, progress);

@@ -1,6 +1,5 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
-import type { Shape } from '../collision/shapes/2d/shape.ts';
-import { shapeIndex } from '../collision/shapes/shape-pool.ts';
+import { type Shape, storeShape } from '../collision/shapes/2d/shape.ts';
 import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import { contextOf, removeWholly } from '../ecs/bitecs-adapter.ts';
 import { makeRoom } from '../ecs/entity-capacity.ts';
@@ -55,7 +54,7 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
   const { body: resolved, shape } = resolveInput(world, body);
   const checked = checkBody(world, resolved);
   makeRoom(world, 1);
-  if (shape !== undefined) storeShape(world, checked, shape);
+  if (shape !== undefined) setIndex(world, checked, shape);
   const eid = addEntity(world);
   try {
     for (const [name, values] of checked) {
@@ -77,8 +76,8 @@ function resolveInput(world: PhysicsWorld, body: BodyInput): ResolvedInput<BodyI
 }
 
 /** Shapes enter the pool only when all values are known to be valid, so that an error leaves the world unchanged. */
-function storeShape(world: PhysicsWorld, checked: [ComponentName, FieldValues][], shape: Shape): void {
-  const index = shapeIndex(world, shape);
+function setIndex(world: PhysicsWorld, checked: [ComponentName, FieldValues][], shape: Shape): void {
+  const index = storeShape(world, shape);
   for (const [name, values] of checked) if (name === 'Collider') values.shape = index;
 }
 

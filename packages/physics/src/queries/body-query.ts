@@ -2,7 +2,7 @@
 // body-query.ts), the choice of bodies, and the form of a hit.
 import { rigidKernels } from '../collision/kernels.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
-import { writeShape } from '../collision/shapes/shape-pool.ts';
+import { writeShape } from '../collision/shapes/store-shape.ts';
 import { bitOf } from '../components/all.ts';
 import type { RealColumn } from '../components/define.ts';
 import { assertUsable } from '../ecs/guards.ts';

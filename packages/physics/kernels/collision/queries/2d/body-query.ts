@@ -54,12 +54,13 @@ export function nextNear(q: BodyQuery, row: i32): i32 {
   const pathX = q.limit * q.dx;
   const pathY = q.limit * q.dy;
   const square = pathX * pathX + pathY * pathY;
+  const inverse = square > 0 ? <real>1 / square : <real>0;
   for (let r = row; r <= q.lastRow; r++) {
     if ((load<u32>(c.members + ((<usize>r) << 2)) & q.required) != q.required) continue;
     if ((load<u32>(q.layers + ((<usize>r) << 2)) & q.mask) == 0 || r == q.ignored) continue;
     const toX = get(c.positionX, r) - q.x;
     const toY = get(c.positionY, r) - q.y;
-    const along = square > 0 ? min<real>(max<real>((toX * pathX + toY * pathY) / square, 0), 1) : <real>0;
+    const along = min<real>(max<real>((toX * pathX + toY * pathY) * inverse, 0), 1);
     const offX = toX - along * pathX;
     const offY = toY - along * pathY;
     const reach = get(c.radius, r) + q.reach;

@@ -4,7 +4,7 @@ import { allocate } from '../../../memory/arena.ts';
 import { realBytes } from '../../../memory/columns.ts';
 import { SHAPE_BYTES, SWEEP_BYTES } from '../../../memory/layouts.gen.ts';
 import { rigidKernels } from '../../kernels.ts';
-import { writeShape } from '../../shapes/shape-pool.ts';
+import { writeShape } from '../../shapes/store-shape.ts';
 
 type Pose = readonly [x: number, y: number, angle: number];
 type Path = readonly [start: Pose, end: Pose];

@@ -1,7 +1,8 @@
 import { PhysicsError } from '../../../errors/physics-error.ts';
 import { checkKeys } from '../../../errors/validate.ts';
 import { checkLength, checkRounding, MIN_LENGTH } from './limits.ts';
-import { makeShape, type Shape } from './shape.ts';
+import { makeShape } from './make-shape.ts';
+import type { Shape } from './shape.ts';
 
 /** Options of boxes and polygons. */
 export interface RoundingOptions {

@@ -1,5 +1,6 @@
 import { checkLength } from './limits.ts';
-import { makeShape, type Shape } from './shape.ts';
+import { makeShape } from './make-shape.ts';
+import type { Shape } from './shape.ts';
 
 /**
  * A rod with round ends, along the x axis of its body.

@@ -2,7 +2,8 @@ import { PhysicsError } from '../../../errors/physics-error.ts';
 import { checkFlag, checkKeys, mustBe } from '../../../errors/validate.ts';
 import { checkPoint } from './convex-outline.ts';
 import { MIN_LENGTH } from './limits.ts';
-import { lengthOf, makeShape, type PointInput, type Shape } from './shape.ts';
+import { makeShape } from './make-shape.ts';
+import { lengthOf, type PointInput, type Shape } from './shape.ts';
 
 /** Options of `chain`. */
 export interface ChainOptions {

@@ -1,11 +1,8 @@
 // Checks that points are the outline of a convex polygon.
 import { PhysicsError } from '../../../errors/physics-error.ts';
 import { checkVector, mustBe } from '../../../errors/validate.ts';
-import { COORDINATE, MIN_LENGTH } from './limits.ts';
+import { COORDINATE, MAX_VERTICES, MIN_LENGTH } from './limits.ts';
 import { lengthOf, type PointInput } from './shape.ts';
-
-/** Kernels have room for this number of vertices. */
-export const MAX_VERTICES = 8;
 
 /**
  * Least distance of a corner from the line through its neighbours, as a fraction of their distance: flatter corners

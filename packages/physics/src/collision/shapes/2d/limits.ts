@@ -6,6 +6,9 @@ export const MIN_LENGTH = 1e-5;
 /** Greatest coordinate and size, m. */
 export const MAX_LENGTH = 1e6;
 
+/** Kernels have room for this number of vertices. */
+export const MAX_VERTICES = 8;
+
 const LENGTH_HINT = 'Shapes are given in metres.';
 
 /**

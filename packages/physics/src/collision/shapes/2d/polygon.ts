@@ -2,7 +2,8 @@ import { checkKeys } from '../../../errors/validate.ts';
 import type { RoundingOptions } from './box.ts';
 import { checkOutline } from './convex-outline.ts';
 import { checkRounding } from './limits.ts';
-import { makeShape, type PointInput, type Shape } from './shape.ts';
+import { makeShape } from './make-shape.ts';
+import type { PointInput, Shape } from './shape.ts';
 
 /**
  * A convex polygon of 3 to 8 corners, in either direction around. Its centroid becomes the origin of the body's frame,

@@ -1,7 +1,8 @@
 import { PhysicsError } from '../../../errors/physics-error.ts';
 import { checkPoint } from './convex-outline.ts';
 import { MIN_LENGTH } from './limits.ts';
-import { lengthOf, makeShape, type PointInput, type Shape } from './shape.ts';
+import { makeShape } from './make-shape.ts';
+import { lengthOf, type PointInput, type Shape } from './shape.ts';
 
 /**
  * A line without thickness that bodies meet from both sides: for floors and walls, because it has no area and therefore

@@ -1,6 +1,5 @@
 import type { VectorInput } from '../../../errors/validate.ts';
-import { markImmutable } from '../../../memory/resource.ts';
-import { massProperties } from './mass-properties.ts';
+import type { PhysicsWorld } from '../../../world/types.ts';
 
 /** Kinds of shapes, as kernels/collision/shapes/2d/shape.ts numbers them. */
 export const ShapeKind = { circle: 0, capsule: 1, polygon: 2, segment: 3 } as const;
@@ -34,65 +33,33 @@ export interface Shape {
 /** A point as shapes are made from. */
 export type PointInput = Pick<VectorInput, 'x' | 'y'>;
 
-const made = new WeakSet<object>();
+/** Puts a shape into the pool of a world and returns its index. */
+export type StoreShape = (world: PhysicsWorld, shape: Shape) => number;
+
+/**
+ * How each shape is stored. `spawn` finds the function by the shape, so that a game without shapes does not contain it.
+ */
+const stores = new WeakMap<object, StoreShape>();
+
+/** Declares that an object is a shape, which this function stores. */
+export function registerShape(shape: Shape, store: StoreShape): void {
+  stores.set(shape, store);
+}
 
 /** Returns whether a value was made by `circle`, `box`, `capsule`, `polygon`, `segment` or `chain`. */
 export function isShape(value: unknown): value is Shape {
-  return typeof value === 'object' && value !== null && made.has(value);
+  return typeof value === 'object' && value !== null && stores.has(value);
 }
 
-/** Makes a shape of checked vertices, anticlockwise, and moves its centroid to the origin. */
-export function makeShape(
-  kind: Shape['kind'],
-  points: readonly number[],
-  radius: number,
-  neighbours?: readonly number[],
-): Shape {
-  const normals = normalsOf(points);
-  const { area, centreX, centreY, inertiaPerMass } = massProperties(points, normals, radius);
-  const fromCentre = (value: number, i: number) => value - (i % 2 === 0 ? centreX : centreY);
-  const vertices = points.map(fromCentre);
-  const distances: number[] = [];
-  for (let i = 0; i < vertices.length; i += 2) distances.push(lengthOf(vertices[i], vertices[i + 1]));
-  const shape: Shape = {
-    kind,
-    vertices: Object.freeze(vertices),
-    normals: Object.freeze(normals),
-    radius,
-    area,
-    inertiaPerMass,
-    extent: Math.max(...distances) + radius,
-    minExtent: inradius(vertices, normals) + radius,
-    neighbours: neighbours && Object.freeze(neighbours.map(fromCentre)),
-    centre: Object.freeze({ x: centreX, y: centreY }),
-  };
-  made.add(shape);
-  return markImmutable(Object.freeze(shape));
+/**
+ * Returns the index of a shape in the pool of a world, to which it is added unless an equal one is there.
+ * @throws PhysicsError E_CAPACITY when the world's memory is full
+ */
+export function storeShape(world: PhysicsWorld, shape: Shape): number {
+  return stores.get(shape)?.(world, shape) ?? 0;
 }
 
 /** Length of a vector. */
 export function lengthOf(x: number, y: number): number {
   return Math.sqrt(x * x + y * y);
-}
-
-/** A single point has no edge, and its normal is never read. */
-function normalsOf(points: readonly number[]): number[] {
-  const normals: number[] = [];
-  const { length } = points;
-  for (let i = 0; i < length && length > 2; i += 2) {
-    const [dx, dy] = [points[(i + 2) % length] - points[i], points[(i + 3) % length] - points[i + 1]];
-    const distance = lengthOf(dx, dy);
-    // Subtracted from zero, because equal shapes must not differ by a zero with a sign.
-    normals.push(dy / distance, (0 - dx) / distance);
-  }
-  return normals;
-}
-
-/** Distance of the nearest edge from the origin. */
-function inradius(vertices: readonly number[], normals: readonly number[]): number {
-  let least = normals.length === 0 ? 0 : Infinity;
-  for (let i = 0; i < normals.length; i += 2) {
-    least = Math.min(least, vertices[i] * normals[i] + vertices[i + 1] * normals[i + 1]);
-  }
-  return Math.max(0, least);
 }
