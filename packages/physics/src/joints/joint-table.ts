@@ -6,7 +6,7 @@ import { removeWholly } from '../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { allocate } from '../memory/arena.ts';
-import { JOINT_TABLE_BYTES, JointTableWord as Word } from '../memory/layouts.gen.ts';
+import { JOINT_TABLE_BYTES, RigidTableWord as RigidWord, JointTableWord as Word } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
@@ -90,7 +90,9 @@ export const jointTable = resource((world): JointTable => {
 export function refreshJoints(world: PhysicsWorld): void {
   const { removed } = endedOf(world);
   if (removed.length > 0) removed.length = 0;
-  if (world.internal.counts.Joint === 0) return;
+  // When the last joint has gone, its bodies collide again.
+  const keepsApart = rigidTable(world).words[RigidWord.jointPairCount] > 0;
+  if (world.internal.counts.Joint === 0 && !keepsApart) return;
   const table = jointTable(world);
   const { words } = table;
   if (!listJoints(world, table) || words[Word.lostCount] === 0) return;
