@@ -122,6 +122,7 @@ test('a body that sleeps on its rope falls when that is gone', () => {
   const rope = createJoint(world, distance({ a: hook, b: load, collide: true }));
   run(world, 2);
   expect(isAsleep(world, load)).toBe(true);
+  expect(world.components.Position.y[load]).toBeCloseTo(1, 2);
   despawn(world, rope);
   run(world, 1);
   expect(world.components.Position.y[load]).toBeLessThan(-2);
