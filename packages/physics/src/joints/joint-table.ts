@@ -2,11 +2,12 @@
 // come or go.
 
 import { rigidKernels } from '../collision/kernels.ts';
+import { bitOf } from '../components/all.ts';
 import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { allocate } from '../memory/arena.ts';
-import { JOINT_TABLE_BYTES, JointTableWord as Word } from '../memory/layouts.gen.ts';
+import { JOINT_TABLE_BYTES, RigidTableWord as RigidWord, JointTableWord as Word } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
@@ -20,7 +21,7 @@ const IMPULSES_BYTES = 64;
 const WORK_BYTES = 400;
 
 /** What joints need in the world's memory for each entity, all of which may be joints: for `Preset`. */
-export const JOINT_BYTES_PER_ENTITY = BODY_BYTES + IMPULSES_BYTES + WORK_BYTES + 5 * 8 + 9 * 4;
+export const JOINT_BYTES_PER_ENTITY = BODY_BYTES + IMPULSES_BYTES + WORK_BYTES + 5 * 8 + 10 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -70,6 +71,7 @@ export const jointTable = resource((world): JointTable => {
   const { arena } = world.internal;
   const { at, words } = allocateRecord(arena, JOINT_TABLE_BYTES, 'joints');
   words[Word.rigid] = rigidTable(world).at;
+  words[Word.jointBit] = bitOf('Joint');
   for (const [field, word] of COLUMNS) words[word] = world.addresses.Joint[field];
   const take = (word: Word, bytes: number) => {
     words[word] = allocate(arena, bytes * world.rows, 'joints');
@@ -79,7 +81,7 @@ export const jointTable = resource((world): JointTable => {
   take(Word.works, WORK_BYTES);
   for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.nodes]) take(word, 8);
   for (const word of [Word.sets, Word.heads, Word.lost, Word.broken, Word.order, Word.roots]) take(word, 4);
-  for (const word of [Word.axes, Word.active, Word.parents]) take(word, 4);
+  for (const word of [Word.axes, Word.active, Word.parents, Word.linkIds]) take(word, 4);
   return { at, words, entityList: emptyEntityList() };
 });
 
@@ -90,7 +92,10 @@ export const jointTable = resource((world): JointTable => {
 export function refreshJoints(world: PhysicsWorld): void {
   const { removed } = endedOf(world);
   if (removed.length > 0) removed.length = 0;
-  if (world.internal.counts.Joint === 0) return;
+  // When the last joint has gone, its bodies wake and collide again.
+  const { words: rigid } = rigidTable(world);
+  const hadJoints = rigid[RigidWord.jointPairCount] > 0 || rigid[RigidWord.linkCount] > 0;
+  if (world.internal.counts.Joint === 0 && !hadJoints) return;
   const table = jointTable(world);
   const { words } = table;
   if (!listJoints(world, table) || words[Word.lostCount] === 0) return;

@@ -207,6 +207,18 @@ test('bodies of a joint pass through each other, unless they are told to collide
   }
 });
 
+test('bodies collide again when the joint between them is gone', () => {
+  const world = rigidWorld({ forces: [] });
+  const [a, b] = [0, 0.6].map((x) => spawn(world, { position: { x }, collider: { radius: 0.5, density: 1 } }));
+  const joint = createJoint(world, weld({ a, b, anchor: {} }));
+  const { x } = world.components.Position;
+  run(world, 0.2);
+  expect(x[b] - x[a]).toBeCloseTo(0.6, 6);
+  despawn(world, joint);
+  run(world, 2);
+  expect(x[b] - x[a]).toBeGreaterThan(0.99);
+});
+
 test('a faulty joint is refused and changes nothing', () => {
   const world = rigidWorld();
   const a = addAnchor(world);

@@ -115,6 +115,19 @@ test('an island sleeps as a whole: a joint keeps a resting body awake while its 
   expect(isAsleep(world, other)).toBe(true);
 });
 
+test('a body that sleeps on its rope falls when that is gone', () => {
+  const world = rigidWorld();
+  const hook = spawn(world, { position: { y: 2 } });
+  const load = spawn(world, { position: { y: 1 }, mass: 1 });
+  const rope = createJoint(world, distance({ a: hook, b: load, collide: true }));
+  run(world, 2);
+  expect(isAsleep(world, load)).toBe(true);
+  expect(world.components.Position.y[load]).toBeCloseTo(1, 2);
+  despawn(world, rope);
+  run(world, 1);
+  expect(world.components.Position.y[load]).toBeLessThan(-2);
+});
+
 test('what moves without mass carries bodies, wakes them and keeps them awake', () => {
   const world = rigidWorld();
   const platform = spawn(world, {

@@ -46,8 +46,11 @@ export class JointTable {
   pairs: usize;
   spare: usize;
   pairCount: i32;
-  // The pairs of bodies of all joints, two rows each.
+  // The pairs of bodies of all joints of the last step, two rows each, and the ids of these joints.
   links: usize;
+  linkIds: usize;
+  // The bit of Joint in the membership of an entity.
+  jointBit: u32;
   // The joints that act in this step: ids, the rows of both bodies as far as joints move them, and which of the two is the
   // parent in a tree. Then their indices in the order of the trees, parents first, and the first bodies of the trees.
   active: usize;

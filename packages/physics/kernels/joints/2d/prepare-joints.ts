@@ -1,6 +1,6 @@
 // Begins and ends a step of the joints: which of them act, with which masses, from which impulses.
 import { get } from '../../memory/columns';
-import { ASLEEP, DYNAMIC, MOVES, flagsOf, poseOf, putWord, word } from '../../solver/2d/body';
+import { ASLEEP, DYNAMIC, MOVES, WAKES, flagsOf, poseOf, putFlags, putWord, word } from '../../solver/2d/body';
 import { forgetBox, listAwake } from '../../solver/2d/gather-bodies';
 import { wakeIsland } from '../../solver/2d/islands';
 import { RigidTable } from '../../solver/2d/rigid-table';
@@ -15,6 +15,7 @@ export function listJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   separatePairs(t, rigid);
+  wakeReleased(t, rigid);
   t.lostCount = 0;
   t.pairCount = 0;
   for (let i = 0; i < t.count; i++) {
@@ -33,6 +34,24 @@ export function listJoints(table: usize): void {
   sortKeys(t.pairs, t.spare, t.pairCount);
   rigid.jointPairs = t.pairs;
   rigid.jointPairCount = t.pairCount;
+}
+
+// Bodies that sleep wake when a joint of theirs is gone.
+function wakeReleased(t: JointTable, rigid: RigidTable): void {
+  for (let i = 0; i < rigid.linkCount; i++) {
+    const id = word(t.linkIds, i);
+    const a = word(t.links, 2 * i);
+    const b = word(t.links, 2 * i + 1);
+    const isThere = (<u32>word(rigid.members, id) & t.jointBit) != 0;
+    if (isThere && word(t.a, id) == a && word(t.b, id) == b) continue;
+    wakeLater(rigid, a);
+    wakeLater(rigid, b);
+  }
+}
+
+// @ts-ignore: decorator
+@inline function wakeLater(rigid: RigidTable, row: i32): void {
+  if ((flagsOf(rigid, row) & ASLEEP) != 0) putFlags(rigid, row, flagsOf(rigid, row) | WAKES);
 }
 
 // Bodies that a joint kept from colliding look for each other again.
@@ -84,6 +103,7 @@ function wakeJoined(t: JointTable, rigid: RigidTable): void {
     const id = word(t.ids, i);
     const a = word(t.a, id);
     const b = word(t.b, id);
+    putWord(t.linkIds, i, id);
     putWord(t.links, links++, a);
     putWord(t.links, links++, b);
     const flagsA = flagsOf(rigid, a);

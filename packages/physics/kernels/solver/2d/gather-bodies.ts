@@ -64,7 +64,7 @@ function classify(t: RigidTable, row: i32): void {
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   putWord(t.bodyGenerations, row, word(t.generations, row));
   if (!changed || (before | kind) == 0) return;
-  t.treesValid = 0;
+  if (((before | kind) & COLLIDES) != 0) t.treesValid = 0;
   forgetBox(t, row);
   sleeperOf(t, row).stillFor = 0;
 }
@@ -78,7 +78,7 @@ const KINDS: u32 = MOVES | STATIC | COLLIDES;
   if ((bits & 1) == 0) return 0;
   const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES : 0;
   if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) return DYNAMIC | collides;
-  if (collides == 0) return 0;
+  // Without a shape it is still what a joint may hang from.
   return (isDriven(c, row) ? KINEMATIC : STATIC) | collides;
 }
 
