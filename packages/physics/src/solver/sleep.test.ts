@@ -123,6 +123,9 @@ test('a body that sleeps on its rope falls when that is gone', () => {
   run(world, 2);
   expect(isAsleep(world, load)).toBe(true);
   expect(world.components.Position.y[load]).toBeCloseTo(1, 2);
+  world.components.Position.y[hook] = 3;
+  run(world, 3);
+  expect(world.components.Position.y[load]).toBeCloseTo(2, 2);
   despawn(world, rope);
   run(world, 1);
   expect(world.components.Position.y[load]).toBeLessThan(-2);

@@ -1,6 +1,6 @@
 // Begins and ends a step of the joints: which of them act, with which masses, from which impulses.
 import { get } from '../../memory/columns';
-import { ASLEEP, DYNAMIC, MOVES, WAKES, flagsOf, poseOf, putFlags, putWord, word } from '../../solver/2d/body';
+import { ASLEEP, DYNAMIC, MOVES, SHIFTED, WAKES, flagsOf, poseOf, putFlags, putWord, word } from '../../solver/2d/body';
 import { forgetBox, listAwake } from '../../solver/2d/gather-bodies';
 import { wakeIsland } from '../../solver/2d/islands';
 import { RigidTable } from '../../solver/2d/rigid-table';
@@ -119,7 +119,7 @@ function wakeJoined(t: JointTable, rigid: RigidTable): void {
 
 // @ts-ignore: decorator
 @inline function isActive(flags: u32): bool {
-  return (flags & MOVES) != 0 && (flags & ASLEEP) == 0;
+  return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;
 }
 
 // @ts-ignore: decorator

@@ -335,3 +335,16 @@ describe('feature ids', () => {
     expect(swapped.sort()).toEqual(ids.sort());
   });
 });
+
+test('far from the origin, where f32 has 0.5 mm, the separation has the digits of the difference of positions', () => {
+  const pair = pairTester('f32');
+  // Both positions are multiples of 1/2048 m, so that their difference is exact.
+  const [x, y] = [4096.5, -8190.25];
+  const overlap = 3 / 2048;
+  const { nx, ny, points } = pair(box(1, 1), [x, y, 0], box(1, 1), [x + 0.25, y + 1 - overlap, 0]);
+  expect([nx, ny]).toEqual([0, 1]);
+  expect(points.map(({ separation }) => separation)).toEqual([
+    expect.closeTo(-overlap, 7),
+    expect.closeTo(-overlap, 7),
+  ]);
+});
