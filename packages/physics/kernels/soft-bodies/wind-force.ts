@@ -61,7 +61,7 @@ export function setWind(x: f64, y: f64, z: f64, density: f64, normal: f64, tange
   const normalTerm = mul(windState.normalExcess, dot(ux, uy, uz, nx, ny, nz));
   const normalPart = mul(strength, div(normalTerm, larger(square, splat(MIN_SQUARE))));
   const tangentPart = mul(strength, windState.tangential);
-  windState.fx = add(mul(normalPart, nx), mul(tangentPart,  ux));
-  windState.fy = add(mul(normalPart, ny), mul(tangentPart,  uy));
-  windState.fz = add(mul(normalPart, nz), mul(tangentPart,  uz));
+  windState.fx = add(mul(normalPart, nx), mul(tangentPart, ux));
+  windState.fy = add(mul(normalPart, ny), mul(tangentPart, uy));
+  windState.fz = add(mul(normalPart, nz), mul(tangentPart, uz));
 }

@@ -133,7 +133,8 @@ function startWork(t: JointTable, rigid: RigidTable, i: i32): void {
   const b = word(t.b, id);
   const impulses = impulsesOf(t, id);
   dropUnused(t, id, impulses);
-  if (get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0) putWord(t.axes, t.axisCount++, t.workCount);
+  if (get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0)
+    putWord(t.axes, t.axisCount++, t.workCount);
   const work = workAt(t, t.workCount++);
   memory.fill(changetype<usize>(work), 0, JOINT_WORK_SIZE);
   work.id = id;

@@ -70,7 +70,12 @@
 
 // Returns the distance that a rebound has moved away from the surface.
 // @ts-ignore: decorator
-@inline export function computeReboundDistance<T>(reboundSpeed: T, acceleration: T, timeSinceImpact: T, half: T): T {
+@inline export function computeReboundDistance<T>(
+  reboundSpeed: T,
+  acceleration: T,
+  timeSinceImpact: T,
+  half: T,
+): T {
   return multiply<T>(
     timeSinceImpact,
     subtract<T>(reboundSpeed, multiply<T>(half, multiply<T>(acceleration, timeSinceImpact))),

@@ -93,8 +93,8 @@ export function forgetBox(t: RigidTable, row: i32): void {
   const box = t.boxes + <usize>row * (4 * sizeof<real>());
   store<real>(box, <real>Infinity);
   store<real>(box, <real>Infinity, sizeof<real>());
-  store<real>(box, -<real>Infinity, 2 * sizeof<real>());
-  store<real>(box, -<real>Infinity, 3 * sizeof<real>());
+  store<real>(box, -(<real>Infinity), 2 * sizeof<real>());
+  store<real>(box, -(<real>Infinity), 3 * sizeof<real>());
 }
 
 function rest(t: RigidTable, row: i32): void {

@@ -6,7 +6,19 @@
 //
 //   separation = that found + n · (movement of b's anchor - movement of a's)
 import { columns } from '../../../memory/columns';
-import { ASLEEP, DYNAMIC, FAST, MOVES, SHIFTED, WAKES, flagsOf, poseOf, putFlags, putWord, word } from '../../../solver/2d/body';
+import {
+  ASLEEP,
+  DYNAMIC,
+  FAST,
+  MOVES,
+  SHIFTED,
+  WAKES,
+  flagsOf,
+  poseOf,
+  putFlags,
+  putWord,
+  word,
+} from '../../../solver/2d/body';
 import { listAwake } from '../../../solver/2d/gather-bodies';
 import { noteEnd } from '../../../solver/2d/contact-events';
 import { wakeIsland } from '../../../solver/2d/islands';
