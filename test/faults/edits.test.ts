@@ -10,6 +10,7 @@ import {
   on,
   type PhysicsWorld,
   particleContacts,
+  pin,
   spawn,
   step,
   wallContacts,
@@ -295,6 +296,18 @@ describe('edits during a step', () => {
 });
 
 describe('what games do in handlers', () => {
+  it('63 a body that was removed through bitECS in this step cannot be pinned', () => {
+    const world = groundWorld();
+    const eid = ball(world, 0, 1);
+    world.phases.input.push(() => {
+      if (!isBody(world, eid)) return;
+      removeEntity(world, eid);
+      expect(refusal(() => pin(world, eid)).code).toBe('E_STALE');
+    });
+    step(world, DT);
+    expect(isBody(world, eid)).toBe(false);
+  });
+
   it('a bullet that touches two bodies in one step is removed by the handlers of both contacts', () => {
     const world = createPhysicsWorld({ preset: particleContacts, capacity: 10 });
     const bullet = spawn(world, { position: {}, mass: 1, collider: 0.5 });

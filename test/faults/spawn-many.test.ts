@@ -1,15 +1,22 @@
 import {
   type BodyInput,
+  bodies,
+  createPhysicsWorld,
   despawn,
+  destroyWorld,
   type ManyInput,
   type PhysicsWorld,
+  restore,
+  snapshot,
   spawn,
   spawnMany,
   stateHash,
+  step,
 } from '@principia/physics';
 import {
   addComponent,
   addEntity,
+  getAllEntities,
   getEntityComponents,
   hasComponent,
   Not,
@@ -21,7 +28,7 @@ import {
   removeEntity,
 } from 'bitecs';
 import { describe, expect, it } from 'vitest';
-import { assertRefused, bodyState, emptySpace, worldState } from '../support/worlds.ts';
+import { assertRefused, bodyState, emptySpace, refusal, worldState } from '../support/worlds.ts';
 
 const N = 40;
 const each = (value: (i: number) => number) => Float64Array.from({ length: N }, (_, i) => value(i));
@@ -157,6 +164,22 @@ describe('bulk creation', () => {
     const before = worldState(world);
     expect(spawnMany(world, 0, { position: { x: [] } })).toHaveLength(0);
     expect(worldState(world)).toEqual(before);
+  });
+
+  it('refuses a restore, a step and the end of the world while it reports progress', () => {
+    const world = createPhysicsWorld({ capacity: 100 });
+    const taken = snapshot(world);
+    const acts = [
+      () => restore(world, taken),
+      () => step(world, 0.01),
+      () => snapshot(world),
+      () => destroyWorld(world),
+    ];
+    for (const act of acts) {
+      expect(refusal(() => spawnMany(world, 50, { position: {} }, act)).code).toBe('E_REENTRANT');
+      expect([bodies(world).count, world.state, getAllEntities(world).length]).toEqual([0, 'idle', 0]);
+    }
+    expect(spawnMany(world, 100, { position: {} })).toHaveLength(100);
   });
 
   it('reports progress up to the end', () => {

@@ -82,10 +82,25 @@ function createEntities(
     context.entityComponents.set(eid, new ComponentSet(world, bits) as unknown as Set<ComponentRef>);
     const created = i + 1;
     if (progress !== undefined && (created % CHUNK === 0 || created === count)) {
-      progress(created, count);
-      assertUsable(world);
+      reportProgress(world, progress, created, count);
     }
   }
+}
+
+/** Calls the progress function. Meanwhile the world is busy: a step, restore or snapshot would see half of the entities. */
+function reportProgress(world: PhysicsWorld, progress: Progress, created: number, count: number): void {
+  const { state, internal } = world;
+  world.state = 'preparing';
+  try {
+    progress(created, count);
+  } finally {
+    world.state = state;
+  }
+  if (!internal.ending) return;
+  internal.ending = false;
+  throw new PhysicsError('E_REENTRANT', 'destroyWorld was called by the progress function of spawnMany.', {
+    hint: 'Call it after spawnMany.',
+  });
 }
 
 /** A query that the new entities joined, or left because `Not` no longer holds. */

@@ -16,10 +16,11 @@ export const Appearance = defineComponent({
 });
 
 /**
- * Packs a colour for `Appearance.color`: red, green, blue and alpha from 0 to 1, clamped.
+ * Packs a colour for `Appearance.color`: red, green, blue and alpha from 0 to 1, clamped. Transparent black is packed as
+ * 1, which is as invisible, because 0 stands for the renderer's default colour.
  * @throws PhysicsError E_TYPE, E_NONFINITE
  */
 export function rgba(red: number, green: number, blue: number, alpha = 1): number {
   const byte = (value: number) => Math.round(Math.min(1, Math.max(0, checkNumber(value, 'rgba'))) * 255);
-  return ((byte(alpha) << 24) | (byte(blue) << 16) | (byte(green) << 8) | byte(red)) >>> 0;
+  return ((byte(alpha) << 24) | (byte(blue) << 16) | (byte(green) << 8) | byte(red)) >>> 0 || 1;
 }

@@ -1,3 +1,4 @@
+import { entityExists } from 'bitecs';
 import { bitOf } from '../components/all.ts';
 import { describe, PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -84,7 +85,9 @@ export function hasAnyComponent(world: PhysicsWorld, eid: number): boolean {
  * @throws PhysicsError E_STALE if `eid` is not a body, E_DESTROYED
  */
 export function assertBody(world: PhysicsWorld, eid: number): void {
-  if (!isBody(world, eid)) throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
+  // During a step the rows do not know yet that an entity was removed through bitECS.
+  if (!isBody(world, eid) || !entityExists(world, eid))
+    throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
 }
 
 export function staleError(eid: number, problem: string): PhysicsError {

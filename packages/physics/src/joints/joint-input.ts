@@ -1,4 +1,4 @@
-// What the functions that describe joints have in common: options, checked, as the fields of the component Joint.
+// Converts the options that all joints share to fields of the component Joint, and validates them.
 import { MAX_CAPACITY } from '../ecs/entity-ref.ts';
 import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
 

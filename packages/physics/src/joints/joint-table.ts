@@ -80,13 +80,13 @@ export const jointTable = resource((world): JointTable => {
   take(Word.bodies, BODY_BYTES);
   take(Word.works, WORK_BYTES);
   for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.nodes]) take(word, 8);
-  for (const word of [Word.sets, Word.heads, Word.lost, Word.broken, Word.order, Word.roots]) take(word, 4);
+  for (const word of [Word.sets, Word.heads, Word.orphans, Word.broken, Word.order, Word.roots]) take(word, 4);
   for (const word of [Word.axes, Word.active, Word.parents, Word.linkIds]) take(word, 4);
   return { at, words, entityList: emptyEntityList() };
 });
 
 /**
- * Brings the list of joints up to date. Joints that lost a body are removed.
+ * Brings the list of joints up to date. Joints of which a body was removed are removed too.
  * @throws PhysicsError E_CAPACITY
  */
 export function refreshJoints(world: PhysicsWorld): void {
@@ -98,8 +98,8 @@ export function refreshJoints(world: PhysicsWorld): void {
   if (world.internal.counts.Joint === 0 && !hadJoints) return;
   const table = jointTable(world);
   const { words } = table;
-  if (!listJoints(world, table) || words[Word.lostCount] === 0) return;
-  removed.push(...new Uint32Array(world.memory.buffer, words[Word.lost], words[Word.lostCount]));
+  if (!listJoints(world, table) || words[Word.orphanCount] === 0) return;
+  removed.push(...new Uint32Array(world.memory.buffer, words[Word.orphans], words[Word.orphanCount]));
   removeJoints(world, removed);
   listJoints(world, table);
 }

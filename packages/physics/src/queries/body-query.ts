@@ -1,5 +1,5 @@
-// What the queries about bodies with colliders share: the record that their kernels read (kernels/collision/queries/2d/
-// body-query.ts), the choice of bodies, and the form of a hit.
+// The parts that all queries about bodies with colliders share: the record that their kernels read
+// (kernels/collision/queries/2d/body-query.ts), the filter of bodies, and the hit.
 import { rigidKernels } from '../collision/kernels.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
 import { writeShape } from '../collision/shapes/store-shape.ts';

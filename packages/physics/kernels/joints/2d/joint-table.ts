@@ -35,9 +35,9 @@ export class JointTable {
   // Indices of those that have a spring, a motor or limits.
   axes: usize;
   axisCount: i32;
-  // Joints that lost a body, and joints that broke: ids.
-  lost: usize;
-  lostCount: i32;
+  // Ids of the joints of which a body was removed, and of those that broke.
+  orphans: usize;
+  orphanCount: i32;
   broken: usize;
   brokenCount: i32;
   // Impulses by row of the joint, class JointImpulses.

@@ -26,7 +26,7 @@ export function orderTrees(t: JointTable): void {
     const row = word(t.nodes, i);
     if (row != 0) growTree(t, row);
   }
-  // What is in no tree comes last.
+  // Joints that close a loop come last.
   for (let i = 0; i < count; i++) if (word(t.parents, i) == LOOP) putWord(t.order, t.orderCount++, i);
 }
 

@@ -10,20 +10,21 @@ import { JOINT_WORK_SIZE, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from
 import { applyAlong, stateA, stateB } from './joint-rows';
 import { orderTrees } from './joint-trees';
 
-// Finds the joints that lost a body, and the pairs that do not collide. Before a step, when joints or bodies came or went.
+// Lists the joints of which a body was removed, and the pairs that do not collide. Called before a step if joints or
+// bodies were added or removed.
 export function listJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   separatePairs(t, rigid);
   wakeReleased(t, rigid);
-  t.lostCount = 0;
+  t.orphanCount = 0;
   t.pairCount = 0;
   for (let i = 0; i < t.count; i++) {
     const id = word(t.ids, i);
     const a = word(t.a, id);
     const b = word(t.b, id);
-    if (!lives(rigid, a, word(t.aGeneration, id)) || !lives(rigid, b, word(t.bGeneration, id))) {
-      putWord(t.lost, t.lostCount++, id);
+    if (!hasGeneration(rigid, a, word(t.aGeneration, id)) || !hasGeneration(rigid, b, word(t.bGeneration, id))) {
+      putWord(t.orphans, t.orphanCount++, id);
       continue;
     }
     if (word(t.collide, id) != 0) continue;
@@ -64,8 +65,8 @@ function separatePairs(t: JointTable, rigid: RigidTable): void {
 }
 
 // @ts-ignore: decorator
-@inline function lives(rigid: RigidTable, row: i32, life: i32): bool {
-  return row > 0 && word(rigid.generations, row) == life && (word(rigid.members, row) & 1) != 0;
+@inline function hasGeneration(rigid: RigidTable, row: i32, generation: i32): bool {
+  return row > 0 && word(rigid.generations, row) == generation && (word(rigid.members, row) & 1) != 0;
 }
 
 export function prepareJoints(table: usize): void {
@@ -174,7 +175,7 @@ export function warmStartJoints(table: usize): void {
   }
 }
 
-// What was switched off exerts nothing.
+// Clears the impulses of a spring, motor or limit that was switched off.
 function dropUnused(t: JointTable, id: i32, impulses: JointImpulses): void {
   if (!(get(t.hertz, id) > 0)) impulses.spring = 0;
   if (!(get(t.maxMotor, id) > 0)) impulses.motor = 0;

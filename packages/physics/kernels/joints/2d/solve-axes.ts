@@ -1,4 +1,4 @@
-// Along the direction in which a joint moves freely: spring, motor and limits, each a row of its own.
+// Solves the rows along the free direction of a joint: spring, motor and limits, one row each.
 //
 //   spring   a damped spring of frequency f and damping ratio ζ about its rest, solved implicitly (softness.ts)
 //   motor    Δλ = -m (u - speed), |λ| at most the largest force times h

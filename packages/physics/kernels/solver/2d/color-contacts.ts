@@ -2,8 +2,8 @@
 // at once.
 //
 // Each contact takes the first color that neither of its bodies has, in the order of (a, b): the result depends on nothing
-// but the contacts. What touches a body that does not move has colors of its own, solved last, because such a contact
-// must not give way. Contacts that find no color are solved one at a time, before all others.
+// but the contacts. Contacts with a body that does not move have separate colors, which are solved last, because
+// such a contact must not yield. Contacts that find no color are solved one at a time, before all others.
 // Source: constraint_graph.c of Box2D 3, which keeps its colors from step to step.
 import { LANES } from '../../memory/lanes';
 import { TOUCHING, contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
@@ -64,7 +64,7 @@ export function colorContacts(table: usize): void {
   return ctz<u32>(bit);
 }
 
-// Contacts without a color come first, each in a block of its own.
+// Contacts without a color come first, one per block.
 function layOutBlocks(t: RigidTable): void {
   let lane = word(t.colorCounts, UNCOLORED) * LANES;
   putWord(t.colors, UNCOLORED, 0);

@@ -141,7 +141,7 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   sineCosine.sine = sine(angle);
 }
 
-// What is kinematic moves and turns by its velocity, whatever it lacks.
+// Reads the velocities of a body. Kinematic bodies move and turn by them although they have no mass and no inertia.
 function readVelocity(c: Columns, t: RigidTable, row: i32): void {
   rest(t, row);
   const state = stateOf(t, row);

@@ -1,4 +1,4 @@
-// What the solver of rigid bodies keeps in a world's memory: settings, counters, and the addresses of its lists. Lists "by
+// The record of the rigid-body solver in a world's memory: settings, counters, and the addresses of its lists. Lists "by
 // row" have one entry for each entity id. src/solver/rigid-table.ts makes the table.
 @unmanaged
 export class RigidTable {

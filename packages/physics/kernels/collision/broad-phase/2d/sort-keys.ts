@@ -1,5 +1,5 @@
-// Sorts `count` keys of u64 by merging runs of growing length; `spare` is as much room again. What is nearly sorted, as pairs
-// from a walk over ascending ids are, costs little more than a copy.
+// Sorts `count` keys of u64 by merging runs of growing length; `spare` is a buffer of the same size. A nearly sorted list, such as
+// the pairs found in ascending order of ids, costs little more than a copy.
 export function sortKeys(keys: usize, spare: usize, count: i32): void {
   let from = keys;
   let to = spare;

@@ -99,7 +99,7 @@ function wakeLater(t: RigidTable, contact: RigidContact): void {
   }
 }
 
-// Where nobody moves nothing changes.
+// Returns whether the body may have moved; a contact of two bodies that have not moved is unchanged.
 // @ts-ignore: decorator
 @inline function isActive(flags: u32): bool {
   return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;

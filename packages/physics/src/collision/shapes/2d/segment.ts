@@ -6,8 +6,7 @@ import { lengthOf, type PointInput, type Shape } from './shape.ts';
 
 /**
  * A line without thickness that bodies meet from both sides: for floors and walls, because it has no area and therefore
- * no mass of its own. The value's `centre` is the middle, where its body must be put for the ends to be where they were
- * given.
+ * no mass. The value's `centre` is the middle of the line: a body at this position has the ends where they were given.
  * @param a m
  * @param b m
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE for coordinates beyond 1e6 m and ends closer than 1e-5 m
