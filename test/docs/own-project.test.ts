@@ -8,12 +8,13 @@ const page = readFileSync('docs/in-your-own-project.md', 'utf8');
 const manifest = JSON.parse(readFileSync('packages/physics/package.json', 'utf8'));
 const map = importMapOf(page);
 
-test('the import map has every kernel of both precisions, at the address that the manifest gives', () => {
+test('the import map has every kernel of both precisions, and the warnings, at the address that the manifest gives', () => {
   const kernels = readdirSync('packages/physics/src/kernels/f32').map((file) => file.replace('.gen.ts', ''));
   const expected = kernels.flatMap((name) => [
     [`#f32/${name}`, manifest.imports['#f32/*'].default.replace('*', name)],
     [`#f64/${name}`, manifest.imports['#f64/*']['principia-f32'].default],
   ]);
+  expected.push(['#warnings', manifest.imports['#warnings'].default]);
   const cdn = `https://cdn.jsdelivr.net/npm/${manifest.name}@${manifest.version}`;
   const named = Object.entries(map).filter(([name]) => name.startsWith('#'));
   expect(Object.fromEntries(named)).toEqual(
