@@ -16,8 +16,15 @@ interface Coefficient {
   readonly isShared: boolean;
 }
 
-/** Components with checks of their own: the state of bodies, walls, and columns that physics does not read. */
-const OTHER_CHECKS: readonly string[] = [
+/**
+ * Components that are not in the list of others: those of the lists above, the state of bodies and walls, which have their
+ * own checks, and columns that physics does not read.
+ */
+const CHECKED_ELSEWHERE: readonly string[] = [
+  'Mass',
+  'Charge',
+  'Collider',
+  'Engine',
   'Position',
   'Velocity',
   'Rotation',
@@ -29,20 +36,27 @@ const OTHER_CHECKS: readonly string[] = [
   'Quarantined',
 ];
 
-const SHARED: readonly string[] = ['Mass', 'Charge', 'Collider'];
-
 /** The largest finite number of f32: a column of either precision holds it. */
 const MAX_REAL = 3.4028234663852886e38;
 
-const COEFFICIENTS: readonly Coefficient[] = /* @__PURE__ */ COMPONENT_NAMES.filter(
-  (name) => !OTHER_CHECKS.includes(name),
-).flatMap((component) =>
-  Object.entries((COMPONENTS[component] as ComponentSpec).fields)
-    .filter(([, { kind }]) => kind === 'real')
-    .map(([field, { bounds }]) => {
-      const { min = bounds.above ?? -MAX_REAL, max = MAX_REAL } = bounds;
-      return { component, field, min, max, isShared: SHARED.includes(component) };
-    }),
+/** The real fields of some components. */
+function coefficientsOf(components: readonly ComponentName[], isShared: boolean): readonly Coefficient[] {
+  return components.flatMap((component) =>
+    Object.entries((COMPONENTS[component] as ComponentSpec).fields)
+      .filter(([, { kind }]) => kind === 'real')
+      .map(([field, { bounds }]) => {
+        const { min = bounds.above ?? -MAX_REAL, max = MAX_REAL } = bounds;
+        return { component, field, min, max, isShared };
+      }),
+  );
+}
+
+const SHARED = /* @__PURE__ */ coefficientsOf(['Mass', 'Charge', 'Collider'], true);
+/** A bad engine would burn its fuel within the step. */
+const ENGINE = /* @__PURE__ */ coefficientsOf(['Engine'], false);
+const OTHERS = /* @__PURE__ */ coefficientsOf(
+  COMPONENT_NAMES.filter((name) => !CHECKED_ELSEWHERE.includes(name)),
+  false,
 );
 
 /** Steps in which all rows of a column are checked once, where a bad value stays with its own body. */
@@ -54,30 +68,30 @@ const ROUND = 64;
  * within 64 steps; reading every column in every step would slow particles down by a third.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
-  const { counts, sweptRows } = world.internal;
+  const { sweptRows } = world.internal;
   const rowsPerStep = 16 * Math.ceil(sweptRows / 16 / ROUND);
   const start = rowsPerStep * (world.tick % ROUND);
-  const isCoupled = couplesBodies(world);
-  // A world of few bodies has nothing to check in most steps.
-  if (start >= sweptRows && !isCoupled && counts.Engine === 0) return;
-  for (let c = 0; c < COEFFICIENTS.length; c++) {
-    const coefficient = COEFFICIENTS[c];
-    if (counts[coefficient.component] === 0) continue;
-    // A bad engine would burn its fuel within the step.
-    const isUrgent = (isCoupled && coefficient.isShared) || coefficient.component === 'Engine';
-    if (isUrgent) checkRows(world, coefficient, 0, sweptRows);
-    else if (start < sweptRows) checkRows(world, coefficient, start, Math.min(start + rowsPerStep, sweptRows));
-  }
+  const end = Math.min(start + rowsPerStep, sweptRows);
+  checkColumns(world, ENGINE, 0, sweptRows);
+  if (couplesBodies(world)) checkColumns(world, SHARED, 0, sweptRows);
+  else checkColumns(world, SHARED, start, end);
+  checkColumns(world, OTHERS, start, end);
 }
 
 function couplesBodies({ internal, integrator, phases }: PhysicsWorld): boolean {
   return internal.plan?.forcesLocal !== true || integrator.wholeWorld === true || phases.collide.length > 0;
 }
 
-function checkRows(world: PhysicsWorld, coefficient: Coefficient, first: number, last: number): void {
-  const { component, field, min, max } = coefficient;
-  const address = (world.addresses[component] as Readonly<Record<string, number>>)[field];
-  if (world.kernels.isColumnWithin(address, min, max, first, last) === 0) correctRows(world, coefficient, first, last);
+function checkColumns(world: PhysicsWorld, list: readonly Coefficient[], first: number, last: number): void {
+  // A world of few bodies has no rows to check in most steps.
+  if (first >= last) return;
+  const { addresses, kernels, internal } = world;
+  for (let c = 0; c < list.length; c++) {
+    const { component, field, min, max } = list[c];
+    if (internal.counts[component] === 0) continue;
+    const address = (addresses[component] as Readonly<Record<string, number>>)[field];
+    if (kernels.isColumnWithin(address, min, max, first, last) === 0) correctRows(world, list[c], first, last);
+  }
 }
 
 function correctRows(world: PhysicsWorld, coefficient: Coefficient, first: number, last: number): void {

@@ -6,14 +6,14 @@ import { isOpen } from '../ecs/rows.ts';
 import { describe, PhysicsError } from '../errors/physics-error.ts';
 import { isRecord, mustBe, type VectorInput } from '../errors/validate.ts';
 import { atan2, cos, sin } from '../math/elementary.ts';
-import { JointTableWord as Word } from '../memory/layouts.gen.ts';
+import { JOINT_IMPULSES_BYTES, JOINT_IMPULSES_FIELDS, JointTableWord as Word } from '../memory/layouts.gen.ts';
 import { isSoftStep } from '../solver/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { JointInput } from './joint-input.ts';
 import { type EndedJoints, endedOf, jointTable } from './joint-table.ts';
 
 /**
- * Joins two rigid bodies as they stand now. The joint is an entity with the component Joint, whose limits, spring and motor
+ * Joins two rigid bodies in their present poses. The joint is an entity with the component Joint, whose limits, spring and motor
  * may be changed at any time; `despawn` removes it, and it goes when one of its bodies goes.
  * @param joint made by `revolute`, `distance`, `weld`, `prismatic` or `wheel`
  * @returns the entity id of the joint
@@ -75,6 +75,9 @@ function toLocal({ components }: PhysicsWorld, body: number, point: Point) {
   return { x: c * dx + s * dy, y: c * dy - s * dx };
 }
 
+/** Index of the largest force of the step among the numbers of a joint's impulses. */
+const FORCE = JOINT_IMPULSES_FIELDS.indexOf('force');
+
 /** Returns the joints that ended by themselves: always the same object. @throws PhysicsError E_DESTROYED */
 export function endedJoints(world: PhysicsWorld): EndedJoints {
   return endedOf(world);
@@ -102,5 +105,6 @@ export function jointForce(world: PhysicsWorld, joint: number): number {
   if (!Number.isInteger(joint) || !isOpen(world, joint, 'Joint'))
     throw staleError(joint, `there is no joint ${describe(joint)} in this world.`);
   const { words } = jointTable(world);
-  return new Float64Array(world.memory.buffer, words[Word.impulses] + 64 * joint, 8)[7];
+  const at = words[Word.impulses] + JOINT_IMPULSES_BYTES * joint;
+  return new Float64Array(world.memory.buffer, at, JOINT_IMPULSES_FIELDS.length)[FORCE];
 }

@@ -27,5 +27,5 @@ export interface DistanceOptions extends JointOptions {
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function distance(options: DistanceOptions): JointInput {
-  return describeJoint('distance', 1, options, ['anchorA', 'anchorB', 'length', 'spring', 'limits', 'motor']);
+  return describeJoint('distance', options, ['anchorA', 'anchorB', 'length', 'spring', 'limits', 'motor']);
 }

@@ -24,7 +24,7 @@ export interface JointMotor {
   readonly max: number;
 }
 
-/** What every joint takes. */
+/** The options of every joint. */
 export interface JointOptions {
   /** The bodies, by id; one of them may be static. */
   readonly a: number;
@@ -49,7 +49,7 @@ export interface JointInput {
   readonly fields: Readonly<Record<string, number>>;
 }
 
-/** What some joints take besides. */
+/** The options of some joints. */
 interface AllOptions extends JointOptions {
   readonly anchor?: VectorInput;
   readonly anchorA?: VectorInput;
@@ -61,6 +61,9 @@ interface AllOptions extends JointOptions {
   readonly motor?: JointMotor;
 }
 
+/** The kinds of joints, as in kernels/joints/2d/joint-table.ts. */
+const JOINT_KINDS = { revolute: 0, distance: 1, weld: 2, prismatic: 3, wheel: 4 } as const;
+
 /** A free coordinate without a limit on one side. */
 const UNLIMITED = 1e12;
 
@@ -70,8 +73,7 @@ const UNLIMITED = 1e12;
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function describeJoint(
-  caller: string,
-  kind: number,
+  caller: keyof typeof JOINT_KINDS,
   options: AllOptions,
   names: readonly (keyof AllOptions)[],
 ): JointInput {
@@ -105,5 +107,5 @@ export function describeJoint(
     take('maxMotor', motor.max, 'motor.max');
   }
   const { a, b, anchorA = anchor, anchorB = anchor, axis } = options;
-  return { kind, a, b, anchorA, anchorB, axis, fields };
+  return { kind: JOINT_KINDS[caller], a, b, anchorA, anchorB, axis, fields };
 }

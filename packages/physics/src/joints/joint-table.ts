@@ -7,21 +7,25 @@ import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { allocate } from '../memory/arena.ts';
-import { JOINT_TABLE_BYTES, RigidTableWord as RigidWord, JointTableWord as Word } from '../memory/layouts.gen.ts';
+import {
+  ARTICULATED_BODY_BYTES,
+  JOINT_IMPULSES_BYTES,
+  JOINT_ROW_BYTES,
+  JOINT_TABLE_BYTES,
+  JOINT_WORK_BYTES,
+  RigidTableWord as RigidWord,
+  JointTableWord as Word,
+} from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** Bytes of an articulated body, and of the impulses of a joint. */
-const BODY_BYTES = 72;
-const IMPULSES_BYTES = 64;
+/** Bytes of a joint that the solver works with: its record and five rows. */
+const WORK_BYTES = JOINT_WORK_BYTES + 5 * JOINT_ROW_BYTES;
 
-/** Bytes of a joint that the solver works with. */
-const WORK_BYTES = 400;
-
-/** What joints need in the world's memory for each entity, all of which may be joints: for `Preset`. */
-export const JOINT_BYTES_PER_ENTITY = BODY_BYTES + IMPULSES_BYTES + WORK_BYTES + 5 * 8 + 10 * 4;
+/** Memory of joints per entity, bytes: any entity may be a joint. */
+export const JOINT_BYTES_PER_ENTITY = ARTICULATED_BODY_BYTES + JOINT_IMPULSES_BYTES + WORK_BYTES + 5 * 8 + 10 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -76,8 +80,8 @@ export const jointTable = resource((world): JointTable => {
   const take = (word: Word, bytes: number) => {
     words[word] = allocate(arena, bytes * world.rows, 'joints');
   };
-  take(Word.impulses, IMPULSES_BYTES);
-  take(Word.bodies, BODY_BYTES);
+  take(Word.impulses, JOINT_IMPULSES_BYTES);
+  take(Word.bodies, ARTICULATED_BODY_BYTES);
   take(Word.works, WORK_BYTES);
   for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.nodes]) take(word, 8);
   for (const word of [Word.sets, Word.heads, Word.orphans, Word.broken, Word.order, Word.roots]) take(word, 4);

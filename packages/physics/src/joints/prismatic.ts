@@ -26,5 +26,5 @@ export interface PrismaticOptions extends JointOptions {
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function prismatic(options: PrismaticOptions): JointInput {
-  return describeJoint('prismatic', 3, options, ['anchor', 'axis', 'limits', 'spring', 'motor']);
+  return describeJoint('prismatic', options, ['anchor', 'axis', 'limits', 'spring', 'motor']);
 }

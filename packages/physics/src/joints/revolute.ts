@@ -24,5 +24,5 @@ export interface RevoluteOptions extends JointOptions {
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function revolute(options: RevoluteOptions): JointInput {
-  return describeJoint('revolute', 0, options, ['anchor', 'limits', 'spring', 'motor']);
+  return describeJoint('revolute', options, ['anchor', 'limits', 'spring', 'motor']);
 }

@@ -9,9 +9,9 @@ export interface WeldOptions extends JointOptions {
 }
 
 /**
- * Joins two bodies as they are now.
+ * Joins two bodies in their present poses.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function weld(options: WeldOptions): JointInput {
-  return describeJoint('weld', 2, options, ['anchor', 'spring']);
+  return describeJoint('weld', options, ['anchor', 'spring']);
 }

@@ -30,5 +30,5 @@ const SUSPENSION: JointSpring = { hertz: 1, dampingRatio: 0.7 };
  */
 export function wheel(options: WheelOptions): JointInput {
   const filled = { spring: SUSPENSION, axis: { y: 1 }, ...options };
-  return describeJoint('wheel', 4, filled, ['anchor', 'axis', 'limits', 'spring', 'motor']);
+  return describeJoint('wheel', filled, ['anchor', 'axis', 'limits', 'spring', 'motor']);
 }
