@@ -22,7 +22,7 @@ export const RANDOM = -1;
 
 /** The kind that is not launched but ignited at the pointer, after whole seconds of holding. */
 export const SWARM = SHELLS.findIndex(({ isHeld }) => isHeld);
-/** Number of kinds from which a random one is chosen: those that a click launches. */
+/** Number of shell kinds that a click may launch; a random launch chooses one of them. */
 export const RANDOM_KINDS = SHELL_NAMES.length - 1;
 
 /** Directions in which keys move the crosshair. */

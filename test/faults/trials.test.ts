@@ -140,7 +140,7 @@ describe('integrators', () => {
     const { Position, Velocity } = world.components;
     expect([...Position.z, ...Velocity.z].every((z) => z === 0)).toBe(true);
     expect(world.faults.faults).toEqual([]);
-    // The first page belongs to nobody: what is read there by mistake is zero, and what is written shows here.
+    // The first page is unused: a read at address 0 returns zero, and this test detects writes.
     expect(new Uint8Array(world.memory.buffer, 0, 16).every((byte) => byte === 0)).toBe(true);
   });
 
@@ -170,7 +170,7 @@ describe('integrators', () => {
     },
   );
 
-  it('04 a sub-step that Gauss-Radau rejects quarantines nobody', () => {
+  it('04 a sub-step that Gauss-Radau rejects quarantines no body', () => {
     const stiffness = 1e8;
     const { world, a } = stiff(gaussRadau(), stiffness);
     step(world, DT);
@@ -260,7 +260,7 @@ describe('one bad body is alone', () => {
     ['velocityVerlet', velocityVerlet, 1e300],
     ['wisdomHolman', wisdomHolman({ G: 1 }), Number.NaN],
     ['wisdomHolman', wisdomHolman({ G: 1 }), Number.POSITIVE_INFINITY],
-  ] as const)('14 one mass that is none, under %s, stops nobody else (%d)', (_, integrator, value) => {
+  ] as const)('14 one invalid mass, under %s, stops no other body (%d)', (_, integrator, value) => {
     const world = createPhysicsWorld({ dimensions: 3, integrator, forces: [mutualGravity({ G: 1 })] });
     spawn(world, { position: {}, mass: 1 });
     for (let i = 1; i <= 20; i++) spawn(world, { position: { x: i }, velocity: { y: 1 / Math.sqrt(i) }, mass: 1e-6 });

@@ -1,6 +1,6 @@
 /**
  * What a page's frames leave on the JavaScript heap, function by function: frames are asked for one after the other
- * instead of by the display, and the browser tells of every object that is made, those that are gone again too.
+ * instead of by the display, and the browser tells of every object that is made, also of objects that are freed at once.
  */
 import { SourceMap } from 'node:module';
 import type { CDPSession, Page } from 'playwright-core';

@@ -5,7 +5,7 @@
 // The addresses of columns: class Columns.
 export const COLUMN_TABLE: usize = 64;
 
-// Two bodies of particle-contacts/body.ts for walls, which have no contacts table: row 0, which belongs to nobody and
+// Two bodies of particle-contacts/body.ts for walls, which have no contacts table: row 0, which belongs to no entity and
 // holds zeros, and the body at the wall.
 export const WALL_BODIES: usize = 512;
 

@@ -1,4 +1,4 @@
-// What `spawn` makes of the shape and the density of a collider: its radius, and the mass and inertia of the body.
+// Computes the radius of a collider, and the mass and inertia of its body, from the shape and density given to `spawn`.
 import { isShape, type Shape } from '../collision/shapes/2d/shape.ts';
 import { shapeAt, shapePool } from '../collision/shapes/shape-pool.ts';
 import { PhysicsError } from '../errors/physics-error.ts';

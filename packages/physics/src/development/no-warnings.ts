@@ -1,7 +1,6 @@
 // Replaces `warnings.ts` under the export condition `production`, and checks nothing.
 import type * as warnings from './warnings.ts';
 
-export const warnOnce: typeof warnings.warnOnce = () => {};
 export const printWarning: typeof warnings.printWarning = () => {};
 export const warnAboutDuration: typeof warnings.warnAboutDuration = () => {};
 export const warnAboutWorld: typeof warnings.warnAboutWorld = () => {};

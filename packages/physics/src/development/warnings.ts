@@ -1,15 +1,8 @@
 // Warnings about valid input that is probably a mistake. Each is given once per world. The export condition
 // `production` replaces this file by `no-warnings.ts`.
 import type { ComponentName } from '../components/all.ts';
+import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, PhysicsWorld, Plan, Warning } from '../world/types.ts';
-
-/** Gives a warning, unless this world has had the same one. */
-export function warnOnce(world: PhysicsWorld, warning: Warning): void {
-  const { warned } = world.internal;
-  if (warned.has(warning.message)) return;
-  warned.add(warning.message);
-  world.onWarning(warning);
-}
 
 /** The default of `world.onWarning`. */
 export function printWarning({ message, hint }: Warning): void {

@@ -5,7 +5,7 @@ import { createPhysicsWorld } from '../world/create-world.ts';
 import { ComponentSet } from './component-set.ts';
 
 describe('the components of a body created in bulk', () => {
-  it('equal those that bitECS lists for a single body, including custom components', () => {
+  it('equal the components that bitECS lists for a single body, including custom components', () => {
     const world = createPhysicsWorld({ capacity: 10 });
     const { Position, Velocity, Mass, Charge } = world.components;
     const Player = {};

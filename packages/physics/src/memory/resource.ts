@@ -5,9 +5,9 @@ import type { PhysicsWorld } from '../world/types.ts';
 /** The key of a resource. */
 export class ResourceKey {
   /**
-   * @param outlives whether snapshots exclude it
+   * @param excludeFromSnapshot whether snapshots leave the resource out
    */
-  constructor(readonly outlives: boolean) {}
+  constructor(readonly excludeFromSnapshot: boolean) {}
 }
 
 const immutables = new WeakSet<object>();
@@ -17,7 +17,7 @@ const immutables = new WeakSet<object>();
  * E_TYPE
  */
 export function markImmutable<T extends object>(value: T): T {
-  checkObject(value, 'constant: value');
+  checkObject(value, 'markImmutable: value');
   immutables.add(value);
   return value;
 }
@@ -33,17 +33,17 @@ export function isImmutable(value: object): boolean {
  * kernels comes from `allocate(world.internal.arena, …)`.
  *
  * Snapshots save the contents of plain objects, arrays, maps and typed arrays, and drop resources created after them.
- * @param options.outlives excludes the resource from snapshots; for data that is not state of the world, such as event
+ * @param options.excludeFromSnapshot excludes the resource from snapshots; for data that is not state of the world, such as event
  *   listeners
  */
 export function resource<T>(
   create: (world: PhysicsWorld) => T,
-  options: { readonly outlives?: boolean } = {},
+  options: { readonly excludeFromSnapshot?: boolean } = {},
 ): (world: PhysicsWorld) => T {
   checkFunction(create, 'resource: create');
-  checkKeys(options, 'resource', ['outlives']);
-  const outlives = checkFlag(options.outlives, 'resource.outlives');
-  const key = new ResourceKey(outlives);
+  checkKeys(options, 'resource', ['excludeFromSnapshot']);
+  const excludeFromSnapshot = checkFlag(options.excludeFromSnapshot, 'resource.excludeFromSnapshot');
+  const key = new ResourceKey(excludeFromSnapshot);
   return (world) => {
     assertUsable(world);
     const { resources } = world.internal;

@@ -55,7 +55,7 @@ export function restore(world: PhysicsWorld, snapshot: Snapshot): void {
 
 /** Kernels and event listeners are not state. */
 function isState(key: object): boolean {
-  return key instanceof ResourceKey && !key.outlives;
+  return key instanceof ResourceKey && !key.excludeFromSnapshot;
 }
 
 function contentOf(world: PhysicsWorld, snapshot: Snapshot, caller: string): Content {

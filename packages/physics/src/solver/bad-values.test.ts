@@ -1,4 +1,4 @@
-// What is not a number does not spread from body to body, and a world that is too small says so.
+// Invalid values do not spread from body to body, and a world that is too small is refused.
 import {
   box,
   contactEvents,
@@ -61,7 +61,7 @@ test.each(['Position', 'Velocity', 'AngularVelocity', 'Mass', 'Inertia'] as cons
   },
 );
 
-test('a force that is not a number acts on nobody', () => {
+test('a force that is not a number acts on no body', () => {
   const bad = defineForce({
     name: 'bad',
     accumulate(world) {

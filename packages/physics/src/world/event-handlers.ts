@@ -1,6 +1,7 @@
 import { collectThrown } from '../errors/collect-thrown.ts';
 import type { Fault } from '../errors/fault-log.ts';
 import { checkFunction, unknownName } from '../errors/validate.ts';
+import { warnOnce } from '../errors/warn-once.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from './types.ts';
 
@@ -25,10 +26,14 @@ interface Listener<Name extends EventName> {
 /** A list is replaced and never mutated, so a list that is being iterated does not change. */
 type Listeners = { [Name in EventName]: readonly Listener<Name>[] };
 
-const listenersOf = resource<Listeners>(() => ({ contact: [], wallContact: [], fault: [] }), { outlives: true });
-
-/** The events that systems of the world dispatch if there are handlers. */
-const dispatchedBy = resource(() => new Set<EventName>(['fault']), { outlives: true });
+const eventsOf = resource(
+  () => ({
+    listeners: { contact: [], wallContact: [], fault: [] } as Listeners,
+    /** The events that systems of the world dispatch if there are handlers. */
+    dispatched: new Set<EventName>(['fault']),
+  }),
+  { excludeFromSnapshot: true },
+);
 
 /**
  * Calls `handler` for each event of a step, in the last phase of the step. A handler may edit the world: its edits take
@@ -39,7 +44,7 @@ const dispatchedBy = resource(() => new Set<EventName>(['fault']), { outlives: t
  * @throws PhysicsError E_UNKNOWN for an unknown event, E_TYPE, E_DESTROYED
  */
 export function on<Name extends EventName>(world: PhysicsWorld, name: Name, handler: Handler<Name>): () => void {
-  const listeners = listenersOf(world);
+  const { listeners } = eventsOf(world);
   if (typeof name !== 'string' || !Object.hasOwn(listeners, name))
     throw unknownName('a world', 'event', name, Object.keys(listeners));
   checkFunction(handler, 'handler');
@@ -55,20 +60,21 @@ export function on<Name extends EventName>(world: PhysicsWorld, name: Name, hand
 
 /** Returns whether the event has handlers. Systems that dispatch an event check this in every step. */
 export function hasHandlers(world: PhysicsWorld, name: EventName): boolean {
-  dispatchedBy(world).add(name);
-  return listenersOf(world)[name].length > 0;
+  const { dispatched, listeners } = eventsOf(world);
+  dispatched.add(name);
+  return listeners[name].length > 0;
 }
 
 /** Returns the events that have handlers and that no system has dispatched so far. */
 export function ignoredEvents(world: PhysicsWorld): EventName[] {
-  const dispatched = dispatchedBy(world);
-  const names = Object.keys(listenersOf(world)) as EventName[];
-  return names.filter((name) => listenersOf(world)[name].length > 0 && !dispatched.has(name));
+  const { dispatched, listeners } = eventsOf(world);
+  const names = Object.keys(listeners) as EventName[];
+  return names.filter((name) => listeners[name].length > 0 && !dispatched.has(name));
 }
 
 /** Calls every handler; an exception of one does not stop the others. */
 export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, event: EventMap[Name]): void {
-  const list: readonly Listener<Name>[] = listenersOf(world)[name];
+  const list: readonly Listener<Name>[] = eventsOf(world).listeners[name];
   for (let i = 0; i < list.length; i++) {
     if (list[i].removed) continue;
     try {
@@ -83,7 +89,7 @@ export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, ev
 /** A promise rejects after the step, which cannot throw then; an unhandled rejection would end the process. */
 function reportRejection(world: PhysicsWorld, name: EventName, result: Promise<unknown>): void {
   result.catch((error) => {
-    world.onWarning({
+    warnOnce(world, {
       message: `an asynchronous handler of "${name}" was rejected: ${error}`,
       hint: 'Handlers are synchronous: what follows an `await` runs after the step. Catch its errors there.',
     });

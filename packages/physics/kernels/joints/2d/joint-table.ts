@@ -32,10 +32,10 @@ export class JointTable {
   count: i32;
   works: usize;
   workCount: i32;
-  // Indices of those that have a spring, a motor or limits.
+  // Indices of the joints with a spring, a motor or limits.
   axes: usize;
   axisCount: i32;
-  // Ids of the joints of which a body was removed, and of those that broke.
+  // Ids of the joints of which a body was removed, and of the broken joints.
   orphans: usize;
   orphanCount: i32;
   broken: usize;

@@ -11,7 +11,7 @@ import {
 import { poseOf, putWord, word } from './body';
 import { RigidTable } from './rigid-table';
 
-// Lists the events of the contacts that there still are; those that are gone have been noted when they went.
+// Lists the events of the present contacts; the end of a contact was recorded when it was removed.
 export function listContactEvents(table: usize): void {
   const t = changetype<RigidTable>(table);
   t.beginCount = 0;

@@ -32,7 +32,7 @@ const KEPT: u32 = ASLEEP | FAST;
 // Where the circle of a body without a shape of the pool is written.
 const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
-// Classifies all rows, and lists those that move and are awake. Between steps anyone may have changed any column.
+// Classifies all rows, and lists the bodies that move and are awake. User code may have changed any column between the steps.
 export function gatherBodies(table: usize): void {
   const t = changetype<RigidTable>(table);
   for (let row = 1; row < t.rows; row++) classify(t, row);

@@ -70,7 +70,7 @@ export class RigidTable {
   // Sorted keys of the pairs that joints keep from colliding.
   jointPairs: usize;
   jointPairCount: i32;
-  // Contacts: records (class RigidContact), those in use sorted by (a, b), and those that are free.
+  // Contacts: records (class RigidContact), the used ones sorted by (a, b), then the free ones.
   contactCapacity: i32;
   contactCount: i32;
   contacts: usize;

@@ -7,7 +7,7 @@
 //   relaxing  Δλ = -m u                                           takes back the speed that pushed the bodies apart
 //
 // and λ + Δλ is at least 0. Anchors are those at the start of the step, but separations follow the bodies. Friction, in
-// the relaxing pass: |λ_t| <= μ λ. Rolling resistance likewise bounds an impulse of torque.
+// the relaxing pass: |λ_t| <= μ λ. Rolling resistance bounds the angular impulse in the same way.
 // Sources: Catto, Solver2D (2024); Macklin et al., Small Steps in Physics Simulation (2019); Box2D 3.
 import { add, larger, mul, splat, sub } from '../../memory/lanes';
 import * as block from './contact-block';

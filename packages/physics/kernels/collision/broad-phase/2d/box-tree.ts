@@ -1,4 +1,4 @@
-// A tree of boxes, for finding those that overlap a given one. Its nodes lie in the order of a walk that visits a node, then
+// A tree of boxes, for finding the boxes that overlap a given one. Its nodes lie in the order of a walk that visits a node, then
 // all below it: the first child of a node follows it, and `skip` is the node behind all below it. So a query needs no
 // stack, and boxes that changed are brought up to date in one pass from the end. A tree is made at once, from the top, by
 // halving the extent of the centres.

@@ -20,7 +20,7 @@ export function addContacts(t: RigidTable): void {
   t.contactCount = total;
 }
 
-// Leaves in t.pairs, once each, those that are in no contact yet and find room. Returns their number.
+// Reduces t.pairs to the pairs that are in no contact yet and for which there is room, once each. Returns their number.
 function dropKnown(t: RigidTable): i32 {
   let kept = 0;
   let at = 0;
