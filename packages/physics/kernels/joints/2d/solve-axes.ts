@@ -48,7 +48,8 @@ function solveSpring(t: JointTable, work: JointWork, a: BodyState, b: BodyState,
 // Keeps what a spring exerts in a step below its largest force.
 // @ts-ignore: decorator
 @inline function withinForce(impulse: f64, before: f64, most: f64): f64 {
-  return min<f64>(most, max<f64>(-most, before + impulse)) - before;
+  if (before + impulse > most) return most - before;
+  return before + impulse < -most ? -most - before : impulse;
 }
 
 function solveMotor(t: JointTable, work: JointWork, a: BodyState, b: BodyState, to: JointImpulses, h: f64): void {
