@@ -1,0 +1,14 @@
+/** The view of an example in two dimensions, drawn by pixi.js. */
+import type { ExampleRun } from '@principia/scenes/examples';
+import type { Settings, View, ViewContext } from '@principia/shell';
+import { openPixiView } from '@principia/shell/pixi';
+import { frameOf } from './frame.ts';
+import { drawPicture } from './picture-2d.ts';
+
+export function openView(context: ViewContext<Settings, ExampleRun>): Promise<View> {
+  return openPixiView(context, {
+    bounds: ({ picture }) => frameOf(picture).bounds,
+    yDown: ({ picture }) => picture.yDown ?? false,
+    paint: (run, source) => drawPicture(run, source),
+  });
+}
