@@ -5,13 +5,14 @@ import {
   type Curve,
   type Dot,
   type Fill,
+  type Frame,
   type Line,
   now,
   type Picture,
   type Point,
 } from '@principia/scenes/examples';
 import type { Graphics } from 'pixi.js';
-import { type Frame, gridLines } from './frame.ts';
+import { gridLines } from './grid-lines.ts';
 
 /** Length and half width of the head of an arrow, CSS pixels. */
 const HEAD = { length: 10, width: 4.5 };

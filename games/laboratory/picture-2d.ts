@@ -2,10 +2,9 @@
 
 import type { BodySource } from '@principia/render-core';
 import { createBodyLayer, createTrailLayer } from '@principia/render-pixi';
-import { type ExampleRun, now, type Point } from '@principia/scenes/examples';
+import { type ExampleRun, frameOf, now, type Point } from '@principia/scenes/examples';
 import type { Picture as PixiPicture } from '@principia/shell/pixi';
 import { Container, Graphics } from 'pixi.js';
-import { frameOf } from './frame.ts';
 import { Pen } from './pen.ts';
 import { TextLayer } from './text-layer.ts';
 

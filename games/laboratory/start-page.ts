@@ -10,10 +10,11 @@ export function showStartPage(parent: HTMLElement, search: string, problem: stri
   const count = make('p', 'start-count', { role: 'status' });
   const list = make('div', '');
   const tags = make('div', 'start-tags', { role: 'group', 'aria-label': 'Subjects' });
+  let pictures: Readonly<Record<string, string>> = {};
   const show = () => {
     const found = EXAMPLES.filter((entry) => matches(entry, field.value));
     count.textContent = found.length === 1 ? '1 example' : `${found.length} examples`;
-    list.replaceChildren(...chapters(found));
+    list.replaceChildren(...chapters(found, pictures));
     const query = field.value === '' ? location.pathname : `?search=${encodeURIComponent(field.value)}`;
     history.replaceState(null, '', query);
   };
@@ -25,6 +26,11 @@ export function showStartPage(parent: HTMLElement, search: string, problem: stri
     });
     tags.append(button);
   }
+  // The pictures come later than the list, which is useful without them.
+  void import('./pictures.gen.ts').then(({ PICTURES }) => {
+    pictures = PICTURES;
+    show();
+  });
   field.addEventListener('input', show);
   const note = make('p', 'start-problem', { role: 'alert' }, problem);
   note.hidden = problem === '';
@@ -64,17 +70,21 @@ function commonTags(): string[] {
   return list.slice(0, 24).map(([tag]) => tag);
 }
 
-function chapters(entries: readonly ExampleEntry[]): HTMLElement[] {
+function chapters(entries: readonly ExampleEntry[], pictures: Readonly<Record<string, string>>): HTMLElement[] {
   const numbers = [...new Set(entries.map(({ chapter }) => chapter))];
   return numbers.map((number) => {
-    const items = entries.filter(({ chapter }) => chapter === number).map(item);
+    const items = entries
+      .filter(({ chapter }) => chapter === number)
+      .map((entry) => item(entry, pictures[entry.id] ?? ''));
     const list = make('ul', '');
     list.append(...items);
     return make('section', '', {}, make('h2', '', {}, `Chapter ${number}`), list);
   });
 }
 
-function item({ id, title, tags }: ExampleEntry): HTMLElement {
-  const name = make('b', '', {}, title);
-  return make('li', '', {}, make('a', '', { href: `?example=${id}` }, name, make('span', '', {}, tags.join(' · '))));
+function item({ id, title, tags }: ExampleEntry, picture: string): HTMLElement {
+  const frame = make('div', 'start-picture', { 'aria-hidden': 'true' });
+  frame.innerHTML = picture;
+  const text = [make('b', '', {}, title), make('span', '', {}, tags.join(' · '))];
+  return make('li', '', {}, make('a', '', { href: `?example=${id}` }, frame, ...text));
 }

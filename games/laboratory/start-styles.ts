@@ -15,6 +15,8 @@ body { color: #eef1fb; font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Robo
 .start ul { list-style: none; margin: 0; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(240px, 1fr)); gap: 12px }
 .start li a { display: block; height: 100%; box-sizing: border-box; padding: 12px 14px; border-radius: 14px;
   border: 1px solid #ffffff1c; background: #141b36d9 } .start li a:hover { background: #212b56 }
+.start-picture { aspect-ratio: 8 / 5; margin: -12px -14px 10px; border-radius: 14px 14px 0 0; overflow: hidden; background: #0d1430 }
+.start-picture svg { display: block; width: 100%; height: 100% }
 .start li b { display: block; font-weight: 600 } .start li span { font-size: 12.5px; color: #97a3c7 }
 `;
 

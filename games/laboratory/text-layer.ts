@@ -2,7 +2,7 @@
 import 'pixi.js/text';
 import { COLORS, type Picture } from '@principia/scenes/examples';
 import { Container, Text } from 'pixi.js';
-import { gridLines } from './frame.ts';
+import { gridLines } from './grid-lines.ts';
 import { plainNumber } from './number-text.ts';
 import type { Pen } from './pen.ts';
 

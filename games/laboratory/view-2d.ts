@@ -1,8 +1,7 @@
 /** The view of an example in two dimensions, drawn by pixi.js. */
-import type { ExampleRun } from '@principia/scenes/examples';
+import { type ExampleRun, frameOf } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
-import { frameOf } from './frame.ts';
 import { drawPicture } from './picture-2d.ts';
 
 export function openView(context: ViewContext<Settings, ExampleRun>): Promise<View> {

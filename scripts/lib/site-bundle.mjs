@@ -39,7 +39,7 @@ export const kernelsPlugin = {
       path: resolve(resolveDir, path),
     }));
     build.onLoad({ filter: /\.gen\.ts$/ }, async ({ path }) => {
-      const isList = path.endsWith('examples.gen.ts');
+      const isList = /(examples|pictures)\.gen\.ts$/.test(path);
       const watched = sourcesBelow(isList ? examplesFolder : kernelFolder);
       try {
         await buildKernels();

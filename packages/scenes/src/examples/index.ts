@@ -16,6 +16,7 @@ export {
   type ValuesOf,
 } from './define-example.ts';
 export { EXAMPLES, type ExampleEntry } from './examples.gen.ts';
+export { type Frame, frameOf } from './frame.ts';
 export {
   type Arrow,
   type Axis,

@@ -1,18 +1,20 @@
 /** How the coordinates of a picture become metres of the view. */
-import type { Picture, Point, ViewBox } from '@principia/scenes/examples';
+import type { Picture, Point, ViewBox } from './picture.ts';
 
 /** Size of a graph, m. */
 const GRAPH = { width: 16, height: 10 };
 /** Room for the numbers and names at the axes of a graph, m. */
 const MARGIN = { left: 1.5, bottom: 1.3, top: 0.4, right: 0.5 };
 
+/** The region of a view, and where the points of a picture are in it. */
 export interface Frame {
   /** Region to be shown, m. */
   readonly bounds: ViewBox;
   /** Metres of a point of the picture. */
-  place(point: Point): { x: number; y: number };
+  place(point: Point): { readonly x: number; readonly y: number };
 }
 
+/** A graph has scales of its own for x and y, so it is drawn into a rectangle of a fixed size. */
 export function frameOf({ view, graph }: Picture): Frame {
   if (graph === undefined) return { bounds: view, place: ({ x, y }) => ({ x, y }) };
   const { left, bottom, top, right } = MARGIN;
@@ -23,17 +25,4 @@ export function frameOf({ view, graph }: Picture): Frame {
       y: (GRAPH.height * (y - view.minY)) / (view.maxY - view.minY),
     }),
   };
-}
-
-/** Round positions of grid lines from `min` to `max`, about `count` of them. */
-export function gridLines(min: number, max: number, step?: number, count = 8): number[] {
-  const raw = (max - min) / count;
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const round = ([1, 2, 5].find((factor) => factor * power >= raw) ?? 10) * power;
-  const spacing = step ?? round;
-  const lines: number[] = [];
-  for (let i = Math.ceil(min / spacing - 1e-9); i * spacing <= max + 1e-9 * spacing; i++) {
-    lines.push(Number((i * spacing).toPrecision(12)));
-  }
-  return lines;
 }
