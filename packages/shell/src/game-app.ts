@@ -4,7 +4,7 @@ import { type Banner, createBanner } from './banner.ts';
 import { type Actions, type Commands, gameCommands } from './commands.ts';
 import { type ControlListener, listenToControls } from './controls.ts';
 import { toggleFullScreen } from './full-screen.ts';
-import type { GameDefinition, Simulation, ViewContext } from './game.ts';
+import type { GameCard, GameDefinition, Simulation, ViewContext } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
 import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
@@ -42,6 +42,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #commands: Commands;
   /** Created after the first frame. */
   #sidebar: Sidebar | undefined;
+  #cards: readonly GameCard<Sim>[] = [];
   readonly #preferences = new Preferences(matchMedia('(prefers-reduced-motion: reduce)').matches);
   #renderer: string;
   /** The player holds the rewind button. */
@@ -114,6 +115,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       set: (name, value) => this.#guard(() => this.#set(name, value)),
       world: () => (session.started ? session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
+      cards: (parent) => {
+        this.#cards = this.#game.cards?.(parent) ?? [];
+      },
     });
     this.#applyAppearance();
     this.#refresh();
@@ -130,6 +134,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     else if (!this.#broken && !this.#manual) session.advance(seconds);
     this.#showOutcome();
     this.#sidebar?.plot.record(session.sim.world);
+    for (let i = 0; i < this.#cards.length; i++) this.#cards[i].record?.(session.sim);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.frame += 0.1 * (seconds * 1000 - this.#timing.frame);
     if (session.sim.world.tick !== this.#tick) this.#timing.step += 0.1 * (session.stepTime - this.#timing.step);
@@ -177,6 +182,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const sidebar = this.#sidebar;
     if (sidebar === undefined) return;
     sidebar.plot.draw();
+    for (const card of this.#cards) card.show(sim);
     const contacts = this.#game.contacts?.(sim);
     sidebar.profile.show(sim.world);
     const stats = this.#stats;

@@ -74,6 +74,14 @@ export interface Renderer<S extends Settings, Sim extends Simulation> {
   open(context: ViewContext<S, Sim>): Promise<View>;
 }
 
+/** A card of a game's own in the sidebar. */
+export interface GameCard<Sim extends Simulation> {
+  /** Called after the steps of each frame, and with a new world at once. */
+  record?(sim: Sim): void;
+  /** Brings the card up to date; called five times a second. */
+  show(sim: Sim): void;
+}
+
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
@@ -91,6 +99,8 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   applyColors?(sim: Sim, options: { readonly seed: number; readonly safeColors: boolean }): void;
   /** Changes the target position of a dragged body in place, for example to keep it inside a box. */
   dragLimit?(sim: Sim): DragOptions['limit'];
+  /** Largest speed of a dragged or thrown body, m/s; default 50. */
+  dragSpeed?(sim: Sim): number;
   /** Creates the same game from its beginning and replays the player's inputs. */
   replay?(sim: Sim): Sim;
   /** Number of contacts between bodies in the last step; undefined while the world does not count them. */
@@ -101,6 +111,10 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   outcome?(sim: Sim): Outcome | undefined;
   /** Values such as lives and score, for tests: `__game.state().game`. */
   report?(sim: Sim): Readonly<Record<string, unknown>>;
+  /** Creates the game's own cards in the sidebar, below the settings; it is loaded after the first frame. */
+  cards?(parent: HTMLElement): readonly GameCard<Sim>[];
+  /** Whether the run has come to its end: time then stands still until the player restarts or rewinds. */
+  hasEnded?(sim: Sim): boolean;
   /** Lines of the help: keys or gestures and their descriptions. */
   readonly help?: readonly (readonly [string, string])[];
 }

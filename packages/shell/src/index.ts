@@ -2,7 +2,16 @@
 export { type Address, readAddress } from './address.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
 export { type Dragging, type DragOptions, dragBodies } from './dragging.ts';
-export type { GameDefinition, Insets, Renderer, Simulation, SimulationOptions, View, ViewContext } from './game.ts';
+export type {
+  GameCard,
+  GameDefinition,
+  Insets,
+  Renderer,
+  Simulation,
+  SimulationOptions,
+  View,
+  ViewContext,
+} from './game.ts';
 export { type HighScore, HighScores } from './high-scores.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export type { Outcome } from './outcome-card.ts';

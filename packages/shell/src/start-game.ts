@@ -6,10 +6,12 @@ import type { Settings } from './settings.ts';
 /**
  * Runs a game on this page: builds the toolbar, the panel, the plot and the help around its picture, and sets
  * `globalThis.__game` for tests. Errors appear as sentences on the page.
+ * @param query the part of the address with settings and seed; a page that reads names of its own leaves them out
  */
 export async function startGame<S extends Settings, Sim extends Simulation>(
   game: GameDefinition<S, Sim>,
+  query: string = location.search,
 ): Promise<void> {
-  const address = readAddress(location.search, game.settings, Object.keys(game.renderers));
+  const address = readAddress(query, game.settings, Object.keys(game.renderers));
   await new GameApp(game, address).start();
 }
