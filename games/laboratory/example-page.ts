@@ -1,6 +1,6 @@
 /** The page of one example: a game of the shell whose settings are the parameters of the example. */
 import type { Example, ExampleRun } from '@principia/scenes/examples';
-import { type Controls, type Settings, startGame, type Value } from '@principia/shell';
+import { type Controls, type Renderer, type Settings, startGame, type Value } from '@principia/shell';
 import { createAboutCard } from './about-card.ts';
 import { createChecksCard } from './checks-card.ts';
 import { chosenIntegrator, parameterValues, settingsOf } from './example-settings.ts';
@@ -43,9 +43,7 @@ export async function openExample(example: Example, query: URLSearchParams): Pro
         ...createPlotsCard(parent, example),
       ],
       report: (run) => ({ checks: run.checkStates() }),
-      renderers: {
-        pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view-2d.ts')).openView(context) },
-      },
+      renderers: rendererOf(example),
       ...controlsOf(example),
       help: [
         ...Object.values(example.actions).map(({ key, about }) => [keyName(key), about] as const),
@@ -55,6 +53,14 @@ export async function openExample(example: Example, query: URLSearchParams): Pro
     rest.toString(),
   );
   addListLink();
+}
+
+function rendererOf({ dimensions }: Example): Readonly<Record<string, Renderer<Settings, ExampleRun>>> {
+  return dimensions === 3
+    ? {
+        three: { label: '3D', dimensions, open: async (context) => (await import('./view-3d.ts')).openView3D(context) },
+      }
+    : { pixi: { label: '2D', dimensions, open: async (context) => (await import('./view-2d.ts')).openView(context) } };
 }
 
 /** The actions of an example as keys and buttons of the shell. */
