@@ -1,15 +1,7 @@
 /** Draws the picture of an example with three.js: bodies, trails, lines, curves, arrows and flat regions. */
 import type { BodySource } from '@principia/render-core';
 import { createBodyMesh, createSegmentLines, createTrailLines, type SegmentLines } from '@principia/render-three';
-import {
-  COLORS,
-  type Color,
-  type ExampleRun,
-  type Fill,
-  now,
-  type Picture,
-  type Point,
-} from '@principia/scenes/examples';
+import { COLORS, type Color, type Fill, now, type Picture, type Point } from '@principia/scenes/examples';
 import type { ThreePicture } from '@principia/shell/three';
 import {
   DirectionalLight,
@@ -22,11 +14,14 @@ import {
   type Object3D,
   PlaneGeometry,
 } from 'three';
+import type { LabRun } from './lab-run.ts';
+import type { Shown } from './shown.ts';
 
 const MAX_TRAIL = 2000;
 
-export function drawPicture3D(run: ExampleRun, source: BodySource): ThreePicture {
-  const { picture, world } = run;
+/** @param shown the values of the switches of what is shown */
+export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Shown): ThreePicture {
+  const { picture } = run;
   const bodies = createBodyMesh({ source, material: new MeshStandardMaterial({ roughness: 0.45 }) });
   const trails = (picture.trails ?? []).map(({ body, length = 600, interval = 1, color }) =>
     createTrailLines({
@@ -46,9 +41,12 @@ export function drawPicture3D(run: ExampleRun, source: BodySource): ThreePicture
   return {
     object,
     update(alpha) {
-      for (const trail of trails) trail.update(alpha);
+      for (const trail of trails) {
+        trail.update(alpha);
+        trail.object.visible = shown().trails !== false;
+      }
       bodies.update(alpha);
-      drawLive(run, live, world.time);
+      drawLive(run, live, shown());
     },
     destroy() {
       for (const part of [...trails, still, live, bodies]) part.destroy();
@@ -98,25 +96,34 @@ function drawStill({ lines = [], curves = [] }: Picture, out: SegmentLines): voi
   }
 }
 
-function drawLive({ picture, world }: ExampleRun, out: SegmentLines, time: number): void {
+function drawLive({ picture, world, ghosts }: LabRun, out: SegmentLines, shown: Shown): void {
   const { lines = [], curves = [], arrows = [], dots = [], view } = picture;
   const size = 0.012 * (view.maxX - view.minX);
   out.clear();
   for (const { from, to, color = COLORS.white } of lines) {
     if (typeof from === 'function' || typeof to === 'function') add(out, now(from), now(to), color);
   }
-  for (const { from, vector, scale = 1, color = COLORS.green } of arrows) {
+  for (const { from, vector, scale = 1, color = COLORS.green } of shown.arrows === false ? [] : arrows) {
     const [a, v] = [now(from), vector()];
     add(out, a, { x: a.x + scale * v.x, y: a.y + scale * v.y, z: (a.z ?? 0) + scale * (v.z ?? 0) }, color);
   }
-  for (const curve of curves) if (curve.now) cross(out, curve.now(time), 2 * size, curve.color ?? COLORS.grey);
+  for (const curve of curves) if (curve.now) cross(out, curve.now(world.time), 2 * size, curve.color ?? COLORS.grey);
   for (const { at, color = COLORS.orange } of dots) cross(out, now(at), size, color);
+  for (const { run, color, bodies, path } of ghosts.members) {
+    for (let i = 0; i + 1 < path.length; i++) add(out, path[i], path[i + 1], color);
+    for (const id of bodies) cross(out, placeOf(run, id), 2 * size, color);
+  }
   if (picture.springs === undefined) return;
-  const { Spring, Position } = world.components;
-  const place = (id: number): Point => ({ x: Position.x[id], y: Position.y[id], z: Position.z[id] });
+  const { Spring } = world.components;
+  const place = (id: number) => placeOf({ world }, id);
   for (let id = 1; id <= world.lastId; id++) {
     if (Spring.a[id] !== 0) add(out, place(Spring.a[id]), place(Spring.b[id]), COLORS.white);
   }
+}
+
+function placeOf({ world }: Pick<LabRun, 'world'>, id: number): Point {
+  const { x, y, z } = world.components.Position;
+  return { x: x[id], y: y[id], z: z[id] };
 }
 
 /** Marks a point by three short lines. */

@@ -15,6 +15,13 @@ const styles = `
 .lab-checks li[data-state=failed] b { background: #d0474f; color: #fff }
 .lab-checks h3 { margin: 0; font-size: 12.5px; font-weight: 500 }
 .lab-checks p { margin: 0; font-size: 12px; color: var(--dim); font-variant-numeric: tabular-nums; user-select: text }
+.lab-plot h2 span { flex-wrap: wrap; gap: 0 10px } .lab-plot h2 i { white-space: nowrap }
+.lab-plot h2 b { font-weight: 600; margin-right: auto } .lab-readout { font-weight: 500; font-variant-numeric: tabular-nums; color: var(--ink) }
+.lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px;
+  padding: 1px 7px; cursor: pointer } .lab-save:focus-visible { outline: 2px solid var(--accent) }
+.lab-plot .u-cursor-x { position: absolute; left: 0; top: 0; height: 100%; border-right: 1px dashed #ffffff66; pointer-events: none }
+.lab-plot .u-cursor-pt { position: absolute; top: 0; left: 0; border-radius: 50%; pointer-events: none; background-clip: padding-box !important }
+.lab-plot .u-over { touch-action: pan-y } .lab-plot .u-off, .lab-plot .u-select { display: none }
 `;
 
 export function addLaboratoryStyles(): void {

@@ -1,17 +1,18 @@
 /** The view of an example in three dimensions, drawn by three.js. */
-import type { ExampleRun, Picture } from '@principia/scenes/examples';
+import type { Picture } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { type BoxBounds, openThreeView } from '@principia/shell/three';
+import type { LabRun } from './lab-run.ts';
 import { drawPicture3D } from './picture-3d.ts';
 
 /** From the right above in front. */
 const DIRECTION = { x: 0.5, y: 0.35, z: 1 };
 
-export function openView3D(context: ViewContext<Settings, ExampleRun>): Promise<View> {
+export function openView3D(context: ViewContext<Settings, LabRun>): Promise<View> {
   return openThreeView(context, {
     bounds: ({ picture }) => boxOf(picture),
     direction: directionOf(context.sim().picture),
-    paint: (run, source) => drawPicture3D(run, source),
+    paint: (run, source) => drawPicture3D(run, source, () => context.values()),
   });
 }
 
