@@ -23,7 +23,7 @@ const COMPARABLE = [
 type Comparable = (typeof COMPARABLE)[number];
 
 /** Settings that change what is shown, and not the run. */
-export const SHOWN_SETTINGS = ['arrows', 'trails'];
+export const SHOWN_SETTINGS = ['arrows', 'trails', 'code'];
 
 /** The settings of an example: its parameters, the integrator, and what is shown of what its picture has. */
 export function settingsOf({ parameters }: Example, { picture, world }: ExampleRun): Record<string, Setting> {
@@ -33,6 +33,7 @@ export function settingsOf({ parameters }: Example, { picture, world }: ExampleR
     ...(bodies(world).count > 0 && isComparable(world) ? { integrator: integratorSetting, ghosts: ghostsSetting } : {}),
     ...(picture.arrows === undefined ? {} : { arrows: switchSetting('Arrows', true, { key: 'v' }) }),
     ...(picture.trails === undefined ? {} : { trails: switchSetting('Trails', true, { key: 't' }) }),
+    code: switchSetting('Code', false, { key: 'k' }),
   };
 }
 

@@ -15,6 +15,17 @@ const styles = `
 .lab-checks li[data-state=failed] b { background: #d0474f; color: #fff }
 .lab-checks h3 { margin: 0; font-size: 12.5px; font-weight: 500 }
 .lab-checks p { margin: 0; font-size: 12px; color: var(--dim); font-variant-numeric: tabular-nums; user-select: text }
+.lab-code { position: absolute; left: 12px; bottom: 12px; width: min(720px, calc(100% - 24px)); height: 56%; display: flex; flex-direction: column;
+  gap: 8px; padding: 12px; box-sizing: border-box; border: 1px solid var(--line); border-radius: 14px; background: #0e1530f2; z-index: 1 }
+@media (min-width: 760px) and (min-height: 480px) { .game:has(.game-side:not([hidden])) .lab-code { width: min(720px, calc(100% - 356px)) } }
+.lab-code textarea { flex: 1; min-height: 0; resize: none; border: 0; border-radius: 8px; padding: 8px 10px; background: #0a1026; color: #dfe6ff;
+  font: 12.5px/18px ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; tab-size: 2; white-space: pre; overflow: auto; outline: none }
+.lab-code textarea:focus-visible { box-shadow: 0 0 0 2px var(--accent) } .lab-code textarea::selection { background: #d0474f99 }
+.lab-code-note { margin: 0; font-size: 12.5px; color: var(--dim); user-select: text; max-height: 72px; overflow: auto }
+.lab-code-buttons { display: flex; flex-wrap: wrap; gap: 8px }
+.lab-code-buttons button { border: 1px solid var(--line); border-radius: 9px; background: #ffffff14; color: var(--ink); font: inherit;
+  font-size: 13px; padding: 7px 14px; min-height: 36px; cursor: pointer } .lab-code-buttons button:first-child { background: var(--accent); color: #1c1503 }
+.lab-code-buttons button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 .lab-plot h2 span { flex-wrap: wrap; gap: 0 10px } .lab-plot h2 i { white-space: nowrap }
 .lab-plot h2 b { font-weight: 600; margin-right: auto } .lab-readout { font-weight: 500; font-variant-numeric: tabular-nums; color: var(--ink) }
 .lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px;
