@@ -141,6 +141,7 @@ function advance(
   kernels.writeAngles(at);
   if (joints !== 0) kernels.listBroken(joints);
   kernels.updateSleep(at);
+  if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);
 }
 

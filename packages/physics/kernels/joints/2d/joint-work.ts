@@ -26,7 +26,7 @@ export class JointWork {
   locks: i32;
   // In a tree: 1 where a is the parent, 2 where b is, 0 for a joint that closes a loop.
   parent: i32;
-  pad: i32;
+  kind: u32;
   massA: f64;
   inertiaA: f64;
   massB: f64;

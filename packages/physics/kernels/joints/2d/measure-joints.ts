@@ -3,8 +3,9 @@ import { get } from '../../memory/columns';
 import { cosine, sine } from '../../math/elementary';
 import { BodyPose, BodyState, poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { DISTANCE, JointTable, PRISMATIC, REVOLUTE, WELD, WHEEL } from './joint-table';
+import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, WHEEL } from './joint-table';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { measureGear, measurePulley } from './solve-couplings';
 
 // Closer points have no direction between them.
 const MIN_DISTANCE: f64 = 1e-9;
@@ -28,7 +29,7 @@ export function measureJoints(table: usize): void {
 function measureJoint(t: JointTable, work: JointWork): void {
   locate(t, work);
   const id = work.id;
-  const kind = <u32>word(t.kind, id);
+  const kind = work.kind;
   if (kind == REVOLUTE || kind == WELD) lockPoint(work);
   // A weld with a spring bends.
   if (kind == WELD && get(t.hertz, id) == 0) lockAngle(work, 2);
@@ -36,6 +37,9 @@ function measureJoint(t: JointTable, work: JointWork): void {
   aboutAngle(rowOf(work, MOTOR_ROW), turn);
   if (kind == PRISMATIC || kind == WHEEL) alongAxis(t, work, kind == PRISMATIC);
   if (kind == DISTANCE) alongLine(t, work);
+  if (kind == MOTOR) followPoint(work);
+  if (kind == PULLEY) measurePulley(t, work);
+  if (kind == GEAR) measureGear(t, work);
 }
 
 function locate(t: JointTable, work: JointWork): void {
@@ -91,6 +95,13 @@ function lockPoint(work: JointWork): void {
 function lockAngle(work: JointWork, i: i32): void {
   aboutAngle(rowOf(work, i), turn);
   work.locks = i + 1;
+}
+
+// A motor joint pulls at the point and the angle, and locks neither.
+function followPoint(work: JointWork): void {
+  lockPoint(work);
+  aboutAngle(rowOf(work, 2), turn);
+  work.locks = 0;
 }
 
 // @ts-ignore: decorator

@@ -10,13 +10,13 @@
 // Algorithms (2008), chapter 7.
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { soften, softness } from '../../solver/2d/softness';
+import { softness } from '../../solver/2d/softness';
 import { ArticulatedBody, articulated, invert, startBody } from './articulated-body';
 import { braceJoints } from './brace-joints';
 import { JointTable, impulsesOf } from './joint-table';
 import { JointRow, JointWork, nodeA, nodeB, rowOf, workAt } from './joint-work';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
-import { MAX_PART_OF_RATE } from './solve-axes';
+import { softenJoint } from './soft-impulse';
 
 const COMPLIANCE: f64 = 1e-6;
 
@@ -118,7 +118,7 @@ function addToParent(t: JointTable, work: JointWork): void {
 export function solveLocks(table: usize, soft: i32): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
-  soften(min<f64>(rigid.jointHertz, MAX_PART_OF_RATE / rigid.h), rigid.jointDampingRatio, rigid.h);
+  softenJoint(rigid);
   const bias = soft != 0 ? softness.biasRate : 0;
   for (let i = 0; i < t.workCount; i++) clearForces(t, workAt(t, i));
   for (let k = t.workCount - 1; k >= 0; k--) gatherForces(t, rigid, workAt(t, k), bias);

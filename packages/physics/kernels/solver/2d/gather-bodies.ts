@@ -42,7 +42,9 @@ export function gatherBodies(table: usize): void {
 // Lists the bodies that move and are awake, with their poses and velocities.
 export function listAwake(t: RigidTable): void {
   const c = columns();
+  // Row 0 is the world, to which joints may hold a body.
   rest(t, 0);
+  poseOf(t, 0).c = 1;
   let awake = 0;
   for (let row = 1; row < t.rows; row++) {
     const flags = flagsOf(t, row);
