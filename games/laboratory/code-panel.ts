@@ -1,5 +1,6 @@
 /** The source of an example beside its picture: to read, to change and to run. */
 
+import { announceCover } from './covers.ts';
 import { make } from './make.ts';
 import { keepOwnCode, linkWith, ownCode } from './own-code.ts';
 import { CodeError } from './run-code.ts';
@@ -27,7 +28,7 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
       ? `packages/scenes/src/examples/${id.replace('-', '/')}.ts`
       : 'This link brings its own version of the code. Read it before you run it.';
   const buttons = make('div', 'lab-code-buttons');
-  const panel = make('section', 'lab-code', { 'aria-label': 'Code' }, text, note, buttons);
+  const panel = make('section', 'lab-code', { 'aria-label': 'Code', 'data-covers': 'bottom' }, text, note, buttons);
   const add = (label: string, title: string, act: () => unknown) => {
     const button = make('button', '', { type: 'button', title }, label);
     button.addEventListener('click', () => void act());
@@ -55,6 +56,7 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
   return {
     show(isShown) {
       panel.hidden = !isShown;
+      announceCover();
     },
   };
 }

@@ -16,10 +16,12 @@ import { chosenIntegrator, parameterValues, SHOWN_SETTINGS, settingsOf } from '.
 import type { Ghosts } from './ghosts.ts';
 import type { LabRun } from './lab-run.ts';
 import { makeGhosts } from './make-ghosts.ts';
+import { goTo, takeMoment } from './moment.ts';
 import { linkedCode, ownCode } from './own-code.ts';
 import { writeAddress } from './page-address.ts';
 import { createPlotsCard } from './plots-card.ts';
 import { addLaboratoryStyles } from './styles.ts';
+import { createWordsCard } from './words-card.ts';
 
 /** Lengths of the view's diagonal that a thrown body crosses in a second at most. */
 const THROW_SPEED = 2;
@@ -35,16 +37,19 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
   destroyWorld(probe.world);
   const rest = new URLSearchParams(query);
   rest.delete('example');
+  const moment = takeMoment(rest);
   if (linked !== undefined || problem !== '') rest.set('code', 'on');
   const code = codeSwitch(example.id, linked);
   await startGame<Settings, LabRun>(
     {
       title: example.title,
+      hasSheet: true,
       settings,
       ...simulationOf(example, settings, code),
       cards: (parent) => [
         createAboutCard(parent, example),
         createChecksCard(parent, example),
+        createWordsCard(parent),
         // Before the plots, which record them.
         { record: (run) => run.ghosts.follow(run.world.tick), show() {} },
         ...createPlotsCard(parent, example),
@@ -58,8 +63,10 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
       ],
     },
     rest.toString(),
+    problem === '' ? moment.problems : [...moment.problems, `Your version of this example does not run: ${problem}`],
   );
   addListLink();
+  await goTo(moment);
 }
 
 /** The example as the reader changed it, or as it is. */

@@ -16,9 +16,13 @@ export function drawPicture(run: LabRun, source: BodySource, shown: () => Shown)
   const frame = frameOf(picture);
   const container = new Container();
   const body = createBodyLayer({ source, minimumPixels: 2, rimWidth: 1 });
-  const trails = (picture.trails ?? []).map(({ body: id, length = 600, interval = 1, color }) =>
-    createTrailLayer({ source, bodies: [id], length, interval, ...(color === undefined ? {} : { color }) }),
-  );
+  const { minX, maxX, minY, maxY } = picture.view;
+  // A body that went further between two frames was moved by many steps at once.
+  const maxSegment = Math.hypot(maxX - minX, maxY - minY) / 6;
+  const trails = (picture.trails ?? []).map(({ body: id, length = 600, interval = 1, color }) => {
+    const options = { source, bodies: [id], length, interval, maxSegment };
+    return createTrailLayer(color === undefined ? options : { ...options, color });
+  });
   const [back, springs, front, marks] = [0, 1, 2, 3].map(() => upright());
   const texts = new TextLayer(picture.yDown ?? false);
   container.addChild(back, ...trails.map((trail) => trail.container), springs, body.container, front, marks);

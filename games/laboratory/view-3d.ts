@@ -4,16 +4,18 @@ import type { Settings, View, ViewContext } from '@principia/shell';
 import { type BoxBounds, openThreeView } from '@principia/shell/three';
 import type { LabRun } from './lab-run.ts';
 import { drawPicture3D } from './picture-3d.ts';
+import { showing } from './present-view.ts';
 
 /** From the right above in front. */
 const DIRECTION = { x: 0.5, y: 0.35, z: 1 };
 
-export function openView3D(context: ViewContext<Settings, LabRun>): Promise<View> {
-  return openThreeView(context, {
+export async function openView3D(context: ViewContext<Settings, LabRun>): Promise<View> {
+  const view = await openThreeView(context, {
     bounds: ({ picture }) => boxOf(picture),
     direction: directionOf(context.sim().picture),
     paint: (run, source) => drawPicture3D(run, source, () => context.values()),
   });
+  return showing(view);
 }
 
 function directionOf({ camera }: Picture) {

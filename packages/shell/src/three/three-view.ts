@@ -99,6 +99,13 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
       isFitted = false;
       camera.position.sub(orbit.controls.target).divideScalar(factor).add(orbit.controls.target);
     },
+    camera: () => [...camera.position.toArray(), ...orbit.controls.target.toArray()],
+    setCamera(numbers) {
+      if (numbers.length !== 6 || !numbers.every(Number.isFinite)) return;
+      isFitted = false;
+      camera.position.fromArray(numbers, 0);
+      orbit.controls.target.fromArray(numbers, 3);
+    },
     toScreen: (x, y, z) => toScreen(camera, viewport, x, y, z),
     destroy() {
       dragging.destroy();
