@@ -54,11 +54,7 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
   context.element.append(canvas);
   renderer.shadowMap.enabled = options.shadows ?? false;
   const scene = new Scene();
-  const fieldOfView = options.fieldOfView ?? DEFAULT_FIELD_OF_VIEW;
-  const orbit = createOrbitCamera({ element: canvas, camera: new PerspectiveCamera(fieldOfView) });
-  const camera = orbit.camera as PerspectiveCamera;
-  camera.position.copy(options.direction);
-  orbit.controls.enableDamping = !context.reducedMotion;
+  const { orbit, camera } = openCamera(canvas, options, context.reducedMotion);
   let picture = show(context, options, scene);
   let isFitted = true;
   orbit.controls.addEventListener('start', () => {
@@ -117,6 +113,18 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
       canvas.remove();
     },
   };
+}
+
+function openCamera<Sim extends Simulation>(
+  element: HTMLElement,
+  { fieldOfView = DEFAULT_FIELD_OF_VIEW, direction }: ThreeViewOptions<Sim>,
+  reducedMotion: boolean,
+): { orbit: OrbitCamera; camera: PerspectiveCamera } {
+  const camera = new PerspectiveCamera(fieldOfView);
+  const orbit = createOrbitCamera({ element, camera });
+  camera.position.copy(direction);
+  orbit.controls.enableDamping = !reducedMotion;
+  return { orbit, camera };
 }
 
 function show<S extends Settings, Sim extends Simulation>(
