@@ -6,6 +6,7 @@ import { applyValue, createGame, type Input } from './sim.ts';
 
 await startGame({
   title: 'Black hole',
+  home: '../index.html',
   settings,
   create: createGame,
   apply: applyValue,
@@ -21,7 +22,7 @@ await startGame({
     pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },
   },
   help: [
-    ['Arrow keys', 'thrust up, left, down or right. The last key counts. Releasing a key stops the engine'],
+    ['Arrow keys', 'thrust up, left, down or right. The last key counts. Releasing a key stops the engine', 'keyboard'],
     ['Mouse, touch', 'thrust towards the pointer; the d-pad or stick of a gamepad works too'],
     ['Goal', 'cross the line at the top. A level has one more hole than the last and is worth as many points'],
     ['Danger', 'falling into a hole costs one of three lives'],

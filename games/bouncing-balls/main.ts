@@ -6,6 +6,7 @@ import { applyValue, clampToRoom, countContacts, createBalls } from './sim.ts';
 
 await startGame({
   title: 'Bouncing balls',
+  home: '../index.html',
   settings,
   create: createBalls,
   applyColors: (sim, { seed, safeColors }) => applyColors(sim, seed, safeColors),
@@ -18,7 +19,7 @@ await startGame({
   },
   help: [
     ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],
-    ['Drag elsewhere', 'move the view (in 3D: rotate it)'],
-    ['Wheel, pinch', 'zoom'],
+    ['Drag elsewhere', 'in 3D: rotate the view'],
+    ['Wheel, two fingers', 'zoom and move the view; so does a drag with the right button'],
   ],
 });

@@ -5,6 +5,7 @@ import { applyValue, brokenThreads, createSim } from './sim.ts';
 
 await startGame({
   title: 'A cloth to tear',
+  home: '../index.html',
   settings,
   create: createSim,
   apply: applyValue,

@@ -297,13 +297,25 @@ describe('holding and throwing', () => {
     await page.waitForFunction(() => __game.state().dragged.length === 0);
   });
 
-  it('moves and scales the view beside the balls', async () => {
+  it('moves the view with the right button, the middle one or the space bar, and scales it', async () => {
     const page = await play('manual');
     const before = await scaleOf(page);
-    await page.mouse.move(450, 480);
-    await page.mouse.down();
-    await page.mouse.move(480, 470, { steps: 3 });
-    await page.mouse.up();
+    const drag = async (button: 'left' | 'middle' | 'right', dx: number, dy: number) => {
+      await page.mouse.move(450, 480);
+      await page.mouse.down({ button });
+      await page.mouse.move(450 + dx, 480 + dy, { steps: 3 });
+      await page.mouse.up({ button });
+    };
+    // A drag that misses a ball leaves the view alone.
+    await drag('left', 60, 40);
+    expect(await scaleOf(page)).toEqual(before);
+    await drag('right', 10, -20);
+    await drag('middle', 10, 5);
+    const { paused } = await state(page);
+    await page.keyboard.down(' ');
+    await drag('left', 10, 5);
+    await page.keyboard.up(' ');
+    expect((await state(page)).paused).toBe(paused);
     const moved = await scaleOf(page);
     expect(moved.x - before.x).toBeCloseTo(30, 1);
     expect(moved.y - before.y).toBeCloseTo(-10, 1);
@@ -315,6 +327,10 @@ describe('holding and throwing', () => {
     const fitted = await scaleOf(page);
     expect(fitted.pixels).toBeCloseTo(before.pixels, 3);
     expect(fitted.x).toBeCloseTo(before.x, 3);
+    await page.mouse.wheel(0, -200);
+    await page.waitForFunction((x) => __game.body(1).screen?.x !== x, screen?.x);
+    await page.keyboard.press('r');
+    expect((await scaleOf(page)).pixels).toBeCloseTo(before.pixels, 3);
   });
 });
 

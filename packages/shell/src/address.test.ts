@@ -28,6 +28,11 @@ it('takes what it can take', () => {
   });
 });
 
+it('ignores what others append to links', () => {
+  const query = '?fbclid=IwAR0&utm_source=news&utm_medium=mail&gclid=1&msclkid=2&ref=site&count=9';
+  expect(read(query)).toMatchObject({ values: { count: 9 }, problems: [] });
+});
+
 it('has a sentence for everything else, and keeps what there was', () => {
   const { values, seed, renderer, problems } = read('?count=0&seed=x&renderer=toString&toString=1&trails=maybe');
   expect({ values, seed, renderer }).toEqual({ values: { count: 5, trails: false }, seed: 1, renderer: 'pixi' });

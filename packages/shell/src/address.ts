@@ -22,6 +22,10 @@ const SEED: NumberSetting = {
   integer: true,
 };
 
+/** Parameters that mail programs, search engines and social networks append to links; they mean nothing to a game. */
+const TRACKING =
+  /^(utm_.*|fbclid|gclid|gbraid|wbraid|dclid|msclkid|mc_[ce]id|igshid?|twclid|ttclid|yclid|si|ref|source)$/i;
+
 /**
  * Reads `?seed=7&count=2000&renderer=three&manual`. A rejected value keeps its default and adds a sentence to
  * `problems`.
@@ -48,7 +52,7 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
     else if (name === 'manual') manual = true;
     else if (Object.hasOwn(settings, name)) {
       values[name] = attempt(() => parseValue(name, settings[name], text), values[name] as never);
-    } else {
+    } else if (!TRACKING.test(name)) {
       const known = [...Object.keys(settings), 'seed', 'renderer', 'manual'].join(', ');
       problems.push(`The address names “${name}”, which is not a setting of this game. The settings are ${known}.`);
     }

@@ -41,6 +41,8 @@ export interface ViewContext<S extends Settings, Sim extends Simulation> {
   readonly alpha: () => number;
   /** The bodies that pointers drag. */
   readonly dragging: () => Dragging;
+  /** Whether the space bar is held: a drag then moves the view. */
+  readonly isSpaceHeld: () => boolean;
   /** The player asked for reduced motion; the view is refreshed when this changes. */
   readonly reducedMotion: boolean;
   /** The player asked for a colour-blind palette, such as `SAFE_COLORS`; the view is refreshed when this changes. */
@@ -74,6 +76,9 @@ export interface Renderer<S extends Settings, Sim extends Simulation> {
   open(context: ViewContext<S, Sim>): Promise<View>;
 }
 
+/** A line of the help: keys or gestures, what they do, and `keyboard` where a touch screen does not need the line. */
+export type HelpLine = readonly [input: string, description: string, only?: 'keyboard'];
+
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
@@ -101,6 +106,9 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   outcome?(sim: Sim): Outcome | undefined;
   /** Values such as lives and score, for tests: `__game.state().game`. */
   report?(sim: Sim): Readonly<Record<string, unknown>>;
-  /** Lines of the help: keys or gestures and their descriptions. */
-  readonly help?: readonly (readonly [string, string])[];
+  /** Number of bodies in the statistics; default all of the world. A game with a pool of bodies counts those in use. */
+  bodies?(sim: Sim): number;
+  readonly help?: readonly HelpLine[];
+  /** Address of the page with all games, for the link in the toolbar; default none. */
+  readonly home?: string;
 }

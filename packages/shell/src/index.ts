@@ -1,8 +1,18 @@
 /** The parts that all games share: loop, settings panel, plot, keyboard, help and error messages. */
 export { type Address, readAddress } from './address.ts';
+export { hasCoarsePointer } from './coarse-pointer.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
 export { type Dragging, type DragOptions, dragBodies } from './dragging.ts';
-export type { GameDefinition, Insets, Renderer, Simulation, SimulationOptions, View, ViewContext } from './game.ts';
+export type {
+  GameDefinition,
+  HelpLine,
+  Insets,
+  Renderer,
+  Simulation,
+  SimulationOptions,
+  View,
+  ViewContext,
+} from './game.ts';
 export { type HighScore, HighScores } from './high-scores.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export type { Outcome } from './outcome-card.ts';

@@ -25,7 +25,7 @@ export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay
   };
   if (canReplay) add('Replay', 'Replay this game from its beginning (Z)', actions.replay);
   add('Screenshot', 'Save a screenshot (I)', actions.screenshot);
-  const video = add('Record video', 'Record video (M)', actions.recordVideo);
+  const video = add('Record video', 'Record video (J)', actions.recordVideo);
   add('Full screen', 'Full screen (W)', actions.fullScreen);
   const motion = add('Reduced motion', 'Reduced motion (X)', actions.reducedMotion);
   const colors = add('Colour-blind palette', 'Colour-blind palette (Y)', actions.safeColors);

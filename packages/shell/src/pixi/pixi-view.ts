@@ -100,6 +100,7 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
       }
       shown.picture.destroy();
       shown = show(context, options, content);
+      if (isFitted) fitAll();
     },
     draw(alpha) {
       applyCamera(content, camera, viewport);
@@ -172,6 +173,7 @@ function dragByPointers<S extends Settings, Sim extends Simulation>(
     pick,
     onNavigate,
     zoomLimits: ZOOM_LIMITS,
+    primaryPans: context.isSpaceHeld,
     onGrab(id, x, y, pointer) {
       canvas.style.cursor = 'grabbing';
       grab(id, x, y, pointer);
