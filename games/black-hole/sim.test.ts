@@ -2,9 +2,10 @@ import { energy, step } from '@principia/physics';
 import { BLACK_HOLE } from '@principia/scenes';
 import { describe, expect, it, test } from 'vitest';
 import { Flight } from './flight.ts';
-import { thrustOf } from './heading.ts';
-import { TANK } from './rules.ts';
+import { DIRECTIONS, pushOf, thrustOf } from './heading.ts';
+import { BREATH, TANK } from './rules.ts';
 import { applyValue, type BlackHoleGame, createGame, IDLE_SECONDS, type Input } from './sim.ts';
+import { opensStraightUp } from './straight-flight.ts';
 
 const CLASSIC = { fuel: false, moving: false, steep: false, autopilot: false };
 
@@ -60,6 +61,14 @@ function fall(game: BlackHoleGame): void {
   step(game.world, game.dt);
 }
 
+/** Waits for the next ship and launches it. */
+function relaunch(game: BlackHoleGame): void {
+  run(game, BREATH + 2 * game.dt);
+  expect(game.rules.phase).toBe('ready');
+  game.press('up');
+  step(game.world, game.dt);
+}
+
 /** Pseudo-random inputs that cause some falls, exits and wins. */
 function pressRandomly(game: BlackHoleGame, seconds: number): void {
   const inputs: Input[] = ['up', 'left', 'release', 'up', 'right', 'down', 'up', 'release', 'redraw', 'up'];
@@ -82,6 +91,7 @@ describe('the laws', () => {
       }
       step(game.world, game.dt);
       win(game);
+      relaunch(game);
     }
   });
 
@@ -142,7 +152,7 @@ describe('the laws', () => {
     flight.begin(ship(game), game.scene.holes, game.scene.holeTime);
     for (let i = 0; i < 240 && game.rules.lives === 3; i++) {
       step(game.world, game.dt);
-      flight.step(game.dt, thrustOf('up'));
+      flight.step(game.dt, thrustOf(DIRECTIONS.up, { x: 0, y: 0 }));
     }
     expect(flight.x).toBeCloseTo(ship(game).x, 3);
     expect(flight.y).toBeCloseTo(ship(game).y, 3);
@@ -180,7 +190,7 @@ describe('the rules', () => {
       expect(game.scene.holes).toHaveLength(n);
       win(game);
       expect([game.rules.score, game.rules.dodged]).toEqual([(n * (n + 1)) / 2, n]);
-      expect(ship(game)).toEqual({ x: 400, y: 50, vx: 0, vy: 0 });
+      relaunch(game);
     }
     expect(game.rules.bonus).toBe(0);
   });
@@ -190,8 +200,10 @@ describe('the rules', () => {
     game.press('up');
     step(game.world, game.dt);
     win(game);
+    relaunch(game);
     win(game);
     for (const lives of [2, 1, 0]) {
+      relaunch(game);
       const { Position } = game.world.components;
       const [a, ...others] = game.scene.holeIds;
       for (const id of others) {
@@ -223,6 +235,7 @@ describe('the rules', () => {
       calm(game);
       put(game, x, y, vx, vy);
       step(game.world, game.dt);
+      run(game, BREATH + game.dt);
       expect(ship(game)).toEqual({ x: 400, y: 50, vx: 0, vy: 0 });
       expect(game.scene.holes).toBe(holes);
       expect([game.rules.lives, game.rules.score]).toEqual([3, 0]);
@@ -234,6 +247,7 @@ describe('the rules', () => {
     game.press('up');
     step(game.world, game.dt);
     win(game);
+    relaunch(game);
     const wish = () => {
       const { holes } = game.scene;
       game.press('redraw');
@@ -247,35 +261,104 @@ describe('the rules', () => {
     const { bonus } = game.rules;
     expect(bonus).toBeGreaterThan(0);
     for (let i = 0; i < 5; i++) expect(wish()).toEqual([2, 3, 1]);
+    game.press('up');
+    step(game.world, game.dt);
     win(game);
     expect([game.rules.score, game.rules.goalPoints, game.rules.bonus]).toEqual([3, 3, bonus]);
+    relaunch(game);
     win(game);
     expect(game.rules.bonus).toBeGreaterThan(bonus);
   });
 });
 
-test('who just holds the up key clears 64 first levels in 100, falls in 21, and leaves the stage in the others', () => {
-  const games = 400;
-  const ends = new Map<string, number>();
-  for (let seed = 1; seed <= games; seed++) {
-    const game = play(seed);
-    game.press('up');
-    const end = () => game.rules.events.find(({ kind }) => kind === 'goal' || kind === 'fall' || kind === 'left');
-    // Unobstructed it takes 10 s.
-    while (end() === undefined && game.world.time < 100) step(game.world, game.dt);
-    const kind = end()?.kind ?? 'none';
-    ends.set(kind, (ends.get(kind) ?? 0) + 1);
-  }
-  for (const [kind, share] of [
-    ['goal', 0.64],
-    ['fall', 0.21],
-    ['left', 0.15],
-  ] as const) {
-    // Both the figure and ours are of 400 games: three and a half standard errors of their difference.
-    const within = 3.5 * Math.sqrt((2 * share * (1 - share)) / games);
-    expect(Math.abs((ends.get(kind) ?? 0) / games - share), kind).toBeLessThan(within);
+test('who just holds the up key never clears a level, in Newtonian and in relativistic gravity', () => {
+  for (const steep of [false, true]) {
+    for (let seed = 1; seed <= 60; seed++) {
+      const game = play(seed, { steep });
+      expect(opensStraightUp(game.scene.holes, steep)).toBe(false);
+      const end = () => game.rules.events.find(({ kind }) => kind === 'goal' || kind === 'fall' || kind === 'left');
+      game.press('up');
+      // Unobstructed it takes 10 s.
+      while (end() === undefined && game.world.time < 100) step(game.world, game.dt);
+      expect(end()?.kind, `seed ${seed}`).toMatch(/fall|left/);
+    }
   }
 }, 60_000);
+
+describe('the breath between two flights', () => {
+  it('keeps the ship where it ended with its engine off, and waits for a new input', () => {
+    const game = play(2);
+    game.press('up');
+    step(game.world, game.dt);
+    fall(game);
+    const { x, y } = ship(game);
+    run(game, 0.5 * BREATH);
+    expect(game.rules).toMatchObject({ phase: 'breath', lives: 2, push: undefined });
+    expect(ship(game)).toMatchObject({ x, y });
+    // The key that is still held sends nothing, and one that is pressed too early is ignored.
+    game.press('up');
+    run(game, BREATH);
+    expect(game.rules.phase).toBe('ready');
+    run(game, 2);
+    expect(ship(game)).toEqual({ x: 400, y: 50, vx: 0, vy: 0 });
+    game.press('up');
+    run(game, 0.1);
+    expect(game.rules.phase).toBe('flying');
+  });
+
+  it('does not start the demo while somebody plays', () => {
+    const game = play(2);
+    game.press('up');
+    step(game.world, game.dt);
+    fall(game);
+    run(game, IDLE_SECONDS + 5);
+    expect(game.isDemo).toBe(false);
+    expect(game.rules.lives).toBe(2);
+  });
+});
+
+describe('analogue thrust', () => {
+  it('points anywhere, at any strength up to full thrust, and spends fuel accordingly', () => {
+    const game = play(1, { fuel: true });
+    const { Thrust } = game.world.components;
+    calm(game);
+    for (const [x, y] of [
+      [0.5, 0],
+      [-0.6, 0.8],
+      [3, -4],
+    ]) {
+      game.steer(x, y);
+      const before = game.rules.fuel;
+      step(game.world, game.dt);
+      const size = Math.hypot(x, y);
+      const full = 10 / Math.max(1, size);
+      expect(Thrust.x[game.scene.ship]).toBeCloseTo(full * x, 9);
+      expect(Thrust.y[game.scene.ship]).toBeCloseTo(full * y, 9);
+      expect(before - game.rules.fuel).toBeCloseTo(10 * Math.min(1, size) * game.dt, 9);
+    }
+    game.steer(0, 0);
+    step(game.world, game.dt);
+    expect(Thrust.x[game.scene.ship]).toBe(0);
+  });
+
+  it('is rounded alike in all directions', () => {
+    for (const [x, y] of [
+      [0.33, 0.77],
+      [0.025, 0.975],
+      [2, 1],
+    ]) {
+      const { x: px, y: py } = pushOf(x, y) ?? { x: 0, y: 0 };
+      for (const [sx, sy] of [
+        [1, -1],
+        [-1, 1],
+        [-1, -1],
+      ]) {
+        expect(pushOf(sx * x, sy * y)).toEqual({ x: sx * px || 0, y: sy * py || 0 });
+      }
+      expect(pushOf(y, x)).toEqual({ x: py, y: px });
+    }
+  });
+});
 
 describe('fuel, slingshots, moving holes', () => {
   it('an empty tank gives no thrust', () => {
@@ -317,7 +400,10 @@ describe('fuel, slingshots, moving holes', () => {
     game.press('up');
     game.press('release');
     step(game.world, game.dt);
-    for (let i = 0; i < 4; i++) win(game);
+    for (let i = 0; i < 4; i++) {
+      win(game);
+      relaunch(game);
+    }
     expect(game.scene.holes.map(({ orbit }) => orbit > 0)).toEqual([true, false, false, false, false]);
     const [hole] = game.scene.holes;
     const [id] = game.scene.holeIds;
@@ -377,7 +463,7 @@ describe('the autopilot', () => {
     expect(game.rules.phase).toBe('flying');
     applyValue(game, 'autopilot', CLASSIC);
     run(game, 0.1);
-    expect(game.rules.heading).toBeUndefined();
+    expect(game.rules.push).toBeUndefined();
     expect(applyValue(game, 'moving', CLASSIC)).toBe(false);
     expect(applyValue(game, 'lens', CLASSIC)).toBe(true);
   });

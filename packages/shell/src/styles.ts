@@ -76,6 +76,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-pad button:active { background: #ffffff48 }
 .game-pad [data-name=up] { grid-area: up } .game-pad [data-name=down] { grid-area: down }
 .game-pad [data-name=left] { grid-area: left } .game-pad [data-name=right] { grid-area: right }
+.game-stick { grid-column: 2 / 4; grid-row: 2 / 4; width: 132px; height: 132px; border-radius: 50%; border: 1px solid #ffffff38;
+  background: #ffffff14; touch-action: none; display: grid; place-items: center }
+.game-stick i { width: 56px; height: 56px; border-radius: 50%; background: #ffffff3c; border: 1px solid #ffffff60; pointer-events: none }
 /* The action lies apart from the directions, so that a thumb that steers does not hit it. */
 .game-pad [data-name=action] { position: fixed; left: max(20px, env(safe-area-inset-left)); bottom: max(24px, env(safe-area-inset-bottom));
   width: 64px; height: 64px }
