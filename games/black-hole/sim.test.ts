@@ -1,73 +1,21 @@
 import { energy, step } from '@principia/physics';
-import { BLACK_HOLE } from '@principia/scenes';
 import { describe, expect, it, test } from 'vitest';
+import {
+  CLASSIC,
+  calm,
+  centre,
+  fall,
+  play,
+  put,
+  relaunch,
+  run,
+  ship,
+  win,
+} from '../../test/support/black-hole-game.ts';
 import { Flight } from './flight.ts';
-import { DIRECTIONS, pushOf, thrustOf } from './heading.ts';
+import { DIRECTIONS, thrustOf } from './heading.ts';
 import { BREATH, TANK } from './rules.ts';
 import { applyValue, type BlackHoleGame, createGame, IDLE_SECONDS, type Input } from './sim.ts';
-import { opensStraightUp } from './straight-flight.ts';
-
-const CLASSIC = { fuel: false, moving: false, steep: false, autopilot: false };
-
-function play(seed = 1, values: Partial<typeof CLASSIC> = {}): BlackHoleGame {
-  return createGame({ values: { ...CLASSIC, ...values }, seed });
-}
-
-function run(game: BlackHoleGame, seconds: number): void {
-  const steps = Math.round(seconds / game.dt);
-  for (let i = 0; i < steps; i++) step(game.world, game.dt);
-}
-
-/** Places the ship with a velocity. */
-function put(game: BlackHoleGame, x: number, y: number, vx = 0, vy = 0): void {
-  const { Velocity } = game.world.components;
-  game.scene.placeShip(x, y);
-  Velocity.x[game.scene.ship] = vx;
-  Velocity.y[game.scene.ship] = vy;
-}
-
-function ship(game: BlackHoleGame) {
-  const { Position, Velocity } = game.world.components;
-  const id = game.scene.ship;
-  return { x: Position.x[id], y: Position.y[id], vx: Velocity.x[id], vy: Velocity.y[id] };
-}
-
-/** Moves the first hole to the centre and returns its radius. */
-function centre({ scene }: BlackHoleGame): number {
-  const { Position, Collider } = scene.world.components;
-  Position.x[scene.holeIds[0]] = 400;
-  Position.y[scene.holeIds[0]] = 300;
-  return Collider.radius[scene.holeIds[0]];
-}
-
-/** Switches off the gravity and horizons of all holes. */
-function calm({ scene }: BlackHoleGame): void {
-  for (const id of scene.holeIds) {
-    scene.world.components.Attractor.mu[id] = 0;
-    scene.world.components.Collider.radius[id] = 0;
-  }
-}
-
-function win(game: BlackHoleGame): void {
-  calm(game);
-  put(game, 400, BLACK_HOLE.goal - 0.1, 0, 50);
-  step(game.world, game.dt);
-}
-
-function fall(game: BlackHoleGame): void {
-  const { Position } = game.world.components;
-  const [id] = game.scene.holeIds;
-  put(game, Position.x[id] + 0.8 * game.world.components.Collider.radius[id], Position.y[id]);
-  step(game.world, game.dt);
-}
-
-/** Waits for the next ship and launches it. */
-function relaunch(game: BlackHoleGame): void {
-  run(game, BREATH + 2 * game.dt);
-  expect(game.rules.phase).toBe('ready');
-  game.press('up');
-  step(game.world, game.dt);
-}
 
 /** Pseudo-random inputs that cause some falls, exits and wins. */
 function pressRandomly(game: BlackHoleGame, seconds: number): void {
@@ -268,95 +216,6 @@ describe('the rules', () => {
     relaunch(game);
     win(game);
     expect(game.rules.bonus).toBeGreaterThan(bonus);
-  });
-});
-
-test('who just holds the up key never clears a level, in Newtonian and in relativistic gravity', () => {
-  for (const steep of [false, true]) {
-    for (let seed = 1; seed <= 60; seed++) {
-      const game = play(seed, { steep });
-      expect(opensStraightUp(game.scene.holes, steep)).toBe(false);
-      const end = () => game.rules.events.find(({ kind }) => kind === 'goal' || kind === 'fall' || kind === 'left');
-      game.press('up');
-      // Unobstructed it takes 10 s.
-      while (end() === undefined && game.world.time < 100) step(game.world, game.dt);
-      expect(end()?.kind, `seed ${seed}`).toMatch(/fall|left/);
-    }
-  }
-}, 60_000);
-
-describe('the breath between two flights', () => {
-  it('keeps the ship where it ended with its engine off, and waits for a new input', () => {
-    const game = play(2);
-    game.press('up');
-    step(game.world, game.dt);
-    fall(game);
-    const { x, y } = ship(game);
-    run(game, 0.5 * BREATH);
-    expect(game.rules).toMatchObject({ phase: 'breath', lives: 2, push: undefined });
-    expect(ship(game)).toMatchObject({ x, y });
-    // The key that is still held sends nothing, and one that is pressed too early is ignored.
-    game.press('up');
-    run(game, BREATH);
-    expect(game.rules.phase).toBe('ready');
-    run(game, 2);
-    expect(ship(game)).toEqual({ x: 400, y: 50, vx: 0, vy: 0 });
-    game.press('up');
-    run(game, 0.1);
-    expect(game.rules.phase).toBe('flying');
-  });
-
-  it('does not start the demo while somebody plays', () => {
-    const game = play(2);
-    game.press('up');
-    step(game.world, game.dt);
-    fall(game);
-    run(game, IDLE_SECONDS + 5);
-    expect(game.isDemo).toBe(false);
-    expect(game.rules.lives).toBe(2);
-  });
-});
-
-describe('analogue thrust', () => {
-  it('points anywhere, at any strength up to full thrust, and spends fuel accordingly', () => {
-    const game = play(1, { fuel: true });
-    const { Thrust } = game.world.components;
-    calm(game);
-    for (const [x, y] of [
-      [0.5, 0],
-      [-0.6, 0.8],
-      [3, -4],
-    ]) {
-      game.steer(x, y);
-      const before = game.rules.fuel;
-      step(game.world, game.dt);
-      const size = Math.hypot(x, y);
-      const full = 10 / Math.max(1, size);
-      expect(Thrust.x[game.scene.ship]).toBeCloseTo(full * x, 9);
-      expect(Thrust.y[game.scene.ship]).toBeCloseTo(full * y, 9);
-      expect(before - game.rules.fuel).toBeCloseTo(10 * Math.min(1, size) * game.dt, 9);
-    }
-    game.steer(0, 0);
-    step(game.world, game.dt);
-    expect(Thrust.x[game.scene.ship]).toBe(0);
-  });
-
-  it('is rounded alike in all directions', () => {
-    for (const [x, y] of [
-      [0.33, 0.77],
-      [0.025, 0.975],
-      [2, 1],
-    ]) {
-      const { x: px, y: py } = pushOf(x, y) ?? { x: 0, y: 0 };
-      for (const [sx, sy] of [
-        [1, -1],
-        [-1, 1],
-        [-1, -1],
-      ]) {
-        expect(pushOf(sx * x, sy * y)).toEqual({ x: sx * px || 0, y: sy * py || 0 });
-      }
-      expect(pushOf(y, x)).toEqual({ x: py, y: px });
-    }
   });
 });
 

@@ -14,6 +14,8 @@ await startGame({
   create: (options) => createGame({ ...options, opening: controls.opening, isDemo: controls.isDemo }),
   apply: applyValue,
   applyColors: (sim, { safeColors }) => applyColors(sim, safeColors),
+  // The world holds the sparks of all pools, of which most wait.
+  bodies: ({ scene }) => scene.alive + scene.flying,
   report: (sim) => reportState(sim, controls),
   controls: {
     buttons: { ...FOUR_WAYS, action: { label: '✦', keys: ['enter'], pad: [0] } },
