@@ -1,6 +1,6 @@
 import { step } from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
-import { calm, fall, play, run, ship } from '../../test/support/black-hole-game.ts';
+import { calm, fall, play, run, ship } from './game-lab.ts';
 import { pushOf } from './heading.ts';
 import { BREATH } from './rules.ts';
 import { IDLE_SECONDS } from './sim.ts';

@@ -1,18 +1,7 @@
 import { energy, step } from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
-import {
-  CLASSIC,
-  calm,
-  centre,
-  fall,
-  play,
-  put,
-  relaunch,
-  run,
-  ship,
-  win,
-} from '../../test/support/black-hole-game.ts';
 import { Flight } from './flight.ts';
+import { CLASSIC, calm, centre, fall, play, put, relaunch, run, ship, win } from './game-lab.ts';
 import { DIRECTIONS, thrustOf } from './heading.ts';
 import { BREATH, TANK } from './rules.ts';
 import { applyValue, type BlackHoleGame, createGame, IDLE_SECONDS, type Input } from './sim.ts';

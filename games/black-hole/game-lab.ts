@@ -1,9 +1,8 @@
 /** Games of black holes without a page, for tests: the ship is put where a test needs it. */
 import { step } from '@principia/physics';
 import { BLACK_HOLE } from '@principia/scenes';
-import { expect } from 'vitest';
-import { BREATH } from '../../games/black-hole/rules.ts';
-import { type BlackHoleGame, createGame } from '../../games/black-hole/sim.ts';
+import { BREATH } from './rules.ts';
+import { type BlackHoleGame, createGame } from './sim.ts';
 
 export const CLASSIC = { fuel: false, moving: false, steep: false, autopilot: false };
 
@@ -62,7 +61,7 @@ export function fall(game: BlackHoleGame): void {
 /** Waits for the next ship and launches it. */
 export function relaunch(game: BlackHoleGame): void {
   run(game, BREATH + 2 * game.dt);
-  expect(game.rules.phase).toBe('ready');
+  if (game.rules.phase !== 'ready') throw new Error(`The next ship is not ready: ${game.rules.phase}`);
   game.press('up');
   step(game.world, game.dt);
 }
