@@ -10,9 +10,21 @@ import {
 } from '@principia/render-three';
 import type { BouncingBalls } from '@principia/scenes';
 import type { View, ViewContext } from '@principia/shell';
-import { Box3, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import {
+  Box3,
+  MeshStandardMaterial,
+  PerspectiveCamera,
+  Plane,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { createPlay } from './play.ts';
 import { createRoom3D } from './room-3d.ts';
 import type { Settings } from './settings.ts';
+import type { BallsRun } from './sim.ts';
 
 /**
  * Number of balls up to which lights and shadows are real; more balls use a cheaper shading that moves with the camera.
@@ -24,7 +36,7 @@ const FIELD_OF_VIEW = 28;
 /** Fraction of the free part of the window that the room fills. */
 const FILL_SHARE = 0.95;
 
-export async function openView3D(context: ViewContext<Settings, BouncingBalls>): Promise<View> {
+export async function openView3D(context: ViewContext<Settings, BallsRun>): Promise<View> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
   const canvas = renderer.domElement;
   context.element.append(canvas);
@@ -50,6 +62,7 @@ export async function openView3D(context: ViewContext<Settings, BouncingBalls>):
     },
   });
   let dragging = listenTo(context, orbit, canvas);
+  const play = createPlay(context, canvas, pointUnder(context, camera, viewport));
   return {
     canvas,
     refresh(change) {
@@ -61,9 +74,12 @@ export async function openView3D(context: ViewContext<Settings, BouncingBalls>):
       picture.destroy();
       picture = createPicture(context, scene);
       dragging = listenTo(context, orbit, canvas);
+      play.refresh();
+      if (isFitted) show();
     },
     draw(alpha, seconds) {
       orbit.update(seconds);
+      play.update();
       picture.update(alpha);
       renderer.render(scene, camera);
     },
@@ -78,6 +94,7 @@ export async function openView3D(context: ViewContext<Settings, BouncingBalls>):
       return { x: ((place.x + 1) / 2) * viewport.width, y: ((1 - place.y) / 2) * viewport.height };
     },
     destroy() {
+      play.destroy();
       dragging.destroy();
       picture.destroy();
       orbit.destroy();
@@ -89,13 +106,32 @@ export async function openView3D(context: ViewContext<Settings, BouncingBalls>):
   };
 }
 
+/** Returns the point under a place on the canvas, in the plane through the middle of the room that faces the camera. */
+function pointUnder(
+  context: ViewContext<Settings, BallsRun>,
+  camera: PerspectiveCamera,
+  size: { readonly width: number; readonly height: number },
+) {
+  const ray = new Raycaster();
+  const plane = new Plane();
+  const place = new Vector3();
+  const pixel = new Vector2();
+  return (x: number, y: number) => {
+    const centre = roomBox(context.sim()).getCenter(new Vector3());
+    camera.updateMatrixWorld();
+    ray.setFromCamera(pixel.set((2 * x) / size.width - 1, 1 - (2 * y) / size.height), camera);
+    plane.setFromNormalAndCoplanarPoint(camera.getWorldDirection(place), centre);
+    return ray.ray.intersectPlane(plane, new Vector3()) ?? centre;
+  };
+}
+
 function roomBox({ room: { min, max } }: BouncingBalls): Box3 {
   return new Box3(new Vector3(min.x, min.y, min.z), new Vector3(max.x, max.y, max.z));
 }
 
 /** Fits the room into the part of the window that nothing covers. */
 function fitInto(
-  context: ViewContext<Settings, BouncingBalls>,
+  context: ViewContext<Settings, BallsRun>,
   { width, height }: { width: number; height: number },
   camera: PerspectiveCamera,
   fitAll: () => void,
@@ -131,7 +167,7 @@ function tightFit(camera: PerspectiveCamera, { min, max }: Box3): { x: number; y
 }
 
 function listenTo(
-  context: ViewContext<Settings, BouncingBalls>,
+  context: ViewContext<Settings, BallsRun>,
   orbit: ReturnType<typeof createOrbitCamera>,
   canvas: HTMLCanvasElement,
 ) {
@@ -147,7 +183,7 @@ function listenTo(
 }
 
 /** The drawing of one world. */
-function createPicture(context: ViewContext<Settings, BouncingBalls>, scene: Scene) {
+function createPicture(context: ViewContext<Settings, BallsRun>, scene: Scene) {
   const sim = context.sim();
   const source = worldSource(sim.world);
   const isLit = sim.balls.length <= MAX_LIT;

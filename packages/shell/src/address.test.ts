@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { readAddress } from './address.ts';
+import { readAddress, writeAddress } from './address.ts';
 import { numberSetting, switchSetting } from './settings.ts';
 
 const settings = {
@@ -43,4 +43,11 @@ it('has a sentence for everything else, and keeps what there was', () => {
     'The address names “toString”, which is not a setting of this game. The settings are count, trails, seed, renderer, manual.',
     'In the address, trails must be on or off, but it was “maybe”. Using off instead.',
   ]);
+});
+
+it('writes what it reads', () => {
+  const wanted = { values: { count: 7, trails: true }, seed: 42, renderer: 'three' };
+  const link = writeAddress('https://example.org/game/?utm_source=x&count=3#part', settings, wanted);
+  expect(link).toBe('https://example.org/game/?seed=42&renderer=three&count=7&trails=true#part');
+  expect(read(new URL(link).search)).toMatchObject(wanted);
 });

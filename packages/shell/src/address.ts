@@ -60,6 +60,21 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
   return { values: values as ValuesOf<S>, seed, renderer, manual, problems };
 }
 
+/** The address that starts this game again: its settings where they differ from the defaults, renderer and seed. */
+export function writeAddress<S extends Settings>(
+  page: string,
+  settings: S,
+  { values, seed, renderer }: Pick<Address<S>, 'values' | 'seed' | 'renderer'>,
+): string {
+  const url = new URL(page);
+  const query = new URLSearchParams({ seed: String(seed), renderer });
+  for (const [name, { initial }] of Object.entries(settings)) {
+    if (values[name] !== initial) query.set(name, String(values[name]));
+  }
+  url.search = query.toString();
+  return url.href;
+}
+
 function fallbackSentence(fallback: unknown): string {
   const rendererName = { pixi: '2D', three: '3D' }[String(fallback)];
   const value = typeof fallback === 'boolean' ? (fallback ? 'on' : 'off') : (rendererName ?? fallback);

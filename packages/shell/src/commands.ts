@@ -23,6 +23,7 @@ export interface Actions {
   plot(): void;
   profile(): void;
   screenshot(): void;
+  copyLink(): void;
   recordVideo(): void;
   fullScreen(): void;
   reducedMotion(): void;

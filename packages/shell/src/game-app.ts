@@ -1,9 +1,10 @@
 import { bodies } from '@principia/physics';
-import type { Address } from './address.ts';
+import { type Address, writeAddress } from './address.ts';
 import { type Banner, createBanner } from './banner.ts';
 import { hasCoarsePointer, resumeHint } from './coarse-pointer.ts';
 import { type Actions, type Commands, gameCommands } from './commands.ts';
 import { type ControlListener, listenToControls } from './controls.ts';
+import { copyLink } from './copy-link.ts';
 import { Failures } from './failures.ts';
 import { tendFocus } from './focus.ts';
 import { FrameTimes } from './frame-times.ts';
@@ -140,9 +141,10 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sinceStats += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
     this.#controls?.poll();
-    if (this.#rewinding) this.#rewindBy(seconds * session.speed);
+    if (this.#rewinding) this.#restorePast(() => session.rewind(seconds * session.speed));
     else if (!this.#broken && !this.#manual && !this.#views.isLost) session.advance(seconds);
-    this.#showOutcome();
+    // A player who rewound may play on, but the score is not ranked.
+    this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
     this.#sidebar?.plot.record(session.sim.world);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.add('frame', seconds * 1000);
@@ -158,16 +160,6 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     view.draw(this.#session.alpha, seconds);
     this.#timing.add('draw', performance.now() - start);
     this.#recorder.captureFrame(view.canvas);
-  }
-
-  /** A player who rewound may play on, but the score is not ranked. */
-  #showOutcome(): void {
-    const { sim, rewound } = this.#session;
-    this.#outcome?.show(this.#game.outcome?.(sim), !rewound);
-  }
-
-  #rewindBy(seconds: number): void {
-    this.#restorePast(() => this.#session.rewind(seconds));
   }
 
   /** A restored snapshot lies before the error. */
@@ -298,6 +290,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#failures.attempt(() => action(view.canvas, this.#session.sim.world.time));
   }
 
+  async #copyLink(): Promise<void> {
+    const { values, seed } = this.#session;
+    const link = writeAddress(location.href, this.#game.settings, { values, seed, renderer: this.#renderer });
+    this.#banner.show(await copyLink(link, 'this game'), 'note');
+  }
+
   #makeActions(): Actions {
     const session = this.#session;
     const preferences = this.#preferences;
@@ -335,6 +333,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       sidebar: () => this.#layout.toggleSidebar(),
       plot: () => this.#sidebar?.plot.next(),
       profile: () => this.#sidebar?.profile.toggle(),
+      copyLink: () => void this.#copyLink(),
       screenshot: () => this.#attempt((canvas, time) => this.#recorder.saveScreenshot(canvas, time)),
       recordVideo: () => this.#attempt((canvas, time) => this.#recorder.toggleVideo(canvas, time)),
       fullScreen: () => this.#attempt(() => toggleFullScreen(this.#layout.root)),

@@ -109,6 +109,8 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   /** Number of bodies in the statistics; default all of the world. A game with a pool of bodies counts those in use. */
   bodies?(sim: Sim): number;
   readonly help?: readonly HelpLine[];
+  /** Whether each load of the page begins with another seed, unless the address has one; default false. */
+  readonly variesSeed?: boolean;
   /** Address of the page with all games, for the link in the toolbar; default none. */
   readonly home?: string;
 }

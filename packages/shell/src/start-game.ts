@@ -11,5 +11,7 @@ export async function startGame<S extends Settings, Sim extends Simulation>(
   game: GameDefinition<S, Sim>,
 ): Promise<void> {
   const address = readAddress(location.search, game.settings, Object.keys(game.renderers));
-  await new GameApp(game, address).start();
+  const varies = game.variesSeed === true && !address.manual && !new URLSearchParams(location.search).has('seed');
+  const seed = varies ? 1 + (Date.now() % 999_983) : address.seed;
+  await new GameApp(game, { ...address, seed }).start();
 }

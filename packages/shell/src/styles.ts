@@ -70,7 +70,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
 .game-pad { position: absolute; right: max(20px, env(safe-area-inset-right)); bottom: max(24px, env(safe-area-inset-bottom));
-  display: none; grid: ". up ." 64px "left . right" 64px ". down ." 64px / 64px 64px 64px; gap: 4px; z-index: 2 }
+  display: none; grid: ". up ." 64px "left . right" 64px ". down ." 64px / 64px 64px 64px; gap: 4px; z-index: 2;
+  pointer-events: none } .game-pad > * { pointer-events: auto }
 .game-pad button { border: 1px solid #ffffff38; border-radius: 20px; background: #ffffff1c; color: var(--ink);
   font: 600 20px/1 inherit; font-family: inherit; touch-action: none }
 .game-pad button:active { background: #ffffff48 }
@@ -99,6 +100,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
 .game-outcome button.second { margin-left: 10px; background: #ffffff1c; color: var(--ink) }
 .game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
+.game-hint { position: absolute; left: 16px; right: 16px; bottom: max(14px, env(safe-area-inset-bottom)); margin: 0; pointer-events: none;
+  text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
+@media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
 .game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
 .u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }
