@@ -1,4 +1,5 @@
 import { Appearance } from './appearance.ts';
+import { Attachment } from './attachment.ts';
 import { Attractor } from './attractor.ts';
 import { Charge } from './charge.ts';
 import { Collider } from './collider.ts';
@@ -45,6 +46,7 @@ export const COMPONENTS = {
   TestParticle,
   Quarantined,
   Joint,
+  Attachment,
 } as const;
 
 export type ComponentName = keyof typeof COMPONENTS;

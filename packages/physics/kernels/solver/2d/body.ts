@@ -52,6 +52,11 @@ export const SHIFTED: u32 = 256;
 // It is a disc, which looks the same however it turns.
 export const ROUND: u32 = 512;
 
+// It is a part of a compound body (parts.ts): the kind and the state of motion are those of its body.
+export const PART: u32 = 1024;
+// It is a body that has parts.
+export const COMPOUND: u32 = 2048;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator
