@@ -14,6 +14,7 @@ export { box, type RoundingOptions } from './collision/shapes/2d/box.ts';
 export { capsule } from './collision/shapes/2d/capsule.ts';
 export { type ChainOptions, chain } from './collision/shapes/2d/chain.ts';
 export { circle } from './collision/shapes/2d/circle.ts';
+export { type ConvexPiece, decompose } from './collision/shapes/2d/decompose.ts';
 export { polygon } from './collision/shapes/2d/polygon.ts';
 export { segment } from './collision/shapes/2d/segment.ts';
 export type { PointInput, Shape } from './collision/shapes/2d/shape.ts';
