@@ -13,7 +13,11 @@ import { type ResolvedInput, resolveShape, type ShapeInput } from './collider-sh
 import { removeOrphanedParts } from './parts.ts';
 
 type FieldsOf<Name extends ComponentName> = {
-  readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: number;
+  readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: (typeof COMPONENTS)[Name]['fields'][F] extends {
+    readonly isFlag: true;
+  }
+    ? number | boolean
+    : number;
 };
 
 type NamesWithScalar = {

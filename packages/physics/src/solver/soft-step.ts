@@ -128,15 +128,19 @@ function advance(
     kernels.integrateVelocities(at);
     if (joints !== 0) startJoints(kernels, joints);
     kernels.warmStartContacts(at);
+    kernels.holdLocked(at);
     if (joints !== 0) solveJoints(kernels, joints, 1);
     kernels.solveContacts(at);
+    kernels.holdLocked(at);
     kernels.integratePositions(at);
     if (joints !== 0) solveJoints(kernels, joints, 0);
     kernels.relaxContacts(at);
+    kernels.holdLocked(at);
     kernels.writeBodies(at);
     if (joints !== 0) kernels.watchJoints(joints);
   }
   kernels.applyRestitution(at);
+  kernels.holdLocked(at);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
   kernels.writeBodies(at);

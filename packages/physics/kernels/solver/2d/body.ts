@@ -56,6 +56,10 @@ export const ROUND: u32 = 512;
 export const PART: u32 = 1024;
 // It is a body that has parts.
 export const COMPOUND: u32 = 2048;
+// It does not fall asleep.
+export const SLEEPLESS: u32 = 4096;
+// Some of its motion is locked (motion-locks.ts).
+export const LOCKED: u32 = 8192;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

@@ -10,10 +10,12 @@ import {
   DYNAMIC,
   FAST,
   KINEMATIC,
+  LOCKED,
   MOVES,
   PART,
   ROUND,
   SHIFTED,
+  SLEEPLESS,
   STATIC,
   WAKES,
   flagsOf,
@@ -24,6 +26,7 @@ import {
   word,
 } from './body';
 import { wakeIsland, wasDisturbed } from './islands';
+import { listLocked } from './motion-locks';
 import { kindOfPart, linkParts, placeParts, turnTo } from './parts';
 import { RigidTable } from './rigid-table';
 import { sleeperOf } from './sleeper';
@@ -85,6 +88,7 @@ export function listAwake(t: RigidTable): void {
     putWord(t.awake, awake++, row);
   }
   t.awakeCount = awake;
+  listLocked(t);
   if (t.partCount > 0) placeParts(t);
 }
 
@@ -93,7 +97,7 @@ function classify(t: RigidTable, row: i32, kind: u32): void {
   const before = flagsOf(t, row);
   const same = kind != 0 && word(t.bodyGenerations, row) == word(t.generations, row);
   const changed = !same || ((before ^ kind) & KINDS) != 0;
-  if ((before & (ASLEEP | PART)) == ASLEEP && (changed || (before & WAKES) != 0 || wasDisturbed(t, row)))
+  if ((before & (ASLEEP | PART)) == ASLEEP && (changed || (before & WAKES) != 0 || (kind & SLEEPLESS) != 0 || wasDisturbed(t, row)))
     wakeIsland(t, row);
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   putWord(t.bodyGenerations, row, word(t.generations, row));
@@ -111,9 +115,13 @@ const KINDS: u32 = MOVES | STATIC | COLLIDES | PART;
   // Position is the first component: its bit is 1.
   if ((bits & 1) == 0) return 0;
   const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES : 0;
-  if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) return DYNAMIC | collides;
+  const kind = collides | ((bits & t.neverSleepBit) != 0 ? SLEEPLESS : 0);
+  if ((bits & t.kinematicBit) != 0) return KINEMATIC | kind;
+  if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) {
+    return DYNAMIC | kind | ((bits & t.lockBit) != 0 ? LOCKED : 0);
+  }
   // Without a shape it is still what a joint may hang from.
-  return (isDriven(c, row) ? KINEMATIC : STATIC) | collides;
+  return (isDriven(c, row) ? KINEMATIC : STATIC) | kind;
 }
 
 // What has no mass moves by its velocity, whatever acts on it.
@@ -155,7 +163,8 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   pose.inverseInertia = 0;
   if ((flags & DYNAMIC) != 0) {
     const inertia = get(c.inertia, row);
-    const turns = inertia > 0 && (<u32>word(c.members, row) & t.turningBits) == t.turningBits;
+    const mayTurn = (flags & LOCKED) == 0 || word(t.lockAngle, row) == 0;
+    const turns = mayTurn && inertia > 0 && (<u32>word(c.members, row) & t.turningBits) == t.turningBits;
     pose.inverseMass = <real>1 / get(c.mass, row);
     pose.inverseInertia = turns ? <real>1 / inertia : <real>0;
   }
@@ -189,4 +198,7 @@ function readVelocity(c: Columns, t: RigidTable, row: i32): void {
   state.vy = get(c.velocityY, row);
   const turns = (flagsOf(t, row) & KINEMATIC) != 0 || poseOf(t, row).inverseInertia > 0;
   state.w = turns ? get(c.angularVelocityZ, row) : <real>0;
+  if ((flagsOf(t, row) & LOCKED) == 0) return;
+  if (word(t.lockX, row) != 0) state.vx = 0;
+  if (word(t.lockY, row) != 0) state.vy = 0;
 }

@@ -2,7 +2,7 @@
 // asleep when all its bodies have been still for a while, and wakes as a whole. Source: Box2D 3 (island.c, solver_set.c).
 import { columns, get, put } from '../../memory/columns';
 import { contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
-import { ASLEEP, DYNAMIC, KINEMATIC, PART, WAKES, flagsOf, poseOf, putFlags, stateOf, word } from './body';
+import { ASLEEP, DYNAMIC, KINEMATIC, PART, SLEEPLESS, WAKES, flagsOf, poseOf, putFlags, stateOf, word } from './body';
 import { readPose } from './gather-bodies';
 import { placePart } from './parts';
 import { RigidTable } from './rigid-table';
@@ -29,7 +29,7 @@ function countStill(t: RigidTable): bool {
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const sleeper = sleeperOf(t, row);
-    const still = <f64>speedOf(t, row) <= t.sleepSpeed;
+    const still = (flagsOf(t, row) & SLEEPLESS) == 0 && <f64>speedOf(t, row) <= t.sleepSpeed;
     sleeper.stillFor = still ? sleeper.stillFor + dt : 0;
     sleeper.island = row;
     if (<f64>sleeper.stillFor >= t.sleepTime) any = true;

@@ -2,9 +2,10 @@
 import { LANES } from '../../memory/lanes';
 import { get, put } from '../../memory/columns';
 import { RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
-import { MOVES, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { LOCKED, MOVES, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { takeLane } from './color-contacts';
 import * as block from './contact-block';
+import { inverseMassAlong } from './motion-locks';
 import { RigidTable } from './rigid-table';
 import { soften, softness } from './softness';
 
@@ -92,14 +93,19 @@ export function prepareContacts(table: usize): void {
   put(to + block.SEPARATION, l, point.separation - (nx * (bx - ax) + ny * (by - ay)));
   const a = poseOf(t, contact.bodyA);
   const b = poseOf(t, contact.bodyB);
-  const mass = a.inverseMass + b.inverseMass;
+  let normalMass = a.inverseMass + b.inverseMass;
+  let tangentMass = normalMass;
+  if (((flagsOf(t, contact.bodyA) | flagsOf(t, contact.bodyB)) & LOCKED) != 0) {
+    normalMass = inverseMassAlong(t, contact.bodyA, nx, ny) + inverseMassAlong(t, contact.bodyB, nx, ny);
+    tangentMass = inverseMassAlong(t, contact.bodyA, ny, -nx) + inverseMassAlong(t, contact.bodyB, ny, -nx);
+  }
   const normalA = ax * ny - ay * nx;
   const normalB = bx * ny - by * nx;
   // The tangent is the normal turned to the right: (ny, -nx).
   const tangentA = ax * nx + ay * ny;
   const tangentB = bx * nx + by * ny;
-  const normal = mass + a.inverseInertia * normalA * normalA + b.inverseInertia * normalB * normalB;
-  const tangent = mass + a.inverseInertia * tangentA * tangentA + b.inverseInertia * tangentB * tangentB;
+  const normal = normalMass + a.inverseInertia * normalA * normalA + b.inverseInertia * normalB * normalB;
+  const tangent = tangentMass + a.inverseInertia * tangentA * tangentA + b.inverseInertia * tangentB * tangentB;
   put(to + block.NORMAL_MASS, l, normal > 0 ? <real>1 / normal : <real>0);
   put(to + block.TANGENT_MASS, l, tangent > 0 ? <real>1 / tangent : <real>0);
   put(to + block.NORMAL_IMPULSE, l, point.normalImpulse);

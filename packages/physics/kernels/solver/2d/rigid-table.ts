@@ -35,6 +35,16 @@ export class RigidTable {
   dynamicBits: u32;
   turningBits: u32;
   colliderBit: u32;
+  // What makes a body kinematic although it has mass, keeps it awake, and locks motions; then the columns of the locks.
+  kinematicBit: u32;
+  neverSleepBit: u32;
+  lockBit: u32;
+  lockX: usize;
+  lockY: usize;
+  lockAngle: usize;
+  // Rows of the bodies that are awake and have locked axes.
+  locked: usize;
+  lockedCount: i32;
   // Parts of compound bodies (parts.ts): the bit of Attachment, its columns, and the ids of all parts, ascending.
   attachmentBit: u32;
   attachmentBody: usize;
