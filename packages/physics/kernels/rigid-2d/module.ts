@@ -9,6 +9,8 @@ export { clearContacts } from '../collision/narrow-phase/2d/contact-list';
 export { updateContacts, wakeTouched } from '../collision/narrow-phase/2d/update-contacts';
 export { gatherBodies } from '../solver/2d/gather-bodies';
 export { integratePositions, integrateVelocities, writeAngles, writeBodies } from '../solver/2d/integrate-bodies';
+export { holdLocked } from '../solver/2d/motion-locks';
+export { writeParts } from '../solver/2d/parts';
 export { colorContacts } from '../solver/2d/color-contacts';
 export { prepareContacts, storeImpulses } from '../solver/2d/prepare-contacts';
 export { relaxContacts, solveContacts, warmStartContacts } from '../solver/2d/solve-contacts';

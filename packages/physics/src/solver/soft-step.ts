@@ -18,6 +18,7 @@ import { jointTable, refreshJoints } from '../joints/joint-table.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { markSoftStep } from './is-soft-step.ts';
+import { refreshParts } from './refresh-parts.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -91,6 +92,7 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
       refuseUnsupported(world);
       const { numbers } = rigidTable(world);
       for (const [value, number] of values) numbers[value] = number;
+      refreshParts(world);
       refreshJoints(world);
     },
     advance: (world, ranges, dt, evaluateForces) => advance(world, ranges, dt, evaluateForces, substeps),
@@ -126,18 +128,23 @@ function advance(
     kernels.integrateVelocities(at);
     if (joints !== 0) kernels.startJoints(joints);
     kernels.warmStartContacts(at);
+    kernels.holdLocked(at);
     if (joints !== 0) solveJoints(kernels, joints, 1);
     kernels.solveContacts(at);
+    kernels.holdLocked(at);
     kernels.integratePositions(at);
     if (joints !== 0) solveJoints(kernels, joints, 0);
     kernels.relaxContacts(at);
+    kernels.holdLocked(at);
     kernels.writeBodies(at);
   }
   kernels.applyRestitution(at);
+  kernels.holdLocked(at);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
   kernels.writeBodies(at);
   kernels.writeAngles(at);
+  if (words[Word.partCount] > 0) kernels.writeParts(at, 0);
   if (joints !== 0) kernels.listBroken(joints);
   kernels.updateSleep(at);
   if (joints !== 0) kernels.noteSettings(joints);
