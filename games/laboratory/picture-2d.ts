@@ -13,8 +13,10 @@ export function drawPicture(run: ExampleRun, source: BodySource): PixiPicture {
   const frame = frameOf(picture);
   const container = new Container();
   const body = createBodyLayer({ source, minimumPixels: 2, rimWidth: 1 });
+  // A body that goes further than this within a step was put somewhere else.
+  const maxSegment = (picture.view.maxX - picture.view.minX) / 4;
   const trails = (picture.trails ?? []).map(({ body: id, length = 600, interval = 1, color }) =>
-    createTrailLayer({ source, bodies: [id], length, interval, ...(color === undefined ? {} : { color }) }),
+    createTrailLayer({ source, bodies: [id], length, interval, maxSegment, ...(color === undefined ? {} : { color }) }),
   );
   const [back, springs, front, marks] = [0, 1, 2, 3].map(() => upright());
   const texts = new TextLayer(picture.yDown ?? false);
