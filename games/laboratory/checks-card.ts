@@ -7,12 +7,21 @@ const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': 
 
 /** The figures that prove the example right, as they are measured in the run on display. */
 export function createChecksCard(parent: HTMLElement, { checks }: Example): GameCard<ExampleRun> {
-  const rows = checks.map(({ label, unit, tolerance, integrator }) => {
+  const rows = checks.map(({ label, unit, tolerance, integrator, preset }) => {
     const mark = make('b', '', { 'aria-hidden': 'true' });
     const text = make('p', '');
     const about = integrator === undefined ? label : `${label} (${integrator.name})`;
     const row = make('li', '', {}, mark, make('div', '', {}, make('h3', '', {}, about), text));
-    return { mark, text, row, shown: '', unit: unit === '' ? '' : ` ${unit}`, tolerance, needs: integrator?.name };
+    return {
+      mark,
+      text,
+      row,
+      shown: '',
+      unit: unit === '' ? '' : ` ${unit}`,
+      tolerance,
+      preset,
+      needs: integrator?.name,
+    };
   });
   const list = make('ul', 'lab-checks', { 'aria-live': 'polite' });
   list.append(...rows.map(({ row }) => row));
@@ -24,7 +33,7 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
       run.observe();
       for (const [i, state] of run.checkStates().entries()) {
         const line = rows[i];
-        const text = sentence(state, line.unit, line.tolerance, line.needs);
+        const text = sentence(state, line);
         if (line.shown === text) continue;
         line.shown = text;
         line.text.textContent = text;
@@ -37,12 +46,16 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
 
 function sentence(
   { state, computed, exact, error }: CheckState,
-  unit: string,
-  tolerance: Tolerance,
-  needs?: string,
+  {
+    unit,
+    tolerance,
+    preset,
+    needs,
+  }: { unit: string; tolerance: Tolerance; preset: string | undefined; needs: string | undefined },
 ): string {
   if (state === 'not applicable') {
-    return needs === undefined ? 'holds for the default settings' : `holds for the default settings and ${needs}`;
+    const settings = preset === undefined ? 'the default settings' : `the preset “${preset}”`;
+    return needs === undefined ? `holds for ${settings}` : `holds for ${settings} and ${needs}`;
   }
   if (state === 'waiting') return `waiting; exact ${plainNumber(exact)}${unit}`;
   const off = 'relative' in tolerance ? percentage(error) : `${plainNumber(error)}${unit}`;

@@ -30,6 +30,8 @@ export interface Check<Run, Values> {
   readonly measure: (run: Run) => number;
   /** The integrator that the figure is about; left out, the one that the example uses by default. */
   readonly integrator?: Integrator;
+  /** Label of the preset that the figure is about; left out, the default values. */
+  readonly preset?: string;
 }
 
 /** The state of a check. */
@@ -66,6 +68,9 @@ export interface Monitor {
   isDone(): boolean;
 }
 
+/** The setting in which all parameters have their default values. */
+export const DEFAULT = 'default';
+
 /** The parts of a run that checks need. */
 interface Watched {
   readonly world: PhysicsWorld;
@@ -75,21 +80,22 @@ interface Watched {
 /**
  * Watches the checks of a run: at the start of every step, and whenever `observe` is called. Rewinding the world rewinds
  * the checks.
- * @param isDefault whether all parameters have their default values
+ * @param setting label of the preset whose values the parameters have, 'default', or undefined for values of no name
  */
 export function monitor<Run extends Watched, Values>(
   run: Run,
   values: Values,
   checks: readonly Check<Run, Values>[],
-  isDefault: boolean,
+  setting: string | undefined,
 ): Monitor {
   const progress = checks.map(newProgress);
   const seen = { tick: -1 };
   const { world } = run;
   keepState(world, seen, ...progress);
-  const applies = checks.map(({ exact, integrator }) => {
+  const applies = checks.map(({ exact, integrator, preset }) => {
     const isOwn = integrator === undefined || integrator.name === world.integrator.name;
-    return isOwn && (isDefault || typeof exact === 'function');
+    if (preset !== undefined) return isOwn && setting === preset;
+    return isOwn && (setting === DEFAULT || typeof exact === 'function');
   });
   const observe = () => {
     if (seen.tick === world.tick) return;

@@ -22,10 +22,12 @@ function runToEnd(run: ExampleRun, { duration }: Example): void {
   }
 }
 
-/** The integrators that the checks name, and the example's own. */
-function integratorsOf(example: Example): (Integrator | undefined)[] {
-  const named = example.checks.flatMap(({ integrator }) => integrator ?? []);
-  return [undefined, ...new Set(named)];
+/** What the checks name: integrators, with the default values or a preset; first the example's own. */
+function settingsOf({ checks }: Example): { integrator: Integrator | undefined; preset: string | undefined }[] {
+  const settings = [{ integrator: undefined, preset: undefined }, ...checks];
+  return settings
+    .map(({ integrator, preset }) => ({ integrator, preset }))
+    .filter((a, i, all) => i === all.findIndex((b) => a.integrator === b.integrator && a.preset === b.preset));
 }
 
 describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, entry) => {
@@ -59,15 +61,17 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
       vi.spyOn(console, name).mockImplementation((...text) => void messages.push(text)),
     );
     const judged = new Set<number>();
-    const hashes = integratorsOf(example).flatMap((integrator) => {
-      const options = integrator === undefined ? {} : { integrator };
+    const hashes = settingsOf(example).flatMap(({ integrator, preset }) => {
+      const { values = {} } = example.presets.find(({ label }) => label === preset) ?? {};
+      const options = { values: values as Record<string, number>, ...(integrator === undefined ? {} : { integrator }) };
       return [0, 1].map(() => {
         const run = example.start(options);
         runToEnd(run, example);
         for (const [i, state] of run.checkStates().entries()) {
-          const { label, integrator: wanted } = example.checks[i];
-          // A figure without an integrator is about the example's own.
-          if (state.state === 'not applicable' || (wanted === undefined && integrator !== undefined)) continue;
+          const { label, integrator: wanted, preset: meant } = example.checks[i];
+          // A figure without an integrator is about the example's own, and one without a preset about the default values.
+          const isOther = (wanted === undefined && integrator !== undefined) || meant !== preset;
+          if (state.state === 'not applicable' || isOther) continue;
           judged.add(i);
           expect(state.state, `${label}: ${state.computed} instead of ${state.exact}, off by ${state.error}`).toBe(
             'passed',
