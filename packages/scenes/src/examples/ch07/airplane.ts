@@ -117,7 +117,7 @@ export default defineExample({
       label: 'Length of runway used',
       unit: 'px',
       // x = ln cosh(k v_T t)/k, with cosh = 1/√(1 − tanh²).
-      exact: (values) => -log(1 - (takeOffSpeed(values) / terminal(values)) ** 2) / (2 * DRAG),
+      exact: (values) => -log(1 - (GRAVITY * DRAG) / (values.wing * values.push)) / (2 * DRAG),
       tolerance: { relative: 0.01 },
       at: { event: ({ world, plane }) => velocityOf(world, plane).y - 1e-9 },
       measure: ({ world, plane }) => positionOf(world, plane).x - 50,
