@@ -41,6 +41,8 @@ export interface ViewContext<S extends Settings, Sim extends Simulation> {
   readonly alpha: () => number;
   /** The bodies that pointers drag. */
   readonly dragging: () => Dragging;
+  /** Whether the space bar is held: a drag then moves the view. */
+  readonly isSpaceHeld: () => boolean;
   /** The player asked for reduced motion; the view is refreshed when this changes. */
   readonly reducedMotion: boolean;
   /** The player asked for a colour-blind palette, such as `SAFE_COLORS`; the view is refreshed when this changes. */
@@ -60,6 +62,10 @@ export interface View {
   fit(): void;
   /** Zooms about the centre: in for a factor above one, out below. */
   zoom(factor: number): void;
+  /** Numbers that describe what is seen, for addresses. In 2D: centre and height of the window, m. */
+  camera?(): readonly number[];
+  /** Shows what `camera` described. */
+  setCamera?(numbers: readonly number[]): void;
   /** Position of a world point on the canvas, CSS pixels. */
   toScreen(x: number, y: number, z: number): { x: number; y: number };
   destroy(): void;
@@ -82,9 +88,14 @@ export interface GameCard<Sim extends Simulation> {
   show(sim: Sim): void;
 }
 
+/** A line of the help: keys or gestures, what they do, and `keyboard` where a touch screen does not need the line. */
+export type HelpLine = readonly [input: string, description: string, only?: 'keyboard'];
+
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
+  /** On phones the sidebar is a sheet below or beside the picture, open at the start; default false. */
+  readonly hasSheet?: boolean;
   readonly settings: S;
   /** Renderers by name as in `?renderer=`; the first is the default. */
   readonly renderers: Readonly<Record<string, Renderer<S, Sim>>>;
@@ -115,6 +126,12 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   cards?(parent: HTMLElement): readonly GameCard<Sim>[];
   /** Whether the run has come to its end: time then stands still until the player restarts or rewinds. */
   hasEnded?(sim: Sim): boolean;
-  /** Lines of the help: keys or gestures and their descriptions. */
-  readonly help?: readonly (readonly [string, string])[];
+
+  /** Number of bodies in the statistics; default all of the world. A game with a pool of bodies counts those in use. */
+  bodies?(sim: Sim): number;
+  readonly help?: readonly HelpLine[];
+  /** Whether each load of the page begins with another seed, unless the address has one; default false. */
+  readonly variesSeed?: boolean;
+  /** Address of the page with all games, for the link in the toolbar; default none. */
+  readonly home?: string;
 }

@@ -103,6 +103,7 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
       }
       shown.picture.destroy();
       shown = show(context, options, content);
+      if (isFitted) fitAll();
     },
     draw(alpha) {
       applyCamera(content, camera, viewport);
@@ -113,6 +114,12 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
     zoom(factor) {
       navigated();
       zoomAt(camera, viewport, viewport.width / 2, viewport.height / 2, factor, zoomLimits);
+    },
+    camera: () => [camera.x, up() * camera.y, viewport.height / camera.pixelsPerMetre],
+    setCamera([x, y, height]) {
+      if (!(height > 0 && Number.isFinite(x + y + height))) return;
+      navigated();
+      Object.assign(camera, { x, y: up() * y, pixelsPerMetre: viewport.height / height });
     },
     toScreen: (x, y) => toScreen(camera, viewport, x, up() * y, { x: 0, y: 0 }),
     destroy() {
@@ -190,6 +197,7 @@ function dragByPointers<S extends Settings, Sim extends Simulation>(
     pick,
     onNavigate,
     zoomLimits,
+    primaryPans: context.isSpaceHeld,
     onGrab(id, x, cameraY, pointer) {
       const y = up() * cameraY;
       canvas.style.cursor = 'grabbing';
