@@ -19,6 +19,8 @@ export function findRigidPairs(table: usize): void {
   updateTrees(t);
   for (let i = 0; i < t.enlargedCount; i++) {
     const row = word(t.enlarged, i);
+    // What collides with no layer finds nothing.
+    if (word(t.masks, row) == 0) continue;
     findIn(t, t.movingNodes, t.movingNodeCount, row);
     if ((flagsOf(t, row) & DYNAMIC) != 0) findIn(t, t.staticNodes, t.staticNodeCount, row);
   }
