@@ -1,4 +1,5 @@
 /** The state of the game as text and numbers. */
+import { headingOf } from './heading.ts';
 import type { BlackHoleGame } from './sim.ts';
 
 /** The result for the card with the high scores; a demo or autopilot game is not ranked. */
@@ -12,7 +13,7 @@ export function outcomeOf({ rules, isDemo, autopilot }: BlackHoleGame) {
 
 /** The state that tests read. */
 export function reportState(game: BlackHoleGame) {
-  const { phase, lives, score, bonus, dodged, goalPoints, fuel, slings, heading, eventCount } = game.rules;
+  const { phase, lives, score, bonus, dodged, goalPoints, fuel, slings, push, eventCount } = game.rules;
   const { scene, isDemo, isReplay } = game;
   return {
     phase,
@@ -23,7 +24,8 @@ export function reportState(game: BlackHoleGame) {
     goalPoints,
     fuel,
     slings,
-    heading: heading ?? '',
+    heading: headingOf(push),
+    push,
     eventCount,
     isDemo,
     isReplay,

@@ -7,12 +7,21 @@ const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': 
 
 /** The figures that prove the example right, as they are measured in the run on display. */
 export function createChecksCard(parent: HTMLElement, { checks }: Example): GameCard<ExampleRun> {
-  const rows = checks.map(({ label, unit, tolerance, integrator }) => {
+  const rows = checks.map(({ label, unit, tolerance, integrator, preset }) => {
     const mark = make('b', '', { 'aria-hidden': 'true' });
     const text = make('p', '');
     const about = integrator === undefined ? label : `${label} (${integrator.name})`;
     const row = make('li', '', {}, mark, make('div', '', {}, make('h3', '', {}, about), text));
-    return { mark, text, row, shown: '', unit: unit === '' ? '' : ` ${unit}`, tolerance, needs: integrator?.name };
+    return {
+      mark,
+      text,
+      row,
+      shown: '',
+      unit: unit === '' ? '' : ` ${unit}`,
+      tolerance,
+      needs: integrator?.name,
+      preset,
+    };
   });
   const list = make('ul', 'lab-checks', { 'aria-live': 'polite' });
   list.append(...rows.map(({ row }) => row));
@@ -30,6 +39,8 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
         line.text.textContent = text;
         line.mark.textContent = MARKS[state.state];
         line.row.dataset.state = state.state;
+        // A figure of a preset is shown with its values only.
+        line.row.hidden = line.preset !== undefined && state.state === 'not applicable';
       }
     },
   };

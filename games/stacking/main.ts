@@ -8,6 +8,7 @@ const ACTIONS = { action: throwBall, up: dropBlock, down: blast } as const;
 
 await startGame({
   title: 'Stack and smash',
+  home: '../index.html',
   settings,
   create: createSim,
   apply: applyValue,

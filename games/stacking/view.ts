@@ -1,11 +1,13 @@
 /** The view: every body as the shape that it has, and, on demand, where bodies touch. */
 import { nearestPoint } from '@principia/physics';
 import { createBodyLayer } from '@principia/render-pixi';
-import type { View, ViewContext } from '@principia/shell';
+import { hasCoarsePointer, showHint, type View, type ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
-import { showHint } from './hint.ts';
 import type { Settings } from './settings.ts';
 import type { StackingRun } from './sim.ts';
+
+const TEXT = 'Drag bodies to stack or throw them. C throws a ball, N drops a block, T blows up the middle.';
+const TOUCH_TEXT = 'Drag bodies to stack or throw them. The buttons throw a ball, drop a block and blow up the middle.';
 
 /** Layers of bodies that can be taken: not that of the ground. */
 const TAKEN = 1;
@@ -19,7 +21,7 @@ export async function openView(context: ViewContext<Settings, StackingRun>): Pro
       return { container: layer.container, update: layer.update, destroy: layer.destroy };
     },
   });
-  const removeHint = showHint(context.element);
+  const removeHint = showHint(context.element, hasCoarsePointer() ? TOUCH_TEXT : TEXT);
   const destroy = () => {
     removeHint();
     view.destroy();

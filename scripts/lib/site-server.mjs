@@ -102,7 +102,7 @@ function picture(path) {
 /**
  * Pages are read afresh for each request and carry the live script.
  * @param {string} path
- * @param {(name: string) => readonly string[]} scripts
+ * @param {(name: string) => import('./first-scripts.mjs').FirstScripts} scripts
  */
 function page(path, scripts) {
   const name = path.match(/^\/(?:([\w-]+)\/)?index\.html$/);

@@ -28,7 +28,7 @@ interface Play {
 
 // The show of the demonstration ends with L: shells go up now and then. A ship that is pushed flies on for seconds.
 const plays: readonly Play[] = [
-  { game: 'bouncing-balls', query: 'count=200&collisions=true&trails=true', numbers: 9, libraries: 1200 },
+  { game: 'bouncing-balls', query: 'count=200&collisions=true&trails=true&renderer=pixi', numbers: 9, libraries: 1200 },
   { game: 'bouncing-balls', query: 'count=200&collisions=true&renderer=three', numbers: 9, libraries: 3000 },
   { game: 'black-hole', query: 'seed=4', numbers: 17, libraries: 7000, held: 'ArrowUp' },
   { game: 'fireworks', query: 'barrage=true&sparks=20000', numbers: 17, libraries: 7000, key: 'l' },

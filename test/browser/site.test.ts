@@ -104,6 +104,32 @@ it.each(names)('plays %s from a folder below another, without the internet', asy
   await context.close();
 });
 
+it('loads only the renderer that the address names', async () => {
+  const { context, page, trouble } = await openHome();
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  await page.goto(`${home}bouncing-balls/index.html?renderer=three`);
+  await page.waitForFunction(() => globalThis.__game?.state().ready);
+  expect(asked.filter((url) => /view-3d/.test(url))).toHaveLength(1);
+  expect(asked.filter((url) => /view-2d/.test(url))).toEqual([]);
+  expect(trouble).toEqual([]);
+  await context.close();
+});
+
+it('keeps the picture where the other one cannot be loaded, and says so', async () => {
+  const { context, page } = await openHome();
+  await page.goto(`${home}bouncing-balls/index.html?renderer=pixi`);
+  await page.waitForFunction(() => globalThis.__game?.state().ready);
+  await context.setOffline(true);
+  await page.keyboard.press('3');
+  await page.waitForFunction(() => __game.state().banner.includes('3D view could not be loaded'));
+  await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'pixi');
+  await context.setOffline(false);
+  await page.locator('.game-banner button', { hasText: 'Try again' }).click();
+  await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'three');
+  await context.close();
+});
+
 it('says how to serve it when it is opened straight from the folder', async () => {
   const context: BrowserContext = await browser.newContext();
   const page = await context.newPage();

@@ -16,6 +16,7 @@ import {
 import { BLACK_HOLE, drawHoles, holeMu, holePosition } from './black-hole-layout.ts';
 import type { Hole } from './black-hole-types.ts';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
+import { teleport } from './teleport.ts';
 
 /** A ship among black holes. */
 export interface BlackHole extends SceneRun {
@@ -29,8 +30,12 @@ export interface BlackHole extends SceneRun {
   readonly isSteep: boolean;
   /** Time of the moving holes on their orbits, s. */
   readonly holeTime: number;
-  /** Draws another layout, and moves, creates and removes holes accordingly. @param moving number of holes that move */
-  redraw(count: number, moving: number): void;
+  /**
+   * Draws another layout, and moves, creates and removes holes accordingly.
+   * @param moving number of holes that move
+   * @param suits the layout must satisfy this, unless many layouts in a row do not
+   */
+  redraw(count: number, moving: number, suits?: (holes: readonly Hole[]) => boolean): void;
   /** Resets the random sequence: the next layouts are the first of the seed. */
   rewind(): void;
   /** Teleports the ship, at rest and without interpolation. */
@@ -68,7 +73,7 @@ export const blackHole = defineScene({
     const sky = new MovingHoles(world, seed, dt, isSteep);
     world.phases.input.push(() => sky.drive());
     sky.redraw(count, moving);
-    const placeShip = (x: number, y: number) => teleport(world, ship, x, y);
+    const placeShip = (x: number, y: number) => teleport(world, ship, { x, y });
     return {
       world,
       dt,
@@ -85,7 +90,7 @@ export const blackHole = defineScene({
       get holeTime() {
         return sky.time;
       },
-      redraw: (holes, onCircles) => sky.redraw(holes, onCircles),
+      redraw: (holes, onCircles, suits) => sky.redraw(holes, onCircles, suits),
       rewind: () => sky.rewind(),
     };
   },
@@ -121,8 +126,8 @@ class MovingHoles {
     this.#random.state.set(layoutRandom(this.#seed).state);
   }
 
-  redraw(count: number, moving: number): void {
-    this.holes = markImmutable(drawHoles(this.#random, count, moving, this.#isSteep));
+  redraw(count: number, moving: number, suits?: (holes: readonly Hole[]) => boolean): void {
+    this.holes = markImmutable(drawHoles(this.#random, count, moving, this.#isSteep, suits));
     this.#time[0] = 0;
     while (this.ids.length > count) despawn(this.#world, this.ids.pop() as number);
     for (const [i, hole] of this.holes.entries()) this.#put(i, hole);
@@ -153,7 +158,7 @@ class MovingHoles {
     const { Attractor, Collider } = this.#world.components;
     Attractor.mu[id] = mu;
     Collider.radius[id] = hole.radius;
-    teleport(this.#world, id, x, y);
+    teleport(this.#world, id, { x, y });
   }
 }
 
@@ -165,17 +170,4 @@ function layoutRandom(seed: number): Random {
   const random = createRandom(seed, 1);
   for (let i = 0; i < 8; i++) random.word();
   return random;
-}
-
-/** Teleports a body and leaves it at rest. */
-function teleport({ components, previous, versions }: PhysicsWorld, id: number, x: number, y: number): void {
-  const { Position, Velocity } = components;
-  Position.x[id] = x;
-  Position.y[id] = y;
-  Velocity.x[id] = 0;
-  Velocity.y[id] = 0;
-  // Prevents interpolation between the old and the new position.
-  previous.Position.x[id] = x;
-  previous.Position.y[id] = y;
-  versions.pose++;
 }

@@ -13,7 +13,7 @@ export { STAR_COLORS, STAR_RGB, type StarColor } from './fireworks/colors.ts';
 export type { EventRing, FireworksEvent } from './fireworks/news.ts';
 export type { ShellOrder } from './fireworks/rockets.ts';
 export { heldStars, maxHoldSeconds, SHELL_NAMES, SHELLS, type ShellForm, type ShellKind } from './fireworks/shells.ts';
-export { FIREWORKS_SKY, type Fireworks, fireworks } from './fireworks.ts';
+export { FIREWORKS_REACH, FIREWORKS_SKY, type Fireworks, fireworks } from './fireworks.ts';
 export { gas } from './gas.ts';
 export { InputLog, type LoggedInput } from './input-log.ts';
 export { type ClusterRun, nbodyDirect, nbodyTree } from './n-body/cluster.ts';

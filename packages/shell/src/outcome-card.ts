@@ -12,8 +12,11 @@ export interface Outcome {
 
 /** The card at the end of a game. */
 export interface OutcomeCard {
-  /** Shows the result once; undefined hides the card. */
-  show(outcome: Outcome | undefined): void;
+  /**
+   * Shows the result once; undefined hides the card.
+   * @param isRanked false for a player who rewound, whose score does not count
+   */
+  show(outcome: Outcome | undefined, isRanked?: boolean): void;
 }
 
 /** @param again starts another game @param watch replays this one, if possible */
@@ -41,10 +44,11 @@ export function createOutcomeCard(
     again();
   });
   let isOver = false;
-  const showOutcome = (outcome: Outcome) => {
-    const rank = scores.add(outcome.score, new Date().toISOString().slice(0, 10));
+  const showOutcome = (outcome: Outcome, isRanked: boolean) => {
+    const rank = isRanked ? scores.add(outcome.score, new Date().toISOString().slice(0, 10)) : -1;
     title.textContent = outcome.title;
-    const lines = rank === 0 ? [...outcome.lines, 'New high score!'] : outcome.lines;
+    const more = isRanked ? (rank === 0 ? ['New high score!'] : []) : ['Not ranked: you rewound.'];
+    const lines = [...outcome.lines, ...more];
     text.replaceChildren(...lines.map((line) => element('p', '', {}, line)));
     const rows = scores.list.map(({ score, day }, i) =>
       element('li', i === rank ? 'new' : '', {}, element('b', '', {}, String(score)), ` ${day}`),
@@ -54,11 +58,11 @@ export function createOutcomeCard(
   };
   return {
     // Called in every frame: a function that contains closures would allocate in each call, so this one has none.
-    show(outcome) {
+    show(outcome, isRanked = true) {
       if ((outcome !== undefined) === isOver) return;
       isOver = outcome !== undefined;
       card.hidden = !isOver;
-      if (outcome !== undefined) showOutcome(outcome);
+      if (outcome !== undefined) showOutcome(outcome, isRanked);
     },
   };
 }

@@ -30,6 +30,8 @@ export interface Check<Run, Values> {
   readonly measure: (run: Run) => number;
   /** The integrator that the figure is about; left out, the one that the example uses by default. */
   readonly integrator?: Integrator;
+  /** Label of the preset that the figure belongs to; left out, the default values. */
+  readonly preset?: string;
 }
 
 /** The state of a check. */
@@ -75,21 +77,21 @@ interface Watched {
 /**
  * Watches the checks of a run: at the start of every step, and whenever `observe` is called. Rewinding the world rewinds
  * the checks.
- * @param isDefault whether all parameters have their default values
+ * @param hasValuesOf whether the parameters have the values of the preset of a label, or without one the default values
  */
 export function monitor<Run extends Watched, Values>(
   run: Run,
   values: Values,
   checks: readonly Check<Run, Values>[],
-  isDefault: boolean,
+  hasValuesOf: (preset?: string) => boolean,
 ): Monitor {
   const progress = checks.map(newProgress);
   const seen = { tick: -1 };
   const { world } = run;
   keepState(world, seen, ...progress);
-  const applies = checks.map(({ exact, integrator }) => {
+  const applies = checks.map(({ exact, integrator, preset }) => {
     const isOwn = integrator === undefined || integrator.name === world.integrator.name;
-    return isOwn && (isDefault || typeof exact === 'function');
+    return isOwn && (hasValuesOf(preset) || (typeof exact === 'function' && preset === undefined));
   });
   const observe = () => {
     if (seen.tick === world.tick) return;

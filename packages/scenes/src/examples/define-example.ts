@@ -147,7 +147,7 @@ export interface Example {
   readonly presets: readonly ExamplePreset<string>[];
   readonly actions: Readonly<Record<string, Pick<ExampleAction<never>, 'label' | 'about' | 'key'>>>;
   readonly tryThis: readonly string[];
-  readonly checks: readonly Pick<Check<never, never>, 'label' | 'unit' | 'tolerance' | 'integrator'>[];
+  readonly checks: readonly Pick<Check<never, never>, 'label' | 'unit' | 'tolerance' | 'integrator' | 'preset'>[];
   /** Builds a run. @throws PhysicsError E_UNKNOWN, E_TYPE, E_NONFINITE, E_RANGE for invalid values */
   start(options?: ExampleOptions): ExampleRun;
 }
@@ -186,10 +186,13 @@ function startRun<Name extends string, Run extends SceneRun>(
   const { world, dt } = run;
   const ownIntegrator = integrator === undefined ? world.integrator : spec.build(values, { seed }).world.integrator;
   if (integrator !== undefined) world.integrator = integrator;
-  const isDefault = Object.entries<ExampleParameter>(spec.parameters).every(
-    ([name, { initial }]) => values[name as Name] === initial,
-  );
-  const watch: Monitor = monitor(run, values, spec.checks, isDefault);
+  const hasValuesOf = (label?: string) => {
+    const preset: Partial<ValuesOf<Name>> = spec.presets?.find((each) => each.label === label)?.values ?? {};
+    return Object.entries<ExampleParameter>(spec.parameters).every(
+      ([name, { initial }]) => values[name as Name] === (preset[name as Name] ?? initial),
+    );
+  };
+  const watch: Monitor = monitor(run, values, spec.checks, hasValuesOf);
   return {
     ...run,
     world,

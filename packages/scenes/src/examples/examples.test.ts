@@ -1,7 +1,7 @@
 /** Every example: its description is complete, it runs without a fault, repeats itself, and its figures are right. */
-import { type Integrator, stateHash, step } from '@principia/physics';
+import { stateHash, step } from '@principia/physics';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
-import type { Example, ExampleRun } from './define-example.ts';
+import type { Example, ExampleOptions, ExampleRun } from './define-example.ts';
 import { EXAMPLES } from './examples.gen.ts';
 import { now, type Picture } from './picture.ts';
 
@@ -25,10 +25,16 @@ function runToEnd(run: ExampleRun, { duration }: Example): void {
   }
 }
 
-/** The integrators that the checks name, and the example's own. */
-function integratorsOf(example: Example): (Integrator | undefined)[] {
-  const named = example.checks.flatMap(({ integrator }) => integrator ?? []);
-  return [undefined, ...new Set(named)];
+/** The runs that the checks need: with the defaults, with each integrator that they name, and with each preset. */
+function runsOf({ checks, presets }: Example): (ExampleOptions & { preset?: string })[] {
+  const integrators = new Set(checks.flatMap(({ integrator }) => integrator ?? []));
+  const labels = new Set(checks.flatMap(({ preset }) => preset ?? []));
+  const ofPreset = [...labels].map((label) => {
+    const values = presets.find((each) => each.label === label)?.values as Record<string, number> | undefined;
+    if (values === undefined) throw new Error(`a check names the preset "${label}", which is not there`);
+    return { preset: label, values };
+  });
+  return [{}, ...[...integrators].map((integrator) => ({ integrator })), ...ofPreset];
 }
 
 describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, entry) => {
@@ -63,15 +69,16 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
       vi.spyOn(console, name).mockImplementation((...text) => void messages.push(text)),
     );
     const judged = new Set<number>();
-    const hashes = integratorsOf(example).flatMap((integrator) => {
-      const options = integrator === undefined ? {} : { integrator };
-      return [0, 1].map(() => {
+    const hashes = runsOf(example).flatMap(({ preset, ...options }) =>
+      [0, 1].map(() => {
         const run = example.start(options);
         runToEnd(run, example);
         for (const [i, state] of run.checkStates().entries()) {
-          const { label, integrator: wanted } = example.checks[i];
-          // A figure without an integrator is about the example's own.
-          if (state.state === 'not applicable' || (wanted === undefined && integrator !== undefined)) continue;
+          const check = example.checks[i];
+          const { label } = check;
+          // A figure without an integrator is about the example's own, and one without a preset about the defaults.
+          const isAbout = check.preset === preset && (check.integrator ?? options.integrator) === check.integrator;
+          if (state.state === 'not applicable' || !isAbout) continue;
           judged.add(i);
           expect(state.state, `${label}: ${state.computed} instead of ${state.exact}, off by ${state.error}`).toBe(
             'passed',
@@ -79,8 +86,8 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
         }
         expect(run.world.faults.faults).toEqual([]);
         return stateHash(run.world);
-      });
-    });
+      }),
+    );
     for (let i = 0; i < hashes.length; i += 2) expect(hashes[i]).toBe(hashes[i + 1]);
     expect([...judged].sort((a, b) => a - b)).toEqual(example.checks.map((_, i) => i));
     for (const spy of spies) spy.mockRestore();

@@ -103,6 +103,7 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
       }
       shown.picture.destroy();
       shown = show(context, options, content);
+      if (isFitted) fitAll();
     },
     draw(alpha) {
       applyCamera(content, camera, viewport);
@@ -196,6 +197,7 @@ function dragByPointers<S extends Settings, Sim extends Simulation>(
     pick,
     onNavigate,
     zoomLimits,
+    primaryPans: context.isSpaceHeld,
     onGrab(id, x, cameraY, pointer) {
       const y = up() * cameraY;
       canvas.style.cursor = 'grabbing';
