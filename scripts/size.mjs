@@ -40,6 +40,7 @@ const SHARED = [
   '@principia/shell',
   '@principia/shell/*',
   '@principia/scenes/examples',
+  '@principia/scenes/examples/*',
   'bitecs',
   'pixi.js',
   'three',

@@ -1,4 +1,5 @@
-import { EXAMPLES, type Example, type ExampleRun } from '@principia/scenes/examples';
+import type { Example, ExampleRun } from '@principia/scenes/examples';
+import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { GameCard } from '@principia/shell';
 import { make } from './make.ts';
 import { momentAddress } from './moment.ts';

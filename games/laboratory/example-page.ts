@@ -1,6 +1,7 @@
 /** The page of one example: a game of the shell whose settings are the parameters of the example. */
 import { destroyWorld } from '@principia/physics';
-import type { Example, ExampleEntry } from '@principia/scenes/examples';
+import type { Example } from '@principia/scenes/examples';
+import type { ExampleEntry } from '@principia/scenes/examples/list';
 import {
   type Controls,
   type Renderer,

@@ -1,5 +1,5 @@
 /** The list of all examples: by chapter, with a search. */
-import { EXAMPLES, type ExampleEntry } from '@principia/scenes/examples';
+import { EXAMPLES, type ExampleEntry } from '@principia/scenes/examples/list';
 import { make } from './make.ts';
 import { addStartStyles } from './start-styles.ts';
 

@@ -2,7 +2,7 @@
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
 import { scriptsByGame, startSooner } from './first-scripts.mjs';
-import { siteOptions } from './site-bundle.mjs';
+import { siteBundles } from './site-bundle.mjs';
 import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 
 /** Browsers run no modules that lie in a folder without a server: then the page says what to do. */
@@ -26,10 +26,9 @@ if (location.protocol === 'file:') {
 export async function writeSite(folder) {
   const names = gameNames();
   rmSync(folder, { recursive: true, force: true });
-  const { metafile } = await build(
-    siteOptions({ minify: true, outdir: folder, conditions: ['principia-source', 'production'] }),
-  );
-  const scripts = scriptsByGame(metafile);
+  const bundles = siteBundles({ minify: true, outdir: folder, conditions: ['principia-source', 'production'] });
+  const built = await Promise.all(bundles.map((bundle) => build(bundle)));
+  const scripts = scriptsByGame(built.map(({ metafile }) => metafile));
   mkdirSync(folder, { recursive: true });
   writeFileSync(`${folder}/index.html`, withNote(frontPage()));
   for (const name of names) {

@@ -4,8 +4,7 @@ import { relative } from 'node:path';
 import { context, formatMessages } from 'esbuild';
 import { scriptsByGame, startSooner } from './first-scripts.mjs';
 import { root } from './paths.mjs';
-import { pixiPlugins } from './pixi-parts.mjs';
-import { kernelsPlugin, siteOptions } from './site-bundle.mjs';
+import { siteBundles } from './site-bundle.mjs';
 import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 import { serveFiles } from './static-server.mjs';
 
@@ -39,38 +38,52 @@ export async function serveSite({ ports, host }) {
  * @param {(problem: string) => void} announce
  */
 async function watchGames(announce) {
-  /** @type {Map<string, Uint8Array>} */
-  let files = new Map();
-  let scripts = scriptsByGame(undefined);
-  /** @type {import('esbuild').Plugin} */
-  const publish = {
+  /** @type {{ files: Map<string, Uint8Array>, metafile?: import('esbuild').Metafile | undefined, problem: string | undefined }[]} */
+  let bundles = [];
+  let scripts = scriptsByGame([]);
+  /** @type {(index: number) => import('esbuild').Plugin} */
+  const publish = (index) => ({
     name: 'publish',
     setup(build) {
       build.onEnd(async ({ errors, outputFiles = [], metafile }) => {
+        const problem = (await formatMessages(errors, { kind: 'error', color: false })).join('');
         if (errors.length === 0) {
-          scripts = scriptsByGame(metafile);
-          files = new Map(outputFiles.map(({ path, contents }) => [sitePath(path), contents]));
+          bundles[index] = {
+            files: new Map(outputFiles.map(({ path, contents }) => [sitePath(path), contents])),
+            metafile,
+            problem,
+          };
+          scripts = scriptsByGame(bundles.map((bundle) => bundle.metafile));
         } else {
+          bundles[index] = { ...bundles[index], problem };
           const messages = await formatMessages(errors, { kind: 'error', color: process.stderr.isTTY });
           process.stderr.write(`${messages.join('')}\n`);
         }
-        announce((await formatMessages(errors, { kind: 'error', color: false })).join(''));
+        // Pages wait until all games have been built once.
+        if (bundles.every(({ problem }) => problem !== undefined))
+          announce(bundles.map((each) => each.problem).join(''));
       });
     },
-  };
+  });
   const start = async () => {
-    const bundler = await context(siteOptions({ write: false, plugins: [kernelsPlugin, ...pixiPlugins, publish] }));
-    await bundler.watch();
-    return bundler;
+    const options = siteBundles({ write: false });
+    bundles = options.map(() => ({ files: new Map(), problem: undefined }));
+    const bundlers = await Promise.all(
+      options.map((bundle, i) => context({ ...bundle, plugins: [...(bundle.plugins ?? []), publish(i)] })),
+    );
+    await Promise.all(bundlers.map((bundler) => bundler.watch()));
+    return bundlers;
   };
-  let bundler = await start();
+  const stop = () => Promise.all(bundlers.map((bundler) => bundler.dispose()));
+  let bundlers = await start();
   return {
-    find: (/** @type {string} */ path) => files.get(path),
+    find: (/** @type {string} */ path) =>
+      bundles.map(({ files }) => files.get(path)).find((file) => file !== undefined),
     scripts: (/** @type {string} */ name) => scripts(name),
-    close: () => bundler.dispose(),
+    close: stop,
     restart: async () => {
-      await bundler.dispose();
-      bundler = await start();
+      await stop();
+      bundlers = await start();
     },
   };
 }

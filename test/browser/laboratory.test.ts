@@ -1,5 +1,5 @@
 // The laboratory: its list, and every example on its page.
-import { EXAMPLES } from '@principia/scenes/examples';
+import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';

@@ -11,6 +11,7 @@ import { FrameTimes } from './frame-times.ts';
 import { toggleFullScreen } from './full-screen.ts';
 import type { GameCard, GameDefinition, Simulation, ViewContext } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
+import { RESET_INTERVAL, SLOW_MOTION, STATS_INTERVAL } from './intervals.ts';
 import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
@@ -24,12 +25,6 @@ import { SpaceBar } from './space-bar.ts';
 import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
 import { ViewHost } from './view-host.ts';
-
-/** Interval of updates of statistics and plot, s. */
-const STATS_INTERVAL = 0.2;
-/** Shortest time between two new worlds while a slider is dragged, s. */
-const RESET_INTERVAL = 0.12;
-const SLOW_MOTION = 0.2;
 
 /** A game on a page: the session, the view and the user interface around them. */
 export class GameApp<S extends Settings, Sim extends Simulation> {
