@@ -178,6 +178,9 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   try {
     const [quiet, force] = ['--quiet', '--force'].map((flag) => process.argv.includes(flag));
     const compiled = await buildKernels({ quiet, force });
+    // They run on the kernels, and whoever needs the ones needs the others.
+    const { buildExamples } = await import('./build-examples.mjs');
+    await buildExamples();
     if (!compiled && !quiet) process.stdout.write('Kernels are up to date\n');
   } catch (error) {
     process.stderr.write(`${error instanceof Error ? error.message : error}\n`);

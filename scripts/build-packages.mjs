@@ -7,6 +7,7 @@
  */
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { buildExamples } from './build-examples.mjs';
 import { buildKernels } from './build-kernels.mjs';
 import { packageFolder, packageNames, sourcesByImport, sourcesOf } from './lib/packages.mjs';
 import { cacheFolder, resolveInstalled, root } from './lib/paths.mjs';
@@ -15,6 +16,7 @@ import { runNode } from './lib/run.mjs';
 
 export async function buildPackages() {
   await buildKernels();
+  await buildExamples();
   const emitted = `${cacheFolder}/emitted`;
   await emit(emitted);
   for (const name of packageNames) {

@@ -39,6 +39,7 @@ const SHARED = [
   '@principia/render-*',
   '@principia/shell',
   '@principia/shell/*',
+  '@principia/scenes/examples',
   'bitecs',
   'pixi.js',
   'three',

@@ -1,6 +1,7 @@
 /** How esbuild turns `games/<name>/main.ts` into scripts that share their common chunks. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
+import { buildExamples, examplesFolder } from '../build-examples.mjs';
 import { buildKernels, kernelFolder } from '../build-kernels.mjs';
 import { bundleOptions } from './bundle.mjs';
 import { pixiPlugins } from './pixi-parts.mjs';
@@ -27,24 +28,27 @@ export function siteOptions(options) {
 }
 
 /**
- * Compiles the kernels when the bundle asks for them, and lets esbuild watch their sources.
+ * Compiles the kernels and lists the examples when the bundle asks for them, and lets esbuild watch their sources.
  * @type {import('esbuild').Plugin}
  */
 export const kernelsPlugin = {
   name: 'kernels',
   setup(build) {
+    /** @type {Promise<unknown> | undefined} */
+    let generated;
+    build.onStart(() => {
+      generated = undefined;
+    });
     // Generated files may not be there yet, so esbuild cannot resolve them itself.
     build.onResolve({ filter: /^\..*\/[\w-]+\.gen\.ts$/ }, ({ path, resolveDir }) => ({
       path: resolve(resolveDir, path),
     }));
     build.onLoad({ filter: /\.gen\.ts$/ }, async ({ path }) => {
-      const entries = readdirSync(kernelFolder, { recursive: true, withFileTypes: true });
-      const watched = {
-        watchDirs: [kernelFolder, ...entries.filter((e) => e.isDirectory()).map((e) => `${e.parentPath}/${e.name}`)],
-        watchFiles: entries.filter((e) => e.name.endsWith('.ts')).map((e) => `${e.parentPath}/${e.name}`),
-      };
+      const isList = /(scenes|laboratory)\/.*\.gen\.ts$/.test(path);
+      const watched = sourcesBelow(isList ? examplesFolder : kernelFolder);
       try {
-        await buildKernels();
+        generated ??= buildKernels().then(buildExamples);
+        await generated;
         return { ...watched, contents: readFileSync(path, 'utf8'), loader: 'ts' };
       } catch (error) {
         return { ...watched, errors: [{ text: error instanceof Error ? error.message : String(error) }] };
@@ -52,3 +56,16 @@ export const kernelsPlugin = {
     });
   },
 };
+
+/**
+ * What esbuild watches for a generated file.
+ * @param {string} folder
+ */
+function sourcesBelow(folder) {
+  const entries = readdirSync(folder, { recursive: true, withFileTypes: true });
+  const isSource = (/** @type {string} */ name) => name.endsWith('.ts') && !name.endsWith('.gen.ts');
+  return {
+    watchDirs: [folder, ...entries.filter((e) => e.isDirectory()).map((e) => `${e.parentPath}/${e.name}`)],
+    watchFiles: entries.filter((e) => isSource(e.name)).map((e) => `${e.parentPath}/${e.name}`),
+  };
+}

@@ -9,7 +9,7 @@ import { Failures } from './failures.ts';
 import { tendFocus } from './focus.ts';
 import { FrameTimes } from './frame-times.ts';
 import { toggleFullScreen } from './full-screen.ts';
-import type { GameDefinition, Simulation } from './game.ts';
+import type { GameCard, GameDefinition, Simulation } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
 import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
@@ -51,6 +51,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #commands: Commands;
   /** Created after the first frame. */
   #sidebar: Sidebar | undefined;
+  #cards: readonly GameCard<Sim>[] = [];
   readonly #preferences = new Preferences(matchMedia('(prefers-reduced-motion: reduce)').matches);
   #renderer: string;
   /** The renderer that the player chose last; its code may not have been loaded. */
@@ -75,7 +76,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#manual = address.manual;
     this.#session = new Session(game, address.values, address.seed);
     this.#session.paused = address.manual;
-    this.#layout = createLayout(game.title, () => this.#views.view?.fit());
+    this.#layout = createLayout(game.title, () => this.#views.view?.fit(), game.hasSheet);
     this.#banner = createBanner(this.#layout.root);
     this.#failures = new Failures(this.#banner, () => this.#reset());
     const renderers = Object.entries(game.renderers).map(([name, { label }]) => [name, label] as const);
@@ -88,7 +89,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#recorder = new Recorder(game.title, () => this.#refresh());
     const { help, gestures } = this.#commands;
     this.#help = createHelpDialog(root, game.title, hasCoarsePointer() ? gestures : help);
-    this.#controls = this.#listen();
+    this.#controls = game.controls && listenToControls(root, game.controls, () => this.#session.sim);
     const watch = game.replay && this.#actions.replay;
     this.#outcome =
       game.outcome &&
@@ -146,6 +147,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       set: (name, value) => this.#failures.guard(() => this.#set(name, value)),
       world: () => (session.started ? session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
+      cards: (parent) => {
+        this.#cards = this.#game.cards?.(parent) ?? [];
+      },
     });
     this.#applyAppearance();
     this.#refresh();
@@ -163,6 +167,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     // A player who rewound may play on, but the score is not ranked.
     this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
     this.#sidebar?.plot.record(session.sim.world);
+    for (let i = 0; i < this.#cards.length; i++) this.#cards[i].record?.(session.sim);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.add('frame', seconds * 1000);
     if (session.sim.world.tick !== this.#tick) this.#timing.add('step', session.stepTime);
@@ -193,6 +198,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const sidebar = this.#sidebar;
     if (sidebar === undefined) return;
     sidebar.plot.draw();
+    for (const card of this.#cards) card.show(sim);
     const { contacts, bodies: count = ({ world }) => bodies(world).count } = this.#game;
     sidebar.profile.show(sim.world);
     const stats = this.#stats;
@@ -285,12 +291,6 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#layout.root.toggleAttribute('data-safe-colors', safeColors);
     this.#session.safeColors = safeColors;
     if (this.#sidebar !== undefined) this.#sidebar.plot.safeColors = safeColors;
-  }
-
-  /** Listens to keys, touch pad and gamepad if the game has controls. */
-  #listen(): ControlListener | undefined {
-    const { controls } = this.#game;
-    return controls && listenToControls(this.#layout.root, controls, () => this.#session.sim);
   }
 
   /** Starts another game after the end of one, with the next seed so that it differs. */

@@ -62,6 +62,10 @@ export interface View {
   fit(): void;
   /** Zooms about the centre: in for a factor above one, out below. */
   zoom(factor: number): void;
+  /** Numbers that describe what is seen, for addresses. In 2D: centre and height of the window, m. */
+  camera?(): readonly number[];
+  /** Shows what `camera` described. */
+  setCamera?(numbers: readonly number[]): void;
   /** Position of a world point on the canvas, CSS pixels. */
   toScreen(x: number, y: number, z: number): { x: number; y: number };
   destroy(): void;
@@ -76,12 +80,22 @@ export interface Renderer<S extends Settings, Sim extends Simulation> {
   open(context: ViewContext<S, Sim>): Promise<View>;
 }
 
+/** A card of a game's own in the sidebar. */
+export interface GameCard<Sim extends Simulation> {
+  /** Called after the steps of each frame, and with a new world at once. */
+  record?(sim: Sim): void;
+  /** Brings the card up to date; called five times a second. */
+  show(sim: Sim): void;
+}
+
 /** A line of the help: keys or gestures, what they do, and `keyboard` where a touch screen does not need the line. */
 export type HelpLine = readonly [input: string, description: string, only?: 'keyboard'];
 
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
+  /** On phones the sidebar is a sheet below or beside the picture, open at the start; default false. */
+  readonly hasSheet?: boolean;
   readonly settings: S;
   /** Renderers by name as in `?renderer=`; the first is the default. */
   readonly renderers: Readonly<Record<string, Renderer<S, Sim>>>;
@@ -96,6 +110,8 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   applyColors?(sim: Sim, options: { readonly seed: number; readonly safeColors: boolean }): void;
   /** Changes the target position of a dragged body in place, for example to keep it inside a box. */
   dragLimit?(sim: Sim): DragOptions['limit'];
+  /** Largest speed of a dragged or thrown body, m/s; default 50. */
+  dragSpeed?(sim: Sim): number;
   /** Creates the same game from its beginning and replays the player's inputs. */
   replay?(sim: Sim): Sim;
   /** Number of contacts between bodies in the last step; undefined while the world does not count them. */
@@ -106,6 +122,11 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   outcome?(sim: Sim): Outcome | undefined;
   /** Values such as lives and score, for tests: `__game.state().game`. */
   report?(sim: Sim): Readonly<Record<string, unknown>>;
+  /** Creates the game's own cards in the sidebar, below the settings; it is loaded after the first frame. */
+  cards?(parent: HTMLElement): readonly GameCard<Sim>[];
+  /** Whether the run has come to its end: time then stands still until the player restarts or rewinds. */
+  hasEnded?(sim: Sim): boolean;
+
   /** Number of bodies in the statistics; default all of the world. A game with a pool of bodies counts those in use. */
   bodies?(sim: Sim): number;
   readonly help?: readonly HelpLine[];

@@ -5,6 +5,7 @@ export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, lis
 export { copyLink } from './copy-link.ts';
 export { type Dragging, type DragOptions, dragBodies } from './dragging.ts';
 export type {
+  GameCard,
   GameDefinition,
   HelpLine,
   Insets,

@@ -84,7 +84,11 @@ export class Session<S extends Settings, Sim extends Simulation> {
     this.#sim = sim;
     this.applyColors();
     const limit = this.game.dragLimit?.(sim);
-    this.#dragging = dragBodies(sim.world, limit === undefined ? {} : { limit });
+    const maxSpeed = this.game.dragSpeed?.(sim);
+    this.#dragging = dragBodies(sim.world, {
+      ...(limit === undefined ? {} : { limit }),
+      ...(maxSpeed === undefined ? {} : { maxSpeed }),
+    });
     this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: Math.max(MAX_FRAME, sim.dt) });
     this.#steppedManually = true;
     this.rewound = false;
@@ -158,7 +162,7 @@ export class Session<S extends Settings, Sim extends Simulation> {
 
   /** Advances by `seconds` of real time. */
   advance(seconds: number): void {
-    if (this.paused || this.#runner === undefined) {
+    if (this.paused || this.#runner === undefined || this.game.hasEnded?.(this.sim) === true) {
       this.dragging.place();
       this.steps = 0;
       return;

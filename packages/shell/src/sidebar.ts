@@ -27,12 +27,16 @@ export interface SidebarOptions {
   readonly actions: Actions;
   /** Whether games can be replayed. */
   readonly canReplay: boolean;
+  /** Creates the game's own cards. */
+  readonly cards: (parent: HTMLElement) => void;
 }
 
 export function createSidebar(parent: HTMLElement, options: SidebarOptions): Sidebar {
-  const { settings, values, set, world, actions, canReplay } = options;
+  const { settings, values, set, world, actions, canReplay, cards } = options;
+  const panel = createPanel(parent, settings, values, set);
+  cards(parent);
   return {
-    panel: createPanel(parent, settings, values, set),
+    panel,
     plot: createPlotCard(parent, world),
     stats: createStats(parent),
     profile: createProfileCard(parent),

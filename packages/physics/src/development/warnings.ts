@@ -57,6 +57,7 @@ const READ_BY_FORCES: Partial<Record<ComponentName, string>> = {
   LinearDrag: 'linearDrag()',
   QuadraticDrag: 'quadraticDrag()',
   AngularDrag: 'angularDrag()',
+  GravityScale: 'uniformGravity()',
   Lift: 'lift()',
   Hull: 'buoyancy({ … })',
   Thrust: 'thrust()',

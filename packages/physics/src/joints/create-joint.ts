@@ -1,12 +1,17 @@
 // Joints as entities. What a joint does is in kernels/joints/2d.
 import { despawn, spawn } from '../bodies/spawn.ts';
+import { JOINT_KINDS } from '../components/joint.ts';
 import { assertBody, staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { describe, PhysicsError } from '../errors/physics-error.ts';
 import { isRecord, mustBe, type VectorInput } from '../errors/validate.ts';
 import { atan2, cos, sin } from '../math/elementary.ts';
-import { JOINT_IMPULSES_BYTES, JOINT_IMPULSES_FIELDS, JointTableWord as Word } from '../memory/layouts.gen.ts';
+import {
+  JointImpulsesNumber as Impulses,
+  JOINT_IMPULSES_BYTES,
+  JointTableWord as Word,
+} from '../memory/layouts.gen.ts';
 import { isSoftStep } from '../solver/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { JointInput } from './joint-input.ts';
@@ -15,7 +20,8 @@ import { type EndedJoints, endedOf, jointTable } from './joint-table.ts';
 /**
  * Joins two rigid bodies in their present poses. The joint is an entity with the component Joint, whose limits, spring and motor
  * may be changed at any time; `despawn` removes it, and it goes when one of its bodies goes.
- * @param joint made by `revolute`, `distance`, `weld`, `prismatic` or `wheel`
+ * @param joint made by `revolute`, `distance`, `weld`, `prismatic`, `wheel`, `pulley`, `gear`, `motorJoint`, `mouseJoint` or
+ *   `filterJoint`
  * @returns the entity id of the joint
  * @throws PhysicsError E_STALE for a body that is not there; E_TYPE, E_RANGE, E_CAPACITY, E_DESTROYED
  */
@@ -29,28 +35,68 @@ export function createJoint(world: PhysicsWorld, joint: JointInput): number {
       hint: 'Make the world with `preset: rigidBodies`.',
     });
   }
-  const { kind, a, b, axis, fields } = joint;
-  assertBody(world, a);
+  const { a, b } = joint;
+  if (a !== 0) assertBody(world, a);
   assertBody(world, b);
+  return spawn(world, { joint: valuesOf(world, joint) });
+}
+
+function valuesOf(world: PhysicsWorld, { kind, a, b, axis, fields, ...points }: JointInput): Record<string, number> {
   const angles = world.components.Rotation.angle;
-  const anchorA = placeOf(world, a, joint.anchorA);
-  const anchorB = placeOf(world, b, joint.anchorB);
+  // The world has no centre: a body that is joined to it is held where it is.
+  const anchorB = placeOf(world, b, points.anchorB);
+  const anchorA = a === 0 && points.anchorA === undefined ? anchorB : placeOf(world, a, points.anchorA);
   const localA = toLocal(world, a, anchorA);
   const localB = toLocal(world, b, anchorB);
   const values: Record<string, number> = {
     kind,
-    a,
     b,
     ax: localA.x,
     ay: localA.y,
     bx: localB.x,
     by: localB.y,
-    angle: angles[b] - angles[a],
     length: distanceBetween(anchorA, anchorB),
     ...fields,
+    angle: angles[b] - angles[a] + (fields.angle ?? 0),
   };
-  if (axis !== undefined) values.axis = atan2(axis.y ?? 0, axis.x ?? 0) - angles[a];
-  return spawn(world, { joint: values });
+  if (a !== 0) values.a = a;
+  const direction = axis === undefined ? 0 : atan2(axis.y ?? 0, axis.x ?? 0);
+  if (kind === GEAR)
+    return { ...values, ...gearValues(world, a, b, axis === undefined ? undefined : direction, fields) };
+  if (kind === PULLEY) return { ...values, ...pulleyValues(anchorA, anchorB, points, fields) };
+  if (axis !== undefined) values.axis = direction - angles[a];
+  return values;
+}
+
+const GEAR = JOINT_KINDS.indexOf('gear');
+const PULLEY = JOINT_KINDS.indexOf('pulley');
+
+/** The coordinate of a gear joint is 0 as the bodies are now. An axis makes b a rack, which moves along it. */
+function gearValues(
+  { components }: PhysicsWorld,
+  a: number,
+  b: number,
+  axis: number | undefined,
+  { ratio = 1 }: JointInput['fields'],
+): Record<string, number> {
+  const { Position, Rotation } = components;
+  const start = -ratio * Rotation.angle[a];
+  if (axis === undefined) return { angle: Rotation.angle[b] + start };
+  return { isRack: 1, axis, angle: cos(axis) * Position.x[b] + sin(axis) * Position.y[b] + start };
+}
+
+/** The rope is as long as it is now, unless its length is given. */
+function pulleyValues(
+  anchorA: Point,
+  anchorB: Point,
+  { pulleyA, pulleyB }: Pick<JointInput, 'pulleyA' | 'pulleyB'>,
+  { ratio = 1, length }: JointInput['fields'],
+): Record<string, number> {
+  const { x: pulleyAx = 0, y: pulleyAy = 0 } = pulleyA ?? {};
+  const { x: pulleyBx = 0, y: pulleyBy = 0 } = pulleyB ?? {};
+  const ropeA = distanceBetween(anchorA, { x: pulleyAx, y: pulleyAy });
+  const ropeB = distanceBetween(anchorB, { x: pulleyBx, y: pulleyBy });
+  return { pulleyAx, pulleyAy, pulleyBx, pulleyBy, length: length ?? ropeA + ratio * ropeB };
 }
 
 function placeOf({ components }: PhysicsWorld, body: number, point: VectorInput | undefined) {
@@ -66,7 +112,8 @@ function distanceBetween(a: Point, b: Point): number {
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-function toLocal({ components }: PhysicsWorld, body: number, point: Point) {
+function toLocal({ components }: PhysicsWorld, body: number, point: Point): Point {
+  if (body === 0) return point;
   const { Position, Rotation } = components;
   const dx = point.x - Position.x[body];
   const dy = point.y - Position.y[body];
@@ -74,9 +121,6 @@ function toLocal({ components }: PhysicsWorld, body: number, point: Point) {
   const s = sin(Rotation.angle[body]);
   return { x: c * dx + s * dy, y: c * dy - s * dx };
 }
-
-/** Index of the largest force of the step among the numbers of a joint's impulses. */
-const FORCE = JOINT_IMPULSES_FIELDS.indexOf('force');
 
 /** Returns the joints that ended by themselves: always the same object. @throws PhysicsError E_DESTROYED */
 export function endedJoints(world: PhysicsWorld): EndedJoints {
@@ -101,10 +145,22 @@ export function breakJoints(world: PhysicsWorld): void {
  * @throws PhysicsError E_STALE when there is no joint with this id, E_DESTROYED
  */
 export function jointForce(world: PhysicsWorld, joint: number): number {
+  return impulsesOf(world, joint)[Impulses.force];
+}
+
+/**
+ * Returns the largest torque that a joint exerted in the last step, N m, about its anchor.
+ * @throws PhysicsError E_STALE when there is no joint with this id, E_DESTROYED
+ */
+export function jointTorque(world: PhysicsWorld, joint: number): number {
+  return impulsesOf(world, joint)[Impulses.torque];
+}
+
+function impulsesOf(world: PhysicsWorld, joint: number): Float64Array {
   assertUsable(world);
   if (!Number.isInteger(joint) || !isOpen(world, joint, 'Joint'))
     throw staleError(joint, `there is no joint ${describe(joint)} in this world.`);
   const { words } = jointTable(world);
   const at = words[Word.impulses] + JOINT_IMPULSES_BYTES * joint;
-  return new Float64Array(world.memory.buffer, at, JOINT_IMPULSES_FIELDS.length)[FORCE];
+  return new Float64Array(world.memory.buffer, at, JOINT_IMPULSES_BYTES / 8);
 }

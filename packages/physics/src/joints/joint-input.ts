@@ -14,6 +14,8 @@ export interface JointSpring {
   readonly hertz: number;
   /** 1 is critical; default 1. */
   readonly dampingRatio?: number;
+  /** Largest force of the spring of a distance joint, N; default any. */
+  readonly maxForce?: number;
 }
 
 /** A motor along the free coordinate. */
@@ -26,18 +28,22 @@ export interface JointMotor {
 
 /** The options of every joint. */
 export interface JointOptions {
-  /** The bodies, by id; one of them may be static. */
-  readonly a: number;
+  /** The first body, by id, which may be static; without it b is joined to the world. */
+  readonly a?: number;
+  /** The second body, by id. */
   readonly b: number;
   /** Whether the two bodies collide with each other; default false. */
   readonly collide?: boolean;
   /** Force at which the joint breaks, N; default never. */
   readonly breakForce?: number;
+  /** Torque at which the joint breaks, N m; default never. */
+  readonly breakTorque?: number;
 }
 
 /** A described joint, for `createJoint`. */
 export interface JointInput {
   readonly kind: number;
+  /** 0 for the world. */
   readonly a: number;
   readonly b: number;
   /** Points of both bodies, m, in world coordinates. Without one it is the centre of its body. */
@@ -45,6 +51,9 @@ export interface JointInput {
   readonly anchorB: VectorInput | undefined;
   /** Direction along which b moves, in world coordinates. */
   readonly axis: VectorInput | undefined;
+  /** Wheels of a pulley, m, in world coordinates. */
+  readonly pulleyA: VectorInput | undefined;
+  readonly pulleyB: VectorInput | undefined;
   /** Other fields of the component. */
   readonly fields: Readonly<Record<string, number>>;
 }
@@ -54,18 +63,55 @@ interface AllOptions extends JointOptions {
   readonly anchor?: VectorInput;
   readonly anchorA?: VectorInput;
   readonly anchorB?: VectorInput;
+  readonly target?: VectorInput;
   readonly axis?: VectorInput;
+  readonly pulleyA?: VectorInput;
+  readonly pulleyB?: VectorInput;
+  readonly ratio?: number;
   readonly length?: number;
+  readonly turn?: number;
+  readonly maxForce?: number;
+  readonly maxTorque?: number;
+  readonly angularSpeed?: number;
   readonly limits?: JointLimits;
   readonly spring?: JointSpring;
   readonly motor?: JointMotor;
 }
 
-/** The kinds of joints, as in kernels/joints/2d/joint-table.ts. */
-const JOINT_KINDS = { revolute: 0, distance: 1, weld: 2, prismatic: 3, wheel: 4 } as const;
+/** The options that are points or directions. */
+const POINTS = ['anchor', 'anchorA', 'anchorB', 'target', 'axis', 'pulleyA', 'pulleyB'] as const;
 
 /** A free coordinate without a limit on one side. */
 const UNLIMITED = 1e12;
+
+/** The options that are numbers: the field that each sets, and its least value. */
+const NUMBERS = [
+  ['length', 'length', 0],
+  ['ratio', 'ratio', -1e6],
+  ['turn', 'angle', -1e6],
+  ['maxForce', 'maxForce', 0],
+  ['maxTorque', 'maxMotor', 0],
+  ['angularSpeed', 'motorSpeed', -1e9],
+  ['breakForce', 'breakForce', 0],
+  ['breakTorque', 'breakTorque', 0],
+] as const;
+
+/** The joints that couple two bodies, and so need both. */
+const PAIRS: readonly string[] = ['pulley', 'gear', 'filterJoint'];
+
+/** The kinds of joints, as in kernels/joints/2d/joint-table.ts, by the function that describes one. */
+const KINDS = {
+  revolute: 0,
+  distance: 1,
+  weld: 2,
+  prismatic: 3,
+  wheel: 4,
+  motorJoint: 5,
+  mouseJoint: 5,
+  pulley: 6,
+  gear: 7,
+  filterJoint: 8,
+} as const;
 
 /**
  * Checks the options of a joint and collects its fields.
@@ -73,22 +119,27 @@ const UNLIMITED = 1e12;
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function describeJoint(
-  caller: keyof typeof JOINT_KINDS,
+  caller: keyof typeof KINDS,
   options: AllOptions,
   names: readonly (keyof AllOptions)[],
 ): JointInput {
-  checkKeys(options, caller, ['a', 'b', 'collide', 'breakForce', ...names]);
-  for (const name of ['a', 'b'] as const) checkWhole(options[name], `${caller}.${name}`, 1, MAX_CAPACITY);
-  const { anchor, limits, spring, motor, length, breakForce, collide } = options;
-  for (const name of ['anchor', 'anchorA', 'anchorB', 'axis'] as const) {
+  checkKeys(options, caller, ['a', 'b', 'collide', 'breakForce', 'breakTorque', ...names]);
+  checkWhole(options.b, `${caller}.b`, 1, MAX_CAPACITY);
+  if (options.a !== undefined || PAIRS.includes(caller)) checkWhole(options.a, `${caller}.a`, 1, MAX_CAPACITY);
+  for (const name of POINTS) {
     if (options[name] !== undefined) checkVector(options[name], `${caller}.${name}`);
   }
+  const { a = 0, b, anchor, anchorA = options.target ?? anchor, anchorB = anchor, axis, pulleyA, pulleyB } = options;
+  return { kind: KINDS[caller], a, b, anchorA, anchorB, axis, pulleyA, pulleyB, fields: fieldsOf(caller, options) };
+}
+
+function fieldsOf(caller: string, options: AllOptions): Record<string, number> {
+  const { limits, spring, motor, collide } = options;
   const fields: Record<string, number> = {};
   const take = (field: string, value: number | undefined, name: string, min = 0) => {
     if (value !== undefined) fields[field] = checkNumber(value, `${caller}.${name}`, { min, max: 1e12 });
   };
-  take('length', length, 'length');
-  take('breakForce', breakForce, 'breakForce');
+  for (const [name, field, min] of NUMBERS) take(field, options[name], name, min);
   fields.collide = Number(checkFlag(collide ?? false, `${caller}.collide`));
   if (limits !== undefined) {
     checkKeys(limits, `${caller}.limits`, ['lower', 'upper']);
@@ -97,15 +148,15 @@ export function describeJoint(
     take('upper', limits.upper ?? UNLIMITED, 'limits.upper', -UNLIMITED);
   }
   if (spring !== undefined) {
-    checkKeys(spring, `${caller}.spring`, ['hertz', 'dampingRatio']);
+    checkKeys(spring, `${caller}.spring`, ['hertz', 'dampingRatio', 'maxForce']);
     take('hertz', spring.hertz, 'spring.hertz');
     take('dampingRatio', spring.dampingRatio, 'spring.dampingRatio');
+    take('maxForce', spring.maxForce, 'spring.maxForce');
   }
   if (motor !== undefined) {
     checkKeys(motor, `${caller}.motor`, ['speed', 'max']);
     take('motorSpeed', motor.speed, 'motor.speed', -1e9);
     take('maxMotor', motor.max, 'motor.max');
   }
-  const { a, b, anchorA = anchor, anchorB = anchor, axis } = options;
-  return { kind: JOINT_KINDS[caller], a, b, anchorA, anchorB, axis, fields };
+  return fields;
 }

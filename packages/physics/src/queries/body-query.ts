@@ -13,6 +13,7 @@ import { cos, sin } from '../math/elementary.ts';
 import { allocate } from '../memory/arena.ts';
 import { BODY_QUERY_BYTES, SHAPE_BYTES } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
+import { placeParts } from '../solver/refresh-parts.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Which bodies a query is about. */
@@ -102,6 +103,7 @@ export function openQuery(
   shape?: Shape,
 ): RunningQuery {
   const { mask = 0xffffffff, ignore = 0 } = filter;
+  placeParts(world);
   const { at, shapeAt, words, reals } = queryMemory(world);
   const { Rotation, Collider } = world.addresses;
   const checked = [checkWhole(mask, 'mask', 0, 0xffffffff), checkWhole(ignore, 'ignore', 0, 0xffffffff)];

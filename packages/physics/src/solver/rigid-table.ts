@@ -18,7 +18,7 @@ const CONTACTS_PER_BODY = 6;
 const MIN_CONTACTS = 4096;
 
 /** Bytes of a contact's record: kernels/collision/narrow-phase/2d/rigid-contact.ts. */
-const contactBytes = (bytes: number) => 48 + 42 * bytes;
+const contactBytes = (bytes: number) => 56 + 42 * bytes;
 
 /** Bytes of a block of contacts, one for each lane of a vector: kernels/solver/2d/contact-block.ts. */
 const BLOCK_BYTES = 640;
@@ -30,7 +30,7 @@ const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / b
 const SLEEPER_REALS = 5;
 
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
-const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 6 * 4;
+const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 10 * 4;
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function rigidBytesPerEntity(precision: Precision): number {
@@ -49,7 +49,7 @@ export const rigidTable = resource((world): MemoryRecord => {
 });
 
 function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
-  const { Collider, Rotation } = world.addresses;
+  const { Attachment, Collider, MotionLocks, Rotation } = world.addresses;
   const { force, torque } = world.scratch.at;
   words[Word.generations] = world.internal.generations.byteOffset;
   words[Word.members] = world.internal.membersAt;
@@ -64,6 +64,18 @@ function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
   words[Word.dynamicBits] = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
   words[Word.turningBits] = (bitOf('Rotation') | bitOf('AngularVelocity')) >>> 0;
   words[Word.colliderBit] = bitOf('Collider');
+  words[Word.kinematicBit] = bitOf('Kinematic');
+  words[Word.neverSleepBit] = bitOf('NeverSleep');
+  words[Word.lockBit] = bitOf('MotionLocks');
+  words[Word.lockX] = MotionLocks.x;
+  words[Word.lockY] = MotionLocks.y;
+  words[Word.lockAngle] = MotionLocks.angle;
+  words[Word.attachmentBit] = bitOf('Attachment');
+  words[Word.attachmentBody] = Attachment.body;
+  words[Word.attachmentGeneration] = Attachment.bodyGeneration;
+  words[Word.attachmentX] = Attachment.x;
+  words[Word.attachmentY] = Attachment.y;
+  words[Word.attachmentAngle] = Attachment.angle;
 }
 
 function takeRows(world: PhysicsWorld, words: Uint32Array): void {
@@ -82,6 +94,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.treeRows, Word.enlarged]) {
     take(word, 4);
   }
+  for (const word of [Word.owners, Word.firstParts, Word.nextParts, Word.locked]) take(word, 4);
 }
 
 function takeContacts(world: PhysicsWorld, words: Uint32Array): void {

@@ -18,6 +18,7 @@ import { jointTable, refreshJoints } from '../joints/joint-table.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { markSoftStep } from './is-soft-step.ts';
+import { refreshParts } from './refresh-parts.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -91,6 +92,7 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
       refuseUnsupported(world);
       const { numbers } = rigidTable(world);
       for (const [value, number] of values) numbers[value] = number;
+      refreshParts(world);
       refreshJoints(world);
     },
     advance: (world, ranges, dt, evaluateForces) => advance(world, ranges, dt, evaluateForces, substeps),
@@ -124,34 +126,32 @@ function advance(
   for (let s = 0; s < substeps; s++) {
     evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
-    if (joints !== 0) startJoints(kernels, joints);
+    if (joints !== 0) kernels.startJoints(joints);
     kernels.warmStartContacts(at);
+    kernels.holdLocked(at);
     if (joints !== 0) solveJoints(kernels, joints, 1);
     kernels.solveContacts(at);
+    kernels.holdLocked(at);
     kernels.integratePositions(at);
     if (joints !== 0) solveJoints(kernels, joints, 0);
     kernels.relaxContacts(at);
+    kernels.holdLocked(at);
     kernels.writeBodies(at);
-    if (joints !== 0) kernels.watchJoints(joints);
   }
   kernels.applyRestitution(at);
+  kernels.holdLocked(at);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
   kernels.writeBodies(at);
   kernels.writeAngles(at);
+  if (words[Word.partCount] > 0) kernels.writeParts(at, 0);
   if (joints !== 0) kernels.listBroken(joints);
   kernels.updateSleep(at);
+  if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;
-
-/** The directions of all joints in this sub-step, and the impulses of the last. */
-function startJoints(kernels: Kernels, joints: number): void {
-  kernels.measureJoints(joints);
-  kernels.factorJoints(joints);
-  kernels.warmStartJoints(joints);
-}
 
 /** With `soft` 1 joints pull together what is apart. */
 function solveJoints(kernels: Kernels, joints: number, soft: number): void {

@@ -11,6 +11,7 @@ import {
   type ViewportSize,
   watchViewport,
   worldSource,
+  type ZoomLimits,
   zoomAt,
 } from '@principia/render-core';
 import { applyCamera, openScreen } from '@principia/render-pixi';
@@ -22,7 +23,8 @@ import type { Settings } from '../settings.ts';
 /** Distance by which a touch may miss a body, CSS pixels. */
 const TOUCH_SLACK = 10;
 const DEFAULT_MARGIN = 18;
-const ZOOM_LIMITS = { min: 10, max: 20_000 };
+/** Limits of the scale, relative to that of the whole picture. */
+const ZOOM_RANGE = { min: 0.1, max: 200 };
 
 /** The drawing of one world. */
 export interface Picture {
@@ -41,6 +43,8 @@ export interface PixiViewOptions<Sim extends Simulation> {
   bounds(sim: Sim): Bounds2;
   /** Creates the picture of a world; called again for every new world. */
   paint(sim: Sim, source: BodySource): Picture;
+  /** The y axis of the world points down on the screen; default false. */
+  yDown?(sim: Sim): boolean;
   /** Margin around the bounds, CSS pixels; default 18. */
   readonly margin?: number;
   /** Whether pointers may drag bodies; default true. */
@@ -64,13 +68,18 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
   const content = new Container();
   screen.stage.addChild(content);
   const camera: Camera2D = { x: 0, y: 0, pixelsPerMetre: 100 };
+  const zoomLimits = { min: 10, max: 20_000 };
   let shown = show(context, options, content);
   let isFitted = true;
 
   const fitAll = () => {
     isFitted = true;
     fitInto(camera, options, context, viewport);
+    zoomLimits.min = ZOOM_RANGE.min * camera.pixelsPerMetre;
+    zoomLimits.max = ZOOM_RANGE.max * camera.pixelsPerMetre;
   };
+  /** The camera's y axis points up; this is the sign of the world's. */
+  const up = () => (options.yDown?.(context.sim()) ? -1 : 1);
   const viewport = watchViewport(canvas, (width, height, resolution) => {
     renderer.resize(width, height, resolution);
     if (isFitted) queueMicrotask(fitAll);
@@ -78,26 +87,17 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
   const navigated = () => {
     isFitted = false;
   };
-  const canGrab = options.grab ?? true;
-  const pick = (x: number, y: number) => {
-    const slack = TOUCH_SLACK / camera.pixelsPerMetre;
-    if (!canGrab) return 0;
-    if (options.pick !== undefined) return options.pick(context.sim(), { x, y }, slack);
-    return pickBody2D(shown.source, context.alpha(), x, y, slack);
-  };
-  const grab = (id: number, x: number, y: number, pointer: number) => {
-    context.dragging().grab(pointer, id, x, y);
-    for (const other of bodiesWithin(shown.source, x, y, options.grabRadius ?? 0))
-      context.dragging().grab(pointer, other, x, y);
-  };
-  const pointers = dragByPointers(context, canvas, camera, { pick, grab, onNavigate: navigated });
+  const pointers = dragByPointers(context, canvas, camera, {
+    options,
+    source: () => shown.source,
+    up,
+    zoomLimits,
+    onNavigate: navigated,
+  });
   return {
     canvas,
     refresh(change) {
-      if (change === 'setting') {
-        shown.picture.refresh?.();
-        return;
-      }
+      if (change === 'setting') return shown.picture.refresh?.();
       shown.picture.destroy();
       shown = show(context, options, content);
       if (isFitted) fitAll();
@@ -110,9 +110,15 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
     fit: fitAll,
     zoom(factor) {
       navigated();
-      zoomAt(camera, viewport, viewport.width / 2, viewport.height / 2, factor, ZOOM_LIMITS);
+      zoomAt(camera, viewport, viewport.width / 2, viewport.height / 2, factor, zoomLimits);
     },
-    toScreen: (x, y) => toScreen(camera, viewport, x, y, { x: 0, y: 0 }),
+    camera: () => [camera.x, up() * camera.y, viewport.height / camera.pixelsPerMetre],
+    setCamera([x, y, height]) {
+      if (!(height > 0 && Number.isFinite(x + y + height))) return;
+      navigated();
+      Object.assign(camera, { x, y: up() * y, pixelsPerMetre: viewport.height / height });
+    },
+    toScreen: (x, y) => toScreen(camera, viewport, x, up() * y, { x: 0, y: 0 }),
     destroy() {
       pointers.destroy();
       viewport.destroy();
@@ -130,6 +136,7 @@ function show<S extends Settings, Sim extends Simulation>(
   const sim = context.sim();
   const source = worldSource(sim.world);
   const picture = options.paint(sim, source);
+  picture.container.scale.y *= options.yDown?.(sim) ? -1 : 1;
   parent.addChild(picture.container);
   return { source, picture };
 }
@@ -137,14 +144,16 @@ function show<S extends Settings, Sim extends Simulation>(
 /** Fits the bounds into the part of the window that nothing covers. */
 function fitInto<S extends Settings, Sim extends Simulation>(
   camera: Camera2D,
-  { bounds, margin = DEFAULT_MARGIN }: PixiViewOptions<Sim>,
+  { bounds, yDown, margin = DEFAULT_MARGIN }: PixiViewOptions<Sim>,
   context: ViewContext<S, Sim>,
   size: ViewportSize,
 ): void {
   const { top, right, bottom, left } = context.insets();
   const free = { width: size.width - left - right, height: size.height - top - bottom };
   if (!(free.width > 0 && free.height > 0)) return;
-  fit(camera, bounds(context.sim()), free, margin);
+  const { minX, maxX, minY, maxY } = bounds(context.sim());
+  const isDown = yDown?.(context.sim()) ?? false;
+  fit(camera, isDown ? { minX, maxX, minY: -maxY, maxY: -minY } : { minX, maxX, minY, maxY }, free, margin);
   camera.x += (right - left) / 2 / camera.pixelsPerMetre;
   camera.y += (top - bottom) / 2 / camera.pixelsPerMetre;
 }
@@ -156,9 +165,13 @@ function* bodiesWithin({ ids, count, position }: BodySource, x: number, y: numbe
   }
 }
 
-interface DragHandlers {
-  readonly pick: (x: number, y: number) => number;
-  readonly grab: (id: number, x: number, y: number, pointer: number) => void;
+interface DragSupport<Sim extends Simulation> {
+  readonly options: PixiViewOptions<Sim>;
+  /** The bodies on display. */
+  readonly source: () => BodySource;
+  /** 1 if the world's y axis points up, -1 if it points down. */
+  readonly up: () => 1 | -1;
+  readonly zoomLimits: ZoomLimits;
   readonly onNavigate: () => void;
 }
 
@@ -166,22 +179,33 @@ function dragByPointers<S extends Settings, Sim extends Simulation>(
   context: ViewContext<S, Sim>,
   canvas: HTMLCanvasElement,
   camera: Camera2D,
-  { pick, grab, onNavigate }: DragHandlers,
+  { options, source, up, zoomLimits, onNavigate }: DragSupport<Sim>,
 ) {
+  // The camera's y axis points up.
+  const pick = (x: number, cameraY: number) => {
+    const slack = TOUCH_SLACK / camera.pixelsPerMetre;
+    const y = up() * cameraY;
+    if (options.grab === false) return 0;
+    if (options.pick !== undefined) return options.pick(context.sim(), { x, y }, slack);
+    return pickBody2D(source(), context.alpha(), x, y, slack);
+  };
   return listenToPointers(canvas, {
     camera,
     pick,
     onNavigate,
-    zoomLimits: ZOOM_LIMITS,
+    zoomLimits,
     primaryPans: context.isSpaceHeld,
-    onGrab(id, x, y, pointer) {
+    onGrab(id, x, cameraY, pointer) {
+      const y = up() * cameraY;
       canvas.style.cursor = 'grabbing';
-      grab(id, x, y, pointer);
+      context.dragging().grab(pointer, id, x, y);
+      for (const other of bodiesWithin(source(), x, y, options.grabRadius ?? 0))
+        context.dragging().grab(pointer, other, x, y);
     },
-    onDrag: (_, x, y, pointer) => context.dragging().move(pointer, x, y),
+    onDrag: (_, x, y, pointer) => context.dragging().move(pointer, x, up() * y),
     onRelease(_id, _x, _y, vx, vy, pointer) {
       canvas.style.cursor = '';
-      context.dragging().release(pointer, vx, vy);
+      context.dragging().release(pointer, vx, up() * vy);
     },
     onHover(x, y) {
       canvas.style.cursor = pick(x, y) === 0 ? '' : 'grab';

@@ -32,8 +32,8 @@ export function nextContactPoint(table: usize, view: usize, cursor: i32): i32 {
     const c = columns();
     to.a = contact.a;
     to.b = contact.b;
-    to.x = get(c.positionX, contact.a) + point.ax;
-    to.y = get(c.positionY, contact.a) + point.ay;
+    to.x = get(c.positionX, contact.bodyA) + point.ax;
+    to.y = get(c.positionY, contact.bodyA) + point.ay;
     to.nx = contact.nx;
     to.ny = contact.ny;
     to.separation = point.separation;

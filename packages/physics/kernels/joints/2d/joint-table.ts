@@ -17,14 +17,22 @@ export class JointTable {
   angle: usize;
   axis: usize;
   length: usize;
+  pulleyAx: usize;
+  pulleyAy: usize;
+  pulleyBx: usize;
+  pulleyBy: usize;
+  ratio: usize;
+  isRack: usize;
   hasLimits: usize;
   lower: usize;
   upper: usize;
   hertz: usize;
   dampingRatio: usize;
+  maxForce: usize;
   motorSpeed: usize;
   maxMotor: usize;
   breakForce: usize;
+  breakTorque: usize;
   collide: usize;
   started: usize;
   // Ids of all joints, ascending, and the joints of this step in the order of the trees, class JointWork.
@@ -32,7 +40,8 @@ export class JointTable {
   count: i32;
   works: usize;
   workCount: i32;
-  // Indices of the joints with a spring, a motor or limits.
+  // Indices of the joints that do more than lock directions: with a spring, a motor or limits, and all motor joints,
+  // pulleys and gears.
   axes: usize;
   axisCount: i32;
   // Ids of the joints of which a body was removed, and of the broken joints.
@@ -69,7 +78,8 @@ export class JointTable {
   next: usize;
 }
 
-// What a joint has exerted, N s and N m s, on b: by its locked directions, spring, motor and limits.
+// What a joint has exerted, N s and N m s, on b: by its locked directions, spring, motor and limits. A motor joint has its
+// force and torque, and a gear its own, in the places of the locks; a pulley has its tension in `upper`.
 @unmanaged
 export class JointImpulses {
   lock0: f64;
@@ -79,8 +89,12 @@ export class JointImpulses {
   motor: f64;
   lower: f64;
   upper: f64;
-  // Largest force in the step, N.
+  // Largest force, N, and torque, N m, in the step.
   force: f64;
+  torque: f64;
+  // A hash of what users set, noted when its bodies fall asleep.
+  settings: u32;
+  pad: u32;
 }
 
 export const REVOLUTE: u32 = 0;
@@ -88,8 +102,14 @@ export const DISTANCE: u32 = 1;
 export const WELD: u32 = 2;
 export const PRISMATIC: u32 = 3;
 export const WHEEL: u32 = 4;
+export const MOTOR: u32 = 5;
+export const PULLEY: u32 = 6;
+export const GEAR: u32 = 7;
+export const FILTER: u32 = 8;
+
+export const IMPULSES_SIZE: usize = offsetof<JointImpulses>();
 
 // @ts-ignore: decorator
 @inline export function impulsesOf(t: JointTable, id: i32): JointImpulses {
-  return changetype<JointImpulses>(t.impulses + ((<usize>id) << 6));
+  return changetype<JointImpulses>(t.impulses + <usize>id * IMPULSES_SIZE);
 }

@@ -1,8 +1,10 @@
 // Joints that hang together as trees, so that all locked directions of a tree can be solved at once (solve-locks.ts). What
 // does not move belongs to no tree: a bridge between two pillars is one tree, and so is a chain from the ceiling. A joint
 // that closes a loop is left out and solved by itself, after the others.
+import { get } from '../../memory/columns';
 import { putWord, word } from '../../solver/2d/body';
-import { JointTable } from './joint-table';
+import { clearBody } from './articulated-body';
+import { DISTANCE, JointTable, MOTOR } from './joint-table';
 
 // What t.parents holds of a joint: which body is its parent, that it closes a loop, or that no tree has grown to it yet.
 export const LOOP: i32 = 0;
@@ -35,6 +37,7 @@ function linkJoint(t: JointTable, i: i32): void {
   const a = word(t.nodes, 2 * i);
   const b = word(t.nodes, 2 * i + 1);
   putWord(t.parents, i, LOOP);
+  if (!locks(t, word(t.active, i))) return;
   if (a != 0 && b != 0) {
     const setA = setOf(t, a);
     const setB = setOf(t, b);
@@ -44,6 +47,13 @@ function linkJoint(t: JointTable, i: i32): void {
   putWord(t.parents, i, UNREACHED);
   if (a != 0) listAt(t, a, 2 * i);
   if (b != 0) listAt(t, b, 2 * i + 1);
+}
+
+// Whether a joint locks any direction. One that does not must not close a loop of those that do.
+function locks(t: JointTable, id: i32): bool {
+  const kind = <u32>word(t.kind, id);
+  if (kind == DISTANCE) return !(get(t.hertz, id) > 0) && word(t.hasLimits, id) == 0;
+  return kind < MOTOR;
 }
 
 function setOf(t: JointTable, row: i32): i32 {
@@ -86,5 +96,17 @@ function reach(t: JointTable, row: i32): void {
       putWord(t.order, t.orderCount++, i);
     }
     entry = word(t.next, entry);
+  }
+}
+
+// Forgets what acts on the bodies of all trees. Each is a root or the child of one joint.
+export function clearTrees(t: JointTable): void {
+  for (let k = 0; k < t.rootCount; k++) clearBody(t, word(t.roots, k));
+  for (let k = 0; k < t.orderCount; k++) {
+    const i = word(t.order, k);
+    const parent = word(t.parents, i);
+    if (parent == LOOP) continue;
+    const child = word(t.nodes, 2 * i + (parent == PARENT_A ? 1 : 0));
+    if (child != 0) clearBody(t, child);
   }
 }

@@ -9,12 +9,12 @@ import { get } from '../../memory/columns';
 import { BodyState, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { soften, softness } from '../../solver/2d/softness';
-import { DISTANCE, JointImpulses, JointTable, impulsesOf } from './joint-table';
-import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { DISTANCE, GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
+import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
-
-// The frequency of a limit is at most this part of the rate of sub-steps, as that of a locked direction.
-export const MAX_PART_OF_RATE: f64 = 0.25;
+import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
+import { solveCoupling } from './solve-couplings';
+import { solveMotorJoint } from './solve-motor-joint';
 
 export function solveAxes(table: usize, soft: i32): void {
   const t = changetype<JointTable>(table);
@@ -24,6 +24,9 @@ export function solveAxes(table: usize, soft: i32): void {
     const a = stateA(rigid, work);
     const b = stateB(rigid, work);
     const impulses = impulsesOf(t, work.id);
+    if (work.kind == MOTOR) solveMotorJoint(t, work, impulses, rigid);
+    if (work.kind == PULLEY || work.kind == GEAR) solveCoupling(t, work, impulses, soft != 0);
+    if (work.kind >= MOTOR) continue;
     if (get(t.hertz, work.id) > 0) solveSpring(t, work, a, b, impulses, rigid.h);
     if (get(t.maxMotor, work.id) > 0) solveMotor(t, work, a, b, impulses, rigid.h);
     if (word(t.hasLimits, work.id) != 0) solveLimits(t, work, a, b, impulses, soft != 0);
@@ -33,18 +36,20 @@ export function solveAxes(table: usize, soft: i32): void {
 function solveSpring(t: JointTable, work: JointWork, a: BodyState, b: BodyState, to: JointImpulses, h: f64): void {
   const id = work.id;
   const row = rowOf(work, SPRING_ROW);
-  const rest = <u32>word(t.kind, id) == DISTANCE ? <f64>get(t.length, id) : 0;
+  const rest = work.kind == DISTANCE ? <f64>get(t.length, id) : 0;
   soften(<f64>get(t.hertz, id), <f64>get(t.dampingRatio, id), h);
   const bias = softness.biasRate * (row.error - rest);
-  const impulse = softImpulse(work, row, speedAlong(a, b, row) + bias, to.spring);
+  const wanted = softImpulse(coupling(work, row, row), speedAlong(a, b, row) + bias, to.spring);
+  const impulse = withinForce(wanted, to.spring, <f64>get(t.maxForce, id) * h);
   to.spring += impulse;
   applyAlong(work, a, b, row, impulse);
 }
 
+// Keeps what a spring exerts in a step below its largest force.
 // @ts-ignore: decorator
-@inline function softImpulse(work: JointWork, row: JointRow, speed: f64, before: f64): f64 {
-  const k = coupling(work, row, row);
-  return finite(k > 0 ? (-softness.massScale * speed) / k - softness.impulseScale * before : 0);
+@inline function withinForce(impulse: f64, before: f64, most: f64): f64 {
+  if (before + impulse > most) return most - before;
+  return before + impulse < -most ? -most - before : impulse;
 }
 
 function solveMotor(t: JointTable, work: JointWork, a: BodyState, b: BodyState, to: JointImpulses, h: f64): void {
@@ -61,23 +66,14 @@ function solveMotor(t: JointTable, work: JointWork, a: BodyState, b: BodyState, 
 function solveLimits(t: JointTable, work: JointWork, a: BodyState, b: BodyState, to: JointImpulses, soft: bool): void {
   const rigid = changetype<RigidTable>(t.rigid);
   const row = rowOf(work, SPRING_ROW);
-  soften(min<f64>(rigid.jointHertz, MAX_PART_OF_RATE / rigid.h), rigid.jointDampingRatio, rigid.h);
+  softenJoint(rigid);
+  const k = coupling(work, row, row);
   const low = row.error - <f64>get(t.lower, work.id);
-  const up = limitImpulse(work, row, speedAlong(a, b, row), low, to.lower, rigid.h, soft);
+  const up = limitImpulse(k, speedAlong(a, b, row), low, to.lower, rigid.h, soft);
   to.lower += up;
   applyAlong(work, a, b, row, up);
   const high = <f64>get(t.upper, work.id) - row.error;
-  const down = limitImpulse(work, row, -speedAlong(a, b, row), high, to.upper, rigid.h, soft);
+  const down = limitImpulse(k, -speedAlong(a, b, row), high, to.upper, rigid.h, soft);
   to.upper += down;
   applyAlong(work, a, b, row, -down);
-}
-
-// What must be added to the impulse of a limit that is `gap` away.
-function limitImpulse(work: JointWork, row: JointRow, speed: f64, gap: f64, before: f64, h: f64, soft: bool): f64 {
-  const k = coupling(work, row, row);
-  if (!(k > 0)) return 0;
-  let impulse = -speed / k;
-  if (gap > 0) impulse = -(speed + gap / h) / k;
-  else if (soft) impulse = softImpulse(work, row, speed + softness.biasRate * gap, before);
-  return finite(max<f64>(before + impulse, 0) - before);
 }

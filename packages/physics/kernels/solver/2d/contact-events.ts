@@ -46,7 +46,7 @@ function noteHit(t: RigidTable, contact: RigidContact): void {
   }
   if (changetype<usize>(hit) == 0) return;
   const i = t.hitCount++;
-  const pose = poseOf(t, contact.a);
+  const pose = poseOf(t, contact.bodyA);
   putWord(t.hitA, i, contact.a);
   putWord(t.hitB, i, contact.b);
   put(t.hitX, i, pose.x + hit.ax);

@@ -9,7 +9,7 @@ import { FatBox, measureBox, overlaps, rowBox, tight } from '../../collision/bro
 import { layersMeet } from '../../collision/broad-phase/2d/find-pairs';
 import { nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
-import { COLLIDES, DYNAMIC, FAST, flagsOf, poseOf, putFlags, stateOf, word } from './body';
+import { COLLIDES, COMPOUND, DYNAMIC, FAST, flagsOf, poseOf, putFlags, stateOf, word } from './body';
 import { RigidTable } from './rigid-table';
 
 // A body is fast when it moves by more than this part of its least extent.
@@ -29,7 +29,7 @@ export function stopFastBodies(table: usize): void {
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const flags = flagsOf(t, row) & ~FAST;
-    const fast = (flags & DYNAMIC) != 0 && (flags & COLLIDES) != 0 && isFast(t, row);
+    const fast = (flags & DYNAMIC) != 0 && (flags & (COLLIDES | COMPOUND)) != 0 && isFast(t, row);
     putFlags(t, row, fast ? flags | FAST : flags);
     if (fast) stopBody(t, row);
   }
@@ -44,10 +44,19 @@ export function stopFastBodies(table: usize): void {
 }
 
 function stopBody(t: RigidTable, row: i32): void {
-  const shape = shapeOf(row, spareB);
-  startSweep(t, row);
-  measurePath(shape);
   let first: real = 1;
+  if ((flagsOf(t, row) & COLLIDES) != 0) first = firstImpact(t, row, row, first);
+  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
+    first = firstImpact(t, row, part, first);
+  }
+  if (first < 1) moveBack(t, row, first);
+}
+
+// The fraction of the step at which a shape of a body meets something, at most `first`.
+function firstImpact(t: RigidTable, body: i32, row: i32, first: real): real {
+  const shape = shapeOf(row, spareB);
+  startSweep(t, body, row);
+  measurePath(shape);
   let i = 0;
   while (i < t.staticNodeCount) {
     const node = nodeAt(t.staticNodes, i);
@@ -56,21 +65,34 @@ function stopBody(t: RigidTable, row: i32): void {
       continue;
     }
     i++;
-    if (node.row != 0 && layersMeet(t, row, node.row)) first = min<real>(first, impactWith(t, row, node.row, shape));
+    if (node.row == 0 || !layersMeet(t, row, node.row)) continue;
+    const fraction = impactWith(t, row, node.row, shape);
+    if (fraction == SLIDES) {
+      slide(t, body, sweep.nx, sweep.ny);
+      startSweep(t, body, row);
+    } else {
+      first = min<real>(first, fraction);
+    }
   }
-  if (first < 1) moveBack(t, row, first);
+  return first;
 }
 
-// The way of the body in this step, as the second of the two that meet.
-function startSweep(t: RigidTable, row: i32): void {
+// What `impactWith` returns for a shape that slides along another from the start of the step.
+const SLIDES: real = 2;
+
+// The way of a shape of a body in this step, as the second of the two that meet.
+function startSweep(t: RigidTable, body: i32, row: i32): void {
   const pose = poseOf(t, row);
-  const state = stateOf(t, row);
+  const centre = poseOf(t, body);
+  const state = stateOf(t, body);
+  const fromX = pose.x - centre.x;
+  const fromY = pose.y - centre.y;
   sweep.bx = pose.x;
   sweep.by = pose.y;
   sweep.bc = pose.c;
   sweep.bs = pose.s;
-  sweep.endBx = pose.x + state.dx;
-  sweep.endBy = pose.y + state.dy;
+  sweep.endBx = centre.x + state.dx + (state.dc * fromX - state.ds * fromY);
+  sweep.endBy = centre.y + state.dy + (state.ds * fromX + state.dc * fromY);
   sweep.endBc = pose.c * state.dc - pose.s * state.ds;
   sweep.endBs = pose.s * state.dc + pose.c * state.ds;
 }
@@ -88,7 +110,7 @@ function measurePath(shape: Shape): void {
   path.maxY = max<real>(path.maxY, tight.maxY);
 }
 
-// The fraction of the step at which the body meets another that does not move; 1 for never.
+// The fraction of the step at which a shape meets another that does not move; 1 for never.
 function impactWith(t: RigidTable, row: i32, other: i32, shape: Shape): real {
   const pose = poseOf(t, other);
   sweep.ax = pose.x;
@@ -110,9 +132,9 @@ function impactWith(t: RigidTable, row: i32, other: i32, shape: Shape): real {
   timeOfImpact(sweep, wall, core);
   if (sweep.isHit == 0 || sweep.fraction == 0) return 1;
   if (nx == 0 && ny == 0) return sweep.fraction;
-  slide(t, row, nx, ny);
-  startSweep(t, row);
-  return 1;
+  sweep.nx = nx;
+  sweep.ny = ny;
+  return SLIDES;
 }
 
 // Takes the part of the movement that goes into a surface with this normal.

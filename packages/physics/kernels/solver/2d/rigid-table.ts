@@ -35,6 +35,29 @@ export class RigidTable {
   dynamicBits: u32;
   turningBits: u32;
   colliderBit: u32;
+  // What makes a body kinematic although it has mass, keeps it awake, and locks motions; then the columns of the locks.
+  kinematicBit: u32;
+  neverSleepBit: u32;
+  lockBit: u32;
+  lockX: usize;
+  lockY: usize;
+  lockAngle: usize;
+  // Rows of the bodies that are awake and have locked axes.
+  locked: usize;
+  lockedCount: i32;
+  // Parts of compound bodies (parts.ts): the bit of Attachment, its columns, and the ids of all parts, ascending.
+  attachmentBit: u32;
+  attachmentBody: usize;
+  attachmentGeneration: usize;
+  attachmentX: usize;
+  attachmentY: usize;
+  attachmentAngle: usize;
+  partIds: usize;
+  partCount: i32;
+  // By row: the body of a part, 0 of any other; the first part of a body, and the next part of the same body.
+  owners: usize;
+  firstParts: usize;
+  nextParts: usize;
   // By row: class BodyState, class BodyPose, flags (body.ts), fat box, the generation these belong to, colors in use.
   states: usize;
   poses: usize;

@@ -1,6 +1,7 @@
 // The broad phase: pairs of bodies whose fat boxes overlap. Only boxes that changed look for others, so a pair is found when
 // it begins to overlap; pairs that no longer do are dropped where contacts are updated.
 import { COLLIDES, DYNAMIC, ENLARGED, MOVES, STATIC, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { addContacts } from '../../narrow-phase/2d/contact-list';
 import { buildTree, nodeAt, refitTree } from './box-tree';
@@ -80,7 +81,11 @@ function findIn(t: RigidTable, nodes: usize, count: i32, row: i32): void {
   const others = flagsOf(t, other);
   if (((own | others) & DYNAMIC) == 0) return false;
   if ((others & ENLARGED) != 0 && other < row && (own & others & MOVES) != 0) return false;
-  return layersMeet(t, row, other) && !areJoined(t, row, other);
+  if (!layersMeet(t, row, other)) return false;
+  if (t.partCount == 0) return !areJoined(t, row, other);
+  const body = bodyOf(t, row);
+  const otherBody = bodyOf(t, other);
+  return body != otherBody && !areJoined(t, body, otherBody);
 }
 
 // Whether a joint keeps two bodies from colliding: a binary search.

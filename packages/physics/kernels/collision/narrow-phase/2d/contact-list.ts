@@ -1,6 +1,7 @@
 // The list of contacts, sorted by (a, b). Records stay where they are; the list holds their numbers.
 import { keyAt } from '../../broad-phase/2d/sort-keys';
 import { putWord, word } from '../../../solver/2d/body';
+import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { RIGID_CONTACT_SIZE, RigidContact, contactAt } from './rigid-contact';
 
@@ -52,6 +53,8 @@ function openContact(t: RigidTable, key: u64): i32 {
   memory.fill(changetype<usize>(contact), 0, RIGID_CONTACT_SIZE);
   contact.a = <i32>(key >> 32);
   contact.b = <i32>key;
+  contact.bodyA = bodyOf(t, contact.a);
+  contact.bodyB = bodyOf(t, contact.b);
   contact.generationA = <u32>word(t.generations, contact.a);
   contact.generationB = <u32>word(t.generations, contact.b);
   return slot;

@@ -1,12 +1,15 @@
-// A pair of bodies whose fat boxes overlap, from the step in which they begin to until they no longer do. It keeps the
+// A pair of shapes whose fat boxes overlap, from the step in which they begin to until they no longer do. It keeps the
 // manifold and its impulses, from which the next step starts.
 import { RigidTable } from '../../../solver/2d/rigid-table';
 
 @unmanaged
 export class RigidContact {
-  // Rows, a < b, and what the contact was made for: generations of the bodies, and the indices of their shapes.
+  // Rows of the shapes, a < b, and of the bodies that they belong to (solver/2d/parts.ts). Then what the contact was made
+  // for: generations of the rows, and the indices of their shapes.
   a: i32;
   b: i32;
+  bodyA: i32;
+  bodyB: i32;
   generationA: u32;
   generationB: u32;
   shapeA: u32;
@@ -35,7 +38,7 @@ export class RigidContact {
   point0: real;
 }
 
-// A point as it was found: anchors from the centres of both bodies, and separation. Then as it is in this step, and the
+// A point as it was found: anchors from the centres of mass of both bodies, and separation. Then as it is in this step, and the
 // impulses.
 @unmanaged
 export class ContactPoint {

@@ -1,0 +1,17 @@
+/** The laboratory: without an example in the address it lists all examples, otherwise it opens one. */
+import { EXAMPLES } from '@principia/scenes/examples';
+
+const query = new URLSearchParams(location.search);
+const id = query.get('example');
+const entry = EXAMPLES.find((candidate) => candidate.id === id);
+
+// Changed code is tried in a worker, which runs this script too.
+if (typeof document === 'undefined') await import('./trial.ts');
+else if (entry !== undefined) {
+  const { openExample } = await import('./example-page.ts');
+  await openExample(entry, query);
+} else {
+  const { showStartPage } = await import('./start-page.ts');
+  const unknown = id === null ? '' : `There is no example “${id}”. Choose one of these.`;
+  showStartPage(document.body, query.get('search') ?? '', unknown);
+}

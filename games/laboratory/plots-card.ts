@@ -1,0 +1,30 @@
+import type { Example } from '@principia/scenes/examples';
+import type { GameCard } from '@principia/shell';
+import { Chart } from './chart.ts';
+import type { LabRun } from './lab-run.ts';
+import { make } from './make.ts';
+
+/** The plots of an example: each is a card of its own. They are made anew for each run. */
+export function createPlotsCard(parent: HTMLElement, { id, duration }: Example): GameCard<LabRun>[] {
+  const section = make('div', 'lab-plots');
+  parent.append(section);
+  const state = { run: undefined as LabRun | undefined, charts: [] as Chart[] };
+  const follow = (run: LabRun) => {
+    if (state.run === run) return;
+    state.run = run;
+    for (const chart of state.charts) chart.destroy();
+    state.charts = run.plots.map((_, i) => new Chart(section, run, i, { duration, file: `${id}-${i + 1}` }));
+  };
+  return [
+    {
+      record(run) {
+        follow(run);
+        for (const chart of state.charts) chart.record();
+      },
+      show(run) {
+        follow(run);
+        for (const chart of state.charts) chart.draw();
+      },
+    },
+  ];
+}

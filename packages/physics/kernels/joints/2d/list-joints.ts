@@ -1,0 +1,66 @@
+// The list of joints, made when joints or bodies have come or gone.
+import { ASLEEP, WAKES, flagsOf, putFlags, putWord, word } from '../../solver/2d/body';
+import { forgetBox } from '../../solver/2d/gather-bodies';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { keyAt, sortKeys } from '../../collision/broad-phase/2d/sort-keys';
+import { JointTable } from './joint-table';
+
+// Lists the joints of which a body was removed, and the pairs that do not collide. Called before a step if joints or
+// bodies were added or removed.
+export function listJoints(table: usize): void {
+  const t = changetype<JointTable>(table);
+  const rigid = changetype<RigidTable>(t.rigid);
+  separatePairs(t, rigid);
+  wakeReleased(t, rigid);
+  t.orphanCount = 0;
+  t.pairCount = 0;
+  for (let i = 0; i < t.count; i++) {
+    const id = word(t.ids, i);
+    const a = word(t.a, id);
+    const b = word(t.b, id);
+    const hasA = a == 0 || hasGeneration(rigid, a, word(t.aGeneration, id));
+    if (!hasA || !hasGeneration(rigid, b, word(t.bGeneration, id))) {
+      putWord(t.orphans, t.orphanCount++, id);
+      continue;
+    }
+    if (a == 0 || word(t.collide, id) != 0) continue;
+    const key = ((<u64>min<i32>(a, b)) << 32) | <u64>max<i32>(a, b);
+    store<u64>(t.pairs + ((<usize>t.pairCount) << 3), key);
+    t.pairCount++;
+  }
+  sortKeys(t.pairs, t.spare, t.pairCount);
+  rigid.jointPairs = t.pairs;
+  rigid.jointPairCount = t.pairCount;
+}
+
+// Bodies that sleep wake when a joint of theirs is gone.
+function wakeReleased(t: JointTable, rigid: RigidTable): void {
+  for (let i = 0; i < rigid.linkCount; i++) {
+    const id = word(t.linkIds, i);
+    const a = word(t.links, 2 * i);
+    const b = word(t.links, 2 * i + 1);
+    const isThere = (<u32>word(rigid.members, id) & t.jointBit) != 0;
+    if (isThere && word(t.a, id) == a && word(t.b, id) == b) continue;
+    wakeLater(rigid, a);
+    wakeLater(rigid, b);
+  }
+}
+
+// @ts-ignore: decorator
+@inline function wakeLater(rigid: RigidTable, row: i32): void {
+  if ((flagsOf(rigid, row) & ASLEEP) != 0) putFlags(rigid, row, flagsOf(rigid, row) | WAKES);
+}
+
+// Bodies that a joint kept from colliding look for each other again.
+function separatePairs(t: JointTable, rigid: RigidTable): void {
+  for (let i = 0; i < t.pairCount; i++) {
+    const key = keyAt(t.pairs, i);
+    forgetBox(rigid, <i32>(key >> 32));
+    forgetBox(rigid, <i32>key);
+  }
+}
+
+// @ts-ignore: decorator
+@inline function hasGeneration(rigid: RigidTable, row: i32, generation: i32): bool {
+  return row > 0 && word(rigid.generations, row) == generation && (word(rigid.members, row) & 1) != 0;
+}

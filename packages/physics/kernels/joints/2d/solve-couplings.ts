@@ -1,0 +1,127 @@
+// Joints that couple motions of two bodies in different directions. Their coordinate q has a row for each body:
+//
+//   pulley   q = L - l_a - ratio · l_b                  q >= 0: the rope pulls, and may be slack
+//   gear     q = θ_b - ratio · θ_a - q_0                q = 0; of a rack the way of b along an axis stands for θ_b
+//
+// l is the length of rope between a body and its wheel. Sources: Box2D 2.4 (b2_pulley_joint.cpp, b2_gear_joint.cpp), whose
+// pulley is a rod that also pushes.
+import { get } from '../../memory/columns';
+import { cosine, sine } from '../../math/elementary';
+import { BodyState, poseOf, word } from '../../solver/2d/body';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { softness } from '../../solver/2d/softness';
+import { JointImpulses, JointTable, PULLEY } from './joint-table';
+import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf } from './joint-work';
+import { stateA, stateB } from './joint-rows';
+import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
+
+// The rows of the two bodies, in places that these joints do not use otherwise; the arm of each is that of its body.
+const ROW_A: i32 = MOTOR_ROW;
+const ROW_B: i32 = SPRING_ROW;
+
+// A shorter rope has no direction.
+const MIN_ROPE: f64 = 1e-9;
+
+export function measurePulley(t: JointTable, work: JointWork, rax: f64, ray: f64, rbx: f64, rby: f64): void {
+  const rigid = changetype<RigidTable>(t.rigid);
+  const id = work.id;
+  const a = poseOf(rigid, work.rowA);
+  const b = poseOf(rigid, work.rowB);
+  const ratio = <f64>get(t.ratio, id);
+  const ax = <f64>a.x + <f64>stateA(rigid, work).dx + rax - <f64>get(t.pulleyAx, id);
+  const ay = <f64>a.y + <f64>stateA(rigid, work).dy + ray - <f64>get(t.pulleyAy, id);
+  const bx = <f64>b.x + <f64>stateB(rigid, work).dx + rbx - <f64>get(t.pulleyBx, id);
+  const by = <f64>b.y + <f64>stateB(rigid, work).dy + rby - <f64>get(t.pulleyBy, id);
+  const ropeA = shorten(rowOf(work, ROW_A), ax, ay, rax, ray, 1);
+  const ropeB = shorten(rowOf(work, ROW_B), bx, by, rbx, rby, ratio);
+  rowOf(work, ROW_B).error = <f64>get(t.length, id) - ropeA - ratio * ropeB;
+}
+
+// The row along which a rope gets shorter, `ratio` times. Returns the length of the rope.
+function shorten(row: JointRow, x: f64, y: f64, rx: f64, ry: f64, ratio: f64): f64 {
+  const length = sqrt<f64>(x * x + y * y);
+  const k = length > MIN_ROPE ? -ratio / length : 0;
+  row.x = k * x;
+  row.y = k * y;
+  row.armA = rx * row.y - ry * row.x;
+  row.armB = row.armA;
+  return length;
+}
+
+export function measureGear(t: JointTable, work: JointWork): void {
+  const rigid = changetype<RigidTable>(t.rigid);
+  const id = work.id;
+  const ratio = <f64>get(t.ratio, id);
+  const rowA = rowOf(work, ROW_A);
+  rowA.x = 0;
+  rowA.y = 0;
+  rowA.armA = -ratio;
+  const angleA = <f64>get(rigid.angle, work.rowA) + <f64>stateA(rigid, work).turned;
+  const q = motionOfB(t, rigid, work) - ratio * angleA - <f64>get(t.angle, id);
+  rowOf(work, ROW_B).error = q;
+}
+
+// The row of b, and how far b has turned or gone along the axis.
+function motionOfB(t: JointTable, rigid: RigidTable, work: JointWork): f64 {
+  const row = rowOf(work, ROW_B);
+  const b = stateB(rigid, work);
+  row.x = 0;
+  row.y = 0;
+  row.armB = 1;
+  if (word(t.isRack, work.id) == 0) return <f64>get(rigid.angle, work.rowB) + <f64>b.turned;
+  const angle = <f64>get(t.axis, work.id);
+  row.x = cosine(angle);
+  row.y = sine(angle);
+  row.armB = 0;
+  const pose = poseOf(rigid, work.rowB);
+  return row.x * (<f64>pose.x + <f64>b.dx) + row.y * (<f64>pose.y + <f64>b.dy);
+}
+
+export function warmStartCoupling(work: JointWork, a: BodyState, b: BodyState, impulses: JointImpulses): void {
+  exert(work, a, b, work.kind == PULLEY ? impulses.upper : impulses.lock0);
+}
+
+export function solveCoupling(t: JointTable, work: JointWork, impulses: JointImpulses, soft: bool): void {
+  const rigid = changetype<RigidTable>(t.rigid);
+  const a = stateA(rigid, work);
+  const b = stateB(rigid, work);
+  const gap = rowOf(work, ROW_B).error;
+  const k = inverseMassOf(work);
+  softenJoint(rigid);
+  if (work.kind == PULLEY) {
+    const pull = limitImpulse(k, speedOf(work, a, b), gap, impulses.upper, rigid.h, soft);
+    impulses.upper += pull;
+    return exert(work, a, b, pull);
+  }
+  if (!soft) softness.impulseScale = 0;
+  if (!soft) softness.massScale = 1;
+  const bias = soft ? softness.biasRate * gap : 0;
+  const turn = softImpulse(k, speedOf(work, a, b) + bias, impulses.lock0);
+  impulses.lock0 += turn;
+  exert(work, a, b, turn);
+}
+
+function speedOf(work: JointWork, a: BodyState, b: BodyState): f64 {
+  const p = rowOf(work, ROW_A);
+  const q = rowOf(work, ROW_B);
+  const ofA = p.x * <f64>a.vx + p.y * <f64>a.vy + p.armA * <f64>a.w;
+  return ofA + q.x * <f64>b.vx + q.y * <f64>b.vy + q.armB * <f64>b.w;
+}
+
+function inverseMassOf(work: JointWork): f64 {
+  const p = rowOf(work, ROW_A);
+  const q = rowOf(work, ROW_B);
+  const ofA = work.massA * (p.x * p.x + p.y * p.y) + work.inertiaA * p.armA * p.armA;
+  return ofA + work.massB * (q.x * q.x + q.y * q.y) + work.inertiaB * q.armB * q.armB;
+}
+
+function exert(work: JointWork, a: BodyState, b: BodyState, impulse: f64): void {
+  const p = rowOf(work, ROW_A);
+  const q = rowOf(work, ROW_B);
+  a.vx = <real>(<f64>a.vx + impulse * work.massA * p.x);
+  a.vy = <real>(<f64>a.vy + impulse * work.massA * p.y);
+  a.w = <real>(<f64>a.w + impulse * work.inertiaA * p.armA);
+  b.vx = <real>(<f64>b.vx + impulse * work.massB * q.x);
+  b.vy = <real>(<f64>b.vy + impulse * work.massB * q.y);
+  b.w = <real>(<f64>b.w + impulse * work.inertiaB * q.armB);
+}

@@ -1,0 +1,19 @@
+import type { VectorInput } from '../errors/validate.ts';
+import { describeJoint, type JointInput, type JointOptions } from './joint-input.ts';
+
+export interface GearOptions extends JointOptions {
+  readonly a: number;
+  /** Angle by which b turns for each radian of a: negative for two wheels whose teeth mesh. Of a rack, metres. */
+  readonly ratio: number;
+  /** Direction in the world along which b moves, in place of turning: b is a rack, and a its pinion. */
+  readonly axis?: VectorInput;
+}
+
+/**
+ * Couples the turns of two bodies, or the turn of a with the motion of b along an axis. What holds the bodies, such as two
+ * joints `revolute`, is made beside it.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function gear(options: GearOptions): JointInput {
+  return describeJoint('gear', options, ['ratio', 'axis']);
+}

@@ -1,0 +1,61 @@
+import { checkNumber, type VectorInput } from '../errors/validate.ts';
+import { describeJoint, type JointInput, type JointOptions, type JointSpring } from './joint-input.ts';
+
+export interface MotorJointOptions extends JointOptions {
+  /** Point of b that is driven, m, in world coordinates; default its centre. */
+  readonly anchor?: VectorInput;
+  /** Where it is driven to, m, in world coordinates; default where it is now. It moves with a. */
+  readonly target?: VectorInput;
+  /** Angle by which b is to turn against a from how they are now, rad; default 0. */
+  readonly turn?: number;
+  /** How b approaches; default 1 Hz, critically damped. With `hertz: 0` b is stopped against a wherever it is. */
+  readonly spring?: JointSpring;
+  /** Largest force, N. */
+  readonly maxForce: number;
+  /** Largest torque, N m. */
+  readonly maxTorque: number;
+  /** With `hertz: 0`, the speed at which b turns against a, rad/s; default 0. */
+  readonly angularSpeed?: number;
+}
+
+/**
+ * Drives b to a pose in the frame of a, with a limited force and torque: a platform, a character, or, with `hertz: 0`, the
+ * friction of a floor that is seen from above.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function motorJoint(options: MotorJointOptions): JointInput {
+  const filled = { spring: { hertz: 1 }, ...options };
+  const names = ['anchor', 'target', 'turn', 'spring', 'maxForce', 'maxTorque', 'angularSpeed'] as const;
+  return describeJoint('motorJoint', requireLimits('motorJoint', filled, ['maxForce', 'maxTorque']), names);
+}
+
+export interface MouseJointOptions extends Omit<JointOptions, 'a'> {
+  /** Point of b that is pulled, m, in world coordinates; default its centre. */
+  readonly anchor?: VectorInput;
+  /** Where it is pulled to, m, in world coordinates. The columns `Joint.ax` and `Joint.ay` move it. */
+  readonly target: VectorInput;
+  /** How b approaches; default 5 Hz with a damping ratio of 0.7. */
+  readonly spring?: JointSpring;
+  /** Largest force, N. */
+  readonly maxForce: number;
+}
+
+/**
+ * Pulls a point of a body to a target, such as a pointer, without fixing its angle: `motorJoint` to the world without a torque.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
+export function mouseJoint(options: MouseJointOptions): JointInput {
+  const filled = { spring: { hertz: 5, dampingRatio: 0.7 }, ...options };
+  return describeJoint('mouseJoint', requireLimits('mouseJoint', filled, ['maxForce']), [
+    'anchor',
+    'target',
+    'spring',
+    'maxForce',
+  ]);
+}
+
+/** A motor without a limit would be a weld: the limits have no default. */
+function requireLimits<T extends object>(caller: string, options: T, names: readonly (keyof T & string)[]): T {
+  for (const name of names) checkNumber(options[name], `${caller}.${name}`, { min: 0, max: 1e12 });
+  return options;
+}

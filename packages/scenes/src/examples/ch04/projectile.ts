@@ -1,0 +1,98 @@
+import {
+  createPhysicsWorld,
+  positionFirstEuler,
+  rungeKutta4,
+  spawn,
+  uniformGravity,
+  velocityVerlet,
+} from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { COLORS, pointsOf } from '../picture.ts';
+import { positionOf, velocityOf } from '../support/read.ts';
+
+const START = { x: 100, y: 350 };
+
+export default defineExample({
+  id: 'ch04-projectile',
+  title: 'A throw, stepped and exact',
+  chapter: 4,
+  tags: ['gravity', 'projectile', 'integrators'],
+  about:
+    'A ball is thrown upwards and moved in steps of 1/60 s; the ring moves on the exact parabola. The scheme that moves the ball first and changes its velocity afterwards falls behind by g dt t/2: one pixel and a third after 16 s. Velocity Verlet is exact for a constant force.',
+  duration: 16,
+  ends: true,
+  parameters: {
+    gravity: { label: 'Gravity', unit: 'px/s²', initial: 10, min: 1, max: 30 },
+    vx: { label: 'Velocity to the right', unit: 'px/s', initial: 20, min: 0, max: 30 },
+    vy: { label: 'Velocity upwards', unit: 'px/s', initial: 80, min: 0, max: 80 },
+  },
+  build({ gravity, vx, vy }, { integrator = positionFirstEuler }) {
+    const world = createPhysicsWorld({ capacity: 4, forces: [uniformGravity({ y: gravity })], integrator });
+    const ball = spawn(world, { position: START, velocity: { x: vx, y: -vy }, mass: 1, collider: 12 });
+    const exact = (t: number) => ({ x: START.x + vx * t, y: START.y - vy * t + (gravity / 2) * t * t });
+    return { world, dt: 1 / 60, ball, exact };
+  },
+  picture({ world, ball, exact }) {
+    return {
+      yDown: true,
+      view: { minX: 60, maxX: 460, minY: 0, maxY: 390 },
+      lines: [{ from: { x: 60, y: START.y + 12 }, to: { x: 460, y: START.y + 12 }, color: COLORS.ground }],
+      curves: [{ points: pointsOf(exact, 0, 16), now: exact, markRadius: 12, label: 'exact', color: COLORS.grey }],
+      arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.6 }],
+    };
+  },
+  plots: [
+    {
+      title: 'Height',
+      y: { label: 'height, px' },
+      series: [
+        {
+          label: 'stepped',
+          value: ({ world, ball }) => START.y - positionOf(world, ball).y,
+          exact: (t, { gravity, vy }) => vy * t - (gravity / 2) * t * t,
+        },
+      ],
+    },
+  ],
+  checks: [
+    {
+      label: 'Distance after 16 s',
+      unit: 'px',
+      exact: ({ vx }) => 16 * vx,
+      tolerance: { absolute: 1e-9 },
+      at: { time: 16 },
+      measure: ({ world, ball }) => positionOf(world, ball).x - START.x,
+    },
+    {
+      label: 'Too high after 16 s, ½ g dt t',
+      unit: 'px',
+      exact: ({ gravity }) => (0.5 * gravity * 16) / 60,
+      tolerance: { absolute: 1e-4 },
+      at: { time: 16 },
+      measure: ({ world, ball, exact }) => exact(world.time).y - positionOf(world, ball).y,
+      integrator: positionFirstEuler,
+    },
+    {
+      label: 'Height of the apex',
+      unit: 'px',
+      exact: 320,
+      tolerance: { absolute: 1e-9 },
+      at: { time: 8 },
+      measure: ({ world, ball }) => START.y - positionOf(world, ball).y,
+      integrator: velocityVerlet,
+    },
+    {
+      label: 'Height of the apex',
+      unit: 'px',
+      exact: 320,
+      tolerance: { absolute: 1e-9 },
+      at: { time: 8 },
+      measure: ({ world, ball }) => START.y - positionOf(world, ball).y,
+      integrator: rungeKutta4,
+    },
+  ],
+  tryThis: [
+    'Change the integrator to velocity Verlet: ball and ring stay together.',
+    'Double the gravity: the ball lands in half the time, and the error of the first scheme doubles.',
+  ],
+});

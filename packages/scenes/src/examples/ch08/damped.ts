@@ -1,0 +1,92 @@
+import { cos, createPhysicsWorld, exp, linearDrag, rungeKutta4, sin, spawn, springs } from '@principia/physics';
+import { defineExample, type ValuesOf } from '../define-example.ts';
+import { COLORS } from '../picture.ts';
+import { positionOf, velocityOf } from '../support/read.ts';
+
+const CENTRE = 350;
+const AMPLITUDE = 250;
+
+/** Exact position of an underdamped oscillator of 1 kg that starts at rest. */
+function exactX(t: number, { stiffness, damping }: ValuesOf<'stiffness' | 'damping'>): number {
+  const gamma = damping / 2;
+  const omega = Math.sqrt(stiffness - gamma * gamma);
+  return CENTRE - AMPLITUDE * exp(-gamma * t) * (cos(omega * t) + (gamma / omega) * sin(omega * t));
+}
+
+const frequency = ({ stiffness, damping }: ValuesOf<'stiffness' | 'damping'>) =>
+  Math.sqrt(stiffness - (damping * damping) / 4);
+
+export default defineExample({
+  id: 'ch08-damped',
+  title: 'A damped oscillator',
+  chapter: 8,
+  tags: ['spring', 'oscillation', 'damping'],
+  about:
+    'A spring pulls the ball to the middle, and drag −c v takes energy from it. The amplitude falls by the same factor in each period, as exp(−c t/2m), and the period is a little longer than without damping.',
+  duration: 20,
+  parameters: {
+    stiffness: { label: 'Stiffness of the spring', unit: 'N/m', initial: 10, min: 1, max: 40 },
+    damping: { label: 'Damping c', unit: 'kg/s', initial: 0.5, min: 0, max: 1.9 },
+  },
+  build({ stiffness, damping }, { integrator = rungeKutta4 }) {
+    const world = createPhysicsWorld({ capacity: 8, forces: [linearDrag(), springs()], integrator });
+    const wall = spawn(world, { position: { x: CENTRE, y: 250 } });
+    const at = { x: CENTRE - AMPLITUDE, y: 250 };
+    const ball = spawn(world, { position: at, mass: 1, collider: 20, linearDrag: damping });
+    spawn(world, { spring: { a: wall, b: ball, stiffness } });
+    return { world, dt: 1 / 60, ball };
+  },
+  picture({ world, ball }, values) {
+    const at = () => positionOf(world, ball);
+    return {
+      view: { minX: 50, maxX: 650, minY: 130, maxY: 370 },
+      lines: [
+        { from: { x: CENTRE, y: 215 }, to: { x: CENTRE, y: 285 }, color: COLORS.grey },
+        { from: { x: CENTRE, y: 250 }, to: at, coils: 14, color: COLORS.yellow },
+      ],
+      curves: [{ points: [], now: (t) => ({ x: exactX(t, values), y: 250 }), markRadius: 20, label: 'exact' }],
+      arrows: [{ label: 'v', from: at, vector: () => velocityOf(world, ball), scale: 0.15, color: COLORS.green }],
+    };
+  },
+  plots: [
+    {
+      title: 'Displacement',
+      y: { label: 'x, px' },
+      series: [
+        {
+          label: 'stepped',
+          value: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
+          exact: (t, values) => exactX(t, values) - CENTRE,
+        },
+      ],
+    },
+    {
+      title: 'Velocity against displacement',
+      x: { label: 'x, px', value: ({ world, ball }) => positionOf(world, ball).x - CENTRE },
+      y: { label: 'v, px/s' },
+      series: [{ label: 'path', value: ({ world, ball }) => velocityOf(world, ball).x }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Period, 2π/√(k/m − c²/4m²)',
+      unit: 's',
+      exact: (values) => (2 * Math.PI) / frequency(values),
+      tolerance: { relative: 1e-3 },
+      at: { event: ({ world, ball }) => positionOf(world, ball).x - CENTRE, from: 1, to: 2 },
+      measure: ({ world }) => world.time,
+    },
+    {
+      label: 'Displacement after 10 s',
+      unit: 'px',
+      exact: (values) => exactX(10, values) - CENTRE,
+      tolerance: { absolute: 1e-3 },
+      at: { time: 10 },
+      measure: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
+    },
+  ],
+  tryThis: [
+    'Set the damping to zero: the ball swings for ever.',
+    'Watch the second plot: the path winds into the middle; without damping it closes.',
+  ],
+});

@@ -1,0 +1,245 @@
+import { type Integrator, PhysicsError } from '@principia/physics';
+import { checkParameter, type SceneRun } from '../scene.ts';
+import { type Check, type CheckState, type Monitor, monitor } from './check.ts';
+import type { Picture } from './picture.ts';
+
+/** A parameter of an example: a number in a range, or a choice of words, whose value is the index of the word. */
+export interface ExampleParameter {
+  readonly label: string;
+  /** SI unit, or the unit of the book with its scale; empty for a dimensionless number. */
+  readonly unit: string;
+  /** The default value. */
+  readonly initial: number;
+  readonly min: number;
+  readonly max: number;
+  readonly integer?: boolean;
+  /** A logarithmic slider, for a range of several powers of ten; `min` is then positive. */
+  readonly scale?: 'log';
+  /** One line. */
+  readonly about?: string;
+  /** Words instead of numbers, from index `min` = 0 to `max`; see `choiceOf`. */
+  readonly choices?: readonly string[];
+}
+
+/** The values of the parameters, by name. */
+export type ValuesOf<Name extends string> = Readonly<Record<Name, number>>;
+
+/** What `build` gets besides the values. */
+export interface BuildOptions {
+  /** Equal seeds and values give equal worlds. */
+  readonly seed: number;
+  /** Replaces the integrator of the example, to compare schemes. */
+  readonly integrator?: Integrator;
+}
+
+/** A line of a plot. */
+export interface Series<Run, Values> {
+  readonly label: string;
+  /** The present value. */
+  readonly value: (run: Run) => number;
+  /** The exact value at a time, s, drawn as a thin line. */
+  readonly exact?: (time: number, values: Values) => number;
+}
+
+/** A plot: of the series against time, or of each against the quantity `x`. */
+export interface Plot<Run, Values> {
+  readonly title: string;
+  /** Label and unit of the horizontal axis; default `t, s`. */
+  readonly x?: { readonly label: string; readonly value: (run: Run) => number };
+  /** Label and unit of the vertical axis. */
+  readonly y: { readonly label: string };
+  readonly series: readonly Series<Run, Values>[];
+}
+
+/** Named values of the parameters, such as another launch velocity. */
+export interface ExamplePreset<Name extends string> {
+  readonly label: string;
+  readonly values: Partial<ValuesOf<Name>>;
+}
+
+/** What the player can do besides changing parameters: a key, and a button where there is no keyboard. */
+export interface ExampleAction<Run> {
+  /** A symbol or a short word for the button. */
+  readonly label: string;
+  /** What happens, such as `fire the main engine`. */
+  readonly about: string;
+  /** Value of `KeyboardEvent.key` in lower case, such as `arrowup` or `c`. */
+  readonly key: string;
+  press(run: Run): void;
+  /** Called when the key is released, for what acts as long as it is held. */
+  release?(run: Run): void;
+}
+
+/** The definition of an example. */
+export interface ExampleSpec<Name extends string, Run extends SceneRun> {
+  /** Chapter and name, as the path of the file: `ch05-floating-ball` is in `ch05/floating-ball.ts`. */
+  readonly id: string;
+  readonly title: string;
+  readonly chapter: number;
+  readonly tags: readonly string[];
+  /** What one sees and which law is behind it; a few sentences. */
+  readonly about: string;
+  /** The world has three dimensions. */
+  readonly dimensions?: 2 | 3;
+  /** How long it takes until everything has been seen and checked, s. */
+  readonly duration: number;
+  /** The run stops at the end of its duration; left out, it goes on. */
+  readonly ends?: boolean;
+  readonly parameters: Readonly<Record<Name, ExampleParameter>>;
+  readonly presets?: readonly ExamplePreset<Name>[];
+  /** Builds the world. The result also names the bodies that picture, plots and checks refer to. */
+  build(values: ValuesOf<Name>, options: BuildOptions): Run;
+  picture(run: Run, values: ValuesOf<Name>): Picture;
+  /** By name; the names `up`, `down`, `left`, `right` and `action` give their place on the touch pad. */
+  readonly actions?: Readonly<Record<string, ExampleAction<Run>>>;
+  readonly plots: readonly Plot<Run, ValuesOf<Name>>[];
+  readonly checks: readonly Check<Run, ValuesOf<Name>>[];
+  /** Sentences that tell the reader what to change and what to watch. */
+  readonly tryThis: readonly string[];
+}
+
+/** Options of a run; parameters that are left out have their default values. */
+export interface ExampleOptions {
+  readonly values?: Readonly<Record<string, number>>;
+  readonly seed?: number;
+  readonly integrator?: Integrator;
+}
+
+/** A run of an example: the world, what to show, and the state of its checks. */
+export interface ExampleRun extends SceneRun {
+  readonly picture: Picture;
+  readonly values: Readonly<Record<string, number>>;
+  /** The integrator that the example has by default. */
+  readonly ownIntegrator: Integrator;
+  readonly plots: readonly LivePlot[];
+  /** Presses or releases the key of an action. */
+  act(name: string, isDown: boolean): void;
+  /** Measures the present state for the checks; without it a check is one step late. */
+  observe(): void;
+  checkStates(): readonly CheckState[];
+  /** Whether no check is waiting. */
+  isDone(): boolean;
+}
+
+/** A plot of a run. */
+export interface LivePlot {
+  readonly title: string;
+  readonly x: { readonly label: string; readonly value: () => number };
+  readonly y: { readonly label: string };
+  readonly series: readonly {
+    readonly label: string;
+    readonly value: () => number;
+    readonly exact?: (time: number) => number;
+  }[];
+}
+
+/** An example: its description, and `start`. */
+export interface Example {
+  readonly id: string;
+  readonly title: string;
+  readonly chapter: number;
+  readonly tags: readonly string[];
+  readonly about: string;
+  readonly dimensions: 2 | 3;
+  readonly duration: number;
+  readonly ends: boolean;
+  readonly parameters: Readonly<Record<string, ExampleParameter>>;
+  readonly presets: readonly ExamplePreset<string>[];
+  readonly actions: Readonly<Record<string, Pick<ExampleAction<never>, 'label' | 'about' | 'key'>>>;
+  readonly tryThis: readonly string[];
+  readonly checks: readonly Pick<Check<never, never>, 'label' | 'unit' | 'tolerance' | 'integrator' | 'preset'>[];
+  /** Builds a run. @throws PhysicsError E_UNKNOWN, E_TYPE, E_NONFINITE, E_RANGE for invalid values */
+  start(options?: ExampleOptions): ExampleRun;
+}
+
+/** Makes an example from its definition. */
+export function defineExample<Name extends string, Run extends SceneRun>(spec: ExampleSpec<Name, Run>): Example {
+  const { id, title, chapter, tags, about, dimensions = 2, duration, ends = false } = spec;
+  const { parameters, presets = [], actions = {}, tryThis, checks } = spec;
+  return {
+    id,
+    title,
+    chapter,
+    tags,
+    about,
+    dimensions,
+    duration,
+    ends,
+    parameters,
+    presets,
+    actions,
+    tryThis,
+    checks,
+    start(options = {}) {
+      const values = completeValues(spec.id, parameters, options.values ?? {});
+      return startRun(spec, values as ValuesOf<Name>, options);
+    },
+  };
+}
+
+function startRun<Name extends string, Run extends SceneRun>(
+  spec: ExampleSpec<Name, Run>,
+  values: ValuesOf<Name>,
+  { seed = 1, integrator }: ExampleOptions,
+): ExampleRun {
+  const run = spec.build(values, { seed, ...(integrator === undefined ? {} : { integrator }) });
+  const { world, dt } = run;
+  const ownIntegrator = integrator === undefined ? world.integrator : spec.build(values, { seed }).world.integrator;
+  if (integrator !== undefined) world.integrator = integrator;
+  const hasValuesOf = (label?: string) => {
+    const preset: Partial<ValuesOf<Name>> = spec.presets?.find((each) => each.label === label)?.values ?? {};
+    return Object.entries<ExampleParameter>(spec.parameters).every(
+      ([name, { initial }]) => values[name as Name] === (preset[name as Name] ?? initial),
+    );
+  };
+  const watch: Monitor = monitor(run, values, spec.checks, hasValuesOf);
+  return {
+    ...run,
+    world,
+    dt,
+    values,
+    ownIntegrator,
+    picture: spec.picture(run, values),
+    plots: spec.plots.map((plot) => livePlot(plot, run, values)),
+    act(name, isDown) {
+      if (isDown) spec.actions?.[name]?.press(run);
+      else spec.actions?.[name]?.release?.(run);
+    },
+    observe: watch.observe,
+    checkStates: watch.states,
+    isDone: watch.isDone,
+  };
+}
+
+function livePlot<Run extends SceneRun, Values>(plot: Plot<Run, Values>, run: Run, values: Values): LivePlot {
+  const { title, x, y, series } = plot;
+  return {
+    title,
+    x: { label: x?.label ?? 't, s', value: x === undefined ? () => run.world.time : () => x.value(run) },
+    y,
+    series: series.map(({ label, value, exact }) => ({
+      label,
+      value: () => value(run),
+      ...(exact === undefined ? {} : { exact: (time: number) => exact(time, values) }),
+    })),
+  };
+}
+
+/** @throws PhysicsError E_UNKNOWN, E_TYPE, E_NONFINITE, E_RANGE */
+function completeValues(
+  id: string,
+  parameters: Readonly<Record<string, ExampleParameter>>,
+  given: Readonly<Record<string, number>>,
+): Record<string, number> {
+  const names = Object.keys(parameters);
+  const unknown = Object.keys(given).find((name) => !names.includes(name));
+  if (unknown !== undefined) {
+    throw new PhysicsError('E_UNKNOWN', `the example ${id} has no parameter "${unknown}".`, {
+      field: unknown,
+      hint: `Valid: ${names.join(', ')}.`,
+    });
+  }
+  return Object.fromEntries(
+    names.map((name) => [name, checkParameter(name, { about: '', ...parameters[name] }, given[name])]),
+  );
+}

@@ -1,0 +1,131 @@
+/** Every example: its description is complete, it runs without a fault, repeats itself, and its figures are right. */
+import { stateHash, step } from '@principia/physics';
+import { beforeAll, describe, expect, it, vi } from 'vitest';
+import type { Example, ExampleOptions, ExampleRun } from './define-example.ts';
+import { EXAMPLES } from './examples.gen.ts';
+import { now, type Picture } from './picture.ts';
+
+/** Names that the address of the laboratory uses for itself. */
+const RESERVED = /^(example|seed|renderer|manual|integrator|ghosts|arrows|trails|step|camera|search|code)$/;
+
+/** Steps that every example takes at least. */
+const STEPS = 600;
+
+it('there are examples, each with a name of its own', () => {
+  expect(EXAMPLES.length).toBeGreaterThan(4);
+  expect(new Set(EXAMPLES.map(({ id }) => id)).size).toBe(EXAMPLES.length);
+});
+
+/** Runs until all checks are done, for at least `STEPS` steps and at most the duration of the example. */
+function runToEnd(run: ExampleRun, { duration }: Example): void {
+  const steps = Math.max(STEPS, Math.ceil(duration / run.dt) + 1);
+  for (let i = 0; i < steps && !(i >= STEPS && run.isDone()); i++) {
+    step(run.world, run.dt);
+    run.observe();
+  }
+}
+
+/** The runs that the checks need: with the defaults, with each integrator that they name, and with each preset. */
+function runsOf({ checks, presets }: Example): (ExampleOptions & { preset?: string })[] {
+  const integrators = new Set(checks.flatMap(({ integrator }) => integrator ?? []));
+  const labels = new Set(checks.flatMap(({ preset }) => preset ?? []));
+  const ofPreset = [...labels].map((label) => {
+    const values = presets.find((each) => each.label === label)?.values as Record<string, number> | undefined;
+    if (values === undefined) throw new Error(`a check names the preset "${label}", which is not there`);
+    return { preset: label, values };
+  });
+  return [{}, ...[...integrators].map((integrator) => ({ integrator })), ...ofPreset];
+}
+
+describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, entry) => {
+  let example: Example;
+  beforeAll(async () => {
+    example = await entry.load();
+  });
+
+  it('says what it is', () => {
+    expect(example).toMatchObject({ id, title: entry.title });
+    expect(id).toMatch(new RegExp(`^ch${String(example.chapter).padStart(2, '0')}-[a-z0-9-]+$`));
+    expect(example.about.length).toBeGreaterThan(60);
+    expect(example.tags.length).toBeGreaterThan(0);
+    expect(example.tryThis.length).toBeGreaterThan(0);
+    expect(example.checks.length).toBeGreaterThan(0);
+    expect(example.duration).toBeGreaterThan(0);
+    for (const [name, { label, unit, initial, min, max, choices, integer }] of Object.entries(example.parameters)) {
+      expect(name).not.toMatch(RESERVED);
+      expect(label, name).not.toBe('');
+      expect(unit, name).toBeTypeOf('string');
+      expect(min, name).toBeLessThan(max);
+      expect(initial, name).toBeGreaterThanOrEqual(min);
+      expect(initial, name).toBeLessThanOrEqual(max);
+      if (integer) expect(Number.isInteger(initial), name).toBe(true);
+      if (choices !== undefined) expect([min, max, integer], name).toEqual([0, choices.length - 1, true]);
+    }
+  });
+
+  it('passes its checks without a fault or a message, whenever it is run', () => {
+    const messages: unknown[] = [];
+    const spies = (['log', 'warn', 'error', 'info'] as const).map((name) =>
+      vi.spyOn(console, name).mockImplementation((...text) => void messages.push(text)),
+    );
+    const judged = new Set<number>();
+    const hashes = runsOf(example).flatMap(({ preset, ...options }) =>
+      [0, 1].map(() => {
+        const run = example.start(options);
+        runToEnd(run, example);
+        for (const [i, state] of run.checkStates().entries()) {
+          const check = example.checks[i];
+          const { label } = check;
+          // A figure without an integrator is about the example's own, and one without a preset about the defaults.
+          const isAbout = check.preset === preset && (check.integrator ?? options.integrator) === check.integrator;
+          if (state.state === 'not applicable' || !isAbout) continue;
+          judged.add(i);
+          expect(state.state, `${label}: ${state.computed} instead of ${state.exact}, off by ${state.error}`).toBe(
+            'passed',
+          );
+        }
+        expect(run.world.faults.faults).toEqual([]);
+        return stateHash(run.world);
+      }),
+    );
+    for (let i = 0; i < hashes.length; i += 2) expect(hashes[i]).toBe(hashes[i + 1]);
+    expect([...judged].sort((a, b) => a - b)).toEqual(example.checks.map((_, i) => i));
+    for (const spy of spies) spy.mockRestore();
+    expect(messages).toEqual([]);
+  });
+
+  it('runs with every preset and at both ends of every parameter', () => {
+    const ends = Object.entries(example.parameters).flatMap(([name, { min, max }]) => [
+      { [name]: min },
+      { [name]: max },
+    ]);
+    for (const values of [...example.presets.map((preset) => preset.values), ...ends]) {
+      const run = example.start({ values: values as Record<string, number> });
+      for (let i = 0; i < 60; i++) step(run.world, run.dt);
+      expect(run.world.faults.faults, JSON.stringify(values)).toEqual([]);
+    }
+  });
+
+  it('shows and plots only finite numbers', () => {
+    const run = example.start();
+    for (let i = 0; i < 30; i++) step(run.world, run.dt);
+    for (const number of numbersIn(run.picture, run.world.time)) expect(number).toBeTypeOf('number');
+    for (const number of numbersIn(run.picture, run.world.time)) expect(Number.isFinite(number)).toBe(true);
+    for (const { x, series } of run.plots) {
+      for (const { value } of [x, ...series]) expect(Number.isFinite(value())).toBe(true);
+      for (const { exact } of series) expect(Number.isFinite(exact?.(run.world.time) ?? 0)).toBe(true);
+    }
+  });
+});
+
+/** The coordinates of everything in a picture. */
+function numbersIn(picture: Picture, time: number): number[] {
+  const { view, lines = [], curves = [], arrows = [], dots = [], labels = [] } = picture;
+  const points = [
+    ...lines.flatMap(({ from, to }) => [now(from), now(to)]),
+    ...curves.flatMap((curve) => [...curve.points, ...(curve.now === undefined ? [] : [curve.now(time)])]),
+    ...arrows.flatMap(({ from, vector }) => [now(from), vector()]),
+    ...[...dots, ...labels].map(({ at }) => now(at)),
+  ];
+  return [...Object.values(view), ...points.flatMap(({ x, y, z = 0 }) => [x, y, z])];
+}

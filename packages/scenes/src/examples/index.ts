@@ -1,0 +1,37 @@
+/** The examples of the laboratory: each is one file in `chNN`, from which its page, its test and its picture are made. */
+export type { Check, CheckState, Moment, Tolerance } from './check.ts';
+export {
+  type BuildOptions,
+  defineExample,
+  type Example,
+  type ExampleAction,
+  type ExampleOptions,
+  type ExampleParameter,
+  type ExamplePreset,
+  type ExampleRun,
+  type ExampleSpec,
+  type LivePlot,
+  type Plot,
+  type Series,
+  type ValuesOf,
+} from './define-example.ts';
+export { EXAMPLES, type ExampleEntry } from './examples.gen.ts';
+export { type Frame, frameOf } from './frame.ts';
+export {
+  type Arrow,
+  type Axis,
+  COLORS,
+  type Color,
+  type Curve,
+  type Dot,
+  type Fill,
+  type Label,
+  type Line,
+  type Live,
+  now,
+  type Picture,
+  type Point,
+  pointsOf,
+  type Trail,
+  type ViewBox,
+} from './picture.ts';
