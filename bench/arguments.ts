@@ -98,7 +98,7 @@ export function readArguments(args: readonly string[]): Request {
     scaling: scalingOf(scene, values.scaling),
     json: outputFile('json', values.json),
     html: outputFile('html', values.html),
-    parameters: parametersOf(scene, values as Record<string, unknown>),
+    parameters: { ...awakeForPeers(scene, peers), ...parametersOf(scene, values as Record<string, unknown>) },
   };
 }
 
@@ -126,6 +126,10 @@ function sceneOf(positionals: readonly string[]): Scene {
   if (scene === undefined) throw new ArgumentError(`There is no scene "${name}": the scenes are ${list}.`);
   return scene;
 }
+
+/** Rigid bodies are compared with other engines while nothing sleeps. */
+const awakeForPeers = (scene: Scene, peers: boolean) =>
+  peers && 'sleeping' in scene.parameters ? { sleeping: 0 } : {};
 
 /** Only `particles` has variants. */
 function variantOf(scene: Scene, resting = false, laws: string | undefined): Variant {

@@ -10,7 +10,13 @@ import { nBodyDirect } from './n-body-direct.ts';
 import { nBodyJs, nBodyPairsJs } from './n-body-js.ts';
 import type { PeerMaker } from './peer.ts';
 import { queryIdiom } from './query-idiom.ts';
+import { box2dPeer, box2dSimdPeer } from './rigid/box2d-peer.ts';
+import { planckPeer } from './rigid/planck-peer.ts';
+import { rapierPeer } from './rigid/rapier-peer.ts';
 import { springsJs } from './springs-js.ts';
+
+/** Other engines. */
+const ENGINES: readonly PeerMaker[] = [box2dPeer, box2dSimdPeer, rapierPeer, planckPeer];
 
 /** The peers of each scene. */
 const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
@@ -24,6 +30,10 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   gas: [circlesJs],
   'nbody-direct': [nBodyJs, nBodyPairsJs],
   'nbody-tree': [nBodyDirect, nBodyD3],
+  pyramid: ENGINES,
+  'many-pyramids': ENGINES,
+  'joint-grid': ENGINES,
+  tumbler: ENGINES,
 };
 
 /** A peer that supports a single integrator. */

@@ -12,4 +12,4 @@ export interface Peer {
 }
 
 /** Makes a peer for a scene before its first step; undefined if the peer cannot do the work of this run. */
-export type PeerMaker = (run: SceneRun) => Peer | Promise<Peer> | undefined;
+export type PeerMaker = (run: SceneRun) => Peer | undefined | Promise<Peer | undefined>;

@@ -1,51 +1,61 @@
 /** The page of one example: a game of the shell whose settings are the parameters of the example. */
-import type { Example, ExampleRun } from '@principia/scenes/examples';
-import { type Controls, type Settings, startGame, type Value } from '@principia/shell';
+import { destroyWorld } from '@principia/physics';
+import type { Example, ExampleEntry } from '@principia/scenes/examples';
+import {
+  type Controls,
+  type Renderer,
+  type Settings,
+  type SimulationOptions,
+  startGame,
+  type Value,
+} from '@principia/shell';
 import { createAboutCard } from './about-card.ts';
 import { createChecksCard } from './checks-card.ts';
-import { chosenIntegrator, parameterValues, settingsOf } from './example-settings.ts';
+import type { CodePanel } from './code-panel.ts';
+import { chosenIntegrator, parameterValues, SHOWN_SETTINGS, settingsOf } from './example-settings.ts';
+import type { Ghosts } from './ghosts.ts';
+import type { LabRun } from './lab-run.ts';
+import { makeGhosts } from './make-ghosts.ts';
+import { goTo, takeMoment } from './moment.ts';
+import { linkedCode, ownCode } from './own-code.ts';
 import { writeAddress } from './page-address.ts';
 import { createPlotsCard } from './plots-card.ts';
 import { addLaboratoryStyles } from './styles.ts';
+import { createWordsCard } from './words-card.ts';
 
 /** Lengths of the view's diagonal that a thrown body crosses in a second at most. */
 const THROW_SPEED = 2;
 
 /** @param query of the address, with the name of the example */
-export async function openExample(example: Example, query: URLSearchParams): Promise<void> {
+export async function openExample(entry: ExampleEntry, query: URLSearchParams): Promise<void> {
   addLaboratoryStyles();
+  const linked = await linkedCode(location.hash);
+  const { example, problem } = await chosenVersion(entry);
   document.title = `${example.title} – the laboratory`;
-  const settings: Settings = settingsOf(example);
+  const probe = example.start();
+  const settings: Settings = settingsOf(example, probe);
+  destroyWorld(probe.world);
   const rest = new URLSearchParams(query);
   rest.delete('example');
-  const remember = (values: Readonly<Record<string, Value>>, seed: number) =>
-    writeAddress(example.id, settings, values, seed);
-  await startGame<Settings, ExampleRun>(
+  const moment = takeMoment(rest);
+  if (linked !== undefined || problem !== '') rest.set('code', 'on');
+  const code = codeSwitch(example.id, linked);
+  await startGame<Settings, LabRun>(
     {
       title: example.title,
+      hasSheet: true,
       settings,
-      create({ values, seed }) {
-        const integrator = chosenIntegrator(values);
-        const run = example.start({
-          values: parameterValues(example, values),
-          seed,
-          ...(integrator === undefined ? {} : { integrator }),
-        });
-        remember(values, seed);
-        return run;
-      },
-      apply: () => false,
-      dragSpeed: ({ picture: { view } }) => THROW_SPEED * Math.hypot(view.maxX - view.minX, view.maxY - view.minY),
-      hasEnded: ({ world, dt }) => example.ends && world.time > example.duration - dt / 2,
+      ...simulationOf(example, settings, code),
       cards: (parent) => [
         createAboutCard(parent, example),
         createChecksCard(parent, example),
+        createWordsCard(parent),
+        // Before the plots, which record them.
+        { record: (run) => run.ghosts.follow(run.world.tick), show() {} },
         ...createPlotsCard(parent, example),
       ],
       report: (run) => ({ checks: run.checkStates() }),
-      renderers: {
-        pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view-2d.ts')).openView(context) },
-      },
+      renderers: rendererOf(example),
       ...controlsOf(example),
       help: [
         ...Object.values(example.actions).map(({ key, about }) => [keyName(key), about] as const),
@@ -53,12 +63,78 @@ export async function openExample(example: Example, query: URLSearchParams): Pro
       ],
     },
     rest.toString(),
+    problem === '' ? moment.problems : [...moment.problems, `Your version of this example does not run: ${problem}`],
   );
   addListLink();
+  await goTo(moment);
+}
+
+/** The example as the reader changed it, or as it is. */
+async function chosenVersion(entry: ExampleEntry): Promise<{ example: Example; problem: string }> {
+  const source = ownCode(entry.id);
+  if (source !== undefined) {
+    try {
+      const { exampleFrom } = await import('./run-code.ts');
+      return { example: await exampleFrom(source), problem: '' };
+    } catch (error) {
+      return { example: await entry.load(), problem: (error as Error).message };
+    }
+  }
+  return { example: await entry.load(), problem: '' };
+}
+
+/** Shows and hides the panel with the code, which is loaded when it is first shown. */
+function codeSwitch(id: string, linked: string | undefined): (isShown: boolean) => void {
+  let panel: Promise<CodePanel> | undefined;
+  return (isShown) => {
+    if (!isShown && panel === undefined) return;
+    const parent = document.querySelector('.game') as HTMLElement;
+    panel ??= import('./code-panel.ts').then(({ createCodePanel }) => createCodePanel(parent, id, linked));
+    void panel.then(({ show }) => show(isShown));
+  };
+}
+
+/** How runs are made and changed. */
+function simulationOf(example: Example, settings: Settings, code: (isShown: boolean) => void) {
+  let ghosts: Ghosts | undefined;
+  let seedNow = 1;
+  const remember = (values: Readonly<Record<string, Value>>, seed: number) => {
+    seedNow = seed;
+    writeAddress(example.id, settings, values, seed);
+  };
+  return {
+    create({ values, seed }: SimulationOptions<Settings>): LabRun {
+      const integrator = chosenIntegrator(values);
+      const options = { values: parameterValues(example, values), seed };
+      const run = example.start(integrator === undefined ? options : { ...options, integrator });
+      ghosts?.destroy();
+      ghosts = makeGhosts(String(values.ghosts), example, options, run.world.integrator.name);
+      remember(values, seed);
+      code((values as Readonly<Record<string, Value>>).code === true);
+      return { ...run, ghosts };
+    },
+    apply(_: LabRun, name: string, values: Readonly<Record<string, Value>>): boolean {
+      if (name === 'code') code(values.code === true);
+      const isShownOnly = SHOWN_SETTINGS.includes(name);
+      if (isShownOnly) remember(values, seedNow);
+      return isShownOnly;
+    },
+    dragSpeed: ({ picture: { view } }: LabRun) =>
+      THROW_SPEED * Math.hypot(view.maxX - view.minX, view.maxY - view.minY),
+    hasEnded: ({ world, dt }: LabRun) => example.ends && world.time > example.duration - dt / 2,
+  };
+}
+
+function rendererOf({ dimensions }: Example): Readonly<Record<string, Renderer<Settings, LabRun>>> {
+  return dimensions === 3
+    ? {
+        three: { label: '3D', dimensions, open: async (context) => (await import('./view-3d.ts')).openView3D(context) },
+      }
+    : { pixi: { label: '2D', dimensions, open: async (context) => (await import('./view-2d.ts')).openView(context) } };
 }
 
 /** The actions of an example as keys and buttons of the shell. */
-function controlsOf({ actions }: Example): { readonly controls?: Controls<ExampleRun> } {
+function controlsOf({ actions }: Example): { readonly controls?: Controls<LabRun> } {
   const entries = Object.entries(actions);
   if (entries.length === 0) return {};
   const buttons = Object.fromEntries(entries.map(([name, { label, key }]) => [name, { label, keys: [key] }]));

@@ -1,7 +1,8 @@
 /** The parameters of an example as settings of the panel, and back. */
-import { INTEGRATORS } from '@principia/physics';
-import type { Example, ExampleParameter } from '@principia/scenes/examples';
-import type { ChoiceSetting, Setting, Value } from '@principia/shell';
+import { bodies, INTEGRATORS, type PhysicsWorld } from '@principia/physics';
+import type { Example, ExampleParameter, ExampleRun } from '@principia/scenes/examples';
+import { type ChoiceSetting, type Setting, switchSetting, type Value } from '@principia/shell';
+import { ghostsSetting } from './make-ghosts.ts';
 
 /** The choice of the integrator that the example has by default. */
 export const OWN_INTEGRATOR = 'own';
@@ -21,10 +22,24 @@ const COMPARABLE = [
 
 type Comparable = (typeof COMPARABLE)[number];
 
-/** The settings of an example: its parameters, and the integrator. */
-export function settingsOf({ parameters }: Example): Record<string, Setting> {
+/** Settings that change what is shown, and not the run. */
+export const SHOWN_SETTINGS = ['arrows', 'trails', 'code'];
+
+/** The settings of an example: its parameters, the integrator, and what is shown of what its picture has. */
+export function settingsOf({ parameters }: Example, { picture, world }: ExampleRun): Record<string, Setting> {
   const own = Object.entries(parameters).map(([name, parameter]) => [name, settingOf(parameter)]);
-  return { ...Object.fromEntries(own), integrator: integratorSetting };
+  return {
+    ...Object.fromEntries(own),
+    ...(bodies(world).count > 0 && isComparable(world) ? { integrator: integratorSetting, ghosts: ghostsSetting } : {}),
+    ...(picture.arrows === undefined ? {} : { arrows: switchSetting('Arrows', true, { key: 'v' }) }),
+    ...(picture.trails === undefined ? {} : { trails: switchSetting('Trails', true, { key: 't' }) }),
+    code: switchSetting('Code', false, { key: 'k' }),
+  };
+}
+
+/** Whether another integrator could take the place of the present one: rigid bodies have a solver of their own. */
+function isComparable({ integrator }: PhysicsWorld): boolean {
+  return COMPARABLE.some((name) => INTEGRATORS[name].name === integrator.name);
 }
 
 function settingOf(parameter: ExampleParameter): Setting {
@@ -57,5 +72,7 @@ export function parameterValues({ parameters }: Example, values: Readonly<Record
 
 /** The integrator that was chosen; undefined for the example's own. */
 export function chosenIntegrator({ integrator }: Readonly<Record<string, Value>>) {
-  return integrator === OWN_INTEGRATOR ? undefined : INTEGRATORS[integrator as Comparable].create();
+  return integrator === undefined || integrator === OWN_INTEGRATOR
+    ? undefined
+    : INTEGRATORS[integrator as Comparable].create();
 }

@@ -5,9 +5,11 @@ const query = new URLSearchParams(location.search);
 const id = query.get('example');
 const entry = EXAMPLES.find((candidate) => candidate.id === id);
 
-if (entry !== undefined) {
+// Changed code is tried in a worker, which runs this script too.
+if (typeof document === 'undefined') await import('./trial.ts');
+else if (entry !== undefined) {
   const { openExample } = await import('./example-page.ts');
-  await openExample(await entry.load(), query);
+  await openExample(entry, query);
 } else {
   const { showStartPage } = await import('./start-page.ts');
   const unknown = id === null ? '' : `There is no example “${id}”. Choose one of these.`;

@@ -8,11 +8,13 @@ export function writeAddress(
   seed: number,
 ): void {
   const query = new URLSearchParams(location.search);
-  for (const name of ['example', 'seed', ...Object.keys(settings)]) query.delete(name);
+  for (const name of ['example', 'seed', 'step', 'camera', ...Object.keys(settings)]) query.delete(name);
   const changed = Object.entries(values).filter(([name, value]) => settings[name]?.initial !== value);
   const own = new URLSearchParams({
     example: id,
-    ...Object.fromEntries(changed.map(([name, value]) => [name, String(value)])),
+    ...Object.fromEntries(
+      changed.map(([name, value]) => [name, value === true ? 'on' : value === false ? 'off' : String(value)]),
+    ),
     ...(seed === 1 ? {} : { seed: String(seed) }),
   });
   for (const [name, value] of query) own.set(name, value);

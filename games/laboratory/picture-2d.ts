@@ -5,19 +5,24 @@ import { createBodyLayer, createTrailLayer } from '@principia/render-pixi';
 import { type ExampleRun, frameOf, now, type Point } from '@principia/scenes/examples';
 import type { Picture as PixiPicture } from '@principia/shell/pixi';
 import { Container, Graphics } from 'pixi.js';
+import type { LabRun } from './lab-run.ts';
 import { Pen } from './pen.ts';
+import type { Shown } from './shown.ts';
 import { TextLayer } from './text-layer.ts';
 
-export function drawPicture(run: ExampleRun, source: BodySource): PixiPicture {
-  const { picture, world } = run;
+/** @param shown the values of the switches of what is shown */
+export function drawPicture(run: LabRun, source: BodySource, shown: () => Shown): PixiPicture {
+  const { picture } = run;
   const frame = frameOf(picture);
   const container = new Container();
   const body = createBodyLayer({ source, minimumPixels: 2, rimWidth: 1 });
-  // A body that goes further than this within a step was put somewhere else.
-  const maxSegment = (picture.view.maxX - picture.view.minX) / 4;
-  const trails = (picture.trails ?? []).map(({ body: id, length = 600, interval = 1, color }) =>
-    createTrailLayer({ source, bodies: [id], length, interval, maxSegment, ...(color === undefined ? {} : { color }) }),
-  );
+  const { minX, maxX, minY, maxY } = picture.view;
+  // A body that went further between two frames was moved by many steps at once.
+  const maxSegment = Math.hypot(maxX - minX, maxY - minY) / 6;
+  const trails = (picture.trails ?? []).map(({ body: id, length = 600, interval = 1, color }) => {
+    const options = { source, bodies: [id], length, interval, maxSegment };
+    return createTrailLayer(color === undefined ? options : { ...options, color });
+  });
   const [back, springs, front, marks] = [0, 1, 2, 3].map(() => upright());
   const texts = new TextLayer(picture.yDown ?? false);
   container.addChild(back, ...trails.map((trail) => trail.container), springs, body.container, front, marks);
@@ -34,10 +39,13 @@ export function drawPicture(run: ExampleRun, source: BodySource): PixiPicture {
         scale = pixelsPerMetre;
         drawStill(run, still, scale);
       }
-      for (const trail of trails) trail.update(alpha);
+      for (const trail of trails) {
+        trail.update(alpha);
+        trail.container.visible = shown().trails !== false;
+      }
       body.update(alpha);
       drawSprings(run, coils, pixelsPerMetre);
-      drawLive(run, live, texts, pixelsPerMetre, world.time);
+      drawLive(run, live, texts, pixelsPerMetre, shown());
     },
     destroy() {
       for (const layer of [...trails, body]) layer.destroy();
@@ -80,20 +88,22 @@ function drawSprings({ picture, world }: ExampleRun, pen: Pen, scale: number): v
 }
 
 /** Arrows, dots, exact positions and texts, as they are now. */
-function drawLive({ picture }: ExampleRun, pen: Pen, texts: TextLayer, scale: number, time: number): void {
+function drawLive(run: LabRun, pen: Pen, texts: TextLayer, scale: number, shown: Shown): void {
+  const { picture, world } = run;
   pen.begin(scale);
   texts.begin(scale);
   for (const fill of picture.fills ?? []) {
     if ('radius' in fill.shape && isLive(fill.shape.centre)) pen.fill(fill);
   }
+  drawGhosts(run, pen, texts, scale);
   for (const curve of picture.curves ?? []) {
-    const at = curve.now?.(time);
+    const at = curve.now?.(world.time);
     if (at === undefined) continue;
     pen.ring(at, curve.color, curve.markRadius);
     if (curve.label !== undefined)
       texts.write(pen.place(at), curve.label, curve.color, (curve.markRadius ?? 5) + 3 / scale);
   }
-  for (const arrow of picture.arrows ?? []) {
+  for (const arrow of shown.arrows === false ? [] : (picture.arrows ?? [])) {
     const tip = pen.arrow(arrow);
     if (tip !== undefined) texts.write(tip, arrow.label, arrow.color, 4 / scale);
   }
@@ -101,4 +111,18 @@ function drawLive({ picture }: ExampleRun, pen: Pen, texts: TextLayer, scale: nu
   for (const { at, text, color } of picture.labels ?? []) texts.write(pen.place(now(at)), now(text), color, 0);
   if (picture.graph !== undefined) texts.axes(picture, pen);
   texts.end();
+}
+
+/** The bodies of ghosts as rings, with their paths, in a colour of their own. */
+function drawGhosts({ ghosts }: LabRun, pen: Pen, texts: TextLayer, scale: number): void {
+  for (const [row, { run, color, label, bodies, path }] of ghosts.members.entries()) {
+    const { Position, Collider, Appearance } = run.world.components;
+    pen.curve({ points: path, color });
+    for (const [i, id] of bodies.entries()) {
+      const radius = Math.max(Appearance.size[id] || Collider.radius[id], 3 / scale);
+      const at = { x: Position.x[id], y: Position.y[id] };
+      pen.ring(at, color, radius);
+      if (i === 0) texts.write(pen.place(at), label, color, radius + 2 / scale, row);
+    }
+  }
 }

@@ -1,7 +1,5 @@
 /** Styles of the laboratory, beside those of the shell. */
 const styles = `
-.game .game-side { width: 320px } .game .game-side .lil-gui { --width: 320px }
-@media (min-width: 760px) and (min-height: 480px) { .game:has(.game-side:not([hidden])) > .game-bar { right: 344px } }
 .lab-back { pointer-events: auto; color: var(--accent); font-weight: 600; text-decoration: none; margin-right: 6px; white-space: nowrap }
 .lab-back:focus-visible, .lab-neighbours a:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 .lab-about p { margin: 2px 0 8px; font-size: 13px; line-height: 1.45; user-select: text }
@@ -15,6 +13,30 @@ const styles = `
 .lab-checks li[data-state=failed] b { background: #d0474f; color: #fff }
 .lab-checks h3 { margin: 0; font-size: 12.5px; font-weight: 500 }
 .lab-checks p { margin: 0; font-size: 12px; color: var(--dim); font-variant-numeric: tabular-nums; user-select: text }
+.lab-code { position: absolute; left: 12px; bottom: 12px; width: min(720px, calc(100% - 24px)); height: 56%; display: flex; flex-direction: column;
+  gap: 8px; padding: 12px; box-sizing: border-box; border: 1px solid var(--line); border-radius: 14px; background: #0e1530f2; z-index: 1 }
+@media (min-width: 760px) { .game:has(.game-side:not([hidden])) .lab-code { width: min(760px, calc(100% - 356px)) } }
+@media (max-width: 759px), (max-height: 479px) { .lab-code { z-index: 3; height: calc(100% - 76px); bottom: 6px; left: 6px; width: calc(100% - 12px) } }
+.lab-code textarea { flex: 1; min-height: 0; resize: none; border: 0; border-radius: 8px; padding: 8px 10px; background: #0a1026; color: #dfe6ff;
+  font: 12.5px/18px ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; tab-size: 2; white-space: pre; overflow: auto; outline: none }
+.lab-code textarea:focus-visible { box-shadow: 0 0 0 2px var(--accent) } .lab-code textarea::selection { background: #d0474f99 }
+.lab-code-note { margin: 0; font-size: 12.5px; color: var(--dim); user-select: text; max-height: 72px; overflow: auto }
+.lab-code-buttons { display: flex; flex-wrap: wrap; gap: 8px }
+.lab-code-buttons button { border: 1px solid var(--line); border-radius: 9px; background: #ffffff14; color: var(--ink); font: inherit;
+  font-size: 13px; padding: 7px 14px; min-height: 36px; cursor: pointer } .lab-code-buttons button:first-child { background: var(--accent); color: #1c1503 }
+.lab-code-buttons button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
+.lab-words { margin: 0; font-size: 12.5px; line-height: 1.45; color: var(--dim); font-variant-numeric: tabular-nums; user-select: text }
+.lab-spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); margin: 0 }
+.lab-presets { display: flex; flex-wrap: wrap; gap: 6px; margin: 0 0 10px }
+.lab-presets a, .lab-presets button { border: 1px solid var(--line); border-radius: 9px; background: #ffffff10; color: var(--ink); font: inherit; font-size: 12px;
+  line-height: 1; padding: 8px 10px; cursor: pointer; text-decoration: none } .lab-presets :focus-visible { outline: 2px solid var(--accent) }
+.lab-plot h2 span { flex-wrap: wrap; gap: 0 10px } .lab-plot h2 i { white-space: nowrap }
+.lab-plot h2 b { font-weight: 600; margin-right: auto } .lab-readout { font-weight: 500; font-variant-numeric: tabular-nums; color: var(--ink) }
+.lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px;
+  padding: 1px 7px; cursor: pointer } .lab-save:focus-visible { outline: 2px solid var(--accent) }
+.lab-plot .u-cursor-x { position: absolute; left: 0; top: 0; height: 100%; border-right: 1px dashed #ffffff66; pointer-events: none }
+.lab-plot .u-cursor-pt { position: absolute; top: 0; left: 0; border-radius: 50%; pointer-events: none; background-clip: padding-box !important }
+.lab-plot .u-over { touch-action: pan-y } .lab-plot .u-off, .lab-plot .u-select { display: none }
 `;
 
 export function addLaboratoryStyles(): void {

@@ -8,6 +8,9 @@ import type { Pen } from './pen.ts';
 
 type Spot = { readonly x: number; readonly y: number };
 
+/** Distance of two lines, CSS pixels. */
+const LINE = 15;
+
 export class TextLayer {
   readonly container = new Container();
   readonly #texts: Text[] = [];
@@ -25,9 +28,14 @@ export class TextLayer {
     this.#scale = scale;
   }
 
-  /** Writes to the upper right of a point, both in metres. */
-  write(at: Spot, text: string, color: number = COLORS.white, offset = 0): void {
-    this.#put({ x: at.x + offset, y: at.y + (this.#isDown ? -offset : offset) }, text, color, 0, 1);
+  /**
+   * Writes to the upper right of a point.
+   * @param offset distance from the point along both axes, m
+   * @param row lines to leave free below, for texts of which several may stand at one point
+   */
+  write(at: Spot, text: string, color: number = COLORS.white, offset = 0, row = 0): void {
+    const above = offset + (row * LINE) / this.#scale;
+    this.#put({ x: at.x + offset, y: at.y + (this.#isDown ? -above : above) }, text, color, 0, 1);
   }
 
   /** Numbers and names of the axes of a graph. */

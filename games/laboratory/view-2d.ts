@@ -1,13 +1,16 @@
 /** The view of an example in two dimensions, drawn by pixi.js. */
-import { type ExampleRun, frameOf } from '@principia/scenes/examples';
+import { frameOf } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
+import type { LabRun } from './lab-run.ts';
 import { drawPicture } from './picture-2d.ts';
+import { showing } from './present-view.ts';
 
-export function openView(context: ViewContext<Settings, ExampleRun>): Promise<View> {
-  return openPixiView(context, {
+export async function openView(context: ViewContext<Settings, LabRun>): Promise<View> {
+  const view = await openPixiView(context, {
     bounds: ({ picture }) => frameOf(picture).bounds,
     yDown: ({ picture }) => picture.yDown ?? false,
-    paint: (run, source) => drawPicture(run, source),
+    paint: (run, source) => drawPicture(run, source, () => context.values()),
   });
+  return showing(view);
 }

@@ -34,16 +34,21 @@ export function siteOptions(options) {
 export const kernelsPlugin = {
   name: 'kernels',
   setup(build) {
+    /** @type {Promise<unknown> | undefined} */
+    let generated;
+    build.onStart(() => {
+      generated = undefined;
+    });
     // Generated files may not be there yet, so esbuild cannot resolve them itself.
     build.onResolve({ filter: /^\..*\/[\w-]+\.gen\.ts$/ }, ({ path, resolveDir }) => ({
       path: resolve(resolveDir, path),
     }));
     build.onLoad({ filter: /\.gen\.ts$/ }, async ({ path }) => {
-      const isList = /(examples|pictures)\.gen\.ts$/.test(path);
+      const isList = /(scenes|laboratory)\/.*\.gen\.ts$/.test(path);
       const watched = sourcesBelow(isList ? examplesFolder : kernelFolder);
       try {
-        await buildKernels();
-        if (isList) await buildExamples();
+        generated ??= buildKernels().then(buildExamples);
+        await generated;
         return { ...watched, contents: readFileSync(path, 'utf8'), loader: 'ts' };
       } catch (error) {
         return { ...watched, errors: [{ text: error instanceof Error ? error.message : String(error) }] };

@@ -8,6 +8,7 @@ import {
   type Precision,
   revolute,
   rigidBodies,
+  softStep,
   spawn,
   uniformGravity,
   weld,
@@ -20,8 +21,25 @@ const MATERIAL = { density: 1, friction: 0.6 };
 const EDGE = 1;
 const GAP = 0.01;
 
-function rigidWorld(precision: Precision, seed: number, capacity: number): PhysicsWorld {
-  return createPhysicsWorld({ preset: rigidBodies, precision, seed, capacity, forces: [uniformGravity()] });
+/** A parameter of all rigid scenes: other engines are compared while nothing sleeps. */
+const sleeping = { about: '1 lets bodies sleep', unit: '', initial: 1, min: 0, max: 1, integer: true };
+
+interface WorldSetup {
+  readonly precision: Precision;
+  readonly seed: number;
+  readonly parameters: { readonly sleeping: number };
+}
+
+function rigidWorld({ precision, seed, parameters }: WorldSetup, capacity: number): PhysicsWorld {
+  const integrator = parameters.sleeping === 1 ? {} : { integrator: softStep({ sleepTime: 0 }) };
+  return createPhysicsWorld({
+    preset: rigidBodies,
+    ...integrator,
+    precision,
+    seed,
+    capacity,
+    forces: [uniformGravity()],
+  });
 }
 
 const runOf = (world: PhysicsWorld): SceneRun => ({
@@ -46,10 +64,11 @@ export const pyramid = defineScene({
   name: 'pyramid',
   description: 'a pyramid of boxes',
   precision: 'f32',
-  parameters: { count: countOf('boxes', 5050, 100_000) },
-  build({ precision, seed, parameters }) {
+  parameters: { count: countOf('boxes', 5050, 100_000), sleeping },
+  build(setup) {
+    const { seed, parameters } = setup;
     const height = heightOf(parameters.count);
-    const world = rigidWorld(precision, seed, parameters.count + 2);
+    const world = rigidWorld(setup, parameters.count + 2);
     spawn(world, { position: { y: -0.5 }, collider: { shape: box(4 * height + 20, 1), friction: 0.6 } });
     addPyramid(world, height, -0.5 * height, 0, seededUniforms(seed, 64)(-GAP, GAP));
     return runOf(world);
@@ -64,11 +83,12 @@ export const manyPyramids = defineScene({
   name: 'many-pyramids',
   description: 'pyramids of 55 boxes, each on a ground of its own',
   precision: 'f32',
-  parameters: { count: countOf('boxes', 22_000, 200_000) },
-  build({ precision, seed, parameters }) {
+  parameters: { count: countOf('boxes', 22_000, 200_000), sleeping },
+  build(setup) {
+    const { seed, parameters } = setup;
     const pyramids = Math.max(1, Math.floor(parameters.count / SMALL_COUNT));
     const columns = Math.ceil(Math.sqrt(pyramids));
-    const world = rigidWorld(precision, seed, pyramids * (SMALL_COUNT + 1));
+    const world = rigidWorld(setup, pyramids * (SMALL_COUNT + 1));
     const shift = seededUniforms(seed, 64)(-GAP, GAP);
     for (let p = 0; p < pyramids; p++) {
       const x = (p % columns) * (SMALL + 4);
@@ -87,10 +107,11 @@ export const jointGrid = defineScene({
   name: 'joint-grid',
   description: 'a net of discs and hinges that hangs by seven of them',
   precision: 'f32',
-  parameters: { count: countOf('discs', 10_000, 100_000) },
-  build({ precision, seed, parameters }) {
+  parameters: { count: countOf('discs', 10_000, 100_000), sleeping },
+  build(setup) {
+    const { seed, parameters } = setup;
     const edge = Math.max(1, Math.floor(Math.sqrt(parameters.count)));
-    const world = rigidWorld(precision, seed, 3 * edge * edge);
+    const world = rigidWorld(setup, 3 * edge * edge);
     const collider = { radius: 0.4, mask: 0 };
     const ids: number[] = [];
     const spin = seededUniforms(seed, edge * edge)(-0.1, 0.1);
@@ -116,13 +137,14 @@ export const tumbler = defineScene({
   name: 'tumbler',
   description: 'boxes that tumble in a square drum turned by a motor',
   precision: 'f32',
-  parameters: { count: countOf('boxes', 2025, 20_000) },
-  build({ precision, seed, parameters }) {
+  parameters: { count: countOf('boxes', 2025, 20_000), sleeping },
+  build(setup) {
+    const { seed, parameters } = setup;
     const { count } = parameters;
     const edge = Math.ceil(Math.sqrt(count));
     const size = 0.25;
     const half = Math.max(2, 0.8 * size * edge);
-    const world = rigidWorld(precision, seed, count + 20);
+    const world = rigidWorld(setup, count + 20);
     addDrum(world, half);
     const shift = seededUniforms(seed, 64)(-GAP, GAP);
     for (let i = 0; i < count; i++) {

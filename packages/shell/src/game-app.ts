@@ -64,7 +64,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#manual = address.manual;
     this.#session = new Session(game, address.values, address.seed);
     this.#session.paused = address.manual;
-    this.#layout = createLayout(game.title, () => this.#views.view?.fit());
+    this.#layout = createLayout(game.title, () => this.#views.view?.fit(), game.hasSheet);
     this.#banner = createBanner(this.#layout.root);
     const renderers = Object.entries(game.renderers).map(([name, { label }]) => [name, label] as const);
     this.#actions = this.#makeActions();

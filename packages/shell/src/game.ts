@@ -60,6 +60,10 @@ export interface View {
   fit(): void;
   /** Zooms about the centre: in for a factor above one, out below. */
   zoom(factor: number): void;
+  /** Numbers that describe what is seen, for addresses. In 2D: centre and height of the window, m. */
+  camera?(): readonly number[];
+  /** Shows what `camera` described. */
+  setCamera?(numbers: readonly number[]): void;
   /** Position of a world point on the canvas, CSS pixels. */
   toScreen(x: number, y: number, z: number): { x: number; y: number };
   destroy(): void;
@@ -85,6 +89,8 @@ export interface GameCard<Sim extends Simulation> {
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
+  /** On phones the sidebar is a sheet below or beside the picture, open at the start; default false. */
+  readonly hasSheet?: boolean;
   readonly settings: S;
   /** Renderers by name as in `?renderer=`; the first is the default. */
   readonly renderers: Readonly<Record<string, Renderer<S, Sim>>>;

@@ -16,18 +16,21 @@ export interface Layout {
   toggleSidebar(shown?: boolean): void;
 }
 
-/** Builds the page of a game. */
-export function createLayout(title: string, onSidebar: () => void): Layout {
+/**
+ * Builds the page of a game.
+ * @param isSheet on phones the sidebar is a sheet below or beside the picture, and open at the start
+ */
+export function createLayout(title: string, onSidebar: () => void, isSheet = false): Layout {
   addStyles();
   const stage = element('div', 'game-stage');
   const bar = element('header', 'game-bar', {}, element('h1', 'game-title', {}, title));
   const sidebar = element('aside', 'game-side', { 'aria-label': 'Settings and measurements' });
-  const root = element('div', 'game', {}, stage, bar, sidebar);
+  const root = element('div', isSheet ? 'game game-sheet' : 'game', {}, stage, bar, sidebar);
   document.body.append(root);
   /** Reused because games ask in every frame. */
   const covered = { top: 0, right: 0, bottom: 0, left: 0 };
   const narrow = matchMedia(NARROW);
-  let shown = !narrow.matches;
+  let shown = isSheet || !narrow.matches;
   sidebar.hidden = !shown;
   return {
     root,
@@ -35,9 +38,11 @@ export function createLayout(title: string, onSidebar: () => void): Layout {
     bar,
     sidebar,
     insets() {
-      const right = shown && !narrow.matches ? sidebar.offsetWidth + 16 : 0;
+      const isBelow = isSheet && sidebar.offsetTop > root.offsetHeight / 3;
+      const isBeside = shown && !isBelow && (isSheet || !narrow.matches);
       covered.top = bar.offsetHeight;
-      covered.right = right;
+      covered.right = isBeside ? sidebar.offsetWidth + 16 : 0;
+      covered.bottom = Math.max(shown && isBelow ? sidebar.offsetHeight : 0, isSheet ? coveredBottom(root) : 0);
       return covered;
     },
     toggleSidebar(wanted = !shown) {
@@ -46,4 +51,10 @@ export function createLayout(title: string, onSidebar: () => void): Layout {
       onSidebar();
     },
   };
+}
+
+/** Height at the bottom that elements with the attribute `data-covers="bottom"` cover, CSS pixels. */
+function coveredBottom(root: HTMLElement): number {
+  const panels = root.querySelectorAll<HTMLElement>('[data-covers="bottom"]:not([hidden])');
+  return Math.max(0, ...Array.from(panels, ({ offsetTop }) => root.offsetHeight - offsetTop));
 }

@@ -7,11 +7,13 @@ import type { Settings } from './settings.ts';
  * Runs a game on this page: builds the toolbar, the panel, the plot and the help around its picture, and sets
  * `globalThis.__game` for tests. Errors appear as sentences on the page.
  * @param query the part of the address with settings and seed; a page that reads names of its own leaves them out
+ * @param problems sentences about the address, for a page that reads names of its own
  */
 export async function startGame<S extends Settings, Sim extends Simulation>(
   game: GameDefinition<S, Sim>,
   query: string = location.search,
+  problems: readonly string[] = [],
 ): Promise<void> {
   const address = readAddress(query, game.settings, Object.keys(game.renderers));
-  await new GameApp(game, address).start();
+  await new GameApp(game, { ...address, problems: [...problems, ...address.problems] }).start();
 }

@@ -124,7 +124,7 @@ function advance(
   for (let s = 0; s < substeps; s++) {
     evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
-    if (joints !== 0) startJoints(kernels, joints);
+    if (joints !== 0) kernels.startJoints(joints);
     kernels.warmStartContacts(at);
     if (joints !== 0) solveJoints(kernels, joints, 1);
     kernels.solveContacts(at);
@@ -132,7 +132,6 @@ function advance(
     if (joints !== 0) solveJoints(kernels, joints, 0);
     kernels.relaxContacts(at);
     kernels.writeBodies(at);
-    if (joints !== 0) kernels.watchJoints(joints);
   }
   kernels.applyRestitution(at);
   kernels.storeImpulses(at);
@@ -146,13 +145,6 @@ function advance(
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;
-
-/** The directions of all joints in this sub-step, and the impulses of the last. */
-function startJoints(kernels: Kernels, joints: number): void {
-  kernels.measureJoints(joints);
-  kernels.factorJoints(joints);
-  kernels.warmStartJoints(joints);
-}
 
 /** With `soft` 1 joints pull together what is apart. */
 function solveJoints(kernels: Kernels, joints: number, soft: number): void {

@@ -5,6 +5,9 @@ import type { Example, ExampleOptions, ExampleRun } from './define-example.ts';
 import { EXAMPLES } from './examples.gen.ts';
 import { now, type Picture } from './picture.ts';
 
+/** Names that the address of the laboratory uses for itself. */
+const RESERVED = /^(example|seed|renderer|manual|integrator|ghosts|arrows|trails|step|camera|search|code)$/;
+
 /** Steps that every example takes at least. */
 const STEPS = 600;
 
@@ -49,6 +52,7 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
     expect(example.checks.length).toBeGreaterThan(0);
     expect(example.duration).toBeGreaterThan(0);
     for (const [name, { label, unit, initial, min, max, choices, integer }] of Object.entries(example.parameters)) {
+      expect(name).not.toMatch(RESERVED);
       expect(label, name).not.toBe('');
       expect(unit, name).toBeTypeOf('string');
       expect(min, name).toBeLessThan(max);

@@ -19,6 +19,9 @@ export interface ViewBox {
   readonly maxX: number;
   readonly minY: number;
   readonly maxY: number;
+  /** In three dimensions; a view that leaves them out is as deep as it is wide or high, a box has no depth. */
+  readonly minZ?: number;
+  readonly maxZ?: number;
 }
 
 /** A straight line, such as a wall, a floor or the string of a pendulum. */
@@ -34,7 +37,7 @@ export interface Line {
 
 /** A filled region, such as water or ground. */
 export interface Fill {
-  /** A box, a disc or a polygon. */
+  /** A box, a disc or a polygon; in three dimensions a box without width, height or depth, such as a wall. */
   readonly shape: ViewBox | { readonly centre: Live<Point>; readonly radius: number } | readonly Point[];
   readonly color: Color;
   /** 0 to 1; default 1. */
@@ -117,7 +120,7 @@ export interface Picture {
   readonly arrows?: readonly Arrow[];
   readonly dots?: readonly Dot[];
   readonly labels?: readonly Label[];
-  /** In three dimensions: where the camera is and what it looks at, m; default: all of `view` from the front. */
+  /** In three dimensions: the direction from `target` to `eye` is that from which all of `view` is seen. */
   readonly camera?: { readonly eye: Point; readonly target: Point };
 }
 

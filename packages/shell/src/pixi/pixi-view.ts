@@ -114,6 +114,12 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
       navigated();
       zoomAt(camera, viewport, viewport.width / 2, viewport.height / 2, factor, zoomLimits);
     },
+    camera: () => [camera.x, up() * camera.y, viewport.height / camera.pixelsPerMetre],
+    setCamera([x, y, height]) {
+      if (!(height > 0 && Number.isFinite(x + y + height))) return;
+      navigated();
+      Object.assign(camera, { x, y: up() * y, pixelsPerMetre: viewport.height / height });
+    },
     toScreen: (x, y) => toScreen(camera, viewport, x, up() * y, { x: 0, y: 0 }),
     destroy() {
       pointers.destroy();

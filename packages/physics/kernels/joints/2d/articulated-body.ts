@@ -14,9 +14,11 @@ export class ArticulatedBody {
   fx: f64;
   fy: f64;
   fw: f64;
+  // Torque by which pulling joints turn the body back, times the length of a sub-step, for each radian, N m s.
+  stiffness: f64;
 }
 
-export const ARTICULATED_BODY_SIZE: usize = 72;
+export const ARTICULATED_BODY_SIZE: usize = 80;
 
 // @ts-ignore: decorator
 @inline export function articulated(t: JointTable, row: i32): ArticulatedBody {
@@ -28,10 +30,24 @@ const LOCKED_INERTIA: f64 = 1e8;
 
 export function startBody(t: JointTable, row: i32, inverseMass: f64, inverseInertia: f64): void {
   const body = articulated(t, row);
-  memory.fill(changetype<usize>(body), 0, ARTICULATED_BODY_SIZE);
   body.m00 = 1 / inverseMass;
+  body.m01 = 0;
+  body.m02 = 0;
   body.m11 = body.m00;
+  body.m12 = 0;
+  body.fx = 0;
+  body.fy = 0;
+  body.fw = 0;
   body.m22 = inverseInertia > 0 ? 1 / inverseInertia : LOCKED_INERTIA * body.m00;
+}
+
+// Forgets what acts on a body.
+export function clearBody(t: JointTable, row: i32): void {
+  const body = articulated(t, row);
+  body.fx = 0;
+  body.fy = 0;
+  body.fw = 0;
+  body.stiffness = 0;
 }
 
 // Six numbers of the upper half of a symmetric matrix of 3 × 3, replaced by those of its inverse; zero if there is none.

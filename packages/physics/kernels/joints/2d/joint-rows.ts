@@ -1,7 +1,7 @@
 // Speed and impulse along a row of a joint.
 import { BodyState, stateOf } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { JointRow, JointWork } from './joint-work';
+import { JointRow, JointWork, rowOf } from './joint-work';
 
 // @ts-ignore: decorator
 @inline export function speedAlong(a: BodyState, b: BodyState, row: JointRow): f64 {
@@ -20,6 +20,24 @@ import { JointRow, JointWork } from './joint-work';
   b.vx = <real>(<f64>b.vx + jb * row.x);
   b.vy = <real>(<f64>b.vy + jb * row.y);
   b.w = <real>(<f64>b.w + work.inertiaB * row.armB * impulse);
+}
+
+// Applies the impulses of the three locked directions together; those that a joint has not are rows of zeros.
+// @ts-ignore: decorator
+@inline export function applyLocks(work: JointWork, a: BodyState, b: BodyState, j0: f64, j1: f64, j2: f64): void {
+  const r0 = rowOf(work, 0);
+  const r1 = rowOf(work, 1);
+  const r2 = rowOf(work, 2);
+  const x = j0 * r0.x + j1 * r1.x + j2 * r2.x;
+  const y = j0 * r0.y + j1 * r1.y + j2 * r2.y;
+  const turnA = j0 * r0.armA + j1 * r1.armA + j2 * r2.armA;
+  const turnB = j0 * r0.armB + j1 * r1.armB + j2 * r2.armB;
+  a.vx = <real>(<f64>a.vx - work.massA * x);
+  a.vy = <real>(<f64>a.vy - work.massA * y);
+  a.w = <real>(<f64>a.w - work.inertiaA * turnA);
+  b.vx = <real>(<f64>b.vx + work.massB * x);
+  b.vy = <real>(<f64>b.vy + work.massB * y);
+  b.w = <real>(<f64>b.w + work.inertiaB * turnB);
 }
 
 // What one row and another have to do with each other through the masses of both bodies, 1/kg: an element of J M⁻¹ Jᵀ.

@@ -3,6 +3,7 @@
 // that closes a loop is left out and solved by itself, after the others.
 import { get } from '../../memory/columns';
 import { putWord, word } from '../../solver/2d/body';
+import { clearBody } from './articulated-body';
 import { DISTANCE, JointTable, MOTOR } from './joint-table';
 
 // What t.parents holds of a joint: which body is its parent, that it closes a loop, or that no tree has grown to it yet.
@@ -95,5 +96,17 @@ function reach(t: JointTable, row: i32): void {
       putWord(t.order, t.orderCount++, i);
     }
     entry = word(t.next, entry);
+  }
+}
+
+// Forgets what acts on the bodies of all trees. Each is a root or the child of one joint.
+export function clearTrees(t: JointTable): void {
+  for (let k = 0; k < t.rootCount; k++) clearBody(t, word(t.roots, k));
+  for (let k = 0; k < t.orderCount; k++) {
+    const i = word(t.order, k);
+    const parent = word(t.parents, i);
+    if (parent == LOOP) continue;
+    const child = word(t.nodes, 2 * i + (parent == PARENT_A ? 1 : 0));
+    if (child != 0) clearBody(t, child);
   }
 }

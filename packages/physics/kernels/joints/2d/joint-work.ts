@@ -27,15 +27,13 @@ export class JointWork {
   // In a tree: 1 where a is the parent, 2 where b is, 0 for a joint that closes a loop.
   parent: i32;
   kind: u32;
+  // 1 with a spring, a motor or limits, and for motor joints, pulleys and gears.
+  hasAxes: i32;
+  pad: i32;
   massA: f64;
   inertiaA: f64;
   massB: f64;
   inertiaB: f64;
-  // Anchors from the centres of both bodies, m.
-  rax: f64;
-  ray: f64;
-  rbx: f64;
-  rby: f64;
   // The inverse of the effective mass matrix of the locked directions, by rows of its upper half.
   i00: f64;
   i01: f64;
@@ -74,4 +72,15 @@ export const JOINT_WORK_SIZE: usize = SIZE;
 // @ts-ignore: decorator
 @inline export function nodeB(work: JointWork): i32 {
   return work.massB > 0 ? work.b : 0;
+}
+
+// The child in a tree, 0 where it does not move; a joint that closes a loop has none.
+// @ts-ignore: decorator
+@inline export function childOf(work: JointWork): i32 {
+  return work.parent == 0 ? 0 : work.parent == 1 ? nodeB(work) : nodeA(work);
+}
+
+// @ts-ignore: decorator
+@inline export function parentOf(work: JointWork): i32 {
+  return work.parent == 1 ? nodeA(work) : nodeB(work);
 }

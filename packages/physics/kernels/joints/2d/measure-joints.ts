@@ -1,10 +1,11 @@
-// The rows of all joints where their bodies are now, once a sub-step.
+// The rows of a joint where its bodies are now.
 import { get } from '../../memory/columns';
 import { cosine, sine } from '../../math/elementary';
 import { BodyPose, BodyState, poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, WHEEL } from './joint-table';
-import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { addStiffness } from './brace-joints';
+import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
 
 // Closer points have no direction between them.
@@ -21,25 +22,21 @@ let turn: f64 = 0;
 let ca: f64 = 1;
 let sa: f64 = 0;
 
-export function measureJoints(table: usize): void {
-  const t = changetype<JointTable>(table);
-  for (let i = 0; i < t.workCount; i++) measureJoint(t, workAt(t, i));
-}
-
-function measureJoint(t: JointTable, work: JointWork): void {
+export function measureJoint(t: JointTable, work: JointWork): void {
   locate(t, work);
   const id = work.id;
   const kind = work.kind;
   if (kind == REVOLUTE || kind == WELD) lockPoint(work);
   // A weld with a spring bends.
   if (kind == WELD && get(t.hertz, id) == 0) lockAngle(work, 2);
-  if (kind == REVOLUTE || kind == WELD) aboutAngle(rowOf(work, SPRING_ROW), turn);
-  aboutAngle(rowOf(work, MOTOR_ROW), turn);
+  if (work.hasAxes != 0) aboutAngle(rowOf(work, SPRING_ROW), turn);
+  if (work.hasAxes != 0) aboutAngle(rowOf(work, MOTOR_ROW), turn);
   if (kind == PRISMATIC || kind == WHEEL) alongAxis(t, work, kind == PRISMATIC);
   if (kind == DISTANCE) alongLine(t, work);
   if (kind == MOTOR) followPoint(work);
-  if (kind == PULLEY) measurePulley(t, work);
+  if (kind == PULLEY) measurePulley(t, work, rax, ray, rbx, rby);
   if (kind == GEAR) measureGear(t, work);
+  if (work.locks > 0) addStiffness(t, work, rax, ray, rbx, rby);
 }
 
 function locate(t: JointTable, work: JointWork): void {
@@ -57,10 +54,6 @@ function locate(t: JointTable, work: JointWork): void {
   turnTo(b, stateB);
   rbx = cosineNow * <f64>get(t.bx, id) - sineNow * <f64>get(t.by, id);
   rby = sineNow * <f64>get(t.bx, id) + cosineNow * <f64>get(t.by, id);
-  work.rax = rax;
-  work.ray = ray;
-  work.rbx = rbx;
-  work.rby = rby;
   dx = <f64>b.x - <f64>a.x + (<f64>stateB.dx - <f64>stateA.dx) + rbx - rax;
   dy = <f64>b.y - <f64>a.y + (<f64>stateB.dy - <f64>stateA.dy) + rby - ray;
   const start = <f64>get(rigid.angle, work.rowB) - <f64>get(rigid.angle, work.rowA);

@@ -4,7 +4,7 @@ import { ASLEEP, DYNAMIC, MOVES, flagsOf, poseOf, putWord, word } from '../../so
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { FILTER, IMPULSES_SIZE, JointImpulses, JointTable, MOTOR, impulsesOf } from './joint-table';
 import { JOINT_WORK_SIZE, workAt } from './joint-work';
-import { orderTrees } from './joint-trees';
+import { clearTrees, orderTrees } from './joint-trees';
 import { wakeJoined } from './wake-joints';
 
 export function prepareJoints(table: usize): void {
@@ -33,6 +33,7 @@ export function prepareJoints(table: usize): void {
   t.workCount = 0;
   t.axisCount = 0;
   for (let k = 0; k < t.orderCount; k++) startWork(t, rigid, word(t.order, k));
+  clearTrees(t);
 }
 
 // @ts-ignore: decorator
@@ -46,12 +47,14 @@ function startWork(t: JointTable, rigid: RigidTable, i: i32): void {
   const b = word(t.b, id);
   const impulses = impulsesOf(t, id);
   dropUnused(t, id, impulses);
-  if (<u32>word(t.kind, id) >= MOTOR || get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0)
-    putWord(t.axes, t.axisCount++, t.workCount);
+  const kind = <u32>word(t.kind, id);
+  const hasAxes = kind >= MOTOR || get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0;
+  if (hasAxes) putWord(t.axes, t.axisCount++, t.workCount);
   const work = workAt(t, t.workCount++);
   memory.fill(changetype<usize>(work), 0, JOINT_WORK_SIZE);
   work.id = id;
-  work.kind = <u32>word(t.kind, id);
+  work.kind = kind;
+  work.hasAxes = hasAxes ? 1 : 0;
   work.parent = word(t.parents, i);
   // A joint between bodies that sleep keeps its force.
   impulses.force = 0;

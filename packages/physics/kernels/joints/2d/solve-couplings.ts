@@ -22,18 +22,18 @@ const ROW_B: i32 = SPRING_ROW;
 // A shorter rope has no direction.
 const MIN_ROPE: f64 = 1e-9;
 
-export function measurePulley(t: JointTable, work: JointWork): void {
+export function measurePulley(t: JointTable, work: JointWork, rax: f64, ray: f64, rbx: f64, rby: f64): void {
   const rigid = changetype<RigidTable>(t.rigid);
   const id = work.id;
   const a = poseOf(rigid, work.rowA);
   const b = poseOf(rigid, work.rowB);
   const ratio = <f64>get(t.ratio, id);
-  const ax = <f64>a.x + <f64>stateA(rigid, work).dx + work.rax - <f64>get(t.pulleyAx, id);
-  const ay = <f64>a.y + <f64>stateA(rigid, work).dy + work.ray - <f64>get(t.pulleyAy, id);
-  const bx = <f64>b.x + <f64>stateB(rigid, work).dx + work.rbx - <f64>get(t.pulleyBx, id);
-  const by = <f64>b.y + <f64>stateB(rigid, work).dy + work.rby - <f64>get(t.pulleyBy, id);
-  const ropeA = shorten(rowOf(work, ROW_A), ax, ay, work.rax, work.ray, 1);
-  const ropeB = shorten(rowOf(work, ROW_B), bx, by, work.rbx, work.rby, ratio);
+  const ax = <f64>a.x + <f64>stateA(rigid, work).dx + rax - <f64>get(t.pulleyAx, id);
+  const ay = <f64>a.y + <f64>stateA(rigid, work).dy + ray - <f64>get(t.pulleyAy, id);
+  const bx = <f64>b.x + <f64>stateB(rigid, work).dx + rbx - <f64>get(t.pulleyBx, id);
+  const by = <f64>b.y + <f64>stateB(rigid, work).dy + rby - <f64>get(t.pulleyBy, id);
+  const ropeA = shorten(rowOf(work, ROW_A), ax, ay, rax, ray, 1);
+  const ropeB = shorten(rowOf(work, ROW_B), bx, by, rbx, rby, ratio);
   rowOf(work, ROW_B).error = <f64>get(t.length, id) - ropeA - ratio * ropeB;
 }
 

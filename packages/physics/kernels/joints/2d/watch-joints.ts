@@ -10,17 +10,12 @@ let sumX: f64 = 0;
 let sumY: f64 = 0;
 let sumTurn: f64 = 0;
 
-// Ends a sub-step: keeps the largest force and torque.
-export function watchJoints(table: usize): void {
-  const t = changetype<JointTable>(table);
-  const h = changetype<RigidTable>(t.rigid).h;
-  for (let i = 0; i < t.workCount; i++) {
-    const work = workAt(t, i);
-    const impulses = impulsesOf(t, work.id);
-    sumImpulses(work, impulses);
-    impulses.force = max<f64>(impulses.force, sqrt<f64>(sumX * sumX + sumY * sumY) / h);
-    impulses.torque = max<f64>(impulses.torque, abs<f64>(sumTurn) / h);
-  }
+// Ends a sub-step: keeps the largest impulse, squared, and the largest angular impulse.
+// @ts-ignore: decorator
+@inline export function watchJoint(work: JointWork, impulses: JointImpulses): void {
+  sumImpulses(work, impulses);
+  impulses.force = max<f64>(impulses.force, sumX * sumX + sumY * sumY);
+  impulses.torque = max<f64>(impulses.torque, abs<f64>(sumTurn));
 }
 
 function sumImpulses(work: JointWork, impulses: JointImpulses): void {
@@ -33,7 +28,7 @@ function sumImpulses(work: JointWork, impulses: JointImpulses): void {
   // Of pulleys and gears one row belongs to b.
   if (work.kind == PULLEY) addImpulse(rowOf(work, SPRING_ROW), impulses.upper);
   if (work.kind == GEAR) addImpulse(rowOf(work, SPRING_ROW), impulses.lock0);
-  if (work.kind >= MOTOR) return;
+  if (work.hasAxes == 0 || work.kind >= MOTOR) return;
   addImpulse(rowOf(work, SPRING_ROW), impulses.spring + impulses.lower - impulses.upper);
   addImpulse(rowOf(work, MOTOR_ROW), impulses.motor);
 }
@@ -45,13 +40,16 @@ function addImpulse(row: JointRow, impulse: f64): void {
   if (row.x == 0 && row.y == 0) sumTurn += impulse * row.armB;
 }
 
-// Ends a step: lists the joints that were loaded beyond what they bear.
+// Ends a step: the largest forces and torques, and the joints that were loaded beyond what they bear.
 export function listBroken(table: usize): void {
   const t = changetype<JointTable>(table);
+  const h = changetype<RigidTable>(t.rigid).h;
   t.brokenCount = 0;
   for (let i = 0; i < t.workCount; i++) {
     const id = workAt(t, i).id;
     const impulses = impulsesOf(t, id);
+    impulses.force = sqrt<f64>(impulses.force) / h;
+    impulses.torque /= h;
     const isTorn = exceeds(impulses.force, <f64>get(t.breakForce, id));
     if (isTorn || exceeds(impulses.torque, <f64>get(t.breakTorque, id))) putWord(t.broken, t.brokenCount++, id);
   }

@@ -1,0 +1,174 @@
+import uPlot from 'uplot';
+import { type ChartLine, chartLines } from './chart-lines.ts';
+import { csvOf, saveText } from './csv.ts';
+import type { LabRun } from './lab-run.ts';
+import { make } from './make.ts';
+import { plainNumber } from './number-text.ts';
+import { Samples } from './samples.ts';
+
+/** Samples in the duration of an example. */
+const SAMPLES = 400;
+const HEIGHT = 150;
+
+/** What a chart needs besides its run. */
+export interface ChartOptions {
+  /** Width of the time axis, s. */
+  readonly duration: number;
+  /** Name of the file of its numbers, without the ending. */
+  readonly file: string;
+}
+
+/** A plot of a run: its samples, and those of the ghosts beside it. */
+export class Chart {
+  readonly #run: LabRun;
+  readonly #lines: readonly ChartLine[];
+  readonly #xLabel: string;
+  readonly #isPath: boolean;
+  readonly #samples: Samples;
+  readonly #card: HTMLElement;
+  readonly #readout = make('output', 'lab-readout');
+  readonly #chart: uPlot;
+  #isStale = true;
+
+  /** @param index of the plot in the run */
+  constructor(parent: HTMLElement, run: LabRun, index: number, { duration, file }: ChartOptions) {
+    const { title, x, y } = run.plots[index];
+    this.#run = run;
+    this.#xLabel = x.label;
+    this.#lines = chartLines(run, index);
+    // Against another quantity than the time, a line may run to and fro, and each has an x of its own.
+    this.#isPath = x.label !== 't, s';
+    this.#samples = new Samples((this.#isPath ? 2 : 1) * this.#lines.length, duration / SAMPLES);
+    const names = make('span', '');
+    names.append(...this.#lines.map(({ label, color }) => make('i', '', { style: `--mark: ${color}` }, label)));
+    const save = make('button', 'lab-save', { type: 'button', title: 'Save the numbers of this plot' }, 'CSV');
+    save.addEventListener('click', () => saveText(`${file}.csv`, this.#csv(), 'text/csv'));
+    const heading = make('h2', '', {}, make('b', '', {}, title), this.#readout, save, names);
+    this.#card = make('section', 'game-card lab-plot', { 'aria-label': title }, heading);
+    parent.append(this.#card);
+    const options = this.#isPath ? this.#pathOptions(y.label) : this.#timeOptions(y.label, duration);
+    this.#chart = new uPlot(options, this.#data() as uPlot.AlignedData, this.#card);
+  }
+
+  record(): void {
+    const { time } = this.#run.world;
+    if (this.#samples.discardAfter(time)) this.#isStale = true;
+    if (!this.#samples.isDue(time)) return;
+    const now = this.#lines.flatMap(({ x, value }) => (this.#isPath ? [x(), value(time)] : [value(time)]));
+    this.#samples.add(time, now);
+    this.#isStale = true;
+  }
+
+  draw(): void {
+    if (!this.#isStale || this.#card.offsetParent === null) return;
+    this.#isStale = false;
+    const width = Math.max(120, this.#card.clientWidth - 24);
+    if (width !== this.#chart.width) this.#chart.setSize({ width, height: HEIGHT });
+    this.#chart.setData(this.#data() as uPlot.AlignedData);
+  }
+
+  destroy(): void {
+    this.#chart.destroy();
+    this.#card.remove();
+  }
+
+  /** uPlot takes one x for all lines, or, for paths, an x and a y for each. */
+  #data(): unknown[] {
+    const [times, ...values] = this.#samples.columns;
+    return this.#isPath ? [null, ...this.#lines.map((_, i) => [values[2 * i], values[2 * i + 1]])] : [times, ...values];
+  }
+
+  #csv(): string {
+    const names = this.#lines.flatMap(({ label }) => (this.#isPath ? [`${this.#xLabel} (${label})`, label] : [label]));
+    return csvOf(['t, s', ...names], this.#samples.columns);
+  }
+
+  #timeOptions(yLabel: string, duration: number): uPlot.Options {
+    return {
+      ...baseOptions(this.#xLabel, yLabel),
+      cursor: { y: false, points: { size: 6 }, drag: { x: false, y: false } },
+      scales: { x: { time: false, range: (_, __, high) => [0, Math.max(duration, high)] } },
+      series: [{}, ...this.#lines.map(({ label, color, width, dash }) => lineOf(label, color, width, dash))],
+      hooks: { setCursor: [(chart) => this.#readAt(chart.cursor.idx)] },
+    };
+  }
+
+  #pathOptions(yLabel: string): uPlot.Options {
+    return {
+      ...baseOptions(this.#xLabel, yLabel),
+      mode: 2,
+      cursor: { show: false },
+      scales: { x: { time: false, range: () => this.#rangeOf(0) }, y: { range: () => this.#rangeOf(1) } },
+      series: [
+        {},
+        ...this.#lines.map(({ color }): uPlot.Series => ({ stroke: color, paths: drawPath, points: { show: false } })),
+      ],
+    };
+  }
+
+  /** Range of the path along an axis, with a margin; 0 for x, 1 for y. */
+  #rangeOf(axis: 0 | 1): [number, number] {
+    const columns = this.#samples.columns.filter((_, i) => i > 0 && (i - 1) % 2 === axis);
+    let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+    for (const column of columns) {
+      for (const value of column) {
+        low = Math.min(low, value);
+        high = Math.max(high, value);
+      }
+    }
+    if (!(low < high)) return [-1, 1];
+    const margin = 0.06 * (high - low);
+    return [low - margin, high + margin];
+  }
+
+  /** Shows the values under the cursor beside the title. */
+  #readAt(index: number | null | undefined): void {
+    const [times, ...values] = this.#samples.columns;
+    const isInside = index !== null && index !== undefined && index < times.length;
+    this.#readout.textContent = isInside
+      ? `${plainNumber(times[index])} s: ${values.map((column) => plainNumber(column[index])).join(', ')}`
+      : '';
+  }
+}
+
+function lineOf(label: string, stroke: string, width: number, dash: number[] | undefined): uPlot.Series {
+  return { label, stroke, width, points: { show: false }, ...(dash === undefined ? {} : { dash }) };
+}
+
+function baseOptions(xLabel: string, yLabel: string) {
+  const grid = { stroke: '#ffffff14', width: 1 };
+  const font = '11px system-ui, sans-serif';
+  const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font, labelFont: font, labelSize: 14 };
+  const values = (_: uPlot, splits: number[]) => splits.map(plainNumber);
+  return {
+    width: 240,
+    height: HEIGHT,
+    padding: [6, 6, 0, 0] as [number, number, number, number],
+    legend: { show: false },
+    axes: [
+      { ...axis, size: 22, values, space: 50, label: xLabel },
+      { ...axis, size: 46, values, space: 24, label: yLabel },
+    ],
+  };
+}
+
+/** Joins the points in the order of time. */
+function drawPath(chart: uPlot, series: number): null {
+  const [xs, ys] = (chart.data as unknown as [null, ...[number[], number[]][]])[series] as [number[], number[]];
+  const { ctx } = chart;
+  const { left, top, width, height } = chart.bbox;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(left, top, width, height);
+  ctx.clip();
+  ctx.beginPath();
+  for (let i = 0; i < xs.length; i++) {
+    ctx.lineTo(chart.valToPos(xs[i], 'x', true), chart.valToPos(ys[i], 'y', true));
+  }
+  const stroke = chart.series[series].stroke as unknown;
+  ctx.strokeStyle = typeof stroke === 'function' ? stroke(chart, series) : String(stroke);
+  ctx.lineWidth = 1.5 * devicePixelRatio;
+  ctx.stroke();
+  ctx.restore();
+  return null;
+}

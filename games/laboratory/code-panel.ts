@@ -1,0 +1,85 @@
+/** The source of an example beside its picture: to read, to change and to run. */
+
+import { announceCover } from './covers.ts';
+import { make } from './make.ts';
+import { keepOwnCode, linkWith, ownCode } from './own-code.ts';
+import { CodeError } from './run-code.ts';
+import { SOURCES } from './sources.gen.ts';
+import { tryCode } from './try-code.ts';
+
+export interface CodePanel {
+  show(isShown: boolean): void;
+}
+
+/** @param linked a version that the address carries, which the reader has not agreed to run yet */
+export async function createCodePanel(parent: HTMLElement, id: string, linked: string | undefined): Promise<CodePanel> {
+  const original = await SOURCES[id]();
+  const text = make('textarea', '', {
+    'aria-label': 'Source of the example',
+    spellcheck: 'false',
+    autocomplete: 'off',
+    autocapitalize: 'off',
+    wrap: 'off',
+  });
+  text.value = linked ?? ownCode(id) ?? original;
+  const note = make('p', 'lab-code-note', { role: 'status' });
+  note.textContent =
+    linked === undefined
+      ? `packages/scenes/src/examples/${id.replace('-', '/')}.ts`
+      : 'This link brings its own version of the code. Read it before you run it.';
+  const buttons = make('div', 'lab-code-buttons');
+  const panel = make('section', 'lab-code', { 'aria-label': 'Code', 'data-covers': 'bottom' }, text, note, buttons);
+  const add = (label: string, title: string, act: () => unknown) => {
+    const button = make('button', '', { type: 'button', title }, label);
+    button.addEventListener('click', () => void act());
+    buttons.append(button);
+  };
+  const report = (message: string, line?: number) => {
+    note.textContent = line === undefined ? message : `Line ${line}: ${message}`;
+    if (line !== undefined) selectLine(text, line);
+  };
+  add('Run', 'Run this version (Ctrl+Enter)', () => run(id, text.value, report));
+  add('Original', 'Take the original back', () => {
+    keepOwnCode(id, undefined);
+    location.hash = '';
+    location.reload();
+  });
+  add('Copy link', 'Copy the address of this version', async () => {
+    await navigator.clipboard.writeText(await linkWith(text.value));
+    report('The address of this version is in the clipboard.');
+  });
+  text.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) void run(id, text.value, report);
+  });
+  panel.hidden = true;
+  parent.append(panel);
+  return {
+    show(isShown) {
+      panel.hidden = !isShown;
+      announceCover();
+    },
+  };
+}
+
+/** Tries the code where it can do no harm; the page is then opened anew with it, because its parameters may differ. */
+async function run(id: string, source: string, report: (message: string, line?: number) => void): Promise<void> {
+  report('Trying …');
+  try {
+    await tryCode(source);
+    keepOwnCode(id, source);
+    history.replaceState(null, '', location.pathname + location.search);
+    location.reload();
+  } catch (error) {
+    const { message } = error as Error;
+    report(message, error instanceof CodeError ? error.line : undefined);
+  }
+}
+
+function selectLine(text: HTMLTextAreaElement, line: number): void {
+  const lines = text.value.split('\n');
+  const start = lines.slice(0, line - 1).reduce((sum, { length }) => sum + length + 1, 0);
+  text.focus();
+  text.setSelectionRange(start, start + (lines[line - 1]?.length ?? 0));
+  const lineHeight = Number.parseFloat(getComputedStyle(text).lineHeight);
+  text.scrollTop = Math.max(0, (line - 4) * lineHeight);
+}

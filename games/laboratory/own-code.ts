@@ -1,0 +1,52 @@
+/** The reader's own version of an example: kept for this tab, and carried by links. */
+
+const keyOf = (id: string) => `laboratory-code:${id}`;
+
+/** The version that the reader runs in this tab. */
+export function ownCode(id: string): string | undefined {
+  try {
+    return sessionStorage.getItem(keyOf(id)) ?? undefined;
+  } catch {
+    // Browsers may refuse storage.
+    return undefined;
+  }
+}
+
+/** Keeps a version for this tab, or removes it. @throws Error if the browser refuses storage */
+export function keepOwnCode(id: string, source: string | undefined): void {
+  if (source === undefined) sessionStorage.removeItem(keyOf(id));
+  else sessionStorage.setItem(keyOf(id), source);
+}
+
+/** The address of the present page, with a version of its example. */
+export async function linkWith(source: string): Promise<string> {
+  const address = new URL(location.href);
+  address.hash = `code=${await packed(source)}`;
+  return address.href;
+}
+
+/** The version that the address carries; it must not run before the reader has agreed. */
+export async function linkedCode(hash: string): Promise<string | undefined> {
+  const text = new URLSearchParams(hash.replace(/^#/, '')).get('code');
+  if (text === null) return undefined;
+  try {
+    return await unpacked(text);
+  } catch {
+    return undefined;
+  }
+}
+
+/** Compressed text in the letters of addresses. */
+async function packed(text: string): Promise<string> {
+  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const binary = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
+  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+async function unpacked(text: string): Promise<string> {
+  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
+  const bytes = Uint8Array.from(binary, (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+  return new Response(stream).text();
+}

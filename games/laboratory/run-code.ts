@@ -1,0 +1,67 @@
+/** Turns the source of an example into the example, in the browser. */
+import type { Example } from '@principia/scenes/examples';
+import { MODULES } from './example-modules.gen.ts';
+
+/** Name of the source in stack traces. */
+const FILE = 'example.ts';
+/** Lines that a function made from text has before the text. */
+const LINES_BEFORE = 2;
+
+/** An error in the source of an example. */
+export class CodeError extends Error {
+  /** Line of the source, from 1; undefined if it is not known. */
+  readonly line: number | undefined;
+
+  constructor(message: string, line: number | undefined) {
+    super(message);
+    this.line = line;
+  }
+}
+
+/** @throws CodeError with the line, if it is known */
+export async function exampleFrom(source: string): Promise<Example> {
+  const script = await withoutTypes(source);
+  const modules = new Map<string, unknown>();
+  for (const [, name] of script.matchAll(/require\('([^']+)'\)/g)) {
+    const load = MODULES[name];
+    if (load === undefined) throw new CodeError(`There is no module “${name}”. ${allowed()}`, undefined);
+    modules.set(name, await load());
+  }
+  const exported: { default?: unknown } = {};
+  try {
+    const run = new Function('require', 'exports', `${script}\n//# sourceURL=${FILE}`);
+    run((name: string) => modules.get(name), exported);
+  } catch (error) {
+    throw codeError(error);
+  }
+  if (!isExample(exported.default)) {
+    throw new CodeError('The code exports no example: it must have “export default defineExample({ … })”.', undefined);
+  }
+  return exported.default;
+}
+
+/** The error with the line of the source where it happened. */
+export function codeError(error: unknown): CodeError {
+  if (error instanceof CodeError) return error;
+  const { message, stack = '' } = error instanceof Error ? error : new Error(String(error));
+  const line = stack.match(new RegExp(`${FILE}:(\\d+)`))?.[1];
+  return new CodeError(message, line === undefined ? undefined : Number(line) - LINES_BEFORE);
+}
+
+async function withoutTypes(source: string): Promise<string> {
+  const { transform } = await import('sucrase');
+  try {
+    return transform(source, { transforms: ['typescript', 'imports'], production: true }).code;
+  } catch (error) {
+    // Sucrase names the place as “(12:5)”.
+    const { message } = error as Error;
+    const line = message.match(/\((\d+):\d+\)/)?.[1];
+    const text = message.replace(/^Error transforming[^:]*: /, '').replace(/\s*\(\d+:\d+\)/, '');
+    throw new CodeError(text, line === undefined ? undefined : Number(line));
+  }
+}
+
+const allowed = () => `Code here can import ${Object.keys(MODULES).join(', ')}.`;
+
+const isExample = (value: unknown): value is Example =>
+  typeof (value as Partial<Example> | undefined)?.start === 'function';

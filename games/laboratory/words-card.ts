@@ -1,0 +1,43 @@
+import type { GameCard } from '@principia/shell';
+import type { LabRun } from './lab-run.ts';
+import { make } from './make.ts';
+import { plainNumber } from './number-text.ts';
+
+/** Milliseconds between two announcements while the run goes on; a reader of the screen needs time to speak. */
+const INTERVAL = 10_000;
+
+/** What the picture shows, in words: beside the canvas for everyone, announced when time stands still or now and then. */
+export function createWordsCard(parent: HTMLElement): GameCard<LabRun> {
+  const text = make('p', 'lab-words');
+  const spoken = make('p', 'lab-spoken', { role: 'status' });
+  parent.append(
+    make('section', 'game-card', { 'aria-label': 'In words' }, make('h2', '', {}, 'In words'), text, spoken),
+  );
+  const said = { tick: -1, at: Number.NEGATIVE_INFINITY };
+  let last = -1;
+  return {
+    show(run) {
+      const words = describe(run);
+      if (text.textContent !== words) text.textContent = words;
+      const { tick } = run.world;
+      const stands = tick === last;
+      last = tick;
+      if (said.tick === tick || !(stands || performance.now() - said.at > INTERVAL)) return;
+      said.tick = tick;
+      said.at = performance.now();
+      spoken.textContent = words;
+    },
+  };
+}
+
+function describe(run: LabRun): string {
+  const values = run.plots.flatMap(({ y, series }) => {
+    const unit = y.label.includes(', ') ? ` ${y.label.split(', ').at(-1)}` : '';
+    return series.map(({ label, value }) => `${label} ${plainNumber(value())}${unit}`);
+  });
+  const states = run.checkStates().filter(({ state }) => state !== 'not applicable');
+  const passed = states.filter(({ state }) => state === 'passed').length;
+  const failed = states.filter(({ state }) => state === 'failed').length;
+  const checks = `${passed} of ${states.length} figures proven${failed > 0 ? `, ${failed} off` : ''}`;
+  return `After ${run.world.time.toFixed(1)} s: ${[...values, checks].join('; ')}.`;
+}

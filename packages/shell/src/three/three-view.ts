@@ -1,0 +1,172 @@
+/** A view drawn by three.js: canvas, orbit camera, and pointers that drag bodies. A game supplies the picture. */
+import { type BodySource, worldSource } from '@principia/render-core';
+import {
+  createOrbitCamera,
+  fitRendererToParent,
+  listenToBodyDragging,
+  type OrbitCamera,
+} from '@principia/render-three';
+import { Box3, type Object3D, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import type { Simulation, View, ViewContext } from '../game.ts';
+import type { Settings } from '../settings.ts';
+import { fitView } from './fit-view.ts';
+
+/** Degrees; a long lens distorts less than three.js' default. */
+const DEFAULT_FIELD_OF_VIEW = 28;
+
+/** A box in the world, m. */
+export interface BoxBounds {
+  readonly min: { readonly x: number; readonly y: number; readonly z: number };
+  readonly max: { readonly x: number; readonly y: number; readonly z: number };
+}
+
+/** The drawing of one world. */
+export interface ThreePicture {
+  readonly object: Object3D;
+  /** Called once a frame. @param alpha position of the picture between the last two steps, 0 to 1 */
+  update(alpha: number): void;
+  /** Called when a setting changed. */
+  refresh?(): void;
+  destroy(): void;
+}
+
+/** Options of `openThreeView`. */
+export interface ThreeViewOptions<Sim extends Simulation> {
+  /** The region that must be visible, m. */
+  bounds(sim: Sim): BoxBounds;
+  /** Creates the picture of a world; called again for every new world. */
+  paint(sim: Sim, source: BodySource): ThreePicture;
+  /** Direction from the middle of the region to the camera. */
+  readonly direction: { readonly x: number; readonly y: number; readonly z: number };
+  /** Vertical angle of the picture, degrees; default 28. */
+  readonly fieldOfView?: number;
+  /** Whether lamps cast shadows; default false. */
+  readonly shadows?: boolean;
+}
+
+/** Opens a view in `context`; returned by a renderer's `open`. */
+export async function openThreeView<S extends Settings, Sim extends Simulation>(
+  context: ViewContext<S, Sim>,
+  options: ThreeViewOptions<Sim>,
+): Promise<View> {
+  const renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  const canvas = renderer.domElement;
+  context.element.append(canvas);
+  renderer.shadowMap.enabled = options.shadows ?? false;
+  const scene = new Scene();
+  const { orbit, camera } = openCamera(canvas, options, context.reducedMotion);
+  let picture = show(context, options, scene);
+  let isFitted = true;
+  orbit.controls.addEventListener('start', () => {
+    isFitted = false;
+  });
+  const fitAll = () => {
+    isFitted = true;
+    const { min, max } = options.bounds(context.sim());
+    const box = new Box3(new Vector3().copy(min), new Vector3().copy(max));
+    fitView(camera, box, viewport, context.insets(), () => orbit.fit(box));
+  };
+  const viewport = fitRendererToParent(renderer, camera, {
+    onResize() {
+      if (isFitted) queueMicrotask(fitAll);
+      else camera.clearViewOffset();
+    },
+  });
+  let dragging = listenTo(context, orbit, canvas);
+  return {
+    canvas,
+    refresh(change) {
+      if (change === 'setting') {
+        picture.refresh?.();
+        return;
+      }
+      dragging.destroy();
+      hide(picture, scene);
+      picture = show(context, options, scene);
+      dragging = listenTo(context, orbit, canvas);
+    },
+    draw(alpha, seconds) {
+      orbit.update(seconds);
+      picture.update(alpha);
+      renderer.render(scene, camera);
+    },
+    fit: fitAll,
+    zoom(factor) {
+      isFitted = false;
+      camera.position.sub(orbit.controls.target).divideScalar(factor).add(orbit.controls.target);
+    },
+    camera: () => [...camera.position.toArray(), ...orbit.controls.target.toArray()],
+    setCamera(numbers) {
+      if (numbers.length !== 6 || !numbers.every(Number.isFinite)) return;
+      isFitted = false;
+      camera.position.fromArray(numbers, 0);
+      orbit.controls.target.fromArray(numbers, 3);
+    },
+    toScreen: (x, y, z) => toScreen(camera, viewport, x, y, z),
+    destroy() {
+      dragging.destroy();
+      hide(picture, scene);
+      orbit.destroy();
+      viewport.destroy();
+      renderer.dispose();
+      renderer.forceContextLoss();
+      canvas.remove();
+    },
+  };
+}
+
+function openCamera<Sim extends Simulation>(
+  element: HTMLElement,
+  { fieldOfView = DEFAULT_FIELD_OF_VIEW, direction }: ThreeViewOptions<Sim>,
+  reducedMotion: boolean,
+): { orbit: OrbitCamera; camera: PerspectiveCamera } {
+  const camera = new PerspectiveCamera(fieldOfView);
+  const orbit = createOrbitCamera({ element, camera });
+  camera.position.copy(direction);
+  orbit.controls.enableDamping = !reducedMotion;
+  return { orbit, camera };
+}
+
+function show<S extends Settings, Sim extends Simulation>(
+  context: ViewContext<S, Sim>,
+  options: ThreeViewOptions<Sim>,
+  scene: Scene,
+): ThreePicture {
+  const sim = context.sim();
+  const picture = options.paint(sim, worldSource(sim.world));
+  scene.add(picture.object);
+  return picture;
+}
+
+function hide(picture: ThreePicture, scene: Scene): void {
+  scene.remove(picture.object);
+  picture.destroy();
+}
+
+function toScreen(
+  camera: PerspectiveCamera,
+  { width, height }: { readonly width: number; readonly height: number },
+  x: number,
+  y: number,
+  z: number,
+): { x: number; y: number } {
+  camera.updateMatrixWorld();
+  const place = new Vector3(x, y, z).project(camera);
+  return { x: ((place.x + 1) / 2) * width, y: ((1 - place.y) / 2) * height };
+}
+
+function listenTo<S extends Settings, Sim extends Simulation>(
+  context: ViewContext<S, Sim>,
+  orbit: OrbitCamera,
+  canvas: HTMLCanvasElement,
+) {
+  return listenToBodyDragging(canvas, {
+    source: worldSource(context.sim().world),
+    camera: orbit.camera,
+    controls: orbit.controls,
+    onGrab: (id, point, pointer) => context.dragging().grab(pointer, id, point.x, point.y, point.z),
+    onDrag: (_, point, pointer) => context.dragging().move(pointer, point.x, point.y, point.z),
+    onRelease: (_, _point, velocity, pointer) =>
+      context.dragging().release(pointer, velocity.x, velocity.y, velocity.z),
+  });
+}

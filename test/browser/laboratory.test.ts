@@ -1,0 +1,143 @@
+// The laboratory: its list, and every example on its page.
+import { EXAMPLES } from '@principia/scenes/examples';
+import type { Page } from 'playwright-core';
+import { PNG } from 'pngjs';
+import { describe, expect, it } from 'vitest';
+import { frames, pictureOf, playGame, ready, state, steps } from '../support/game-page.ts';
+
+declare global {
+  var messages: string[];
+}
+
+/** Keeps what the page writes to the console. */
+const prepare = () => {
+  globalThis.messages = [];
+  for (const name of ['log', 'info', 'warn', 'error'] as const) {
+    console[name] = (...text: unknown[]) => void globalThis.messages.push(text.join(' '));
+  }
+};
+
+const laboratory = playGame('laboratory', { viewport: { width: 900, height: 600 }, prepare });
+const consoleOf = (page: Page) => page.evaluate(() => globalThis.messages);
+
+/** Pixels that the canvas changes in the picture of the page. */
+async function drawnPixels(page: Page): Promise<number> {
+  const [shown, hidden] = [await pictureOf(page), await pictureOf(page, '.game-stage canvas')].map((png) =>
+    PNG.sync.read(png),
+  );
+  let count = 0;
+  for (let i = 0; i < shown.data.length; i += 4) {
+    const difference = [0, 1, 2].map((k) => Math.abs(shown.data[i + k] - hidden.data[i + k]));
+    if (Math.max(...difference) > 12) count++;
+  }
+  return count;
+}
+
+describe.each(EXAMPLES.map(({ id, title }) => [id, title] as const))('%s', (id, title) => {
+  it('opens, moves, draws and says nothing to the console', async () => {
+    const page = await laboratory.open(`example=${id}&manual`);
+    await steps(page, 30);
+    expect(await page.title()).toContain(title);
+    const { banner, tick } = await state(page);
+    expect([banner, tick]).toEqual(['', 30]);
+    expect(await drawnPixels(page)).toBeGreaterThan(100);
+    expect(await consoleOf(page)).toEqual([]);
+  });
+});
+
+describe('the list', () => {
+  it('shows all examples with their pictures, and finds some', async () => {
+    const page = await laboratory.open('', { until: 'nothing' });
+    const items = page.locator('.start li');
+    await page.waitForFunction(() => document.querySelectorAll('.start-picture svg').length > 0);
+    expect(await items.count()).toBe(EXAMPLES.length);
+    expect(await page.locator('.start-picture svg').count()).toBe(EXAMPLES.length);
+    await page.fill('input[type=search]', 'orbit fixed');
+    expect(await items.allTextContents()).toEqual(expect.arrayContaining([expect.stringContaining('fixed sun')]));
+    expect(await items.count()).toBeLessThan(EXAMPLES.length);
+    expect(page.url()).toContain('search=orbit');
+    await page.click('.start li a');
+    await ready(page);
+    expect(page.url()).toContain('example=ch06-orbits');
+  });
+
+  it('is shown for an example that does not exist, with a sentence', async () => {
+    const page = await laboratory.open('example=nonsense', { until: 'nothing' });
+    expect(await page.textContent('[role=alert]')).toContain('There is no example “nonsense”');
+    expect(await consoleOf(page)).toEqual([]);
+  });
+});
+
+describe('the page of an example', () => {
+  it('proves its figures while one watches', async () => {
+    const page = await laboratory.open('example=ch08-damped&manual');
+    await steps(page, 601);
+    await page.waitForFunction(() => document.querySelectorAll('.lab-checks li[data-state=passed]').length === 2);
+    expect(await page.textContent('.lab-checks')).toMatch(/computed 1\.993\d*, exact 1\.99316 s, error/);
+    await page.evaluate(() => __game.rewind(15));
+    await page.waitForFunction(() => document.querySelectorAll('.lab-checks li[data-state=waiting]').length === 2);
+    expect(await page.textContent('.lab-words')).toContain('0 of 2 figures proven');
+  });
+
+  it('keeps parameters in the address, and a link to a moment brings back its state to the bit', async () => {
+    const page = await laboratory.open('example=ch06-orbits&manual');
+    await page.evaluate(() => __game.set('vx', 85));
+    expect(page.url()).toMatch(/\?example=ch06-orbits&vx=85&manual/);
+    await steps(page, 333);
+    const { hash } = await state(page);
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    await page.click('text=Copy link');
+    const link = await page.evaluate(() => navigator.clipboard.readText());
+    const other = await laboratory.open(new URL(link).search.slice(1));
+    await other.waitForFunction(() => __game.state().tick === 333);
+    expect((await state(other)).hash).toBe(hash);
+  });
+
+  it('says what is wrong with an address, and goes on', async () => {
+    const page = await laboratory.open('example=ch05-floating-ball&gravity=999&step=x&manual');
+    const { banner, values } = await state(page);
+    expect(banner).toContain('gravity must be a number from 1 to 100 px/s²');
+    expect(banner).toContain('step must be a whole number');
+    expect(values.gravity).toBe(50);
+  });
+
+  it('shows other integrators as ghosts that follow, rewinding included', async () => {
+    const page = await laboratory.open('example=ch06-orbits&ghosts=integrators&manual');
+    await steps(page, 300);
+    await frames(page);
+    expect(await page.textContent('.lab-plots')).toContain('explicit Euler');
+    await page.evaluate(() => __game.rewind(2));
+    await steps(page, 10);
+    await frames(page);
+    expect(await consoleOf(page)).toEqual([]);
+  });
+});
+
+describe('the code of an example', () => {
+  const edit = async (page: Page, from: string, to: string) => {
+    const text = await page.inputValue('.lab-code textarea');
+    expect(text).toContain(from);
+    await page.fill('.lab-code textarea', text.replace(from, to));
+    await page.click('.lab-code button:text("Run")');
+  };
+  const note = async (page: Page) => {
+    await page.waitForFunction(() => !document.querySelector('.lab-code-note')?.textContent?.startsWith('Trying'));
+    return page.textContent('.lab-code-note');
+  };
+
+  it('names the line of an error, survives a loop without end, and runs what was changed', async () => {
+    const page = await laboratory.open('example=ch05-floating-ball&code=on&manual');
+    await page.waitForSelector('.lab-code textarea');
+    const original = await page.inputValue('.lab-code textarea');
+    await edit(page, 'mass: 1, hull', 'mass: 1 hull');
+    expect(await note(page)).toMatch(/^Line \d+: Unexpected token/);
+    await page.fill('.lab-code textarea', original);
+    await edit(page, 'const body =', 'for (;;) {} const body =');
+    expect(await note(page)).toContain('loop without end');
+    await page.fill('.lab-code textarea', original);
+    await edit(page, "title: 'A ball thrown into water'", "title: 'A ball of my own'");
+    await page.waitForFunction(() => document.title.includes('my own'));
+    await ready(page);
+    expect(await consoleOf(page)).toEqual([]);
+  });
+});
