@@ -21,6 +21,7 @@ export type { PointInput, Shape } from './collision/shapes/2d/shape.ts';
 export { shapeAt, shapeCount } from './collision/shapes/shape-pool.ts';
 export { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from './components/all.ts';
 export { rgba } from './components/appearance.ts';
+export { COMBINE } from './components/collider.ts';
 export {
   type ColumnsOf,
   type ComponentSpec,
@@ -208,7 +209,10 @@ export type { Network, SpringOptions } from './soft-bodies/network.ts';
 export { movePin, pin, unpin } from './soft-bodies/pins.ts';
 export { createRope, type RopeOptions } from './soft-bodies/rope.ts';
 export { createSoftBody, type SoftBody, type SoftBodyOptions } from './soft-bodies/soft-body.ts';
+export type { ShouldCollide } from './solver/ask-user.ts';
 export { type ContactEvents, type ContactHits, type ContactPairs, contactEvents } from './solver/contact-events.ts';
+export { type BodyIds, type MotionEvents, motionEvents } from './solver/motion-events.ts';
+export { type SensorEvents, type SensorPairs, sensorEvents } from './solver/sensor-events.ts';
 export { asleepCount, isAsleep, wake } from './solver/sleep.ts';
 export { type SoftStepOptions, softStep } from './solver/soft-step.ts';
 export { createPhysicsWorld, destroyWorld, type PhysicsWorldOptions } from './world/create-world.ts';

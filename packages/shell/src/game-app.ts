@@ -4,12 +4,12 @@ import { type Banner, createBanner } from './banner.ts';
 import { hasCoarsePointer, resumeHint } from './coarse-pointer.ts';
 import { type Actions, type Commands, gameCommands } from './commands.ts';
 import { type ControlListener, listenToControls } from './controls.ts';
-import { copyLink } from './copy-link.ts';
+import { copyLink, shareText } from './copy-link.ts';
 import { Failures } from './failures.ts';
 import { tendFocus } from './focus.ts';
 import { FrameTimes } from './frame-times.ts';
 import { toggleFullScreen } from './full-screen.ts';
-import type { GameCard, GameDefinition, Simulation, ViewContext } from './game.ts';
+import type { GameCard, GameDefinition, Simulation } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
 import { RESET_INTERVAL, SLOW_MOTION, STATS_INTERVAL } from './intervals.ts';
 import { listenToKeys } from './keyboard.ts';
@@ -24,6 +24,7 @@ import type { Sidebar } from './sidebar.ts';
 import { SpaceBar } from './space-bar.ts';
 import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
+import { createViewContext } from './view-context.ts';
 import { ViewHost } from './view-host.ts';
 
 /** A game on a page: the session, the view and the user interface around them. */
@@ -83,13 +84,29 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#recorder = new Recorder(game.title, () => this.#refresh());
     const { help, gestures } = this.#commands;
     this.#help = createHelpDialog(root, game.title, hasCoarsePointer() ? gestures : help);
-    this.#controls = this.#listen();
+    this.#controls = game.controls && listenToControls(root, game.controls, () => this.#session.sim);
     const watch = game.replay && this.#actions.replay;
-    this.#outcome = game.outcome && createOutcomeCard(root, game.title, () => this.#playAgain(), watch);
-    this.#views = new ViewHost(this.#viewContext(), `${game.title}, drawn live; press H for help`, {
-      onError: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#wanted)]),
-      onRecovery: () => this.#banner.hide(),
-    });
+    this.#outcome =
+      game.outcome &&
+      createOutcomeCard(
+        root,
+        game.title,
+        () => this.#playAgain(),
+        watch,
+        (text) => void this.#share(text),
+      );
+    this.#views = new ViewHost(
+      createViewContext(this.#layout, this.#session, this.#preferences, {
+        isSpaceHeld: () => this.#space.isHeld,
+        toggle: (name) => this.#toggle(name),
+        showMessage: (sentence) => this.#banner.show(sentence, 'note'),
+      }),
+      `${game.title}, drawn live; press H for help`,
+      {
+        onError: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#wanted)]),
+        onRecovery: () => this.#banner.hide(),
+      },
+    );
     this.#applyAppearance();
     if (address.problems.length > 0) this.#banner.show(address.problems.join('\n'), 'note');
   }
@@ -271,15 +288,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (this.#sidebar !== undefined) this.#sidebar.plot.safeColors = safeColors;
   }
 
-  /** Listens to keys, touch pad and gamepad if the game has controls. */
-  #listen(): ControlListener | undefined {
-    const { controls } = this.#game;
-    return controls && listenToControls(this.#layout.root, controls, () => this.#session.sim);
-  }
-
   /** Starts another game after the end of one, with the next seed so that it differs. */
   #playAgain(): void {
-    this.#failures.guard(() => this.#reset((this.#session.seed + 1) % 2 ** 32));
+    const { sim, seed } = this.#session;
+    const next = this.#game.outcome?.(sim)?.nextSeed ?? (seed + 1) % 2 ** 32;
+    this.#failures.guard(() => this.#reset(next));
     this.#views.view?.canvas.focus();
   }
 
@@ -291,10 +304,14 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#failures.attempt(() => action(view.canvas, this.#session.sim.world.time));
   }
 
-  async #copyLink(): Promise<void> {
+  /** Shares a result, or without one copies the link to this game. */
+  async #share(result?: string): Promise<void> {
     const { values, seed } = this.#session;
     const link = writeAddress(location.href, this.#game.settings, { values, seed, renderer: this.#renderer });
-    this.#banner.show(await copyLink(link, 'this game'), 'note');
+    const said = await (result === undefined
+      ? copyLink(link, 'this game')
+      : shareText(result, link, hasCoarsePointer()));
+    if (said !== '') this.#banner.show(said, 'note');
   }
 
   #makeActions(): Actions {
@@ -334,7 +351,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       sidebar: () => this.#layout.toggleSidebar(),
       plot: () => this.#sidebar?.plot.next(),
       profile: () => this.#sidebar?.profile.toggle(),
-      copyLink: () => void this.#copyLink(),
+      copyLink: () => void this.#share(),
       screenshot: () => this.#attempt((canvas, time) => this.#recorder.saveScreenshot(canvas, time)),
       recordVideo: () => this.#attempt((canvas, time) => this.#recorder.toggleVideo(canvas, time)),
       fullScreen: () => this.#attempt(() => toggleFullScreen(this.#layout.root)),
@@ -342,28 +359,6 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       safeColors: () => this.#change({ safeColors: !preferences.safeColors }),
       renderer: (name) => void this.#show(name),
       toggle: (name) => this.#toggle(name),
-    };
-  }
-
-  #viewContext(): ViewContext<S, Sim> {
-    const session = this.#session;
-    const preferences = this.#preferences;
-    return {
-      element: this.#layout.stage,
-      insets: () => this.#layout.insets(),
-      sim: () => session.sim,
-      values: () => session.values,
-      toggle: (name) => this.#toggle(name),
-      alpha: () => session.alpha,
-      dragging: () => session.dragging,
-      isSpaceHeld: () => this.#space.isHeld,
-      get reducedMotion() {
-        return preferences.reducedMotion;
-      },
-      get safeColors() {
-        return preferences.safeColors;
-      },
-      showMessage: (sentence) => this.#banner.show(sentence, 'note'),
     };
   }
 

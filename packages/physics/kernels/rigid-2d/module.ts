@@ -6,6 +6,7 @@ export { nextRayHit } from '../collision/queries/2d/ray-cast';
 export { nextShapeHit } from '../collision/queries/2d/shape-cast';
 export { findRigidPairs } from '../collision/broad-phase/2d/find-pairs';
 export { clearContacts } from '../collision/narrow-phase/2d/contact-list';
+export { ignorePair, newPair } from '../collision/narrow-phase/2d/new-pairs';
 export { updateContacts, wakeTouched } from '../collision/narrow-phase/2d/update-contacts';
 export { gatherBodies } from '../solver/2d/gather-bodies';
 export { integratePositions, integrateVelocities, writeAngles, writeBodies } from '../solver/2d/integrate-bodies';

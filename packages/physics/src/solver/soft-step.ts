@@ -13,10 +13,11 @@
 
 import { rigidKernels } from '../collision/kernels.ts';
 import { anyForceAppliesTorque } from '../dynamics/evaluate-forces.ts';
-import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { checkFunction, checkKeys, checkNumber } from '../errors/validate.ts';
 import { jointTable, refreshJoints } from '../joints/joint-table.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
+import { askAboutPairs, type ShouldCollide } from './ask-user.ts';
 import { markSoftStep } from './is-soft-step.ts';
 import { refreshParts } from './refresh-parts.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
@@ -44,6 +45,12 @@ export interface SoftStepOptions {
   readonly sleepSpeed?: number;
   /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
   readonly sleepTime?: number;
+  /**
+   * Called once when the boxes around two shapes begin to overlap, with their entities, a < b, in ascending order of (a, b):
+   * bodies, or parts of compound bodies. With `false` they do not collide until their boxes part. It must depend on nothing
+   * but the world, or steps cannot be repeated; edits take effect when the step ends.
+   */
+  readonly shouldCollide?: ShouldCollide;
 }
 
 const OPTIONS = [
@@ -57,6 +64,7 @@ const OPTIONS = [
   'hitSpeed',
   'sleepSpeed',
   'sleepTime',
+  'shouldCollide',
 ] as const;
 
 /**
@@ -65,8 +73,15 @@ const OPTIONS = [
  */
 export function softStep(options: SoftStepOptions = {}): Integrator {
   checkKeys(options, 'softStep', OPTIONS);
-  const number = (name: keyof SoftStepOptions, standard: number, min: number, max: number, integer = false) =>
-    checkNumber(options[name] ?? standard, `softStep.${name}`, { min, max, integer });
+  const number = (
+    name: Exclude<keyof SoftStepOptions, 'shouldCollide'>,
+    standard: number,
+    min: number,
+    max: number,
+    integer = false,
+  ) => checkNumber(options[name] ?? standard, `softStep.${name}`, { min, max, integer });
+  const { shouldCollide } = options;
+  if (shouldCollide !== undefined) checkFunction(shouldCollide, 'softStep.shouldCollide');
   const substeps = number('substeps', 4, 1, 1000, true);
   const values: readonly (readonly [Value, number])[] = [
     [Value.contactHertz, number('contactHertz', 30, 0.1, 1e6)],
@@ -95,7 +110,8 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
       refreshParts(world);
       refreshJoints(world);
     },
-    advance: (world, ranges, dt, evaluateForces) => advance(world, ranges, dt, evaluateForces, substeps),
+    advance: (world, ranges, dt, evaluateForces) =>
+      advance(world, ranges, dt, evaluateForces, { substeps, shouldCollide }),
   });
 }
 
@@ -104,7 +120,7 @@ function advance(
   ranges: Ranges,
   dt: number,
   evaluateForces: EvaluateForces,
-  substeps: number,
+  { substeps, shouldCollide }: { readonly substeps: number; readonly shouldCollide: ShouldCollide | undefined },
 ): void {
   const kernels = rigidKernels(world);
   const { at, words, numbers } = rigidTable(world);
@@ -117,7 +133,9 @@ function advance(
   kernels.gatherBodies(at);
   const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
   words[Word.linkCount] = 0;
+  words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
+  if (shouldCollide !== undefined) askAboutPairs(world, shouldCollide);
   kernels.wakeTouched(at);
   if (joints !== 0) kernels.prepareJoints(joints);
   kernels.updateContacts(at);

@@ -60,6 +60,10 @@ export const COMPOUND: u32 = 2048;
 export const SLEEPLESS: u32 = 4096;
 // Some of its motion is locked (motion-locks.ts).
 export const LOCKED: u32 = 8192;
+// Its collider is a sensor, is solid on one side only, is in a group (collider-flags.ts).
+export const SENSOR: u32 = 16384;
+export const ONE_WAY: u32 = 32768;
+export const GROUPED: u32 = 65536;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

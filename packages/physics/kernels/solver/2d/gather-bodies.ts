@@ -14,6 +14,7 @@ import {
   MOVES,
   PART,
   ROUND,
+  SENSOR,
   SHIFTED,
   SLEEPLESS,
   STATIC,
@@ -25,6 +26,7 @@ import {
   stateOf,
   word,
 } from './body';
+import { colliderFlags } from './collider-flags';
 import { wakeIsland, wasDisturbed } from './islands';
 import { listLocked } from './motion-locks';
 import { kindOfPart, linkParts, placeParts, turnTo } from './parts';
@@ -40,6 +42,9 @@ const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 // Classifies all rows, and lists the bodies that move and are awake. User code may have changed any column between the steps.
 export function gatherBodies(table: usize): void {
   const t = changetype<RigidTable>(table);
+  t.sleptCount = 0;
+  t.wokenCount = 0;
+  t.sensorCount = 0;
   for (let row = 1; row < t.rows; row++) {
     if ((<u32>word(t.members, row) & t.attachmentBit) == 0) classify(t, row, kindOf(columns(), t, row));
   }
@@ -99,8 +104,12 @@ function classify(t: RigidTable, row: i32, kind: u32): void {
   const before = flagsOf(t, row);
   const same = kind != 0 && word(t.bodyGenerations, row) == word(t.generations, row);
   const changed = !same || ((before ^ kind) & KINDS) != 0;
-  if ((before & (ASLEEP | PART)) == ASLEEP && (changed || (before & WAKES) != 0 || (kind & SLEEPLESS) != 0 || wasDisturbed(t, row)))
+  if (
+    (before & (ASLEEP | PART)) == ASLEEP &&
+    (changed || (before & WAKES) != 0 || (kind & SLEEPLESS) != 0 || wasDisturbed(t, row))
+  )
     wakeIsland(t, row);
+  if ((kind & SENSOR) != 0) t.sensorCount++;
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   putWord(t.bodyGenerations, row, word(t.generations, row));
   if (!changed || (before | kind) == 0) return;
@@ -109,14 +118,14 @@ function classify(t: RigidTable, row: i32, kind: u32): void {
   sleeperOf(t, row).stillFor = 0;
 }
 
-const KINDS: u32 = MOVES | STATIC | COLLIDES | PART;
+const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR;
 
 // @ts-ignore: decorator
 @inline function kindOf(c: Columns, t: RigidTable, row: i32): u32 {
   const bits = <u32>word(c.members, row);
   // Position is the first component: its bit is 1.
   if ((bits & 1) == 0) return 0;
-  const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES : 0;
+  const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES | colliderFlags(t, row) : 0;
   const kind = collides | ((bits & t.neverSleepBit) != 0 ? SLEEPLESS : 0);
   if ((bits & t.kinematicBit) != 0) return KINEMATIC | kind;
   if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) {

@@ -2,7 +2,20 @@
 // asleep when all its bodies have been still for a while, and wakes as a whole. Source: Box2D 3 (island.c, solver_set.c).
 import { columns, get, put } from '../../memory/columns';
 import { contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
-import { ASLEEP, DYNAMIC, KINEMATIC, PART, SLEEPLESS, WAKES, flagsOf, poseOf, putFlags, stateOf, word } from './body';
+import {
+  ASLEEP,
+  DYNAMIC,
+  KINEMATIC,
+  PART,
+  SLEEPLESS,
+  WAKES,
+  flagsOf,
+  poseOf,
+  putFlags,
+  putWord,
+  stateOf,
+  word,
+} from './body';
 import { readPose } from './gather-bodies';
 import { placePart } from './parts';
 import { RigidTable } from './rigid-table';
@@ -108,6 +121,7 @@ function fallAsleep(t: RigidTable, row: i32): void {
   put(c.velocityY, row, 0);
   put(c.angularVelocityZ, row, 0);
   putFlags(t, row, flagsOf(t, row) | ASLEEP);
+  putWord(t.slept, t.sleptCount++, row);
   readPose(c, t, row);
   for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) placePart(t, part, row);
   const sleeper = sleeperOf(t, row);
@@ -151,7 +165,9 @@ function watchSleepers(t: RigidTable): void {
 export function wakeIsland(t: RigidTable, row: i32): void {
   let at = row;
   do {
-    putFlags(t, at, flagsOf(t, at) & ~(ASLEEP | WAKES));
+    const flags = flagsOf(t, at);
+    if ((flags & ASLEEP) != 0) putWord(t.woken, t.wokenCount++, at);
+    putFlags(t, at, flags & ~(ASLEEP | WAKES));
     const sleeper: Sleeper = sleeperOf(t, at);
     sleeper.stillFor = 0;
     at = sleeper.next;

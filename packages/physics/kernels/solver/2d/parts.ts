@@ -23,6 +23,7 @@ import {
   putWord,
   word,
 } from './body';
+import { colliderFlags } from './collider-flags';
 import { RigidTable } from './rigid-table';
 
 const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
@@ -58,7 +59,7 @@ export function kindOfPart(t: RigidTable, row: i32): u32 {
   const body = word(t.attachmentBody, row);
   const bits = <u32>word(t.members, row);
   if ((bits & 1) == 0 || (bits & t.colliderBit) == 0 || !hasBody(t, row, body)) return 0;
-  return (flagsOf(t, body) & (MOVES | STATIC)) | COLLIDES | PART;
+  return (flagsOf(t, body) & (MOVES | STATIC)) | COLLIDES | PART | colliderFlags(t, row);
 }
 
 // Poses of the parts of bodies that are awake, and the extents of these bodies as far as their parts reach.

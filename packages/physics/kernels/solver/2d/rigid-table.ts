@@ -31,6 +31,12 @@ export class RigidTable {
   rollingResistance: usize;
   layers: usize;
   masks: usize;
+  sensor: usize;
+  bullet: usize;
+  oneWay: usize;
+  group: usize;
+  frictionCombine: usize;
+  restitutionCombine: usize;
   // Bits of membership: what makes a body dynamic, and what lets it turn.
   dynamicBits: u32;
   turningBits: u32;
@@ -45,6 +51,8 @@ export class RigidTable {
   // Rows of the bodies that are awake and have locked axes.
   locked: usize;
   lockedCount: i32;
+  // Number of sensors in this step.
+  sensorCount: i32;
   // Parts of compound bodies (parts.ts): the bit of Attachment, its columns, and the ids of all parts, ascending.
   attachmentBit: u32;
   attachmentBody: usize;
@@ -65,6 +73,8 @@ export class RigidTable {
   boxes: usize;
   bodyGenerations: usize;
   usedColors: usize;
+  // By row, of a body that is fast: the fraction of the step at which it was stopped, f32.
+  stops: usize;
   // Rows of bodies that the solver moves in this step, ascending.
   awake: usize;
   awakeCount: i32;
@@ -109,21 +119,27 @@ export class RigidTable {
   touchingCount: i32;
   colors: usize;
   colorCounts: usize;
-  // Events of the last step: rows of the bodies, and of impacts point, normal and speed.
-  beginCount: i32;
-  beginA: usize;
-  beginB: usize;
+  // Number of new pairs of this step, whose records are listed in `sortedPairs`, and whether a function of the user decides
+  // about them.
+  newPairCount: i32;
+  asksUser: i32;
+  // Events of the last step: contacts that began, and impacts (class ContactEventList); rows of the shapes that no longer
+  // touch; rows of sensors and of what they sense. Then rows of bodies that fell asleep, and that woke.
+  begins: usize;
+  hits: usize;
   endCount: i32;
   endA: usize;
   endB: usize;
-  hitCount: i32;
-  hitA: usize;
-  hitB: usize;
-  hitX: usize;
-  hitY: usize;
-  hitNx: usize;
-  hitNy: usize;
-  hitSpeeds: usize;
+  sensorBeginCount: i32;
+  sensorBeginSensors: usize;
+  sensorBeginVisitors: usize;
+  sensorEndCount: i32;
+  sensorEndSensors: usize;
+  sensorEndVisitors: usize;
+  sleptCount: i32;
+  slept: usize;
+  wokenCount: i32;
+  woken: usize;
 }
 
 // A color for every bit of a word; contacts that found none are in the last one.

@@ -78,7 +78,7 @@ export default defineExample({
     {
       label: 'Where exp(−x) has fallen to a half, ln 2',
       unit: '',
-      exact: Math.LN2,
+      exact: log(2),
       tolerance: { absolute: 1e-10 },
       at: { time: 0 },
       measure: () => rootOf((x) => decay(x) - 0.5, 0, 6),

@@ -85,7 +85,7 @@ export default defineExample({
     {
       label: 'Length of (1, 1)',
       unit: '',
-      exact: Math.SQRT2,
+      exact: Math.sqrt(2),
       tolerance: { absolute: 5e-7 },
       at: { time: 0 },
       measure: ({ first }) => lengthOf(first),

@@ -1,4 +1,4 @@
-import { atan2, corneringGrip, cos, createPhysicsWorld, rgba, rungeKutta4, sin, spawn } from '@principia/physics';
+import { corneringGrip, cos, createPhysicsWorld, rgba, rungeKutta4, sin, spawn } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
 import { COLORS, type Point } from '../picture.ts';
 import { forceArrow, velocityArrow } from '../support/arrows.ts';
@@ -37,12 +37,8 @@ export default defineExample({
     const grip = corneringGrip({ centre: CENTRE, friction, gravity: GRAVITY });
     const world = createPhysicsWorld({ capacity: 4, forces: [grip], integrator });
     const position = { x: CENTRE.x + RADIUS, y: CENTRE.y };
-    const appearance = { size: 6, shape: 2, color: rgba(0.4, 0.7, 1) };
-    const car = spawn(world, { position, velocity: { y: speed }, mass: MASS, rotation: Math.PI / 2, appearance });
-    world.phases.input.push(() => {
-      const { x, y } = velocityOf(world, car);
-      world.components.Rotation.angle[car] = atan2(y, x);
-    });
+    const appearance = { size: 4, color: rgba(0.4, 0.7, 1) };
+    const car = spawn(world, { position, velocity: { y: speed }, mass: MASS, appearance });
     return { world, dt: 1 / 240, car, radius: () => distanceBetween(positionOf(world, car), CENTRE) };
   },
   picture({ world, car, radius }, { friction }) {
@@ -51,13 +47,17 @@ export default defineExample({
       const grip = Math.min((MASS * v * v) / r, friction * MASS * GRAVITY);
       return { x: (grip * (CENTRE.x - x)) / r, y: (grip * (CENTRE.y - y)) / r };
     };
+    const along = (length: number) => () => {
+      const [{ x, y }, v, speed] = [positionOf(world, car), velocityOf(world, car), speedOf(world, car)];
+      return { x: x + (length * v.x) / speed, y: y + (length * v.y) / speed };
+    };
     return {
       view: { minX: 40, maxX: 360, minY: 30, maxY: 270 },
       fills: [
         { shape: { centre: CENTRE, radius: 100 }, color: COLORS.ground },
         { shape: { centre: CENTRE, radius: 50 }, color: 0x2f6b45 },
       ],
-      lines: [...ring(50), ...ring(100)],
+      lines: [...ring(50), ...ring(100), { from: along(-7), to: along(7), width: 26, color: COLORS.blue }],
       trails: [{ body: car, length: 800, interval: 8 }],
       arrows: [forceArrow(world, car, 'friction', force, 0.06), velocityArrow(world, car, 1.2)],
     };

@@ -68,6 +68,15 @@ const POINT: usize = 14 * sizeof<real>();
 export const TOUCHING: u32 = 1;
 export const WAS_TOUCHING: u32 = 2;
 export const FOUND: u32 = 4;
+// It passes through a one-way platform.
+export const PASSING: u32 = 8;
+// One of the shapes is a sensor, a or b; they overlap now, and did in the step before.
+export const SENSES: u32 = 16;
+export const SENSOR_IS_B: u32 = 32;
+export const OVERLAPS: u32 = 64;
+export const DID_OVERLAP: u32 = 128;
+// A function of the user keeps the two from colliding.
+export const IGNORED: u32 = 256;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

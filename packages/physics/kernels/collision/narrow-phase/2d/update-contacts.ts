@@ -9,10 +9,11 @@ import { columns } from '../../../memory/columns';
 import {
   ASLEEP,
   BodyPose,
-  DYNAMIC,
   FAST,
   MOVES,
+  ONE_WAY,
   PART,
+  SENSOR,
   SHIFTED,
   WAKES,
   flagsOf,
@@ -22,19 +23,33 @@ import {
   word,
 } from '../../../solver/2d/body';
 import { listAwake } from '../../../solver/2d/gather-bodies';
-import { noteEnd } from '../../../solver/2d/contact-events';
+import { clearEvents, noteEnd, noteSensorPairEnd } from '../../../solver/2d/contact-events';
 import { wakeIsland } from '../../../solver/2d/islands';
 import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
-import { areJoined, layersMeet } from '../../broad-phase/2d/find-pairs';
+import { areJoined, filtersMeet, kindsMeet } from '../../broad-phase/2d/pair-filter';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { shapeOf } from '../../shapes/2d/shape-pool';
 import { collideShapes } from './collide-shapes';
-import { freeContact } from './contact-list';
+import { freeContact, sensorFlags } from './contact-list';
 import { Manifold } from './manifold';
 import { mixMaterials } from './mix-materials';
-import { ContactPoint, FOUND, RigidContact, TOUCHING, WAS_TOUCHING, contactAt, pointOf } from './rigid-contact';
+import { passesThrough } from './one-way';
+import {
+  ContactPoint,
+  FOUND,
+  IGNORED,
+  OVERLAPS,
+  PASSING,
+  RigidContact,
+  SENSES,
+  TOUCHING,
+  WAS_TOUCHING,
+  contactAt,
+  pointOf,
+} from './rigid-contact';
+import { updateSensor } from './sensor-overlap';
 
 // Points are reported up to this distance, m: four times the slop of 5 mm.
 const SPECULATIVE_DISTANCE: real = 0.02;
@@ -53,6 +68,7 @@ export function wakeTouched(table: usize): void {
     const contact = contactAt(t, word(t.order, i));
     const flagsA = flagsOf(t, contact.a);
     const flagsB = flagsOf(t, contact.b);
+    if ((contact.flags & (SENSES | IGNORED | PASSING)) != 0) continue;
     if (((flagsA | flagsB) & ASLEEP) == 0 || !(isActive(flagsA) || isActive(flagsB)) || isOver(t, contact)) continue;
     const touched = (contact.flags & TOUCHING) != 0;
     findManifold(t, contact);
@@ -72,15 +88,12 @@ export function wakeTouched(table: usize): void {
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   let kept = 0;
-  t.endCount = 0;
+  clearEvents(t);
   for (let i = 0; i < t.contactCount; i++) {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
     if (isOver(t, contact)) {
-      if ((contact.flags & TOUCHING) != 0) {
-        wakeLater(t, contact);
-        noteEnd(t, contact);
-      }
+      endContact(t, contact);
       freeContact(t, slot);
       continue;
     }
@@ -90,12 +103,29 @@ export function updateContacts(table: usize): void {
   t.contactCount = kept;
 }
 
+function endContact(t: RigidTable, contact: RigidContact): void {
+  if ((contact.flags & TOUCHING) != 0) {
+    wakeLater(t, contact);
+    noteEnd(t, contact);
+  } else if ((contact.flags & OVERLAPS) != 0) {
+    noteSensorPairEnd(t, contact);
+  }
+}
+
+// One of the shapes became a sensor, or is none any more.
+function changeKind(t: RigidTable, contact: RigidContact, senses: bool): void {
+  endContact(t, contact);
+  wakeLater(t, contact);
+  contact.count = 0;
+  contact.flags = (contact.flags & IGNORED) | (senses ? sensorFlags(t, contact) : 0);
+}
+
 function isOver(t: RigidTable, contact: RigidContact): bool {
   const a = contact.a;
   const b = contact.b;
   const flags = flagsOf(t, a) | flagsOf(t, b);
-  if ((flags & DYNAMIC) == 0) return true;
-  if (!overlaps(rowBox(t, a), rowBox(t, b)) || !layersMeet(t, a, b)) return true;
+  if (!kindsMeet(flagsOf(t, a), flagsOf(t, b))) return true;
+  if (!overlaps(rowBox(t, a), rowBox(t, b)) || !filtersMeet(t, a, b)) return true;
   if (areJoined(t, contact.bodyA, contact.bodyB)) return true;
   const hasParts = (flags & PART) != 0 || contact.bodyA != a || contact.bodyB != b;
   if (hasParts && (contact.bodyA != bodyOf(t, a) || contact.bodyB != bodyOf(t, b))) return true;
@@ -120,15 +150,26 @@ function wakeLater(t: RigidTable, contact: RigidContact): void {
 function updateContact(t: RigidTable, contact: RigidContact): void {
   const flagsA = flagsOf(t, contact.a);
   const flagsB = flagsOf(t, contact.b);
+  const senses = ((flagsA | flagsB) & SENSOR) != 0;
+  if (senses != ((contact.flags & SENSES) != 0)) changeKind(t, contact, senses);
+  if ((contact.flags & (SENSES | IGNORED)) != 0) {
+    if ((contact.flags & SENSES) != 0) updateSensor(t, contact, isActive(flagsA) || isActive(flagsB));
+    return;
+  }
   const touched = (contact.flags & TOUCHING) != 0;
   const kept = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
   if (!isActive(flagsA) && !isActive(flagsB)) {
-    contact.flags = kept | (touched ? TOUCHING : 0);
+    contact.flags = kept | (touched ? TOUCHING : contact.flags & PASSING);
     return;
   }
+  const passed = (contact.flags & PASSING) != 0;
   contact.flags = kept;
   if (((flagsA | flagsB) & FAST) != 0 || !mayRecycle(t, contact, touched)) findManifold(t, contact);
   if (contact.count == 0) return;
+  if (!touched && ((flagsA | flagsB) & ONE_WAY) != 0 && (passed || passesThrough(t, contact))) {
+    contact.flags |= PASSING;
+    return;
+  }
   contact.flags |= TOUCHING;
   moveAnchors(t, contact);
 }
