@@ -3,8 +3,8 @@ import { frameOf } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import type { LabRun } from './lab-run.ts';
+import { showing } from './on-display.ts';
 import { drawPicture } from './picture-2d.ts';
-import { showing } from './present-view.ts';
 
 export async function openView(context: ViewContext<Settings, LabRun>): Promise<View> {
   const view = await openPixiView(context, {

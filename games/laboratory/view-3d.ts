@@ -3,8 +3,8 @@ import type { Picture } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { type BoxBounds, openThreeView } from '@principia/shell/three';
 import type { LabRun } from './lab-run.ts';
+import { showing } from './on-display.ts';
 import { drawPicture3D } from './picture-3d.ts';
-import { showing } from './present-view.ts';
 
 /** From the right above in front. */
 const DIRECTION = { x: 0.5, y: 0.35, z: 1 };
