@@ -49,6 +49,22 @@ function siteOptions(names, options) {
 }
 
 /**
+ * The live scene of the front page, a bundle of its own with the one precision that it uses: visitors who play nothing
+ * load little.
+ * @param {import('esbuild').BuildOptions} options
+ */
+export function frontPageOptions(options) {
+  return bundleOptions({
+    entryPoints: { 'front-page': 'games/front-page/scene.ts' },
+    outdir: 'dist/site',
+    plugins: [kernelsPlugin],
+    minify: true,
+    conditions: ['principia-source', 'production', 'principia-f32'],
+    ...options,
+  });
+}
+
+/**
  * Compiles the kernels and lists the examples when the bundle asks for them, and lets esbuild watch their sources.
  * @type {import('esbuild').Plugin}
  */

@@ -4,7 +4,7 @@ import { relative } from 'node:path';
 import { context, formatMessages } from 'esbuild';
 import { scriptsByGame, startSooner } from './first-scripts.mjs';
 import { root } from './paths.mjs';
-import { siteBundles } from './site-bundle.mjs';
+import { frontPageOptions, kernelsPlugin, siteBundles } from './site-bundle.mjs';
 import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 import { serveFiles } from './static-server.mjs';
 
@@ -18,16 +18,18 @@ const liveScript = readFileSync(new URL('./site-live.js', import.meta.url), 'utf
 export async function serveSite({ ports, host }) {
   const live = liveChannel();
   const games = await watchGames(live.announce);
+  const front = await watchFrontPage();
   const server = await serveFiles({
     ports,
     host,
-    find: (path) => games.find(path) ?? picture(path) ?? page(path, games.scripts),
+    find: (path) => games.find(path) ?? front.find(path) ?? picture(path) ?? page(path, games.scripts),
     special: (path, response) => path === '/live' && live.join(response),
   });
   const pages = setInterval(watchPages(live.announce, games.restart), 500);
   const close = async () => {
     clearInterval(pages);
     await games.close();
+    await front.close();
     await server.close();
   };
   return { ...server, close };
@@ -88,6 +90,28 @@ async function watchGames(announce) {
   };
 }
 
+/** Bundles the live scene of the front page in memory; the games report what is wrong with a source that both use. */
+async function watchFrontPage() {
+  /** @type {Map<string, Uint8Array>} */
+  let files = new Map();
+  /** @type {import('esbuild').Plugin} */
+  const publish = {
+    name: 'publish front page',
+    setup(build) {
+      build.onEnd(({ outputFiles = [] }) => {
+        if (outputFiles.length > 0)
+          files = new Map(outputFiles.map(({ path, contents }) => [sitePath(path), contents]));
+      });
+    },
+  };
+  const bundler = await context(frontPageOptions({ write: false, plugins: [kernelsPlugin, publish] }));
+  await bundler.watch();
+  return {
+    find: (/** @type {string} */ path) => files.get(path),
+    close: () => bundler.dispose(),
+  };
+}
+
 /** @param {string} path of an output file on disk, had it been written */
 function sitePath(path) {
   return `/${relative(`${root}/dist/site`, path).replaceAll('\\', '/')}`;
@@ -95,7 +119,7 @@ function sitePath(path) {
 
 /** @param {string} path */
 function picture(path) {
-  const name = path.match(/^\/([\w-]+)\/picture\.png$/)?.[1];
+  const name = path.match(/^\/([\w-]+)\/picture\.webp$/)?.[1];
   return name && gameNames().includes(name) ? gamePicture(name) : undefined;
 }
 

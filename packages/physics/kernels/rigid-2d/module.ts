@@ -10,6 +10,7 @@ export { ignorePair, newPair } from '../collision/narrow-phase/2d/new-pairs';
 export { updateContacts, wakeTouched } from '../collision/narrow-phase/2d/update-contacts';
 export { gatherBodies } from '../solver/2d/gather-bodies';
 export { integratePositions, integrateVelocities, writeAngles, writeBodies } from '../solver/2d/integrate-bodies';
+export { assignWallShapes, countInvalidWalls } from '../solver/2d/walls';
 export { holdLocked } from '../solver/2d/motion-locks';
 export { writeParts } from '../solver/2d/parts';
 export { colorContacts } from '../solver/2d/color-contacts';

@@ -38,6 +38,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, ignoredEvents: r
 }
 
 function warnAboutWalls(world: PhysicsWorld, plan: Plan): void {
+  if (world.integrator.solvesWalls === true) return;
   const walls = [
     ['SegmentWall', 'segment walls'],
     ['PlaneWall', 'plane walls'],

@@ -38,7 +38,7 @@ const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, Event
 const SLEEPER_REALS = 5;
 
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
-const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 13 * 4;
+const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 14 * 4;
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function rigidBytesPerEntity(precision: Precision): number {
@@ -78,6 +78,8 @@ function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
   words[Word.group] = Collider.group;
   words[Word.frictionCombine] = Collider.frictionCombine;
   words[Word.restitutionCombine] = Collider.restitutionCombine;
+  words[Word.segmentWallBit] = bitOf('SegmentWall');
+  words[Word.planeWallBit] = bitOf('PlaneWall');
   words[Word.kinematicBit] = bitOf('Kinematic');
   words[Word.neverSleepBit] = bitOf('NeverSleep');
   words[Word.lockBit] = bitOf('MotionLocks');
@@ -108,7 +110,16 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.treeRows, Word.enlarged]) {
     take(word, 4);
   }
-  for (const word of [Word.owners, Word.firstParts, Word.nextParts, Word.locked, Word.slept, Word.woken, Word.stops])
+  for (const word of [
+    Word.owners,
+    Word.firstParts,
+    Word.nextParts,
+    Word.locked,
+    Word.slept,
+    Word.woken,
+    Word.stops,
+    Word.wallShapes,
+  ])
     take(word, 4);
 }
 

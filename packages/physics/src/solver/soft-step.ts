@@ -18,8 +18,10 @@ import { jointTable, refreshJoints } from '../joints/joint-table.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { askAboutPairs, type ShouldCollide } from './ask-user.ts';
+import { refreshBoxes } from './box-planes.ts';
 import { markSoftStep } from './is-soft-step.ts';
 import { refreshParts } from './refresh-parts.ts';
+import { refreshWalls } from './refresh-walls.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -101,12 +103,15 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     evaluations: substeps,
     velocityLag: 0.5 / substeps,
     wholeWorld: true,
+    solvesWalls: true,
     // As of semi-implicit Euler with the length of a sub-step.
     isStable: (stiffness, damping) => stiffness / (substeps * substeps) + (2 * damping) / substeps <= 4,
     prepare(world) {
       refuseUnsupported(world);
       const { numbers } = rigidTable(world);
       for (const [value, number] of values) numbers[value] = number;
+      refreshBoxes(world);
+      refreshWalls(world);
       refreshParts(world);
       refreshJoints(world);
     },

@@ -64,6 +64,8 @@ export const LOCKED: u32 = 8192;
 export const SENSOR: u32 = 16384;
 export const ONE_WAY: u32 = 32768;
 export const GROUPED: u32 = 65536;
+// It is a wall, and no body (walls.ts).
+export const WALL: u32 = 131072;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

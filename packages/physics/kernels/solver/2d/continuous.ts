@@ -29,6 +29,7 @@ import {
 import { passSensors } from './pass-sensors';
 import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
+import { shapeAt } from './walls';
 import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
 
 // A body is fast when it moves by more than this part of its least extent.
@@ -150,7 +151,7 @@ const SLIDES: real = 2;
 function impactWith(t: RigidTable, other: i32, shape: Shape): real {
   startSweepA(t, sweep, other);
   sweep.target = TARGET;
-  const wall = shapeOf(other, spareA);
+  const wall = shapeAt(t, other, spareA);
   const stop = stopOf(t, other);
   if (stop < 1) sweepInPhases(sweep, wall, shape, stop);
   else timeOfImpact(sweep, wall, shape);

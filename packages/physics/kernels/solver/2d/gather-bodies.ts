@@ -19,6 +19,7 @@ import {
   SLEEPLESS,
   STATIC,
   WAKES,
+  WALL,
   flagsOf,
   poseOf,
   putFlags,
@@ -32,6 +33,7 @@ import { listLocked } from './motion-locks';
 import { kindOfPart, linkParts, placeParts, turnTo } from './parts';
 import { RigidTable } from './rigid-table';
 import { sleeperOf } from './sleeper';
+import { isValidWall, placeWall } from './walls';
 
 // What a body keeps from step to step.
 const KEPT: u32 = ASLEEP | FAST;
@@ -45,7 +47,10 @@ export function gatherBodies(table: usize): void {
   t.sleptCount = 0;
   t.wokenCount = 0;
   t.sensorCount = 0;
-  for (let row = 1; row < t.rows; row++) {
+  // Entities that are gone may have left rows at the end.
+  const end = max<i32>(t.rows, t.lastRows);
+  t.lastRows = t.rows;
+  for (let row = 1; row < end; row++) {
     if ((<u32>word(t.members, row) & t.attachmentBit) == 0) classify(t, row, kindOf(columns(), t, row));
   }
   if (t.partCount > 0) classifyParts(t);
@@ -88,6 +93,10 @@ export function listAwake(t: RigidTable): void {
   for (let row = 1; row < t.rows; row++) {
     const flags = flagsOf(t, row);
     if ((flags & (MOVES | STATIC)) == 0 || (flags & (ASLEEP | PART)) != 0) continue;
+    if ((flags & WALL) != 0) {
+      placeWall(t, row);
+      continue;
+    }
     readPose(c, t, row);
     readExtents(t, row);
     if ((flags & MOVES) == 0) continue;
@@ -118,13 +127,13 @@ function classify(t: RigidTable, row: i32, kind: u32): void {
   sleeperOf(t, row).stillFor = 0;
 }
 
-const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR;
+const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR | WALL;
 
 // @ts-ignore: decorator
 @inline function kindOf(c: Columns, t: RigidTable, row: i32): u32 {
   const bits = <u32>word(c.members, row);
   // Position is the first component: its bit is 1.
-  if ((bits & 1) == 0) return 0;
+  if ((bits & 1) == 0) return (bits & (t.segmentWallBit | t.planeWallBit)) != 0 ? kindOfWall(t, row) : 0;
   const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES | colliderFlags(t, row) : 0;
   const kind = collides | ((bits & t.neverSleepBit) != 0 ? SLEEPLESS : 0);
   if ((bits & t.kinematicBit) != 0) return KINEMATIC | kind;
@@ -133,6 +142,10 @@ const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR;
   }
   // Without a shape it is still what a joint may hang from.
   return (isDriven(c, row) ? KINEMATIC : STATIC) | kind;
+}
+
+function kindOfWall(t: RigidTable, row: i32): u32 {
+  return isValidWall(t, row) ? STATIC | COLLIDES | WALL : 0;
 }
 
 // What has no mass moves by its velocity, whatever acts on it.

@@ -21,6 +21,8 @@ export class RigidTable {
   hitSpeed: f64;
   // Rows in use, from 0, and the addresses of the columns that only this solver reads.
   rows: i32;
+  // Rows in use in the last step.
+  lastRows: i32;
   generations: usize;
   members: usize;
   forceX: usize;
@@ -51,6 +53,11 @@ export class RigidTable {
   // Rows of the bodies that are awake and have locked axes.
   locked: usize;
   lockedCount: i32;
+  // Walls (walls.ts): their bits, the record of their columns, and by row the address of the shape.
+  segmentWallBit: u32;
+  planeWallBit: u32;
+  wallColumns: usize;
+  wallShapes: usize;
   // Number of sensors in this step.
   sensorCount: i32;
   // Parts of compound bodies (parts.ts): the bit of Attachment, its columns, and the ids of all parts, ascending.

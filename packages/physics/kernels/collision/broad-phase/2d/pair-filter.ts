@@ -1,6 +1,6 @@
 // Which two shapes may be in contact: by the kinds of their bodies, their layers and groups, and joints.
 import { get } from '../../../memory/columns';
-import { DYNAMIC, GROUPED, MOVES, SENSOR, flagsOf, word } from '../../../solver/2d/body';
+import { DYNAMIC, GROUPED, MOVES, SENSOR, WALL, flagsOf, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { keyAt } from './sort-keys';
 
@@ -12,10 +12,13 @@ import { keyAt } from './sort-keys';
 }
 
 // Two shapes of one group collide always if it is positive and never if it is negative. Otherwise they collide where each is
-// on a layer of the other's mask.
+// on a layer of the other's mask. Walls are on all layers.
 // @ts-ignore: decorator
 @inline export function filtersMeet(t: RigidTable, a: i32, b: i32): bool {
-  if ((flagsOf(t, a) & flagsOf(t, b) & GROUPED) != 0) {
+  const flagsA = flagsOf(t, a);
+  const flagsB = flagsOf(t, b);
+  if (((flagsA | flagsB) & WALL) != 0) return true;
+  if ((flagsA & flagsB & GROUPED) != 0) {
     const group = get(t.group, a);
     if (group == get(t.group, b)) return group > 0;
   }

@@ -3,8 +3,9 @@
 // are those of contacts between particles, too. Where a collider asks for another rule, the rule of the larger number
 // holds. Source of these rules and of their order: PhysX 5 (PxCombineMode).
 import { columns, get } from '../../../memory/columns';
-import { KINEMATIC, STATIC, flagsOf, poseOf, word } from '../../../solver/2d/body';
+import { KINEMATIC, STATIC, WALL, flagsOf, poseOf, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { wallFriction, wallRestitution } from '../../../solver/2d/walls';
 import { RigidContact } from './rigid-contact';
 
 export function mixMaterials(t: RigidTable, contact: RigidContact): void {
@@ -12,13 +13,16 @@ export function mixMaterials(t: RigidTable, contact: RigidContact): void {
   const a = contact.a;
   const b = contact.b;
   const restitutionRule = max<u32>(<u32>word(t.restitutionCombine, a), <u32>word(t.restitutionCombine, b));
-  const restitutionA = get(c.restitution, a);
-  const restitutionB = get(c.restitution, b);
+  const restitutionA = (flagsOf(t, a) & WALL) != 0 ? wallRestitution(t, a) : get(c.restitution, a);
+  const restitutionB = (flagsOf(t, b) & WALL) != 0 ? wallRestitution(t, b) : get(c.restitution, b);
   contact.restitution =
     restitutionRule == 0 ? max<real>(restitutionA, restitutionB) : combine(restitutionRule, restitutionA, restitutionB);
   const frictionRule = max<u32>(<u32>word(t.frictionCombine, a), <u32>word(t.frictionCombine, b));
-  const frictionA = get(c.friction, a);
-  const frictionB = get(c.friction, b);
+  let frictionA = (flagsOf(t, a) & WALL) != 0 ? wallFriction(t, a) : get(c.friction, a);
+  let frictionB = (flagsOf(t, b) & WALL) != 0 ? wallFriction(t, b) : get(c.friction, b);
+  // A wall without a coefficient of its own leaves that to the body.
+  if (frictionA < 0) frictionA = frictionB;
+  if (frictionB < 0) frictionB = frictionA;
   contact.friction =
     frictionRule == 0 ? sqrt<real>(frictionA * frictionB) : combine(frictionRule, frictionA, frictionB);
   contact.tangentSpeed = get(t.tangentSpeed, a) + get(t.tangentSpeed, b);

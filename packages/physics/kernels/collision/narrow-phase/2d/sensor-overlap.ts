@@ -1,8 +1,8 @@
 // Whether a sensor and another shape overlap. Nothing else happens between them.
-import { poseOf } from '../../../solver/2d/body';
+import { WALL, flagsOf, poseOf } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { shapeAt } from '../../../solver/2d/walls';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
-import { shapeOf } from '../../shapes/2d/shape-pool';
 import { Distance, closestPoints } from './distance';
 import { RelativePose } from './relative-pose';
 import { DID_OVERLAP, FOUND, OVERLAPS, RigidContact, SENSES, SENSOR_IS_B } from './rigid-contact';
@@ -21,7 +21,11 @@ export function updateSensor(t: RigidTable, contact: RigidContact, isActive: boo
   contact.flags = kept | FOUND | (overlaps ? OVERLAPS : 0) | (did ? DID_OVERLAP : 0);
 }
 
-function shapesOverlap(t: RigidTable, rowA: i32, rowB: i32): bool {
+function shapesOverlap(t: RigidTable, first: i32, second: i32): bool {
+  // A wall comes first.
+  const isWall = (flagsOf(t, second) & WALL) != 0;
+  const rowA = isWall ? second : first;
+  const rowB = isWall ? first : second;
   const a = poseOf(t, rowA);
   const b = poseOf(t, rowB);
   const dx = b.x - a.x;
@@ -30,8 +34,8 @@ function shapesOverlap(t: RigidTable, rowA: i32, rowB: i32): bool {
   bInA.y = a.c * dy - a.s * dx;
   bInA.c = a.c * b.c + a.s * b.s;
   bInA.s = a.c * b.s - a.s * b.c;
-  const shapeA = shapeOf(rowA, spareA);
-  const shapeB = shapeOf(rowB, spareB);
+  const shapeA = shapeAt(t, rowA, spareA);
+  const shapeB = shapeAt(t, rowB, spareB);
   closestPoints(nearest, shapeA, shapeB, bInA);
   return nearest.distance <= shapeA.radius + shapeB.radius;
 }

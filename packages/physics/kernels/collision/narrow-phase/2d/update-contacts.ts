@@ -27,10 +27,10 @@ import { clearEvents, noteEnd, noteSensorPairEnd } from '../../../solver/2d/cont
 import { wakeIsland } from '../../../solver/2d/islands';
 import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { shapeAt } from '../../../solver/2d/walls';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet, kindsMeet } from '../../broad-phase/2d/pair-filter';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
-import { shapeOf } from '../../shapes/2d/shape-pool';
 import { collideShapes } from './collide-shapes';
 import { freeContact, sensorFlags } from './contact-list';
 import { Manifold } from './manifold';
@@ -216,7 +216,7 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   const c = columns();
   contact.shapeA = <u32>word(c.shape, contact.a);
   contact.shapeB = <u32>word(c.shape, contact.b);
-  collideShapes(m, shapeOf(contact.a, spareA), shapeOf(contact.b, spareB));
+  collideShapes(m, shapeAt(t, contact.a, spareA), shapeAt(t, contact.b, spareB));
   contact.ac = a.c;
   contact.as = a.s;
   contact.bc = b.c;
