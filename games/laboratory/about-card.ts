@@ -4,7 +4,7 @@ import type { GameCard } from '@principia/shell';
 import { keyName } from './key-name.ts';
 import { make } from './make.ts';
 import { momentAddress } from './moment.ts';
-import { presentRun } from './on-display.ts';
+import { actOn, presentRun } from './on-display.ts';
 
 /** What the example is about, what to try, and the ways to its neighbours; it stands above the settings. */
 export function createAboutCard(parent: HTMLElement, example: Example): GameCard<ExampleRun> {
@@ -35,7 +35,7 @@ function actionsOf({ actions }: Example): HTMLElement[] {
   const row = make('div', 'lab-presets', { role: 'group', 'aria-label': 'Actions' });
   for (const [name, { about, key }] of entries) {
     const button = make('button', '', { type: 'button' }, make('kbd', '', {}, keyName(key)), ` ${about}`);
-    const act = (isDown: boolean) => presentRun()?.act(name, isDown);
+    const act = (isDown: boolean) => actOn(presentRun(), name, isDown);
     button.addEventListener('pointerdown', (event) => {
       button.setPointerCapture(event.pointerId);
       act(true);

@@ -20,7 +20,7 @@ import type { LabRun } from './lab-run.ts';
 import { make } from './make.ts';
 import { makeGhosts } from './make-ghosts.ts';
 import { goTo, takeMoment } from './moment.ts';
-import { presenting } from './on-display.ts';
+import { actOn, presenting } from './on-display.ts';
 import { linkedCode, ownCode } from './own-code.ts';
 import { writeAddress } from './page-address.ts';
 import { createPlotsCard } from './plots-card.ts';
@@ -143,7 +143,11 @@ function controlsOf({ actions }: Example): { readonly controls?: Controls<LabRun
   if (entries.length === 0) return {};
   const buttons = Object.fromEntries(entries.map(([name, { label, key }]) => [name, { label, keys: [key] }]));
   return {
-    controls: { buttons, press: (run, name) => run.act(name, true), release: (run, name) => run.act(name, false) },
+    controls: {
+      buttons,
+      press: (run, name) => actOn(run, name, true),
+      release: (run, name) => actOn(run, name, false),
+    },
   };
 }
 
