@@ -194,6 +194,6 @@ export default defineExample({
   ],
   tryThis: [
     'Do nothing: the rocket comes down again exactly where it stood.',
-    'Hold → for ten seconds after the burn-out: the rocket falls around the planet instead of onto it.',
+    'Hold → for twelve seconds after the burn-out: the rocket falls around the planet instead of onto it.',
   ],
 });
