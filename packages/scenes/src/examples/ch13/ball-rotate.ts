@@ -1,7 +1,7 @@
 import { cos, createPhysicsWorld, rgba, sin, spawn } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
-import { placeOn, spokes } from '../support/outline.ts';
+import { marks, placeOn } from '../support/outline.ts';
 import { distanceBetween, positionOf } from '../support/read.ts';
 
 const RADIUS = 50;
@@ -42,12 +42,14 @@ export default defineExample({
     return { world, dt: 0.03, ball, angle };
   },
   picture({ world, ball }) {
-    const ends = [MARK, { x: -RADIUS, y: 0 }, { x: 0, y: RADIUS }, { x: 0, y: -RADIUS }];
+    const ends = [0.2, 0.4, 0.6, 0.8, -0.2, -0.4, -0.6, -0.8].flatMap((part) => [
+      { x: part * RADIUS, y: 0 },
+      { x: 0, y: part * RADIUS },
+    ]);
     return {
       view: { minX: 0, maxX: 760, minY: -70, maxY: 230 },
       fills: [{ shape: { minX: -2000, maxX: 9000, minY: -2000, maxY: 0 }, color: COLORS.ground }],
-      lines: spokes(world, ball, ends, { width: 3 }),
-      dots: [{ at: () => placeOn(world, ball, MARK), color: COLORS.red }],
+      dots: [...marks(world, ball, ends, COLORS.white), { at: () => placeOn(world, ball, MARK), color: COLORS.red }],
     };
   },
   plots: [

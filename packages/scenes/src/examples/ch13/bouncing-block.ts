@@ -11,7 +11,6 @@ import {
   uniformGravity,
 } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
-import { COLORS } from '../picture.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
@@ -46,7 +45,11 @@ export default defineExample({
       forces: [uniformGravity({ y: -GRAVITY }), angularDrag()],
       integrator: softStep({ substeps: 8, restitutionThreshold: 0.05 }),
     });
-    spawn(world, { position: { y: FLOOR - 2 }, collider: { shape: box(60, 4), restitution } });
+    spawn(world, {
+      position: { y: FLOOR - 2 },
+      collider: { shape: box(60, 4), restitution },
+      appearance: rgba(0.29, 0.33, 0.47),
+    });
     const block = spawn(world, {
       position: { y: START },
       velocity: {},
@@ -68,7 +71,6 @@ export default defineExample({
   picture({ world, block }) {
     return {
       view: { minX: -20, maxX: 20, minY: -4, maxY: 21 },
-      fills: [{ shape: { minX: -30, maxX: 30, minY: -4, maxY: FLOOR }, color: COLORS.ground }],
       trails: [{ body: block, length: 1500, interval: 6 }],
       arrows: [velocityArrow(world, block, 0.8)],
     };

@@ -11,7 +11,6 @@ import {
   uniformGravity,
 } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
-import { COLORS } from '../picture.ts';
 import { areaOf, cornersOf } from '../support/outline.ts';
 
 /** Twenty pixels of the book are a metre. Width, height, angle in degrees, and place of the blocks, px. */
@@ -52,7 +51,11 @@ export default defineExample({
       integrator: softStep({ restitutionThreshold: 0.1 }),
     });
     const material = { restitution, friction };
-    spawn(world, { position: { y: -0.5 }, collider: { shape: box(60, 1), ...material } });
+    spawn(world, {
+      position: { y: -0.5 },
+      collider: { shape: box(60, 1), ...material },
+      appearance: rgba(0.29, 0.33, 0.47),
+    });
     const blocks = BLOCKS.map(([w, h, degrees, x, y], i) =>
       spawn(world, {
         position: { x: (x - 260) * SCALE, y: (350 - y) * SCALE },
@@ -72,7 +75,6 @@ export default defineExample({
   picture() {
     return {
       view: { minX: -9, maxX: 9, minY: -1, maxY: 17 },
-      fills: [{ shape: { minX: -30, maxX: 30, minY: -1, maxY: 0 }, color: COLORS.ground }],
     };
   },
   plots: [

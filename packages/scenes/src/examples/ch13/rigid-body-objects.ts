@@ -1,6 +1,7 @@
 import { box, createPhysicsWorld, rgba, spawn } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
-import { areaOf, cornersOf, placeOn, spokes } from '../support/outline.ts';
+import { COLORS } from '../picture.ts';
+import { areaOf, cornersOf, marks, placeOn, star } from '../support/outline.ts';
 import { distanceBetween, positionOf } from '../support/read.ts';
 
 export default defineExample({
@@ -39,16 +40,12 @@ export default defineExample({
     return { world, dt: 1 / 60, round, block };
   },
   picture({ world, round, block }) {
-    const ends = [
-      { x: 50, y: 0 },
-      { x: -50, y: 0 },
-      { x: 0, y: 50 },
-      { x: 0, y: -50 },
-    ];
     return {
       view: { minX: 60, maxX: 640, minY: 80, maxY: 420 },
-      lines: spokes(world, round, ends, { width: 3 }),
-      dots: [0, 1, 2, 3].map((i) => ({ at: () => cornersOf(world, block)[i], radius: 5 })),
+      dots: [
+        ...marks(world, round, star(4, 40), COLORS.white),
+        ...[0, 1, 2, 3].map((i) => ({ at: () => cornersOf(world, block)[i], radius: 5 })),
+      ],
     };
   },
   plots: [

@@ -3,7 +3,7 @@ import type { SceneRun } from '../../scene.ts';
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { forceArrow, velocityArrow } from '../support/arrows.ts';
-import { spokes, star } from '../support/outline.ts';
+import { marks, star } from '../support/outline.ts';
 import { distanceBetween, positionOf, speedOf } from '../support/read.ts';
 
 const [RADIUS, GRAVITY, STILL, MOVING] = [20, 10, 0.25, 0.2];
@@ -88,8 +88,10 @@ export default defineExample({
       fills: [
         { shape: [ground(-500), ground(2000), { x: 2000, y: 6000 }, { x: -500, y: 6000 }], color: COLORS.ground },
       ],
-      lines: spokes(world, ball, star(6, RADIUS), { width: 2, color: COLORS.ground }),
-      dots: [{ at: { x: end + 20 * slope * cosine, y: ground(end).y - 20 * cosine }, color: COLORS.green }],
+      dots: [
+        ...marks(world, ball, star(5, 0.7 * RADIUS), COLORS.blue),
+        { at: { x: end + 20 * slope * cosine, y: ground(end).y - 20 * cosine }, color: COLORS.green },
+      ],
       arrows: [
         forceArrow(world, ball, 'weight', () => ({ x: 0, y: GRAVITY }), 5),
         {

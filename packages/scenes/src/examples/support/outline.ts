@@ -1,6 +1,6 @@
 /** The corners of a body with a shape, and the lines between points that move. */
 import { cos, type PhysicsWorld, shapeAt, sin } from '@principia/physics';
-import type { Line, Point } from '../picture.ts';
+import type { Color, Dot, Line, Point } from '../picture.ts';
 import { positionOf } from './read.ts';
 
 /** Where a point of a body is: given in the frame of the body. */
@@ -35,6 +35,11 @@ export function spokes(world: PhysicsWorld, body: number, points: readonly Point
     from: () => positionOf(world, body),
     to: () => placeOn(world, body, point),
   }));
+}
+
+/** Dots on a body that show how it turns. */
+export function marks(world: PhysicsWorld, body: number, points: readonly Point[], color: Color): Dot[] {
+  return points.map((point) => ({ at: () => placeOn(world, body, point), radius: 3, color }));
 }
 
 /** Points on a circle about the origin. */
