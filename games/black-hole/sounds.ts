@@ -5,22 +5,22 @@ import { Synth } from '@principia/shell';
 import type { GameEvent } from './rules.ts';
 import type { BlackHoleGame } from './sim.ts';
 
-/** Time between two puffs of the engine, s. */
-const PUFF_INTERVAL = 0.09;
+/** Steps between two puffs of the engine. */
+const PUFF_STEPS = 11;
 /** A major chord for a goal, Hz. */
 const CHORD = [523, 659, 784];
 
 export interface Sounds {
   play(event: GameEvent): void;
   /** Call it once a frame. */
-  update(sim: BlackHoleGame, seconds: number, on: boolean): void;
+  update(sim: BlackHoleGame, on: boolean): void;
   destroy(): void;
 }
 
 export function createSounds(): Sounds {
   const synth = new Synth();
-  // A typed array, because a captured variable would allocate a number on the heap in every frame.
-  const sincePuff = new Float64Array(1);
+  /** Step of the last puff. */
+  let lastPuff = 0;
   return {
     play({ kind, x }) {
       const pan = (2 * x) / BLACK_HOLE.width - 1;
@@ -31,13 +31,15 @@ export function createSounds(): Sounds {
       if (kind === 'sling') synth.tone({ frequency: 500, to: 1500, loudness: 0.2, seconds: 0.25, pan });
       if (kind === 'empty') synth.tone({ frequency: 140, loudness: 0.25, seconds: 0.3, pan, wave: 'square' });
     },
-    update({ rules }, seconds, on) {
+    update({ rules, world }, on) {
       synth.set(on);
-      sincePuff[0] += seconds;
+      if (!synth.isAudible) return;
       const { push } = rules;
-      if (push === undefined || !rules.hasFuel || rules.phase !== 'flying' || sincePuff[0] < PUFF_INTERVAL) return;
-      sincePuff[0] = 0;
-      if (synth.isAudible) puff(synth, Math.hypot(push.x, push.y));
+      // A rewind leads to steps before the last puff.
+      const isDue = Math.abs(world.tick - lastPuff) >= PUFF_STEPS;
+      if (push === undefined || !rules.hasFuel || rules.phase !== 'flying' || !isDue) return;
+      lastPuff = world.tick;
+      puff(synth, Math.hypot(push.x, push.y));
     },
     destroy: () => synth.destroy(),
   };

@@ -60,7 +60,7 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
       const insets = context.insets();
       stage.update(insets, viewport, picture.ship[0], seconds);
       shownEvents = showEvents(sim, shownEvents, picture, hud, sounds);
-      sounds.update(sim, seconds, context.values().sound);
+      sounds.update(sim, context.values().sound);
       picture.update(alpha, seconds, camera, viewport);
       steering.update();
       setFrame(frame, place(0, STAGE_HEIGHT), camera.pixelsPerMetre, insets, viewport.width);

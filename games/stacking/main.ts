@@ -1,5 +1,5 @@
 /** A sandbox of rigid bodies, drawn by pixi.js. */
-import { startGame } from '@principia/shell';
+import { dragByJoints, startGame } from '@principia/shell';
 import { applyColors } from './colors.ts';
 import { readScene } from './scene-link.ts';
 import { settings } from './settings.ts';
@@ -27,6 +27,7 @@ await startGame({
   // A scene from a link has the colours that it was saved with.
   applyColors: (sim, { seed, safeColors }) => scene === undefined && applyColors(sim, seed, safeColors),
   report,
+  drag: dragByJoints,
   renderers: {
     pixi: {
       label: '2D',

@@ -7,7 +7,7 @@ import { type ControlListener, listenToControls } from './controls.ts';
 import { copyLink, shareText } from './copy-link.ts';
 import { Failures } from './failures.ts';
 import { tendFocus } from './focus.ts';
-import { FrameTimes } from './frame-times.ts';
+import { DRAW, FRAME, FrameTimes, STEP } from './frame-times.ts';
 import { toggleFullScreen } from './full-screen.ts';
 import type { GameCard, GameDefinition, Simulation } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
@@ -82,8 +82,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     tendFocus(root);
     this.#space = new SpaceBar(this.#layout.stage, () => this.#pause());
     this.#recorder = new Recorder(game.title, () => this.#refresh());
-    const { help, gestures } = this.#commands;
-    this.#help = createHelpDialog(root, game.title, hasCoarsePointer() ? gestures : help);
+    this.#help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
     this.#controls = game.controls && listenToControls(root, game.controls, () => this.#session.sim);
     const watch = game.replay && this.#actions.replay;
     this.#outcome =
@@ -157,15 +156,16 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sinceStats += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
     this.#controls?.poll();
-    if (this.#rewinding) this.#restorePast(() => session.rewind(seconds * session.speed));
+    if (this.#rewinding)
+      this.#rewindBy(seconds * session.speed); // A closure here would allocate in every frame.
     else if (!this.#broken && !this.#manual && !this.#views.isLost) session.advance(seconds);
     // A player who rewound may play on, but the score is not ranked.
     this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
     this.#sidebar?.plot.record(session.sim.world);
     for (let i = 0; i < this.#cards.length; i++) this.#cards[i].record?.(session.sim);
     this.#draw(seconds);
-    if (seconds > 0) this.#timing.add('frame', seconds * 1000);
-    if (session.sim.world.tick !== this.#tick) this.#timing.add('step', session.stepTime);
+    if (seconds > 0) this.#timing.add(FRAME, seconds * 1000);
+    if (session.sim.world.tick !== this.#tick) this.#timing.add(STEP, session.stepTime);
     this.#tick = session.sim.world.tick;
     if (this.#sinceStats >= STATS_INTERVAL) this.#showStats();
   }
@@ -175,8 +175,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (view === undefined || this.#broken) return;
     const start = performance.now();
     view.draw(this.#session.alpha, seconds);
-    this.#timing.add('draw', performance.now() - start);
+    this.#timing.add(DRAW, performance.now() - start);
     this.#recorder.captureFrame(view.canvas);
+  }
+
+  #rewindBy(seconds: number): void {
+    this.#restorePast(() => this.#session.rewind(seconds));
   }
 
   /** A restored snapshot lies before the error. */
@@ -194,12 +198,10 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (sidebar === undefined) return;
     sidebar.plot.draw();
     for (const card of this.#cards) card.show(sim);
-    const { contacts, bodies: count = ({ world }) => bodies(world).count } = this.#game;
     sidebar.profile.show(sim.world);
-    const stats = this.#stats;
-    Object.assign(stats, this.#timing);
-    stats.bodies = count(sim);
-    stats.contacts = contacts?.(sim);
+    const stats = this.#timing.copyTo(this.#stats);
+    stats.bodies = this.#game.bodies?.(sim) ?? bodies(sim.world).count;
+    stats.contacts = this.#game.contacts?.(sim);
     stats.time = sim.world.time;
     sidebar.stats.show(stats);
   }
@@ -373,7 +375,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         ready: this.#views.view !== undefined && this.#sidebar !== undefined,
         renderer: this.#renderer,
         banner: this.#banner.text,
-        timing: { frame: this.#timing.frame, step: this.#timing.step, draw: this.#timing.draw },
+        timing: this.#timing.copyTo({ frame: 0, step: 0, draw: 0 }),
         game: this.#game.report?.(session.sim) ?? {},
       }),
       body: (index) => bodyState(session, this.#views.view, index),

@@ -19,6 +19,7 @@ import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/lay
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { askAboutPairs, type ShouldCollide } from './ask-user.ts';
 import { refreshBoxes } from './box-planes.ts';
+import { contentVersion } from './content-version.ts';
 import { markSoftStep } from './is-soft-step.ts';
 import { refreshParts } from './refresh-parts.ts';
 import { refreshWalls } from './refresh-walls.ts';
@@ -172,6 +173,7 @@ function advance(
   kernels.updateSleep(at);
   if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);
+  kernels.rememberPoses(at, contentVersion(world));
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;

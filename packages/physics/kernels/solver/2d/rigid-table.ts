@@ -99,6 +99,13 @@ export class RigidTable {
   treesValid: i32;
   // Half perimeter of all nodes of the moving tree, when it was made.
   builtPerimeter: f64;
+  // For queries (collision/queries/2d/query-trees.ts): steps for which they are still prepared, the version of what the trees
+  // contain, a checksum of all poses, and the longest way of a body in the last step, m.
+  queryPatience: i32;
+  rememberedVersion: i32;
+  rememberedLow: u32;
+  rememberedHigh: u32;
+  longestPath: f64;
   // Rows whose fat box changed in this step.
   enlarged: usize;
   enlargedCount: i32;

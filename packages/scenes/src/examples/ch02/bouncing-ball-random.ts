@@ -93,6 +93,6 @@ export default defineExample({
   ],
   tryThis: [
     'Start again with another seed: another throw. With the old seed the old throw comes back.',
-    'Launch thirty balls: they spread out, but all of them come to rest on the floor in the end.',
+    'Launch thirty balls: they spread out, but all of them slide along the floor in the end.',
   ],
 });

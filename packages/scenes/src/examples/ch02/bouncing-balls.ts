@@ -80,7 +80,7 @@ export default defineExample({
     },
   ],
   tryThis: [
-    'Make it fifty balls: they form a cloud, which comes to rest within about 16 seconds.',
+    'Make it fifty balls: they form a cloud, whose last bounces are over within 15 seconds.',
     'Keep more of the speed: the staircase of the energy falls more slowly.',
   ],
 });

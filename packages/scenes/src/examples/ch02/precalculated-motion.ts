@@ -87,6 +87,6 @@ export default defineExample({
   ],
   tryThis: [
     'Drag the ball away while it flies: the film does not know of it, and plays on unchanged.',
-    'Rewind with the slider below the picture: for the film it is only another number of a picture.',
+    'Rewind: for the film that is only another number of a picture.',
   ],
 });

@@ -1,4 +1,4 @@
-import { atan2, createPhysicsWorld, planeSupport, spawn, uniformGravity } from '@principia/physics';
+import { createPhysicsWorld, planeSupport, spawn, uniformGravity } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { forceArrow, velocityArrow } from '../support/arrows.ts';
@@ -36,23 +36,28 @@ export default defineExample({
     const normal = { x: slope, y: -1 };
     const support = planeSupport({ point: FOOT, normal, staticFriction: still, kineticFriction: moving });
     const world = createPhysicsWorld({ capacity: 4, forces: [uniformGravity({ y: GRAVITY }), support], ...options });
-    const root = Math.sqrt(1 + slope * slope);
-    const start = { x: FOOT.x + (SIZE * slope) / root, y: FOOT.y - SIZE / root };
-    const appearance = { shape: 2, size: SIZE, color: 0xff5cb3ff };
-    const rotation = atan2(slope, 1);
-    const block = spawn(world, { position: start, mass: 1, collider: SIZE, rotation, appearance });
-    return { world, dt: 1 / 60, block, distance: () => distanceBetween(positionOf(world, block), start) };
+    // The place of the block is the middle of its lower side.
+    const block = spawn(world, { position: FOOT, mass: 1 });
+    return { world, dt: 1 / 60, block, distance: () => distanceBetween(positionOf(world, block), FOOT) };
   },
   picture({ world, block }, { slope, still, moving }) {
     const cosine = 1 / Math.sqrt(1 + slope * slope);
     const load = GRAVITY * cosine;
     const along = (force: number) => ({ x: -force * cosine, y: -force * slope * cosine });
     const friction = () => along(speedOf(world, block) > 1e-9 ? moving * load : Math.min(still * load, load * slope));
+    const corner = (x: number, y: number) => () => {
+      const at = positionOf(world, block);
+      return { x: at.x + cosine * (x + slope * y), y: at.y + cosine * (slope * x - y) };
+    };
+    const corners = [corner(-SIZE, 0), corner(SIZE, 0), corner(SIZE, 2 * SIZE), corner(-SIZE, 2 * SIZE)];
     const ground = (x: number) => ({ x, y: FOOT.y + slope * (x - FOOT.x) });
     return {
       yDown: true,
       view: { minX: 0, maxX: 520, minY: 60, maxY: 300 },
-      fills: [{ shape: [ground(0), ground(520), { x: 520, y: 600 }, { x: 0, y: 600 }], color: COLORS.ground }],
+      fills: [
+        { shape: [ground(-500), ground(1500), { x: 1500, y: 2000 }, { x: -500, y: 2000 }], color: COLORS.ground },
+      ],
+      lines: corners.map((from, i) => ({ from, to: corners[(i + 1) % 4], width: 4, color: COLORS.orange })),
       arrows: [
         forceArrow(world, block, 'weight', () => ({ x: 0, y: GRAVITY }), 6),
         forceArrow(world, block, 'N', () => ({ x: load * slope * cosine, y: -load * cosine }), 6),

@@ -32,6 +32,7 @@ export default defineExample({
   about:
     'Two balls push each other along the line between their centres, equally hard and in opposite directions: together they keep their momentum. If the collision is elastic they keep their energy too, and that fixes both velocities. A light ball is thrown back from a heavy one, equal ones exchange what points along the line.',
   duration: 3,
+  ends: true,
   parameters: {
     pair: {
       label: 'Balls',
