@@ -2,7 +2,7 @@
 import { createRandom, keepState, markImmutable, type Random } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole, isClear } from '@principia/scenes';
 import { Flight, type ShipState } from './flight.ts';
-import { type Heading, thrustOf } from './heading.ts';
+import { DIRECTIONS, type Heading, thrustOf } from './heading.ts';
 
 /** A course: headings, and the end time of each in s since the start of the course. */
 interface Course {
@@ -109,11 +109,13 @@ export class Autopilot {
   #judge(course: Course): number {
     const flight = this.#flight;
     flight.begin(this.#craft, this.#scene.holes, this.#scene.holeTime);
+    const thrust = { x: 0, y: 0 };
     let maxHeight = 0;
     let nearSteps = 0;
     let time = 0;
     for (; time < HORIZON && flight.status === 'flying'; time += SEARCH_DT) {
-      flight.step(SEARCH_DT, thrustOf(headingAt(course, time)));
+      const heading = headingAt(course, time);
+      flight.step(SEARCH_DT, thrustOf(heading && DIRECTIONS[heading], thrust));
       maxHeight = Math.max(maxHeight, flight.y);
       // Close to a hole the motion is chaotic, and small errors of the copy grow.
       if (!isClear(this.#scene.holes, flight.x, flight.y)) nearSteps++;

@@ -1,5 +1,6 @@
 /** The text and bars drawn over the picture. */
-
+import { hasCoarsePointer } from '@principia/shell';
+import { dayOf, dayOfSeed, seedOf } from './daily.ts';
 import { css, type Palette } from './palette.ts';
 import { livesText, scoreText } from './report.ts';
 import { type GameEvent, LIVES, TANK } from './rules.ts';
@@ -23,6 +24,13 @@ const STYLE = `
 .bh-call { left: 50%; top: 64%; translate: -50% 0; text-align: center; width: max-content; max-width: 92% }
 .bh-call.low { top: auto; bottom: 10px; font-size: 13px }
 .bh-call h2 { margin: 0; font-size: clamp(26px, 5vw, 46px); letter-spacing: -0.02em } .bh-call p { margin: 4px 0 0; color: #c4d2f6 }
+
+/* Beside the ship's start, around which players press to steer. */
+.bh-redraw { right: 14px; bottom: 40px } .bh-daily { right: 14px; bottom: 84px; text-decoration: none }
+.bh-redraw, .bh-daily { padding: 7px 14px; border: 1px solid #ffffff38; border-radius: 11px; background: #ffffff14;
+  color: inherit; font: inherit; font-size: 13px; cursor: pointer; pointer-events: auto }
+:is(.bh-redraw, .bh-daily):hover { background: #ffffff2c } :is(.bh-redraw, .bh-daily):focus-visible { outline: 2px solid var(--ship) }
+@media (pointer: coarse) { .bh-redraw, .bh-daily { min-height: 44px; box-sizing: border-box; display: grid; place-items: center } .bh-daily { bottom: 92px } }
 .bh-toast { left: 50%; top: 15%; translate: -50% 0; font-size: 22px; width: max-content; max-width: 92%; text-align: center; opacity: 0 }
 .bh-toast.on { opacity: 1; animation: bh-rise 1.7s ease-out both }
 @keyframes bh-rise { 0% { opacity: 0; transform: translateY(12px) } 12%, 60% { opacity: 1; transform: none } 100% { opacity: 0; transform: translateY(-10px) } }
@@ -31,9 +39,10 @@ const STYLE = `
 @media (max-width: 620px) { .bh-level { flex-direction: column; gap: 0; align-items: end }
   .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px }
   .bh-call:not(.low) { top: 44% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
-.bh-hud.outside { font-size: 13px } .outside .bh-lives { top: -44px; left: 2px } .outside .bh-level { top: -44px; right: 2px; gap: 3px }
-.outside .bh-score { top: -22px; left: 2px; translate: none } .outside .bh-fuel { bottom: -40px; left: 2px }
-.outside .bh-speed { display: block; bottom: -24px; right: 2px } .outside .bh-call.low { bottom: 8px; right: 8px }
+.bh-hud.outside { font-size: 13px } .outside .bh-lives { top: -44px; left: 10px } .outside .bh-level { top: -44px; right: 10px; gap: 3px }
+.outside .bh-score { top: -22px; left: 10px; translate: none } .outside .bh-fuel { bottom: -40px; left: 10px }
+.outside .bh-speed { display: block; bottom: -24px; right: 10px } .outside .bh-call.low { bottom: 8px; right: 8px }
+.outside :is(.bh-redraw, .bh-daily) { right: auto; left: 10px; bottom: -100px } .outside .bh-daily { bottom: -152px }
 `;
 
 /** Free height required to place text above a small stage, CSS pixels. */
@@ -58,8 +67,8 @@ export interface Hud {
 /** Frames between two updates of fuel and speed. */
 const FRAMES_PER_UPDATE = 9;
 
-/** @param palette returns the present colours */
-export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
+/** @param palette returns the present colours @param redraw asks for another layout */
+export function createHud(parent: HTMLElement, palette: () => Palette, redraw: () => void): Hud {
   const root = createRoot(parent);
   const find = (selector: string) => root.querySelector(selector) as HTMLElement;
   const place = createPlacement(root);
@@ -68,7 +77,7 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
   const showScore = createScore(find);
   const showFuel = createFuel(find);
   const showSpeed = createSpeed(find);
-  const showCall = createCall(find);
+  const showCall = createCall(find, redraw);
   const toast = createToast(find('.bh-toast'));
   let framesToNumbers = 0;
   return {
@@ -84,7 +93,9 @@ export function createHud(parent: HTMLElement, palette: () => Palette): Hud {
         showFuel(sim.rules);
         showSpeed(sim);
       }
-      showCall(callOf(sim, current.goalName));
+      // The daily challenge is offered before the first flight of another game.
+      const isFirst = sim.rules.phase === 'ready' && !sim.rules.hasBegun && dayOfSeed(sim.seed) === undefined;
+      showCall(callOf(sim, current.goalName), isFirst);
     },
     toast(event, sim) {
       const text = toastOf(event, sim);
@@ -104,7 +115,7 @@ function createRoot(parent: HTMLElement): HTMLElement {
 <div class="bh-lives">${'<i></i>'.repeat(LIVES)}<span></span></div><div class="bh-score"></div>
 <div class="bh-level"><span></span><small></small></div>
 <div class="bh-fuel"><small></small><div><b></b></div></div><div class="bh-speed"></div>
-<div class="bh-call"><h2></h2><p></p></div><div class="bh-toast" role="status"></div>`;
+<div class="bh-call"><h2></h2><p></p></div><a class="bh-daily" href="?seed=${seedOf(dayOf(new Date()))}">Daily challenge</a><button type="button" class="bh-redraw" title="New layout (N) – no bonus this level">New layout</button><div class="bh-toast" role="status"></div>`;
   parent.append(root);
   return root;
 }
@@ -193,13 +204,18 @@ function createSpeed(find: Find) {
   };
 }
 
-function createCall(find: Find) {
+function createCall(find: Find, redraw: () => void) {
   const [card, title, text] = [find('.bh-call'), find('.bh-call h2'), find('.bh-call p')];
+  const other = find('.bh-redraw');
+  other.addEventListener('click', redraw);
+  const daily = find('.bh-daily');
   let shown: Call | undefined;
-  return (call: Call) => {
+  return (call: Call, isFirst: boolean) => {
     if (call === shown) return;
     shown = call;
     card.classList.toggle('low', call[0] === '');
+    other.hidden = call[0] === '';
+    daily.hidden = !isFirst;
     title.textContent = call[0];
     text.textContent = call[1];
   };
@@ -230,19 +246,25 @@ function speedOf({ scene, world }: BlackHoleGame): number {
 
 type Call = readonly [title: string, text: string];
 
+const isTouch = hasCoarsePointer();
+
 const CALLS = {
-  replay: ['', 'Replay – press any arrow key to take over'],
-  demo: ['', 'Demo – press any arrow key to play'],
+  replay: ['', `Replay – ${isTouch ? 'tap' : 'press any arrow key'} to take over`],
+  demo: ['', `Demo – ${isTouch ? 'tap' : 'press any arrow key'} to play`],
   autopilot: ['', 'Autopilot on – press A to take over'],
   none: ['', ''],
 } satisfies Record<string, Call>;
 
-/** One message per name of the goal's colour. */
-const READY = new Map<string, Call>();
+const LAUNCH = isTouch ? 'Tap or use the stick to launch' : 'Press an arrow key or tap to launch';
+/** One message per name of the goal's colour for the first flight, and one per level for the others. */
+const READY = new Map<string | number, Call>();
 
-function readyCall(goal: string): Call {
-  const made = READY.get(goal) ?? ['Black hole', `Reach the ${goal} line. Press an arrow key or tap to launch.`];
-  READY.set(goal, made);
+function readyCall({ hasBegun, dodged }: BlackHoleGame['rules'], goal: string): Call {
+  const key = hasBegun ? dodged : goal;
+  const known = READY.get(key);
+  if (known !== undefined) return known;
+  const made: Call = hasBegun ? [`Level ${dodged + 1}`, LAUNCH] : ['Black hole', `Reach the ${goal} line. ${LAUNCH}.`];
+  READY.set(key, made);
   return made;
 }
 
@@ -250,7 +272,7 @@ function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: str
   if (isReplay) return CALLS.replay;
   if (isDemo) return CALLS.demo;
   if (autopilot) return CALLS.autopilot;
-  return rules.phase === 'ready' ? readyCall(goal) : CALLS.none;
+  return rules.phase === 'ready' ? readyCall(rules, goal) : CALLS.none;
 }
 
 function toastOf({ kind, points }: GameEvent, { rules }: BlackHoleGame): string {

@@ -5,7 +5,6 @@ import { applyCamera, createTrailLayer, type TrailLayer } from '@principia/rende
 import { BLACK_HOLE } from '@principia/scenes';
 import { Container, Graphics, type Texture } from 'pixi.js';
 import { emitGlow } from './hawking.ts';
-import { DIRECTIONS } from './heading.ts';
 import { MAX_LENSES } from './lens-program.ts';
 import type { Palette } from './palette.ts';
 import type { GameEvent } from './rules.ts';
@@ -165,8 +164,8 @@ function readPositions({ world, scene }: BlackHoleGame, alpha: number, ship: Flo
 }
 
 function exhaust({ rules }: BlackHoleGame, ship: Readonly<Float64Array>, sparks: Sparks): void {
-  if (rules.phase !== 'flying' || rules.heading === undefined || !rules.hasFuel) return;
-  const direction = DIRECTIONS[rules.heading];
+  const { push: direction } = rules;
+  if (rules.phase !== 'flying' || direction === undefined || !rules.hasFuel) return;
   const { source } = sparks;
   source[0] = ship[0] - 8 * direction.x;
   source[1] = ship[1] - 8 * direction.y;

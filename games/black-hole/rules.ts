@@ -4,12 +4,15 @@
  * - If the ship's centre enters a horizon, it costs one of three lives and the layout of holes changes.
  * - Crossing the goal line gives as many points as there are holes, so n levels give n (n + 1) / 2; the next level has one hole more.
  * - A ship that leaves the stage restarts below the same holes at no cost.
+ * - No layout lets a ship through that only climbs, so that each needs a swing-by.
+ * - After a fall, a goal or an exit the engine is off and the game holds its breath; the next flight begins at the next input.
  * - The player may ask for a new layout at any time.
  * - Bonus points are separate from the score: one for every slingshot of a flight that reaches the goal, and up to five for unused fuel; none if the layout was changed in the level.
  */
 import { keepState, markImmutable } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole } from '@principia/scenes';
-import { type Heading, thrustOf } from './heading.ts';
+import { type Push, thrustOf } from './heading.ts';
+import { opensStraightUp } from './straight-flight.ts';
 
 export const LIVES = 3;
 /** Change of velocity of a full tank, m/s; a climb without holes takes 100. */
@@ -19,6 +22,10 @@ export const FIRST_MOVING_LEVEL = 5;
 /** A slingshot is an approach within the first distance, in radii, that ends beyond the second. */
 const SLING = { near: 3, far: 6 } as const;
 const FUEL_BONUS = 5;
+/** Time between the end of a flight and the start of the next, s. */
+export const BREATH = 0.9;
+/** Indices of the numbers that change in every step. */
+const [FUEL, SPENT, WAIT] = [0, 1, 2];
 
 /** An event for pictures and sounds. */
 export interface GameEvent {
@@ -31,6 +38,8 @@ export interface GameEvent {
 
 /** The options that the player may change. */
 export interface RuleOptions {
+  /** The first level; default 1. */
+  readonly level?: number;
   readonly fuel: boolean;
   readonly moving: boolean;
 }
@@ -38,8 +47,12 @@ export interface RuleOptions {
 const MAX_EVENTS = 32;
 
 export class Rules {
-  /** Waiting for the first input, flying, or lost all lives. */
-  phase: 'ready' | 'flying' | 'over' = 'ready';
+  /** Waiting for the first input, flying, holding its breath after a flight, or lost all lives. */
+  phase: 'ready' | 'flying' | 'breath' | 'over' = 'ready';
+  /** Holes of the next flight: the same, another layout of this level, or those of the next level. */
+  next: 'same' | 'other' | 'level' = 'same';
+  /** The player has launched a ship in this game. */
+  hasBegun = false;
   lives = LIVES;
   score = 0;
   bonus = 0;
@@ -48,16 +61,18 @@ export class Rules {
   /** Layout changes in this level; any of them cancels the bonus. */
   redraws = 0;
   slings = 0;
-  heading: Heading | undefined;
+  /** Thrust that the player asks for. */
+  push: Push | undefined;
   /** Number of events so far, and the last few events. */
   eventCount = 0;
   readonly events: GameEvent[] = [];
   options: RuleOptions;
   /**
-   * Change of velocity left in the tank and spent in this flight, m/s. A typed array, because snapshots copy it without
-   * garbage.
+   * Change of velocity left in the tank and spent in this flight, m/s, and time left to wait, s. A typed array, because
+   * snapshots copy it without garbage.
    */
-  readonly #delta = new Float64Array([TANK, 0]);
+  readonly #delta = new Float64Array([TANK, 0, 0]);
+  readonly #thrust = { x: 0, y: 0 };
   readonly #scene: BlackHole;
   /** Holes within slingshot distance of the ship. */
   readonly #near = new Set<number>();
@@ -70,16 +85,20 @@ export class Rules {
 
   /** Change of velocity left in the tank, m/s. */
   get fuel(): number {
-    return this.#delta[0];
+    return this.#delta[FUEL];
   }
 
   set fuel(left: number) {
-    this.#delta[0] = left;
+    this.#delta[FUEL] = left;
   }
 
   /** Change of velocity spent in this flight, m/s. */
   get spent(): number {
-    return this.#delta[1];
+    return this.#delta[SPENT];
+  }
+
+  get firstLevel(): number {
+    return this.options.level ?? 1;
   }
 
   /** Number of holes of the level. */
@@ -96,16 +115,19 @@ export class Rules {
     return this.options.moving && this.level >= FIRST_MOVING_LEVEL ? Math.ceil((this.level - 2) / 3) : 0;
   }
 
-  /** Starts a new game with the first layout of the seed. */
+  /** Starts a new game with the first layouts of the seed. */
   restart(): void {
-    Object.assign(this, { phase: 'ready', lives: LIVES, score: 0, bonus: 0, dodged: 0 });
+    const dodged = this.firstLevel - 1;
+    Object.assign(this, { lives: LIVES, score: 0, bonus: 0, dodged, hasBegun: false });
     this.#scene.rewind();
-    this.#newHoles();
+    this.#newHoles(true);
+    this.#newFlight();
   }
 
   launch(): void {
     if (this.phase !== 'ready') return;
     this.phase = 'flying';
+    this.hasBegun = true;
     this.#emit('launch', 0);
   }
 
@@ -115,18 +137,20 @@ export class Rules {
     this.#emit('redraw', 0);
     this.redraws++;
     this.#newHoles(false);
+    this.#newFlight();
   }
 
   /** Runs before the step: applies thrust while there is fuel. */
   steer(dt: number): void {
     const { world, ship } = this.#scene;
-    const cost = BLACK_HOLE.thrust * dt;
-    const isPushing = this.phase === 'flying' && this.heading !== undefined && this.hasFuel;
-    const push = thrustOf(isPushing ? this.heading : undefined);
-    world.components.Thrust.x[ship] = push.x;
-    world.components.Thrust.y[ship] = push.y;
-    if (!isPushing) return;
-    this.#delta[1] += cost;
+    if (this.phase === 'breath') this.#wait(dt);
+    const push = this.phase === 'flying' && this.hasFuel ? this.push : undefined;
+    const { x, y } = thrustOf(push, this.#thrust);
+    world.components.Thrust.x[ship] = x;
+    world.components.Thrust.y[ship] = y;
+    if (push === undefined) return;
+    const cost = Math.sqrt(x * x + y * y) * dt;
+    this.#delta[SPENT] += cost;
     if (!this.options.fuel) return;
     this.fuel = Math.max(0, this.fuel - cost);
     if (!this.hasFuel) this.#emit('empty', 0);
@@ -143,7 +167,7 @@ export class Rules {
       this.#holdShip();
       return;
     }
-    const { world, ship, placeShip } = this.#scene;
+    const { world, ship } = this.#scene;
     const { x, y } = world.components.Position;
     if (this.#hasFallen()) {
       this.#emit('fall', 0);
@@ -152,8 +176,7 @@ export class Rules {
       this.#win();
     } else if (x[ship] < 0 || x[ship] > BLACK_HOLE.width || y[ship] < 0) {
       this.#emit('left', 0);
-      placeShip(BLACK_HOLE.start.x, BLACK_HOLE.start.y);
-      this.#newFlight();
+      this.#holdBreath('same');
     }
   }
 
@@ -187,37 +210,56 @@ export class Rules {
     const saved = this.options.fuel ? Math.floor((FUEL_BONUS * this.fuel) / TANK) : 0;
     if (this.redraws === 0) this.bonus += this.slings + saved;
     this.dodged++;
-    this.#newHoles();
+    this.#holdBreath('level');
   }
 
   #loseLife(): void {
     this.lives--;
     if (this.lives > 0) {
-      this.#newHoles(false);
+      this.#holdBreath('other');
       return;
     }
     this.phase = 'over';
-    this.heading = undefined;
+    this.push = undefined;
     this.#holdShip();
     this.#emit('over', this.score);
   }
 
-  /** @param isNewLevel resets the count of layout changes */
-  #newHoles(isNewLevel = true): void {
-    if (isNewLevel) this.redraws = 0;
-    this.#scene.redraw(this.level, this.movingHoles);
-    this.#scene.placeShip(BLACK_HOLE.start.x, BLACK_HOLE.start.y);
+  /** Ends the flight: the ship stays where it is, its engine off, until the next one is prepared. */
+  #holdBreath(next: 'same' | 'other' | 'level'): void {
+    this.phase = 'breath';
+    this.push = undefined;
+    this.next = next;
+    this.#delta[WAIT] = BREATH;
+    this.#holdShip();
+  }
+
+  #wait(dt: number): void {
+    this.#delta[WAIT] -= dt;
+    if (this.#delta[WAIT] > 0) return;
+    if (this.next !== 'same') this.#newHoles(this.next === 'level');
     this.#newFlight();
   }
 
+  /** @param isNewLevel resets the count of layout changes */
+  #newHoles(isNewLevel: boolean): void {
+    if (isNewLevel) this.redraws = 0;
+    const scene = this.#scene;
+    scene.redraw(this.level, this.movingHoles, (holes) => !opensStraightUp(holes, scene.isSteep));
+  }
+
+  /** Prepares a ship at the start. */
   #newFlight(): void {
+    this.phase = 'ready';
+    this.push = undefined;
+    this.#scene.placeShip(BLACK_HOLE.start.x, BLACK_HOLE.start.y);
     this.fuel = TANK;
-    this.#delta[1] = 0;
+    this.#delta[SPENT] = 0;
     this.slings = 0;
     this.#near.clear();
   }
 
-  /** Keeps the ship at the start before the first input, and at the place of its fall after the last life. */
+  /** Keeps the ship at the start before an input, and where its flight ended after it. */
   #holdShip(): void {
     const { world, ship, placeShip } = this.#scene;
     const { x, y } = world.previous.Position;

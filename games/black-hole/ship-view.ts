@@ -1,7 +1,7 @@
 /** Draws the ship, its flame, and the dots of its predicted path. */
 import { Container, Graphics, Sprite, type Texture } from 'pixi.js';
 import { Flight } from './flight.ts';
-import { DIRECTIONS, thrustOf } from './heading.ts';
+import { thrustOf } from './heading.ts';
 import type { Palette } from './palette.ts';
 import type { BlackHoleGame } from './sim.ts';
 
@@ -29,20 +29,23 @@ export function createShipView({ hull: hullColor, hullShade }: Palette): ShipVie
   const time = new Float64Array(1);
   return {
     container,
-    update({ rules, world }, place, seconds) {
+    update({ rules }, place, seconds) {
       time[0] += seconds;
-      container.visible = rules.phase !== 'over';
+      container.visible = rules.phase === 'ready' || rules.phase === 'flying';
       container.position.set(place[0], -place[1]);
-      const { heading } = rules;
-      if (heading !== undefined) {
-        const { x: dx, y: dy } = DIRECTIONS[heading];
+      const { push } = rules;
+      if (push !== undefined) {
         // Turns by the smaller angle, most of it within a tenth of a second.
-        const wanted = Math.atan2(dx, dy);
+        const wanted = Math.atan2(push.x, push.y);
         const turn = Math.atan2(Math.sin(wanted - container.rotation), Math.cos(wanted - container.rotation));
         container.rotation += turn * (1 - Math.exp(-18 * Math.max(seconds, 1 / 60)));
-      } else if (world.tick === 0) container.rotation = 0;
-      flame.visible = heading !== undefined && rules.hasFuel && rules.phase === 'flying';
-      flame.scale.set(1, 0.85 + 0.2 * Math.sin(70 * time[0]) + 0.1 * Math.sin(113 * time[0]));
+      } else if (rules.phase === 'ready') container.rotation = 0;
+      flame.visible = push !== undefined && rules.hasFuel && rules.phase === 'flying';
+      const strength = push === undefined ? 0 : Math.hypot(push.x, push.y);
+      flame.scale.set(
+        0.5 + 0.5 * strength,
+        (0.3 + 0.7 * strength) * (0.85 + 0.2 * Math.sin(70 * time[0]) + 0.1 * Math.sin(113 * time[0])),
+      );
     },
   };
 }
@@ -56,6 +59,7 @@ export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fa
   const container = new Container();
   const flight = new Flight(isSteep);
   const craft = { x: 0, y: 0, vx: 0, vy: 0 };
+  const thrust = { x: 0, y: 0 };
   const dots = Array.from({ length: DOTS }, (_, i) => {
     const dot = new Sprite({ texture: spot, anchor: 0.5, alpha: 0.85 * (1 - i / DOTS) + 0.08 });
     dot.scale.set((5.5 - (2.5 * i) / DOTS) / 32);
@@ -80,10 +84,10 @@ export function createPathView(spot: Texture, isSteep: boolean, { path, goal, fa
       craft.vy = Velocity.y[ship];
       // Where no hole moves, the time has no effect; a constant avoids allocating a number.
       flight.begin(craft, holes, rules.movingHoles > 0 ? scene.holeTime : 0);
-      const push = thrustOf(rules.hasFuel ? rules.heading : undefined);
+      thrustOf(rules.hasFuel ? rules.push : undefined, thrust);
       for (let d = 0; d < dots.length; d++) {
         const dot = dots[d];
-        for (let s = 0; s < STEPS_PER_DOT; s++) flight.step(PREVIEW_DT, push);
+        for (let s = 0; s < STEPS_PER_DOT; s++) flight.step(PREVIEW_DT, thrust);
         dot.visible = flight.status === 'flying';
         dot.position.set(flight.x, -flight.y);
         paint(d, path);

@@ -4,17 +4,20 @@
 import { keepState, markImmutable, stateHash } from '@principia/physics';
 import { type BlackHole, blackHole, InputLog, type LoggedInput } from '@principia/scenes';
 import { Autopilot } from './autopilot.ts';
-import type { Heading } from './heading.ts';
+import { DIRECTIONS, type Heading, type Push, pushOf } from './heading.ts';
 import { type RuleOptions, Rules } from './rules.ts';
 
-/** The player's inputs: thrust in a direction, stop, change the layout; and the switches that affect the game. */
-export type Input = Heading | 'release' | 'redraw' | Switch;
+/**
+ * The player's inputs: full thrust in a direction, analogue thrust, stop, change the layout; and the switches that affect
+ * the game.
+ */
+export type Input = Heading | Push | 'release' | 'redraw' | Switch;
 
 /** Switches are inputs too, so that a log reproduces the whole game. */
 const SWITCHES = ['autopilot', 'no autopilot', 'fuel', 'no fuel'] as const;
 type Switch = (typeof SWITCHES)[number];
 
-const isSwitch = (input: Input): input is Switch => (SWITCHES as readonly string[]).includes(input);
+const isSwitch = (input: Input): input is Switch => (SWITCHES as readonly unknown[]).includes(input);
 
 export interface BlackHoleValues extends RuleOptions {
   /** Uses the Paczyński–Wiita potential. */
@@ -46,10 +49,12 @@ export class BlackHoleGame {
   readonly #values: BlackHoleValues;
 
   constructor({ values, seed, log }: BlackHoleOptions) {
-    this.#values = { fuel: values.fuel, moving: values.moving, steep: values.steep, autopilot: values.autopilot };
+    const { fuel, moving, steep, autopilot, level } = values;
+    this.#values = { fuel, moving, steep, autopilot, ...(level === undefined ? {} : { level }) };
     // The scene registers its own mutable state.
     this.scene = markImmutable(blackHole.create({ seed, steep: values.steep ? 1 : 0 }));
     this.rules = new Rules(this.scene, this.#values);
+    this.rules.restart();
     this.log = new InputLog(log);
     this.autopilot = values.autopilot;
     this.#seed = seed;
@@ -65,6 +70,10 @@ export class BlackHoleGame {
     phases.events.push(() => this.rules.judge());
   }
 
+  get seed(): number {
+    return this.#seed;
+  }
+
   get world() {
     return this.scene.world;
   }
@@ -77,6 +86,11 @@ export class BlackHoleGame {
   press(input: Input): void {
     this.log.endScript();
     this.log.add(input);
+  }
+
+  /** Thrust by a stick or pointer: fractions of full thrust, y up; (0, 0) stops the engine. */
+  steer(x: number, y: number): void {
+    this.press(pushOf(x, y) ?? 'release');
   }
 
   /** Whether the inputs come from the log of an earlier game. */
@@ -105,11 +119,12 @@ export class BlackHoleGame {
     if (input === 'redraw') {
       this.rules.redraw();
     } else if (input === 'release') {
-      this.rules.heading = undefined;
+      this.rules.push = undefined;
     } else {
       this.rules.launch();
       // The last key pressed counts, even while others are held.
-      if (this.rules.phase === 'flying') this.rules.heading = input;
+      if (this.rules.phase === 'flying')
+        this.rules.push = markImmutable(typeof input === 'string' ? DIRECTIONS[input] : input);
     }
   }
 
@@ -120,26 +135,27 @@ export class BlackHoleGame {
       return;
     }
     this.autopilot = input === 'autopilot';
-    rules.heading = undefined;
+    rules.push = undefined;
   }
 
   #fly(dt: number): void {
     const { rules } = this;
     if (!this.autopilot && !this.isDemo) {
-      if (rules.phase !== 'ready') return;
+      if (rules.phase !== 'ready' || rules.hasBegun) return;
       this.#idle[0] += dt;
       if (this.#idle[0] < IDLE_SECONDS) return;
       this.isDemo = true;
     }
     if (this.isDemo && rules.phase === 'over') rules.restart();
     rules.launch();
-    if (rules.phase === 'flying') rules.heading = this.#pilot.steer(dt);
+    if (rules.phase !== 'flying') return;
+    const heading = this.#pilot.steer(dt);
+    rules.push = heading === undefined ? undefined : DIRECTIONS[heading];
   }
 
   /** Ends the demo and starts a new game. */
   #endDemo(): void {
     this.isDemo = false;
-    this.rules.heading = undefined;
     this.rules.restart();
     this.#pilot.begin(this.#seed);
   }
@@ -153,6 +169,6 @@ export function createGame(options: BlackHoleOptions): BlackHoleGame {
 export function applyValue(sim: BlackHoleGame, name: string, values: BlackHoleValues): boolean {
   if (name === 'autopilot') sim.press(values.autopilot ? 'autopilot' : 'no autopilot');
   else if (name === 'fuel') sim.press(values.fuel ? 'fuel' : 'no fuel');
-  else return name !== 'moving' && name !== 'steep';
+  else return name !== 'moving' && name !== 'steep' && name !== 'level';
   return true;
 }

@@ -1,16 +1,14 @@
-/** Control by touch or mouse: thrust points towards the pointer; a double tap changes the layout. */
-import type { Heading } from './heading.ts';
-import type { Input } from './sim.ts';
+/** Control by touch or mouse: the engine thrusts towards the pointer, the harder the farther away it is. */
 
-/** A second tap within this time, s, and distance, CSS pixels, counts as a double tap. */
-const DOUBLE = { seconds: 0.35, pixels: 30 } as const;
-/** Distance from the ship within which the direction is undefined, CSS pixels. */
-const DEAD_ZONE = 6;
+/** Distances from the ship, CSS pixels: below the first the engine is off, beyond the second it gives full thrust. */
+const DEAD_ZONE = 8;
+const FULL_THRUST = 60;
 
 export interface SteeringOptions {
   /** Position of the ship on the canvas, CSS pixels. */
   ship(): { x: number; y: number };
-  press(input: Input): void;
+  /** Takes fractions of full thrust, y up; (0, 0) when the pointer is released. */
+  steer(x: number, y: number): void;
 }
 
 export interface Steering {
@@ -19,37 +17,39 @@ export interface Steering {
   destroy(): void;
 }
 
-export function listenToSteering(canvas: HTMLCanvasElement, { ship, press }: SteeringOptions): Steering {
+export function listenToSteering(canvas: HTMLCanvasElement, { ship, steer }: SteeringOptions): Steering {
   let pointer: number | undefined;
-  let heading: Heading | undefined;
+  // A typed array, because a captured variable would allocate a number on the heap in every frame.
+  const sent = new Float64Array(2);
   const place = { x: 0, y: 0 };
-  const tap = { time: Number.NEGATIVE_INFINITY, x: 0, y: 0 };
   const locate = (event: PointerEvent) => {
     const box = canvas.getBoundingClientRect();
     place.x = event.clientX - box.left;
     place.y = event.clientY - box.top;
   };
+  const send = (x: number, y: number) => {
+    if (x === sent[0] && y === sent[1]) return;
+    sent[0] = x;
+    sent[1] = y;
+    steer(x, y);
+  };
   const update = () => {
     if (pointer === undefined) return;
     const { x, y } = ship();
-    const wanted = nearestHeading(place.x - x, place.y - y) ?? heading;
-    if (wanted === undefined || wanted === heading) return;
-    heading = wanted;
-    press(wanted);
+    const dx = place.x - x;
+    const dy = y - place.y;
+    const distance = Math.hypot(dx, dy);
+    const strength = Math.min(1, (distance - DEAD_ZONE) / (FULL_THRUST - DEAD_ZONE));
+    if (strength > 0) send(rounded((strength * dx) / distance), rounded((strength * dy) / distance));
+    else send(0, 0);
   };
   const down = (event: PointerEvent) => {
     if (event.button !== 0 || pointer !== undefined) return;
     locate(event);
-    const seconds = event.timeStamp / 1000;
-    const isDouble =
-      seconds - tap.time < DOUBLE.seconds && Math.hypot(place.x - tap.x, place.y - tap.y) < DOUBLE.pixels;
-    Object.assign(tap, place, { time: isDouble ? Number.NEGATIVE_INFINITY : seconds });
-    if (isDouble) {
-      press('redraw');
-      return;
-    }
     pointer = event.pointerId;
     canvas.setPointerCapture(pointer);
+    // A press always counts, for a flight that ended has forgotten the last one.
+    sent.fill(Number.NaN);
     update();
   };
   const move = (event: PointerEvent) => {
@@ -60,8 +60,7 @@ export function listenToSteering(canvas: HTMLCanvasElement, { ship, press }: Ste
   const up = (event: PointerEvent) => {
     if (event.pointerId !== pointer) return;
     pointer = undefined;
-    if (heading !== undefined) press('release');
-    heading = undefined;
+    send(0, 0);
   };
   const handlers = [
     ['pointerdown', down],
@@ -79,9 +78,7 @@ export function listenToSteering(canvas: HTMLCanvasElement, { ship, press }: Ste
   };
 }
 
-/** The direction of the screen that is nearest to an offset, y down. */
-function nearestHeading(dx: number, dy: number): Heading | undefined {
-  if (Math.max(Math.abs(dx), Math.abs(dy)) < DEAD_ZONE) return undefined;
-  if (Math.abs(dx) > Math.abs(dy)) return dx > 0 ? 'right' : 'left';
-  return dy > 0 ? 'down' : 'up';
+/** Twentieths, as the game logs them, so that a resting pointer sends nothing new. */
+function rounded(value: number): number {
+  return Math.round(20 * value) / 20;
 }

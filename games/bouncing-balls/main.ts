@@ -6,19 +6,32 @@ import { applyValue, clampToRoom, countContacts, createBalls } from './sim.ts';
 
 await startGame({
   title: 'Bouncing balls',
+  home: '../index.html',
+  variesSeed: true,
   settings,
   create: createBalls,
   applyColors: (sim, { seed, safeColors }) => applyColors(sim, seed, safeColors),
-  apply: (sim, name, values) => name === 'trails' || applyValue(sim, name, values),
+  apply: (sim, name, values) => name === 'trails' || name === 'sound' || applyValue(sim, name, values),
   dragLimit: clampToRoom,
   contacts: countContacts,
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view-2d.ts')).openView2D(context) },
     three: { label: '3D', dimensions: 3, open: async (context) => (await import('./view-3d.ts')).openView3D(context) },
+    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view-2d.ts')).openView2D(context) },
+  },
+  controls: {
+    buttons: { action: { label: 'Pour', keys: ['v'], pad: [0] } },
+    press: ({ spout }) => {
+      spout.isOpen = true;
+    },
+    release: ({ spout }) => {
+      spout.isOpen = false;
+    },
   },
   help: [
+    ['Tap, click', 'blow up what is there'],
+    ['Hold V, Pour', 'pour balls from the ceiling'],
     ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],
-    ['Drag elsewhere', 'move the view (in 3D: rotate it)'],
-    ['Wheel, pinch', 'zoom'],
+    ['Drag elsewhere', 'in 3D: rotate the view'],
+    ['Wheel, two fingers', 'zoom and move the view; so does a drag with the right button'],
   ],
 });

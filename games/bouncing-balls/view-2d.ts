@@ -5,18 +5,40 @@ import type { BouncingBalls } from '@principia/scenes';
 import type { View, ViewContext } from '@principia/shell';
 import { openPixiView, type Picture } from '@principia/shell/pixi';
 import { Container } from 'pixi.js';
+import { createPlay } from './play.ts';
 import { createRoom2D } from './room-2d.ts';
 import type { Settings } from './settings.ts';
 import { createShading } from './shading.ts';
+import type { BallsRun } from './sim.ts';
 
 /** Number of balls with trails; more would hide each other. */
 const MAX_TRAILS = 2000;
 
-export function openView2D(context: ViewContext<Settings, BouncingBalls>): Promise<View> {
-  return openPixiView(context, {
+export async function openView2D(context: ViewContext<Settings, BallsRun>): Promise<View> {
+  const view = await openPixiView(context, {
     bounds: ({ room: { min, max } }) => ({ minX: min.x, minY: min.y, maxX: max.x, maxY: max.y }),
     paint: (sim, source) => paint(sim, source, () => context.values().trails),
   });
+  const play = createPlay(context, view.canvas, (x, y) => {
+    const origin = view.toScreen(0, 0, 0);
+    const unit = view.toScreen(1, 0, 0).x - origin.x;
+    return { x: (x - origin.x) / unit, y: (origin.y - y) / unit, z: 0 };
+  });
+  return {
+    ...view,
+    draw(alpha, seconds) {
+      play.update();
+      view.draw(alpha, seconds);
+    },
+    refresh(change) {
+      view.refresh(change);
+      if (change === 'world') play.refresh();
+    },
+    destroy() {
+      play.destroy();
+      view.destroy();
+    },
+  };
 }
 
 function paint(sim: BouncingBalls, source: BodySource, wantsTrails: () => boolean): Picture {

@@ -1,12 +1,13 @@
 /** The 3D view, drawn by three.js. */
 import type { BodySource } from '@principia/render-core';
 import { createBodyMesh, createTrailLines, type TrailLines } from '@principia/render-three';
-import type { BouncingBalls } from '@principia/scenes';
 import type { View, ViewContext } from '@principia/shell';
 import { openThreeView, type ThreePicture } from '@principia/shell/three';
 import { Group, MeshStandardMaterial } from 'three';
+import { createPlay } from './play.ts';
 import { createRoom3D } from './room-3d.ts';
 import type { Settings } from './settings.ts';
+import type { BallsRun } from './sim.ts';
 
 /**
  * Number of balls up to which lights and shadows are real; more balls use a cheaper shading that moves with the camera.
@@ -14,17 +15,33 @@ import type { Settings } from './settings.ts';
 const MAX_LIT = 3000;
 const MAX_TRAILS = 2000;
 
-export function openView3D(context: ViewContext<Settings, BouncingBalls>): Promise<View> {
-  return openThreeView(context, {
+export async function openView3D(context: ViewContext<Settings, BallsRun>): Promise<View> {
+  const view = await openThreeView(context, {
     bounds: ({ room }) => room,
     direction: { x: 0.36, y: 0.2, z: 1 },
     shadows: true,
     paint: (sim, source) => createPicture(sim, source, () => context.values().trails),
   });
+  const play = createPlay(context, view.canvas, view.pointUnder);
+  return {
+    ...view,
+    refresh(change) {
+      view.refresh(change);
+      if (change === 'world') play.refresh();
+    },
+    draw(alpha, seconds) {
+      play.update();
+      view.draw(alpha, seconds);
+    },
+    destroy() {
+      play.destroy();
+      view.destroy();
+    },
+  };
 }
 
 /** The drawing of one world. */
-function createPicture(sim: BouncingBalls, source: BodySource, hasTrails: () => boolean): ThreePicture {
+function createPicture(sim: BallsRun, source: BodySource, hasTrails: () => boolean): ThreePicture {
   const isLit = sim.balls.length <= MAX_LIT;
   const room = createRoom3D(sim, isLit);
   const mesh = createBodyMesh({

@@ -5,7 +5,7 @@ const number = { kind: 'number', integer: false, min: 0 } as const;
 
 export const settings = {
   gravity: { ...number, label: 'Gravity', unit: 'm/s²', initial: 9.81, max: 30 },
-  wind: { ...number, label: 'Wind', unit: 'm/s', initial: 0.6, max: 10 },
+  wind: { ...number, label: 'Wind', unit: 'm/s', initial: 2, max: 10 },
   strength: {
     ...number,
     label: 'Strength',

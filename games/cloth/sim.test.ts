@@ -1,14 +1,15 @@
-import { momentum, step } from '@principia/physics';
+import { bodies, momentum, restore, snapshot, step } from '@principia/physics';
 import { expect, it } from 'vitest';
-import { applyValue, brokenThreads, CLOTH, createSim } from './sim.ts';
+import { settings } from './settings.ts';
+import { applyValue, brokenThreads, CLOTH, createSim, cutAlong, threadCount } from './sim.ts';
 
 const VALUES = { gravity: 9.81, wind: 0, strength: 2.5 };
 
 /** Weight that hangs from the top of a column, N. */
 const LOAD = (CLOTH.mass / CLOTH.columns) * (1 - 1 / CLOTH.rows) * VALUES.gravity;
 
-function run(strength: number, steps = 60) {
-  const sim = createSim({ values: { ...VALUES, strength }, seed: 1 });
+function run(strength: number, steps = 60, more: Partial<typeof VALUES> = {}, dimensions: 2 | 3 = 2) {
+  const sim = createSim({ values: { ...VALUES, strength, ...more }, seed: 1, dimensions });
   for (let i = 0; i < steps; i++) step(sim.world, sim.dt);
   return sim;
 }
@@ -22,8 +23,9 @@ it('threads of twice the strength of their load survive its sudden weight, and w
 it('a torn cloth falls with the acceleration of gravity, reduced by air drag', () => {
   const { world } = run(0.5 * LOAD, 12);
   const mass = (CLOTH.mass * (CLOTH.rows - 1)) / CLOTH.rows;
-  // Drag c v with c/m = 4 /s: v = g/4 (1 - e^(-4 t)). The cloth tears within the first steps.
-  const [start, end] = [0.1, 0.2].map((time) => (VALUES.gravity / 4) * (1 - Math.exp(-4 * time)));
+  // Drag c v with c/m = k: v = g/k (1 - e^(-k t)). The cloth tears within the first steps.
+  const k = CLOTH.drag;
+  const [start, end] = [0.1, 0.2].map((time) => (VALUES.gravity / k) * (1 - Math.exp(-k * time)));
   const speed = -momentum(world).y / mass;
   expect(speed).toBeGreaterThan(start);
   expect(speed).toBeLessThanOrEqual(end);
@@ -40,4 +42,42 @@ it('applies changed settings while running, and rejects unknown ones', () => {
   expect(brokenThreads(sim)).toBeGreaterThan(0);
   const hem = cloth.at(0, CLOTH.rows - 1);
   expect(world.components.Position.x[hem]).toBeGreaterThan(1);
+});
+
+it.each([2, 3] as const)('at the ends of the sliders it tears by its weight, in %iD', (dimensions) => {
+  const { gravity, strength } = settings;
+  expect(brokenThreads(run(strength.min, 60, { gravity: gravity.max }, dimensions))).toBeGreaterThan(CLOTH.columns);
+});
+
+it.each([2, 3] as const)(
+  'holds in the breeze of the start, and stays a cloth in the strongest, in %iD',
+  (dimensions) => {
+    const { wind, strength } = settings;
+    expect(brokenThreads(run(strength.initial, 300, { wind: wind.initial }, dimensions))).toBe(0);
+    const { world } = run(strength.max, 300, { wind: wind.max }, dimensions);
+    const { ids, count } = bodies(world);
+    const columnsOf = (axis: 'x' | 'y' | 'z') =>
+      Array.from(ids.subarray(0, count), (id) => world.components.Position[axis][id]);
+    const spread = (axis: 'x' | 'y' | 'z') => Math.max(...columnsOf(axis)) - Math.min(...columnsOf(axis));
+    // It hangs at least a third of its height below its edge, where the wind of 10 m/s once blew it to a line.
+    expect(spread('y')).toBeGreaterThan((CLOTH.rows * CLOTH.spacing) / 3);
+    expect(spread('x')).toBeLessThan(3 * CLOTH.columns * CLOTH.spacing);
+  },
+);
+
+it('a swipe cuts the threads that it crosses, and a rewind joins them again', () => {
+  const sim = run(50, 1);
+  const { Position } = sim.world.components;
+  const place = (node: number) => ({ x: Position.x[node], y: Position.y[node] });
+  const before = threadCount(sim);
+  const taken = snapshot(sim.world);
+  // Across the middle, between two rows: one thread per column.
+  const y = 0.5 * (Position.y[sim.cloth.at(0, 20)] + Position.y[sim.cloth.at(0, 21)]);
+  expect(cutAlong(sim, place, { x: -5, y }, { x: 5, y: y + 1e-6 })).toBe(CLOTH.columns);
+  expect(threadCount(sim)).toBe(before - CLOTH.columns);
+  expect(cutAlong(sim, place, { x: -5, y: 5 }, { x: 5, y: 5 })).toBe(0);
+  for (let i = 0; i < 60; i++) step(sim.world, sim.dt);
+  expect(Position.y[sim.cloth.at(0, 30)]).toBeLessThan(-2);
+  restore(sim.world, taken);
+  expect(threadCount(sim)).toBe(before);
 });

@@ -1,18 +1,19 @@
-/** The simulation: a cloth of breakable threads that hangs by its upper edge in a wind. It needs no display. */
+/** The simulation: a cloth of breakable threads that hangs by its upper edge in a breeze. It needs no display. */
 import {
   breakSprings,
   brokenSprings,
   type Cloth,
   createCloth,
   createPhysicsWorld,
-  gusts,
-  linearDrag,
+  despawn,
   type PhysicsWorld,
   replaceForce,
   springs,
   uniformGravity,
   xpbd,
 } from '@principia/physics';
+import { query } from 'bitecs';
+import { breeze } from './breeze.ts';
 
 /** The settings of the cloth. */
 export interface ClothValues {
@@ -27,27 +28,42 @@ export interface ClothRun {
   readonly cloth: Cloth;
 }
 
-export const CLOTH = { columns: 64, rows: 40, spacing: 0.05, mass: 0.4 } as const;
+/** Mass of the cloth in kg; drag of a node by its mass, 1/s: a loose thread falls at 6.5 m/s. */
+export const CLOTH = { columns: 64, rows: 40, spacing: 0.05, mass: 1.5, drag: 1.5 } as const;
 
 /** Stiffness and damping of a knitted thread, N/m and N s/m: a thread of 5 cm doubles its length under 3 N. */
 const THREAD = { structural: 60, damping: 0.01 } as const;
 
-/** Air drag on a node, N s/m: a loose thread falls at 2.5 m/s. */
-const NODE_DRAG = (CLOTH.mass / (CLOTH.columns * CLOTH.rows)) * 4;
+/** Stiffness against shear in 3D, N/m: without it the cloth would be a net and show creases of single threads. */
+const SHEAR = 10;
 
-export function createSim({ values, seed }: { values: ClothValues; seed: number }): ClothRun {
-  const { columns, rows, spacing } = CLOTH;
+/** Air drag on a node, N s/m. */
+const NODE_DRAG = (CLOTH.mass / (CLOTH.columns * CLOTH.rows)) * CLOTH.drag;
+
+interface ClothOptions {
+  readonly values: ClothValues;
+  readonly seed: number;
+  readonly dimensions: 2 | 3;
+}
+
+export function createSim({ values, seed, dimensions }: ClothOptions): ClothRun {
+  const { columns, rows, spacing, mass } = CLOTH;
   const world = createPhysicsWorld({
     capacity: 5 * columns * rows,
+    dimensions,
     seed,
     integrator: xpbd({ substeps: 8, iterations: 1 }),
-    forces: [uniformGravity({ y: -values.gravity }), linearDrag(windGusts(values.wind, seed)), springs()],
+    forces: [uniformGravity({ y: -values.gravity }), breeze({ speed: values.wind }), springs()],
   });
   // Broken threads are removed at the end of the step.
   world.phases.finish.push(breakSprings);
   const cloth = createCloth(world, {
-    ...CLOTH,
+    columns,
+    rows,
+    spacing,
+    mass,
     ...THREAD,
+    shear: dimensions === 3 ? SHEAR : 0,
     corner: { x: (-spacing * (columns - 1)) / 2, y: (spacing * (rows - 1)) / 2 },
     breakForce: values.strength,
     components: { linearDrag: NODE_DRAG, collider: { radius: 0.3 * spacing } },
@@ -58,7 +74,7 @@ export function createSim({ values, seed }: { values: ClothValues; seed: number 
 /** Applies a changed setting to the running world; false if the setting requires a new world. */
 export function applyValue({ world }: ClothRun, name: string, values: ClothValues): boolean {
   if (name === 'gravity') replaceForce(world, uniformGravity({ y: -values.gravity }));
-  else if (name === 'wind') replaceForce(world, linearDrag(windGusts(values.wind, world.seed)));
+  else if (name === 'wind') replaceForce(world, breeze({ speed: values.wind }));
   else if (name === 'strength') world.components.Spring.breakForce.fill(values.strength, 1, world.lastId + 1);
   else return false;
   return true;
@@ -69,6 +85,32 @@ export function brokenThreads({ world }: ClothRun): number {
   return brokenSprings(world).total;
 }
 
-function windGusts(speed: number, seed: number) {
-  return gusts({ mean: { x: speed }, spread: { x: 0.6 * speed, y: 0.3 * speed }, interval: 0.4, seed });
+/** Number of threads that are left. */
+export function threadCount({ world }: ClothRun): number {
+  return query(world, [world.components.Spring]).length;
+}
+
+type Point = { readonly x: number; readonly y: number };
+
+/**
+ * Cuts every thread that a swipe crosses. @param place position of a node on the screen, in any unit
+ * @returns the number of threads cut
+ */
+export function cutAlong({ world }: ClothRun, place: (node: number) => Point, from: Point, to: Point): number {
+  const { Spring } = world.components;
+  const crossed = [...query(world, [Spring])].filter((thread) =>
+    cross(place(Spring.a[thread]), place(Spring.b[thread]), from, to),
+  );
+  for (const thread of crossed) despawn(world, thread);
+  return crossed.length;
+}
+
+/** Whether the segments from `a` to `b` and from `p` to `q` cross. */
+function cross(a: Point, b: Point, p: Point, q: Point): boolean {
+  return side(a, b, p) * side(a, b, q) < 0 && side(p, q, a) * side(p, q, b) < 0;
+}
+
+/** Positive if `c` lies to the left of the line from `a` to `b`. */
+function side(a: Point, b: Point, c: Point): number {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }

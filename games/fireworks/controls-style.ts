@@ -39,5 +39,10 @@ export const CONTROLS_STYLE = `
 @container (max-width: 600px) { .fw-tray .fw-color { min-width: 36px } .fw-tray span.fw-break { display: none } .fw-tray { padding: 4px }
   .fw-hint { font-size: 12.5px } }
 @container (max-width: 400px) { .fw-desk button { min-width: 30px; padding: 0 2px } .fw-tray .fw-color { min-width: 32px } }
-@media (max-height: 460px) { .fw-hint { display: none } .fw-desk button { height: 30px } .fw-desk { gap: 4px } }
+@media (pointer: coarse) { .fw-desk :is(.fw-tray, .fw-show) button:not(.fw-mark) { min-width: 44px; height: 44px }
+  .fw-tray > div { display: contents } .fw-tray { gap: 0; padding: 2px } .fw-tray span { display: none }
+  .fw-show p { display: none } .fw-line { height: 44px } .fw-line .fw-mark { top: 4px; width: 26px; height: 26px; margin-left: -13px } }
+@media (max-height: 460px) and (pointer: coarse) { .fw-hint { display: none } .fw-desk { bottom: 2px }
+  .fw-tray { flex-wrap: nowrap; justify-content: start; overflow-x: auto; scrollbar-width: none } .fw-tray button { flex: none } }
+@media (max-height: 460px) and (pointer: fine) { .fw-hint { display: none } .fw-desk button { height: 30px } .fw-desk { gap: 4px } }
 `;

@@ -67,8 +67,10 @@ export class PlayerControls {
     this.version++;
   }
 
-  setEditing(on = !this.isEditing): void {
-    this.isEditing = on;
+  /** Opens or closes the editor; a demo ends, so that the sky belongs to the show being made. */
+  toggleEditing(sim: FireworksGame): void {
+    this.isEditing = !this.isEditing;
+    if (this.isEditing && sim.isDemo) sim.press({ do: 'stop' });
     this.version++;
   }
 

@@ -1,6 +1,6 @@
 /** The controls on the page: shells and colours to choose from, and the timeline of a show. */
 import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
-import type { ViewContext } from '@principia/shell';
+import { hasCoarsePointer, type ViewContext } from '@principia/shell';
 import type { PlayerControls } from './controls.ts';
 import { CONTROLS_STYLE } from './controls-style.ts';
 import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
@@ -26,7 +26,8 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
   root.innerHTML = `<style>${CONTROLS_STYLE}</style><div class="fw-hint" role="status"></div>`;
   const hint = root.querySelector('.fw-hint') as HTMLElement;
   const timeline = createTimeline(context, controls);
-  const tray = createTray(controls, () => context.toggle('barrage'));
+  const edit = () => controls.toggleEditing(context.sim());
+  const tray = createTray(controls, edit, () => context.toggle('barrage'));
   const crosshair = document.createElement('div');
   crosshair.className = 'fw-sight';
   root.append(timeline.element, tray.element);
@@ -71,12 +72,16 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
   };
 }
 
+const isTouch = hasCoarsePointer();
+const LAUNCH = `${isTouch ? 'Tap' : 'Click or tap'} the sky to launch a shell. Hold for a larger one`;
+const COMPOSE = `${isTouch ? 'Tap Show' : 'Press T'} to compose a show and share it`;
+
 function hintOf(sim: FireworksGame, controls: PlayerControls): string {
   if (controls.kind === SWARM) return swarmHint(sim);
   if (controls.isEditing) return '';
-  if (sim.isDemo) return 'Click or tap the sky to launch a shell. Hold for a larger one';
+  if (sim.isDemo) return LAUNCH;
   if (sim.isShowing) return controls.isDemo ? '' : 'Playing a show';
-  return sim.fired > 0 && sim.fired < 4 ? 'Press T to compose a show and share it' : '';
+  return sim.fired > 0 && sim.fired < 4 ? COMPOSE : '';
 }
 
 function swarmHint({ held, swarmStars }: FireworksGame): string {
@@ -95,12 +100,12 @@ function button(label: string, content: string, action: () => void, className = 
   return made;
 }
 
-function createTray(controls: PlayerControls, toggleBarrage: () => void) {
+function createTray(controls: PlayerControls, toggleEditing: () => void, toggleBarrage: () => void) {
   const element = document.createElement('div');
   element.className = 'fw-tray';
   element.setAttribute('role', 'group');
   element.setAttribute('aria-label', 'Shells and colours');
-  const edit = button('Compose a show (T)', 'Show', () => controls.setEditing());
+  const edit = button('Compose a show (T)', 'Show', toggleEditing);
   const barrage = button('Barrage: 100,000 sparks at once (G)', icon(BARRAGE_ICON), toggleBarrage);
   const kinds = [RANDOM, ...SHELL_NAMES.keys()].map((kind) => {
     const name = kind === SWARM ? 'swarm: hold for a few seconds' : SHELL_NAMES[kind];
@@ -153,7 +158,7 @@ function listenToControlKeys(context: ViewContext<Settings, FireworksGame>, cont
   const keys: Record<string, () => void> = {
     k: () => controls.next('kind'),
     c: () => controls.next('color'),
-    t: () => controls.setEditing(),
+    t: () => controls.toggleEditing(context.sim()),
     l: () => controls.play(context.sim()),
     backspace: () => controls.isEditing && controls.editor.undo(),
     delete: () => controls.isEditing && controls.editor.remove(controls.editor.chosen),

@@ -28,6 +28,9 @@ function canvasOf(width: number, height: number): [HTMLCanvasElement, CanvasRend
   return [canvas, context];
 }
 
+/** Colour of the sky at the horizon. */
+export const HORIZON_COLOR = '#2a2850';
+
 /** Paints the background: the sky above the horizon, the water below. */
 export function paintSky({ width, height, horizon, scale }: LandscapeLayout): HTMLCanvasElement {
   const [canvas, context] = canvasOf(width, height);
@@ -37,7 +40,7 @@ export function paintSky({ width, height, horizon, scale }: LandscapeLayout): HT
     [0.45, '#070b21'],
     [0.8, '#101637'],
     [0.96, '#1d2149'],
-    [1, '#2a2850'],
+    [1, HORIZON_COLOR],
   ] as const) {
     sky.addColorStop(at, color);
   }

@@ -9,10 +9,13 @@ const controls = new PlayerControls(location.hash);
 
 await startGame({
   title: 'Fireworks',
+  home: '../index.html',
   settings,
   create: (options) => createGame({ ...options, opening: controls.opening, isDemo: controls.isDemo }),
   apply: applyValue,
   applyColors: (sim, { safeColors }) => applyColors(sim, safeColors),
+  // The world holds the sparks of all pools, of which most wait.
+  bodies: ({ scene }) => scene.alive + scene.flying,
   report: (sim) => reportState(sim, controls),
   controls: {
     buttons: { ...FOUR_WAYS, action: { label: '✦', keys: ['enter'], pad: [0] } },
@@ -39,11 +42,11 @@ await startGame({
   },
   help: [
     ['Click, tap', 'launch a shell to this point. Hold for a larger one; every finger launches its own'],
-    ['Arrow keys, Enter', 'aim and fire; so do the stick and the first button of a gamepad'],
-    ['K, C', 'next kind of shell, next colour'],
+    ['Arrow keys, Enter', 'aim and fire; so do the stick and the first button of a gamepad', 'keyboard'],
+    ['K, C', 'next kind of shell, next colour', 'keyboard'],
     ['Swarm', 'ignites where you release: two stars per second of holding, and each bursts into as many'],
     ['T', 'timeline: clicks add shells to your show. Drag marks to move them; Backspace undoes, Delete removes'],
-    ['L', 'play or stop your show'],
+    ['L', 'play or stop your show', 'keyboard'],
     ['Drag, in 3D', 'rotate the view; wheel or pinch to zoom'],
   ],
 });

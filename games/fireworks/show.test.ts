@@ -1,4 +1,4 @@
-import { FIREWORKS_SKY, SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
+import { FIREWORKS_REACH, SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
 import * as fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { DEMO_SHOW } from './demo-show.ts';
@@ -6,7 +6,7 @@ import { LAST_TICK, MAX_CUES, quantize, readShow, writeShow } from './show.ts';
 import { BEAT, ShowEditor } from './show-editor.ts';
 import type { Cue } from './sim.ts';
 
-const { halfWidth, halfDepth, lowest, highest } = FIREWORKS_SKY;
+const { halfWidth, halfDepth, lowest, highest } = FIREWORKS_REACH;
 
 const cue = fc.record({
   tick: fc.integer({ min: 0, max: LAST_TICK }),
@@ -34,9 +34,9 @@ describe('a show as text', () => {
       fc.property(show, (cues) => {
         const text = writeShow(cues);
         expect(readShow(text)).toEqual(cues);
-        expect(text).toMatch(/^2\.[\w-]+$/);
-        // 4/3 characters per byte, five bytes per shell, and a check byte.
-        expect(text.length).toBe(2 + Math.ceil((4 * (1 + 5 * cues.length)) / 3));
+        expect(text).toMatch(/^3\.[\w-]+$/);
+        // 4/3 characters per byte, six bytes per shell, and a check byte.
+        expect(text.length).toBe(2 + Math.ceil((4 * (1 + 6 * cues.length)) / 3));
       }),
     );
   });
@@ -47,9 +47,8 @@ describe('a show as text', () => {
         const kept = quantize(wanted);
         expect(Math.abs(kept.tick - wanted.tick)).toBeLessThanOrEqual(3);
         expect(Math.abs(kept.x - wanted.x)).toBeLessThan(0.2001);
-        // The largest height is 0.2 m below the top of the sky; z ends 1 m before it.
         expect(Math.abs(kept.y - wanted.y)).toBeLessThan(0.2001);
-        expect(Math.abs(kept.z - wanted.z)).toBeLessThan(1.0001);
+        expect(Math.abs(kept.z - wanted.z)).toBeLessThan(0.2001);
         expect(Math.abs(kept.power - wanted.power)).toBeLessThan(0.5 / 15 + 1e-9);
         expect(quantize(kept)).toEqual(kept);
       }),
@@ -71,7 +70,7 @@ describe('a show as text', () => {
   it.each([
     ['', 'does not begin with a version'],
     ['AAAA', 'does not begin with a version'],
-    ['3.AAAA', 'version “3”, but this game reads versions 1 and 2'],
+    ['4.AAAA', 'version “4”, but this game reads versions 1 to 3'],
     ['toString.AAAA', 'version “toString”'],
     ['2.', 'invalid characters'],
     ['1.A!A', 'invalid characters'],

@@ -35,7 +35,7 @@ describe('a hand', () => {
   it('that lets go and presses again within a step begins anew, in the sky and in the show being made', () => {
     const game = night();
     const controls = new PlayerControls('');
-    controls.setEditing(true);
+    controls.toggleEditing(game);
     controls.choose(0, 1);
     controls.startHold(game, 1);
     run(game, 2 * MAX_HOLD_SECONDS);
@@ -74,9 +74,9 @@ describe('a hand', () => {
     const bursts = Array.from({ length: game.scene.events.count }, (_, i) => game.scene.events.at(i));
     const places = bursts.filter(({ type }) => type === 'burst').map(({ x, y }) => [Math.round(x), Math.round(y)]);
     expect(places.sort(([a], [b]) => a - b)).toEqual([
-      [-48, 50],
-      [0, 12],
-      [48, 12],
+      [-80, 100],
+      [0, 6],
+      [80, 6],
     ]);
   });
 

@@ -4,6 +4,7 @@
  */
 import { createRandom, keepState, markImmutable, stateHash } from '@principia/physics';
 import {
+  FIREWORKS_REACH,
   FIREWORKS_SKY,
   type Fireworks,
   fireworks,
@@ -208,7 +209,12 @@ export class FireworksGame {
     const upwards = Number(up) - Number(down);
     Object.assign(
       crosshair,
-      clampToSky(crosshair.x + CROSSHAIR_SPEED * dt * across, crosshair.y + CROSSHAIR_SPEED * dt * upwards, 0),
+      clampTo(
+        FIREWORKS_SKY,
+        crosshair.x + CROSSHAIR_SPEED * dt * across,
+        crosshair.y + CROSSHAIR_SPEED * dt * upwards,
+        0,
+      ),
     );
     crosshair.isShown = true;
   }
@@ -237,7 +243,17 @@ export class FireworksGame {
 
 /** Clamps a point to the part of the sky that shells reach. */
 export function clampToSky(x: number, y: number, z: number) {
-  const { halfWidth, halfDepth, lowest, highest } = FIREWORKS_SKY;
+  return clampTo(FIREWORKS_REACH, x, y, z);
+}
+
+interface Sky {
+  readonly halfWidth: number;
+  readonly halfDepth: number;
+  readonly lowest: number;
+  readonly highest: number;
+}
+
+function clampTo({ halfWidth, halfDepth, lowest, highest }: Sky, x: number, y: number, z: number) {
   const within = (value: number, low: number, high: number) => Math.min(high, Math.max(low, value));
   return { x: within(x, -halfWidth, halfWidth), y: within(y, lowest, highest), z: within(z, -halfDepth, halfDepth) };
 }

@@ -1,8 +1,10 @@
 /** The 3D landscape: a dome of sky, a ring of hills and town, and a lake. */
 import {
   BackSide,
+  BufferAttribute,
   CanvasTexture,
   CircleGeometry,
+  Color,
   CylinderGeometry,
   Group,
   Mesh,
@@ -12,11 +14,13 @@ import {
   SphereGeometry,
   SRGBColorSpace,
 } from 'three';
-import { paintShore, paintSky } from './landscape.ts';
+import { HORIZON_COLOR, paintShore, paintSky } from './landscape.ts';
 
 /** Distance of the shore and height of its painting, m. */
 const SHORE = 150;
 const SHORE_HEIGHT = 30;
+/** Colour of the hills. */
+const LAND_COLOR = 0x0c1030;
 /** Radius of the sky dome, m. */
 const SKY = 900;
 
@@ -39,7 +43,7 @@ export function createWorld3D(): World3D {
   ring.position.y = SHORE_HEIGHT / 2;
   const lake = new Mesh(new CircleGeometry(SHORE, 96), new MeshBasicMaterial({ color: 0x0a0f2a }));
   // The land behind the town.
-  const land = new Mesh(new RingGeometry(SHORE, SKY, 96), new MeshBasicMaterial({ color: 0x0c1030 }));
+  const land = new Mesh(landGeometry(), new MeshBasicMaterial({ vertexColors: true }));
   for (const flat of [lake, land]) flat.rotation.x = -Math.PI / 2;
   const parts = [dome, ring, lake, land];
   const object = new Group().add(...parts);
@@ -54,6 +58,25 @@ export function createWorld3D(): World3D {
       shore.dispose();
     },
   };
+}
+
+/** The land fades into the colour of the sky at the horizon, as haze makes it, so that no edge shows between them. */
+function landGeometry(): RingGeometry {
+  const geometry = new RingGeometry(SHORE, SKY, 96, 12);
+  const { position } = geometry.attributes;
+  const colors = new Float32Array(3 * position.count);
+  const color = new Color();
+  const haze = new Color(HORIZON_COLOR);
+  for (let i = 0; i < position.count; i++) {
+    const distance = Math.hypot(position.getX(i), position.getY(i));
+    // From above the lake, nearly all of the land lies close to the horizon: the haze grows fast with the distance.
+    const share = Math.min(1, ((distance - SHORE) / (SKY - SHORE)) ** 0.3);
+    color
+      .set(LAND_COLOR)
+      .lerp(haze, share)
+      .toArray(colors, 3 * i);
+  }
+  return geometry.setAttribute('color', new BufferAttribute(colors, 3)) as RingGeometry;
 }
 
 function plain(options: { map: CanvasTexture; transparent?: boolean }): MeshBasicMaterial {

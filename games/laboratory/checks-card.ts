@@ -2,6 +2,7 @@ import type { CheckState, Example, ExampleRun, Tolerance } from '@principia/scen
 import type { GameCard } from '@principia/shell';
 import { make } from './make.ts';
 import { percentage, plainNumber } from './number-text.ts';
+import { isDisturbed } from './on-display.ts';
 
 const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': '–' } as const;
 
@@ -31,9 +32,12 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
   return {
     show(run) {
       run.observe();
-      for (const [i, state] of run.checkStates().entries()) {
+      const states = run.checkStates().map((state) => (isDisturbed(run) ? unjudged(state) : state));
+      for (const [i, state] of states.entries()) {
         const line = rows[i];
-        const text = sentence(state, line.unit, line.tolerance, line.needs);
+        const text = isDisturbed(run)
+          ? takenPart(state, line.unit)
+          : sentence(state, line.unit, line.tolerance, line.needs);
         if (line.shown === text) continue;
         line.shown = text;
         line.text.textContent = text;
@@ -44,6 +48,16 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
       }
     },
   };
+}
+
+/** What is failed or waiting proves nothing about a run in which the reader took part. */
+function unjudged(state: CheckState): CheckState {
+  return state.state === 'passed' ? state : { ...state, state: 'not applicable' };
+}
+
+function takenPart({ computed, exact }: CheckState, unit: string): string {
+  const measured = Number.isFinite(computed) ? `computed ${plainNumber(computed)}${unit}; ` : '';
+  return `${measured}${plainNumber(exact)}${unit} if it is left alone: restart to prove it`;
 }
 
 function sentence(

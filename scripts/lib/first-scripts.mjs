@@ -2,49 +2,65 @@
 import { dirname, relative } from 'node:path';
 
 /**
- * The scripts of a page in the order they are met: what it imports, and its first picture, which it imports when it
- * runs. Without links a browser finds each only when it has read the one before.
+ * @typedef {object} FirstScripts
+ * @property {string[]} shared scripts that the page imports itself, by addresses relative to the page
+ * @property {string[]} picture scripts of its first picture, which it imports when it runs
+ */
+
+/**
+ * The scripts of a page in the order they are met. Without links a browser finds each only when it has read the one
+ * before.
  * @param {import('esbuild').Metafile['outputs']} outputs
  * @param {string} entry key of the page's own script in `outputs`
- * @returns {string[]} addresses relative to the page
+ * @returns {FirstScripts}
  */
 export function firstScripts(outputs, entry) {
   /** @type {Set<string>} */
-  const found = new Set();
-  /** @type {(path: string) => void} */
-  const visit = (path) => {
-    if (found.has(path) || outputs[path] === undefined) return;
-    found.add(path);
-    const { imports } = outputs[path];
-    for (const each of imports) if (each.kind === 'import-statement') visit(each.path);
-    const picture = path === entry ? imports.find(({ kind }) => kind === 'dynamic-import') : undefined;
-    if (picture !== undefined) visit(picture.path);
+  const found = new Set([entry]);
+  /** @type {(path: string, into: string[]) => void} */
+  const visit = (path, into) => {
+    for (const each of outputs[path].imports) {
+      if (each.kind !== 'import-statement' || found.has(each.path) || outputs[each.path] === undefined) continue;
+      found.add(each.path);
+      into.push(relative(dirname(entry), each.path).replaceAll('\\', '/'));
+      visit(each.path, into);
+    }
   };
-  visit(entry);
-  return [...found]
-    .filter((path) => path !== entry)
-    .map((path) => relative(dirname(entry), path).replaceAll('\\', '/'));
+  /** @type {FirstScripts} */
+  const scripts = { shared: [], picture: [] };
+  visit(entry, scripts.shared);
+  const picture = outputs[entry].imports.find(({ kind }) => kind === 'dynamic-import');
+  if (picture !== undefined && outputs[picture.path] !== undefined && !found.has(picture.path)) {
+    found.add(picture.path);
+    scripts.picture.push(relative(dirname(entry), picture.path).replaceAll('\\', '/'));
+    visit(picture.path, scripts.picture);
+  }
+  return scripts;
 }
 
 /**
- * The same for every game of a bundle.
- * @param {import('esbuild').Metafile | undefined} metafile
- * @returns {(name: string) => string[]}
+ * The same for every game of some bundles.
+ * @param {readonly (import('esbuild').Metafile | undefined)[]} metafiles
+ * @returns {(name: string) => FirstScripts}
  */
-export function scriptsByGame(metafile) {
-  const outputs = metafile?.outputs ?? {};
+export function scriptsByGame(metafiles) {
+  const outputs = Object.assign({}, ...metafiles.map((metafile) => metafile?.outputs));
   return (name) => {
     const entry = Object.keys(outputs).find((path) => path.endsWith(`/${name}/main.js`));
-    return entry === undefined ? [] : firstScripts(outputs, entry);
+    return entry === undefined ? { shared: [], picture: [] } : firstScripts(outputs, entry);
   };
 }
 
 /**
- * A page with links to them in its head.
+ * A page that fetches them at once; an address that names a renderer may want another picture, so it fetches none.
  * @param {string} html
- * @param {readonly string[]} scripts as `firstScripts` says
+ * @param {FirstScripts} scripts as `firstScripts` says
  */
-export function startSooner(html, scripts) {
-  const links = scripts.map((script) => `<link rel="modulepreload" href="${script}">`);
+export function startSooner(html, { shared, picture }) {
+  const links = shared.map((script) => `<link rel="modulepreload" href="${script}">`);
+  const early = `<script>/[?&]renderer=/.test(location.search) || ${JSON.stringify(picture)}.forEach(function (script) {
+  document.head.append(Object.assign(document.createElement('link'), { rel: 'modulepreload', href: script }));
+})</script>`;
+  if (picture.length > 0) links.push(early);
   return html.replace('</head>', `${links.join('\n')}\n</head>`);
 }

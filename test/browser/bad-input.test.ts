@@ -10,6 +10,7 @@ const games = [
   ['fireworks', 'pixi'],
   ['fireworks', 'three'],
   ['cloth', 'pixi'],
+  ['cloth', 'three'],
   ['stacking', 'pixi'],
 ] as const;
 

@@ -15,6 +15,7 @@ interface Told {
   readonly score: number;
   readonly dodged: number;
   readonly heading: string;
+  readonly push?: { readonly x: number; readonly y: number };
   readonly goalPoints: number;
   readonly isDemo: boolean;
   readonly isReplay: boolean;
@@ -41,6 +42,8 @@ describe('playing', () => {
     const page = await play('manual&seed=4');
     expect(await told(page)).toMatchObject({ phase: 'ready', lives: 3, score: 0 });
     await perform(page, await take(page), plan);
+    // The next holes appear after a moment's breath.
+    await steps(page, 120);
     const won = await told(page);
     expect(won).toMatchObject({ dodged: 1, score: 1, goalPoints: 2, lives: 3 });
     expect(won.holes).toHaveLength(2);
@@ -102,6 +105,7 @@ describe('playing', () => {
     const page = await play('manual&seed=2');
     await page.keyboard.press('ArrowUp');
     for (let i = 0; i < 40 && (await told(page)).lives === 3; i++) await steps(page, 120);
+    await steps(page, 120);
     const { holes, lives } = await told(page);
     expect(lives).toBe(2);
     await page.keyboard.down('b');
@@ -143,13 +147,19 @@ describe('playing', () => {
 });
 
 describe('other hands', () => {
-  it('the ship is pushed towards the mouse; a double click draws other holes', async () => {
+  it('the ship is pushed towards the mouse, the harder the farther it is; the button draws other holes', async () => {
     const page = await play('manual&seed=4');
     const { x, y } = await shipPlace(page);
     await page.mouse.move(x - 80, y - 20);
     await page.mouse.down();
     await steps(page, 1);
-    expect((await told(page)).heading).toBe('left');
+    const { push } = await told(page);
+    // Up and to the left, as the mouse is.
+    expect(push?.x).toBeCloseTo(-80 / Math.hypot(80, 20), 1);
+    expect(push?.y).toBeCloseTo(20 / Math.hypot(80, 20), 1);
+    await page.mouse.move(x, y + 34);
+    await steps(page, 1);
+    expect((await told(page)).push).toEqual({ x: 0, y: -0.5 });
     await page.mouse.move(x + 5, y - 90);
     await steps(page, 1);
     expect((await told(page)).heading).toBe('up');
@@ -159,9 +169,18 @@ describe('other hands', () => {
     expect(before.heading).toBe('');
     await page.mouse.dblclick(300, 200);
     await steps(page, 1);
+    // Quick taps steer; they cost no bonus.
+    expect((await told(page)).holes).toEqual(before.holes);
+    await page.keyboard.press('n');
+    await steps(page, 1);
+    const drawn = await told(page);
+    await frames(page);
+    await page.locator('.bh-redraw').click();
+    await steps(page, 1);
     const after = await told(page);
     expect(after.goalPoints).toBe(1);
-    expect(after.holes).not.toEqual(before.holes);
+    expect(drawn.holes).not.toEqual(before.holes);
+    expect(after.holes).not.toEqual(drawn.holes);
   });
 
   it('a finger steers', async () => {
@@ -176,10 +195,11 @@ describe('other hands', () => {
     expect((await told(page)).heading).toBe('');
   });
 
-  it('the buttons of the touch pad and a gamepad steer', async () => {
+  it('the stick of the touch pad and that of a gamepad steer', async () => {
     const page = await play('manual&seed=4');
     await page.addStyleTag({ content: '.game-pad { display: grid !important }' });
-    await page.locator('.game-pad [data-name=left]').hover();
+    const stick = (await page.locator('.game-stick').boundingBox()) as { x: number; y: number; width: number };
+    await page.mouse.move(stick.x + 0.1 * stick.width, stick.y + 0.5 * stick.width);
     await page.mouse.down();
     await steps(page, 1);
     expect((await told(page)).heading).toBe('left');
@@ -204,8 +224,9 @@ describe('other hands', () => {
 
   it('a phone lying on its side has the touch pad to itself until the settings are asked for', async () => {
     const page = await play('manual&seed=4', { viewport: { width: 780, height: 390 }, isMobile: true });
-    const left = page.locator('.game-pad [data-name=left]');
-    await left.hover();
+    const stick = page.locator('.game-stick');
+    const { x, y, height } = (await stick.boundingBox()) as { x: number; y: number; height: number };
+    await page.mouse.move(x + 10, y + height / 2);
     await page.mouse.down();
     await steps(page, 1);
     expect((await told(page)).heading).toBe('left');
@@ -213,7 +234,7 @@ describe('other hands', () => {
     expect(await page.locator('.game-side').isVisible()).toBe(false);
     await page.keyboard.press('p');
     expect(await page.locator('.game-side').isVisible()).toBe(true);
-    expect(await left.isVisible()).toBe(false);
+    expect(await stick.isVisible()).toBe(false);
   });
 
   it('plays itself when nobody does, until somebody does', async () => {

@@ -9,7 +9,11 @@ import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state, 
 const GRAVITY = 9.80665;
 const DT = 1 / 60;
 
-const { open: play } = playGame('bouncing-balls', { viewport: { width: 900, height: 600 }, hasTouch: true });
+const { open } = playGame('bouncing-balls', { viewport: { width: 900, height: 600 }, hasTouch: true });
+
+/** Five balls in 2D that pass through each other, unless a test asks for something else. */
+const FEW = 'renderer=pixi&count=5&collisions=off&restitution=0.8';
+const play = (query: string, options?: Parameters<typeof open>[1]) => open(`${FEW}&${query}`, options);
 
 /** Pixels of the picture that are as bright and coloured as nothing but balls is. */
 async function brightPixels(page: Page): Promise<number> {
@@ -65,6 +69,7 @@ describe('the page', () => {
       drag: 1.2,
       friction: 0.3,
       collisions: false,
+      wrap: false,
     };
     const sim = createBalls({ values, seed: 7, dimensions });
     applyColors(sim, 7);
@@ -98,7 +103,7 @@ describe('the page', () => {
     expect(banner).toContain('count must be a whole number from 1 to 100000, but it was “abc”. Using 5 instead.');
     expect(banner).toContain('seed must be a whole number from 0 to 4294967295');
     expect(banner).toContain('“colour”, which is not a setting of this game');
-    expect(banner).toContain('renderer must be pixi or three');
+    expect(banner).toContain('renderer must be three or pixi');
     expect(banner).toContain('gravity must be a number from 0 to 30 m/s²');
     expect({ count: values.count, seed, renderer }).toEqual({ count: 5, seed: 1, renderer: 'pixi' });
   });
@@ -297,13 +302,25 @@ describe('holding and throwing', () => {
     await page.waitForFunction(() => __game.state().dragged.length === 0);
   });
 
-  it('moves and scales the view beside the balls', async () => {
+  it('moves the view with the right button, the middle one or the space bar, and scales it', async () => {
     const page = await play('manual');
     const before = await scaleOf(page);
-    await page.mouse.move(450, 480);
-    await page.mouse.down();
-    await page.mouse.move(480, 470, { steps: 3 });
-    await page.mouse.up();
+    const drag = async (button: 'left' | 'middle' | 'right', dx: number, dy: number) => {
+      await page.mouse.move(450, 480);
+      await page.mouse.down({ button });
+      await page.mouse.move(450 + dx, 480 + dy, { steps: 3 });
+      await page.mouse.up({ button });
+    };
+    // A drag that misses a ball leaves the view alone.
+    await drag('left', 60, 40);
+    expect(await scaleOf(page)).toEqual(before);
+    await drag('right', 10, -20);
+    await drag('middle', 10, 5);
+    const { paused } = await state(page);
+    await page.keyboard.down(' ');
+    await drag('left', 10, 5);
+    await page.keyboard.up(' ');
+    expect((await state(page)).paused).toBe(paused);
     const moved = await scaleOf(page);
     expect(moved.x - before.x).toBeCloseTo(30, 1);
     expect(moved.y - before.y).toBeCloseTo(-10, 1);
@@ -315,6 +332,10 @@ describe('holding and throwing', () => {
     const fitted = await scaleOf(page);
     expect(fitted.pixels).toBeCloseTo(before.pixels, 3);
     expect(fitted.x).toBeCloseTo(before.x, 3);
+    await page.mouse.wheel(0, -200);
+    await page.waitForFunction((x) => __game.body(1).screen?.x !== x, screen?.x);
+    await page.keyboard.press('r');
+    expect((await scaleOf(page)).pixels).toBeCloseTo(before.pixels, 3);
   });
 });
 
@@ -345,5 +366,66 @@ describe('bad weather', () => {
     expect(timing.step).toBeGreaterThan(0);
     await page.evaluate(() => __game.pause());
     expect(await brightPixels(page)).toBeGreaterThan(1000);
+  });
+});
+
+describe('playing', () => {
+  it('opens with 200 balls that meet, in 3D, from another launch each time', async () => {
+    const page = await open('');
+    const first = await state(page);
+    expect(first).toMatchObject({ count: 200, renderer: 'three' });
+    expect(first.contacts).toBeGreaterThanOrEqual(0);
+    await page.waitForTimeout(20);
+    await page.reload();
+    await page.waitForFunction(() => globalThis.__game?.state().ready);
+    expect((await state(page)).seed).not.toBe(first.seed);
+    const chosen = await open('seed=77');
+    expect((await state(chosen)).seed).toBe(77);
+  });
+
+  it.each(['pixi', 'three'])('a tap blows up what is there: %s', async (renderer) => {
+    const page = await play(`manual&count=60&gravity=0&renderer=${renderer}`);
+    await steps(page, 30);
+    const kinetic = async () => (await state(page)).energy.kinetic;
+    const before = await kinetic();
+    const { screen } = await body(page, 20);
+    // A drag is no tap.
+    await page.mouse.move(10, 590);
+    await page.mouse.down();
+    await page.mouse.move(60, 560);
+    await page.mouse.up();
+    expect(await kinetic()).toBeCloseTo(before, 6);
+    await page.mouse.click((screen?.x ?? 0) + 3, (screen?.y ?? 0) + 40);
+    expect(await kinetic()).toBeGreaterThan(before);
+  });
+
+  it('V pours balls from the ceiling, and their number stays', async () => {
+    const page = await play('manual&count=50');
+    await steps(page, 300);
+    await page.keyboard.down('v');
+    await steps(page, 60);
+    await page.keyboard.up('v');
+    const balls = await Promise.all(Array.from({ length: 50 }, (_, i) => body(page, i)));
+    expect(balls.filter(({ y, vy }) => vy < -2.9 && y > 0.5).length).toBeGreaterThan(2);
+    expect((await state(page)).count).toBe(50);
+  });
+
+  it('has the gravity of planets in a list', async () => {
+    const page = await play('manual');
+    const list = page.locator('.game-side select', { hasText: 'Jupiter' });
+    await list.selectOption('Moon');
+    expect((await state(page)).values.gravity).toBe(1.62);
+    await page.evaluate(() => __game.set('gravity', 24.79));
+    expect(await list.inputValue()).toBe('Jupiter');
+  });
+
+  it('hears impacts once somebody has touched the page, and copies a link to the same launch', async () => {
+    const page = await play('seed=5&count=30');
+    await page.mouse.click(400, 300);
+    const [link] = await Promise.all([
+      page.waitForFunction(() => __game.state().banner),
+      page.locator('.game-tools button', { hasText: 'Copy link' }).click(),
+    ]);
+    expect(await link.jsonValue()).toContain('link to this game');
   });
 });

@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { CLOTH } from '../../games/cloth/sim.ts';
-import { body, fingersOf, frames, pictureOf, playGame, state } from '../support/game-page.ts';
+import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state } from '../support/game-page.ts';
 
 const { open: play } = playGame('cloth', { viewport: { width: 900, height: 600 }, hasTouch: true });
 
@@ -17,7 +17,7 @@ async function nodePlace(page: Page, column: number, row: number) {
 
 describe('the cloth', () => {
   it('hangs, and is seen', async () => {
-    const page = await play('wind=0');
+    const page = await play('renderer=pixi&wind=0');
     expect(await broken(page)).toBe(0);
     const { data } = PNG.sync.read(await pictureOf(page));
     let warm = 0;
@@ -30,7 +30,7 @@ describe('the cloth', () => {
   });
 
   it('tears under the mouse, and is whole again after a reset', async () => {
-    const page = await play('wind=0');
+    const page = await play('renderer=pixi&wind=0');
     const { x, y } = await nodePlace(page, 32, 20);
     await page.mouse.move(x, y);
     await page.mouse.down();
@@ -48,7 +48,7 @@ describe('the cloth', () => {
   });
 
   it('is held by two fingers at once, each its own piece', async () => {
-    const page = await play('wind=0&strength=50');
+    const page = await play('renderer=pixi&wind=0&strength=50');
     const touch = await fingersOf(page);
     const fingers = [await nodePlace(page, 12, 30), await nodePlace(page, 52, 30)].map((at, id) => ({ ...at, id }));
     await touch('touchStart', fingers.slice(0, 1));
@@ -61,5 +61,48 @@ describe('the cloth', () => {
     await touch('touchEnd');
     await frames(page);
     expect((await state(page)).dragged).toEqual([]);
+  });
+
+  it.each(['pixi', 'three'])('is cut by a swipe that begins beside it, and only by that: %s', async (renderer) => {
+    const page = await play(`renderer=${renderer}&wind=0&manual`);
+    const threads = async () => ((await state(page)).game as { threads: number }).threads;
+    await page.evaluate(() => __game.step(3));
+    const before = await threads();
+    const [left, right] = [await nodePlace(page, 0, 20), await nodePlace(page, CLOTH.columns - 1, 20)];
+    // A drag on the cloth pulls.
+    await page.mouse.move(left.x + 60, left.y + 4);
+    await page.mouse.down();
+    expect((await state(page)).dragged.length).toBeGreaterThan(5);
+    await page.mouse.move(left.x + 70, left.y + 14);
+    await page.mouse.up();
+    expect(await threads()).toBe(before);
+    await page.mouse.move(left.x - 40, left.y + 3);
+    await page.mouse.down();
+    await page.mouse.move(right.x + 40, right.y + 3, { steps: 5 });
+    await page.mouse.up();
+    // One thread of each column, and in 3D the diagonals beside it.
+    expect(await threads()).toBeLessThanOrEqual(before - CLOTH.columns + 2);
+  });
+
+  it('is a lit sheet in 3D, in colours for every eye, and survives the loss of the graphics card', async () => {
+    const page = await play('wind=0&manual');
+    expect((await state(page)).renderer).toBe('three');
+    const sheet = async (is: (r: number, g: number, b: number) => boolean) => {
+      const { data } = PNG.sync.read(await pictureOf(page));
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) if (is(data[i], data[i + 1], data[i + 2])) count++;
+      return count;
+    };
+    const isWarm = (r: number, _: number, b: number) => r > b + 40;
+    const warm = await sheet(isWarm);
+    const [from, to] = [await nodePlace(page, 0, 0), await nodePlace(page, CLOTH.columns - 1, CLOTH.rows - 1)];
+    // It covers most of the rectangle between its corners.
+    expect(warm).toBeGreaterThan(0.7 * Math.abs((to.x - from.x) * (to.y - from.y)));
+    await page.keyboard.press('y');
+    expect(await sheet((r, _, b) => b > r + 40)).toBeGreaterThan(0.2 * warm);
+    await page.keyboard.press('y');
+    const giveBack = await loseGraphicsCard(page);
+    await giveBack();
+    expect(Math.abs((await sheet(isWarm)) / warm - 1)).toBeLessThan(0.2);
   });
 });

@@ -6,7 +6,17 @@ import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { DEMO_SHOW } from '../../games/fireworks/demo-show.ts';
 import { type Cue, createGame, type Input } from '../../games/fireworks/sim.ts';
-import { fingersOf, frames, loseGraphicsCard, pictureOf, playGame, ready, state, steps } from '../support/game-page.ts';
+import {
+  body,
+  fingersOf,
+  frames,
+  loseGraphicsCard,
+  pictureOf,
+  playGame,
+  ready,
+  state,
+  steps,
+} from '../support/game-page.ts';
 
 const VALUES = { wind: 0, barrage: false, sparks: 100_000 };
 
@@ -203,7 +213,7 @@ describe('a show', () => {
     await page.locator('[data-do=share]').click();
     await page.waitForFunction(() => __game.state().banner.includes('link to your show'));
     const link = page.url();
-    expect(link).toMatch(/#show=2\.[\w-]+$/);
+    expect(link).toMatch(/#show=3\.[\w-]+$/);
     const { cues } = await told(page);
     const guest = await page.context().newPage();
     await guest.goto(link);
@@ -297,30 +307,43 @@ describe('the picture', () => {
     expect(colored).toBeGreaterThan(0.2 * bright);
   });
 
-  it('keeps the desk in its window: one line at 960 pixels beside the panel, two on a phone', async () => {
-    const page = await play('manual', { viewport: { width: 960, height: 600 } });
+  it('keeps the desk in its window: one line at 960 pixels beside the panel, three of 44 pixels on a phone', async () => {
+    const wide = await play('manual', { viewport: { width: 960, height: 600 }, hasTouch: false });
+    expect(await wide.locator('.game-side').isVisible()).toBe(true);
+    expect((await wide.locator('.fw-tray').boundingBox())?.height).toBeLessThan(55);
+    const page = await play('manual', { viewport: { width: 390, height: 800 } });
     const tray = page.locator('.fw-tray');
-    const heightOf = async () => (await tray.boundingBox())?.height ?? 0;
-    expect(await page.locator('.game-side').isVisible()).toBe(true);
-    expect(await heightOf()).toBeLessThan(55);
     await page.keyboard.press('t');
     for (const width of [390, 360]) {
       await page.setViewportSize({ width, height: 800 });
       await page.waitForTimeout(400);
-      if (await page.locator('.game-side').isVisible()) await page.keyboard.press('p');
-      await page.waitForTimeout(400);
-      expect(await heightOf()).toBeLessThan(95);
-      const sticksOut = await page
-        .locator('.fw-desk button')
-        .evaluateAll(
-          (buttons, right) =>
-            buttons.filter(
-              (button) => button.getBoundingClientRect().right > right || button.getBoundingClientRect().left < 0,
-            ).length,
-          width,
-        );
-      expect(sticksOut).toBe(0);
+      expect((await tray.boundingBox())?.height).toBeLessThan(150);
+      const boxes = await page.locator('.fw-tray button').evaluateAll((buttons) =>
+        buttons.map((button) => {
+          const { left, right, width, height } = button.getBoundingClientRect();
+          return { left, right, size: Math.min(width, height) };
+        }),
+      );
+      for (const { left, right, size } of boxes) {
+        expect(left).toBeGreaterThanOrEqual(0);
+        expect(right).toBeLessThanOrEqual(width);
+        expect(size).toBeGreaterThanOrEqual(44);
+      }
     }
+  });
+
+  it('a shell bursts where a phone held upright is tapped, however high', async () => {
+    const page = await play('manual&seed=3', { viewport: { width: 390, height: 844 }, isMobile: true });
+    await page.touchscreen.tap(195, 120);
+    await steps(page, 1);
+    const { x, y } = (await told(page)).log.flatMap(({ input }) => (input.do === 'fire' ? [input] : []))[0];
+    expect(x).toBeCloseTo(0, 6);
+    // The window shows 72 m of width; any body gives the place of the waterline.
+    const pixels = 390 / 72;
+    const known = await body(page, 0);
+    const waterline = (known.screen?.y ?? 0) + known.y * pixels;
+    expect(y).toBeCloseTo((waterline - 120) / pixels, 6);
+    expect(y).toBeGreaterThan(80);
   });
 
   it('survives a window of no size and the loss of the graphics card', async () => {

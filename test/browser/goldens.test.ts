@@ -36,8 +36,8 @@ const tear = async (page: Page) => {
 const burst = (page: Page) => watch(page, 220);
 
 const pictures = [
-  ['bouncing-balls', 'pixi', 'count=40&seed=5', bounce],
-  ['bouncing-balls', 'three', 'count=40&seed=5', bounce],
+  ['bouncing-balls', 'pixi', 'count=40&seed=5&collisions=off&restitution=0.8', bounce],
+  ['bouncing-balls', 'three', 'count=40&seed=5&collisions=off&restitution=0.8', bounce],
   ['black-hole', 'pixi', 'seed=4', fly],
   ['cloth', 'pixi', 'seed=5', tear],
   ['fireworks', 'pixi', 'seed=5', burst],

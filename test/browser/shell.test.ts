@@ -2,9 +2,16 @@
 import type { Download, Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
-import { frames, playGame, ready, state, steps } from '../support/game-page.ts';
+import { frames, loseGraphicsCard, playGame, ready, state, steps } from '../support/game-page.ts';
 
-const { open } = playGame('bouncing-balls', { viewport: { width: 900, height: 700 }, acceptDownloads: true });
+const { open: openBalls } = playGame('bouncing-balls', {
+  viewport: { width: 900, height: 700 },
+  acceptDownloads: true,
+});
+
+/** Five balls in 2D that pass through each other, unless a test asks for something else. */
+const FEW = 'renderer=pixi&count=5&collisions=off&restitution=0.8';
+const open = (query: string, options?: Parameters<typeof openBalls>[1]) => openBalls(`${FEW}&${query}`, options);
 
 const card = (page: Page, label: string) => page.locator(`.game-card[aria-label="${label}"]`);
 
@@ -140,13 +147,13 @@ describe('pictures', () => {
     expect(bright).toBeLessThan(0.2 * width * height);
   });
 
-  it('M films until it is pressed again', async () => {
+  it('J records a video until it is pressed again', async () => {
     const page = await open('seed=3');
-    await page.keyboard.press('m');
+    await page.keyboard.press('j');
     expect((await state(page)).recording).toBe(true);
-    expect(await page.locator('.game-tools button').nth(1).textContent()).toBe('● Stop');
+    expect(await page.locator('.game-tools button[title^=Record]').textContent()).toBe('● Stop');
     await page.waitForTimeout(1200);
-    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('m')]);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('j')]);
     expect(download.suggestedFilename()).toMatch(/^bouncing-balls-[\d.]+s\.(mp4|webm)$/);
     const film = await contentOf(download);
     expect(film.length).toBeGreaterThan(5000);
@@ -163,7 +170,7 @@ describe('pictures', () => {
 
   it('says so where the browser cannot film', async () => {
     const page = await open('manual', { prepare: () => Object.assign(globalThis, { MediaRecorder: undefined }) });
-    await page.keyboard.press('m');
+    await page.keyboard.press('j');
     expect((await state(page)).banner).toMatch(/cannot record video.*screen recorder/);
   });
 
@@ -211,7 +218,7 @@ describe('help', () => {
     const lines = await page.locator('.game-help dt').allTextContents();
     for (const keys of [
       'Space',
-      '. or →',
+      '.',
       ',',
       'Hold B',
       'S',
@@ -221,7 +228,7 @@ describe('help', () => {
       'E',
       'O',
       'I',
-      'M',
+      'J',
       'W',
       'X',
       'Y',
@@ -240,5 +247,83 @@ describe('help', () => {
     await canvas.focus();
     expect(await canvas.evaluate((each) => document.activeElement === each)).toBe(true);
     expect(await canvas.getAttribute('aria-label')).toMatch(/Bouncing balls.*press H/);
+  });
+});
+
+describe('attention', () => {
+  it('a hidden page pauses its game, and the player decides when it goes on', async () => {
+    const page = await open('seed=3');
+    await page.waitForFunction(() => __game.state().tick > 3);
+    await page.evaluate(() => {
+      Object.defineProperty(document, 'hidden', { value: true, configurable: true });
+      document.dispatchEvent(new Event('visibilitychange'));
+      Reflect.deleteProperty(document, 'hidden');
+      document.dispatchEvent(new Event('visibilitychange'));
+    });
+    const hidden = await state(page);
+    expect(hidden).toMatchObject({ paused: true, banner: expect.stringContaining('while the page was hidden') });
+    await page.keyboard.press('Space');
+    expect(await state(page)).toMatchObject({ paused: false, banner: '' });
+  });
+
+  it('a game whose graphics are lost waits, unseen, and goes on with them', async () => {
+    const page = await open('seed=3');
+    const giveBack = await loseGraphicsCard(page);
+    const { tick } = await state(page);
+    await page.waitForTimeout(400);
+    expect((await state(page)).tick).toBe(tick);
+    await giveBack();
+    await page.waitForFunction((before) => __game.state().tick > before, tick);
+  });
+
+  it('a note leaves by itself, below the bar', async () => {
+    const page = await open('manual&colour=red');
+    const note = page.locator('.game-banner');
+    const { y, height } = (await note.boundingBox()) as { y: number; height: number };
+    expect(y + height).toBeLessThan(200);
+    await note.waitFor({ state: 'hidden', timeout: 30_000 });
+    expect((await state(page)).banner).toBe('');
+  });
+
+  it('a clicked button gives the focus back, so that Space pauses; only Tab frames the stage', async () => {
+    const page = await open('seed=3');
+    await page.locator('button[title="Slow motion (S)"]').click();
+    await page.keyboard.press('Space');
+    expect(await state(page)).toMatchObject({ paused: true, speed: 0.2 });
+    await page.locator('.game-stage canvas').click({ position: { x: 300, y: 300 } });
+    await page.locator('.game-stage canvas').focus();
+    await page.keyboard.press('s');
+    const frame = () => page.locator('.game-stage canvas').evaluate((canvas) => getComputedStyle(canvas).boxShadow);
+    expect(await frame()).toBe('none');
+    await page.keyboard.press('Tab');
+    await page.locator('.game-stage canvas').focus();
+    expect(await frame()).not.toBe('none');
+  });
+
+  it('leads home', async () => {
+    const page = await open('manual');
+    expect(await page.locator('.game-bar a[title="All games"]').getAttribute('href')).toBe('../index.html');
+  });
+});
+
+describe('a phone', () => {
+  it.each([
+    [390, 844],
+    [360, 740],
+    [844, 390],
+  ])('has buttons of 44 pixels in a bar that fits into %i by %i', async (width, height) => {
+    const page = await open('manual', { viewport: { width, height }, isMobile: true, hasTouch: true });
+    const boxes = await page.locator('.game-bar :is(button, a):visible').evaluateAll((all) =>
+      all.map((each) => {
+        const { left, right, width, height } = each.getBoundingClientRect();
+        return { left, right, width, height };
+      }),
+    );
+    expect(boxes.length).toBeGreaterThan(5);
+    for (const box of boxes) {
+      expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(width < 390 ? 40 : 44);
+      expect(box.left).toBeGreaterThanOrEqual(0);
+      expect(box.right).toBeLessThanOrEqual(width);
+    }
   });
 });

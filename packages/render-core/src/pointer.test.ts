@@ -55,18 +55,40 @@ describe('listenToPointers', () => {
     expect(camera).toEqual({ x: 0, y: 0, pixelsPerMetre: 10 });
   });
 
-  it('pans on empty space, unless the press was taken or navigation is off', () => {
-    const panned = setUp();
-    panned.fire('pointerdown', 20, 20);
-    panned.fire('pointermove', 30, 20);
-    expect(panned.camera.x).toBeCloseTo(-1, 9);
-    for (const options of [{ onPress: () => true }, { navigate: false }]) {
-      const still = setUp(options);
-      still.fire('pointerdown', 20, 20);
-      still.fire('pointermove', 30, 20);
-      still.fire('wheel', 20, 20, { deltaY: 100, deltaMode: 0 });
-      expect(still.camera.x === 0 || options.navigate === undefined).toBe(true);
+  it('pans with the right and the middle button, and while the space bar is held', () => {
+    for (const button of [1, 2]) {
+      const panned = setUp();
+      panned.fire('pointerdown', 20, 20, { button });
+      panned.fire('pointermove', 30, 20);
+      expect(panned.camera.x).toBeCloseTo(-1, 9);
+      expect(panned.fire('contextmenu', 30, 20).defaultPrevented).toBe(true);
     }
+    // The space bar lets the primary button pan, even on a body.
+    const held = setUp({ primaryPans: () => true });
+    held.fire('pointerdown', 100, 50);
+    held.fire('pointermove', 110, 50);
+    expect(held.camera.x).toBeCloseTo(-1, 9);
+    expect(held.log).toEqual([]);
+  });
+
+  it('keeps the view when a drag misses a body, by mouse and by finger', () => {
+    for (const pointerType of ['mouse', 'touch']) {
+      let navigated = 0;
+      const still = setUp({ onNavigate: () => navigated++ });
+      still.fire('pointerdown', 20, 20, { pointerType });
+      still.fire('pointermove', 90, 70, { pointerType });
+      still.fire('pointerup', 90, 70, { pointerType });
+      expect(still.camera).toEqual({ x: 0, y: 0, pixelsPerMetre: 10 });
+      expect(navigated).toBe(0);
+    }
+  });
+
+  it('does not move the view where navigation is off', () => {
+    const still = setUp({ navigate: false });
+    still.fire('pointerdown', 20, 20, { button: 2 });
+    still.fire('pointermove', 30, 20);
+    still.fire('wheel', 20, 20, { deltaY: 100, deltaMode: 0 });
+    expect(still.camera).toEqual({ x: 0, y: 0, pixelsPerMetre: 10 });
   });
 
   it('pinches with two fingers about their middle', () => {
@@ -80,11 +102,11 @@ describe('listenToPointers', () => {
     expect(camera.y - 30 / 15).toBeCloseTo(-3, 9);
   });
 
-  it('drags with one finger while another pans', () => {
+  it('drags with one finger while two others pan', () => {
     const { fire, log, camera } = setUp();
     fire('pointerdown', 100, 50, { pointerId: 1 });
-    fire('pointerdown', 20, 20, { pointerId: 2 });
-    fire('pointermove', 30, 20, { pointerId: 2 });
+    for (const pointerId of [2, 3]) fire('pointerdown', 20, 20, { pointerId });
+    for (const pointerId of [2, 3]) fire('pointermove', 30, 20, { pointerId });
     fire('pointerup', 100, 50, { pointerId: 1, timeStamp: 1e6 });
     expect(camera.x).toBeCloseTo(-1, 9);
     expect(log.map(([name]) => name)).toEqual(['grab', 'release']);

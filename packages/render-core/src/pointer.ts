@@ -12,10 +12,12 @@ export interface PointerOptions {
   onDrag?(id: number, x: number, y: number, pointerId: number): void;
   /** A pointer released `id`; (`vx`, `vy`) is its velocity, for throwing. */
   onRelease?(id: number, x: number, y: number, vx: number, vy: number, pointerId: number): void;
-  /** A pointer went down on empty space. Return true to keep it from panning, as when a click adds a body. */
+  /** The primary button or a finger went down on empty space. Return true to keep the finger from panning and pinching. */
   onPress?(x: number, y: number, pointerId: number): boolean;
   /** A pointer moved while no button is down. */
   onHover?(x: number, y: number): void;
+  /** Returns true while the primary button pans too, as while the space bar is held; it then grabs nothing. */
+  primaryPans?(): boolean;
   /** The camera was moved or scaled by pan, wheel or pinch. */
   onNavigate?(): void;
   /** False disables panning and zooming; default true. */
@@ -32,7 +34,9 @@ export interface PointerControl {
 interface Pointer {
   /** The dragged body, 0 for none. */
   body: number;
-  /** Whether the pointer pans the view. */
+  /** Whether the pointer is down on empty space, so that two of them pan and pinch. */
+  navigates: boolean;
+  /** Whether the pointer pans the view alone. */
   pans: boolean;
   x: number;
   y: number;
@@ -46,8 +50,9 @@ const WHEEL_RATE = 0.0015;
 const WHEEL_LINE = 16;
 
 /**
- * Listens to mouse, pen and touch on a canvas. A pointer pressed on a body grabs it; otherwise it pans the view. The
- * wheel zooms about the pointer, and two panning fingers pinch. Several pointers work at once.
+ * Listens to mouse, pen and touch on a canvas. A pointer pressed on a body grabs it. The right or middle button pans, and
+ * so do two fingers, which also pinch; the wheel zooms about the pointer. One finger or the primary button beside a body
+ * does nothing, so that a player who misses a body does not lose the view. Several pointers work at once.
  *
  * Sets `touch-action: none` on the canvas, so that the browser does not scroll the page, and restores it on
  * `destroy()`.
@@ -64,10 +69,12 @@ export function listenToPointers(canvas: HTMLCanvasElement, options: PointerOpti
   ] as const;
   for (const [type, handler] of handlers) canvas.addEventListener(type, handler);
   canvas.addEventListener('wheel', listener.wheel, { passive: false });
+  canvas.addEventListener('contextmenu', listener.menu);
   return {
     destroy() {
       for (const [type, handler] of handlers) canvas.removeEventListener(type, handler);
       canvas.removeEventListener('wheel', listener.wheel);
+      canvas.removeEventListener('contextmenu', listener.menu);
       canvas.style.touchAction = touchAction;
       listener.releaseAll();
     },
@@ -92,13 +99,15 @@ class PointerListener {
     if (event.pointerType === 'mouse' && event.button > 2) return;
     this.canvas.setPointerCapture(event.pointerId);
     const world = this.#locate(event);
-    const { pick, onGrab, onPress, navigate = true } = this.options;
-    const body = event.button === 0 ? (pick?.(world.x, world.y) ?? 0) : 0;
-    const taken = body === 0 && event.button === 0 && onPress?.(world.x, world.y, event.pointerId) === true;
+    const { pick, onGrab, onPress, primaryPans, navigate = true } = this.options;
+    const isPrimary = event.button === 0 && primaryPans?.() !== true;
+    const body = isPrimary ? (pick?.(world.x, world.y) ?? 0) : 0;
+    const taken = body === 0 && isPrimary && onPress?.(world.x, world.y, event.pointerId) === true;
     const velocity = new ReleaseVelocity();
     velocity.add(event.timeStamp / 1000, world.x, world.y);
-    const pans = body === 0 && !taken && navigate;
-    this.#pointers.set(event.pointerId, { body, pans, x: this.#screen.x, y: this.#screen.y, velocity });
+    const navigates = body === 0 && !taken && navigate;
+    const pans = navigates && !isPrimary;
+    this.#pointers.set(event.pointerId, { body, navigates, pans, x: this.#screen.x, y: this.#screen.y, velocity });
     if (body !== 0) onGrab?.(body, world.x, world.y, event.pointerId);
   };
 
@@ -110,7 +119,7 @@ class PointerListener {
     } else if (pointer.body !== 0) {
       pointer.velocity.add(event.timeStamp / 1000, world.x, world.y);
       this.options.onDrag?.(pointer.body, world.x, world.y, event.pointerId);
-    } else if (pointer.pans) {
+    } else if (pointer.navigates) {
       this.#navigate(pointer, event.pointerId);
     }
     if (pointer !== undefined) {
@@ -139,6 +148,11 @@ class PointerListener {
     this.options.onNavigate?.();
   };
 
+  /** The right button pans, so it opens no menu. */
+  readonly menu = (event: Event): void => {
+    if (this.options.navigate !== false) event.preventDefault();
+  };
+
   /** Releases every body at rest, for example when the canvas is removed. */
   releaseAll(): void {
     for (const [pointerId, pointer] of this.#pointers) {
@@ -149,10 +163,11 @@ class PointerListener {
     this.#pointers.clear();
   }
 
-  /** One panning pointer moves the view; two scale it about the one at rest. */
+  /** Two pointers move the view and scale it about the one at rest; one moves it if it pans alone. */
   #navigate(pointer: Pointer, pointerId: number): void {
-    const other = this.#otherPanning(pointerId);
+    const other = this.#otherNavigating(pointerId);
     if (other === undefined) {
+      if (!pointer.pans) return;
       panBy(this.options.camera, this.#screen.x - pointer.x, this.#screen.y - pointer.y);
     } else {
       const before = Math.hypot(pointer.x - other.x, pointer.y - other.y);
@@ -166,8 +181,8 @@ class PointerListener {
     this.options.onNavigate?.();
   }
 
-  #otherPanning(pointerId: number): Pointer | undefined {
-    for (const [id, pointer] of this.#pointers) if (id !== pointerId && pointer.pans) return pointer;
+  #otherNavigating(pointerId: number): Pointer | undefined {
+    for (const [id, pointer] of this.#pointers) if (id !== pointerId && pointer.navigates) return pointer;
     return undefined;
   }
 

@@ -26,3 +26,15 @@ it('is zero for a pointer that rested, a single sample, and after a reset', () =
   velocity.estimate(0.02);
   expect(velocity.x).toBe(0);
 });
+
+it.each([0.033, 0.058, 0.1])(
+  'measures a throw whose samples come every %d s, wherever in a frame it ends',
+  (interval) => {
+    for (let end = 0; end < 10; end++) {
+      const velocity = new ReleaseVelocity();
+      for (let i = 0; i < 12; i++) velocity.add(i * interval, 3 * i * interval, 0);
+      velocity.estimate((11 + end / 10) * interval);
+      expect(velocity.x).toBeCloseTo(3, 9);
+    }
+  },
+);

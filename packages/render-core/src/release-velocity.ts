@@ -5,6 +5,12 @@ const SAMPLES = 16;
 const WINDOW_SECONDS = 0.08;
 
 /**
+ * Longest time between two samples that count as one motion, s. Browsers deliver pointer events once a frame, so a slow
+ * page samples a pointer ten times a second although the pointer never rests.
+ */
+const MAX_INTERVAL_SECONDS = 0.12;
+
+/**
  * Estimates the velocity of a pointer just before its release from its latest positions. A pointer at rest before the
  * release has zero velocity.
  */
@@ -32,18 +38,24 @@ export class ReleaseVelocity {
     this.#y[i] = y;
   }
 
-  /** Computes the mean velocity over the last 80 ms before `time` (seconds) into `x` and `y`. */
+  /**
+   * Computes the mean velocity over the last 80 ms of samples, or over the last two samples where they lie further
+   * apart, into `x` and `y`. @param time of the release, seconds
+   */
   estimate(time: number): void {
     this.x = 0;
     this.y = 0;
     if (this.#count < 2) return;
     const newest = (this.#count - 1) % SAMPLES;
-    if (time - this.#t[newest] > WINDOW_SECONDS) return;
+    const interval = this.#t[newest] - this.#t[(this.#count - 2) % SAMPLES];
+    if (interval > MAX_INTERVAL_SECONDS) return;
+    // A pointer rests if no sample came for longer than the window, and for longer than between the last two.
+    if (time - this.#t[newest] > Math.max(WINDOW_SECONDS, interval)) return;
     let oldest = newest;
     const reach = Math.min(this.#count, SAMPLES);
     for (let back = 1; back < reach; back++) {
       const i = (this.#count - 1 - back) % SAMPLES;
-      if (time - this.#t[i] > WINDOW_SECONDS) break;
+      if (back > 1 && this.#t[newest] - this.#t[i] > WINDOW_SECONDS) break;
       oldest = i;
     }
     const dt = this.#t[newest] - this.#t[oldest];

@@ -47,12 +47,20 @@ const FULL_SIZE_ATTEMPTS = 200;
  * Draws layouts until one has a corridor.
  * @param moving number of holes that move on circles
  * @param isSteep uses the Paczyński–Wiita potential
+ * @param suits the layout must satisfy this too, as long as holes have their full size
  */
-export function drawHoles(random: Random, count: number, moving: number, isSteep = false): Hole[] {
+export function drawHoles(
+  random: Random,
+  count: number,
+  moving: number,
+  isSteep = false,
+  suits: (holes: readonly Hole[]) => boolean = () => true,
+): Hole[] {
   let scale = 1;
   for (let tries = 0; ; tries++) {
     const holes = Array.from({ length: count }, (_, i) => drawHole(random, i < moving, scale));
-    if (findCorridor(holes, BLACK_HOLE, isSteep) !== undefined) return holes;
+    const isDone = tries >= FULL_SIZE_ATTEMPTS || suits(holes);
+    if (isDone && findCorridor(holes, BLACK_HOLE, isSteep) !== undefined) return holes;
     // Holes shrink gradually if many layouts failed, which guarantees termination, since points leave room.
     if (tries >= FULL_SIZE_ATTEMPTS) scale *= 0.95;
   }

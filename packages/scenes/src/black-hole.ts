@@ -30,8 +30,12 @@ export interface BlackHole extends SceneRun {
   readonly isSteep: boolean;
   /** Time of the moving holes on their orbits, s. */
   readonly holeTime: number;
-  /** Draws another layout, and moves, creates and removes holes accordingly. @param moving number of holes that move */
-  redraw(count: number, moving: number): void;
+  /**
+   * Draws another layout, and moves, creates and removes holes accordingly.
+   * @param moving number of holes that move
+   * @param suits the layout must satisfy this, unless many layouts in a row do not
+   */
+  redraw(count: number, moving: number, suits?: (holes: readonly Hole[]) => boolean): void;
   /** Resets the random sequence: the next layouts are the first of the seed. */
   rewind(): void;
   /** Teleports the ship, at rest and without interpolation. */
@@ -86,7 +90,7 @@ export const blackHole = defineScene({
       get holeTime() {
         return sky.time;
       },
-      redraw: (holes, onCircles) => sky.redraw(holes, onCircles),
+      redraw: (holes, onCircles, suits) => sky.redraw(holes, onCircles, suits),
       rewind: () => sky.rewind(),
     };
   },
@@ -122,8 +126,8 @@ class MovingHoles {
     this.#random.state.set(layoutRandom(this.#seed).state);
   }
 
-  redraw(count: number, moving: number): void {
-    this.holes = markImmutable(drawHoles(this.#random, count, moving, this.#isSteep));
+  redraw(count: number, moving: number, suits?: (holes: readonly Hole[]) => boolean): void {
+    this.holes = markImmutable(drawHoles(this.#random, count, moving, this.#isSteep, suits));
     this.#time[0] = 0;
     while (this.ids.length > count) despawn(this.#world, this.ids.pop() as number);
     for (const [i, hole] of this.holes.entries()) this.#put(i, hole);

@@ -17,8 +17,9 @@ import { seededUniforms } from './seeded.ts';
 export interface BouncingBalls extends SceneRun {
   /** Corners of the room, m. In 2D `z` is zero. */
   readonly room: { readonly min: Point; readonly max: Point };
-  /** Radius of every ball, m. */
+  /** Radius of every ball, m, and its mass, kg. */
   readonly radius: number;
+  readonly mass: number;
   /** Ids of the balls, ascending. */
   readonly balls: Uint32Array;
   /** Switches collisions between balls on or off from the next step. */
@@ -59,10 +60,18 @@ export const bouncingBalls = defineScene({
     restitution: { about: 'speed after a bounce over speed before', unit: '', initial: 0.8, min: 0, max: 1 },
     drag: { about: 'density of the medium that drags; air has 1.2', unit: 'kg/m³', initial: 0, min: 0, max: 1000 },
     collisions: { about: 'whether balls meet each other: 1 or 0', unit: '', initial: 0, min: 0, max: 1, integer: true },
+    wrap: {
+      about: 'whether balls that leave at a side come back at the other: 1 or 0',
+      unit: '',
+      initial: 0,
+      min: 0,
+      max: 1,
+      integer: true,
+    },
     friction: { about: 'friction of balls and walls, which makes them spin', unit: '', initial: 0.3, min: 0, max: 2 },
   },
   build({ dimensions, precision, seed, progress, parameters }): BouncingBalls {
-    const { count, gravity, restitution, drag, friction, collisions } = parameters;
+    const { count, gravity, restitution, drag, friction, collisions, wrap } = parameters;
     const depth = dimensions === 3 ? DEPTH / 2 : 0;
     const room = { min: { x: 0, y: 0, z: -depth }, max: { x: WIDTH, y: HEIGHT, z: depth } };
     const radius = radiusFor(count, dimensions);
@@ -74,8 +83,9 @@ export const bouncingBalls = defineScene({
       capacity: count,
       preset: particleContacts,
       forces: [uniformGravity({ y: -gravity }), quadraticDrag()],
-      walls: [boxWalls(dimensions === 3 ? room : { min: inPlane(room.min), max: inPlane(room.max) })],
+      walls: [boxWalls(wallsOf(room, dimensions, wrap === 1))],
     });
+    if (wrap === 1) world.phases.finish.push(() => wrapSides(world, room));
     const uniform = seededUniforms(seed, count);
     const velocity = { x: uniform(0, 5), y: uniform(-1, 3), ...(dimensions === 3 ? { z: uniform(-2, 2) } : {}) };
     const values: ManyInput = {
@@ -93,7 +103,7 @@ export const bouncingBalls = defineScene({
     const setCollisions = collisionSwitch(world);
     setCollisions(collisions === 1);
     const losesEnergy = 'bounces, friction and drag take energy out';
-    return { world, dt: 1 / 60, losesEnergy, room, radius, balls, setCollisions };
+    return { world, dt: 1 / 60, losesEnergy, room, radius, mass, balls, setCollisions };
   },
 });
 
@@ -105,8 +115,37 @@ function collisionSwitch({ phases }: PhysicsWorld): (on: boolean) => void {
   };
 }
 
+type Room = BouncingBalls['room'];
+
+/** Six walls in 3D and four in 2D; balls that come back at the other side need floor and ceiling only. */
+function wallsOf({ min, max }: Room, dimensions: 2 | 3, isOpen: boolean) {
+  if (isOpen) return { min: { y: min.y }, max: { y: max.y } };
+  return dimensions === 3 ? { min, max } : { min: inPlane(min), max: inPlane(max) };
+}
+
 function inPlane({ x, y }: Point) {
   return { x, y };
+}
+
+/**
+ * Moves balls whose centre left at a side to the other side, with their previous pose, so that no picture shows them on
+ * the way. Balls at opposite sides do not touch.
+ */
+function wrapSides(world: PhysicsWorld, { min, max }: Room): void {
+  const { components, previous, dimensions, lastId, versions } = world;
+  for (const axis of ['x', 'z'] as const) {
+    if (axis === 'z' && dimensions === 2) continue;
+    const now = components.Position[axis];
+    const before = previous.Position[axis];
+    const [low, high] = [min[axis], max[axis]];
+    for (let id = 1; id <= lastId; id++) {
+      const shift = now[id] < low ? high - low : now[id] >= high ? low - high : 0;
+      if (shift === 0) continue;
+      now[id] += shift;
+      before[id] += shift;
+    }
+  }
+  versions.pose++;
 }
 
 function radiusFor(count: number, dimensions: 2 | 3): number {

@@ -30,8 +30,14 @@ import { heldStars, SHELLS } from './fireworks/shells.ts';
 import { AIR_DENSITY, GLOW, rampsOf, STAR_MASS, StarPools } from './fireworks/stars.ts';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
 
-/** The part of the sky in which shells burst, m: half its width and depth, and its lowest and highest point. */
+/** The part of the sky in which the barrage and a cross-hair burst shells, m: half its width and depth, and its lowest and highest point. */
 export const FIREWORKS_SKY = { halfWidth: 48, halfDepth: 16, lowest: 12, highest: 50 } as const;
+
+/**
+ * The part of the sky that shells reach, m: all that a window shows, from phones held upright, which show 100 m of height,
+ * to the widest. The highest shell takes 4 s.
+ */
+export const FIREWORKS_REACH = { halfWidth: 80, halfDepth: 80, lowest: 6, highest: 100 } as const;
 
 /** A running fireworks scene. */
 export interface Fireworks extends SceneRun {

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { readAddress } from './address.ts';
+import { readAddress, writeAddress } from './address.ts';
 import { numberSetting, switchSetting } from './settings.ts';
 
 const settings = {
@@ -28,6 +28,11 @@ it('takes what it can take', () => {
   });
 });
 
+it('ignores what others append to links', () => {
+  const query = '?fbclid=IwAR0&utm_source=news&utm_medium=mail&gclid=1&msclkid=2&ref=site&count=9';
+  expect(read(query)).toMatchObject({ values: { count: 9 }, problems: [] });
+});
+
 it('has a sentence for everything else, and keeps what there was', () => {
   const { values, seed, renderer, problems } = read('?count=0&seed=x&renderer=toString&toString=1&trails=maybe');
   expect({ values, seed, renderer }).toEqual({ values: { count: 5, trails: false }, seed: 1, renderer: 'pixi' });
@@ -38,4 +43,11 @@ it('has a sentence for everything else, and keeps what there was', () => {
     'The address names “toString”, which is not a setting of this game. The settings are count, trails, seed, renderer, manual.',
     'In the address, trails must be on or off, but it was “maybe”. Using off instead.',
   ]);
+});
+
+it('writes what it reads', () => {
+  const wanted = { values: { count: 7, trails: true }, seed: 42, renderer: 'three' };
+  const link = writeAddress('https://example.org/game/?utm_source=x&count=3#part', settings, wanted);
+  expect(link).toBe('https://example.org/game/?seed=42&renderer=three&count=7&trails=true#part');
+  expect(read(new URL(link).search)).toMatchObject(wanted);
 });

@@ -22,6 +22,10 @@ const SEED: NumberSetting = {
   integer: true,
 };
 
+/** Parameters that mail programs, search engines and social networks append to links; they mean nothing to a game. */
+const TRACKING =
+  /^(utm_.*|fbclid|gclid|gbraid|wbraid|dclid|msclkid|mc_[ce]id|igshid?|twclid|ttclid|yclid|si|ref|source)$/i;
+
 /**
  * Reads `?seed=7&count=2000&renderer=three&manual`. A rejected value keeps its default and adds a sentence to
  * `problems`.
@@ -48,12 +52,27 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
     else if (name === 'manual') manual = true;
     else if (Object.hasOwn(settings, name)) {
       values[name] = attempt(() => parseValue(name, settings[name], text), values[name] as never);
-    } else {
+    } else if (!TRACKING.test(name)) {
       const known = [...Object.keys(settings), 'seed', 'renderer', 'manual'].join(', ');
       problems.push(`The address names “${name}”, which is not a setting of this game. The settings are ${known}.`);
     }
   }
   return { values: values as ValuesOf<S>, seed, renderer, manual, problems };
+}
+
+/** The address that starts this game again: its settings where they differ from the defaults, renderer and seed. */
+export function writeAddress<S extends Settings>(
+  page: string,
+  settings: S,
+  { values, seed, renderer }: Pick<Address<S>, 'values' | 'seed' | 'renderer'>,
+): string {
+  const url = new URL(page);
+  const query = new URLSearchParams({ seed: String(seed), renderer });
+  for (const [name, { initial }] of Object.entries(settings)) {
+    if (values[name] !== initial) query.set(name, String(values[name]));
+  }
+  url.search = query.toString();
+  return url.href;
 }
 
 function fallbackSentence(fallback: unknown): string {

@@ -1,13 +1,22 @@
 import { element } from './element.ts';
 
-/** A message at the bottom of the page. */
+/**
+ * `error` stays until it is closed or mended; `note` leaves by itself; `status` stays until the state that it names ends.
+ */
+export type BannerKind = 'error' | 'note' | 'status';
+
+/** A message on the page. */
 export interface Banner {
   /** The text on display; empty when the banner is hidden. */
   readonly text: string;
+  readonly kind: BannerKind;
   /** @param action label and handler of an extra button; the close button always hides the banner */
-  show(text: string, kind: 'error' | 'note', action?: readonly [string, () => void]): void;
+  show(text: string, kind: BannerKind, action?: readonly [string, () => void]): void;
   hide(): void;
 }
+
+/** Time that a note stays, ms: a moment to notice it, and time to read it at 15 characters a second. */
+const NOTE_MS = { least: 4000, perCharacter: 66 } as const;
 
 export function createBanner(parent: HTMLElement): Banner {
   const text = element('p', '');
@@ -16,17 +25,33 @@ export function createBanner(parent: HTMLElement): Banner {
   const box = element('div', 'game-banner', { role: 'alert' }, text, act, close);
   box.hidden = true;
   parent.append(box);
+  let kind: BannerKind = 'note';
+  let timer = 0;
   const hide = () => {
+    clearTimeout(timer);
     box.hidden = true;
     text.textContent = '';
+  };
+  const leave = () => {
+    // A note under the pointer or with the focus is being read or used.
+    if (box.matches(':hover, :focus-within')) timer = window.setTimeout(leave, 1000);
+    else hide();
   };
   close.addEventListener('click', hide);
   return {
     get text() {
       return text.textContent ?? '';
     },
-    show(message, kind, action) {
+    get kind() {
+      return kind;
+    },
+    show(message, messageKind, action) {
+      clearTimeout(timer);
+      if (messageKind === 'note') {
+        timer = window.setTimeout(leave, NOTE_MS.least + NOTE_MS.perCharacter * message.length);
+      }
       if (text.textContent === message) return;
+      kind = messageKind;
       text.textContent = message;
       box.dataset.kind = kind;
       act.hidden = action === undefined;

@@ -23,7 +23,9 @@ it('gives every key a line of the help, and every line a key', () => {
   for (const key of ['s', '-', 'b']) pressed[key]();
   released.b();
   expect(done).toEqual(['slow s', 'zoom 0.8', 'rewind true', 'rewind false']);
-  expect(help).toContainEqual(['. or →', 'one step']);
+  expect(help).toContainEqual(['.', 'one step']);
+  // Arrow keys steer or do nothing: who presses one expects no pause.
+  expect(pressed.arrowright).toBeUndefined();
   expect(new Set(help.map(([, what]) => what)).size).toBe(help.length);
   expect(help.map(([keys]) => keys).join()).not.toContain('2');
 });
@@ -35,18 +37,21 @@ it('leaves the keys that a game takes to the game, in the help too', () => {
     settings: { mute: switchSetting('Sound', true, { key: 'm' }) },
     controls: { buttons: FOUR_WAYS, press() {}, release() {} },
     renderers: { pixi: renderer(2), three: renderer(3) },
-    help: [['Drag', 'throw']],
+    help: [
+      ['Drag', 'throw'],
+      ['Arrow keys', 'steer', 'keyboard'],
+    ],
   } as unknown as Game;
-  const { pressed, help } = gameCommands(game, actions);
+  const { pressed, help, gestures } = gameCommands(game, actions);
+  expect(gestures).toEqual([['Drag', 'throw']]);
   pressed.m();
   pressed['3']();
   expect(done).toEqual(['toggle mute', 'renderer three']);
-  expect(pressed.arrowright).toBeUndefined();
-  expect(help.slice(0, 3)).toEqual([
+  expect(help.slice(0, 4)).toEqual([
     ['Drag', 'throw'],
+    ['Arrow keys', 'steer'],
     ['M', 'Sound on or off'],
     ['2 3', 'draw in 2D or 3D'],
   ]);
-  expect(help).toContainEqual(['.', 'one step']);
   expect(help.map(([keys]) => keys).filter((keys) => keys === 'M')).toHaveLength(1);
 });

@@ -1,10 +1,12 @@
-import type { GameDefinition, Simulation } from './game.ts';
+import type { GameDefinition, HelpLine, Simulation } from './game.ts';
 import type { Keys } from './keyboard.ts';
 import type { Settings } from './settings.ts';
 
 /** The actions that the player has in every game. */
 export interface Actions {
   pause(): void;
+  /** The space bar goes down or up: a drag pans while it is down, and without a drag it pauses. */
+  spaceBar(down: boolean): void;
   step(): void;
   reset(): void;
   /** Replays the game from its beginning. */
@@ -21,6 +23,7 @@ export interface Actions {
   plot(): void;
   profile(): void;
   screenshot(): void;
+  copyLink(): void;
   recordVideo(): void;
   fullScreen(): void;
   reducedMotion(): void;
@@ -46,8 +49,10 @@ interface Command {
 export interface Commands {
   readonly pressed: Keys;
   readonly released: Keys;
-  /** Pairs of keys or gestures and their descriptions. */
+  /** Pairs of keys or gestures and their descriptions: the game's own first. */
   readonly help: readonly (readonly [string, string])[];
+  /** The lines of the help that a touch screen without a keyboard needs. */
+  readonly gestures: readonly (readonly [string, string])[];
 }
 
 export function gameCommands<S extends Settings, Sim extends Simulation>(
@@ -82,7 +87,10 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
     // The help leaves out a key that the game uses for itself.
     help.push([free.length === keys.length ? shown : free.map((key) => key.toUpperCase()).join(' '), description]);
   }
-  return { pressed, released, help: [...(game.help ?? []), ...help] };
+  const own = game.help ?? [];
+  const line = ([keys, text]: HelpLine) => [keys, text] as const;
+  const gestures = own.filter(([, , input]) => input !== 'keyboard').map(line);
+  return { pressed, released, help: [...own.map(line), ...help], gestures };
 }
 
 function settingCommands(settings: Settings, { toggle }: Actions): Command[] {
@@ -111,11 +119,17 @@ function rendererCommands<S extends Settings, Sim extends Simulation>(
 }
 
 function common(actions: Actions): Command[] {
-  const { pause, step, reset, slow, rewind, stepBack, fit, zoom } = actions;
+  const { step, reset, slow, rewind, stepBack, fit, zoom } = actions;
   const { help, sidebar, plot, profile, screenshot, recordVideo, fullScreen, reducedMotion, safeColors } = actions;
   return [
-    { keys: [' '], shown: 'Space', description: 'pause and resume', press: pause },
-    { keys: ['.', 'arrowright'], shown: '. or →', description: 'one step', press: step },
+    {
+      keys: [' '],
+      shown: 'Space',
+      description: 'pause and resume; hold it and drag to move the view',
+      press: () => actions.spaceBar(true),
+      release: () => actions.spaceBar(false),
+    },
+    { keys: ['.'], shown: '.', description: 'one step', press: step },
     { keys: [','], shown: ',', description: 'step back', press: stepBack },
     {
       keys: ['backspace', 'b'],
@@ -136,7 +150,7 @@ function common(actions: Actions): Command[] {
     { keys: ['e'], shown: 'E', description: 'next plot: energy, momentum, any value', press: plot },
     { keys: ['o'], shown: 'O', description: 'time of a step, phase by phase', press: profile },
     { keys: ['i'], shown: 'I', description: 'save a screenshot', press: screenshot },
-    { keys: ['m'], shown: 'M', description: 'record video; press again to stop', press: recordVideo },
+    { keys: ['j'], shown: 'J', description: 'record video; press again to stop', press: recordVideo },
     { keys: ['w'], shown: 'W', description: 'full screen', press: fullScreen },
     { keys: ['x'], shown: 'X', description: 'reduced motion', press: reducedMotion },
     { keys: ['y'], shown: 'Y', description: 'colour-blind palette', press: safeColors },

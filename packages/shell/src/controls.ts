@@ -1,4 +1,5 @@
 import { element } from './element.ts';
+import { createTouchStick, Stick } from './stick.ts';
 
 /** A button that the player holds down by key, touch or gamepad. */
 export interface ControlButton {
@@ -8,7 +9,9 @@ export interface ControlButton {
   readonly keys: readonly string[];
   /** Button indices of a standard gamepad. */
   readonly pad?: readonly number[];
-  /** Axis of a gamepad and the direction that counts as pressed. */
+  /** False leaves the button out of the touch pad; default true. */
+  readonly touch?: boolean;
+  /** Axis of a gamepad and the direction that counts as pressed, in games that do not `steer`. */
   readonly axis?: readonly [index: number, sign: 1 | -1];
 }
 
@@ -17,6 +20,11 @@ export interface Controls<Sim> {
   readonly buttons: Readonly<Record<string, ControlButton>>;
   press(sim: Sim, name: string): void;
   release(sim: Sim, name: string): void;
+  /**
+   * Takes the deflection of a stick, on the screen or of a gamepad: fractions per axis, y up, at most 1 long; (0, 0) when
+   * it is released. The touch pad then has a stick in place of the four directions.
+   */
+  steer?(sim: Sim, x: number, y: number): void;
 }
 
 /** The listener for keyboard, touch and gamepad input. */
@@ -78,14 +86,18 @@ export function listenToControls<Sim>(
   gamepads: () => readonly (Gamepad | null)[] = connectedGamepads,
 ): ControlListener {
   const { buttons } = controls;
+  const stick = controls.steer && new Stick((x, y) => controls.steer?.(sim(), x, y));
   const held = new HeldButtons(
     (name) => controls.press(sim(), name),
     (name) => controls.release(sim(), name),
   );
   const stopKeys = listenToHeldKeys(buttons, held);
-  const pad = createTouchPad(buttons, held);
+  const pad = createTouchPad(buttons, held, stick);
   parent.append(pad);
-  const releaseAll = () => held.clear();
+  const releaseAll = () => {
+    held.clear();
+    stick?.set(0, 0);
+  };
   globalThis.addEventListener('blur', releaseAll);
   const noticeGamepad = () => {
     hasGamepad = true;
@@ -98,7 +110,9 @@ export function listenToControls<Sim>(
       const present = gamepads();
       for (let i = 0; i < present.length; i++) {
         const gamepad = present[i];
-        if (gamepad?.connected) readGamepad(gamepad, buttons, held);
+        if (!gamepad?.connected) continue;
+        readGamepad(gamepad, buttons, held, stick === undefined);
+        stick?.read(gamepad);
       }
     },
     releaseAll,
@@ -132,9 +146,15 @@ function listenToHeldKeys(buttons: Readonly<Record<string, ControlButton>>, held
 }
 
 /** Creates the buttons for touch; the style sheet shows them where the pointer is coarse. */
-function createTouchPad(buttons: Readonly<Record<string, ControlButton>>, held: HeldButtons): HTMLElement {
+function createTouchPad(
+  buttons: Readonly<Record<string, ControlButton>>,
+  held: HeldButtons,
+  stick: Stick | undefined,
+): HTMLElement {
   const pad = element('div', 'game-pad', { role: 'group', 'aria-label': 'Controls' });
-  for (const [name, { label }] of Object.entries(buttons)) {
+  if (stick !== undefined) pad.append(createTouchStick(stick));
+  for (const [name, { label, touch = true }] of Object.entries(buttons)) {
+    if (!touch || (stick !== undefined && Object.hasOwn(FOUR_WAYS, name))) continue;
     const button = element('button', '', { type: 'button', 'data-name': name, 'aria-label': name }, label);
     button.addEventListener('pointerdown', (event) => {
       event.preventDefault();
@@ -151,10 +171,15 @@ function createTouchPad(buttons: Readonly<Record<string, ControlButton>>, held: 
 }
 
 /** Handles releases first: a stick moved from one direction to another then ends with the other one pressed. */
-function readGamepad(gamepad: Gamepad, buttons: Readonly<Record<string, ControlButton>>, held: HeldButtons): void {
+function readGamepad(
+  gamepad: Gamepad,
+  buttons: Readonly<Record<string, ControlButton>>,
+  held: HeldButtons,
+  usesAxes: boolean,
+): void {
   for (const wanted of [false, true]) {
     for (const [name, { pad = [], axis }] of Object.entries(buttons)) {
-      const isPushed = axis !== undefined && (gamepad.axes[axis[0]] ?? 0) * axis[1] > AXIS_THRESHOLD;
+      const isPushed = usesAxes && axis !== undefined && (gamepad.axes[axis[0]] ?? 0) * axis[1] > AXIS_THRESHOLD;
       const isDown = isPushed || pad.some((index) => gamepad.buttons[index]?.pressed);
       if (isDown === wanted) held.set(name, `gamepad ${gamepad.index}`, isDown);
     }

@@ -7,6 +7,8 @@ import { type EntityRef, entityRef, isAlive, keepState, type PhysicsWorld } from
 export interface Dragging {
   /** Ids of the dragged bodies, in the order in which they were grabbed. */
   readonly dragged: readonly number[];
+  /** Whether a pointer drags a body. */
+  holds(pointer: number): boolean;
   /** Grabs body `id` unless it is dragged already. The offset between body and pointer is kept. */
   grab(pointer: number, id: number, x: number, y: number, z?: number): void;
   move(pointer: number, x: number, y: number, z?: number): void;
@@ -80,6 +82,10 @@ export function dragBodies(world: PhysicsWorld, options: DragOptions = {}): Drag
   return {
     get dragged() {
       return [...drags.keys()];
+    },
+    holds(pointer) {
+      for (const drag of drags.values()) if (drag.pointer === pointer) return true;
+      return false;
     },
     grab(pointer, id, x, y, z = 0) {
       if (drags.has(id)) return;

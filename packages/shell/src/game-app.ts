@@ -1,11 +1,17 @@
 import { bodies } from '@principia/physics';
-import type { Address } from './address.ts';
+import { type Address, writeAddress } from './address.ts';
 import { type Banner, createBanner } from './banner.ts';
+import { hasCoarsePointer, resumeHint } from './coarse-pointer.ts';
 import { type Actions, type Commands, gameCommands } from './commands.ts';
 import { type ControlListener, listenToControls } from './controls.ts';
+import { copyLink, shareText } from './copy-link.ts';
+import { Failures } from './failures.ts';
+import { tendFocus } from './focus.ts';
+import { DRAW, FRAME, FrameTimes, STEP } from './frame-times.ts';
 import { toggleFullScreen } from './full-screen.ts';
-import type { GameCard, GameDefinition, Simulation, ViewContext } from './game.ts';
+import type { GameCard, GameDefinition, Simulation } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
+import { RESET_INTERVAL, SLOW_MOTION, STATS_INTERVAL } from './intervals.ts';
 import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
@@ -15,15 +21,11 @@ import { Recorder } from './recorder.ts';
 import { Session } from './session.ts';
 import type { Settings } from './settings.ts';
 import type { Sidebar } from './sidebar.ts';
+import { SpaceBar } from './space-bar.ts';
 import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
+import { createViewContext } from './view-context.ts';
 import { ViewHost } from './view-host.ts';
-
-/** Interval of updates of statistics and plot, s. */
-const STATS_INTERVAL = 0.2;
-/** Shortest time between two new worlds while a slider is dragged, s. */
-const RESET_INTERVAL = 0.12;
-const SLOW_MOTION = 0.2;
 
 /** A game on a page: the session, the view and the user interface around them. */
 export class GameApp<S extends Settings, Sim extends Simulation> {
@@ -32,10 +34,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #manual: boolean;
   readonly #layout: Layout;
   readonly #banner: Banner;
+  readonly #failures: Failures;
   readonly #views: ViewHost<S, Sim>;
   readonly #toolbar: Toolbar;
   readonly #recorder: Recorder;
   readonly #help: HelpDialog;
+  readonly #space: SpaceBar;
   readonly #controls: ControlListener | undefined;
   readonly #outcome: OutcomeCard | undefined;
   readonly #actions: Actions;
@@ -45,6 +49,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #cards: readonly GameCard<Sim>[] = [];
   readonly #preferences = new Preferences(matchMedia('(prefers-reduced-motion: reduce)').matches);
   #renderer: string;
+  /** The renderer that the player chose last; its code may not have been loaded. */
+  #wanted: string;
   /** The player holds the rewind button. */
   #rewinding = false;
   /** A changed setting requires a new world. */
@@ -55,50 +61,70 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #broken = false;
   /** The step that was drawn last. */
   #tick = 0;
-  readonly #timing = { frame: 0, step: 0, draw: 0 };
-  readonly #stats = { ...this.#timing, bodies: 0, contacts: undefined as number | undefined, time: 0 };
+  readonly #timing = new FrameTimes();
+  readonly #stats = { frame: 0, step: 0, draw: 0, bodies: 0, contacts: undefined as number | undefined, time: 0 };
 
   constructor(game: GameDefinition<S, Sim>, address: Address<S>) {
     this.#game = game;
     this.#renderer = address.renderer;
+    this.#wanted = address.renderer;
     this.#manual = address.manual;
     this.#session = new Session(game, address.values, address.seed);
     this.#session.paused = address.manual;
     this.#layout = createLayout(game.title, () => this.#views.view?.fit(), game.hasSheet);
     this.#banner = createBanner(this.#layout.root);
+    this.#failures = new Failures(this.#banner, () => this.#reset());
     const renderers = Object.entries(game.renderers).map(([name, { label }]) => [name, label] as const);
     this.#actions = this.#makeActions();
     this.#commands = gameCommands(game, this.#actions);
-    this.#toolbar = createToolbar(this.#layout.bar, this.#actions, renderers);
+    this.#toolbar = createToolbar(this.#layout.bar, this.#actions, renderers, game.home);
     const { root } = this.#layout;
+    tendFocus(root);
+    this.#space = new SpaceBar(this.#layout.stage, () => this.#pause());
     this.#recorder = new Recorder(game.title, () => this.#refresh());
-    this.#help = createHelpDialog(root, game.title, this.#commands.help);
-    this.#controls = this.#listen();
+    this.#help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
+    this.#controls = game.controls && listenToControls(root, game.controls, () => this.#session.sim);
     const watch = game.replay && this.#actions.replay;
-    this.#outcome = game.outcome && createOutcomeCard(root, game.title, () => this.#playAgain(), watch);
-    this.#views = new ViewHost(this.#viewContext(), `${game.title}, drawn live; press H for help`, {
-      onError: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#renderer)]),
-      onRecovery: () => this.#banner.hide(),
-    });
+    this.#outcome =
+      game.outcome &&
+      createOutcomeCard(
+        root,
+        game.title,
+        () => this.#playAgain(),
+        watch,
+        (text) => void this.#share(text),
+      );
+    this.#views = new ViewHost(
+      createViewContext(this.#layout, this.#session, this.#preferences, {
+        isSpaceHeld: () => this.#space.isHeld,
+        toggle: (name) => this.#toggle(name),
+        showMessage: (sentence) => this.#banner.show(sentence, 'note'),
+      }),
+      `${game.title}, drawn live; press H for help`,
+      {
+        onError: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#wanted)]),
+        onRecovery: () => this.#banner.hide(),
+      },
+    );
     this.#applyAppearance();
     if (address.problems.length > 0) this.#banner.show(address.problems.join('\n'), 'note');
   }
 
   async start(): Promise<void> {
-    globalThis.addEventListener('error', (event) => this.#report(event.error ?? event.message));
-    globalThis.addEventListener('unhandledrejection', (event) => this.#report(event.reason));
+    this.#failures.listen();
     listenToKeys(this.#commands.pressed, this.#commands.released);
     if (this.#preferences.reducedMotion && !this.#manual) {
       this.#session.paused = true;
-      this.#banner.show('Paused because reduced motion is on. Press Space or ▶ to start.', 'note');
+      this.#banner.show(`Paused because reduced motion is on. ${resumeHint()}`, 'status');
     }
+    document.addEventListener('visibilitychange', () => document.hidden && this.#pauseHidden());
     await this.#show(this.#renderer);
     if (this.#session.started) globalThis.__game = this.#createHook();
     startLoop(
       (seconds) => this.#frame(seconds),
       (error) => {
         this.#broken = true;
-        this.#report(error);
+        this.#failures.report(error);
       },
     );
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -112,7 +138,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       settings: this.#game.settings,
       values: session.values,
       actions: this.#actions,
-      set: (name, value) => this.#guard(() => this.#set(name, value)),
+      set: (name, value) => this.#failures.guard(() => this.#set(name, value)),
       world: () => (session.started ? session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
       cards: (parent) => {
@@ -130,14 +156,16 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sinceStats += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
     this.#controls?.poll();
-    if (this.#rewinding) this.#rewindBy(seconds * session.speed);
-    else if (!this.#broken && !this.#manual) session.advance(seconds);
-    this.#showOutcome();
+    if (this.#rewinding)
+      this.#rewindBy(seconds * session.speed); // A closure here would allocate in every frame.
+    else if (!this.#broken && !this.#manual && !this.#views.isLost) session.advance(seconds);
+    // A player who rewound may play on, but the score is not ranked.
+    this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
     this.#sidebar?.plot.record(session.sim.world);
     for (let i = 0; i < this.#cards.length; i++) this.#cards[i].record?.(session.sim);
     this.#draw(seconds);
-    if (seconds > 0) this.#timing.frame += 0.1 * (seconds * 1000 - this.#timing.frame);
-    if (session.sim.world.tick !== this.#tick) this.#timing.step += 0.1 * (session.stepTime - this.#timing.step);
+    if (seconds > 0) this.#timing.add(FRAME, seconds * 1000);
+    if (session.sim.world.tick !== this.#tick) this.#timing.add(STEP, session.stepTime);
     this.#tick = session.sim.world.tick;
     if (this.#sinceStats >= STATS_INTERVAL) this.#showStats();
   }
@@ -147,21 +175,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (view === undefined || this.#broken) return;
     const start = performance.now();
     view.draw(this.#session.alpha, seconds);
-    this.#timing.draw += 0.1 * (performance.now() - start - this.#timing.draw);
+    this.#timing.add(DRAW, performance.now() - start);
     this.#recorder.captureFrame(view.canvas);
-  }
-
-  /** A player who rewound may play on, but the score is not ranked. */
-  #showOutcome(): void {
-    const { sim, rewound } = this.#session;
-    const outcome = this.#game.outcome?.(sim);
-    if (outcome === undefined || !rewound) this.#outcome?.show(outcome);
-    else
-      this.#outcome?.show({
-        ...outcome,
-        score: 0,
-        lines: [...outcome.lines, 'Not ranked: you rewound.'],
-      });
   }
 
   #rewindBy(seconds: number): void {
@@ -183,26 +198,33 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (sidebar === undefined) return;
     sidebar.plot.draw();
     for (const card of this.#cards) card.show(sim);
-    const contacts = this.#game.contacts?.(sim);
     sidebar.profile.show(sim.world);
-    const stats = this.#stats;
-    Object.assign(stats, this.#timing);
-    stats.bodies = bodies(sim.world).count;
-    stats.contacts = contacts;
+    const stats = this.#timing.copyTo(this.#stats);
+    stats.bodies = this.#game.bodies?.(sim) ?? bodies(sim.world).count;
+    stats.contacts = this.#game.contacts?.(sim);
     stats.time = sim.world.time;
     sidebar.stats.show(stats);
   }
 
-  /** Opens the view of another renderer. Settings are kept; the world is recreated with the renderer's dimensions. */
+  /**
+   * Opens the view of another renderer. Settings are kept; the world is recreated with the renderer's dimensions. A renderer
+   * whose code cannot be loaded leaves the one before on display.
+   */
   async #show(name: string): Promise<void> {
     const renderer = this.#game.renderers[name];
     if (renderer === undefined) throw new Error(`There is no renderer “${name}”.`);
+    const before = this.#views.view === undefined ? undefined : this.#renderer;
+    this.#wanted = name;
     this.#renderer = name;
     this.#views.close();
     this.#session.dimensions = renderer.dimensions;
     this.#refresh();
-    this.#guard(() => this.#reset());
-    if (this.#session.started) await this.#views.open(renderer);
+    this.#failures.guard(() => this.#reset());
+    const isLoaded = !this.#session.started || (await this.#views.open(renderer));
+    if (!isLoaded && before !== undefined && before !== name && this.#renderer === name) {
+      await this.#show(before);
+      this.#wanted = name;
+    }
   }
 
   #reset(seed?: number): void {
@@ -226,13 +248,22 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   }
 
   #toggle(name: string): void {
-    this.#guard(() => this.#set(name, !this.#session.values[name]));
+    this.#failures.guard(() => this.#set(name, !this.#session.values[name]));
     this.#sidebar?.panel.refresh();
   }
 
   #pause(paused = !this.#session.paused): void {
     this.#session.paused = paused;
+    if (!paused && this.#banner.kind === 'status') this.#banner.hide();
     this.#refresh();
+  }
+
+  /** Nobody plays a page that nobody sees; the player decides when the game goes on. */
+  #pauseHidden(): void {
+    if (this.#session.paused || !this.#session.started) return;
+    this.#pause(true);
+    this.#controls?.releaseAll();
+    if (this.#banner.text === '') this.#banner.show(`Paused while the page was hidden. ${resumeHint()}`, 'status');
   }
 
   #refresh(): void {
@@ -259,44 +290,30 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (this.#sidebar !== undefined) this.#sidebar.plot.safeColors = safeColors;
   }
 
-  /** Listens to keys, touch pad and gamepad if the game has controls. */
-  #listen(): ControlListener | undefined {
-    const { controls } = this.#game;
-    return controls && listenToControls(this.#layout.root, controls, () => this.#session.sim);
-  }
-
   /** Starts another game after the end of one, with the next seed so that it differs. */
   #playAgain(): void {
-    this.#guard(() => this.#reset((this.#session.seed + 1) % 2 ** 32));
+    const { sim, seed } = this.#session;
+    const next = this.#game.outcome?.(sim)?.nextSeed ?? (seed + 1) % 2 ** 32;
+    this.#failures.guard(() => this.#reset(next));
     this.#views.view?.canvas.focus();
   }
 
-  /** Runs an action of the player and reports errors on the banner. */
-  #guard(action: () => void): void {
-    try {
-      action();
-    } catch (error) {
-      this.#report(error);
-    }
-  }
-
-  #report(error: unknown): void {
-    const message = error instanceof Error ? error.message : String(error);
-    console.error(error);
-    this.#banner.show(`Something went wrong: ${message}`, 'error', ['Restart', () => this.#guard(() => this.#reset())]);
-  }
-
-  /** Runs an action that the browser may refuse; a refusal is shown as a note, not as an error. */
+  /** Runs an action on the freshly drawn canvas; the browser may refuse it. */
   #attempt(action: (canvas: HTMLCanvasElement, time: number) => unknown): void {
     const { view } = this.#views;
     if (view === undefined) return;
-    const note = (error: unknown) => this.#banner.show((error as Error).message, 'note');
     this.#draw(0);
-    try {
-      Promise.resolve(action(view.canvas, this.#session.sim.world.time)).catch(note);
-    } catch (error) {
-      note(error);
-    }
+    this.#failures.attempt(() => action(view.canvas, this.#session.sim.world.time));
+  }
+
+  /** Shares a result, or without one copies the link to this game. */
+  async #share(result?: string): Promise<void> {
+    const { values, seed } = this.#session;
+    const link = writeAddress(location.href, this.#game.settings, { values, seed, renderer: this.#renderer });
+    const said = await (result === undefined
+      ? copyLink(link, 'this game')
+      : shareText(result, link, hasCoarsePointer()));
+    if (said !== '') this.#banner.show(said, 'note');
   }
 
   #makeActions(): Actions {
@@ -306,11 +323,15 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       pause: () => this.#pause(),
       step: () => {
         this.#pause(true);
-        this.#guard(() => session.step());
+        this.#failures.guard(() => session.step());
       },
-      reset: () => this.#guard(() => this.#reset()),
+      spaceBar: (down) => this.#space.set(down),
+      reset: () => {
+        this.#failures.guard(() => this.#reset());
+        this.#views.view?.fit();
+      },
       replay: () => {
-        this.#guard(() => this.#replaceWorld(() => session.replay()));
+        this.#failures.guard(() => this.#replaceWorld(() => session.replay()));
         if (!this.#manual) this.#pause(false);
         this.#views.view?.canvas.focus();
       },
@@ -324,7 +345,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       },
       stepBack: () => {
         this.#pause(true);
-        this.#guard(() => this.#restorePast(() => session.stepBack()));
+        this.#failures.guard(() => this.#restorePast(() => session.stepBack()));
       },
       fit: () => this.#views.view?.fit(),
       zoom: (factor) => this.#views.view?.zoom(factor),
@@ -332,6 +353,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       sidebar: () => this.#layout.toggleSidebar(),
       plot: () => this.#sidebar?.plot.next(),
       profile: () => this.#sidebar?.profile.toggle(),
+      copyLink: () => void this.#share(),
       screenshot: () => this.#attempt((canvas, time) => this.#recorder.saveScreenshot(canvas, time)),
       recordVideo: () => this.#attempt((canvas, time) => this.#recorder.toggleVideo(canvas, time)),
       fullScreen: () => this.#attempt(() => toggleFullScreen(this.#layout.root)),
@@ -339,27 +361,6 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       safeColors: () => this.#change({ safeColors: !preferences.safeColors }),
       renderer: (name) => void this.#show(name),
       toggle: (name) => this.#toggle(name),
-    };
-  }
-
-  #viewContext(): ViewContext<S, Sim> {
-    const session = this.#session;
-    const preferences = this.#preferences;
-    return {
-      element: this.#layout.stage,
-      insets: () => this.#layout.insets(),
-      sim: () => session.sim,
-      values: () => session.values,
-      toggle: (name) => this.#toggle(name),
-      alpha: () => session.alpha,
-      dragging: () => session.dragging,
-      get reducedMotion() {
-        return preferences.reducedMotion;
-      },
-      get safeColors() {
-        return preferences.safeColors;
-      },
-      showMessage: (sentence) => this.#banner.show(sentence, 'note'),
     };
   }
 
@@ -374,7 +375,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         ready: this.#views.view !== undefined && this.#sidebar !== undefined,
         renderer: this.#renderer,
         banner: this.#banner.text,
-        timing: { ...this.#timing },
+        timing: this.#timing.copyTo({ frame: 0, step: 0, draw: 0 }),
         game: this.#game.report?.(session.sim) ?? {},
       }),
       body: (index) => bodyState(session, this.#views.view, index),

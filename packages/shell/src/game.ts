@@ -41,6 +41,8 @@ export interface ViewContext<S extends Settings, Sim extends Simulation> {
   readonly alpha: () => number;
   /** The bodies that pointers drag. */
   readonly dragging: () => Dragging;
+  /** Whether the space bar is held: a drag then moves the view. */
+  readonly isSpaceHeld: () => boolean;
   /** The player asked for reduced motion; the view is refreshed when this changes. */
   readonly reducedMotion: boolean;
   /** The player asked for a colour-blind palette, such as `SAFE_COLORS`; the view is refreshed when this changes. */
@@ -86,6 +88,9 @@ export interface GameCard<Sim extends Simulation> {
   show(sim: Sim): void;
 }
 
+/** A line of the help: keys or gestures, what they do, and `keyboard` where a touch screen does not need the line. */
+export type HelpLine = readonly [input: string, description: string, only?: 'keyboard'];
+
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
@@ -103,6 +108,8 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   apply(sim: Sim, name: keyof S & string, values: Readonly<ValuesOf<S>>): boolean;
   /** Assigns colours to bodies: in a new world, and when the player changes the palette. */
   applyColors?(sim: Sim, options: { readonly seed: number; readonly safeColors: boolean }): void;
+  /** How pointers drag bodies; default `dragBodies`. A game of rigid bodies gives `dragByJoints`. */
+  readonly drag?: (world: PhysicsWorld, options: DragOptions) => Dragging;
   /** Changes the target position of a dragged body in place, for example to keep it inside a box. */
   dragLimit?(sim: Sim): DragOptions['limit'];
   /** Largest speed of a dragged or thrown body, m/s; default 50. */
@@ -121,6 +128,12 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   cards?(parent: HTMLElement): readonly GameCard<Sim>[];
   /** Whether the run has come to its end: time then stands still until the player restarts or rewinds. */
   hasEnded?(sim: Sim): boolean;
-  /** Lines of the help: keys or gestures and their descriptions. */
-  readonly help?: readonly (readonly [string, string])[];
+
+  /** Number of bodies in the statistics; default all of the world. A game with a pool of bodies counts those in use. */
+  bodies?(sim: Sim): number;
+  readonly help?: readonly HelpLine[];
+  /** Whether each load of the page begins with another seed, unless the address has one; default false. */
+  readonly variesSeed?: boolean;
+  /** Address of the page with all games, for the link in the toolbar; default none. */
+  readonly home?: string;
 }

@@ -1,10 +1,13 @@
 /** The parts that all games share: loop, settings panel, plot, keyboard, help and error messages. */
 export { type Address, readAddress } from './address.ts';
+export { hasCoarsePointer } from './coarse-pointer.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
+export { copyLink } from './copy-link.ts';
 export { type Dragging, type DragOptions, dragBodies } from './dragging.ts';
 export type {
   GameCard,
   GameDefinition,
+  HelpLine,
   Insets,
   Renderer,
   Simulation,
@@ -13,6 +16,8 @@ export type {
   ViewContext,
 } from './game.ts';
 export { type HighScore, HighScores } from './high-scores.ts';
+export { showHint } from './hint.ts';
+export { dragByJoints } from './joint-dragging.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export type { Outcome } from './outcome-card.ts';
 export { pickBody2D } from './pick.ts';
@@ -34,4 +39,6 @@ export {
   type ValuesOf,
 } from './settings.ts';
 export { startGame } from './start-game.ts';
+export { type SoundShape, Synth } from './synth.ts';
+export { listenToTaps } from './taps.ts';
 export type { BodyState, GameHook, GameState } from './test-hook.ts';

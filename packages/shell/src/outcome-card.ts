@@ -8,32 +8,48 @@ export interface Outcome {
   readonly score: number;
   /** Lines below the title. */
   readonly lines: readonly string[];
+  /** The result in a line, to be shared with a link to the same game. */
+  readonly share?: string;
+  /** Seed of the game that follows; default the next number. */
+  readonly nextSeed?: number;
 }
 
 /** The card at the end of a game. */
 export interface OutcomeCard {
-  /** Shows the result once; undefined hides the card. */
-  show(outcome: Outcome | undefined): void;
+  /**
+   * Shows the result once; undefined hides the card.
+   * @param isRanked false for a player who rewound, whose score does not count
+   */
+  show(outcome: Outcome | undefined, isRanked?: boolean): void;
 }
 
-/** @param again starts another game @param watch replays this one, if possible */
+/**
+ * @param again starts another game
+ * @param watch replays this one, if possible
+ * @param share shares a line and a link to this game
+ */
 export function createOutcomeCard(
   parent: HTMLElement,
   game: string,
   again: () => void,
   watch: (() => void) | undefined,
+  share: (text: string) => void,
 ): OutcomeCard {
   const scores = new HighScores(game);
   const title = element('h2', '');
-  const text = element('div', '');
+  const lines = element('div', '');
   const list = element('ol', '', { 'aria-label': 'High scores' });
   const button = element('button', '', { type: 'button' }, 'Play again');
-  const card = element('section', 'game-outcome', { role: 'alert' }, title, text, list, button);
+  const card = element('section', 'game-outcome', { role: 'alert' }, title, lines, list, button);
   if (watch !== undefined) {
     const replay = element('button', 'second', { type: 'button' }, 'Watch replay');
     replay.addEventListener('click', watch);
     card.append(replay);
   }
+  const send = element('button', 'second', { type: 'button' }, 'Share result');
+  let text = '';
+  send.addEventListener('click', () => share(text));
+  card.append(send);
   card.hidden = true;
   parent.append(card);
   button.addEventListener('click', () => {
@@ -41,24 +57,27 @@ export function createOutcomeCard(
     again();
   });
   let isOver = false;
-  const showOutcome = (outcome: Outcome) => {
-    const rank = scores.add(outcome.score, new Date().toISOString().slice(0, 10));
+  const showOutcome = (outcome: Outcome, isRanked: boolean) => {
+    const rank = isRanked ? scores.add(outcome.score, new Date().toISOString().slice(0, 10)) : -1;
     title.textContent = outcome.title;
-    const lines = rank === 0 ? [...outcome.lines, 'New high score!'] : outcome.lines;
-    text.replaceChildren(...lines.map((line) => element('p', '', {}, line)));
+    const more = isRanked ? (rank === 0 ? ['New high score!'] : []) : ['Not ranked: you rewound.'];
+    const texts = [...outcome.lines, ...more];
+    lines.replaceChildren(...texts.map((line) => element('p', '', {}, line)));
     const rows = scores.list.map(({ score, day }, i) =>
       element('li', i === rank ? 'new' : '', {}, element('b', '', {}, String(score)), ` ${day}`),
     );
     list.replaceChildren(...rows);
+    text = outcome.share ?? '';
+    send.hidden = text === '';
     button.focus({ preventScroll: true });
   };
   return {
     // Called in every frame: a function that contains closures would allocate in each call, so this one has none.
-    show(outcome) {
+    show(outcome, isRanked = true) {
       if ((outcome !== undefined) === isOver) return;
       isOver = outcome !== undefined;
       card.hidden = !isOver;
-      if (outcome !== undefined) showOutcome(outcome);
+      if (outcome !== undefined) showOutcome(outcome, isRanked);
     },
   };
 }

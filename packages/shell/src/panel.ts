@@ -20,7 +20,7 @@ export function createPanel(
   onChange: (name: string, value: unknown) => void,
 ): Panel {
   const gui = new GUI({ container: parent, title: 'Settings' });
-  const controllers = Object.entries(settings).map(([name, setting]) => {
+  const controllers = Object.entries(settings).flatMap(([name, setting]) => {
     const proxy = Object.defineProperty({} as Record<string, never>, name, {
       get: () => values[name],
       set: (value) => onChange(name, value),
@@ -30,13 +30,43 @@ export function createPanel(
     const unit = setting.kind === 'number' && setting.unit !== '' ? `, ${setting.unit}` : '';
     controller.name(`${setting.label}${unit}`);
     if (setting.about !== undefined) controller.domElement.title = setting.about;
-    return controller;
+    if (setting.kind !== 'number' || setting.presets === undefined) return [controller];
+    return [
+      controller,
+      addPresets(
+        gui,
+        setting.presets,
+        () => values[name] as number,
+        (value) => onChange(name, value),
+      ),
+    ];
   });
   return {
     refresh() {
       for (const controller of controllers) controller.updateDisplay();
     },
   };
+}
+
+/** Label of a value that has no name. */
+const OWN = 'as above';
+
+/** A list of named values of a slider. */
+function addPresets(
+  gui: GUI,
+  presets: Readonly<Record<string, number>>,
+  read: () => number,
+  write: (value: number) => void,
+): Controller {
+  const proxy = {
+    get named() {
+      return Object.keys(presets).find((name) => presets[name] === read()) ?? OWN;
+    },
+    set named(name: string) {
+      if (name !== OWN) write(presets[name]);
+    },
+  };
+  return gui.add(proxy, 'named', [OWN, ...Object.keys(presets)]).name('');
 }
 
 function addController(gui: GUI, proxy: Record<string, never>, name: string, setting: Setting): Controller {

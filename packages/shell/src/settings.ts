@@ -13,6 +13,8 @@ export interface NumberSetting {
   readonly step?: number;
   /** `log` selects a logarithmic slider; `min` must then be positive. */
   readonly scale?: 'linear' | 'log';
+  /** Values with names, offered as a list below the slider. */
+  readonly presets?: Readonly<Record<string, number>>;
   /** Tooltip of one line. */
   readonly about?: string;
 }

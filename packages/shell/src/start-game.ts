@@ -15,5 +15,7 @@ export async function startGame<S extends Settings, Sim extends Simulation>(
   problems: readonly string[] = [],
 ): Promise<void> {
   const address = readAddress(query, game.settings, Object.keys(game.renderers));
-  await new GameApp(game, { ...address, problems: [...problems, ...address.problems] }).start();
+  const varies = game.variesSeed === true && !address.manual && !new URLSearchParams(query).has('seed');
+  const seed = varies ? 1 + (Date.now() % 999_983) : address.seed;
+  await new GameApp(game, { ...address, seed, problems: [...problems, ...address.problems] }).start();
 }

@@ -6,20 +6,21 @@ const styles = `
 html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game { --ink: #eef1fb; --dim: #97a3c7; --accent: #ffc15e; --card: #141b36d9; --line: #ffffff1c;
   position: fixed; inset: 0; color: var(--ink); font: 14px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif;
-  background: radial-gradient(110% 95% at 42% 12%, #2c3a72 0%, #1a2349 45%, #0d1226 100%); user-select: none;
+  background: radial-gradient(110% 95% at 42% 12%, #2c3a72 0%, #1a2349 45%, #0d1226 100%); user-select: none; direction: ltr;
   -webkit-text-size-adjust: 100%; text-size-adjust: 100%; -webkit-user-select: none; -webkit-tap-highlight-color: transparent }
 .game [hidden] { display: none !important }
 .game-stage { position: absolute; inset: 0; overflow: hidden }
 .game-stage canvas { display: block; outline: none }
-.game-stage canvas:focus-visible { box-shadow: inset 0 0 0 2px var(--accent) }
+.game[data-tabbing] .game-stage canvas:focus-visible { box-shadow: inset 0 0 0 2px var(--accent) }
+.game-side :is(input, select, button):focus-visible { outline: 2px solid var(--accent); outline-offset: 1px }
 .game-bar { position: absolute; left: 0; top: 0; display: flex; align-items: center; gap: 6px; flex-wrap: wrap;
   padding: max(12px, env(safe-area-inset-top)) 16px 8px max(20px, env(safe-area-inset-left)); pointer-events: none }
 .game-title { margin: 0 14px 0 0; font-size: 20px; font-weight: 650; letter-spacing: -0.01em }
-.game-bar button { pointer-events: auto; min-width: 38px; height: 38px; padding: 0 9px; display: grid; place-items: center;
+.game-bar :is(button, a) { pointer-events: auto; min-width: 38px; height: 38px; padding: 0 9px; display: grid; place-items: center; box-sizing: border-box;
   border: 1px solid var(--line); border-radius: 11px; background: var(--card); color: var(--ink);
   font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation; transition: background .15s }
-.game-bar button:hover { background: #2b3766 }
-.game-bar button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
+.game-bar :is(button, a):hover { background: #2b3766 }
+.game-bar :is(button, a):focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 .game-bar button[aria-pressed=true] { background: var(--accent); border-color: transparent; color: #1c1503 }
 .game-bar svg { width: 18px; height: 18px; fill: currentColor }
 .game-side { position: absolute; top: 12px; right: 12px; width: 264px; max-height: calc(100% - 24px); overflow: hidden auto;
@@ -55,7 +56,10 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   box-sizing: border-box; width: max-content; max-width: min(680px, calc(100% - 32px)); display: flex; gap: 12px;
   align-items: center; padding: 12px 14px 12px 18px; border-radius: 14px; background: #30142bf2;
   border: 1px solid #ff8b9a66; color: #ffdfe3; box-shadow: 0 12px 40px #0008; user-select: text; z-index: 3 }
-.game-banner[data-kind=note] { background: #18224af2; border-color: #9bb4ff55; color: #dfe7ff }
+/* Notes lie below the bar, where they cover neither the controls of a game nor its ground. */
+.game-banner:not([data-kind=error]) { bottom: auto; top: calc(max(12px, env(safe-area-inset-top)) + 54px); padding: 7px 8px 7px 16px;
+  background: #18224af2; border-color: #9bb4ff55; color: #dfe7ff }
+.game:has(.game-side:not([hidden])) .game-banner { left: calc(50% - 144px); max-width: min(680px, calc(100% - 320px)) }
 .game-banner p { margin: 0; white-space: pre-line; overflow-wrap: anywhere }
 .game-banner button, .game-help button { flex: none; border: 1px solid #ffffff30; border-radius: 9px; background: #ffffff14;
   color: inherit; font: inherit; padding: 5px 12px; cursor: pointer }
@@ -66,14 +70,23 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
 .game-pad { position: absolute; right: max(20px, env(safe-area-inset-right)); bottom: max(24px, env(safe-area-inset-bottom));
-  display: none; grid: "action up ." 64px "left . right" 64px ". down ." 64px / 64px 64px 64px; gap: 4px; z-index: 2 }
+  display: none; grid: ". up ." 64px "left . right" 64px ". down ." 64px / 64px 64px 64px; gap: 4px; z-index: 2;
+  pointer-events: none } .game-pad > * { pointer-events: auto }
 .game-pad button { border: 1px solid #ffffff38; border-radius: 20px; background: #ffffff1c; color: var(--ink);
   font: 600 20px/1 inherit; font-family: inherit; touch-action: none }
 .game-pad button:active { background: #ffffff48 }
 .game-pad [data-name=up] { grid-area: up } .game-pad [data-name=down] { grid-area: down }
 .game-pad [data-name=left] { grid-area: left } .game-pad [data-name=right] { grid-area: right }
-.game-pad [data-name=action] { grid-area: action }
-@media (pointer: coarse) { .game-pad { display: grid } }
+.game-stick { grid-column: 2 / 4; grid-row: 2 / 4; width: 132px; height: 132px; border-radius: 50%; border: 1px solid #ffffff38;
+  background: #ffffff14; touch-action: none; display: grid; place-items: center }
+.game-stick i { width: 56px; height: 56px; border-radius: 50%; background: #ffffff3c; border: 1px solid #ffffff60; pointer-events: none }
+/* The action lies apart from the directions, so that a thumb that steers does not hit it. */
+.game-pad [data-name=action] { position: fixed; left: max(20px, env(safe-area-inset-left)); bottom: max(24px, env(safe-area-inset-bottom));
+  width: 64px; height: 64px }
+@media (pointer: coarse) { .game-pad { display: grid } .game-bar :is(button, a) { min-width: 44px; height: 44px }
+  .game-side .lil-gui { --row-height: 44px; --widget-height: 34px; --checkbox-size: 26px }
+  .game-tools button, .game-banner button, .game-help button, .game-outcome button { min-height: 44px; min-width: 44px }
+  .game-card select, .game-card input { min-height: 34px } }
 .game-outcome { position: absolute; left: 50%; top: 50%; translate: -50% -50%; min-width: 240px; padding: 24px 32px 26px;
   border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;
   z-index: 2 }
@@ -87,6 +100,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
 .game-outcome button.second { margin-left: 10px; background: #ffffff1c; color: var(--ink) }
 .game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
+.game-hint { position: absolute; left: 16px; right: 16px; bottom: max(14px, env(safe-area-inset-bottom)); margin: 0; pointer-events: none;
+  text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
+@media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
 .game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
 .u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }
@@ -97,8 +113,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 @media ${NARROW} { .game-side { top: 66px; max-height: calc(100% - 78px) }
   .game:has(.game-side:not([hidden])) .game-bar { right: 0 }
   .game:has(.game-side:not([hidden])) .game-pad { display: none }
+  .game:has(.game-side:not([hidden])) .game-banner { left: 50%; max-width: calc(100% - 32px) }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
-  .game-bar button { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
+  .game-bar :is(button, a) { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
 .game-sheet .game-side { width: 320px } .game-sheet .game-side .lil-gui { --width: 320px }
 @media (min-width: 760px) and (min-height: 480px) { .game-sheet:has(.game-side:not([hidden])) > .game-bar { right: 344px } }
 @media (max-width: 759px) { .game-sheet .game-side { top: 54%; right: 0; bottom: 0; left: 0; width: auto; max-height: none; border-radius: 18px 18px 0 0 }
@@ -106,7 +123,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 @media (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
   .game-sheet:has(.game-side:not([hidden])) > .game-bar { right: 316px } .game-sheet .game-pad { right: 324px } }
 @media (min-width: 860px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
-@media (max-width: 520px) { .game-bar [data-minor] { display: none }
+@media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
   .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(0, 27%) 1fr } }
 .game[data-reduced-motion] * { transition: none !important; animation: none !important }
 `;

@@ -21,26 +21,37 @@ const ICONS = {
   step: 'M5 4l10 8-10 8zM16 4h3v16h-3z',
   slow: 'M12 3a9 9 0 1 0 9 9h-2.6a6.4 6.4 0 1 1-6.4-6.4zM11 7h2.4v4.2l3.4 2.2-1.3 2L11 12.6z',
   reset: 'M12 5V1L6 6.5 12 12V8a5.5 5.5 0 1 1-5.5 5.5h-3A8.5 8.5 0 1 0 12 5z',
-  fit: 'M3 3h7v3H6v4H3zM14 3h7v7h-3V6h-4zM3 14h3v4h4v3H3zM18 14h3v7h-7v-3h4z',
+  fit: 'M11 2h2v4h-2zM11 18h2v4h-2zM2 11h4v2H2zM18 11h4v2h-4zM12 7.6a4.4 4.4 0 1 0 0 8.8 4.4 4.4 0 0 0 0-8.8zM12 10a2 2 0 1 1 0 4 2 2 0 0 1 0-4z',
+  home: 'M12 3 2.5 11H5v9.5h5.5V14h3v6.5H19V11h2.5z',
   panel: 'M3 5h10v2.4H3zM17 5h4v2.4h-4zM13 3h4v6.4h-4zM3 16.6h4V19H3zM11 16.6h10V19H11zM7 14.6h4V21H7z',
 } as const;
 
-/** @param renderers pairs of name and label; a single renderer has no switch */
+/**
+ * @param renderers pairs of name and label; a single renderer has no switch
+ * @param home address of the page with all games, if there is one
+ */
 export function createToolbar(
   bar: HTMLElement,
   actions: Actions,
   renderers: readonly (readonly [string, string])[],
+  home?: string,
 ): Toolbar {
+  if (home !== undefined) bar.prepend(homeLink(home));
   const pause = iconButton('pause', 'Pause (Space)', actions.pause);
   const rewind = holdButton(actions);
   const slow = iconButton('slow', 'Slow motion (S)', actions.slow);
-  const fit = iconButton('fit', 'Fit to screen (F)', actions.fit);
+  const fit = iconButton('fit', 'Show everything (F)', actions.fit);
   const step = iconButton('step', 'One step (.)', actions.step);
   // Narrow windows hide the buttons whose function a key or the panel has too.
   for (const button of [fit, step, slow]) button.dataset.minor = '';
   bar.append(rewind, pause, step, slow, iconButton('reset', 'Restart (R)', actions.reset), fit);
   const switches = renderers.map(([name, label]) => {
-    const button = element('button', '', { type: 'button', title: `Draw in ${label} (${label[0]})` }, label);
+    const button = element(
+      'button',
+      '',
+      { type: 'button', title: `Draw in ${label} (${label[0]})`, 'data-renderer': name },
+      label,
+    );
     button.addEventListener('click', () => actions.renderer(name));
     if (renderers.length > 1) bar.append(button);
     return { name, button };
@@ -56,6 +67,12 @@ export function createToolbar(
       for (const { name, button } of switches) button.setAttribute('aria-pressed', String(name === renderer));
     },
   };
+}
+
+function homeLink(address: string): HTMLAnchorElement {
+  const link = element('a', '', { href: address, title: 'All games', 'aria-label': 'All games' });
+  link.innerHTML = svg('home');
+  return link;
 }
 
 /** Rewinds while it is held down; activated by keyboard, it steps back once. */
@@ -88,5 +105,9 @@ function setIcon(button: HTMLButtonElement, icon: keyof typeof ICONS, title: str
   if (button.title === title) return;
   button.title = title;
   button.setAttribute('aria-label', title);
-  button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[icon]}"/></svg>`;
+  button.innerHTML = svg(icon);
+}
+
+function svg(icon: keyof typeof ICONS): string {
+  return `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[icon]}"/></svg>`;
 }

@@ -24,8 +24,9 @@ export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay
     return button;
   };
   if (canReplay) add('Replay', 'Replay this game from its beginning (Z)', actions.replay);
+  add('Copy link', 'Copy a link to this game with its settings and seed', actions.copyLink);
   add('Screenshot', 'Save a screenshot (I)', actions.screenshot);
-  const video = add('Record video', 'Record video (M)', actions.recordVideo);
+  const video = add('Record video', 'Record video (J)', actions.recordVideo);
   add('Full screen', 'Full screen (W)', actions.fullScreen);
   const motion = add('Reduced motion', 'Reduced motion (X)', actions.reducedMotion);
   const colors = add('Colour-blind palette', 'Colour-blind palette (Y)', actions.safeColors);

@@ -12,6 +12,8 @@ export interface ViewHostEvents {
 /** Owns the view on display and switches between renderers. */
 export class ViewHost<S extends Settings, Sim extends Simulation> {
   view: View | undefined;
+  /** The graphics context of the view is lost. */
+  isLost = false;
   readonly #context: ViewContext<S, Sim>;
   readonly #events: ViewHostEvents;
   readonly #label: string;
@@ -24,8 +26,11 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
     this.#events = events;
   }
 
-  /** Closes the present view and opens one of `renderer`. Resolves when the view is open or has failed. */
-  async open(renderer: Renderer<S, Sim>): Promise<void> {
+  /**
+   * Closes the present view and opens one of `renderer`. Resolves when the view is open or has failed.
+   * @returns false where its code could not be loaded
+   */
+  async open(renderer: Renderer<S, Sim>): Promise<boolean> {
     const ticket = ++this.#wanted;
     this.close();
     try {
@@ -35,12 +40,15 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
       else this.#show(view);
     } catch (error) {
       if (ticket === this.#wanted) this.#events.onError(openingSentence(renderer.label, error));
+      return !isLoadingError(error);
     }
+    return true;
   }
 
   close(): void {
     const { view } = this;
     this.view = undefined;
+    this.isLost = false;
     view?.destroy();
     this.#context.element.replaceChildren();
   }
@@ -53,16 +61,27 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
     canvas.setAttribute('aria-label', this.#label);
     canvas.addEventListener('webglcontextlost', () => {
       if (this.view === view) {
+        this.isLost = true;
         this.#events.onError('Graphics interrupted – restoring…');
       }
     });
     canvas.addEventListener('webglcontextrestored', () => {
-      if (this.view === view) this.#events.onRecovery();
+      if (this.view !== view) return;
+      this.isLost = false;
+      this.#events.onRecovery();
     });
   }
 }
 
+/** Chromium, Firefox and Safari report a module that they cannot fetch as a `TypeError` with a text of their own. */
+export function isLoadingError(error: unknown): boolean {
+  return error instanceof TypeError && /dynamically imported module|importing a module script/i.test(error.message);
+}
+
 function openingSentence(label: string, error: unknown): string {
+  if (isLoadingError(error)) {
+    return `The ${label} view could not be loaded. Check the connection to the internet, then try again.`;
+  }
   const canDraw = document.createElement('canvas').getContext('webgl2') !== null;
   if (!canDraw) {
     return 'This browser offers no WebGL 2, which the picture needs. Turn hardware acceleration on, or try another browser.';

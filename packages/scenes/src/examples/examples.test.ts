@@ -1,7 +1,7 @@
 /** Every example: its description is complete, it runs without a fault, repeats itself, and its figures are right. */
-import { stateHash, step } from '@principia/physics';
+import { type Integrator, stateHash, step } from '@principia/physics';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
-import type { Example, ExampleOptions, ExampleRun } from './define-example.ts';
+import type { Example, ExampleRun } from './define-example.ts';
 import { EXAMPLES } from './examples.gen.ts';
 import { now, type Picture } from './picture.ts';
 
@@ -25,16 +25,12 @@ function runToEnd(run: ExampleRun, { duration }: Example): void {
   }
 }
 
-/** The runs that the checks need: with the defaults, with each integrator that they name, and with each preset. */
-function runsOf({ checks, presets }: Example): (ExampleOptions & { preset?: string })[] {
-  const integrators = new Set(checks.flatMap(({ integrator }) => integrator ?? []));
-  const labels = new Set(checks.flatMap(({ preset }) => preset ?? []));
-  const ofPreset = [...labels].map((label) => {
-    const values = presets.find((each) => each.label === label)?.values as Record<string, number> | undefined;
-    if (values === undefined) throw new Error(`a check names the preset "${label}", which is not there`);
-    return { preset: label, values };
-  });
-  return [{}, ...[...integrators].map((integrator) => ({ integrator })), ...ofPreset];
+/** What the checks name: integrators, with the default values or a preset; first the example's own. */
+function settingsOf({ checks }: Example): { integrator: Integrator | undefined; preset: string | undefined }[] {
+  const settings = [{ integrator: undefined, preset: undefined }, ...checks];
+  return settings
+    .map(({ integrator, preset }) => ({ integrator, preset }))
+    .filter((a, i, all) => i === all.findIndex((b) => a.integrator === b.integrator && a.preset === b.preset));
 }
 
 describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, entry) => {
@@ -69,16 +65,17 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
       vi.spyOn(console, name).mockImplementation((...text) => void messages.push(text)),
     );
     const judged = new Set<number>();
-    const hashes = runsOf(example).flatMap(({ preset, ...options }) =>
-      [0, 1].map(() => {
+    const hashes = settingsOf(example).flatMap(({ integrator, preset }) => {
+      const { values = {} } = example.presets.find(({ label }) => label === preset) ?? {};
+      const options = { values: values as Record<string, number>, ...(integrator === undefined ? {} : { integrator }) };
+      return [0, 1].map(() => {
         const run = example.start(options);
         runToEnd(run, example);
         for (const [i, state] of run.checkStates().entries()) {
-          const check = example.checks[i];
-          const { label } = check;
-          // A figure without an integrator is about the example's own, and one without a preset about the defaults.
-          const isAbout = check.preset === preset && (check.integrator ?? options.integrator) === check.integrator;
-          if (state.state === 'not applicable' || !isAbout) continue;
+          const { label, integrator: wanted, preset: meant } = example.checks[i];
+          // A figure without an integrator is about the example's own, and one without a preset about the default values.
+          const isOther = (wanted === undefined && integrator !== undefined) || meant !== preset;
+          if (state.state === 'not applicable' || isOther) continue;
           judged.add(i);
           expect(state.state, `${label}: ${state.computed} instead of ${state.exact}, off by ${state.error}`).toBe(
             'passed',
@@ -86,8 +83,8 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
         }
         expect(run.world.faults.faults).toEqual([]);
         return stateHash(run.world);
-      }),
-    );
+      });
+    });
     for (let i = 0; i < hashes.length; i += 2) expect(hashes[i]).toBe(hashes[i + 1]);
     expect([...judged].sort((a, b) => a - b)).toEqual(example.checks.map((_, i) => i));
     for (const spy of spies) spy.mockRestore();

@@ -97,12 +97,10 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
   return {
     canvas,
     refresh(change) {
-      if (change === 'setting') {
-        shown.picture.refresh?.();
-        return;
-      }
+      if (change === 'setting') return shown.picture.refresh?.();
       shown.picture.destroy();
       shown = show(context, options, content);
+      if (isFitted) fitAll();
     },
     draw(alpha) {
       applyCamera(content, camera, viewport);
@@ -196,6 +194,7 @@ function dragByPointers<S extends Settings, Sim extends Simulation>(
     pick,
     onNavigate,
     zoomLimits,
+    primaryPans: context.isSpaceHeld,
     onGrab(id, x, cameraY, pointer) {
       const y = up() * cameraY;
       canvas.style.cursor = 'grabbing';

@@ -1,2 +1,8 @@
 /** Views drawn by three.js. They are a separate entry point so that a page loads no renderer that it does not show. */
-export { type BoxBounds, openThreeView, type ThreePicture, type ThreeViewOptions } from './three-view.ts';
+export {
+  type BoxBounds,
+  openThreeView,
+  type ThreePicture,
+  type ThreeView,
+  type ThreeViewOptions,
+} from './three-view.ts';

@@ -6,7 +6,17 @@ import {
   listenToBodyDragging,
   type OrbitCamera,
 } from '@principia/render-three';
-import { Box3, type Object3D, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import {
+  Box3,
+  type Object3D,
+  PerspectiveCamera,
+  Plane,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import type { Simulation, View, ViewContext } from '../game.ts';
 import type { Settings } from '../settings.ts';
 import { fitView } from './fit-view.ts';
@@ -44,11 +54,17 @@ export interface ThreeViewOptions<Sim extends Simulation> {
   readonly shadows?: boolean;
 }
 
+/** A view of three dimensions. */
+export interface ThreeView extends View {
+  /** The point under a place on the canvas, CSS pixels, in the plane through the middle of the bounds that faces the camera. */
+  pointUnder(x: number, y: number): { x: number; y: number; z: number };
+}
+
 /** Opens a view in `context`; returned by a renderer's `open`. */
 export async function openThreeView<S extends Settings, Sim extends Simulation>(
   context: ViewContext<S, Sim>,
   options: ThreeViewOptions<Sim>,
-): Promise<View> {
+): Promise<ThreeView> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
   const canvas = renderer.domElement;
   context.element.append(canvas);
@@ -60,10 +76,13 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
   orbit.controls.addEventListener('start', () => {
     isFitted = false;
   });
+  const visibleBox = () => {
+    const { min, max } = options.bounds(context.sim());
+    return new Box3(new Vector3().copy(min), new Vector3().copy(max));
+  };
   const fitAll = () => {
     isFitted = true;
-    const { min, max } = options.bounds(context.sim());
-    const box = new Box3(new Vector3().copy(min), new Vector3().copy(max));
+    const box = visibleBox();
     fitView(camera, box, viewport, context.insets(), () => orbit.fit(box));
   };
   const viewport = fitRendererToParent(renderer, camera, {
@@ -76,10 +95,7 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
   return {
     canvas,
     refresh(change) {
-      if (change === 'setting') {
-        picture.refresh?.();
-        return;
-      }
+      if (change === 'setting') return picture.refresh?.();
       dragging.destroy();
       hide(picture, scene);
       picture = show(context, options, scene);
@@ -103,6 +119,7 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
       orbit.controls.target.fromArray(numbers, 3);
     },
     toScreen: (x, y, z) => toScreen(camera, viewport, x, y, z),
+    pointUnder: (x, y) => pointUnder(camera, viewport, visibleBox().getCenter(new Vector3()), x, y),
     destroy() {
       dragging.destroy();
       hide(picture, scene);
@@ -153,6 +170,20 @@ function toScreen(
   camera.updateMatrixWorld();
   const place = new Vector3(x, y, z).project(camera);
   return { x: ((place.x + 1) / 2) * width, y: ((1 - place.y) / 2) * height };
+}
+
+function pointUnder(
+  camera: PerspectiveCamera,
+  { width, height }: { readonly width: number; readonly height: number },
+  middle: Vector3,
+  x: number,
+  y: number,
+): Vector3 {
+  camera.updateMatrixWorld();
+  const ray = new Raycaster();
+  ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), camera);
+  const plane = new Plane().setFromNormalAndCoplanarPoint(camera.getWorldDirection(new Vector3()), middle);
+  return ray.ray.intersectPlane(plane, new Vector3()) ?? middle;
 }
 
 function listenTo<S extends Settings, Sim extends Simulation>(

@@ -1,20 +1,17 @@
-import { cos, createPhysicsWorld, exp, linearDrag, rungeKutta4, sin, spawn, springs } from '@principia/physics';
+import { createPhysicsWorld, linearDrag, rungeKutta4, spawn, springs } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { displacement } from '../support/damped-oscillator.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 const CENTRE = 350;
 const AMPLITUDE = 250;
+/** Damping with which 10 N/m and 1 kg just do not oscillate, 2 √(k m). */
+const CRITICAL = 2 * Math.sqrt(10);
 
-/** Exact position of an underdamped oscillator of 1 kg that starts at rest. */
-function exactX(t: number, { stiffness, damping }: ValuesOf<'stiffness' | 'damping'>): number {
-  const gamma = damping / 2;
-  const omega = Math.sqrt(stiffness - gamma * gamma);
-  return CENTRE - AMPLITUDE * exp(-gamma * t) * (cos(omega * t) + (gamma / omega) * sin(omega * t));
-}
-
-const frequency = ({ stiffness, damping }: ValuesOf<'stiffness' | 'damping'>) =>
-  Math.sqrt(stiffness - (damping * damping) / 4);
+/** Exact position of an oscillator of 1 kg that starts at rest. */
+const exactX = (t: number, values: ValuesOf<'stiffness' | 'damping'>) =>
+  CENTRE + displacement(values, -AMPLITUDE, 0, t);
 
 export default defineExample({
   id: 'ch08-damped',
@@ -26,8 +23,12 @@ export default defineExample({
   duration: 20,
   parameters: {
     stiffness: { label: 'Stiffness of the spring', unit: 'N/m', initial: 10, min: 1, max: 40 },
-    damping: { label: 'Damping c', unit: 'kg/s', initial: 0.5, min: 0, max: 1.9 },
+    damping: { label: 'Damping c', unit: 'kg/s', initial: 0.5, min: 0, max: 25 },
   },
+  presets: [
+    { label: 'Critical damping', values: { damping: CRITICAL } },
+    { label: 'Strong damping', values: { damping: 20 } },
+  ],
   build({ stiffness, damping }, { integrator = rungeKutta4 }) {
     const world = createPhysicsWorld({ capacity: 8, forces: [linearDrag(), springs()], integrator });
     const wall = spawn(world, { position: { x: CENTRE, y: 250 } });
@@ -71,7 +72,7 @@ export default defineExample({
     {
       label: 'Period, 2π/√(k/m − c²/4m²)',
       unit: 's',
-      exact: (values) => (2 * Math.PI) / frequency(values),
+      exact: 1.993156,
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, ball }) => positionOf(world, ball).x - CENTRE, from: 1, to: 2 },
       measure: ({ world }) => world.time,
@@ -84,8 +85,35 @@ export default defineExample({
       at: { time: 10 },
       measure: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
     },
+    {
+      label: 'Amplitude after one period, exp(−ζ ω T) of the first',
+      unit: '',
+      exact: 0.607569,
+      tolerance: { relative: 1e-3 },
+      at: { event: ({ world, ball }) => velocityOf(world, ball).x },
+      measure: ({ world, ball }) => (positionOf(world, ball).x - CENTRE) / -AMPLITUDE,
+    },
+    {
+      label: 'Largest displacement to the right: it does not swing through',
+      unit: 'px',
+      exact: 0,
+      tolerance: { absolute: 1e-9 },
+      at: { until: 20, take: 'largest' },
+      measure: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
+      preset: 'Critical damping',
+    },
+    {
+      label: 'Displacement after 10 s of strong damping: it creeps',
+      unit: 'px',
+      exact: (values) => exactX(10, values) - CENTRE,
+      tolerance: { relative: 1e-3 },
+      at: { time: 10 },
+      measure: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
+      preset: 'Strong damping',
+    },
   ],
   tryThis: [
+    'Choose “Critical damping”, as in a good door closer: the ball comes to rest soonest without swinging through.',
     'Set the damping to zero: the ball swings for ever.',
     'Watch the second plot: the path winds into the middle; without damping it closes.',
   ],

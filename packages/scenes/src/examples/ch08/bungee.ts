@@ -1,0 +1,136 @@
+import { createPhysicsWorld, quadraticDrag, spawn, springs, uniformGravity } from '@principia/physics';
+import { defineExample, type ValuesOf } from '../define-example.ts';
+import { COLORS, type Point } from '../picture.ts';
+import { forceArrow, velocityArrow } from '../support/arrows.ts';
+import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
+
+const BRIDGE = { x: 350, y: 50 };
+const [GRAVITY, STIFFNESS] = [20, 25];
+
+type Values = ValuesOf<'mass' | 'cord' | 'drag' | 'aside'>;
+
+/** Lowest point of a jump without drag, from the energy. */
+function lowest({ mass, cord }: Values): number {
+  const weight = mass * GRAVITY;
+  return BRIDGE.y + cord + (weight + Math.sqrt(weight * weight + 2 * weight * STIFFNESS * cord)) / STIFFNESS;
+}
+
+export default defineExample({
+  id: 'ch08-bungee',
+  title: 'A bungee jump',
+  chapter: 8,
+  tags: ['spring', 'gravity', 'energy', 'oscillation'],
+  about:
+    'The jumper falls freely until the cord is taut. Then the cord pulls, the harder the longer it is; it never pushes. At the lowest point all the energy of the fall is in the cord, which throws the jumper up again. Drag makes each swing smaller.',
+  duration: 60,
+  parameters: {
+    mass: { label: 'Mass of the jumper', unit: 'kg', initial: 90, min: 40, max: 120 },
+    cord: { label: 'Length of the cord', unit: 'px', initial: 100, min: 40, max: 150 },
+    drag: { label: 'Drag coefficient', unit: 'kg/px', initial: 0.02, min: 0, max: 10 },
+    aside: { label: 'Jumps from the left by', unit: 'px', initial: 0, min: 0, max: 90 },
+  },
+  presets: [
+    { label: 'No drag', values: { drag: 0 } },
+    { label: 'From the side', values: { aside: 50 } },
+    { label: 'In thick oil', values: { drag: 10 } },
+  ],
+  build({ mass, cord, drag, aside }, options) {
+    const forces = [uniformGravity({ y: GRAVITY }), quadraticDrag(), springs()];
+    const world = createPhysicsWorld({ capacity: 8, forces, ...options });
+    const bridge = spawn(world, { position: BRIDGE });
+    const position = { x: BRIDGE.x - aside, y: BRIDGE.y };
+    const jumper = spawn(world, { position, mass, collider: 8, quadraticDrag: drag });
+    spawn(world, { spring: { a: bridge, b: jumper, stiffness: STIFFNESS, length: cord, tensionOnly: 1 } });
+    return { world, dt: 1 / 60, jumper };
+  },
+  picture({ world, jumper }, { mass, cord }) {
+    const at = () => positionOf(world, jumper);
+    const pull = (): Point => {
+      const [{ x, y }, length] = [at(), distanceBetween(at(), BRIDGE)];
+      const tension = Math.max(0, STIFFNESS * (length - cord)) / Math.max(length, 1e-9);
+      return { x: tension * (BRIDGE.x - x), y: tension * (BRIDGE.y - y) };
+    };
+    const limb = (x: number, y: number, toX: number, toY: number) => ({
+      from: () => ({ x: at().x + x, y: at().y + y }),
+      to: () => ({ x: at().x + toX, y: at().y + toY }),
+      width: 3,
+    });
+    return {
+      yDown: true,
+      view: { minX: 100, maxX: 600, minY: 20, maxY: 430 },
+      fills: [
+        { shape: { minX: 60, maxX: 640, minY: 34, maxY: 48 }, color: COLORS.ground },
+        { shape: { minX: -500, maxX: 1500, minY: 400, maxY: 900 }, color: COLORS.water, opacity: 0.6 },
+      ],
+      springs: 'lines',
+      lines: [limb(0, 8, 0, 26), limb(0, 26, -6, 38), limb(0, 26, 6, 38), limb(-9, 14, 9, 14)],
+      arrows: [
+        forceArrow(world, jumper, 'weight', () => ({ x: 0, y: mass * GRAVITY }), 0.02),
+        { ...forceArrow(world, jumper, 'cord', pull, 0.02), color: COLORS.yellow },
+        velocityArrow(world, jumper, 0.6),
+      ],
+    };
+  },
+  plots: [
+    {
+      title: 'Depth below the bridge',
+      y: { label: 'depth, px' },
+      series: [{ label: 'jumper', value: ({ world, jumper }) => positionOf(world, jumper).y - BRIDGE.y }],
+    },
+    {
+      title: 'Speed downwards',
+      y: { label: 'v, px/s' },
+      series: [{ label: 'jumper', value: ({ world, jumper }) => velocityOf(world, jumper).y }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Lowest point, from the top',
+      unit: 'px',
+      exact: 356.1,
+      tolerance: { relative: 0.005 },
+      at: { until: 12, take: 'largest' },
+      measure: ({ world, jumper }) => positionOf(world, jumper).y,
+    },
+    {
+      label: 'Lowest point without drag, from the energy',
+      unit: 'px',
+      exact: lowest,
+      tolerance: { relative: 0.005 },
+      at: { until: 12, take: 'largest' },
+      measure: ({ world, jumper }) => positionOf(world, jumper).y,
+      preset: 'No drag',
+    },
+    {
+      label: 'Time until the cord is taut, √(2L/g)',
+      unit: 's',
+      exact: 3.162,
+      tolerance: { relative: 0.005 },
+      at: { event: ({ world, jumper }) => positionOf(world, jumper).y - 150 },
+      measure: ({ world }) => world.time,
+      preset: 'No drag',
+    },
+    {
+      label: 'Speed then, √(2gL)',
+      unit: 'px/s',
+      exact: 63.246,
+      tolerance: { relative: 0.005 },
+      at: { event: ({ world, jumper }) => positionOf(world, jumper).y - 150 },
+      measure: ({ world, jumper }) => velocityOf(world, jumper).y,
+      preset: 'No drag',
+    },
+    {
+      label: 'Where the jumper comes to rest, 50 + L + mg/k',
+      unit: 'px',
+      exact: 222,
+      tolerance: { relative: 0.005 },
+      at: { time: 60 },
+      measure: ({ world, jumper }) => positionOf(world, jumper).y,
+      preset: 'In thick oil',
+    },
+  ],
+  tryThis: [
+    'Take a heavier jumper without a shorter cord: at 110 kg the feet get wet.',
+    'Choose “From the side”: the jumper swings as well as bounces.',
+  ],
+});

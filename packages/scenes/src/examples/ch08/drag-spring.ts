@@ -1,0 +1,114 @@
+import { createPhysicsWorld, quadraticDrag, rgba, spawn, springs, uniformGravity } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { distanceBetween, positionOf } from '../support/read.ts';
+
+const ANCHOR = { x: 350, y: 50 };
+/** A second figure, without drag, bounces a little about the height of rest. */
+const OTHER = { x: 600, y: 50 };
+const [LENGTH, GRAVITY] = [200, 20];
+
+export default defineExample({
+  id: 'ch08-drag-spring',
+  title: 'A puppet on a spring',
+  chapter: 8,
+  tags: ['spring', 'gravity', 'pendulum', 'drag the mouse'],
+  about:
+    'A figure hangs on a spring. Drag it anywhere with the mouse and let go: it bounces and swings at once, two motions with two periods. It comes to rest where the spring carries its weight.',
+  duration: 60,
+  parameters: {
+    stiffness: { label: 'Stiffness k', unit: 'N/m', initial: 1, min: 0.5, max: 10 },
+    drag: { label: 'Drag coefficient', unit: 'kg/px', initial: 0.1, min: 0, max: 1 },
+  },
+  presets: [{ label: 'No drag', values: { drag: 0 } }],
+  build({ stiffness, drag }, options) {
+    const forces = [uniformGravity({ y: GRAVITY }), quadraticDrag(), springs()];
+    const world = createPhysicsWorld({ capacity: 10, forces, ...options });
+    const hang = (anchor: { x: number; y: number }, position: { x: number; y: number }, quadratic: number) => {
+      const a = spawn(world, { position: anchor });
+      const appearance = rgba(1, 0.72, 0.4);
+      const b = spawn(world, { position, mass: 1, collider: 20, quadraticDrag: quadratic, appearance });
+      spawn(world, { spring: { a, b, stiffness, length: LENGTH } });
+      return b;
+    };
+    const rest = ANCHOR.y + LENGTH + GRAVITY / stiffness;
+    const figure = hang(ANCHOR, { x: 300, y: 200 }, drag);
+    const bouncing = hang(OTHER, { x: OTHER.x, y: rest + 4 }, 0);
+    return { world, dt: 1 / 60, figure, bouncing, rest };
+  },
+  picture({ world, figure, bouncing, rest }) {
+    const part = (body: number, x: number, y: number) => () => ({
+      x: positionOf(world, body).x + x,
+      y: positionOf(world, body).y + y,
+    });
+    const limbs = [figure, bouncing].flatMap((body) =>
+      [
+        [-8, 16, -14, 36],
+        [8, 16, 14, 36],
+        [-16, -8, -32, 4],
+        [16, -8, 32, 4],
+      ].map(([x, y, toX, toY]) => ({
+        from: part(body, x, y),
+        to: part(body, toX, toY),
+        width: 4,
+        color: COLORS.orange,
+      })),
+    );
+    return {
+      yDown: true,
+      view: { minX: 50, maxX: 720, minY: 20, maxY: 420 },
+      springs: { coils: 20 },
+      lines: [...limbs, { from: { x: 50, y: rest }, to: { x: 720, y: rest }, color: COLORS.ground, width: 1 }],
+      dots: [figure, bouncing].map((body) => ({ at: part(body, 0, -28), radius: 9, color: COLORS.orange })),
+      trails: [{ body: figure, length: 600 }],
+      arrows: [velocityArrow(world, figure, 0.6)],
+      labels: [{ at: { x: 90, y: rest - 10 }, text: 'rest', color: COLORS.grey }],
+    };
+  },
+  plots: [
+    {
+      title: 'Height of the figures',
+      y: { label: 'y, px' },
+      series: [
+        { label: 'dragged', value: ({ world, figure }) => positionOf(world, figure).y },
+        { label: 'without drag', value: ({ world, bouncing }) => positionOf(world, bouncing).y },
+      ],
+    },
+    {
+      title: 'Length of the spring',
+      y: { label: 'length, px' },
+      series: [{ label: 'dragged', value: ({ world, figure }) => distanceBetween(positionOf(world, figure), ANCHOR) }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Period of a small bounce, 2π √(m/k)',
+      unit: 's',
+      exact: ({ stiffness }) => (2 * Math.PI) / Math.sqrt(stiffness),
+      tolerance: { relative: 1e-3 },
+      at: { event: ({ world, bouncing, rest }) => positionOf(world, bouncing).y - rest, from: 1, to: 2 },
+      measure: ({ world }) => world.time,
+    },
+    {
+      label: 'Height of rest, 50 + L + mg/k: the mean of six bounces',
+      unit: 'px',
+      exact: 270,
+      tolerance: { relative: 1e-3 },
+      at: { until: 12 * Math.PI, take: 'mean' },
+      measure: ({ world, bouncing }) => positionOf(world, bouncing).y,
+    },
+    {
+      label: 'Height of the dragged figure after 60 s',
+      unit: 'px',
+      exact: 270,
+      tolerance: { relative: 0.005 },
+      at: { time: 60 },
+      measure: ({ world, figure }) => positionOf(world, figure).y,
+    },
+  ],
+  tryThis: [
+    'Pull the figure far to the side and release it: it swings about three times more slowly than it bounces.',
+    'Make the spring ten times stiffer: the bounce becomes fast, the swing hardly changes.',
+  ],
+});

@@ -1,0 +1,90 @@
+import { attractors, createPhysicsWorld, createRandom, rgba, spawn } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { createFlights, drawDiscs } from '../support/flights.ts';
+
+const STAGE = { minX: 0, maxX: 700, minY: 0, maxY: 500 };
+
+export default defineExample({
+  id: 'ch10-gravity-field',
+  title: 'Flights among dark suns',
+  chapter: 10,
+  tags: ['gravity', 'energy', 'escape speed', 'random'],
+  about:
+    'Ten dark suns are scattered at random. Three comets fly among them, and a new one starts wherever one falls in or leaves. Each sun is so heavy that a comet needs 300 px/s to escape from its rim: the larger the sun, the more mass. Far from the rims a flight keeps its energy to a thousandth.',
+  duration: 60,
+  parameters: {
+    count: { label: 'Suns', unit: '', initial: 10, min: 1, max: 20, integer: true },
+    rim: { label: 'Escape speed at the rims', unit: 'px/s', initial: 300, min: 50, max: 400 },
+    speed: { label: 'Largest speed at the start', unit: 'px/s', initial: 50, min: 0, max: 200 },
+  },
+  presets: [{ label: 'One sun', values: { count: 1 } }],
+  build({ count, rim, speed }, { seed, ...options }) {
+    const world = createPhysicsWorld({ capacity: 30, forces: [attractors()], ...options });
+    const discs = drawDiscs(createRandom(seed), count, STAGE, [10, 30], (radius) => (-rim * rim * radius) / 2);
+    const suns = discs.map(({ x, y, radius, strength }) =>
+      spawn(world, { position: { x, y }, attractor: -strength, collider: radius, appearance: rgba(0.03, 0.03, 0.08) }),
+    );
+    const bodies = [rgba(1, 0.5, 0.4), rgba(0.5, 0.9, 0.6), rgba(0.45, 0.75, 1)].map((appearance) => ({
+      collider: 5,
+      appearance,
+    }));
+    const flights = createFlights(world, { seed, stage: STAGE, discs, speed, bodies, clearance: 3 });
+    const { Attractor, Collider } = world.components;
+    const escapes = () => suns.map((id) => Math.sqrt((2 * Attractor.mu[id]) / Collider.radius[id]));
+    return { world, dt: 1 / 240, discs, flights, escapes };
+  },
+  picture({ discs, flights }) {
+    return {
+      yDown: true,
+      view: STAGE,
+      fills: discs.map(({ x, y, radius }) => ({
+        shape: { centre: { x, y }, radius: 3 * radius },
+        color: 0xb79cff,
+        opacity: 0.12,
+      })),
+      trails: flights.ids.map((body) => ({ body, length: 1500, interval: 4 })),
+    };
+  },
+  plots: [
+    {
+      title: 'Launches',
+      y: { label: 'number' },
+      series: [{ label: 'launches', value: ({ flights }) => flights.launches() }],
+    },
+    {
+      title: 'Largest error of the energy of a flight',
+      y: { label: 'fraction' },
+      series: [{ label: 'error', value: ({ flights }) => flights.worst() }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Largest escape speed at a rim, √(2GM/r)',
+      unit: 'px/s',
+      exact: ({ rim }) => rim,
+      tolerance: { relative: 1e-12 },
+      at: { time: 0 },
+      measure: ({ escapes }) => escapes().reduce((a, b) => Math.max(a, b)),
+    },
+    {
+      label: 'Smallest escape speed at a rim',
+      unit: 'px/s',
+      exact: ({ rim }) => rim,
+      tolerance: { relative: 1e-12 },
+      at: { time: 0 },
+      measure: ({ escapes }) => escapes().reduce((a, b) => Math.min(a, b)),
+    },
+    {
+      label: 'Largest error of the energy of a flight, outside three radii',
+      unit: '',
+      exact: 0,
+      tolerance: { absolute: 1e-3 },
+      at: { time: 60 },
+      measure: ({ flights }) => flights.worst(),
+    },
+  ],
+  tryThis: [
+    'Choose “One sun”: most flights are long ellipses that end in it, or hyperbolas out of the picture.',
+    'Set the speed at the start to zero: most comets soon end in a sun.',
+  ],
+});

@@ -1,0 +1,114 @@
+import { attractors, createPhysicsWorld, rgba, rungeKutta4, spawn } from '@principia/physics';
+import type { SceneRun } from '../../scene.ts';
+import { defineExample } from '../define-example.ts';
+import { distanceBetween, positionOf, speedOf } from '../support/read.ts';
+
+const SUNS = [
+  { x: 300, y: 300 },
+  { x: 500, y: 300 },
+] as const;
+const GM = 1e6;
+/** Start, velocity and energy of the bodies, px, px/s and J. */
+const BODIES = [
+  { name: 'first', at: { x: 400, y: 300 }, v: { x: 0, y: 60 }, energy: -18200, color: rgba(0.4, 0.7, 1) },
+  { name: 'second', at: { x: 400, y: 400 }, v: { x: 10, y: 60 }, energy: -12292.14, color: rgba(1, 0.55, 0.4) },
+  { name: 'third', at: { x: 300, y: 400 }, v: { x: 90, y: 0 }, energy: -10422.14, color: rgba(0.5, 0.9, 0.6) },
+] as const;
+
+interface Run extends SceneRun {
+  readonly bodies: readonly number[];
+}
+
+/** Energy of a body of 1 kg. */
+function energyOf({ world, bodies }: Run, i: number): number {
+  const speed = speedOf(world, bodies[i]);
+  return SUNS.reduce((sum, sun) => sum - GM / distanceBetween(positionOf(world, bodies[i]), sun), (speed * speed) / 2);
+}
+
+export default defineExample({
+  id: 'ch10-multiple-attractors',
+  title: 'Between two suns',
+  chapter: 10,
+  tags: ['gravity', 'orbit', 'energy', 'chaos'],
+  about:
+    'Two fixed suns pull at once; their forces add up. The first body starts exactly between them and only swings up and down. The others weave around both suns on paths that never repeat. Whatever they do, motion and height in the field of the suns share an energy that stays the same.',
+  duration: 20,
+  parameters: {
+    push: { label: 'Speed of the first body', unit: 'px/s', initial: 60, min: 10, max: 130 },
+    second: { label: 'Second sun', unit: '×', initial: 1, min: 0, max: 2 },
+  },
+  presets: [{ label: 'The second sun is a little heavier', values: { second: 1.05 } }],
+  build({ push, second }, { integrator = rungeKutta4 }): Run {
+    const world = createPhysicsWorld({ capacity: 8, forces: [attractors()], integrator });
+    for (const [i, position] of SUNS.entries()) {
+      const appearance = { size: 14, color: rgba(1, 0.8, 0.3) };
+      spawn(world, { position, attractor: i === 1 ? second * GM : GM, appearance });
+    }
+    const bodies = BODIES.map(({ at, v, color }, i) => {
+      const velocity = i === 0 ? { y: push } : v;
+      return spawn(world, { position: at, velocity, mass: 1, appearance: { size: 6, color } });
+    });
+    return { world, dt: 1 / 2000, bodies };
+  },
+  picture({ bodies }) {
+    return {
+      yDown: true,
+      view: { minX: 130, maxX: 670, minY: 120, maxY: 480 },
+      trails: bodies.map((body) => ({ body, length: 700, interval: 20 })),
+    };
+  },
+  plots: [
+    {
+      title: 'Height of the first body',
+      y: { label: 'y, px' },
+      series: [{ label: 'first', value: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300 }],
+    },
+    {
+      title: 'Speeds',
+      y: { label: 'v, px/s' },
+      series: BODIES.map(({ name }, i) => ({
+        label: name,
+        value: ({ world, bodies }: Run) => speedOf(world, bodies[i]),
+      })),
+    },
+  ],
+  checks: [
+    ...BODIES.map(({ name, energy }, i) => ({
+      label: `Energy of the ${name} body after 10 s`,
+      unit: 'J',
+      exact: energy,
+      // The given energies have two digits after the point.
+      tolerance: { absolute: 5e-3 },
+      at: { time: 10 },
+      measure: (run: Run) => energyOf(run, i),
+    })),
+    {
+      label: 'How far the first body swings, √(2e6²/18200² − 1e4)',
+      unit: 'px',
+      exact: 45.561,
+      tolerance: { absolute: 5e-4 },
+      at: { until: 10, take: 'largest' },
+      measure: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300,
+    },
+    {
+      label: 'Its period',
+      unit: 's',
+      exact: 4.9469,
+      tolerance: { absolute: 1e-4 },
+      at: { event: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300, from: 1, to: 2 },
+      measure: ({ world }: Run) => world.time,
+    },
+    {
+      label: 'How far it strays from the middle',
+      unit: 'px',
+      exact: 0,
+      tolerance: { absolute: 0 },
+      at: { until: 10, take: 'largest' },
+      measure: ({ world, bodies }: Run) => Math.abs(positionOf(world, bodies[0]).x - 400),
+    },
+  ],
+  tryThis: [
+    'Choose “The second sun is a little heavier”: the first body is drawn aside, and its path becomes as tangled as the others.',
+    'Remove the second sun, with 0: every path is an ellipse.',
+  ],
+});

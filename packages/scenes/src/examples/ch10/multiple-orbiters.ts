@@ -1,0 +1,128 @@
+import { attractors, createPhysicsWorld, rgba, rungeKutta4, spawn } from '@principia/physics';
+import type { SceneRun } from '../../scene.ts';
+import { defineExample } from '../define-example.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
+
+const SUN = { x: 400, y: 300 };
+const GM = 1e6;
+/** The planets of the book: start, mass, period and eccentricity. */
+const PLANETS = [
+  {
+    name: 'outer',
+    at: { x: 400, y: 50 },
+    v: { x: 65, y: 0 },
+    mass: 10,
+    period: 27.09,
+    e: 0.0563,
+    color: rgba(0.4, 0.7, 1),
+  },
+  {
+    name: 'inner',
+    at: { x: 500, y: 300 },
+    v: { x: 0, y: 100 },
+    mass: 3,
+    period: 6.283,
+    e: 0,
+    color: rgba(1, 0.6, 0.4),
+  },
+  {
+    name: 'middle',
+    at: { x: 200, y: 300 },
+    v: { x: 0, y: -70 },
+    mass: 15,
+    period: 17.251,
+    e: 0.02,
+    color: rgba(0.5, 0.9, 0.6),
+  },
+] as const;
+
+interface Run extends SceneRun {
+  readonly planets: readonly number[];
+}
+
+/** Semi-major axis and eccentricity of the present orbit, from the energy and the angular momentum. */
+function orbitOf({ world, planets }: Run, i: number) {
+  const [at, v] = [positionOf(world, planets[i]), velocityOf(world, planets[i])];
+  const [x, y] = [at.x - SUN.x, at.y - SUN.y];
+  const energy = (v.x * v.x + v.y * v.y) / 2 - GM / Math.sqrt(x * x + y * y);
+  const momentum = x * v.y - y * v.x;
+  return { axis: -GM / (2 * energy), e: Math.sqrt(Math.max(0, 1 + (2 * energy * momentum * momentum) / (GM * GM))) };
+}
+
+export default defineExample({
+  id: 'ch10-multiple-orbiters',
+  title: 'Three planets and one sun',
+  chapter: 10,
+  tags: ['gravity', 'orbit', 'Kepler'],
+  about:
+    'Three planets go round a sun that is far heavier than they are. The nearer ones are faster and have a shorter way. For all of them the square of the period grows as the cube of the size of the orbit, as Kepler found in 1619. Their own masses do not matter.',
+  duration: 60,
+  parameters: {
+    factor: { label: 'Speeds, in units of the book’s', unit: '×', initial: 1, min: 0.7, max: 1.25 },
+    masses: { label: 'Masses, in units of the book’s', unit: '×', initial: 1, min: 0.1, max: 1000, scale: 'log' },
+  },
+  presets: [{ label: 'Slower planets', values: { factor: 0.8 } }],
+  build({ factor, masses }, { integrator = rungeKutta4 }): Run {
+    const world = createPhysicsWorld({ capacity: 8, forces: [attractors()], integrator });
+    spawn(world, { position: SUN, attractor: GM, appearance: { size: 35, color: rgba(1, 0.8, 0.3) } });
+    const planets = PLANETS.map(({ at, v, mass, color }) =>
+      spawn(world, {
+        position: at,
+        velocity: { x: factor * v.x, y: factor * v.y },
+        mass: masses * mass,
+        appearance: { size: 9, color },
+      }),
+    );
+    return { world, dt: 1 / 60, planets };
+  },
+  picture({ world, planets }) {
+    return {
+      yDown: true,
+      view: { minX: 60, maxX: 740, minY: 10, maxY: 600 },
+      trails: planets.map((body) => ({ body, length: 1000 })),
+      arrows: planets.map((body) => velocityArrow(world, body, 0.6)),
+    };
+  },
+  plots: [
+    {
+      title: 'Distances from the sun',
+      y: { label: 'r, px' },
+      series: PLANETS.map(({ name }, i) => ({
+        label: name,
+        value: ({ world, planets }: Run) => distanceBetween(positionOf(world, planets[i]), SUN),
+      })),
+    },
+  ],
+  checks: [
+    ...PLANETS.map(({ name, period }, i) => ({
+      label: `Period of the ${name} planet`,
+      unit: 's',
+      exact: period,
+      tolerance: { relative: 0.002 },
+      at: {
+        // The component of the place along the start velocity rises through zero once in each period.
+        event: ({ world, planets }: Run) => {
+          const { at, v } = PLANETS[i];
+          const { x, y } = positionOf(world, planets[i]);
+          return (x - at.x) * v.x + (y - at.y) * v.y;
+        },
+        from: 1,
+        to: 2,
+      },
+      measure: ({ world }: Run) => world.time,
+    })),
+    ...PLANETS.map(({ name, e }, i) => ({
+      label: `Eccentricity of the ${name} planet after 30 s`,
+      unit: '',
+      exact: e,
+      tolerance: { absolute: 5.1e-5 },
+      at: { time: 30 },
+      measure: (run: Run) => orbitOf(run, i).e,
+    })),
+  ],
+  tryThis: [
+    'Make the planets a thousand times heavier: nothing changes, because the sun is fixed and they do not attract each other.',
+    'Make them slower: all orbits become longer ellipses, with the sun in a focus.',
+  ],
+});

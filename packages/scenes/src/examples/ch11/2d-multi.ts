@@ -1,0 +1,88 @@
+import { createPhysicsWorld, createRandom, energy, momentum, particleContacts, rgba, spawn } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { lengthOf } from '../support/read.ts';
+
+const CENTRE = { x: 400, y: 300 };
+const MAX_COUNT = 60;
+
+export default defineExample({
+  id: 'ch11-2d-multi',
+  title: 'All meet in the middle',
+  chapter: 11,
+  tags: ['collision', 'momentum', 'energy'],
+  about:
+    'Nine balls start at random places, each with the velocity that would bring it to the middle after five seconds. They arrive all at once, and hit each other in one great tangle. However complicated that is, the sum of the momenta and the sum of the energies come out of it unchanged.',
+  duration: 12,
+  parameters: {
+    count: { label: 'Balls', unit: '', initial: 9, min: 2, max: MAX_COUNT, integer: true },
+    radius: { label: 'Radius', unit: 'px', initial: 15, min: 4, max: 20 },
+    restitution: { label: 'Restitution e', unit: '', initial: 1, min: 0, max: 1 },
+  },
+  presets: [{ label: 'Sticky balls', values: { restitution: 0 } }],
+  build({ count, radius, restitution }, { seed, ...options }) {
+    const world = createPhysicsWorld({ preset: particleContacts, capacity: MAX_COUNT + 8, ...options });
+    const random = createRandom(seed);
+    const ids = Array.from({ length: count }, () => {
+      const position = { x: random.uniform(0, 800), y: random.uniform(0, 600) };
+      const velocity = { x: 0.2 * (CENTRE.x - position.x), y: 0.2 * (CENTRE.y - position.y) };
+      const appearance = rgba(0.4, 0.65, 1);
+      return spawn(world, { position, velocity, mass: 1, collider: { radius, restitution }, appearance });
+    });
+    const before = { momentum: momentum(world), energy: energy(world).kinetic };
+    const drift = () => {
+      const { x, y } = momentum(world);
+      return lengthOf({ x: x - before.momentum.x, y: y - before.momentum.y });
+    };
+    return { world, dt: 1 / 60, ids, drift, share: () => energy(world).kinetic / before.energy };
+  },
+  picture({ ids }) {
+    return {
+      yDown: true,
+      view: { minX: -20, maxX: 820, minY: -20, maxY: 620 },
+      dots: [{ at: CENTRE, radius: 3 }],
+      trails: ids.map((body) => ({ body, length: 400 })),
+    };
+  },
+  plots: [
+    { title: 'Energy', y: { label: 'of the start' }, series: [{ label: 'all balls', value: ({ share }) => share() }] },
+    {
+      title: 'Momentum',
+      y: { label: 'p, kg px/s' },
+      series: [
+        { label: 'along x', value: ({ world }) => momentum(world).x },
+        { label: 'along y', value: ({ world }) => momentum(world).y },
+      ],
+    },
+  ],
+  checks: [
+    {
+      label: 'Largest change of the momentum',
+      unit: 'kg px/s',
+      exact: 0,
+      tolerance: { absolute: 1e-10 },
+      at: { until: 10, take: 'largest' },
+      measure: ({ drift }) => drift(),
+    },
+    {
+      label: 'Energy at the end, as a fraction of that at the start',
+      unit: '',
+      exact: 1,
+      tolerance: { relative: 1e-10 },
+      at: { time: 10 },
+      measure: ({ share }) => share(),
+    },
+    {
+      label: 'Change of the momentum of sticky balls',
+      unit: 'kg px/s',
+      exact: 0,
+      tolerance: { absolute: 1e-10 },
+      at: { time: 10 },
+      measure: ({ drift }) => drift(),
+      preset: 'Sticky balls',
+    },
+  ],
+  tryThis: [
+    'Choose “Sticky balls”: most of the energy is lost in the middle, and of the momentum nothing.',
+    'Take sixty small balls: the outer ones are met by those that come back.',
+  ],
+});

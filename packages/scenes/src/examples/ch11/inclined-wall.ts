@@ -1,0 +1,97 @@
+import { spawn } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { positionOf, speedOf, velocityOf } from '../support/read.ts';
+import { linesOf, worldWithWalls } from '../support/walls.ts';
+
+const WALL = [50, 200, 700, 500] as const;
+const GRAVITY = 100;
+/** When the ball of the book touches the wall for the first time, s. */
+const CONTACT = 1.7695;
+/** Direction of the wall. */
+const ALONG = { x: 650 / Math.sqrt(512_500), y: 300 / Math.sqrt(512_500) };
+
+export default defineExample({
+  id: 'ch11-inclined-wall',
+  title: 'Down a slope in bounces',
+  chapter: 11,
+  tags: ['collision', 'wall', 'restitution', 'gravity'],
+  about:
+    'A ball falls on an inclined wall. The wall turns round the part of the velocity across it and keeps the part along it, so the ball is thrown to the side. With a restitution below one the bounces become lower, until the ball slides.',
+  duration: 8,
+  parameters: {
+    restitution: { label: 'Restitution e', unit: '', initial: 0.8, min: 0, max: 1 },
+    radius: { label: 'Radius of the ball', unit: 'px', initial: 15, min: 3, max: 40 },
+    x: { label: 'Dropped at x', unit: 'px', initial: 100, min: 60, max: 600 },
+  },
+  presets: [{ label: 'Elastic', values: { restitution: 1 } }],
+  build({ restitution, radius, x }, options) {
+    const world = worldWithWalls([WALL], { gravity: GRAVITY, capacity: 8, ...options });
+    const ball = spawn(world, { position: { x, y: 50 }, velocity: {}, mass: 1, collider: { radius, restitution } });
+    /** Velocity just after the first bounce. */
+    const rebound = () => {
+      const v = velocityOf(world, ball);
+      return { x: v.x, y: v.y - GRAVITY * (world.time - CONTACT) };
+    };
+    return { world, dt: 1 / 60, ball, rebound };
+  },
+  picture({ world, ball }) {
+    return {
+      yDown: true,
+      view: { minX: 20, maxX: 780, minY: 20, maxY: 540 },
+      lines: linesOf([WALL]),
+      trails: [{ body: ball, length: 600 }],
+      arrows: [velocityArrow(world, ball, 0.4)],
+    };
+  },
+  plots: [
+    {
+      title: 'Speed',
+      y: { label: 'v, px/s' },
+      series: [{ label: 'ball', value: ({ world, ball }) => speedOf(world, ball) }],
+    },
+    {
+      title: 'Height',
+      y: { label: 'y, px' },
+      series: [{ label: 'ball', value: ({ world, ball }) => -positionOf(world, ball).y }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Velocity to the right after the first bounce',
+      unit: 'px/s',
+      exact: 121.189,
+      tolerance: { relative: 1e-3 },
+      at: { time: 1.8 },
+      measure: ({ rebound }) => rebound().x,
+    },
+    {
+      label: 'Velocity downwards after it',
+      unit: 'px/s',
+      exact: -85.626,
+      tolerance: { relative: 1e-3 },
+      at: { time: 1.8 },
+      measure: ({ rebound }) => rebound().y,
+    },
+    {
+      label: 'The part along the wall, as before the bounce',
+      unit: 'px/s',
+      exact: 74.152,
+      tolerance: { relative: 1e-3 },
+      at: { time: 1.8 },
+      measure: ({ rebound }) => rebound().x * ALONG.x + rebound().y * ALONG.y,
+    },
+    {
+      label: 'The part across it, e times that before',
+      unit: 'px/s',
+      exact: 128.531,
+      tolerance: { relative: 1e-3 },
+      at: { time: 1.8 },
+      measure: ({ rebound }) => rebound().x * ALONG.y - rebound().y * ALONG.x,
+    },
+  ],
+  tryThis: [
+    'Choose “Elastic”: the bounces do not become lower, but longer and longer.',
+    'Set e to 0: the ball slides down the wall at once.',
+  ],
+});

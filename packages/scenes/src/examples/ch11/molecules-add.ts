@@ -1,0 +1,103 @@
+import { createRandom, energy, keepState } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { COLORS } from '../picture.ts';
+import { addMolecule, GAS_ROOM, gasWorld } from '../support/gas.ts';
+import { distanceBetween, positionOf } from '../support/read.ts';
+
+const MAX_COUNT = 60;
+/** Attempts to find a free place. */
+const MAX_TRIES = 200;
+
+export default defineExample({
+  id: 'ch11-molecules-add',
+  title: 'Blow gas into a box',
+  chapter: 11,
+  tags: ['collision', 'gas', 'energy'],
+  about:
+    'Every two seconds another molecule comes in, and you can add more yourself. The energy of the gas grows by exactly what each brings along, and by nothing else. The more there are, the sooner each meets the next.',
+  duration: 60,
+  parameters: {
+    pause: { label: 'A new molecule every', unit: 's', initial: 2, min: 0.2, max: 10 },
+    speed: { label: 'Largest speed', unit: 'px/s', initial: 40, min: 5, max: 200 },
+  },
+  presets: [{ label: 'Hot gas', values: { speed: 200 } }],
+  build({ pause, speed }, { seed, ...options }) {
+    const world = gasWorld({ capacity: MAX_COUNT + 8, ...options });
+    const random = createRandom(seed);
+    const gas = { ids: [] as number[], brought: 0, due: pause };
+    keepState(world, random.state, gas);
+    const { Collider } = world.components;
+    const add = () => {
+      if (gas.ids.length >= MAX_COUNT) return;
+      const radius = random.uniform(5, 20);
+      const velocity = { x: random.uniform(-speed, speed), y: random.uniform(-speed, speed) };
+      for (let i = 0; i < MAX_TRIES; i++) {
+        const at = { x: random.uniform(radius, 700 - radius), y: random.uniform(radius, 500 - radius) };
+        if (gas.ids.some((id) => distanceBetween(positionOf(world, id), at) <= radius + Collider.radius[id] + 5))
+          continue;
+        gas.ids.push(addMolecule(world, at, velocity, radius));
+        gas.brought += 0.005 * radius * radius * radius * (velocity.x * velocity.x + velocity.y * velocity.y);
+        return;
+      }
+    };
+    for (let i = 0; i < 5; i++) add();
+    const dt = 1 / 60;
+    world.phases.input.push(() => {
+      if (world.time < gas.due - dt / 2) return;
+      gas.due += pause;
+      add();
+    });
+    return { world, dt, gas, add };
+  },
+  picture() {
+    const { minX, maxX, minY, maxY } = GAS_ROOM;
+    const corners = [
+      { x: minX, y: minY },
+      { x: maxX, y: minY },
+      { x: maxX, y: maxY },
+      { x: minX, y: maxY },
+    ];
+    return {
+      view: { minX: -15, maxX: 715, minY: -15, maxY: 515 },
+      lines: corners.map((from, i) => ({ from, to: corners[(i + 1) % 4], color: COLORS.grey })),
+    };
+  },
+  actions: { action: { label: 'Add', about: 'add a molecule', key: 'a', press: ({ add }) => add() } },
+  plots: [
+    {
+      title: 'Energy',
+      y: { label: 'E, J' },
+      series: [
+        { label: 'of the gas', value: ({ world }) => energy(world).kinetic },
+        { label: 'brought along', value: ({ gas }) => gas.brought },
+      ],
+    },
+    {
+      title: 'Molecules',
+      y: { label: 'number' },
+      series: [{ label: 'in the box', value: ({ gas }) => gas.ids.length }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Molecules after 30.5 s: 5, and one every two seconds',
+      unit: '',
+      exact: 20,
+      tolerance: { absolute: 0 },
+      at: { time: 30.5 },
+      measure: ({ gas }) => gas.ids.length,
+    },
+    {
+      label: 'Energy of the gas by what all molecules brought along',
+      unit: '',
+      exact: () => 1,
+      tolerance: { relative: 1e-9 },
+      at: { time: 45 },
+      measure: ({ world, gas }) => energy(world).kinetic / gas.brought,
+    },
+  ],
+  tryThis: [
+    'Hold the key that adds molecules until the box is full: it takes sixty.',
+    'Let them come every 0.2 s: the two lines of the first plot stay one.',
+  ],
+});

@@ -1,0 +1,123 @@
+import { createPhysicsWorld, keepState } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { COLORS } from '../picture.ts';
+import { createSparkChain, SPARK_FORCES } from '../support/spark-chain.ts';
+
+const ORIGIN = { x: 350, y: 250 };
+const COPIES = 25;
+
+/** Two sparks for each whole second of holding. */
+const sparksOf = (held: number) => 2 * Math.floor(held);
+
+export default defineExample({
+  id: 'ch12-fireworks-charge',
+  title: 'Charge your fireworks',
+  chapter: 12,
+  tags: ['particles', 'random', 'growth', 'control'],
+  about:
+    'Hold the key: for each whole second that you hold it, two sparks more will fly when you let go, and each of them bursts into as many again. So a second more makes far more than two sparks more: 10 in all after one second, 52 after two, about 610 after five.',
+  duration: 11,
+  parameters: {
+    held: { label: 'The first is held for', unit: 's', initial: 2.5, min: 0, max: 5.9 },
+    copies: { label: 'At once', unit: '', initial: 1, min: 1, max: COPIES, integer: true },
+  },
+  presets: [
+    { label: 'Twenty-five at once', values: { copies: COPIES } },
+    { label: 'Twenty-five small ones', values: { held: 1.5, copies: COPIES } },
+    { label: 'Held too short', values: { held: 0.9 } },
+  ],
+  build({ held, copies }, { seed, ...options }) {
+    const most = copies * 1111;
+    const world = createPhysicsWorld({ capacity: most + 100, seed, forces: SPARK_FORCES, ...options });
+    const chain = createSparkChain(world, most);
+    const count = sparksOf(held);
+    if (count > 0) chain.launch(ORIGIN, count, copies);
+    const hand = { since: -1 };
+    keepState(world, hand);
+    const charge = () => (hand.since < 0 ? 0 : Math.min(5.9, world.time - hand.since));
+    const release = () => {
+      if (sparksOf(charge()) > 0) chain.launch(ORIGIN, sparksOf(charge()));
+      hand.since = -1;
+    };
+    return { world, dt: 1 / 60, chain, copies, hand, charge, release };
+  },
+  picture({ chain, charge }) {
+    return {
+      yDown: true,
+      view: { minX: 0, maxX: 700, minY: 0, maxY: 500 },
+      lines: [
+        {
+          from: { x: 250, y: 480 },
+          to: () => ({ x: 250 + 40 * charge(), y: 480 }),
+          width: 10,
+          color: COLORS.orange,
+        },
+      ],
+      labels: [
+        { at: { x: 20, y: 480 }, text: () => `${chain.alive()} sparks` },
+        { at: { x: 500, y: 480 }, text: () => (charge() > 0 ? `${sparksOf(charge())} when you let go` : '') },
+      ],
+    };
+  },
+  actions: {
+    action: {
+      label: 'Charge',
+      about: 'hold to charge, release to fire',
+      key: 'f',
+      press({ world, hand }) {
+        hand.since = world.time;
+      },
+      release: ({ release }) => release(),
+    },
+  },
+  plots: [
+    {
+      title: 'Sparks',
+      y: { label: 'number' },
+      series: [{ label: 'alive', value: ({ chain }) => chain.alive() }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Sparks of the first burst, 2 for each whole second',
+      unit: '',
+      exact: ({ held, copies }) => copies * sparksOf(held),
+      tolerance: { absolute: 0 },
+      at: { time: 1 },
+      measure: ({ chain }) => chain.born(),
+    },
+    {
+      label: 'Born in all, on average of 25 that were held for 2.5 s',
+      unit: '',
+      exact: 52,
+      // Of 4 × 4 sparks half burst into 4: the deviation is 4 √8 for each of 25; three and a half standard errors.
+      tolerance: { absolute: (3.5 * 4 * Math.sqrt(8)) / 5 },
+      at: { time: 10.5 },
+      measure: ({ chain, copies }) => chain.born() / copies,
+      preset: 'Twenty-five at once',
+    },
+    {
+      label: 'Born in all, on average of 25 that were held for 1.5 s',
+      unit: '',
+      exact: 10,
+      // Of 2 × 2 sparks half burst into 2: 2 (1/3 + 1/3) of them is the variance.
+      tolerance: { absolute: (3.5 * 2 * Math.sqrt(4 / 3)) / 5 },
+      at: { time: 10.5 },
+      measure: ({ chain, copies }) => chain.born() / copies,
+      preset: 'Twenty-five small ones',
+    },
+    {
+      label: 'Born if held for less than a second',
+      unit: '',
+      exact: 0,
+      tolerance: { absolute: 0 },
+      at: { time: 5 },
+      measure: ({ chain }) => chain.born(),
+      preset: 'Held too short',
+    },
+  ],
+  tryThis: [
+    'Hold the key for five seconds, and then let go.',
+    'Let go a moment before a full second: the started second does not count.',
+  ],
+});

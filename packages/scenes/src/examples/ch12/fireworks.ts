@@ -1,0 +1,74 @@
+import { createPhysicsWorld } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { createSparkChain, SPARK_FORCES } from '../support/spark-chain.ts';
+
+/** Of ten times ten sparks of the second generation half are expected to burst; the deviation is 10 of them. */
+const [EXPECTED, DEVIATION] = [10 + 100 + 500, 100];
+
+export default defineExample({
+  id: 'ch12-fireworks',
+  title: 'Sparks that become fireworks',
+  chapter: 12,
+  tags: ['particles', 'random', 'growth'],
+  about:
+    'Ten sparks glow for two to four seconds, and each then bursts into ten new ones. After six seconds no spark bursts any more. Ten become a hundred, and of those about half are in time to burst again: some six hundred in all, after ten seconds none.',
+  duration: 11,
+  parameters: {
+    count: { label: 'Sparks of a burst', unit: '', initial: 10, min: 1, max: 12, integer: true },
+  },
+  presets: [{ label: 'Small bursts', values: { count: 4 } }],
+  build({ count }, { seed, ...options }) {
+    const world = createPhysicsWorld({ capacity: 2600, seed, forces: SPARK_FORCES, ...options });
+    const chain = createSparkChain(world, 2000);
+    chain.launch({ x: 350, y: 200 }, count);
+    return { world, dt: 1 / 60, chain };
+  },
+  picture({ chain }) {
+    return {
+      yDown: true,
+      view: { minX: 0, maxX: 700, minY: 0, maxY: 500 },
+      labels: [{ at: { x: 20, y: 480 }, text: () => `${chain.alive()} sparks, ${chain.born()} born` }],
+    };
+  },
+  plots: [
+    {
+      title: 'Sparks',
+      y: { label: 'number' },
+      series: [
+        { label: 'alive', value: ({ chain }) => chain.alive() },
+        { label: 'born', value: ({ chain }) => chain.born() },
+      ],
+    },
+  ],
+  checks: [
+    {
+      label: 'Sparks at first',
+      unit: '',
+      exact: ({ count }) => count,
+      tolerance: { absolute: 0 },
+      at: { time: 1 },
+      measure: ({ chain }) => chain.alive(),
+    },
+    {
+      label: 'Sparks born in all: 10 + 100, and 500 expected',
+      unit: '',
+      exact: EXPECTED,
+      // Three and a half standard deviations.
+      tolerance: { absolute: 3.5 * DEVIATION },
+      at: { time: 10.5 },
+      measure: ({ chain }) => chain.born(),
+    },
+    {
+      label: 'Sparks after 10.1 s: the last was born before 6 s and lived 4 s at most',
+      unit: '',
+      exact: 0,
+      tolerance: { absolute: 0 },
+      at: { time: 10.1 },
+      measure: ({ chain }) => chain.alive(),
+    },
+  ],
+  tryThis: [
+    'Halve the sparks of a burst: there are six or seven times fewer in all, because there are three generations.',
+    'Start anew a few times with another seed: the number in all lies between about three hundred and nine hundred.',
+  ],
+});

@@ -1,0 +1,114 @@
+import { createPhysicsWorld, linearDrag, rgba, rungeKutta4, spawn, springs, uniformGravity } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import { COLORS } from '../picture.ts';
+import { positionOf } from '../support/read.ts';
+
+const [COLUMNS, ROWS, SPACING, MASS] = [15, 10, 20, 10];
+const ORIGIN = { x: 120, y: 30 };
+/** Columns whose uppermost node is pinned. */
+const PINNED = [0, 7, 14];
+
+export default defineExample({
+  id: 'ch13-cloth',
+  title: 'A net on three pins',
+  chapter: 13,
+  tags: ['cloth', 'spring', 'wind', 'soft bodies'],
+  about:
+    'A hundred and fifty heavy knots and the springs between neighbours make a net, which hangs from three pins. Without cross springs it is soft: between the pins it sags in two bows. A wind pushes every knot by 10 times its speed, and the net hangs aslant.',
+  duration: 120,
+  parameters: {
+    wind: { label: 'Wind', unit: 'px/s', initial: 0, min: -15, max: 15 },
+    stiffness: { label: 'Stiffness of the threads', unit: 'N/m', initial: 100, min: 60, max: 400 },
+    gravity: { label: 'Gravity', unit: 'px/s²', initial: 10, min: 0, max: 20 },
+  },
+  presets: [{ label: 'In the wind', values: { wind: 10 } }],
+  build({ wind, stiffness, gravity }, { integrator = rungeKutta4 }) {
+    const forces = [uniformGravity({ y: gravity }), linearDrag({ x: wind }), springs()];
+    const world = createPhysicsWorld({ capacity: 600, forces, integrator });
+    const nodes = Array.from({ length: COLUMNS * ROWS }, (_, i) => {
+      const [column, row] = [Math.floor(i / ROWS), i % ROWS];
+      const position = { x: ORIGIN.x + SPACING * column, y: ORIGIN.y + SPACING * row };
+      if (row === 0 && PINNED.includes(column)) {
+        return spawn(world, { position, appearance: { size: 5, color: rgba(1, 0.7, 0.35) } });
+      }
+      return spawn(world, { position, velocity: {}, mass: MASS, linearDrag: 10 });
+    });
+    const node = (column: number, row: number) => nodes[column * ROWS + row];
+    const tie = (a: number, b: number) => spawn(world, { spring: { a, b, stiffness, damping: 10, length: SPACING } });
+    for (let column = 0; column < COLUMNS; column++) {
+      for (let row = 0; row < ROWS; row++) {
+        if (column + 1 < COLUMNS) tie(node(column, row), node(column + 1, row));
+        if (row + 1 < ROWS) tie(node(column, row), node(column, row + 1));
+      }
+    }
+    const mean = (axis: 'x' | 'y') => nodes.reduce((sum, id) => sum + positionOf(world, id)[axis], 0) / nodes.length;
+    const lowest = () => nodes.reduce((most, id) => Math.max(most, positionOf(world, id).y), 0);
+    return { world, dt: 1 / 60, node, mean, lowest };
+  },
+  picture() {
+    return {
+      yDown: true,
+      view: { minX: 20, maxX: 560, minY: 10, maxY: 350 },
+      springs: 'lines',
+      dots: PINNED.map((column) => ({ at: { x: ORIGIN.x + SPACING * column, y: ORIGIN.y }, color: COLORS.orange })),
+    };
+  },
+  plots: [
+    {
+      title: 'Mean place of the knots',
+      y: { label: 'px' },
+      series: [
+        { label: 'x', value: ({ mean }) => mean('x') },
+        { label: 'y', value: ({ mean }) => mean('y') },
+      ],
+    },
+    { title: 'Lowest point', y: { label: 'y, px' }, series: [{ label: 'knot', value: ({ lowest }) => lowest() }] },
+  ],
+  checks: [
+    {
+      label: 'Bottom of the middle column, y',
+      unit: 'px',
+      exact: 288.897,
+      tolerance: { absolute: 0.1 },
+      at: { time: 120 },
+      measure: ({ world, node }) => positionOf(world, node(7, 9)).y,
+    },
+    {
+      label: 'Bottom of the left column, x',
+      unit: 'px',
+      exact: 149.711,
+      tolerance: { absolute: 0.1 },
+      at: { time: 120 },
+      measure: ({ world, node }) => positionOf(world, node(0, 9)).x,
+    },
+    {
+      label: 'Bottom of the left column, y',
+      unit: 'px',
+      exact: 274.793,
+      tolerance: { absolute: 0.1 },
+      at: { time: 120 },
+      measure: ({ world, node }) => positionOf(world, node(0, 9)).y,
+    },
+    {
+      label: 'Lowest point',
+      unit: 'px',
+      exact: 320.022,
+      tolerance: { absolute: 0.1 },
+      at: { time: 120 },
+      measure: ({ lowest }) => lowest(),
+    },
+    {
+      label: 'Mean place of the knots in the wind, by 126.6 px to the right',
+      unit: 'px',
+      exact: 260 + 126.6,
+      tolerance: { absolute: 0.1 },
+      at: { time: 120 },
+      measure: ({ mean }) => mean('x'),
+      preset: 'In the wind',
+    },
+  ],
+  tryThis: [
+    'Choose “In the wind”: its force is as large as the weight, so the net hangs at 45° on the whole.',
+    'Turn gravity off in the wind: the net flies like a flag, straight to the side.',
+  ],
+});
