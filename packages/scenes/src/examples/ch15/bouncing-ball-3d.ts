@@ -1,90 +1,103 @@
-import { boxWalls, createPhysicsWorld, rgba, spawn, uniformGravity } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { boxWalls, createPhysicsWorld, spawn, uniformGravity, velocityVerlet } from '@principia/physics';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
-import { positionOf, velocityOf } from '../support/read.ts';
+import { type BallRun, positionOf, velocityOf } from '../support/read.ts';
 
 const RADIUS = 20;
-/** The three walls are at x, y and z = -100. */
 const WALL = -100;
 const REST = WALL + RADIUS;
+const DT = 1 / 60;
 
 export default defineExample({
   id: 'ch15-bouncing-ball-3d',
-  title: 'A ball bounces in a corner',
+  title: 'A ball in a corner of space',
   chapter: 15,
-  tags: ['three dimensions', 'collisions', 'gravity'],
+  tags: ['3D', 'bounce', 'gravity'],
   about:
-    'A ball falls into a corner of three walls. Each wall turns the velocity at right angles to it and leaves the rest alone, so the ball hops ever lower, by the square of the restitution, while it crosses the floor.',
+    'The corner has a floor and two walls. Each of them only turns round the part of the velocity that points into it, and leaves 90 % of it; the two other parts go on unchanged. So the motion in space is three motions in one: up and down with gravity, and two even ones.',
   dimensions: 3,
-  duration: 12,
+  duration: 15,
   parameters: {
-    gravity: { label: 'Gravity', unit: 'px/s²', initial: 20, min: 1, max: 60 },
-    restitution: { label: 'Restitution', unit: '', initial: 0.9, min: 0, max: 1 },
+    gravity: { label: 'Gravity', unit: 'px/s²', initial: 20, min: 0, max: 60 },
+    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.9, min: 0.2, max: 1 },
+    speed: { label: 'Speed to both walls', unit: 'px/s', initial: 20, min: 0, max: 60 },
   },
-  build({ gravity, restitution }, options) {
-    const world = createPhysicsWorld({
-      dimensions: 3,
-      capacity: 4,
-      forces: [uniformGravity({ y: -gravity })],
-      walls: [boxWalls({ min: { x: WALL, y: WALL, z: WALL } })],
-      ...options,
-    });
-    const ball = spawn(world, {
-      position: { x: 100 },
-      velocity: { x: -20, z: -20 },
-      mass: 1,
-      collider: { radius: RADIUS, restitution },
-      appearance: rgba(1, 0.55, 0.3),
-    });
-    return { world, dt: 1 / 60, ball };
+  presets: [{ label: 'No gravity', values: { gravity: 0 } }],
+  build(
+    { gravity, restitution, speed }: ValuesOf<'gravity' | 'restitution' | 'speed'>,
+    { integrator = velocityVerlet }: BuildOptions,
+  ) {
+    const walls = [boxWalls({ min: { x: WALL, y: WALL, z: WALL } })];
+    const forces = [uniformGravity({ y: -gravity })];
+    const world = createPhysicsWorld({ dimensions: 3, capacity: 4, forces, walls, integrator });
+    const collider = { radius: RADIUS, restitution };
+    const velocity = { x: -speed, z: -speed };
+    const ball = spawn(world, { position: { x: 100 }, velocity, mass: 1, collider });
+    return { world, dt: DT, ball };
   },
-  picture({ world, ball }) {
-    const at = () => positionOf(world, ball);
-    const floor = { minX: WALL, maxX: 140, minY: WALL, maxY: WALL, minZ: WALL, maxZ: 60 };
+  picture: ({ world, ball }) => {
+    const view = { minX: WALL, maxX: 120, minY: WALL, maxY: 60, minZ: WALL, maxZ: 100 };
     return {
-      view: { minX: WALL, maxX: 140, minY: WALL, maxY: 40, minZ: WALL, maxZ: 60 },
+      view,
       fills: [
-        { shape: floor, color: 0x39457a },
-        { shape: { ...floor, maxY: 40, maxZ: WALL }, color: 0x2f6f6a },
-        { shape: { ...floor, maxX: WALL, maxY: 40 }, color: 0x6a3f6f },
+        { shape: { ...view, maxY: WALL }, color: COLORS.ground, opacity: 0.9 },
+        { shape: { ...view, maxX: WALL }, color: COLORS.blue, opacity: 0.3 },
+        { shape: { ...view, maxZ: WALL }, color: COLORS.violet, opacity: 0.3 },
       ],
-      trails: [{ body: ball, length: 600 }],
-      arrows: [{ label: 'v', from: at, vector: () => velocityOf(world, ball), color: COLORS.green }],
-      camera: { eye: { x: 160, y: 60, z: 400 }, target: { x: 0, y: 0, z: 0 } },
+      trails: [{ body: ball, length: 900 }],
+      lines: [
+        {
+          from: () => positionOf(world, ball),
+          to: () => ({ ...positionOf(world, ball), y: WALL }),
+          color: COLORS.yellow,
+        },
+      ],
+      arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball) }],
     };
   },
   plots: [
     {
-      title: 'Height above rest',
-      y: { label: 'height, px' },
-      series: [{ label: 'height', value: ({ world, ball }) => positionOf(world, ball).y - REST }],
+      title: 'Distances from the floor and from the walls',
+      y: { label: 'distance, px' },
+      series: [
+        { label: 'floor', value: ({ world, ball }) => positionOf(world, ball).y - REST },
+        { label: 'blue wall', value: ({ world, ball }) => positionOf(world, ball).x - REST },
+        { label: 'violet wall', value: ({ world, ball }) => positionOf(world, ball).z - REST },
+      ],
     },
   ],
   checks: [
-    {
-      label: 'Height of the first apex, 80 e²',
+    ...[
+      { axis: 'y' as const, label: 'It hits the floor, √(2 h/g)', exact: 2.8284 },
+      { axis: 'z' as const, label: 'It hits the violet wall', exact: 4 },
+      { axis: 'x' as const, label: 'It hits the blue wall', exact: 9 },
+    ].map(({ axis, label, exact }) => ({
+      label,
+      unit: 's',
+      exact,
+      tolerance: { absolute: DT },
+      at: { event: ({ world, ball }: BallRun) => velocityOf(world, ball)[axis] },
+      measure: ({ world }: BallRun) => world.time,
+    })),
+    ...[64.8, 52.488].map((exact, i) => ({
+      label: `Height of apex ${i + 1}, 80 · 0.81${['', '²'][i]}`,
       unit: 'px',
-      exact: ({ restitution }) => 80 * restitution * restitution,
-      tolerance: { relative: 2e-3 },
-      at: { event: ({ world, ball }) => (world.time > 3 ? -velocityOf(world, ball).y : -1) },
-      measure: ({ world, ball }) => positionOf(world, ball).y - REST,
-    },
+      exact,
+      tolerance: { relative: 1e-3 },
+      at: { event: ({ world, ball }: BallRun) => -velocityOf(world, ball).y, count: i + 1 },
+      measure: ({ world, ball }: BallRun) => positionOf(world, ball).y - REST,
+    })),
     {
-      label: 'Time of the bounce from the wall at the back',
-      unit: 's',
-      exact: 4,
-      tolerance: { absolute: 1 / 60 },
-      at: { event: ({ world, ball }) => velocityOf(world, ball).z },
-      measure: ({ world }) => world.time,
-    },
-    {
-      label: 'Time of the bounce from the wall at the left',
-      unit: 's',
-      exact: 9,
-      tolerance: { absolute: 1 / 60 },
-      at: { event: ({ world, ball }) => velocityOf(world, ball).x },
-      measure: ({ world }) => world.time,
+      label: 'Speed along the floor after two bounces on it',
+      unit: 'px/s',
+      exact: ({ speed }) => speed,
+      tolerance: { absolute: 0 },
+      at: { time: 8.5 },
+      measure: ({ world, ball }) => -velocityOf(world, ball).x,
     },
   ],
-  tryThis: ['Set the restitution to one: the ball never stops.', 'Turn the view by dragging beside the ball.'],
+  tryThis: [
+    'Take gravity away: the ball moves on a straight line until it meets a wall, and never comes down.',
+    'Drag the view to look from above: there the path consists of straight lines.',
+  ],
 });

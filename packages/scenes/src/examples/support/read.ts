@@ -30,6 +30,6 @@ export function distanceBetween(a: Point, b: Point): number {
 }
 
 /** An empty world, for examples without bodies: only its time goes on. */
-export function emptyWorld(): PhysicsWorld {
-  return createPhysicsWorld({ capacity: 1 });
+export function emptyWorld(dimensions: 2 | 3 = 2): PhysicsWorld {
+  return createPhysicsWorld({ dimensions, capacity: 1 });
 }

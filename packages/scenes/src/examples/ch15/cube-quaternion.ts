@@ -1,0 +1,92 @@
+import { exp, velocityVerlet } from '@principia/physics';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { COLORS } from '../picture.ts';
+import { lengthOf } from '../support/read.ts';
+import { normOf, orientationOf, point, times } from '../support/space.ts';
+import { cubeLines, PUSH_TIME, turningCube } from '../support/turning-cube.ts';
+
+type Values = ValuesOf<'x' | 'y' | 'z'>;
+
+export default defineExample({
+  id: 'ch15-cube-quaternion',
+  title: 'Turning about any axis',
+  chapter: 15,
+  tags: ['3D', 'rotation', 'quaternion'],
+  about:
+    'The torque points along the diagonal, so the cube turns about a corner. Its orientation is kept as a quaternion, four numbers whose squares sum to 1. They know no forbidden directions, unlike three angles, and are easily put right again when rounding has made their sum a little wrong.',
+  dimensions: 3,
+  duration: 20,
+  parameters: {
+    x: { label: 'Torque to the right', unit: 'N m', initial: 1, min: -2, max: 2 },
+    y: { label: 'Torque upwards', unit: 'N m', initial: 1, min: -2, max: 2 },
+    z: { label: 'Torque to the front', unit: 'N m', initial: 1, min: -2, max: 2 },
+  },
+  presets: [{ label: 'About the upright axis', values: { x: 0, z: 0 } }],
+  build({ x, y, z }: Values, { integrator = velocityVerlet }: BuildOptions) {
+    const run = turningCube({ torque: { x, y, z }, drag: 0.5, inertia: 1, pushTime: PUSH_TIME, integrator });
+    const omega = () => {
+      const { AngularVelocity: w } = run.world.components;
+      return point(w.x[run.cube], w.y[run.cube], w.z[run.cube]);
+    };
+    return { ...run, omega };
+  },
+  picture: (run, { x, y, z }) => ({
+    view: { minX: -130, maxX: 130, minY: -110, maxY: 110, minZ: -100, maxZ: 100 },
+    lines: cubeLines(run, COLORS.green),
+    arrows: [
+      { label: 'ω', from: point(0, 0, 0), vector: () => times(run.omega(), 30), color: COLORS.yellow },
+      {
+        label: 'τ',
+        from: point(0, 0, 0),
+        vector: () => (run.isOn() ? point(60 * x, 60 * y, 60 * z) : point(0, 0, 0)),
+        color: COLORS.red,
+      },
+    ],
+  }),
+  actions: {
+    action: {
+      label: 'Turn',
+      about: 'turn the cube',
+      key: 't',
+      press: ({ switches }) => void Object.assign(switches, { byKey: true }),
+      release: ({ switches }) => void Object.assign(switches, { byKey: false }),
+    },
+  },
+  plots: [
+    {
+      title: 'Angular velocity',
+      y: { label: '∣ω∣, rad/s' },
+      series: [{ label: 'stepped', value: ({ omega }) => lengthOf(omega()) }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Angular velocity after 10 s, 2√3 (1 − e⁻⁵)',
+      unit: 'rad/s',
+      exact: ({ x, y, z }) => 2 * (1 - exp(-5)) * lengthOf({ x, y, z }),
+      tolerance: { relative: 1e-3 },
+      at: { time: 10 },
+      measure: ({ omega }) => lengthOf(omega()),
+    },
+    {
+      label: 'Largest difference of the parts of ω',
+      unit: 'rad/s',
+      exact: 0,
+      tolerance: { absolute: 1e-12 },
+      at: { until: 10, take: 'largest' },
+      measure: ({ omega }) => Math.max(Math.abs(omega().x - omega().y), Math.abs(omega().y - omega().z)),
+    },
+    {
+      label: 'Norm of the quaternion after 20 s',
+      unit: '',
+      exact: 1,
+      tolerance: { absolute: 1e-14 },
+      at: { time: 20 },
+      measure: ({ world, cube }) => normOf(orientationOf(world, cube)),
+    },
+  ],
+  tryThis: [
+    'Choose the upright axis: four edges stay upright, and the cube turns like a carousel.',
+    'Give two torques opposite signs: the yellow axis points to another edge or corner.',
+  ],
+});
