@@ -3,7 +3,8 @@
  * writes a static site into `dist/site` that works from any folder of any web server.
  *
  * Options of `npm start -- …`: `--port 8000` (the first free one from there on), `--host 127.0.0.1`; of
- * `npm run build -- …`: `--out dist/site`.
+ * `npm run build -- …`: `--out dist/site`, and `--url https://example.org/games/`, the address at which it will be, with which
+ * links to the games have previews with pictures.
  */
 import { commandOptions } from './lib/command-options.mjs';
 import { root } from './lib/paths.mjs';
@@ -16,6 +17,7 @@ const values = commandOptions({
   port: { type: 'string', default: '8000' },
   host: { type: 'string', default: '127.0.0.1' },
   out: { type: 'string', default: `${root}/dist/site` },
+  url: { type: 'string' },
 });
 
 if (values.serve) await serve(Number(values.port), values.host);
@@ -34,7 +36,7 @@ async function serve(first, host) {
 /** @param {string} folder */
 async function buildSite(folder) {
   try {
-    const count = await writeSite(folder);
+    const count = await writeSite(folder, values.url);
     process.stdout.write(`Wrote ${count} games to ${folder}: serve that folder with any web server\n`);
   } catch (error) {
     await reportFailure(error);

@@ -34,6 +34,9 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   'many-pyramids': ENGINES,
   'joint-grid': ENGINES,
   tumbler: ENGINES,
+  discs: ENGINES,
+  smash: ENGINES,
+  chains: ENGINES,
 };
 
 /** A peer that supports a single integrator. */

@@ -4,7 +4,7 @@ import { BLACK_HOLE } from '@principia/scenes';
 import { BREATH } from './rules.ts';
 import { type BlackHoleGame, createGame } from './sim.ts';
 
-export const CLASSIC = { fuel: false, moving: false, steep: false, autopilot: false };
+export const CLASSIC = { fuel: false, moving: false, steep: false, autopilot: false, level: 1 };
 
 export function play(seed = 1, values: Partial<typeof CLASSIC> = {}): BlackHoleGame {
   return createGame({ values: { ...CLASSIC, ...values }, seed });

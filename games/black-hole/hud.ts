@@ -1,5 +1,6 @@
 /** The text and bars drawn over the picture. */
 import { hasCoarsePointer } from '@principia/shell';
+import { dayOf, dayOfSeed, seedOf } from './daily.ts';
 import { css, type Palette } from './palette.ts';
 import { livesText, scoreText } from './report.ts';
 import { type GameEvent, LIVES, TANK } from './rules.ts';
@@ -25,10 +26,11 @@ const STYLE = `
 .bh-call h2 { margin: 0; font-size: clamp(26px, 5vw, 46px); letter-spacing: -0.02em } .bh-call p { margin: 4px 0 0; color: #c4d2f6 }
 
 /* Beside the ship's start, around which players press to steer. */
-.bh-redraw { right: 14px; bottom: 40px; padding: 7px 14px; border: 1px solid #ffffff38; border-radius: 11px; background: #ffffff14;
+.bh-redraw { right: 14px; bottom: 40px } .bh-daily { right: 14px; bottom: 84px; text-decoration: none }
+.bh-redraw, .bh-daily { padding: 7px 14px; border: 1px solid #ffffff38; border-radius: 11px; background: #ffffff14;
   color: inherit; font: inherit; font-size: 13px; cursor: pointer; pointer-events: auto }
-.bh-redraw:hover { background: #ffffff2c } .bh-redraw:focus-visible { outline: 2px solid var(--ship) }
-@media (pointer: coarse) { .bh-redraw { min-height: 44px } }
+:is(.bh-redraw, .bh-daily):hover { background: #ffffff2c } :is(.bh-redraw, .bh-daily):focus-visible { outline: 2px solid var(--ship) }
+@media (pointer: coarse) { .bh-redraw, .bh-daily { min-height: 44px; box-sizing: border-box; display: grid; place-items: center } .bh-daily { bottom: 92px } }
 .bh-toast { left: 50%; top: 15%; translate: -50% 0; font-size: 22px; width: max-content; max-width: 92%; text-align: center; opacity: 0 }
 .bh-toast.on { opacity: 1; animation: bh-rise 1.7s ease-out both }
 @keyframes bh-rise { 0% { opacity: 0; transform: translateY(12px) } 12%, 60% { opacity: 1; transform: none } 100% { opacity: 0; transform: translateY(-10px) } }
@@ -40,7 +42,7 @@ const STYLE = `
 .bh-hud.outside { font-size: 13px } .outside .bh-lives { top: -44px; left: 10px } .outside .bh-level { top: -44px; right: 10px; gap: 3px }
 .outside .bh-score { top: -22px; left: 10px; translate: none } .outside .bh-fuel { bottom: -40px; left: 10px }
 .outside .bh-speed { display: block; bottom: -24px; right: 10px } .outside .bh-call.low { bottom: 8px; right: 8px }
-.outside .bh-redraw { right: auto; left: 10px; bottom: -100px }
+.outside :is(.bh-redraw, .bh-daily) { right: auto; left: 10px; bottom: -100px } .outside .bh-daily { bottom: -152px }
 `;
 
 /** Free height required to place text above a small stage, CSS pixels. */
@@ -91,7 +93,9 @@ export function createHud(parent: HTMLElement, palette: () => Palette, redraw: (
         showFuel(sim.rules);
         showSpeed(sim);
       }
-      showCall(callOf(sim, current.goalName));
+      // The daily challenge is offered before the first flight of another game.
+      const isFirst = sim.rules.phase === 'ready' && !sim.rules.hasBegun && dayOfSeed(sim.seed) === undefined;
+      showCall(callOf(sim, current.goalName), isFirst);
     },
     toast(event, sim) {
       const text = toastOf(event, sim);
@@ -111,7 +115,7 @@ function createRoot(parent: HTMLElement): HTMLElement {
 <div class="bh-lives">${'<i></i>'.repeat(LIVES)}<span></span></div><div class="bh-score"></div>
 <div class="bh-level"><span></span><small></small></div>
 <div class="bh-fuel"><small></small><div><b></b></div></div><div class="bh-speed"></div>
-<div class="bh-call"><h2></h2><p></p></div><button type="button" class="bh-redraw" title="New layout (N) – no bonus this level">New layout</button><div class="bh-toast" role="status"></div>`;
+<div class="bh-call"><h2></h2><p></p></div><a class="bh-daily" href="?seed=${seedOf(dayOf(new Date()))}">Daily challenge</a><button type="button" class="bh-redraw" title="New layout (N) – no bonus this level">New layout</button><div class="bh-toast" role="status"></div>`;
   parent.append(root);
   return root;
 }
@@ -204,12 +208,14 @@ function createCall(find: Find, redraw: () => void) {
   const [card, title, text] = [find('.bh-call'), find('.bh-call h2'), find('.bh-call p')];
   const other = find('.bh-redraw');
   other.addEventListener('click', redraw);
+  const daily = find('.bh-daily');
   let shown: Call | undefined;
-  return (call: Call) => {
+  return (call: Call, isFirst: boolean) => {
     if (call === shown) return;
     shown = call;
     card.classList.toggle('low', call[0] === '');
     other.hidden = call[0] === '';
+    daily.hidden = !isFirst;
     title.textContent = call[0];
     text.textContent = call[1];
   };

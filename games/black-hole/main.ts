@@ -29,6 +29,7 @@ await startGame({
     ['Goal', 'cross the line at the top. A level has one more hole than the last and is worth as many points'],
     ['Danger', 'falling into a hole costs one of three lives'],
     ['N, New layout', 'other holes, as often as you like; the level then gives no bonus'],
+    ['Daily challenge', 'the same holes for everybody on the same date, with a result to share'],
     ['Bonus', 'for unused fuel, and for every slingshot around a hole'],
   ],
 });

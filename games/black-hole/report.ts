@@ -1,14 +1,28 @@
 /** The state of the game as text and numbers. */
+import type { Outcome } from '@principia/shell';
+import { dayOfSeed } from './daily.ts';
 import { headingOf } from './heading.ts';
 import type { BlackHoleGame } from './sim.ts';
 
-/** The result for the card with the high scores; a demo or autopilot game is not ranked. */
-export function outcomeOf({ rules, isDemo, autopilot }: BlackHoleGame) {
+/** The result for the card with the high scores; a demo or autopilot game, or one that began higher, is not ranked. */
+export function outcomeOf({ rules, isDemo, autopilot, seed }: BlackHoleGame): Outcome | undefined {
   if (rules.phase !== 'over' || isDemo) return undefined;
   const { score, bonus, dodged } = rules;
-  const levels = `${dodged} ${dodged === 1 ? 'level' : 'levels'} cleared`;
-  const lines = [levels, `${score} ${score === 1 ? 'point' : 'points'} + ${bonus} bonus`];
-  return { title: 'Game over', score: autopilot ? 0 : score + bonus, lines };
+  const cleared = dodged - rules.firstLevel + 1;
+  const points = `${score} ${score === 1 ? 'point' : 'points'} + ${bonus} bonus`;
+  const lines = [`${cleared} ${cleared === 1 ? 'level' : 'levels'} cleared`, points];
+  const isWhole = rules.firstLevel === 1;
+  if (!isWhole) lines.push(`Not ranked: it began at level ${rules.firstLevel}.`);
+  const day = dayOfSeed(seed);
+  const which = day === undefined ? '' : `, daily ${day}`;
+  return {
+    title: day === undefined ? 'Game over' : `Daily challenge ${day}`,
+    score: autopilot || !isWhole ? 0 : score + bonus,
+    lines,
+    // The number after the seed of a day is that of the next day.
+    ...(day === undefined ? {} : { nextSeed: 1 }),
+    share: `Black hole${which}: level ${dodged + 1}, ${points}`,
+  };
 }
 
 /** The state that tests read. */

@@ -38,6 +38,8 @@ export interface GameEvent {
 
 /** The options that the player may change. */
 export interface RuleOptions {
+  /** The first level; default 1. */
+  readonly level?: number;
   readonly fuel: boolean;
   readonly moving: boolean;
 }
@@ -95,6 +97,10 @@ export class Rules {
     return this.#delta[SPENT];
   }
 
+  get firstLevel(): number {
+    return this.options.level ?? 1;
+  }
+
   /** Number of holes of the level. */
   get level(): number {
     return Math.min(BLACK_HOLE.most, this.dodged + 1);
@@ -111,7 +117,8 @@ export class Rules {
 
   /** Starts a new game with the first layouts of the seed. */
   restart(): void {
-    Object.assign(this, { lives: LIVES, score: 0, bonus: 0, dodged: 0, hasBegun: false });
+    const dodged = this.firstLevel - 1;
+    Object.assign(this, { lives: LIVES, score: 0, bonus: 0, dodged, hasBegun: false });
     this.#scene.rewind();
     this.#newHoles(true);
     this.#newFlight();

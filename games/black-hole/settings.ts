@@ -1,7 +1,19 @@
 /** The settings in the panel. */
-import { switchSetting, type ValuesOf } from '@principia/shell';
+import { type NumberSetting, switchSetting, type ValuesOf } from '@principia/shell';
+
+const level: NumberSetting = {
+  kind: 'number',
+  label: 'First level',
+  unit: '',
+  initial: 1,
+  min: 1,
+  max: 12,
+  integer: true,
+  about: 'A game that begins higher is not ranked',
+};
 
 export const settings = {
+  level,
   fuel: switchSetting('Fuel', true, {
     key: 'u',
     about: 'A limited tank for every flight; unused fuel gives bonus points',
@@ -18,6 +30,7 @@ export const settings = {
     key: 'g',
     about: 'Holes glow: smaller ones are hotter and brighter',
   }),
+  sound: switchSetting('Sound', true, { key: 'm' }),
   autopilot: switchSetting('Autopilot', false, { key: 'a', about: 'The game plays itself' }),
 };
 

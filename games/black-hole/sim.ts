@@ -49,7 +49,8 @@ export class BlackHoleGame {
   readonly #values: BlackHoleValues;
 
   constructor({ values, seed, log }: BlackHoleOptions) {
-    this.#values = { fuel: values.fuel, moving: values.moving, steep: values.steep, autopilot: values.autopilot };
+    const { fuel, moving, steep, autopilot, level } = values;
+    this.#values = { fuel, moving, steep, autopilot, ...(level === undefined ? {} : { level }) };
     // The scene registers its own mutable state.
     this.scene = markImmutable(blackHole.create({ seed, steep: values.steep ? 1 : 0 }));
     this.rules = new Rules(this.scene, this.#values);
@@ -67,6 +68,10 @@ export class BlackHoleGame {
       this.rules.steer(dt);
     });
     phases.events.push(() => this.rules.judge());
+  }
+
+  get seed(): number {
+    return this.#seed;
   }
 
   get world() {
@@ -164,6 +169,6 @@ export function createGame(options: BlackHoleOptions): BlackHoleGame {
 export function applyValue(sim: BlackHoleGame, name: string, values: BlackHoleValues): boolean {
   if (name === 'autopilot') sim.press(values.autopilot ? 'autopilot' : 'no autopilot');
   else if (name === 'fuel') sim.press(values.fuel ? 'fuel' : 'no fuel');
-  else return name !== 'moving' && name !== 'steep';
+  else return name !== 'moving' && name !== 'steep' && name !== 'level';
   return true;
 }

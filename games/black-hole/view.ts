@@ -9,6 +9,7 @@ import { paletteOf } from './palette.ts';
 import { createPicture, type Picture } from './picture.ts';
 import type { Settings } from './settings.ts';
 import type { BlackHoleGame } from './sim.ts';
+import { createSounds, type Sounds } from './sounds.ts';
 import { StageCamera } from './stage-camera.ts';
 import { paintSky, paintSpot } from './stars.ts';
 import { listenToSteering } from './steering.ts';
@@ -36,6 +37,7 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
   });
   const shown = { x: 0, y: 0 };
   const place = (x: number, y: number) => toScreen(camera, viewport, x, y, shown);
+  const sounds = createSounds();
   const frame = { left: 0, top: 0, width: 0, height: 0, room: 0 };
   const steering = listenToSteering(canvas, {
     ship: () => place(picture.ship[0], picture.ship[1]),
@@ -57,7 +59,8 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
       const sim = context.sim();
       const insets = context.insets();
       stage.update(insets, viewport, picture.ship[0], seconds);
-      shownEvents = showEvents(sim, shownEvents, picture, hud);
+      shownEvents = showEvents(sim, shownEvents, picture, hud, sounds);
+      sounds.update(sim, context.values().sound);
       picture.update(alpha, seconds, camera, viewport);
       steering.update();
       setFrame(frame, place(0, STAGE_HEIGHT), camera.pixelsPerMetre, insets, viewport.width);
@@ -73,6 +76,7 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
     toScreen: place,
     destroy() {
       steering.destroy();
+      sounds.destroy();
       viewport.destroy();
       hud.destroy();
       picture.destroy();
@@ -98,12 +102,13 @@ function paintGame(
 }
 
 /** Shows the events since the first `shownCount`. @returns the number of events so far */
-function showEvents(sim: BlackHoleGame, shownCount: number, picture: Picture, hud: Hud): number {
+function showEvents(sim: BlackHoleGame, shownCount: number, picture: Picture, hud: Hud, sounds: Sounds): number {
   const { events, eventCount } = sim.rules;
   const newCount = Math.max(0, Math.min(events.length, eventCount - shownCount));
   for (let i = events.length - newCount; i < events.length; i++) {
     picture.celebrate(events[i]);
     hud.toast(events[i], sim);
+    if (!sim.isDemo) sounds.play(events[i]);
   }
   return eventCount;
 }

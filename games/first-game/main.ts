@@ -1,33 +1,61 @@
 import { boxWalls, createPhysicsWorld, createRunner, quadraticDrag, spawn, uniformGravity } from '@principia/physics';
-import { worldSource } from '@principia/render-core';
-import { applyCamera, createBodyLayer } from '@principia/render-pixi';
+import { toWorld, worldSource } from '@principia/render-core';
+import { applyCamera, createBodyLayer, createSegmentLayer } from '@principia/render-pixi';
 import { Application } from 'pixi.js';
 
-// A world 16 m wide and 9 m high, with a ball in it. SI units throughout.
+// A room that suits the window, with a ball in it. SI units throughout.
+const [halfWidth, height] = innerWidth > innerHeight ? [8, 9] : [4.5, 15];
 const world = createPhysicsWorld({
   forces: [uniformGravity({ y: -9.81 }), quadraticDrag()],
-  walls: [boxWalls({ min: { x: -8, y: 0 }, max: { x: 8, y: 9 } })],
+  walls: [boxWalls({ min: { x: -halfWidth, y: 0 }, max: { x: halfWidth, y: height } })],
 });
 const collider = { radius: 0.5, restitution: 0.8 };
 const ball = spawn(world, { position: { y: 6 }, velocity: { x: 3 }, mass: 1, collider, quadraticDrag: 0.01 });
+const { Position, Velocity } = world.components; // typed arrays, indexed by body
 
 const app = new Application();
 await app.init({ preference: ['webgl', 'webgpu'], background: '#10141c', resizeTo: window, antialias: true });
 document.body.append(app.canvas);
 const layer = createBodyLayer({ source: worldSource(world), defaultColor: 0xffb454 });
-app.stage.addChild(layer.container);
+const floor = createSegmentLayer({ thickness: 4, color: 0x5b8cff });
+floor.set([-halfWidth, 0, halfWidth, 0]);
+app.stage.addChild(floor.container, layer.container);
 
-// A click below the ball kicks it up: velocity columns are plain typed arrays.
-addEventListener('pointerdown', () => {
-  const { x, y } = world.components.Velocity;
-  y[ball] = 9;
-  x[ball] += 4 * Math.sign(-world.components.Position.x[ball]);
+let sound: AudioContext | undefined; // browsers allow it after the first tap
+function beep(frequency: number) {
+  sound ??= new AudioContext();
+  const tone = new OscillatorNode(sound, { frequency });
+  const fade = new GainNode(sound, { gain: 0.2 });
+  fade.gain.exponentialRampToValueAtTime(0.001, sound.currentTime + 0.3);
+  tone.connect(fade).connect(sound.destination);
+  tone.start();
+  tone.stop(sound.currentTime + 0.3);
+}
+
+// Every tap that hits the ball kicks it up and counts, until the ball touches the floor.
+const output = document.querySelector('output') as HTMLOutputElement;
+const camera = { x: 0, y: height / 2, pixelsPerMetre: 1 };
+let [score, best] = [0, Number(localStorage.getItem('keep it up') ?? 0)];
+addEventListener('pointerdown', ({ clientX, clientY }) => {
+  const { x, y } = toWorld(camera, app.screen, clientX, clientY, { x: 0, y: 0 });
+  if (Math.hypot(x - Position.x[ball], y - Position.y[ball]) > 1.2) return;
+  Velocity.y[ball] = 9;
+  Velocity.x[ball] = 5 * (Position.x[ball] - x);
+  score++;
+  best = Math.max(best, score);
+  localStorage.setItem('keep it up', String(best));
+  beep(300 + 30 * score);
 });
 
 const runner = createRunner(world, { dt: 1 / 120 });
 app.ticker.add(({ deltaMS }) => {
   runner.advance(deltaMS / 1000);
-  const camera = { x: 0, y: 4.5, pixelsPerMetre: Math.min(app.screen.width / 17, app.screen.height / 10) };
+  if (score > 0 && Position.y[ball] < 0.7) {
+    score = 0;
+    beep(90);
+  }
+  output.value = score === 0 ? `Tap the ball – best: ${best}` : `${score}`;
+  camera.pixelsPerMetre = Math.min(app.screen.width / (2 * halfWidth + 1), app.screen.height / (height + 1));
   applyCamera(app.stage, camera, app.screen);
   layer.update(runner.alpha);
 });

@@ -1,7 +1,10 @@
-import { EXAMPLES, type Example, type ExampleRun } from '@principia/scenes/examples';
+import type { Example, ExampleRun } from '@principia/scenes/examples';
+import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { GameCard } from '@principia/shell';
+import { keyName } from './key-name.ts';
 import { make } from './make.ts';
 import { momentAddress } from './moment.ts';
+import { actOn, presentRun } from './on-display.ts';
 
 /** What the example is about, what to try, and the ways to its neighbours; it stands above the settings. */
 export function createAboutCard(parent: HTMLElement, example: Example): GameCard<ExampleRun> {
@@ -20,19 +23,44 @@ export function createAboutCard(parent: HTMLElement, example: Example): GameCard
   const about = make('p', '', {}, example.about);
   const heading = make('h2', '', {}, `Chapter ${example.chapter} · ${example.title}`);
   const card = make('section', 'game-card lab-about', { 'aria-label': 'About' }, heading, about);
-  card.append(make('h2', '', {}, 'Try this'), tries, buttonsOf(example), neighbours);
+  card.append(make('h2', '', {}, 'Try this'), tries, ...actionsOf(example), buttonsOf(example), neighbours);
   parent.prepend(card);
   return { show() {} };
 }
 
+/** A button for each action, which its key does as well. */
+function actionsOf({ actions }: Example): HTMLElement[] {
+  const entries = Object.entries(actions);
+  if (entries.length === 0) return [];
+  const row = make('div', 'lab-presets', { role: 'group', 'aria-label': 'Actions' });
+  for (const [name, { about, key }] of entries) {
+    const button = make('button', '', { type: 'button' }, make('kbd', '', {}, keyName(key)), ` ${about}`);
+    const act = (isDown: boolean) => actOn(presentRun(), name, isDown);
+    button.addEventListener('pointerdown', (event) => {
+      button.setPointerCapture(event.pointerId);
+      act(true);
+    });
+    for (const type of ['pointerup', 'pointercancel'] as const) button.addEventListener(type, () => act(false));
+    // A click without a pointer comes from the keyboard.
+    button.addEventListener('click', (event) => {
+      if (event.detail !== 0) return;
+      act(true);
+      act(false);
+    });
+    row.append(button);
+  }
+  return [row];
+}
+
 /** Presets, and the address of the present moment. */
-function buttonsOf({ id, presets }: Example): HTMLElement {
+function buttonsOf({ id, presets, parameters }: Example): HTMLElement {
   const row = make('div', 'lab-presets');
   for (const { label, values } of presets) {
     const query = new URLSearchParams({ example: id });
     for (const [name, value] of Object.entries(values)) query.set(name, String(value));
     row.append(make('a', '', { href: `?${query}` }, label));
   }
+  if (parameters.count?.integer) row.append(doubleButton(parameters.count.max));
   const copy = make(
     'button',
     '',
@@ -48,4 +76,19 @@ function buttonsOf({ id, presets }: Example): HTMLElement {
   });
   row.append(copy);
   return row;
+}
+
+/** Doubles the number of bodies, until the machine or the example has enough. */
+function doubleButton(max: number): HTMLElement {
+  const button = make(
+    'button',
+    '',
+    { type: 'button', title: 'Twice as many, until 60 pictures a second are too many' },
+    'Double it',
+  );
+  button.addEventListener('click', () => {
+    const now = Number(__game.state().values.count);
+    __game.set('count', Math.min(max, 2 * now));
+  });
+  return button;
 }

@@ -2,6 +2,7 @@ import type { CheckState, Example, ExampleRun, Tolerance } from '@principia/scen
 import type { GameCard } from '@principia/shell';
 import { make } from './make.ts';
 import { percentage, plainNumber } from './number-text.ts';
+import { isDisturbed } from './on-display.ts';
 
 const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': '–' } as const;
 
@@ -19,8 +20,8 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
       shown: '',
       unit: unit === '' ? '' : ` ${unit}`,
       tolerance,
-      preset,
       needs: integrator?.name,
+      preset,
     };
   });
   const list = make('ul', 'lab-checks', { 'aria-live': 'polite' });
@@ -31,31 +32,42 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
   return {
     show(run) {
       run.observe();
-      for (const [i, state] of run.checkStates().entries()) {
+      const states = run.checkStates().map((state) => (isDisturbed(run) ? unjudged(state) : state));
+      for (const [i, state] of states.entries()) {
         const line = rows[i];
-        const text = sentence(state, line);
+        const text = isDisturbed(run)
+          ? takenPart(state, line.unit)
+          : sentence(state, line.unit, line.tolerance, line.needs);
         if (line.shown === text) continue;
         line.shown = text;
         line.text.textContent = text;
         line.mark.textContent = MARKS[state.state];
         line.row.dataset.state = state.state;
+        // A figure of a preset is shown with its values only.
+        line.row.hidden = line.preset !== undefined && state.state === 'not applicable';
       }
     },
   };
 }
 
+/** What is failed or waiting proves nothing about a run in which the reader took part. */
+function unjudged(state: CheckState): CheckState {
+  return state.state === 'passed' ? state : { ...state, state: 'not applicable' };
+}
+
+function takenPart({ computed, exact }: CheckState, unit: string): string {
+  const measured = Number.isFinite(computed) ? `computed ${plainNumber(computed)}${unit}; ` : '';
+  return `${measured}${plainNumber(exact)}${unit} if it is left alone: restart to prove it`;
+}
+
 function sentence(
   { state, computed, exact, error }: CheckState,
-  {
-    unit,
-    tolerance,
-    preset,
-    needs,
-  }: { unit: string; tolerance: Tolerance; preset: string | undefined; needs: string | undefined },
+  unit: string,
+  tolerance: Tolerance,
+  needs?: string,
 ): string {
   if (state === 'not applicable') {
-    const settings = preset === undefined ? 'the default settings' : `the preset “${preset}”`;
-    return needs === undefined ? `holds for ${settings}` : `holds for ${settings} and ${needs}`;
+    return needs === undefined ? 'holds for the default settings' : `holds for the default settings and ${needs}`;
   }
   if (state === 'waiting') return `waiting; exact ${plainNumber(exact)}${unit}`;
   const off = 'relative' in tolerance ? percentage(error) : `${plainNumber(error)}${unit}`;

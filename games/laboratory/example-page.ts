@@ -1,6 +1,7 @@
 /** The page of one example: a game of the shell whose settings are the parameters of the example. */
 import { destroyWorld } from '@principia/physics';
-import type { Example, ExampleEntry } from '@principia/scenes/examples';
+import type { Example } from '@principia/scenes/examples';
+import type { ExampleEntry } from '@principia/scenes/examples/list';
 import {
   type Controls,
   type Renderer,
@@ -14,9 +15,12 @@ import { createChecksCard } from './checks-card.ts';
 import type { CodePanel } from './code-panel.ts';
 import { chosenIntegrator, parameterValues, SHOWN_SETTINGS, settingsOf } from './example-settings.ts';
 import type { Ghosts } from './ghosts.ts';
+import { keyName } from './key-name.ts';
 import type { LabRun } from './lab-run.ts';
+import { make } from './make.ts';
 import { makeGhosts } from './make-ghosts.ts';
 import { goTo, takeMoment } from './moment.ts';
+import { actOn, presenting } from './on-display.ts';
 import { linkedCode, ownCode } from './own-code.ts';
 import { writeAddress } from './page-address.ts';
 import { createPlotsCard } from './plots-card.ts';
@@ -111,7 +115,7 @@ function simulationOf(example: Example, settings: Settings, code: (isShown: bool
       ghosts = makeGhosts(String(values.ghosts), example, options, run.world.integrator.name);
       remember(values, seed);
       code((values as Readonly<Record<string, Value>>).code === true);
-      return { ...run, ghosts };
+      return presenting({ ...run, ghosts });
     },
     apply(_: LabRun, name: string, values: Readonly<Record<string, Value>>): boolean {
       if (name === 'code') code(values.code === true);
@@ -139,20 +143,17 @@ function controlsOf({ actions }: Example): { readonly controls?: Controls<LabRun
   if (entries.length === 0) return {};
   const buttons = Object.fromEntries(entries.map(([name, { label, key }]) => [name, { label, keys: [key] }]));
   return {
-    controls: { buttons, press: (run, name) => run.act(name, true), release: (run, name) => run.act(name, false) },
+    controls: {
+      buttons,
+      press: (run, name) => actOn(run, name, true),
+      release: (run, name) => actOn(run, name, false),
+    },
   };
 }
 
-function keyName(key: string): string {
-  const arrows: Record<string, string> = { arrowup: '↑', arrowdown: '↓', arrowleft: '←', arrowright: '→' };
-  return arrows[key] ?? key.toUpperCase();
-}
-
-/** The way back to the list, before the title. */
+/** The way back to the list, before the title; where there is little room it is a sign only. */
 function addListLink(): void {
-  const link = document.createElement('a');
-  link.href = location.pathname;
-  link.className = 'lab-back';
-  link.textContent = 'All examples';
+  const words = make('span', '', {}, 'All examples');
+  const link = make('a', 'lab-back', { href: location.pathname, 'aria-label': 'All examples' }, '☰ ', words);
   document.querySelector('.game-bar')?.prepend(link);
 }

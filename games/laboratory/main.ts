@@ -1,9 +1,11 @@
 /** The laboratory: without an example in the address it lists all examples, otherwise it opens one. */
-import { EXAMPLES } from '@principia/scenes/examples';
+import { EXAMPLES } from '@principia/scenes/examples/list';
 
 const query = new URLSearchParams(location.search);
 const id = query.get('example');
 const entry = EXAMPLES.find((candidate) => candidate.id === id);
+// The first import is fetched at once by every page, so it is the smallest.
+const openList = () => import('./start-page.ts');
 
 // Changed code is tried in a worker, which runs this script too.
 if (typeof document === 'undefined') await import('./trial.ts');
@@ -11,7 +13,7 @@ else if (entry !== undefined) {
   const { openExample } = await import('./example-page.ts');
   await openExample(entry, query);
 } else {
-  const { showStartPage } = await import('./start-page.ts');
+  const { showStartPage } = await openList();
   const unknown = id === null ? '' : `There is no example “${id}”. Choose one of these.`;
   showStartPage(document.body, query.get('search') ?? '', unknown);
 }

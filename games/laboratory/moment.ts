@@ -1,5 +1,5 @@
 /** Addresses of a moment: the step that the run has reached, and the camera. */
-import { presentView } from './present-view.ts';
+import { presentView } from './on-display.ts';
 
 /** Steps taken at once, so that the page stays alive, and in all. */
 const CHUNK = 200;

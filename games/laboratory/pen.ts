@@ -46,7 +46,7 @@ export class Pen {
     const style = { color, alpha: opacity };
     if ('radius' in shape) {
       const { x, y } = this.place(now(shape.centre));
-      this.#graphics.circle(x, y, shape.radius).fill(style);
+      this.#graphics.poly(roundOutline(x, y, shape.radius)).fill(style);
     } else if ('minX' in shape) {
       const [a, b] = [this.place({ x: shape.minX, y: shape.minY }), this.place({ x: shape.maxX, y: shape.maxY })];
       this.#graphics.rect(a.x, a.y, b.x - a.x, b.y - a.y).fill(style);
@@ -69,12 +69,12 @@ export class Pen {
 
   ring(at: Point, color: number = COLORS.grey, radius = 5 / this.#scale): void {
     const { x, y } = this.place(at);
-    this.#graphics.circle(x, y, radius).stroke({ color, width: 2 / this.#scale });
+    this.#graphics.poly(roundOutline(x, y, radius)).stroke({ color, width: 2 / this.#scale });
   }
 
   dot({ at, radius = 6, color = COLORS.orange }: Dot): void {
     const { x, y } = this.place(now(at));
-    this.#graphics.circle(x, y, radius / this.#scale).fill({ color });
+    this.#graphics.poly(roundOutline(x, y, radius / this.#scale)).fill({ color });
   }
 
   /** @returns the tip, m; undefined if the arrow is too short to be seen */
@@ -121,4 +121,12 @@ function coilPoints(a: { x: number; y: number }, b: { x: number; y: number }, co
   const points = [a, at(0.08, 0)];
   for (let i = 0; i < 2 * coils; i++) points.push(at(0.08 + (0.84 * (i + 0.5)) / (2 * coils), i % 2 === 0 ? 1 : -1));
   return [...points, at(0.92, 0), b];
+}
+
+/** Corners of a disc. pixi.js would take fewer of them for a disc that is small in metres, however large in pixels. */
+function roundOutline(x: number, y: number, radius: number): { x: number; y: number }[] {
+  return Array.from({ length: 48 }, (_, i) => {
+    const angle = (2 * Math.PI * i) / 48;
+    return { x: x + radius * Math.cos(angle), y: y + radius * Math.sin(angle) };
+  });
 }

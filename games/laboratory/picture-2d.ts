@@ -101,7 +101,7 @@ function drawLive(run: LabRun, pen: Pen, texts: TextLayer, scale: number, shown:
     if (at === undefined) continue;
     pen.ring(at, curve.color, curve.markRadius);
     if (curve.label !== undefined)
-      texts.write(pen.place(at), curve.label, curve.color, (curve.markRadius ?? 5) + 3 / scale);
+      texts.write(pen.place(at), curve.label, curve.color, (curve.markRadius ?? 5 / scale) + 3 / scale);
   }
   for (const arrow of shown.arrows === false ? [] : (picture.arrows ?? [])) {
     const tip = pen.arrow(arrow);

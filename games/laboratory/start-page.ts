@@ -1,18 +1,25 @@
 /** The list of all examples: by chapter, with a search. */
-import { EXAMPLES, type ExampleEntry } from '@principia/scenes/examples';
+import { EXAMPLES, type ExampleEntry } from '@principia/scenes/examples/list';
+import { chapterTitle } from './chapters.ts';
 import { make } from './make.ts';
 import { addStartStyles } from './start-styles.ts';
 
 /** @param search words to begin with @param problem a sentence above the list; empty for none */
 export function showStartPage(parent: HTMLElement, search: string, problem: string): void {
   addStartStyles();
-  const field = make('input', '', { type: 'search', placeholder: 'Search', 'aria-label': 'Search', value: search });
+  const field = make('input', '', {
+    type: 'search',
+    placeholder: 'Search: orbit, drag, chapter 8 …',
+    'aria-label': 'Search',
+    value: search,
+  });
   const count = make('p', 'start-count', { role: 'status' });
   const list = make('div', '');
   const tags = make('div', 'start-tags', { role: 'group', 'aria-label': 'Subjects' });
   let pictures: Readonly<Record<string, string>> = {};
   const show = () => {
     const found = EXAMPLES.filter((entry) => matches(entry, field.value));
+    for (const button of tags.children) button.setAttribute('aria-pressed', String(button.textContent === field.value));
     count.textContent = found.length === 1 ? '1 example' : `${found.length} examples`;
     list.replaceChildren(...chapters(found, pictures));
     const query = field.value === '' ? location.pathname : `?search=${encodeURIComponent(field.value)}`;
@@ -32,6 +39,11 @@ export function showStartPage(parent: HTMLElement, search: string, problem: stri
     show();
   });
   field.addEventListener('input', show);
+  document.addEventListener('keydown', (event) => {
+    if (event.key !== '/' || event.target === field) return;
+    event.preventDefault();
+    field.focus();
+  });
   const note = make('p', 'start-problem', { role: 'alert' }, problem);
   note.hidden = problem === '';
   const about = 'Every example of a physics book: play with it, and watch its figures being proven.';
@@ -55,7 +67,7 @@ export function showStartPage(parent: HTMLElement, search: string, problem: stri
 
 /** Every word of the search must occur in the title, the chapter, the tags, the text or the id. */
 function matches({ id, title, chapter, tags, about }: ExampleEntry, search: string): boolean {
-  const text = [id, title, `chapter ${chapter}`, ...tags, about].join(' ').toLowerCase();
+  const text = [id, title, chapterTitle(chapter), ...tags, about].join(' ').toLowerCase();
   return search
     .toLowerCase()
     .split(/\s+/)
@@ -78,7 +90,7 @@ function chapters(entries: readonly ExampleEntry[], pictures: Readonly<Record<st
       .map((entry) => item(entry, pictures[entry.id] ?? ''));
     const list = make('ul', '');
     list.append(...items);
-    return make('section', '', {}, make('h2', '', {}, `Chapter ${number}`), list);
+    return make('section', '', {}, make('h2', '', {}, chapterTitle(number)), list);
   });
 }
 

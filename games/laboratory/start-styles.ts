@@ -9,6 +9,7 @@ body { color: #eef1fb; font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Robo
 .start-tags { display: flex; flex-wrap: wrap; gap: 6px; margin: 12px 0 }
 .start-tags button { font: inherit; font-size: 13px; padding: 5px 12px; min-height: 32px; border-radius: 16px; cursor: pointer;
   border: 1px solid #ffffff24; background: #ffffff0f; color: inherit }
+.start-tags button[aria-pressed=true] { background: #ffc15e; color: #1c1503 }
 .start-tags button:hover { background: #ffffff22 } .start :focus-visible { outline: 2px solid #ffc15e; outline-offset: 2px }
 .start-count { font-size: 13px } .start-problem { color: #ffdfe3 !important; background: #30142b; padding: 10px 14px; border-radius: 10px }
 .start h2 { font-size: 16px; margin: 22px 0 8px; color: #b9c2e0 }
@@ -18,6 +19,10 @@ body { color: #eef1fb; font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Robo
 .start-picture { aspect-ratio: 8 / 5; margin: -12px -14px 10px; border-radius: 14px 14px 0 0; overflow: hidden; background: #0d1430 }
 .start-picture svg { display: block; width: 100%; height: 100% }
 .start li b { display: block; font-weight: 600 } .start li span { font-size: 12.5px; color: #97a3c7 }
+@media (max-width: 600px) { .start { padding: 16px 14px 40px } .start h1 { font-size: 28px }
+  .start-tags { flex-wrap: nowrap; overflow-x: auto; margin-inline: -14px; padding-inline: 14px; scrollbar-width: none }
+  .start-tags button { flex: none; min-height: 44px; border-radius: 22px } .start ul { grid-template-columns: 1fr 1fr; gap: 10px }
+  .start li a { padding: 10px } .start-picture { margin: -10px -10px 8px } .start li b { font-size: 14px; line-height: 1.3 } }
 `;
 
 export function addStartStyles(): void {

@@ -1,6 +1,7 @@
 /** Styles of the laboratory, beside those of the shell. */
 const styles = `
-.lab-back { pointer-events: auto; color: var(--accent); font-weight: 600; text-decoration: none; margin-right: 6px; white-space: nowrap }
+.game-bar .lab-back { display: flex; justify-content: center; align-items: center; gap: 6px; text-decoration: none; white-space: nowrap }
+@media (max-width: 759px), (max-height: 479px) { .lab-back span { display: none } }
 .lab-back:focus-visible, .lab-neighbours a:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 .lab-about p { margin: 2px 0 8px; font-size: 13px; line-height: 1.45; user-select: text }
 .lab-about ul { margin: 2px 0 8px; padding-left: 16px; font-size: 13px; line-height: 1.4 }
@@ -27,6 +28,7 @@ const styles = `
 .lab-code-buttons button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 .lab-words { margin: 0; font-size: 12.5px; line-height: 1.45; color: var(--dim); font-variant-numeric: tabular-nums; user-select: text }
 .lab-spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); margin: 0 }
+.lab-presets kbd { font: inherit; font-weight: 700; color: var(--accent) }
 .lab-presets { display: flex; flex-wrap: wrap; gap: 6px; margin: 0 0 10px }
 .lab-presets a, .lab-presets button { border: 1px solid var(--line); border-radius: 9px; background: #ffffff10; color: var(--ink); font: inherit; font-size: 12px;
   line-height: 1; padding: 8px 10px; cursor: pointer; text-decoration: none } .lab-presets :focus-visible { outline: 2px solid var(--accent) }

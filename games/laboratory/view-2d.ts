@@ -3,14 +3,23 @@ import { frameOf } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import type { LabRun } from './lab-run.ts';
+import { disturb, showing } from './on-display.ts';
 import { drawPicture } from './picture-2d.ts';
-import { showing } from './present-view.ts';
 
 export async function openView(context: ViewContext<Settings, LabRun>): Promise<View> {
   const view = await openPixiView(context, {
     bounds: ({ picture }) => frameOf(picture).bounds,
     yDown: ({ picture }) => picture.yDown ?? false,
-    paint: (run, source) => drawPicture(run, source, () => context.values()),
+    paint(run, source) {
+      const picture = drawPicture(run, source, () => context.values());
+      return {
+        ...picture,
+        update(alpha, pixelsPerMetre) {
+          if (context.dragging().dragged.length > 0) disturb(run);
+          picture.update(alpha, pixelsPerMetre);
+        },
+      };
+    },
   });
   return showing(view);
 }

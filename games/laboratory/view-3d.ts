@@ -3,8 +3,8 @@ import type { Picture } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { type BoxBounds, openThreeView } from '@principia/shell/three';
 import type { LabRun } from './lab-run.ts';
+import { disturb, showing } from './on-display.ts';
 import { drawPicture3D } from './picture-3d.ts';
-import { showing } from './present-view.ts';
 
 /** From the right above in front. */
 const DIRECTION = { x: 0.5, y: 0.35, z: 1 };
@@ -13,7 +13,16 @@ export async function openView3D(context: ViewContext<Settings, LabRun>): Promis
   const view = await openThreeView(context, {
     bounds: ({ picture }) => boxOf(picture),
     direction: directionOf(context.sim().picture),
-    paint: (run, source) => drawPicture3D(run, source, () => context.values()),
+    paint(run, source) {
+      const picture = drawPicture3D(run, source, () => context.values());
+      return {
+        ...picture,
+        update(alpha) {
+          if (context.dragging().dragged.length > 0) disturb(run);
+          picture.update(alpha);
+        },
+      };
+    },
   });
   return showing(view);
 }

@@ -2,6 +2,7 @@ import type { GameCard } from '@principia/shell';
 import type { LabRun } from './lab-run.ts';
 import { make } from './make.ts';
 import { plainNumber } from './number-text.ts';
+import { isDisturbed } from './on-display.ts';
 
 /** Milliseconds between two announcements while the run goes on; a reader of the screen needs time to speak. */
 const INTERVAL = 10_000;
@@ -35,6 +36,7 @@ function describe(run: LabRun): string {
     const unit = y.label.includes(', ') ? ` ${y.label.split(', ').at(-1)}` : '';
     return series.map(({ label, value }) => `${label} ${plainNumber(value())}${unit}`);
   });
+  if (isDisturbed(run)) return `After ${run.world.time.toFixed(1)} s: ${[...values, 'you took part'].join('; ')}.`;
   const states = run.checkStates().filter(({ state }) => state !== 'not applicable');
   const passed = states.filter(({ state }) => state === 'passed').length;
   const failed = states.filter(({ state }) => state === 'failed').length;

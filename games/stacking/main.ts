@@ -1,21 +1,44 @@
 /** A sandbox of rigid bodies, drawn by pixi.js. */
-import { startGame } from '@principia/shell';
+import { dragByJoints, startGame } from '@principia/shell';
 import { applyColors } from './colors.ts';
+import { readScene } from './scene-link.ts';
 import { settings } from './settings.ts';
 import { applyValue, blast, createSim, dropBlock, report, throwBall } from './sim.ts';
 
 const ACTIONS = { action: throwBall, up: dropBlock, down: blast } as const;
 
+const [, text] = /^#scene=(.*)$/s.exec(location.hash) ?? [];
+let problem = '';
+/** The scene of the link; a player who chooses a build leaves it. */
+let scene = await readScene(text ?? '').catch((error: Error) => {
+  if (text !== undefined) problem = error.message;
+  return undefined;
+});
+
 await startGame({
   title: 'Stack and smash',
   home: '../index.html',
   settings,
-  create: createSim,
-  apply: applyValue,
-  applyColors: (sim, { seed, safeColors }) => applyColors(sim, seed, safeColors),
+  create: (options) => createSim({ ...options, scene }),
+  apply(sim, name, values) {
+    if (name === 'build' || name === 'count') scene = undefined;
+    return applyValue(sim, name, values);
+  },
+  // A scene from a link has the colours that it was saved with.
+  applyColors: (sim, { seed, safeColors }) => scene === undefined && applyColors(sim, seed, safeColors),
   report,
+  drag: dragByJoints,
   renderers: {
-    pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },
+    pixi: {
+      label: '2D',
+      dimensions: 2,
+      async open(context) {
+        const { openView } = await import('./view.ts');
+        if (problem !== '') context.showMessage(problem);
+        problem = '';
+        return openView(context);
+      },
+    },
   },
   controls: {
     buttons: {
@@ -31,5 +54,8 @@ await startGame({
     ['N, ■', 'drop a block'],
     ['T, ✶', 'blow up the middle'],
     ['Drag a body', 'move it, stack it, release to throw it'],
+    ['Hinge, Motor, Weld', 'tap where two bodies touch, or a body that is to be joined to the background'],
+    ['Cut', 'swipe through bodies'],
+    ['Link', 'saves the scene to a link, with its joints'],
   ],
 });

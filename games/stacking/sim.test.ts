@@ -1,6 +1,9 @@
 import { bodies, nearestPoint, step } from '@principia/physics';
 import { dragBodies } from '@principia/shell';
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { cutAlong } from './cut.ts';
+import { join } from './join.ts';
+import { readScene, sceneOf, writeScene } from './scene-link.ts';
 import { settings } from './settings.ts';
 import { applyValue, blast, createSim, dropBlock, report, throwBall } from './sim.ts';
 
@@ -88,4 +91,62 @@ it('applies gravity and the surface of bodies while running, and asks for a new 
   for (const name of ['build', 'count']) expect(applyValue(sim, name, values)).toBe(false);
   expect(Object.values(settings.build.choices)).toContain(VALUES.build);
   expect(sim.world.components.Collider.friction[sim.ground]).toBeCloseTo(0.1, 6);
+});
+
+describe('tools', () => {
+  const total = ({ world }: ReturnType<typeof make>) => {
+    const { ids, count } = bodies(world);
+    return Array.from(ids.subarray(0, count)).reduce((sum, id) => sum + (world.components.Mass.value[id] || 0), 0);
+  };
+
+  it('a cut makes two bodies of each that it crosses, with its mass and momentum', () => {
+    const sim = run(make({ build: 'pyramid', count: 10 }), 0.1);
+    const { world } = sim;
+    const before = { count: report(sim).bodies, mass: total(sim) };
+    // Through the whole lowest row of four bricks of 40 cm height.
+    expect(cutAlong(world, { x: -3, y: 0.17 }, { x: 3, y: 0.19 })).toBe(4);
+    expect(report(sim).bodies).toBe(before.count + 4);
+    expect(total(sim)).toBeCloseTo(before.mass, 3);
+    run(sim, 1);
+    expect(world.faults.faults).toEqual([]);
+    // A line that ends before a body crosses nothing.
+    expect(cutAlong(world, { x: -3, y: 30 }, { x: 3, y: 30 })).toBe(0);
+  });
+
+  it('a hinge to the world holds a body up, a motor turns it, and a weld keeps two together', () => {
+    const sim = make({ build: 'mixed', count: 10 });
+    const { world } = sim;
+    const { Position, AngularVelocity } = world.components;
+    const { ids } = bodies(world);
+    const free = Array.from(ids.subarray(0, 10));
+    const heights = free.map((id) => Position.y[id]);
+    const [hung, turned] = [free[9], free[6]];
+    expect(join(world, 'hinge', { x: Position.x[hung], y: Position.y[hung] })).toBeGreaterThan(0);
+    expect(join(world, 'motor', { x: Position.x[turned], y: Position.y[turned] })).toBeGreaterThan(0);
+    expect(join(world, 'weld', { x: 100, y: 100 })).toBe(0);
+    run(sim, 2);
+    expect(Position.y[hung]).toBeCloseTo(heights[9], 2);
+    expect(Math.abs(AngularVelocity.z[turned])).toBeGreaterThan(1);
+    expect(report(sim).joints).toBe(2);
+  });
+
+  it('a scene comes back from its link, joints included, and a broken link gets a sentence', async () => {
+    const sim = run(make({ build: 'bridge', count: 30 }), 0.5);
+    join(sim.world, 'motor', { x: sim.world.components.Position.x[5], y: sim.world.components.Position.y[5] });
+    const scene = sceneOf(sim.world, sim.ground);
+    const text = await writeScene(scene);
+    expect(text.length).toBeLessThan(2500);
+    const copy = createSim({ values: { ...VALUES, build: 'tower' }, seed: 1, scene: await readScene(text) });
+    expect(report(copy)).toMatchObject({ bodies: report(sim).bodies, joints: report(sim).joints });
+    expect(total(copy)).toBeCloseTo(total(sim), 1);
+    run(copy, 2);
+    // The bridge still hangs.
+    const { ids, count } = bodies(copy.world);
+    const highest = Math.max(...Array.from(ids.subarray(0, count), (id) => copy.world.components.Position.y[id]));
+    expect(highest).toBeGreaterThan(2);
+    for (const wrong of ['', '1.', '9.abc', `${text.slice(0, 40)}`, '1.!!!']) {
+      await expect(readScene(wrong)).rejects.toThrow(/^The scene in the address cannot be read because/);
+    }
+    expect(() => sceneOf(make({ count: 900 }).world, 0)).toThrow(/250 bodies at most/);
+  });
 });

@@ -12,7 +12,9 @@ import {
   spawn,
   uniformGravity,
 } from '@principia/physics';
+import { query } from 'bitecs';
 import { build } from './builds.ts';
+import { buildScene, type SavedScene } from './scene-link.ts';
 
 /** The settings of a build. */
 export interface StackingValues {
@@ -36,7 +38,14 @@ const GROUND_LAYER = 2;
 /** Bodies that a player may add. */
 const SPARE = 2000;
 
-export function createSim({ values, seed }: { readonly values: StackingValues; readonly seed: number }): StackingRun {
+interface StackingOptions {
+  readonly values: StackingValues;
+  readonly seed: number;
+  /** A scene from a link, in place of a build. */
+  readonly scene?: SavedScene | undefined;
+}
+
+export function createSim({ values, seed, scene }: StackingOptions): StackingRun {
   const { count, gravity, friction, restitution } = values;
   const world = createPhysicsWorld({
     capacity: 3 * count + 200 + SPARE,
@@ -45,7 +54,9 @@ export function createSim({ values, seed }: { readonly values: StackingValues; r
     preset: rigidBodies,
     forces: [uniformGravity({ y: -gravity })],
   });
-  build(world, values.build, count, { friction, restitution });
+  const material = { friction, restitution };
+  if (scene === undefined) build(world, values.build, count, material);
+  else buildScene(world, scene, material);
   const { x: width, y: height } = extentOf(world);
   const ground = spawn(world, {
     position: { y: -6 },
@@ -119,6 +130,11 @@ function spawnExtra(world: PhysicsWorld, body: Parameters<typeof spawn>[1]): voi
   if (bodies(world).count + 2 < world.capacity) spawn(world, body);
 }
 
-export function report({ world }: StackingRun): { readonly bodies: number; readonly asleep: number } {
-  return { bodies: bodies(world).count, asleep: asleepCount(world) };
+export function report({ world }: StackingRun): {
+  readonly bodies: number;
+  readonly asleep: number;
+  readonly joints: number;
+} {
+  const { Joint } = world.components;
+  return { bodies: bodies(world).count, asleep: asleepCount(world), joints: query(world, [Joint]).length };
 }

@@ -1,30 +1,107 @@
-/** The view: every body as the shape that it has, and, on demand, where bodies touch. */
+/** The view: every body as the shape that it has, its joints, and the tools with which a pointer works on them. */
 import { nearestPoint } from '@principia/physics';
 import { createBodyLayer } from '@principia/render-pixi';
-import { hasCoarsePointer, showHint, type View, type ViewContext } from '@principia/shell';
+import { copyLink, hasCoarsePointer, listenToTaps, showHint, type View, type ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
+import { Container } from 'pixi.js';
+import { cutAlong } from './cut.ts';
+import { join } from './join.ts';
+import { createJointMarks } from './joint-marks.ts';
+import { sceneOf, writeScene } from './scene-link.ts';
 import type { Settings } from './settings.ts';
 import type { StackingRun } from './sim.ts';
+import { createPalette } from './tools.ts';
 
-const TEXT = 'Drag bodies to stack or throw them. C throws a ball, N drops a block, T blows up the middle.';
-const TOUCH_TEXT = 'Drag bodies to stack or throw them. The buttons throw a ball, drop a block and blow up the middle.';
+const TEXT = 'Drag bodies, or take a tool. C throws a ball, N drops a block, T blows up the middle.';
+const TOUCH_TEXT = 'Drag bodies, or take a tool. The buttons throw a ball, drop a block and blow up the middle.';
 
 /** Layers of bodies that can be taken: not that of the ground. */
 const TAKEN = 1;
 
 export async function openView(context: ViewContext<Settings, StackingRun>): Promise<View> {
+  const palette = createPalette(
+    context.element,
+    () => void share(context),
+    (text) => context.showMessage(text),
+  );
   const view = await openPixiView(context, {
     bounds: (sim) => sim.bounds,
-    pick: ({ world }, { x, y }, slack) => nearestPoint(world, { x, y }, { mask: TAKEN, maxDistance: slack })?.body ?? 0,
-    paint(_, source) {
+    pick({ world }, { x, y }, slack) {
+      if (palette.tool !== 'drag') return 0;
+      return nearestPoint(world, { x, y }, { mask: TAKEN, maxDistance: slack })?.body ?? 0;
+    },
+    paint({ world }, source) {
       const layer = createBodyLayer({ source, rimWidth: 1, minimumPixels: 1 });
-      return { container: layer.container, update: layer.update, destroy: layer.destroy };
+      const marks = createJointMarks(world);
+      return {
+        container: new Container({ children: [layer.container, marks.container] }),
+        update(alpha, pixelsPerMetre) {
+          layer.update(alpha);
+          marks.update(alpha, pixelsPerMetre);
+        },
+        destroy() {
+          layer.destroy();
+          marks.destroy();
+        },
+      };
     },
   });
+  const stopTools = listenToTools(context, view, () => palette.tool);
   const removeHint = showHint(context.element, hasCoarsePointer() ? TOUCH_TEXT : TEXT);
   const destroy = () => {
+    stopTools();
     removeHint();
+    palette.destroy();
     view.destroy();
   };
   return { ...view, destroy };
+}
+
+/** Taps make joints, swipes cut. @returns a function that stops listening */
+function listenToTools(context: ViewContext<Settings, StackingRun>, view: View, tool: () => string): () => void {
+  const { canvas } = view;
+  const worldPoint = (x: number, y: number) => {
+    const origin = view.toScreen(0, 0, 0);
+    const unit = view.toScreen(1, 0, 0).x - origin.x;
+    return { x: (x - origin.x) / unit, y: (origin.y - y) / unit };
+  };
+  const stopTaps = listenToTaps(canvas, (x, y) => {
+    const name = tool();
+    if (name === 'drag' || name === 'cut') return;
+    const joint = join(context.sim().world, name as 'hinge' | 'motor' | 'weld', worldPoint(x, y));
+    if (joint === 0) context.showMessage('There is no body to join. Tap on one, or where two touch.');
+  });
+  const stop = new AbortController();
+  const { signal } = stop;
+  const starts = new Map<number, { x: number; y: number }>();
+  const locate = ({ clientX, clientY }: PointerEvent) => {
+    const { left, top } = canvas.getBoundingClientRect();
+    return worldPoint(clientX - left, clientY - top);
+  };
+  const down = (event: PointerEvent) => {
+    if (tool() === 'cut' && event.button === 0) starts.set(event.pointerId, locate(event));
+  };
+  const up = (event: PointerEvent) => {
+    const start = starts.get(event.pointerId);
+    if (start !== undefined && starts.size === 1) cutAlong(context.sim().world, start, locate(event));
+    starts.delete(event.pointerId);
+  };
+  canvas.addEventListener('pointerdown', down, { signal });
+  canvas.addEventListener('pointerup', up, { signal });
+  canvas.addEventListener('pointercancel', ({ pointerId }) => starts.delete(pointerId), { signal });
+  return () => {
+    stopTaps();
+    stop.abort();
+  };
+}
+
+async function share(context: ViewContext<Settings, StackingRun>): Promise<void> {
+  const { world, ground } = context.sim();
+  try {
+    const link = new URL(location.href);
+    link.hash = `scene=${await writeScene(sceneOf(world, ground))}`;
+    context.showMessage(await copyLink(link.href, 'your scene'));
+  } catch (error) {
+    context.showMessage((error as Error).message);
+  }
 }

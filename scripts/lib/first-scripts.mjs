@@ -39,12 +39,12 @@ export function firstScripts(outputs, entry) {
 }
 
 /**
- * The same for every game of a bundle.
- * @param {import('esbuild').Metafile | undefined} metafile
+ * The same for every game of some bundles.
+ * @param {readonly (import('esbuild').Metafile | undefined)[]} metafiles
  * @returns {(name: string) => FirstScripts}
  */
-export function scriptsByGame(metafile) {
-  const outputs = metafile?.outputs ?? {};
+export function scriptsByGame(metafiles) {
+  const outputs = Object.assign({}, ...metafiles.map((metafile) => metafile?.outputs));
   return (name) => {
     const entry = Object.keys(outputs).find((path) => path.endsWith(`/${name}/main.js`));
     return entry === undefined ? { shared: [], picture: [] } : firstScripts(outputs, entry);

@@ -2,8 +2,9 @@
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
 import { scriptsByGame, startSooner } from './first-scripts.mjs';
-import { siteOptions } from './site-bundle.mjs';
-import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
+import { serviceWorker, withServiceWorker } from './service-worker.mjs';
+import { frontPageOptions, siteBundles } from './site-bundle.mjs';
+import { frontPage, gameNames, gamePage, gamePicture, withPreview } from './site-pages.mjs';
 
 /** Browsers run no modules that lie in a folder without a server: then the page says what to do. */
 const fromDisk = `<script>
@@ -21,22 +22,28 @@ if (location.protocol === 'file:') {
 /**
  * Writes the site; what was in the folder goes.
  * @param {string} folder
+ * @param {string} [site] the address at which the site will be, for previews of links
  * @returns {Promise<number>} how many games it has
  */
-export async function writeSite(folder) {
+export async function writeSite(folder, site) {
   const names = gameNames();
   rmSync(folder, { recursive: true, force: true });
-  const { metafile } = await build(
-    siteOptions({ minify: true, outdir: folder, conditions: ['principia-source', 'production'] }),
-  );
-  const scripts = scriptsByGame(metafile);
+  const bundles = siteBundles({ minify: true, outdir: folder, conditions: ['principia-source', 'production'] });
+  const built = await Promise.all(bundles.map((bundle) => build(bundle)));
+  await build(frontPageOptions({ outdir: folder }));
+  const scripts = scriptsByGame(built.map(({ metafile }) => metafile));
   mkdirSync(folder, { recursive: true });
-  writeFileSync(`${folder}/index.html`, withNote(frontPage()));
+  const first = names.find((name) => gamePicture(name));
+  const front = withPreview(frontPage(), { site, picture: first && `${first}/picture.webp` });
+  writeFileSync(`${folder}/index.html`, withServiceWorker(withNote(front), './sw.js'));
   for (const name of names) {
-    writeFileSync(`${folder}/${name}/index.html`, withNote(startSooner(gamePage(name), scripts(name))));
     const picture = gamePicture(name);
-    if (picture) writeFileSync(`${folder}/${name}/picture.png`, picture);
+    const place = { site, path: `${name}/`, picture: picture && `${name}/picture.webp` };
+    const page = withPreview(startSooner(gamePage(name), scripts(name)), place);
+    writeFileSync(`${folder}/${name}/index.html`, withServiceWorker(withNote(page), '../sw.js'));
+    if (picture) writeFileSync(`${folder}/${name}/picture.webp`, picture);
   }
+  writeFileSync(`${folder}/sw.js`, serviceWorker(folder));
   return names.length;
 }
 

@@ -8,12 +8,33 @@ import { pixiPlugins } from './pixi-parts.mjs';
 import { gameNames } from './site-pages.mjs';
 
 /**
- * Every address in the output is relative, so the site works from any folder of any server.
+ * Games that share no scripts with the others: the examples of the laboratory use all of the physics, which every game would
+ * load if they shared it.
+ */
+const ALONE = ['laboratory'];
+
+/**
+ * The bundles of the site, each with some of the games. Every address in the output is relative, so the site works from any
+ * folder of any server.
+ * @param {import('esbuild').BuildOptions} options
+ * @returns {import('esbuild').BuildOptions[]}
+ */
+export function siteBundles(options) {
+  const names = gameNames();
+  const groups = [
+    names.filter((name) => !ALONE.includes(name)),
+    ...ALONE.filter((name) => names.includes(name)).map((name) => [name]),
+  ];
+  return groups.filter((group) => group.length > 0).map((group) => siteOptions(group, options));
+}
+
+/**
+ * @param {readonly string[]} names of the games
  * @param {import('esbuild').BuildOptions} options
  */
-export function siteOptions(options) {
+function siteOptions(names, options) {
   return bundleOptions({
-    entryPoints: gameNames().map((name) => `games/${name}/main.ts`),
+    entryPoints: names.map((name) => `games/${name}/main.ts`),
     outbase: 'games',
     outdir: 'dist/site',
     entryNames: '[dir]/[name]',
@@ -23,6 +44,22 @@ export function siteOptions(options) {
     loader: { '.png': 'file', '.jpg': 'file', '.svg': 'file', '.ogg': 'file', '.mp3': 'file', '.woff2': 'file' },
     plugins: [kernelsPlugin, ...pixiPlugins],
     metafile: true,
+    ...options,
+  });
+}
+
+/**
+ * The live scene of the front page, a bundle of its own with the one precision that it uses: visitors who play nothing
+ * load little.
+ * @param {import('esbuild').BuildOptions} options
+ */
+export function frontPageOptions(options) {
+  return bundleOptions({
+    entryPoints: { 'front-page': 'games/front-page/scene.ts' },
+    outdir: 'dist/site',
+    plugins: [kernelsPlugin],
+    minify: true,
+    conditions: ['principia-source', 'production', 'principia-f32'],
     ...options,
   });
 }

@@ -28,30 +28,72 @@ export function gamePage(name) {
 }
 
 /**
- * The picture of a game on the front page, if its author has put one there.
+ * The picture of a game on the front page, if its author has put one there: WebP, 560 by 350 pixels, 15 KB at most.
  * @param {string} name
  */
 export function gamePicture(name) {
-  const file = `${gamesFolder}/${name}/picture.png`;
+  const file = `${gamesFolder}/${name}/picture.webp`;
   return existsSync(file) ? readFileSync(file) : undefined;
 }
 
-/** The front page: `games/index.html`, or a plain one; the list of games takes the place of `<!-- games -->`. */
+/** Kinds of games, as in `<meta name="kind">`, in the order of the front page, and their headings. */
+const KINDS = { game: 'Games', toy: 'Things to play with', lab: 'Experiments' };
+
+/** The front page: `games/index.html`; the lists of games by kind take the place of `<!-- games -->`. */
 export function frontPage() {
   const file = `${gamesFolder}/index.html`;
   const template = existsSync(file) ? readFileSync(file, 'utf8') : plainFrontPage;
-  const items = gameNames().map((name) => {
-    const html = gamePage(name);
-    const title = html.match(/<title>([^<]*)<\/title>/i)?.[1].trim() || name;
-    const about = html.match(/<meta\s+name="description"\s+content="([^"]*)"/i)?.[1];
-    const picture = gamePicture(name)
-      ? `<img src="./${name}/picture.png" alt="" width="880" height="550" decoding="async">`
-      : '';
-    const address = `./${name}/index.html`;
-    return `<li><a href="${address}">${picture}<b>${title}</b></a>${about ? ` <span>${about}</span>` : ''}</li>`;
+  const cards = gameNames().map((name) => ({ kind: metaOf(gamePage(name), 'kind') ?? 'toy', card: cardOf(name) }));
+  const sections = Object.entries(KINDS).map(([kind, heading]) => {
+    const own = cards.filter((each) => each.kind === kind || (kind === 'toy' && !Object.hasOwn(KINDS, each.kind)));
+    const list = own.map(({ card }) => card).join('\n');
+    return own.length === 0 ? '' : `<section><h2>${heading}</h2>\n<ul class="games">\n${list}\n</ul></section>`;
   });
-  const list = items.length > 0 ? `<ul class="games">\n${items.join('\n')}\n</ul>` : '<p>There is no game yet.</p>';
+  const list = cards.length > 0 ? sections.join('\n') : '<p>There is no game yet.</p>';
   return template.replace('<!-- games -->', list);
+}
+
+/** @param {string} name */
+function cardOf(name) {
+  const html = gamePage(name);
+  const about = metaOf(html, 'description');
+  const picture = gamePicture(name)
+    ? `<img src="./${name}/picture.webp" alt="" width="560" height="350" decoding="async" loading="lazy">`
+    : '';
+  const address = `./${name}/index.html`;
+  return `<li><a href="${address}">${picture}<b>${titleOf(html) ?? name}</b></a>${about ? ` <span>${about}</span>` : ''}</li>`;
+}
+
+/** @param {string} html */
+function titleOf(html) {
+  return html.match(/<title>([^<]*)<\/title>/i)?.[1].trim() || undefined;
+}
+
+/**
+ * @param {string} html
+ * @param {string} name
+ */
+function metaOf(html, name) {
+  return html.match(new RegExp(`<meta\\s+name="${name}"\\s+content="([^"]*)"`, 'i'))?.[1];
+}
+
+/**
+ * A page with Open Graph tags (ogp.me), from which networks make a preview of a link. Pictures in them need a whole
+ * address, so there is one only where the address of the site is known.
+ * @param {string} html
+ * @param {{ site?: string | undefined, path?: string, picture?: string | undefined }} place address of the site, and what lies where below it
+ */
+export function withPreview(html, { site, path = '', picture }) {
+  const tags = [
+    ['og:type', 'website'],
+    ['og:title', titleOf(html) ?? 'Principia games'],
+    ['og:description', metaOf(html, 'description') ?? ''],
+    ...(site === undefined ? [] : [['og:url', new URL(path, site).href]]),
+    ...(site === undefined || picture === undefined ? [] : [['og:image', new URL(picture, site).href]]),
+  ];
+  const lines = tags.map(([property, content]) => `<meta property="${property}" content="${content}">`);
+  if (site !== undefined) lines.push('<meta name="twitter:card" content="summary_large_image">');
+  return html.replace('</head>', `${lines.join('\n')}\n</head>`);
 }
 
 const plainFrontPage = `<!doctype html>

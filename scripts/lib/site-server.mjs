@@ -4,8 +4,7 @@ import { relative } from 'node:path';
 import { context, formatMessages } from 'esbuild';
 import { scriptsByGame, startSooner } from './first-scripts.mjs';
 import { root } from './paths.mjs';
-import { pixiPlugins } from './pixi-parts.mjs';
-import { kernelsPlugin, siteOptions } from './site-bundle.mjs';
+import { frontPageOptions, kernelsPlugin, siteBundles } from './site-bundle.mjs';
 import { frontPage, gameNames, gamePage, gamePicture } from './site-pages.mjs';
 import { serveFiles } from './static-server.mjs';
 
@@ -19,16 +18,18 @@ const liveScript = readFileSync(new URL('./site-live.js', import.meta.url), 'utf
 export async function serveSite({ ports, host }) {
   const live = liveChannel();
   const games = await watchGames(live.announce);
+  const front = await watchFrontPage();
   const server = await serveFiles({
     ports,
     host,
-    find: (path) => games.find(path) ?? picture(path) ?? page(path, games.scripts),
+    find: (path) => games.find(path) ?? front.find(path) ?? picture(path) ?? page(path, games.scripts),
     special: (path, response) => path === '/live' && live.join(response),
   });
   const pages = setInterval(watchPages(live.announce, games.restart), 500);
   const close = async () => {
     clearInterval(pages);
     await games.close();
+    await front.close();
     await server.close();
   };
   return { ...server, close };
@@ -39,39 +40,75 @@ export async function serveSite({ ports, host }) {
  * @param {(problem: string) => void} announce
  */
 async function watchGames(announce) {
-  /** @type {Map<string, Uint8Array>} */
-  let files = new Map();
-  let scripts = scriptsByGame(undefined);
-  /** @type {import('esbuild').Plugin} */
-  const publish = {
+  /** @type {{ files: Map<string, Uint8Array>, metafile?: import('esbuild').Metafile | undefined, problem: string | undefined }[]} */
+  let bundles = [];
+  let scripts = scriptsByGame([]);
+  /** @type {(index: number) => import('esbuild').Plugin} */
+  const publish = (index) => ({
     name: 'publish',
     setup(build) {
       build.onEnd(async ({ errors, outputFiles = [], metafile }) => {
+        const problem = (await formatMessages(errors, { kind: 'error', color: false })).join('');
         if (errors.length === 0) {
-          scripts = scriptsByGame(metafile);
-          files = new Map(outputFiles.map(({ path, contents }) => [sitePath(path), contents]));
+          bundles[index] = {
+            files: new Map(outputFiles.map(({ path, contents }) => [sitePath(path), contents])),
+            metafile,
+            problem,
+          };
+          scripts = scriptsByGame(bundles.map((bundle) => bundle.metafile));
         } else {
+          bundles[index] = { ...bundles[index], problem };
           const messages = await formatMessages(errors, { kind: 'error', color: process.stderr.isTTY });
           process.stderr.write(`${messages.join('')}\n`);
         }
-        announce((await formatMessages(errors, { kind: 'error', color: false })).join(''));
+        // Pages wait until all games have been built once.
+        if (bundles.every(({ problem }) => problem !== undefined))
+          announce(bundles.map((each) => each.problem).join(''));
+      });
+    },
+  });
+  const start = async () => {
+    const options = siteBundles({ write: false });
+    bundles = options.map(() => ({ files: new Map(), problem: undefined }));
+    const bundlers = await Promise.all(
+      options.map((bundle, i) => context({ ...bundle, plugins: [...(bundle.plugins ?? []), publish(i)] })),
+    );
+    await Promise.all(bundlers.map((bundler) => bundler.watch()));
+    return bundlers;
+  };
+  const stop = () => Promise.all(bundlers.map((bundler) => bundler.dispose()));
+  let bundlers = await start();
+  return {
+    find: (/** @type {string} */ path) =>
+      bundles.map(({ files }) => files.get(path)).find((file) => file !== undefined),
+    scripts: (/** @type {string} */ name) => scripts(name),
+    close: stop,
+    restart: async () => {
+      await stop();
+      bundlers = await start();
+    },
+  };
+}
+
+/** Bundles the live scene of the front page in memory; the games report what is wrong with a source that both use. */
+async function watchFrontPage() {
+  /** @type {Map<string, Uint8Array>} */
+  let files = new Map();
+  /** @type {import('esbuild').Plugin} */
+  const publish = {
+    name: 'publish front page',
+    setup(build) {
+      build.onEnd(({ outputFiles = [] }) => {
+        if (outputFiles.length > 0)
+          files = new Map(outputFiles.map(({ path, contents }) => [sitePath(path), contents]));
       });
     },
   };
-  const start = async () => {
-    const bundler = await context(siteOptions({ write: false, plugins: [kernelsPlugin, ...pixiPlugins, publish] }));
-    await bundler.watch();
-    return bundler;
-  };
-  let bundler = await start();
+  const bundler = await context(frontPageOptions({ write: false, plugins: [kernelsPlugin, publish] }));
+  await bundler.watch();
   return {
     find: (/** @type {string} */ path) => files.get(path),
-    scripts: (/** @type {string} */ name) => scripts(name),
     close: () => bundler.dispose(),
-    restart: async () => {
-      await bundler.dispose();
-      bundler = await start();
-    },
   };
 }
 
@@ -82,7 +119,7 @@ function sitePath(path) {
 
 /** @param {string} path */
 function picture(path) {
-  const name = path.match(/^\/([\w-]+)\/picture\.png$/)?.[1];
+  const name = path.match(/^\/([\w-]+)\/picture\.webp$/)?.[1];
   return name && gameNames().includes(name) ? gamePicture(name) : undefined;
 }
 

@@ -10,6 +10,7 @@ const contentTypes = /** @type {Record<string, string>} */ ({
   '.json': 'application/json',
   '.svg': 'image/svg+xml',
   '.png': 'image/png',
+  '.webp': 'image/webp',
   '.wasm': 'application/wasm',
 });
 

@@ -1,19 +1,11 @@
-// Newton's laws, projectiles with drag, floating, energy, rotation. y points down.
+// Sums of forces, projectiles with drag, and floating. y points down.
 import {
-  angularMomentum,
   buoyancy,
-  constantTorque,
-  createPhysicsWorld,
-  energy,
   immersedDrag,
   linearDrag,
-  momentum,
-  particleContacts,
   positionFirstEuler,
   quadraticDrag,
   rungeKutta4,
-  spawn,
-  springs,
   step,
   uniformGravity,
   velocityVerlet,
@@ -21,20 +13,6 @@ import {
 import { expect, test } from 'vitest';
 import { forceOn, run, single } from '../support/laws.ts';
 import { crossings } from '../support/orbits.ts';
-
-test('ch05-newton-laws: no force, no change; internal forces keep the momentum', () => {
-  const { world, going } = single([], { velocity: { x: 0.1, y: -0.7 } });
-  run(world, 100);
-  expect(going()).toEqual({ x: 0.1, y: -0.7, z: 0 });
-  const pair = createPhysicsWorld({ capacity: 5, forces: [springs()] });
-  const a = spawn(pair, { position: {}, velocity: { x: 1, y: 3 }, mass: 2 });
-  const b = spawn(pair, { position: { x: 5 }, velocity: { y: -1 }, mass: 7 });
-  spawn(pair, { spring: { a, b, stiffness: 30, length: 2, damping: 0.1 } });
-  const { x, y } = momentum(pair);
-  run(pair, 100);
-  expect(momentum(pair).x).toBeCloseTo(x, 12);
-  expect(momentum(pair).y).toBeCloseTo(y, 12);
-});
 
 test('ch05-forces-object: the forces of a world add, axis by axis', () => {
   const body = { velocity: { x: 3, y: -4 }, mass: 2, linearDrag: 0.5, quadraticDrag: 0.1 };
@@ -147,74 +125,4 @@ test('ch05-fall-drag-analytic: s(10) = 160.270, v(10) = 19.8652', () => {
     expect(Math.abs(at().y - 20 - 20 * (10 + 2 * Math.exp(-5) - 2))).toBeLessThan(1e-4);
     expect(Math.abs(going().y - 20 * (1 - Math.exp(-5)))).toBeLessThan(1e-4);
   }
-});
-
-test('ch05-projectile-energy: 1250 J throughout, the apex 125 up after 5 s, and as much of either kind at 62.5', () => {
-  const { world, at } = single([uniformGravity({ y: -10 })], { velocity: { y: 50 } }, { integrator: velocityVerlet });
-  const even: number[] = [];
-  let before = { surplus: 1250, height: 0 };
-  const watch = () => {
-    const { total, kinetic, potential } = energy(world);
-    expect(Math.abs(total - 1250)).toBeLessThan(1e-9);
-    const now = { surplus: kinetic - potential, height: at().y };
-    // What is kinetic exceeds what is potential by an amount that is linear in the height: between steps it is exact.
-    const share = before.surplus / (before.surplus - now.surplus);
-    if (before.surplus * now.surplus < 0) even.push(before.height + share * (now.height - before.height));
-    before = now;
-  };
-  run(world, 5, 1 / 60, watch);
-  expect(Math.abs(at().y - 125)).toBeLessThan(1e-9);
-  run(world, 5, 1 / 60, watch);
-  expect(even).toHaveLength(2);
-  for (const height of even) expect(Math.abs(height - 62.5)).toBeLessThan(1e-9);
-});
-
-test('ch05-elastic-1d: equal balls swap velocities at 5.667, 7.8 and 11 s, and keep momentum and energy', () => {
-  const world = createPhysicsWorld({ preset: particleContacts, capacity: 5 });
-  const [left, middle, right] = [
-    [50, 30],
-    [300, 10],
-    [500, -20],
-  ].map(([x, speed]) =>
-    spawn(world, {
-      position: { x, y: 200 },
-      velocity: { x: speed },
-      mass: 1,
-      collider: { radius: 15, restitution: 1 },
-    }),
-  );
-  const { x } = world.components.Velocity;
-  let before = [30, 10, -20];
-  const swaps: { time: number; now: number[] }[] = [];
-  run(world, 13, 1 / 60, () => {
-    const now = [x[left], x[middle], x[right]];
-    if (now.some((speed, i) => Math.abs(speed - before[i]) > 1e-9)) swaps.push({ time: world.time, now });
-    before = now;
-    expect(Math.abs(momentum(world).x - 20)).toBeLessThan(1e-12);
-    expect(Math.abs(energy(world).kinetic - 700)).toBeLessThan(1e-10);
-  });
-  const expected = [
-    { at: 17 / 3, speeds: [30, -20, 10] },
-    { at: 7.8, speeds: [-20, 30, 10] },
-    { at: 11, speeds: [-20, 10, 30] },
-  ];
-  expect(swaps.length).toBe(expected.length);
-  expected.forEach(({ at, speeds }, i) => {
-    // Seen in the first step that ends after the contact.
-    expect(Math.abs(swaps[i].time - at)).toBeLessThanOrEqual(1 / 60 + 1e-9);
-    speeds.forEach((speed, k) => {
-      expect(Math.abs(swaps[i].now[k] - speed)).toBeLessThan(1e-12);
-    });
-  });
-});
-
-test('ch05-rotational-laws: α = τ/I = 0.2, and L stays without torque', () => {
-  const body = { inertia: 5, rotation: {}, angularVelocity: {} };
-  const { world, eid } = single([constantTorque({ z: 1 })], body);
-  step(world, 1);
-  expect(world.components.AngularVelocity.z[eid]).toBeCloseTo(0.2, 15);
-  world.forces.length = 0;
-  const before = angularMomentum(world).z;
-  run(world, 100);
-  expect(angularMomentum(world).z).toBeCloseTo(before, 14);
 });

@@ -77,12 +77,6 @@ function oscillate(integrator: Integrator, dt: number, steps: number, each?: (x:
   return { world, x: Position.x[ball], v: Velocity.x[ball], amplitude: Math.hypot(Position.x[ball], Velocity.x[ball]) };
 }
 
-test('ch14-explicit-euler: the amplitude grows by √(1 + ω² dt²) a step', () => {
-  const { amplitude } = oscillate(explicitEuler, DT, 6000);
-  expect(amplitude).toBeCloseTo(200 * (1 + DT * DT) ** 3000, 8);
-  expect(amplitude).toBeCloseTo(460.1, 1);
-});
-
 test('ch14-implicit-euler: the amplitude shrinks by √(1 + ω² dt²) a step, and a step of 10 s is stable', () => {
   const { amplitude, world } = oscillate(implicitEuler(), DT, 6000);
   expect(amplitude).toBeCloseTo(86.93, 3);
@@ -273,24 +267,4 @@ test('ch14-timestep-tips: an apex after a bounce is off by less than g dt², bec
     }
     expect(Math.abs(apex - 0.1 - 0.64)).toBeLessThan(10 * dt * dt);
   }
-});
-
-test('ch14-scale-model: 200 px at 400 px/s² take one second', () => {
-  const world = createPhysicsWorld({ capacity: 10, forces: [uniformGravity({ y: 400 })] });
-  const ball = spawn(world, { position: { x: 300, y: 96 }, velocity: {}, mass: 1 });
-  for (let i = 0; i < 60; i++) step(world, DT);
-  expect(world.components.Position.y[ball]).toBeCloseTo(296, 9);
-});
-
-test('ch14-rescaling: an orbit in SI units and in astronomical units is the same to 1e-12', () => {
-  const [au, year, mu] = [1.495978707e11, 3.15576e7, 1.32712440018e20];
-  const orbit = (length: number, time: number) => {
-    const world = createPhysicsWorld({ capacity: 10, integrator: rungeKutta4, forces: [attractors()] });
-    spawn(world, { position: {}, attractor: (mu * time ** 2) / length ** 3 });
-    const planet = spawn(world, { position: { x: au / length }, velocity: { y: (30_000 * time) / length }, mass: 1 });
-    for (let i = 0; i < 500; i++) step(world, year / time / 500);
-    return [world.components.Position.x[planet] * length, world.components.Position.y[planet] * length];
-  };
-  const [si, scaled] = [orbit(1, 1), orbit(au, year)];
-  for (const axis of [0, 1]) expect(Math.abs(si[axis] - scaled[axis]) / au).toBeLessThan(1e-12);
 });

@@ -26,11 +26,12 @@ interface Play {
   readonly held?: string;
 }
 
-// The show of the demonstration ends with L: shells go up now and then. A ship that is pushed flies on for seconds.
+// Every sound is made of objects, so the black hole is silent. The show of the demonstration ends with L: shells go up now
+// and then. A ship that is pushed flies on for seconds.
 const plays: readonly Play[] = [
   { game: 'bouncing-balls', query: 'count=200&collisions=true&trails=true&renderer=pixi', numbers: 9, libraries: 1200 },
   { game: 'bouncing-balls', query: 'count=200&collisions=true&renderer=three', numbers: 9, libraries: 3000 },
-  { game: 'black-hole', query: 'seed=4', numbers: 17, libraries: 7000, held: 'ArrowUp' },
+  { game: 'black-hole', query: 'seed=4&sound=off', numbers: 17, libraries: 7000, held: 'ArrowUp' },
   { game: 'fireworks', query: 'barrage=true&sparks=20000', numbers: 17, libraries: 7000, key: 'l' },
   { game: 'fireworks', query: 'barrage=true&sparks=20000&renderer=three', numbers: 14, libraries: 6000, key: 'l' },
 ];

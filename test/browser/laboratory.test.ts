@@ -1,5 +1,5 @@
 // The laboratory: its list, and every example on its page.
-import { EXAMPLES } from '@principia/scenes/examples';
+import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
@@ -70,13 +70,20 @@ describe('the list', () => {
 
 describe('the page of an example', () => {
   it('proves its figures while one watches', async () => {
-    const page = await laboratory.open('example=ch08-damped&manual');
-    await steps(page, 601);
-    await page.waitForFunction(() => document.querySelectorAll('.lab-checks li[data-state=passed]').length === 2);
-    expect(await page.textContent('.lab-checks')).toMatch(/computed 1\.993\d*, exact 1\.99316 s, error/);
-    await page.evaluate(() => __game.rewind(15));
-    await page.waitForFunction(() => document.querySelectorAll('.lab-checks li[data-state=waiting]').length === 2);
-    expect(await page.textContent('.lab-words')).toContain('0 of 2 figures proven');
+    const page = await laboratory.open('example=ch06-orbits&manual');
+    const count = (of: string) => page.locator(`.lab-checks li[data-state="${of}"]`).count();
+    await page.waitForSelector('.lab-checks li[data-state=waiting]');
+    const total = await count('waiting');
+    await steps(page, 61 * 60);
+    await page.waitForFunction(() => document.querySelector('.lab-checks li[data-state=waiting]') === null);
+    expect(await count('passed')).toBe(total);
+    expect(await page.textContent('.lab-checks')).toMatch(/computed 25\.54\d*, exact 25\.5449 s, error/);
+    expect(await page.textContent('.lab-words')).toContain(`${total} of ${total} figures proven`);
+    await page.evaluate(() => __game.reset());
+    await page.waitForFunction(
+      (all) => document.querySelectorAll('.lab-checks li[data-state=waiting]').length === all,
+      total,
+    );
   });
 
   it('keeps parameters in the address, and a link to a moment brings back its state to the bit', async () => {

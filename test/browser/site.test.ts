@@ -3,6 +3,7 @@ import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { writeSite } from '../../scripts/lib/site-build.mjs';
@@ -76,6 +77,11 @@ async function moves(page: Page): Promise<boolean> {
 it('shows the pictures of the games, on a phone too', async () => {
   const phone = { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true };
   const { context, page, trouble } = await openHome(phone);
+  // Pictures are loaded as they come into view.
+  for (const picture of await page.locator('.games img').all()) {
+    await picture.scrollIntoViewIfNeeded();
+    await picture.evaluate((image: HTMLImageElement) => image.decode());
+  }
   const pictures = await page
     .locator('.games img')
     .evaluateAll((images) =>
@@ -92,6 +98,8 @@ it('shows the pictures of the games, on a phone too', async () => {
 it.each(names)('plays %s from a folder below another, without the internet', async (name) => {
   const { context, page, trouble } = await openHome();
   await page.locator(`.games a[href*="/${name}/"]`).click();
+  // The laboratory begins with a list of its examples.
+  if (name === 'laboratory') await page.locator('a[href*="example="]').first().click();
   await stage(page).waitFor();
   await page.waitForLoadState('load');
   await page.keyboard.press('ArrowUp');
@@ -117,7 +125,7 @@ it('loads only the renderer that the address names', async () => {
 });
 
 it('keeps the picture where the other one cannot be loaded, and says so', async () => {
-  const { context, page } = await openHome();
+  const { context, page } = await openHome({ serviceWorkers: 'block' });
   await page.goto(`${home}bouncing-balls/index.html?renderer=pixi`);
   await page.waitForFunction(() => globalThis.__game?.state().ready);
   await context.setOffline(true);
@@ -127,6 +135,41 @@ it('keeps the picture where the other one cannot be loaded, and says so', async 
   await context.setOffline(false);
   await page.locator('.game-banner button', { hasText: 'Try again' }).click();
   await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'three');
+  await context.close();
+});
+
+it('has a front page of at most 120 KB with all pictures, a search, a surprise, and a scene that moves', async () => {
+  const { context, page, trouble } = await openHome({ serviceWorkers: 'block' });
+  const files = ['index.html', 'front-page.js', ...names.filter(gamePicture).map((name) => `${name}/picture.webp`)];
+  const sizes = files.map((file) => {
+    const content = readFileSync(join(folder, file));
+    return file.endsWith('.webp') ? content.length : gzipSync(content).length;
+  });
+  for (const [i, file] of files.entries()) if (file.endsWith('.webp')) expect(sizes[i]).toBeLessThanOrEqual(15 * 1024);
+  expect(sizes.reduce((sum, size) => sum + size, 0)).toBeLessThanOrEqual(120 * 1024);
+  const scene = page.locator('header canvas');
+  const before = await scene.screenshot();
+  await page.waitForTimeout(500);
+  expect((await scene.screenshot()).equals(before)).toBe(false);
+  await page.locator('input').fill('black');
+  expect(await page.locator('.games li:visible').allTextContents()).toEqual([expect.stringContaining('Black hole')]);
+  await page.locator('button', { hasText: 'Surprise me' }).click();
+  await page.waitForURL(/black-hole/);
+  expect(trouble).toEqual([]);
+  await context.close();
+});
+
+it('works without the internet after the first visit, every page and both renderers', async () => {
+  const { context, page } = await openHome();
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await context.unrouteAll();
+  await context.setOffline(true);
+  await page.goto(`${home}bouncing-balls/?renderer=pixi`);
+  await page.waitForFunction(() => globalThis.__game?.state().ready);
+  await page.keyboard.press('3');
+  await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'three');
+  await page.goto(home);
+  expect(await page.locator('.games a').count()).toBe(names.length);
   await context.close();
 });
 

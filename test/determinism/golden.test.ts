@@ -26,8 +26,10 @@ it('240 steps of every scene end where they always ended', () => {
       "attractors": "2777c379c355bcec",
       "black-hole": "e70744aaf492d90f",
       "bouncing-balls": "0333dfe705c51ec6",
+      "chains": "df22c1e1acf34440",
       "circles": "6f26557c9b4c24bb",
       "cloth": "5dffac56cde82676",
+      "discs": "28f55171d984d482",
       "emitters": "abddb031d9398eaf",
       "fireworks": "221c65b03e030b93",
       "galaxy": "702381d7d241eebf",
@@ -40,9 +42,12 @@ it('240 steps of every scene end where they always ended', () => {
       "plasma": "8088946b47a727e0",
       "pyramid": "30e50d115e706970",
       "rope": "dd59fcd83d628992",
+      "smash": "291efefafda6c39a",
       "solar-system": "c3c20eeb71567dfe",
+      "spinner": "2ed5fd9bc0ae47f2",
       "springs": "2f827429c1ac197b",
       "tumbler": "4bd34f99b2d9735c",
+      "washer": "eba0776b8cba08fa",
     }
   `);
 });

@@ -20,7 +20,7 @@ test('nothing generated or installed is committed', () => {
 
 test('no binary is committed, except pictures of the documentation and the games', () => {
   const violations = trackedFiles
-    .filter((path) => !/^(docs\/.*|games\/[\w-]+\/picture)\.png$/.test(path))
+    .filter((path) => !/^(docs\/.*\.png|games\/[\w-]+\/picture\.webp)$/.test(path))
     .filter(isBinary);
   expectNone('Binaries make every clone heavier for ever; keep the source that makes them:', violations);
 });

@@ -16,7 +16,7 @@ export const box2dPeer = (run: SceneRun) => openPeer(run, 'compat', 'Box2D 3 (bo
 export const box2dSimdPeer = (run: SceneRun) => openPeer(run, 'deluxe', 'Box2D 3 with SIMD (box2d3-wasm, one thread)');
 
 async function openPeer(run: SceneRun, build: 'compat' | 'deluxe', name: string): Promise<Peer | undefined> {
-  const scene = readRigidScene(run.world);
+  const scene = readRigidScene(run);
   if (scene === undefined) return undefined;
   const b2 = await loadBox2D(build);
   const definition = b2.b2DefaultWorldDef();

@@ -9,7 +9,7 @@ const VELOCITY_ITERATIONS = 8;
 const POSITION_ITERATIONS = 3;
 
 export function planckPeer(run: SceneRun): Peer | undefined {
-  const scene = readRigidScene(run.world);
+  const scene = readRigidScene(run);
   if (scene === undefined) return undefined;
   const world = new World({ gravity: new Vec2(0, -scene.gravity), allowSleep: false });
   const bodies = scene.bodies.map((body) => addBody(world, body));

@@ -8,7 +8,7 @@ import { type RigidBodyData, type RigidJointData, readRigidScene } from './rigid
 const SOLVER_ITERATIONS = 4;
 
 export async function rapierPeer(run: SceneRun): Promise<Peer | undefined> {
-  const scene = readRigidScene(run.world);
+  const scene = readRigidScene(run);
   if (scene === undefined) return undefined;
   await RAPIER.init();
   const world = new RAPIER.World({ x: 0, y: -scene.gravity });

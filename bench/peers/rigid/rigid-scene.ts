@@ -1,5 +1,6 @@
 // A world of rigid bodies as plain data, from which other engines build the same scene.
 import { type PhysicsWorld, type Shape, shapeAt } from '@principia/physics';
+import type { RigidRun, SceneRun } from '@principia/scenes';
 import { hasComponent, query } from 'bitecs';
 
 export interface RigidBodyData {
@@ -44,14 +45,16 @@ export interface RigidSceneData {
   readonly joints: readonly RigidJointData[];
 }
 
-/** Standard gravity, which all rigid scenes have. */
-const GRAVITY = 9.80665;
+/** The kinds of shapes that all peers have. */
+const PLAIN: readonly Shape['kind'][] = ['circle', 'polygon'];
 
 const JOINT_KINDS: Readonly<Record<number, RigidJointData['kind']>> = { 0: 'revolute', 2: 'weld' };
 
-/** Reads a world; undefined where it holds what the peers do not build. */
-export function readRigidScene(world: PhysicsWorld): RigidSceneData | undefined {
-  const { Position, Joint } = world.components;
+/** Reads a run; undefined where it holds what the peers do not build: chains, compounds, capsules, other joints. */
+export function readRigidScene(run: SceneRun): RigidSceneData | undefined {
+  const { world, gravity } = run as RigidRun;
+  const { Position, Joint, Attachment } = world.components;
+  if (query(world, [Attachment]).length > 0) return undefined;
   const indices = new Map<number, number>();
   const bodies: RigidBodyData[] = [];
   for (const row of query(world, [Position])) {
@@ -60,7 +63,9 @@ export function readRigidScene(world: PhysicsWorld): RigidSceneData | undefined 
   }
   const joints = [...query(world, [Joint])].map((row) => jointData(world, row, indices));
   if (joints.includes(undefined)) return undefined;
-  return { gravity: GRAVITY, bodies, joints: joints as RigidJointData[] };
+  const isPlain = ({ shape }: RigidBodyData) => shape === undefined || PLAIN.includes(shape.kind);
+  if (!bodies.every(isPlain)) return undefined;
+  return { gravity, bodies, joints: joints as RigidJointData[] };
 }
 
 function bodyData(world: PhysicsWorld, row: number): RigidBodyData {

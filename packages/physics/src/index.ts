@@ -4,20 +4,24 @@ export type { ShapeInput } from './bodies/collider-shape.ts';
 export { applyImpulse, type ExplosionOptions, explode } from './bodies/impulse.ts';
 export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia.ts';
 export type { Many, ManyInput } from './bodies/many.ts';
+export { bodyOf, partsOf } from './bodies/parts.ts';
 export { setShape } from './bodies/set-shape.ts';
 export { type BodyInput, despawn, spawn } from './bodies/spawn.ts';
 export { type ChainSurface, spawnChain } from './bodies/spawn-chain.ts';
+export { type Compound, type CompoundInput, type CompoundShape, spawnCompound } from './bodies/spawn-compound.ts';
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';
 export { box, type RoundingOptions } from './collision/shapes/2d/box.ts';
 export { capsule } from './collision/shapes/2d/capsule.ts';
 export { type ChainOptions, chain } from './collision/shapes/2d/chain.ts';
 export { circle } from './collision/shapes/2d/circle.ts';
+export { type ConvexPiece, decompose } from './collision/shapes/2d/decompose.ts';
 export { polygon } from './collision/shapes/2d/polygon.ts';
 export { segment } from './collision/shapes/2d/segment.ts';
 export type { PointInput, Shape } from './collision/shapes/2d/shape.ts';
 export { shapeAt, shapeCount } from './collision/shapes/shape-pool.ts';
 export { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from './components/all.ts';
 export { rgba } from './components/appearance.ts';
+export { COMBINE } from './components/collider.ts';
 export {
   type ColumnsOf,
   type ComponentSpec,
@@ -205,7 +209,10 @@ export type { Network, SpringOptions } from './soft-bodies/network.ts';
 export { movePin, pin, unpin } from './soft-bodies/pins.ts';
 export { createRope, type RopeOptions } from './soft-bodies/rope.ts';
 export { createSoftBody, type SoftBody, type SoftBodyOptions } from './soft-bodies/soft-body.ts';
+export type { ShouldCollide } from './solver/ask-user.ts';
 export { type ContactEvents, type ContactHits, type ContactPairs, contactEvents } from './solver/contact-events.ts';
+export { type BodyIds, type MotionEvents, motionEvents } from './solver/motion-events.ts';
+export { type SensorEvents, type SensorPairs, sensorEvents } from './solver/sensor-events.ts';
 export { asleepCount, isAsleep, wake } from './solver/sleep.ts';
 export { type SoftStepOptions, softStep } from './solver/soft-step.ts';
 export { createPhysicsWorld, destroyWorld, type PhysicsWorldOptions } from './world/create-world.ts';

@@ -16,6 +16,7 @@ import {
 import { BLACK_HOLE, drawHoles, holeMu, holePosition } from './black-hole-layout.ts';
 import type { Hole } from './black-hole-types.ts';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
+import { teleport } from './teleport.ts';
 
 /** A ship among black holes. */
 export interface BlackHole extends SceneRun {
@@ -72,7 +73,7 @@ export const blackHole = defineScene({
     const sky = new MovingHoles(world, seed, dt, isSteep);
     world.phases.input.push(() => sky.drive());
     sky.redraw(count, moving);
-    const placeShip = (x: number, y: number) => teleport(world, ship, x, y);
+    const placeShip = (x: number, y: number) => teleport(world, ship, { x, y });
     return {
       world,
       dt,
@@ -157,7 +158,7 @@ class MovingHoles {
     const { Attractor, Collider } = this.#world.components;
     Attractor.mu[id] = mu;
     Collider.radius[id] = hole.radius;
-    teleport(this.#world, id, x, y);
+    teleport(this.#world, id, { x, y });
   }
 }
 
@@ -169,17 +170,4 @@ function layoutRandom(seed: number): Random {
   const random = createRandom(seed, 1);
   for (let i = 0; i < 8; i++) random.word();
   return random;
-}
-
-/** Teleports a body and leaves it at rest. */
-function teleport({ components, previous, versions }: PhysicsWorld, id: number, x: number, y: number): void {
-  const { Position, Velocity } = components;
-  Position.x[id] = x;
-  Position.y[id] = y;
-  Velocity.x[id] = 0;
-  Velocity.y[id] = 0;
-  // Prevents interpolation between the old and the new position.
-  previous.Position.x[id] = x;
-  previous.Position.y[id] = y;
-  versions.pose++;
 }

@@ -10,7 +10,15 @@ import { nbodyDirect, nbodyTree } from './n-body/cluster.ts';
 import { galaxy } from './n-body/galaxy.ts';
 import { plasma } from './n-body/plasma.ts';
 import { particles } from './particles.ts';
-import { jointGrid, manyPyramids, pyramid, tumbler } from './rigid-piles.ts';
+import { chains } from './rigid/chains.ts';
+import { discs } from './rigid/discs.ts';
+import { jointGrid } from './rigid/joint-grid.ts';
+import { manyPyramids } from './rigid/many-pyramids.ts';
+import { pyramid } from './rigid/pyramid.ts';
+import { smash } from './rigid/smash.ts';
+import { spinner } from './rigid/spinner.ts';
+import { tumbler } from './rigid/tumbler.ts';
+import { washer } from './rigid/washer.ts';
 import { rope } from './rope.ts';
 import type { Scene } from './scene.ts';
 import { solarSystem } from './solar-system.ts';
@@ -32,8 +40,13 @@ export const SCENES: readonly Scene[] = [
   plasma,
   pyramid,
   manyPyramids,
+  discs,
+  smash,
   jointGrid,
+  chains,
   tumbler,
+  spinner,
+  washer,
   bouncingBalls,
   blackHole,
   fireworks,

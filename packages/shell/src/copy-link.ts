@@ -11,3 +11,20 @@ export async function copyLink(link: string, what: string): Promise<string> {
     return `The link to ${what} is in the address bar. Copy it from there.`;
   }
 }
+/**
+ * Hands a text and a link to the system's share sheet, or copies both.
+ * @returns a sentence for the player; empty where the sheet has said it all
+ */
+export async function shareText(text: string, link: string, useSheet: boolean): Promise<string> {
+  if (useSheet && typeof navigator.share === 'function') {
+    // A player who closes the sheet has changed their mind.
+    await navigator.share({ text, url: link }).catch(() => {});
+    return '';
+  }
+  try {
+    await navigator.clipboard.writeText(`${text}\n${link}`);
+    return 'Your result and a link to this game were copied.';
+  } catch {
+    return 'This browser lets no page copy. Take a screenshot of your result instead.';
+  }
+}

@@ -4,13 +4,14 @@ import { type Banner, createBanner } from './banner.ts';
 import { hasCoarsePointer, resumeHint } from './coarse-pointer.ts';
 import { type Actions, type Commands, gameCommands } from './commands.ts';
 import { type ControlListener, listenToControls } from './controls.ts';
-import { copyLink } from './copy-link.ts';
+import { copyLink, shareText } from './copy-link.ts';
 import { Failures } from './failures.ts';
 import { tendFocus } from './focus.ts';
-import { FrameTimes } from './frame-times.ts';
+import { DRAW, FRAME, FrameTimes, STEP } from './frame-times.ts';
 import { toggleFullScreen } from './full-screen.ts';
-import type { GameCard, GameDefinition, Simulation, ViewContext } from './game.ts';
+import type { GameCard, GameDefinition, Simulation } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
+import { RESET_INTERVAL, SLOW_MOTION, STATS_INTERVAL } from './intervals.ts';
 import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
@@ -23,13 +24,8 @@ import type { Sidebar } from './sidebar.ts';
 import { SpaceBar } from './space-bar.ts';
 import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
+import { createViewContext } from './view-context.ts';
 import { ViewHost } from './view-host.ts';
-
-/** Interval of updates of statistics and plot, s. */
-const STATS_INTERVAL = 0.2;
-/** Shortest time between two new worlds while a slider is dragged, s. */
-const RESET_INTERVAL = 0.12;
-const SLOW_MOTION = 0.2;
 
 /** A game on a page: the session, the view and the user interface around them. */
 export class GameApp<S extends Settings, Sim extends Simulation> {
@@ -86,15 +82,30 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     tendFocus(root);
     this.#space = new SpaceBar(this.#layout.stage, () => this.#pause());
     this.#recorder = new Recorder(game.title, () => this.#refresh());
-    const { help, gestures } = this.#commands;
-    this.#help = createHelpDialog(root, game.title, hasCoarsePointer() ? gestures : help);
-    this.#controls = this.#listen();
+    this.#help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
+    this.#controls = game.controls && listenToControls(root, game.controls, () => this.#session.sim);
     const watch = game.replay && this.#actions.replay;
-    this.#outcome = game.outcome && createOutcomeCard(root, game.title, () => this.#playAgain(), watch);
-    this.#views = new ViewHost(this.#viewContext(), `${game.title}, drawn live; press H for help`, {
-      onError: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#wanted)]),
-      onRecovery: () => this.#banner.hide(),
-    });
+    this.#outcome =
+      game.outcome &&
+      createOutcomeCard(
+        root,
+        game.title,
+        () => this.#playAgain(),
+        watch,
+        (text) => void this.#share(text),
+      );
+    this.#views = new ViewHost(
+      createViewContext(this.#layout, this.#session, this.#preferences, {
+        isSpaceHeld: () => this.#space.isHeld,
+        toggle: (name) => this.#toggle(name),
+        showMessage: (sentence) => this.#banner.show(sentence, 'note'),
+      }),
+      `${game.title}, drawn live; press H for help`,
+      {
+        onError: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#wanted)]),
+        onRecovery: () => this.#banner.hide(),
+      },
+    );
     this.#applyAppearance();
     if (address.problems.length > 0) this.#banner.show(address.problems.join('\n'), 'note');
   }
@@ -145,15 +156,16 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sinceStats += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
     this.#controls?.poll();
-    if (this.#rewinding) this.#restorePast(() => session.rewind(seconds * session.speed));
+    if (this.#rewinding)
+      this.#rewindBy(seconds * session.speed); // A closure here would allocate in every frame.
     else if (!this.#broken && !this.#manual && !this.#views.isLost) session.advance(seconds);
     // A player who rewound may play on, but the score is not ranked.
     this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
     this.#sidebar?.plot.record(session.sim.world);
     for (let i = 0; i < this.#cards.length; i++) this.#cards[i].record?.(session.sim);
     this.#draw(seconds);
-    if (seconds > 0) this.#timing.add('frame', seconds * 1000);
-    if (session.sim.world.tick !== this.#tick) this.#timing.add('step', session.stepTime);
+    if (seconds > 0) this.#timing.add(FRAME, seconds * 1000);
+    if (session.sim.world.tick !== this.#tick) this.#timing.add(STEP, session.stepTime);
     this.#tick = session.sim.world.tick;
     if (this.#sinceStats >= STATS_INTERVAL) this.#showStats();
   }
@@ -163,8 +175,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (view === undefined || this.#broken) return;
     const start = performance.now();
     view.draw(this.#session.alpha, seconds);
-    this.#timing.add('draw', performance.now() - start);
+    this.#timing.add(DRAW, performance.now() - start);
     this.#recorder.captureFrame(view.canvas);
+  }
+
+  #rewindBy(seconds: number): void {
+    this.#restorePast(() => this.#session.rewind(seconds));
   }
 
   /** A restored snapshot lies before the error. */
@@ -182,12 +198,10 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (sidebar === undefined) return;
     sidebar.plot.draw();
     for (const card of this.#cards) card.show(sim);
-    const { contacts, bodies: count = ({ world }) => bodies(world).count } = this.#game;
     sidebar.profile.show(sim.world);
-    const stats = this.#stats;
-    Object.assign(stats, this.#timing);
-    stats.bodies = count(sim);
-    stats.contacts = contacts?.(sim);
+    const stats = this.#timing.copyTo(this.#stats);
+    stats.bodies = this.#game.bodies?.(sim) ?? bodies(sim.world).count;
+    stats.contacts = this.#game.contacts?.(sim);
     stats.time = sim.world.time;
     sidebar.stats.show(stats);
   }
@@ -276,15 +290,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (this.#sidebar !== undefined) this.#sidebar.plot.safeColors = safeColors;
   }
 
-  /** Listens to keys, touch pad and gamepad if the game has controls. */
-  #listen(): ControlListener | undefined {
-    const { controls } = this.#game;
-    return controls && listenToControls(this.#layout.root, controls, () => this.#session.sim);
-  }
-
   /** Starts another game after the end of one, with the next seed so that it differs. */
   #playAgain(): void {
-    this.#failures.guard(() => this.#reset((this.#session.seed + 1) % 2 ** 32));
+    const { sim, seed } = this.#session;
+    const next = this.#game.outcome?.(sim)?.nextSeed ?? (seed + 1) % 2 ** 32;
+    this.#failures.guard(() => this.#reset(next));
     this.#views.view?.canvas.focus();
   }
 
@@ -296,10 +306,14 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#failures.attempt(() => action(view.canvas, this.#session.sim.world.time));
   }
 
-  async #copyLink(): Promise<void> {
+  /** Shares a result, or without one copies the link to this game. */
+  async #share(result?: string): Promise<void> {
     const { values, seed } = this.#session;
     const link = writeAddress(location.href, this.#game.settings, { values, seed, renderer: this.#renderer });
-    this.#banner.show(await copyLink(link, 'this game'), 'note');
+    const said = await (result === undefined
+      ? copyLink(link, 'this game')
+      : shareText(result, link, hasCoarsePointer()));
+    if (said !== '') this.#banner.show(said, 'note');
   }
 
   #makeActions(): Actions {
@@ -339,7 +353,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       sidebar: () => this.#layout.toggleSidebar(),
       plot: () => this.#sidebar?.plot.next(),
       profile: () => this.#sidebar?.profile.toggle(),
-      copyLink: () => void this.#copyLink(),
+      copyLink: () => void this.#share(),
       screenshot: () => this.#attempt((canvas, time) => this.#recorder.saveScreenshot(canvas, time)),
       recordVideo: () => this.#attempt((canvas, time) => this.#recorder.toggleVideo(canvas, time)),
       fullScreen: () => this.#attempt(() => toggleFullScreen(this.#layout.root)),
@@ -347,28 +361,6 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       safeColors: () => this.#change({ safeColors: !preferences.safeColors }),
       renderer: (name) => void this.#show(name),
       toggle: (name) => this.#toggle(name),
-    };
-  }
-
-  #viewContext(): ViewContext<S, Sim> {
-    const session = this.#session;
-    const preferences = this.#preferences;
-    return {
-      element: this.#layout.stage,
-      insets: () => this.#layout.insets(),
-      sim: () => session.sim,
-      values: () => session.values,
-      toggle: (name) => this.#toggle(name),
-      alpha: () => session.alpha,
-      dragging: () => session.dragging,
-      isSpaceHeld: () => this.#space.isHeld,
-      get reducedMotion() {
-        return preferences.reducedMotion;
-      },
-      get safeColors() {
-        return preferences.safeColors;
-      },
-      showMessage: (sentence) => this.#banner.show(sentence, 'note'),
     };
   }
 
@@ -383,7 +375,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         ready: this.#views.view !== undefined && this.#sidebar !== undefined,
         renderer: this.#renderer,
         banner: this.#banner.text,
-        timing: { frame: this.#timing.frame, step: this.#timing.step, draw: this.#timing.draw },
+        timing: this.#timing.copyTo({ frame: 0, step: 0, draw: 0 }),
         game: this.#game.report?.(session.sim) ?? {},
       }),
       body: (index) => bodyState(session, this.#views.view, index),

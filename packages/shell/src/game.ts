@@ -108,6 +108,8 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   apply(sim: Sim, name: keyof S & string, values: Readonly<ValuesOf<S>>): boolean;
   /** Assigns colours to bodies: in a new world, and when the player changes the palette. */
   applyColors?(sim: Sim, options: { readonly seed: number; readonly safeColors: boolean }): void;
+  /** How pointers drag bodies; default `dragBodies`. A game of rigid bodies gives `dragByJoints`. */
+  readonly drag?: (world: PhysicsWorld, options: DragOptions) => Dragging;
   /** Changes the target position of a dragged body in place, for example to keep it inside a box. */
   dragLimit?(sim: Sim): DragOptions['limit'];
   /** Largest speed of a dragged or thrown body, m/s; default 50. */

@@ -17,6 +17,7 @@ export type {
 } from './game.ts';
 export { type HighScore, HighScores } from './high-scores.ts';
 export { showHint } from './hint.ts';
+export { dragByJoints } from './joint-dragging.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export type { Outcome } from './outcome-card.ts';
 export { pickBody2D } from './pick.ts';

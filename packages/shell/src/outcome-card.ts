@@ -8,6 +8,10 @@ export interface Outcome {
   readonly score: number;
   /** Lines below the title. */
   readonly lines: readonly string[];
+  /** The result in a line, to be shared with a link to the same game. */
+  readonly share?: string;
+  /** Seed of the game that follows; default the next number. */
+  readonly nextSeed?: number;
 }
 
 /** The card at the end of a game. */
@@ -19,24 +23,33 @@ export interface OutcomeCard {
   show(outcome: Outcome | undefined, isRanked?: boolean): void;
 }
 
-/** @param again starts another game @param watch replays this one, if possible */
+/**
+ * @param again starts another game
+ * @param watch replays this one, if possible
+ * @param share shares a line and a link to this game
+ */
 export function createOutcomeCard(
   parent: HTMLElement,
   game: string,
   again: () => void,
   watch: (() => void) | undefined,
+  share: (text: string) => void,
 ): OutcomeCard {
   const scores = new HighScores(game);
   const title = element('h2', '');
-  const text = element('div', '');
+  const lines = element('div', '');
   const list = element('ol', '', { 'aria-label': 'High scores' });
   const button = element('button', '', { type: 'button' }, 'Play again');
-  const card = element('section', 'game-outcome', { role: 'alert' }, title, text, list, button);
+  const card = element('section', 'game-outcome', { role: 'alert' }, title, lines, list, button);
   if (watch !== undefined) {
     const replay = element('button', 'second', { type: 'button' }, 'Watch replay');
     replay.addEventListener('click', watch);
     card.append(replay);
   }
+  const send = element('button', 'second', { type: 'button' }, 'Share result');
+  let text = '';
+  send.addEventListener('click', () => share(text));
+  card.append(send);
   card.hidden = true;
   parent.append(card);
   button.addEventListener('click', () => {
@@ -48,12 +61,14 @@ export function createOutcomeCard(
     const rank = isRanked ? scores.add(outcome.score, new Date().toISOString().slice(0, 10)) : -1;
     title.textContent = outcome.title;
     const more = isRanked ? (rank === 0 ? ['New high score!'] : []) : ['Not ranked: you rewound.'];
-    const lines = [...outcome.lines, ...more];
-    text.replaceChildren(...lines.map((line) => element('p', '', {}, line)));
+    const texts = [...outcome.lines, ...more];
+    lines.replaceChildren(...texts.map((line) => element('p', '', {}, line)));
     const rows = scores.list.map(({ score, day }, i) =>
       element('li', i === rank ? 'new' : '', {}, element('b', '', {}, String(score)), ` ${day}`),
     );
     list.replaceChildren(...rows);
+    text = outcome.share ?? '';
+    send.hidden = text === '';
     button.focus({ preventScroll: true });
   };
   return {

@@ -85,7 +85,8 @@ export class Session<S extends Settings, Sim extends Simulation> {
     this.applyColors();
     const limit = this.game.dragLimit?.(sim);
     const maxSpeed = this.game.dragSpeed?.(sim);
-    this.#dragging = dragBodies(sim.world, {
+    const { drag = dragBodies } = this.game;
+    this.#dragging = drag(sim.world, {
       ...(limit === undefined ? {} : { limit }),
       ...(maxSpeed === undefined ? {} : { maxSpeed }),
     });

@@ -22,4 +22,4 @@ export const XPBD_CONSTANTS: usize = 3584;
 export const RIGID_2D_CONSTANTS: usize = 4096;
 
 // Where columns begin.
-export const FIRST_COLUMN: usize = 8192;
+export const FIRST_COLUMN: usize = 12288;

@@ -2,13 +2,18 @@
 export { collidePair } from '../collision/narrow-phase/2d/collide-shapes';
 export { sweepPair } from '../collision/narrow-phase/2d/time-of-impact';
 export { nextNearBody } from '../collision/queries/2d/nearest-point';
+export { collectCandidates, rememberPoses, treesHold } from '../collision/queries/2d/query-trees';
 export { nextRayHit } from '../collision/queries/2d/ray-cast';
 export { nextShapeHit } from '../collision/queries/2d/shape-cast';
 export { findRigidPairs } from '../collision/broad-phase/2d/find-pairs';
 export { clearContacts } from '../collision/narrow-phase/2d/contact-list';
+export { ignorePair, newPair } from '../collision/narrow-phase/2d/new-pairs';
 export { updateContacts, wakeTouched } from '../collision/narrow-phase/2d/update-contacts';
 export { gatherBodies } from '../solver/2d/gather-bodies';
 export { integratePositions, integrateVelocities, writeAngles, writeBodies } from '../solver/2d/integrate-bodies';
+export { assignWallShapes, countInvalidWalls } from '../solver/2d/walls';
+export { holdLocked } from '../solver/2d/motion-locks';
+export { writeParts } from '../solver/2d/parts';
 export { colorContacts } from '../solver/2d/color-contacts';
 export { prepareContacts, storeImpulses } from '../solver/2d/prepare-contacts';
 export { relaxContacts, solveContacts, warmStartContacts } from '../solver/2d/solve-contacts';

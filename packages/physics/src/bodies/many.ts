@@ -73,7 +73,7 @@ function isList(value: unknown): value is ArrayLike<number> {
 }
 
 function checkColumn(space: WorldView, name: string, spec: FieldSpec, many: unknown, count: number): Column {
-  if (typeof many === 'number') return checkField(space, spec, name, many);
+  if (typeof many === 'number' || typeof many === 'boolean') return checkField(space, spec, name, many);
   if (!isList(many)) {
     throw mustBe(`a number or an array of ${count}`, many, name);
   }

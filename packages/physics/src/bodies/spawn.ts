@@ -10,9 +10,14 @@ import { describe } from '../errors/physics-error.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { type ResolvedInput, resolveShape, type ShapeInput } from './collider-shape.ts';
+import { removeOrphanedParts } from './parts.ts';
 
 type FieldsOf<Name extends ComponentName> = {
-  readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: number;
+  readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: (typeof COMPONENTS)[Name]['fields'][F] extends {
+    readonly isFlag: true;
+  }
+    ? number | boolean
+    : number;
 };
 
 type NamesWithScalar = {
@@ -104,7 +109,7 @@ export function lacksVelocity(names: readonly ComponentName[]): boolean {
 }
 
 /**
- * Removes a body (or a wall, or a spring) and its entity. During a step removal takes effect at the end of the step;
+ * Removes a body with its parts (or a wall, or a spring) and its entity. During a step removal takes effect at the end of the step;
  * until then the body takes part in the step, but `isAlive` is false for it, and removing it again does nothing.
  * @throws PhysicsError E_STALE if there is no entity with this id, E_DESTROYED; and exceptions of user observers, after
  *   the entity is removed
@@ -116,7 +121,15 @@ export function despawn(world: PhysicsWorld, eid: number): void {
     return;
   }
   if (!hasAnyComponent(world, eid)) throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
-  removeEntityCompletely(world, eid);
+  removeWithParts(world, eid);
+}
+
+function removeWithParts(world: PhysicsWorld, eid: number): void {
+  try {
+    removeEntityCompletely(world, eid);
+  } finally {
+    removeOrphanedParts(world);
+  }
 }
 
 function despawnLater(world: PhysicsWorld, eid: number): void {
@@ -129,7 +142,7 @@ function despawnLater(world: PhysicsWorld, eid: number): void {
   if (leaving.get(eid) === components) return;
   leaving.set(eid, components as Set<unknown>);
   deferredEdits.push(() => {
-    if (contextOf(world).entityComponents.get(eid) === components) removeEntityCompletely(world, eid);
+    if (contextOf(world).entityComponents.get(eid) === components) removeWithParts(world, eid);
   });
 }
 

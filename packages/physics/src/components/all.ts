@@ -1,14 +1,19 @@
 import { Appearance } from './appearance.ts';
+import { Attachment } from './attachment.ts';
 import { Attractor } from './attractor.ts';
 import { Charge } from './charge.ts';
 import { Collider } from './collider.ts';
 import type { ColumnsOf } from './define.ts';
 import { AngularDrag, LinearDrag, QuadraticDrag } from './drag.ts';
+import { GravityScale } from './gravity-scale.ts';
 import { Hull } from './hull.ts';
 import { Inertia } from './inertia.ts';
 import { Joint } from './joint.ts';
+import { Kinematic } from './kinematic.ts';
 import { Lift } from './lift.ts';
 import { Mass } from './mass.ts';
+import { MotionLocks } from './motion-locks.ts';
+import { NeverSleep } from './never-sleep.ts';
 import { Position } from './position.ts';
 import { Engine, Motor, Thrust } from './propulsion.ts';
 import { Quarantined } from './quarantined.ts';
@@ -45,6 +50,11 @@ export const COMPONENTS = {
   TestParticle,
   Quarantined,
   Joint,
+  Attachment,
+  Kinematic,
+  GravityScale,
+  MotionLocks,
+  NeverSleep,
 } as const;
 
 export type ComponentName = keyof typeof COMPONENTS;

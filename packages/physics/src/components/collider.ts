@@ -1,4 +1,10 @@
-import { defineComponent, real, u32 } from './define.ts';
+import { defineComponent, flag, real, u32 } from './define.ts';
+
+/**
+ * Rules by which a coefficient of a contact follows from those of its bodies. `standard` is the geometric mean for friction,
+ * and the larger value for restitution.
+ */
+export const COMBINE = { standard: 0, average: 1, min: 2, multiply: 3, max: 4 } as const;
 
 /**
  * The shape by which a body meets others, about its position, and how its surface behaves: a disc (2D) or a ball (3D) of
@@ -27,5 +33,22 @@ export const Collider = defineComponent({
     layers: u32('', { initial: 1 }),
     /** Layers that it collides with, one bit each: two bodies collide where each is on a layer of the other's mask. */
     mask: u32('', { initial: 0xffffffff }),
+    /**
+     * Rigid bodies of one group collide with each other always if it is positive, whatever their layers, and never if it is
+     * negative. 0 is none.
+     */
+    group: real('', { bounds: { min: -8388608, max: 8388607, integer: true } }),
+    /** 1 for a sensor: it touches nothing, and `sensorEvents` lists what begins and ends to overlap it. Rigid bodies only. */
+    sensor: flag(),
+    /** 1 where only what comes down on the upper side of the shape, +y in its frame, is held. Rigid bodies only. */
+    oneWay: flag(),
+    /** 1 for a body that passes through nothing, however fast both are. Rigid bodies only. */
+    bullet: flag(),
+    /**
+     * How friction and restitution of a contact follow from those of its two rigid bodies: a number of `COMBINE`. Of two
+     * different rules the larger number holds.
+     */
+    frictionCombine: u32('', { bounds: { max: COMBINE.max } }),
+    restitutionCombine: u32('', { bounds: { max: COMBINE.max } }),
   },
 });

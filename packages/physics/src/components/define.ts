@@ -19,6 +19,8 @@ export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
   readonly infinite?: number | undefined;
   /** Whether the field must be 0 in 2D. */
   readonly spatial?: boolean | undefined;
+  /** Whether it is 0 or 1, given as a boolean too. */
+  readonly isFlag?: boolean | undefined;
   /** For the id of a body: the name of the field with the generation of that body. */
   readonly generationField?: string | undefined;
 }
@@ -57,6 +59,11 @@ export function real(unit: string, options: FieldOptions = {}): FieldSpec<'real'
 export function u32(unit: string, options: FieldOptions = {}): FieldSpec<'u32'> {
   const field = real(unit, options);
   return { ...field, kind: 'u32', bounds: { min: 0, max: 0xffffffff, integer: true, ...field.bounds } };
+}
+
+/** A field that is 0 or 1; `true` and `false` are accepted where values are given. */
+export function flag(): FieldSpec<'u32'> & { readonly isFlag: true } {
+  return { ...u32('', { bounds: { max: 1 }, hint: 'Give true or false, or 1 or 0.' }), isFlag: true };
 }
 
 /** A field with the id of a body. The field `generationField` stores its generation, because ids are reused. */

@@ -38,6 +38,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, ignoredEvents: r
 }
 
 function warnAboutWalls(world: PhysicsWorld, plan: Plan): void {
+  if (world.integrator.solvesWalls === true) return;
   const walls = [
     ['SegmentWall', 'segment walls'],
     ['PlaneWall', 'plane walls'],
@@ -57,6 +58,7 @@ const READ_BY_FORCES: Partial<Record<ComponentName, string>> = {
   LinearDrag: 'linearDrag()',
   QuadraticDrag: 'quadraticDrag()',
   AngularDrag: 'angularDrag()',
+  GravityScale: 'uniformGravity()',
   Lift: 'lift()',
   Hull: 'buoyancy({ … })',
   Thrust: 'thrust()',

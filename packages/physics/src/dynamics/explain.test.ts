@@ -52,7 +52,7 @@ const formulaOf = (force: Force, kind?: 'latex') => formulasOf(force.law as NonN
 
 describe('formulas', () => {
   test('of gravity: acceleration and potential', () => {
-    expect(formulaOf(uniformGravity())).toEqual(['a = acceleration', 'U = −acceleration·r m']);
+    expect(formulaOf(uniformGravity())).toEqual(['a = scale acceleration', 'U = scale (−acceleration·r m)']);
   });
 
   test('of drag, linear and quadratic, with the names of the law', () => {
@@ -133,7 +133,11 @@ describe('explain', () => {
   test('describes every force in list order, and the integrator', () => {
     const text = textOf([...everything(), defineForce({ name: 'wand', accumulate() {} })]);
     expect(text).toMatch(/^A step in 2D, f64, by velocity Verlet\./);
-    const lines = ['uniform gravity: a = acceleration', 'linear drag: F = −c (v − wind)', 'wand: a function, called'];
+    const lines = [
+      'uniform gravity: a = scale acceleration',
+      'linear drag: F = −c (v − wind)',
+      'wand: a function, called',
+    ];
     const at = lines.map((line) => text.indexOf(line));
     expect(at.every((place) => place > 0)).toBe(true);
     expect(at).toEqual([...at].sort((a, b) => a - b));

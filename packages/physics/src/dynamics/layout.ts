@@ -12,5 +12,7 @@ export function layoutOf(
     componentNumber(component),
     columns.addresses,
   ]);
-  return [dimensions, precision, rows, addresses.Position.x, block.at, internal.partialEntities.immovable > 0, own];
+  const { counts, partialEntities } = internal;
+  const members = [partialEntities.immovable > 0, counts.GravityScale > 0];
+  return [dimensions, precision, rows, addresses.Position.x, block.at, members, own];
 }

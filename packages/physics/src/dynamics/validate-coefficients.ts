@@ -43,7 +43,7 @@ const MAX_REAL = 3.4028234663852886e38;
 function coefficientsOf(components: readonly ComponentName[], isShared: boolean): readonly Coefficient[] {
   return components.flatMap((component) =>
     Object.entries((COMPONENTS[component] as ComponentSpec).fields)
-      .filter(([, { kind }]) => kind === 'real')
+      .filter(([, { kind, bounds }]) => kind === 'real' && bounds.integer !== true)
       .map(([field, { bounds }]) => {
         const { min = bounds.above ?? -MAX_REAL, max = MAX_REAL } = bounds;
         return { component, field, min, max, isShared };

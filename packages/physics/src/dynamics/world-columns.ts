@@ -1,5 +1,6 @@
 // The columns and parameters of a world as leaves of a graph: binds the names used by laws to a world.
 
+import { bitOf } from '../components/all.ts';
 import { ownColumns } from '../ecs/own-components.ts';
 import { MOVABLE } from '../ecs/partial-entities.ts';
 import type { ColumnData } from '../laws/body-symbols.ts';
@@ -69,6 +70,8 @@ export class WorldColumns {
         return this.load(block.addressOf(parameters, parameter, index, stage));
       },
       column: (component, field, kind) => this.#column(component, field, kind),
+      // A world whose first body gets a GravityScale makes a new plan, and with it this code anew.
+      isAbsent: (bits) => bits === bitOf('GravityScale') && this.world.internal.counts.GravityScale === 0,
       noise: (seed, channel) => graph.make('noise', [seed, this.load(block.tick)], channel),
     };
   }

@@ -68,7 +68,8 @@ export function fieldName(name: ComponentName, field: string): string {
  */
 export function checkField(space: WorldView, spec: FieldSpec, name: string, value: unknown, entity?: number): number {
   if (value === Infinity && spec.infinite !== undefined) return spec.infinite;
-  const checked = checkNumber(value, name, spec.bounds, entity, spec.hint);
+  const given = spec.isFlag === true && typeof value === 'boolean' ? Number(value) : value;
+  const checked = checkNumber(given, name, spec.bounds, entity, spec.hint);
   if (spec.generationField !== undefined) checkBodyId(space, name, checked, entity);
   if (checked !== 0 && spec.spatial === true && space.dimensions === 2) {
     throw new PhysicsError('E_RANGE', `${name} must be 0 in a 2D world, got ${checked}.`, {

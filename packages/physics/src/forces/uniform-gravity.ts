@@ -2,12 +2,14 @@
 //
 //   F = m g            potential  U = -m g·r   (zero at the origin)
 //
-//   m  mass, kg        g  acceleration, m/s²
+//   m  mass, kg        g  acceleration, m/s², times the GravityScale of the body if it has one
 //
 // Valid near the surface of a planet, over heights small compared to its radius (over 1 km g decreases by 0.03 %).
 // Cost: one multiply-add per axis.
+import { GravityScale } from '../components/gravity-scale.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { VectorInput } from '../errors/validate.ts';
+import { select } from '../laws/expression.ts';
 import { vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
 import { STANDARD_GRAVITY } from './support/standard-gravity.ts';
@@ -20,8 +22,13 @@ const law = /* @__PURE__ */ defineLaw({
     /** Acceleration g, m/s²; by default standard gravity downwards. */
     acceleration: vector('m/s²', { default: { y: -STANDARD_GRAVITY }, min: -1e12, max: 1e12 }),
   },
-  acceleration: (_body, { acceleration }) => acceleration,
-  potential: ({ position, mass }, { acceleration }) => mass.mul(acceleration.dot(position)).negate(),
+  reads: { scale: GravityScale },
+  acceleration: ({ has, scale }, { acceleration }) => acceleration.mul(select(has(GravityScale), scale, 1)),
+  potential: ({ position, mass, has, scale }, { acceleration }) =>
+    mass
+      .mul(acceleration.dot(position))
+      .negate()
+      .mul(select(has(GravityScale), scale, 1)),
 });
 
 /**

@@ -130,6 +130,8 @@ class Printer {
       case 'component':
         return atom(`${this.#in(args[0], ATOM)}.${'xyz'[data as number]}`);
       case 'select':
+        // A coefficient that is 1 without its component reads as that coefficient.
+        if (args[0].op === 'has' && args[1].op === 'column' && args[2].data === 1) return this.print(args[1]);
         return {
           text: `${this.#in(args[1], SUM)} if ${this.print(args[0]).text}, else ${this.#in(args[2], SUM)}`,
           binding: 0,

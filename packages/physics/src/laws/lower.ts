@@ -36,6 +36,8 @@ export interface Environment {
   readonly scalars?: Readonly<Record<string, Node>>;
   /** The change of velocity over a duration, in a stage of a scheme. */
   kick?(position: Axes, velocity: Axes, duration: Node, stage: StageData): Axes;
+  /** Whether no entity of the world has one of these components: then code for them is left out. */
+  isAbsent?(bits: number): boolean;
   /** Noise from the seed of the law. */
   noise(seed: Node, channel: number): Node;
 }
@@ -101,6 +103,12 @@ export class Lowering {
         return dot(graph, this.vector(args[0] as Vector), this.vector(args[1] as Vector));
       case 'length':
         return lengthOf(graph, this.vector(args[0] as Vector));
+      case 'select':
+        if (this.#isNever(args[0])) return this.scalar(args[2]);
+        return graph.make(
+          op,
+          args.map((arg) => this.scalar(arg)),
+        );
       default:
         return (
           environment.scalars?.[op] ??
@@ -141,6 +149,7 @@ export class Lowering {
       case 'normalize':
         return normalize(graph, this.vector(a));
       case 'select':
+        if (this.#isNever(a)) return this.vector(args[2] as Vector);
         return eachAxis((i) => {
           const [whenTrue, whenFalse] = [this.vector(b)[i], this.vector(args[2] as Vector)[i]];
           return graph.make('select', [this.scalar(a), whenTrue, whenFalse]);
@@ -156,6 +165,11 @@ export class Lowering {
       default:
         return environment.vectors[op] ?? this.#unknown(op);
     }
+  }
+
+  /** Whether a condition asks for a component that no entity has. */
+  #isNever({ op, data }: Expression): boolean {
+    return op === 'has' && this.environment.isAbsent?.(data as number) === true;
   }
 
   #unknown(op: string): never {

@@ -23,7 +23,8 @@ export interface BoxWallsOptions {
 }
 
 /**
- * Creates a system for the `walls` phase. It acts on bodies with Mass and Collider.
+ * Creates a system for the `walls` phase. It acts on bodies with Mass and Collider. In a world of rigid bodies each wall becomes
+ * an entity with PlaneWall before the next step.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function boxWalls(options: BoxWallsOptions): BoxSystem {
@@ -48,6 +49,7 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
     box: { low, high, restitution, friction },
     prepare: boxAt,
     run(world, { bounds, count }, dt) {
+      if (world.integrator.solvesWalls === true) return;
       if (world.internal.plan?.fusion?.walls === system) {
         bounceFromBox(world, system, world.ranges, dt);
         return;

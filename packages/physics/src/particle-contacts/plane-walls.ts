@@ -30,7 +30,7 @@ const planeList = resource<PlaneList>((world) => {
 export const planeWalls: LocalSystem = {
   name: 'plane walls',
   run: forEachRange((world, first, last, dt) => {
-    if (world.internal.counts.PlaneWall === 0) return;
+    if (world.internal.counts.PlaneWall === 0 || world.integrator.solvesWalls === true) return;
     const list = planeList(world);
     refreshEntityList(world, list, 'PlaneWall', 0);
     const lag = (world.integrator.velocityLag ?? 0) * dt;

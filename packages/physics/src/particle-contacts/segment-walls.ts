@@ -79,6 +79,7 @@ export const segmentWalls: LocalSystem = {
   name: 'segment walls',
   run: forEachRange((world, first, last, dt) => {
     if (world.dimensions !== 2 || world.internal.counts.SegmentWall === 0) return;
+    if (world.integrator.solvesWalls === true) return;
     const { grid } = gather(world);
     const lag = (world.integrator.velocityLag ?? 0) * dt;
     collisionKernels(world).segmentWalls(grid, dt, lag, first, last);

@@ -7,12 +7,16 @@ import { bitOf } from '../components/all.ts';
 import type { RealColumn } from '../components/define.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkKeys, checkNumber, checkVector, checkWhole } from '../errors/validate.ts';
+import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole } from '../errors/validate.ts';
 import type { KernelExports } from '../kernels/rigid-2d.gen.ts';
 import { cos, sin } from '../math/elementary.ts';
 import { allocate } from '../memory/arena.ts';
 import { BODY_QUERY_BYTES, SHAPE_BYTES } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
+import { contentVersion } from '../solver/content-version.ts';
+import { isSoftStep } from '../solver/is-soft-step.ts';
+import { placeParts } from '../solver/refresh-parts.ts';
+import { rigidTable } from '../solver/rigid-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Which bodies a query is about. */
@@ -21,6 +25,8 @@ export interface QueryFilter {
   readonly mask?: number;
   /** A body that is left out, such as the one that asks. Default none. */
   readonly ignore?: number;
+  /** Whether sensors are seen; default false. */
+  readonly sensors?: boolean;
 }
 
 /** Where a ray or a moving shape met a body. */
@@ -46,8 +52,8 @@ export interface PoseInput {
   readonly angle?: number;
 }
 
-/** Bytes of the six integers at the start of the record, and of the reals behind them in this order. */
-const INTEGER_BYTES = 24;
+/** Bytes of the ten integers at the start of the record, and of the reals behind them in this order. */
+const INTEGER_BYTES = 40;
 const REALS = ['x', 'y', 'c', 's', 'dx', 'dy', 'limit', 'reach', 'fraction', 'nx', 'ny', 'pointX', 'pointY'] as const;
 
 /** Indices into the reals of the record. */
@@ -79,6 +85,8 @@ export interface RunningQuery {
   readonly at: number;
   readonly shapeAt: number;
   readonly reals: RealColumn;
+  /** Address of the table whose trees hold for the bodies as they are now, 0 if none do. */
+  readonly trees: number;
 }
 
 /** The path of a query: where it starts, the angle of its shape, and where it moves to from there. */
@@ -102,13 +110,18 @@ export function openQuery(
   shape?: Shape,
 ): RunningQuery {
   const { mask = 0xffffffff, ignore = 0 } = filter;
+  placeParts(world);
   const { at, shapeAt, words, reals } = queryMemory(world);
   const { Rotation, Collider } = world.addresses;
   const checked = [checkWhole(mask, 'mask', 0, 0xffffffff), checkWhole(ignore, 'ignore', 0, 0xffffffff)];
-  words.set([BODY, ...checked, world.lastId, Rotation.angle, Collider.layers]);
+  const seesSensors = checkFlag(filter.sensors, 'sensors') ? 1 : 0;
+  words.set([BODY, ...checked, world.lastId, Rotation.angle, Collider.layers, Collider.sensor, seesSensors, 0, 0]);
   reals.set([path.x, path.y, cos(path.angle), sin(path.angle), path.dx, path.dy, 1, reach]);
   if (shape !== undefined) writeShape(world, shapeAt, shape);
-  return { kernels: rigidKernels(world), at, shapeAt, reals };
+  const query = { kernels: rigidKernels(world), at, shapeAt, reals, trees: treesOf(world) };
+  // Without bounds all bodies are in reach.
+  if (query.trees !== 0 && reach !== Infinity) query.kernels.collectCandidates(at, query.trees);
+  return query;
 }
 
 /** The hit that the kernel wrote. */
@@ -146,6 +159,21 @@ export function allHits(query: RunningQuery, next: (row: number) => number): Hit
   return hits.sort((a, b) => a.fraction - b.fraction || a.body - b.body);
 }
 
+/** Bodies below which a look at all of them takes no longer than one at the trees. */
+const FEW_BODIES = 200;
+
+function treesOf(world: PhysicsWorld): number {
+  if (!isSoftStep(world.integrator) || world.lastId < FEW_BODIES) return 0;
+  const { at } = rigidTable(world);
+  return rigidKernels(world).treesHold(at, world.lastId + 1, contentVersion(world)) === 1 ? at : 0;
+}
+
+/** Confines a query about a point to the bodies within a distance. */
+export function confine(query: RunningQuery, reach: number): void {
+  setReach(query, reach);
+  query.kernels.collectCandidates(query.at, query.trees);
+}
+
 /** Changes the distance from the path within which bodies are of interest. */
 export function setReach(query: RunningQuery, reach: number): void {
   query.reals[R.reach] = reach;
@@ -165,7 +193,7 @@ export function assertPlanar(world: PhysicsWorld, caller: string): void {
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN */
 export function checkFilter(filter: unknown, caller: string, others: readonly string[] = []): void {
-  checkKeys(filter, caller, ['mask', 'ignore', ...others]);
+  checkKeys(filter, caller, ['mask', 'ignore', 'sensors', ...others]);
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN */

@@ -1,7 +1,16 @@
 import type { PointInput, Shape } from '../collision/shapes/2d/shape.ts';
 import { checkNumber, checkVector } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { assertPlanar, checkFilter, openQuery, type QueryFilter, readHit, setReach } from './body-query.ts';
+import {
+  assertPlanar,
+  checkFilter,
+  confine,
+  openQuery,
+  type QueryFilter,
+  type RunningQuery,
+  readHit,
+  setReach,
+} from './body-query.ts';
 
 /** Options of `nearestPoint`. */
 export interface NearestPointOptions extends QueryFilter {
@@ -26,8 +35,8 @@ const POINT = { kind: 'circle', vertices: [0, 0], normals: [], radius: 0, area: 
 const POINT_SHAPE: Shape = { ...POINT, extent: 0, minExtent: 0, centre: { x: 0, y: 0 } };
 
 /**
- * Returns the point of any body that is nearest to a point, and of equally near ones that of the smaller id. Tests every
- * body with a collider, where it is now.
+ * Returns the point of any body that is nearest to a point, and of equally near ones that of the smaller id. Bodies are
+ * where they are now.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
  */
 export function nearestPoint(
@@ -41,6 +50,20 @@ export function nearestPoint(
   const { maxDistance = Infinity } = options;
   const reach = maxDistance === Infinity ? Infinity : checkNumber(maxDistance, 'maxDistance', { min: 0 });
   const query = openQuery(world, { x, y, angle: 0, dx: 0, dy: 0 }, reach, options, POINT_SHAPE);
+  for (const confined of query.trees === 0 ? [] : REACHES) {
+    if (confined >= reach) break;
+    confine(query, confined);
+    const found = nearestOf(query, x, y);
+    if (found !== undefined) return found;
+  }
+  if (query.trees !== 0) confine(query, reach);
+  return nearestOf(query, x, y);
+}
+
+/** Distances up to which a tree is searched before a larger one is tried, m. */
+const REACHES = [1, 8, 64, 512, 4096, 32768];
+
+function nearestOf(query: RunningQuery, x: number, y: number): NearestPoint | undefined {
   const next = (row: number) => query.kernels.nextNearBody(query.at, query.shapeAt, row);
   let nearest: NearestPoint | undefined;
   for (let row = next(1); row > 0; row = next(row + 1)) {

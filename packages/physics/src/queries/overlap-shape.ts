@@ -4,8 +4,8 @@ import type { PhysicsWorld } from '../world/types.ts';
 import { assertPlanar, checkFilter, checkPose, openQuery, type PoseInput, type QueryFilter } from './body-query.ts';
 
 /**
- * Returns the ids of all bodies that a shape overlaps or touches, ascending. Tests every body with a collider, where it
- * is now.
+ * Returns the ids of all bodies that a shape overlaps or touches, ascending. Bodies are where they
+ * are now.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
  */
 export function overlapShape(world: PhysicsWorld, shape: Shape, pose: PoseInput, filter: QueryFilter = {}): number[] {

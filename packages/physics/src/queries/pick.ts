@@ -4,6 +4,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { bodies } from '../ecs/ranges.ts';
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
 import { cos, sin } from '../math/elementary.ts';
+import { placeParts } from '../solver/refresh-parts.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Options of picking a body by a point. */
@@ -24,6 +25,7 @@ export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOpt
   const { x, y, z } = checkVector(point, 'point');
   checkKeys(options, 'bodyAt', ['margin']);
   const margin = checkNumber(options.margin ?? 0, 'margin', { min: 0 });
+  placeParts(world);
   const { ids, count } = bodies(world);
   const { Position, Collider, Appearance } = world.components;
   const depth = world.dimensions === 3 ? 1 : 0;

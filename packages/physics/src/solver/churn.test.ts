@@ -96,3 +96,19 @@ test('a plank carries more boxes than there are colors', () => {
   expect(y[plank]).toBeCloseTo(0.25, 2);
   for (const id of boxes) expect(y[id]).toBeCloseTo(1, 2);
 });
+
+test('the last entity leaves nothing behind: neither a body nor what slept on it', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies, capacity: 20, forces: [uniformGravity()] });
+  const crate = () => spawn(world, { position: { y: 0.5 }, collider: { shape: box(1, 1), density: 1, friction: 0.6 } });
+  const sleeper = crate();
+  const ground = spawn(world, { position: { y: -0.5 }, collider: { shape: box(20, 1), friction: 0.6 } });
+  for (let i = 0; i < 120; i++) step(world, 1 / 60);
+  despawn(world, ground);
+  for (let i = 0; i < 60; i++) step(world, 1 / 60);
+  const { y } = world.components.Position;
+  expect(y[sleeper]).toBeLessThan(-2);
+  despawn(world, sleeper);
+  const next = crate();
+  for (let i = 0; i < 60; i++) step(world, 1 / 60);
+  expect(y[next]).toBeLessThan(-2);
+});

@@ -50,3 +50,21 @@ test('a contact ends with its body', () => {
   step(world, DT);
   expect([end.count, end.a[0], end.b[0]]).toEqual([1, ground, body]);
 });
+
+test('a contact that begins has its point, normal, speed of approach, and the impulse m Δv', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies, precision: 'f64', forces: [], capacity: 50 });
+  const wall = spawn(world, { position: {}, collider: { shape: box(1, 4) } });
+  const collider = { radius: 0.25, density: 8, restitution: 0.5 };
+  const ball = spawn(world, { position: { x: -1.5, y: 0.5 }, velocity: { x: 4 }, collider });
+  const { begin, hit } = contactEvents(world);
+  const mass = world.components.Mass.value[ball];
+  while (begin.count === 0) step(world, 1 / 60);
+  expect([begin.a[0], begin.b[0], begin.nx[0]]).toEqual([wall, ball, -1]);
+  expect(begin.x[0]).toBeCloseTo(-0.5, 1);
+  expect(begin.y[0]).toBeCloseTo(0.5, 6);
+  expect(begin.speed[0]).toBeCloseTo(4, 6);
+  // It may come near in one step and be hit in the next.
+  if (hit.count === 0) step(world, 1 / 60);
+  expect(hit.speed[0]).toBeCloseTo(4, 6);
+  expect(hit.impulse[0]).toBeCloseTo(mass * (4 - world.components.Velocity.x[ball]), 6);
+});

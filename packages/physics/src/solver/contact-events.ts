@@ -1,35 +1,43 @@
 // Events of contacts between rigid bodies as arrays, which are read after a step.
 import type { RealColumn } from '../components/define.ts';
-import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import {
+  CONTACT_EVENT_LIST_BYTES,
+  ContactEventListWord as EventWord,
+  RigidTableWord as Word,
+} from '../memory/layouts.gen.ts';
+import { recordAt } from '../memory/record.ts';
 import { markImmutable, resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
-/** Pairs of bodies in ascending order; entry i of each array is valid for i < `count`. */
+/** Pairs of entities in ascending order; entry i of each array is valid for i < `count`. */
 export interface ContactPairs {
   readonly count: number;
-  /** Entity ids, a < b. */
+  /** Ids of the entities with the shapes, a < b: bodies, or parts of compound bodies. */
   readonly a: Uint32Array;
   readonly b: Uint32Array;
 }
 
-/** Impacts faster than the `hitSpeed` of the integrator. */
+/** Contacts and how they began or were hit. */
 export interface ContactHits extends ContactPairs {
   /** The point, m, and the unit normal from a to b. */
   readonly x: RealColumn;
   readonly y: RealColumn;
   readonly nx: RealColumn;
   readonly ny: RealColumn;
-  /** Speed of approach before the impact, m/s. */
+  /** Speed of approach before the step, m/s; negative where they part. */
   readonly speed: RealColumn;
+  /** Impulse along the normal in the step, N s; 0 for what only came near. */
+  readonly impulse: RealColumn;
 }
 
 /** The events of the last step. The arrays are reused by every step. */
 export interface ContactEvents {
   /** Bodies that began to touch, or came within 2 cm. */
-  readonly begin: ContactPairs;
+  readonly begin: ContactHits;
   /** Bodies that no longer touch; one of them may be gone. Pairs that ended because they drifted apart come first. */
   readonly end: ContactPairs;
+  /** Impacts faster than the `hitSpeed` of the integrator. */
   readonly hit: ContactHits;
   /** Pairs for which there was no room since the world was made: more memory by `arenaBytes` prevents that. */
   readonly droppedCount: number;
@@ -37,38 +45,48 @@ export interface ContactEvents {
 
 const eventsOf = /* @__PURE__ */ resource<ContactEvents>((world) => {
   const { words } = rigidTable(world);
-  const { buffer } = world.memory;
-  const length = words[Word.contactCapacity];
-  const Column = world.precision === 'f32' ? Float32Array : Float64Array;
-  const ids = (word: Word) => new Uint32Array(buffer, words[word], length);
-  const reals = (word: Word): RealColumn => new Column(buffer, words[word], length);
-  const pairs = (count: Word, a: Word, b: Word) => ({
+  const end = {
     get count() {
-      return words[count];
+      return words[Word.endCount];
     },
-    a: ids(a),
-    b: ids(b),
-  });
-  const impacts = {
-    x: reals(Word.hitX),
-    y: reals(Word.hitY),
-    nx: reals(Word.hitNx),
-    ny: reals(Word.hitNy),
-    speed: reals(Word.hitSpeeds),
+    a: listOf(world, words[Word.endA]),
+    b: listOf(world, words[Word.endB]),
   };
-  const hit = Object.defineProperties(
-    impacts,
-    Object.getOwnPropertyDescriptors(pairs(Word.hitCount, Word.hitA, Word.hitB)),
-  );
   return markImmutable({
-    begin: pairs(Word.beginCount, Word.beginA, Word.beginB),
-    end: pairs(Word.endCount, Word.endA, Word.endB),
-    hit: hit as ContactHits,
+    begin: hitsOf(world, words[Word.begins]),
+    end,
+    hit: hitsOf(world, words[Word.hits]),
     get droppedCount() {
       return words[Word.droppedCount];
     },
   });
 });
+
+/** A list of ids with room for all contacts. */
+export function listOf(world: PhysicsWorld, at: number): Uint32Array {
+  return new Uint32Array(world.memory.buffer, at, rigidTable(world).words[Word.contactCapacity]);
+}
+
+function hitsOf(world: PhysicsWorld, at: number): ContactHits {
+  const { memory, precision } = world;
+  const { words } = recordAt(memory, at, CONTACT_EVENT_LIST_BYTES);
+  const Column = precision === 'f32' ? Float32Array : Float64Array;
+  const length = rigidTable(world).words[Word.contactCapacity];
+  const reals = (word: EventWord): RealColumn => new Column(memory.buffer, words[word], length);
+  return {
+    get count() {
+      return words[EventWord.count];
+    },
+    a: listOf(world, words[EventWord.a]),
+    b: listOf(world, words[EventWord.b]),
+    x: reals(EventWord.x),
+    y: reals(EventWord.y),
+    nx: reals(EventWord.nx),
+    ny: reals(EventWord.ny),
+    speed: reals(EventWord.speeds),
+    impulse: reals(EventWord.impulses),
+  };
+}
 
 /**
  * Returns the events of contacts between rigid bodies in the last step: always the same object. A world without rigid

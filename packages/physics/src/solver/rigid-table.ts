@@ -6,7 +6,12 @@ import { bitOf } from '../components/all.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
-import { RIGID_TABLE_BYTES, RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import {
+  CONTACT_EVENT_LIST_BYTES,
+  ContactEventListWord as EventWord,
+  RIGID_TABLE_BYTES,
+  RigidTableWord as Word,
+} from '../memory/layouts.gen.ts';
 import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -18,19 +23,22 @@ const CONTACTS_PER_BODY = 6;
 const MIN_CONTACTS = 4096;
 
 /** Bytes of a contact's record: kernels/collision/narrow-phase/2d/rigid-contact.ts. */
-const contactBytes = (bytes: number) => 48 + 42 * bytes;
+const contactBytes = (bytes: number) => 56 + 42 * bytes;
 
 /** Bytes of a block of contacts, one for each lane of a vector: kernels/solver/2d/contact-block.ts. */
 const BLOCK_BYTES = 640;
 
 /** Bytes for each contact in all lists. Contacts without a color take a block each. */
-const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 32 + 24 + 5 * bytes;
+const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 32 + 40 + 2 * 6 * bytes;
+
+/** The columns of reals of an event. */
+const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, EventWord.speeds, EventWord.impulses];
 
 /** Reals that sleep keeps of a body, and two words: kernels/solver/2d/sleeper.ts. */
 const SLEEPER_REALS = 5;
 
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
-const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 6 * 4;
+const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 14 * 4;
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function rigidBytesPerEntity(precision: Precision): number {
@@ -49,7 +57,7 @@ export const rigidTable = resource((world): MemoryRecord => {
 });
 
 function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
-  const { Collider, Rotation } = world.addresses;
+  const { Attachment, Collider, MotionLocks, Rotation } = world.addresses;
   const { force, torque } = world.scratch.at;
   words[Word.generations] = world.internal.generations.byteOffset;
   words[Word.members] = world.internal.membersAt;
@@ -64,6 +72,26 @@ function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
   words[Word.dynamicBits] = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
   words[Word.turningBits] = (bitOf('Rotation') | bitOf('AngularVelocity')) >>> 0;
   words[Word.colliderBit] = bitOf('Collider');
+  words[Word.sensor] = Collider.sensor;
+  words[Word.bullet] = Collider.bullet;
+  words[Word.oneWay] = Collider.oneWay;
+  words[Word.group] = Collider.group;
+  words[Word.frictionCombine] = Collider.frictionCombine;
+  words[Word.restitutionCombine] = Collider.restitutionCombine;
+  words[Word.segmentWallBit] = bitOf('SegmentWall');
+  words[Word.planeWallBit] = bitOf('PlaneWall');
+  words[Word.kinematicBit] = bitOf('Kinematic');
+  words[Word.neverSleepBit] = bitOf('NeverSleep');
+  words[Word.lockBit] = bitOf('MotionLocks');
+  words[Word.lockX] = MotionLocks.x;
+  words[Word.lockY] = MotionLocks.y;
+  words[Word.lockAngle] = MotionLocks.angle;
+  words[Word.attachmentBit] = bitOf('Attachment');
+  words[Word.attachmentBody] = Attachment.body;
+  words[Word.attachmentGeneration] = Attachment.bodyGeneration;
+  words[Word.attachmentX] = Attachment.x;
+  words[Word.attachmentY] = Attachment.y;
+  words[Word.attachmentAngle] = Attachment.angle;
 }
 
 function takeRows(world: PhysicsWorld, words: Uint32Array): void {
@@ -82,6 +110,17 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.treeRows, Word.enlarged]) {
     take(word, 4);
   }
+  for (const word of [
+    Word.owners,
+    Word.firstParts,
+    Word.nextParts,
+    Word.locked,
+    Word.slept,
+    Word.woken,
+    Word.stops,
+    Word.wallShapes,
+  ])
+    take(word, 4);
 }
 
 function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
@@ -89,7 +128,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   const bytes = realBytes(precision);
   const { arena } = internal;
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
-  const room = 0.9 * (arena.bytes - arena.top) - 24 * 8192;
+  const room = 0.9 * (arena.bytes - arena.top) - 36 * 8192;
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
   const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(bytes))));
   const take = (word: Word, size: number) => {
@@ -105,8 +144,18 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.pairs, 8 * capacity);
   take(Word.sortedPairs, 8 * capacity);
   take(Word.blocks, BLOCK_BYTES * words[Word.blockCapacity]);
-  for (const word of [Word.beginA, Word.beginB, Word.endA, Word.endB, Word.hitA, Word.hitB]) take(word, 4 * capacity);
-  for (const word of [Word.hitX, Word.hitY, Word.hitNx, Word.hitNy, Word.hitSpeeds]) take(word, bytes * capacity);
+  for (const word of [Word.endA, Word.endB]) take(word, 4 * capacity);
+  for (const word of [Word.sensorBeginSensors, Word.sensorBeginVisitors]) take(word, 4 * capacity);
+  for (const word of [Word.sensorEndSensors, Word.sensorEndVisitors]) take(word, 4 * capacity);
+  for (const word of [Word.begins, Word.hits]) words[word] = takeEvents(world, capacity);
   take(Word.colors, 4 * 32);
   take(Word.colorCounts, 4 * 32);
+}
+
+/** Makes the list of an event with room for all contacts, and returns its address. */
+function takeEvents({ internal: { arena }, precision }: PhysicsWorld, capacity: number): number {
+  const { at, words } = allocateRecord(arena, CONTACT_EVENT_LIST_BYTES, 'contacts of rigid bodies');
+  for (const word of [EventWord.a, EventWord.b]) words[word] = allocate(arena, 4 * capacity, 'events of contacts');
+  for (const word of EVENT_REALS) words[word] = allocate(arena, realBytes(precision) * capacity, 'events of contacts');
+  return at;
 }

@@ -1,6 +1,6 @@
 // Which rigid bodies sleep. They neither move nor cost much until something touches them, other forces act on them, or
 // someone changes their columns.
-import { assertBody } from '../ecs/entity-ref.ts';
+import { bodyOf } from '../bodies/parts.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -10,23 +10,24 @@ import { rigidTable } from './rigid-table.ts';
 /** Bits of a row's flags: kernels/solver/2d/body.ts. */
 const ASLEEP = 8;
 const WAKES = 128;
+const PART = 1024;
 
 function flagsOf(world: PhysicsWorld): Uint32Array {
   if (!isSoftStep(world.integrator)) return new Uint32Array(0);
   return new Uint32Array(world.memory.buffer, rigidTable(world).words[Word.flags], world.lastId + 1);
 }
 
-/** Returns whether a body sleeps; false in worlds without rigid bodies. @throws PhysicsError E_STALE, E_DESTROYED */
+/** Returns whether a body, or that of a part, sleeps; false in worlds without rigid bodies. @throws PhysicsError E_STALE, E_DESTROYED */
 export function isAsleep(world: PhysicsWorld, body: number): boolean {
-  assertBody(world, body);
-  return (flagsOf(world)[body] & ASLEEP) !== 0;
+  const row = bodyOf(world, body);
+  return (flagsOf(world)[row] & ASLEEP) !== 0;
 }
 
 /** Returns the number of bodies that sleep. @throws PhysicsError E_DESTROYED */
 export function asleepCount(world: PhysicsWorld): number {
   assertUsable(world);
   let count = 0;
-  for (const flags of flagsOf(world)) if ((flags & ASLEEP) !== 0) count++;
+  for (const flags of flagsOf(world)) if ((flags & (ASLEEP | PART)) === ASLEEP) count++;
   return count;
 }
 
@@ -36,5 +37,5 @@ export function asleepCount(world: PhysicsWorld): number {
  */
 export function wake(world: PhysicsWorld, body: number): void {
   if (!isAsleep(world, body)) return;
-  flagsOf(world)[body] |= WAKES;
+  flagsOf(world)[bodyOf(world, body)] |= WAKES;
 }

@@ -13,11 +13,16 @@
 
 import { rigidKernels } from '../collision/kernels.ts';
 import { anyForceAppliesTorque } from '../dynamics/evaluate-forces.ts';
-import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { checkFunction, checkKeys, checkNumber } from '../errors/validate.ts';
 import { jointTable, refreshJoints } from '../joints/joint-table.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
+import { askAboutPairs, type ShouldCollide } from './ask-user.ts';
+import { refreshBoxes } from './box-planes.ts';
+import { contentVersion } from './content-version.ts';
 import { markSoftStep } from './is-soft-step.ts';
+import { refreshParts } from './refresh-parts.ts';
+import { refreshWalls } from './refresh-walls.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -43,6 +48,12 @@ export interface SoftStepOptions {
   readonly sleepSpeed?: number;
   /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
   readonly sleepTime?: number;
+  /**
+   * Called once when the boxes around two shapes begin to overlap, with their entities, a < b, in ascending order of (a, b):
+   * bodies, or parts of compound bodies. With `false` they do not collide until their boxes part. It must depend on nothing
+   * but the world, or steps cannot be repeated; edits take effect when the step ends.
+   */
+  readonly shouldCollide?: ShouldCollide;
 }
 
 const OPTIONS = [
@@ -56,6 +67,7 @@ const OPTIONS = [
   'hitSpeed',
   'sleepSpeed',
   'sleepTime',
+  'shouldCollide',
 ] as const;
 
 /**
@@ -64,8 +76,15 @@ const OPTIONS = [
  */
 export function softStep(options: SoftStepOptions = {}): Integrator {
   checkKeys(options, 'softStep', OPTIONS);
-  const number = (name: keyof SoftStepOptions, standard: number, min: number, max: number, integer = false) =>
-    checkNumber(options[name] ?? standard, `softStep.${name}`, { min, max, integer });
+  const number = (
+    name: Exclude<keyof SoftStepOptions, 'shouldCollide'>,
+    standard: number,
+    min: number,
+    max: number,
+    integer = false,
+  ) => checkNumber(options[name] ?? standard, `softStep.${name}`, { min, max, integer });
+  const { shouldCollide } = options;
+  if (shouldCollide !== undefined) checkFunction(shouldCollide, 'softStep.shouldCollide');
   const substeps = number('substeps', 4, 1, 1000, true);
   const values: readonly (readonly [Value, number])[] = [
     [Value.contactHertz, number('contactHertz', 30, 0.1, 1e6)],
@@ -85,15 +104,20 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     evaluations: substeps,
     velocityLag: 0.5 / substeps,
     wholeWorld: true,
+    solvesWalls: true,
     // As of semi-implicit Euler with the length of a sub-step.
     isStable: (stiffness, damping) => stiffness / (substeps * substeps) + (2 * damping) / substeps <= 4,
     prepare(world) {
       refuseUnsupported(world);
       const { numbers } = rigidTable(world);
       for (const [value, number] of values) numbers[value] = number;
+      refreshBoxes(world);
+      refreshWalls(world);
+      refreshParts(world);
       refreshJoints(world);
     },
-    advance: (world, ranges, dt, evaluateForces) => advance(world, ranges, dt, evaluateForces, substeps),
+    advance: (world, ranges, dt, evaluateForces) =>
+      advance(world, ranges, dt, evaluateForces, { substeps, shouldCollide }),
   });
 }
 
@@ -102,7 +126,7 @@ function advance(
   ranges: Ranges,
   dt: number,
   evaluateForces: EvaluateForces,
-  substeps: number,
+  { substeps, shouldCollide }: { readonly substeps: number; readonly shouldCollide: ShouldCollide | undefined },
 ): void {
   const kernels = rigidKernels(world);
   const { at, words, numbers } = rigidTable(world);
@@ -115,7 +139,9 @@ function advance(
   kernels.gatherBodies(at);
   const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
   words[Word.linkCount] = 0;
+  words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
+  if (shouldCollide !== undefined) askAboutPairs(world, shouldCollide);
   kernels.wakeTouched(at);
   if (joints !== 0) kernels.prepareJoints(joints);
   kernels.updateContacts(at);
@@ -126,22 +152,28 @@ function advance(
     kernels.integrateVelocities(at);
     if (joints !== 0) kernels.startJoints(joints);
     kernels.warmStartContacts(at);
+    kernels.holdLocked(at);
     if (joints !== 0) solveJoints(kernels, joints, 1);
     kernels.solveContacts(at);
+    kernels.holdLocked(at);
     kernels.integratePositions(at);
     if (joints !== 0) solveJoints(kernels, joints, 0);
     kernels.relaxContacts(at);
+    kernels.holdLocked(at);
     kernels.writeBodies(at);
   }
   kernels.applyRestitution(at);
+  kernels.holdLocked(at);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
   kernels.writeBodies(at);
   kernels.writeAngles(at);
+  if (words[Word.partCount] > 0) kernels.writeParts(at, 0);
   if (joints !== 0) kernels.listBroken(joints);
   kernels.updateSleep(at);
   if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);
+  kernels.rememberPoses(at, contentVersion(world));
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;

@@ -80,6 +80,7 @@ function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
   let i = 0;
   if (signature[i++] !== world.integrator) return false;
   if (signature[i++] !== world.internal.partialEntities.immovable > 0) return false;
+  if (signature[i++] !== world.internal.counts.GravityScale > 0) return false;
   for (let p = 0; p < PHASES.length; p++) {
     const phase = PHASES[p];
     const systems = world.phases[phase];
@@ -94,7 +95,8 @@ function makePlan(world: PhysicsWorld): Plan {
   checkForces(world.forces, 'world.forces', world.dimensions);
   checkIntegrator(world.integrator, 'world.integrator');
   for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
-  const signature: unknown[] = [world.integrator, world.internal.partialEntities.immovable > 0];
+  const { counts, partialEntities } = world.internal;
+  const signature: unknown[] = [world.integrator, partialEntities.immovable > 0, counts.GravityScale > 0];
   for (const phase of PHASES) signature.push(...world.phases[phase], phase);
   signature.push(...world.forces);
   const systems = Object.fromEntries(PHASES.map((phase) => [phase, [...world.phases[phase]]])) as Record<

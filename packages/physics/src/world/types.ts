@@ -144,6 +144,8 @@ export interface Integrator {
   readonly columns?: number;
   /** The integrator solves springs as constraints: the force `springs()` then adds only its potential. */
   readonly solvesSprings?: boolean;
+  /** The integrator holds bodies at walls itself: the systems of the phase `walls` for them then do nothing. */
+  readonly solvesWalls?: boolean;
   /** The scheme needs all bodies at once, so its steps are not split into chunks. */
   readonly wholeWorld?: boolean;
   /** Called once per step before anything moves, to allocate memory. Its exceptions propagate from `step`. */

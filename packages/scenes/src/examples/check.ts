@@ -30,7 +30,7 @@ export interface Check<Run, Values> {
   readonly measure: (run: Run) => number;
   /** The integrator that the figure is about; left out, the one that the example uses by default. */
   readonly integrator?: Integrator;
-  /** Label of the preset that the figure is about; left out, the default values. */
+  /** Label of the preset that the figure belongs to; left out, the default values. */
   readonly preset?: string;
 }
 
@@ -68,9 +68,6 @@ export interface Monitor {
   isDone(): boolean;
 }
 
-/** The setting in which all parameters have their default values. */
-export const DEFAULT = 'default';
-
 /** The parts of a run that checks need. */
 interface Watched {
   readonly world: PhysicsWorld;
@@ -80,13 +77,13 @@ interface Watched {
 /**
  * Watches the checks of a run: at the start of every step, and whenever `observe` is called. Rewinding the world rewinds
  * the checks.
- * @param setting label of the preset whose values the parameters have, 'default', or undefined for values of no name
+ * @param hasValuesOf whether the parameters have the values of the preset of a label, or without one the default values
  */
 export function monitor<Run extends Watched, Values>(
   run: Run,
   values: Values,
   checks: readonly Check<Run, Values>[],
-  setting: string | undefined,
+  hasValuesOf: (preset?: string) => boolean,
 ): Monitor {
   const progress = checks.map(newProgress);
   const seen = { tick: -1 };
@@ -94,8 +91,7 @@ export function monitor<Run extends Watched, Values>(
   keepState(world, seen, ...progress);
   const applies = checks.map(({ exact, integrator, preset }) => {
     const isOwn = integrator === undefined || integrator.name === world.integrator.name;
-    if (preset !== undefined) return isOwn && setting === preset;
-    return isOwn && (setting === DEFAULT || typeof exact === 'function');
+    return isOwn && (hasValuesOf(preset) || (typeof exact === 'function' && preset === undefined));
   });
   const observe = () => {
     if (seen.tick === world.tick) return;

@@ -1,6 +1,6 @@
 import { type Integrator, PhysicsError } from '@principia/physics';
 import { checkParameter, type SceneRun } from '../scene.ts';
-import { type Check, type CheckState, DEFAULT, type Monitor, monitor } from './check.ts';
+import { type Check, type CheckState, type Monitor, monitor } from './check.ts';
 import type { Picture } from './picture.ts';
 
 /** A parameter of an example: a number in a range, or a choice of words, whose value is the index of the word. */
@@ -186,7 +186,13 @@ function startRun<Name extends string, Run extends SceneRun>(
   const { world, dt } = run;
   const ownIntegrator = integrator === undefined ? world.integrator : spec.build(values, { seed }).world.integrator;
   if (integrator !== undefined) world.integrator = integrator;
-  const watch: Monitor = monitor(run, values, spec.checks, settingOf(spec, values));
+  const hasValuesOf = (label?: string) => {
+    const preset: Partial<ValuesOf<Name>> = spec.presets?.find((each) => each.label === label)?.values ?? {};
+    return Object.entries<ExampleParameter>(spec.parameters).every(
+      ([name, { initial }]) => values[name as Name] === (preset[name as Name] ?? initial),
+    );
+  };
+  const watch: Monitor = monitor(run, values, spec.checks, hasValuesOf);
   return {
     ...run,
     world,
@@ -203,17 +209,6 @@ function startRun<Name extends string, Run extends SceneRun>(
     checkStates: watch.states,
     isDone: watch.isDone,
   };
-}
-
-/** The name of these values: that of the preset that has them, 'default', or none. */
-function settingOf<Name extends string, Run extends SceneRun>(
-  { parameters, presets = [] }: ExampleSpec<Name, Run>,
-  values: ValuesOf<Name>,
-): string | undefined {
-  const entries = Object.entries<ExampleParameter>(parameters);
-  const has = (given: Partial<ValuesOf<Name>>) =>
-    entries.every(([name, { initial }]) => values[name as Name] === (given[name as Name] ?? initial));
-  return has({}) ? DEFAULT : presets.find((preset) => has(preset.values))?.label;
 }
 
 function livePlot<Run extends SceneRun, Values>(plot: Plot<Run, Values>, run: Run, values: Values): LivePlot {

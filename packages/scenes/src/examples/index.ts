@@ -15,7 +15,6 @@ export {
   type Series,
   type ValuesOf,
 } from './define-example.ts';
-export { EXAMPLES, type ExampleEntry } from './examples.gen.ts';
 export { type Frame, frameOf } from './frame.ts';
 export {
   type Arrow,

@@ -33,10 +33,24 @@ export function thumbnail(example: Example): string {
   }
   const sketch = new Sketch(run.picture);
   drawBack(sketch, run.picture);
-  for (const { color, points } of paths) sketch.path(points, color ?? BODY_COLOR, 1.2, 0.7);
+  for (const { color, points } of paths) {
+    for (const part of withoutJumps(points, run.picture)) sketch.path(part, color ?? BODY_COLOR, 1.2, 0.7);
+  }
   drawBodies(sketch, run);
   drawFront(sketch, run.picture);
   return sketch.svg();
+}
+
+/** A body that leaves the view on one side and enters it on the other has a path of two parts. */
+function withoutJumps(points: readonly Point[], { view }: Picture): Point[][] {
+  const reach = Math.min(view.maxX - view.minX, view.maxY - view.minY) / 2;
+  const parts: Point[][] = [[]];
+  for (const [i, point] of points.entries()) {
+    const last = points[i - 1] ?? point;
+    if (Math.abs(point.x - last.x) > reach || Math.abs(point.y - last.y) > reach) parts.push([]);
+    parts[parts.length - 1].push(point);
+  }
+  return parts;
 }
 
 function positionIn({ world: { components } }: ExampleRun, id: number): Point {

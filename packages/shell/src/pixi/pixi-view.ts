@@ -97,10 +97,7 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
   return {
     canvas,
     refresh(change) {
-      if (change === 'setting') {
-        shown.picture.refresh?.();
-        return;
-      }
+      if (change === 'setting') return shown.picture.refresh?.();
       shown.picture.destroy();
       shown = show(context, options, content);
       if (isFitted) fitAll();

@@ -95,10 +95,7 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
   return {
     canvas,
     refresh(change) {
-      if (change === 'setting') {
-        picture.refresh?.();
-        return;
-      }
+      if (change === 'setting') return picture.refresh?.();
       dragging.destroy();
       hide(picture, scene);
       picture = show(context, options, scene);

@@ -1,6 +1,6 @@
 // The contact points of rigid bodies, one after the other, for pictures and logs.
 import { columns, get } from '../../memory/columns';
-import { contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { TOUCHING, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 
@@ -27,13 +27,13 @@ export function nextContactPoint(table: usize, view: usize, cursor: i32): i32 {
   for (let at = cursor; at < 2 * t.contactCount; at++) {
     const contact = contactAt(t, word(t.order, at >> 1));
     const index = at & 1;
-    if (index >= contact.count) continue;
+    if (index >= contact.count || (contact.flags & TOUCHING) == 0) continue;
     const point = pointOf(contact, index);
     const c = columns();
     to.a = contact.a;
     to.b = contact.b;
-    to.x = get(c.positionX, contact.a) + point.ax;
-    to.y = get(c.positionY, contact.a) + point.ay;
+    to.x = get(c.positionX, contact.bodyA) + point.ax;
+    to.y = get(c.positionY, contact.bodyA) + point.ay;
     to.nx = contact.nx;
     to.ny = contact.ny;
     to.separation = point.separation;

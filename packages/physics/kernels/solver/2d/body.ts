@@ -52,6 +52,21 @@ export const SHIFTED: u32 = 256;
 // It is a disc, which looks the same however it turns.
 export const ROUND: u32 = 512;
 
+// It is a part of a compound body (parts.ts): the kind and the state of motion are those of its body.
+export const PART: u32 = 1024;
+// It is a body that has parts.
+export const COMPOUND: u32 = 2048;
+// It does not fall asleep.
+export const SLEEPLESS: u32 = 4096;
+// Some of its motion is locked (motion-locks.ts).
+export const LOCKED: u32 = 8192;
+// Its collider is a sensor, is solid on one side only, is in a group (collider-flags.ts).
+export const SENSOR: u32 = 16384;
+export const ONE_WAY: u32 = 32768;
+export const GROUPED: u32 = 65536;
+// It is a wall, and no body (walls.ts).
+export const WALL: u32 = 131072;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator

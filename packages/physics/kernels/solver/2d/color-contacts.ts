@@ -26,10 +26,10 @@ export function colorContacts(table: usize): void {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
     if ((contact.flags & TOUCHING) == 0) continue;
-    const movesA = isPushed(t, contact.a);
-    const movesB = isPushed(t, contact.b);
+    const movesA = isPushed(t, contact.bodyA);
+    const movesB = isPushed(t, contact.bodyB);
     if (!movesA && !movesB) continue;
-    const color = chooseColor(t, contact.a, contact.b, movesA, movesB);
+    const color = chooseColor(t, contact.bodyA, contact.bodyB, movesA, movesB);
     const size = word(t.colorCounts, color);
     if (color == UNCOLORED || (size & (LANES - 1)) == 0) {
       if (blocks == t.blockCapacity) {

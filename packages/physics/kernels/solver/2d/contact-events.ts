@@ -1,8 +1,13 @@
-// What happened to contacts in a step: pairs that began to touch, pairs that no longer touch, and impacts.
+// What happened to contacts in a step: pairs that began to touch, pairs that no longer touch, and impacts. Then the pairs of
+// a sensor and what it senses, that began and ended to overlap.
 import { put } from '../../memory/columns';
 import {
   ContactPoint,
+  DID_OVERLAP,
+  OVERLAPS,
   RigidContact,
+  SENSES,
+  SENSOR_IS_B,
   TOUCHING,
   WAS_TOUCHING,
   contactAt,
@@ -11,22 +16,71 @@ import {
 import { poseOf, putWord, word } from './body';
 import { RigidTable } from './rigid-table';
 
+// Contacts with a point, the normal there, the speed of approach, and the impulse of the step.
+@unmanaged
+export class ContactEventList {
+  count: i32;
+  a: usize;
+  b: usize;
+  x: usize;
+  y: usize;
+  nx: usize;
+  ny: usize;
+  speeds: usize;
+  impulses: usize;
+}
+
+// Forgets the events of the last step.
+export function clearEvents(t: RigidTable): void {
+  t.endCount = 0;
+  t.sensorBeginCount = 0;
+  t.sensorEndCount = 0;
+}
+
 // Lists the events of the present contacts; the end of a contact was recorded when it was removed.
 export function listContactEvents(table: usize): void {
   const t = changetype<RigidTable>(table);
-  t.beginCount = 0;
-  t.hitCount = 0;
+  const begins = changetype<ContactEventList>(t.begins);
+  const hits = changetype<ContactEventList>(t.hits);
+  begins.count = 0;
+  hits.count = 0;
   for (let i = 0; i < t.contactCount; i++) {
     const contact = contactAt(t, word(t.order, i));
-    const state = contact.flags & (TOUCHING | WAS_TOUCHING);
-    if (state == TOUCHING) {
-      putWord(t.beginA, t.beginCount, contact.a);
-      putWord(t.beginB, t.beginCount++, contact.b);
-    } else if (state == WAS_TOUCHING) {
-      noteEnd(t, contact);
+    if ((contact.flags & SENSES) != 0) {
+      listSensorEvent(t, contact);
+      continue;
     }
-    if ((state & TOUCHING) != 0) noteHit(t, contact);
+    const state = contact.flags & (TOUCHING | WAS_TOUCHING);
+    if (state == WAS_TOUCHING) noteEnd(t, contact);
+    if ((state & TOUCHING) == 0) continue;
+    const point = fastestPoint(contact);
+    if (state == TOUCHING) noteContact(t, begins, contact, point);
+    if (-point.normalSpeed > <real>t.hitSpeed && point.totalImpulse != 0) noteContact(t, hits, contact, point);
   }
+}
+
+// The point at which the surfaces approached faster, among those that were hit if any was.
+function fastestPoint(contact: RigidContact): ContactPoint {
+  const first = pointOf(contact, 0);
+  if (contact.count < 2) return first;
+  const second = pointOf(contact, 1);
+  if ((first.totalImpulse != 0) != (second.totalImpulse != 0)) return first.totalImpulse != 0 ? first : second;
+  return second.normalSpeed < first.normalSpeed ? second : first;
+}
+
+function noteContact(t: RigidTable, list: ContactEventList, contact: RigidContact, point: ContactPoint): void {
+  const i = list.count++;
+  const pose = poseOf(t, contact.bodyA);
+  let impulse: real = 0;
+  for (let p = 0; p < contact.count; p++) impulse += pointOf(contact, p).totalImpulse;
+  putWord(list.a, i, contact.a);
+  putWord(list.b, i, contact.b);
+  put(list.x, i, pose.x + point.ax);
+  put(list.y, i, pose.y + point.ay);
+  put(list.nx, i, contact.nx);
+  put(list.ny, i, contact.ny);
+  put(list.speeds, i, -point.normalSpeed);
+  put(list.impulses, i, impulse);
 }
 
 export function noteEnd(t: RigidTable, contact: RigidContact): void {
@@ -34,24 +88,26 @@ export function noteEnd(t: RigidTable, contact: RigidContact): void {
   putWord(t.endB, t.endCount++, contact.b);
 }
 
-// The faster of the points that were hit.
-function noteHit(t: RigidTable, contact: RigidContact): void {
-  let speed = <real>t.hitSpeed;
-  let hit = changetype<ContactPoint>(0);
-  for (let p = 0; p < contact.count; p++) {
-    const point = pointOf(contact, p);
-    if (-point.normalSpeed <= speed || point.totalImpulse == 0) continue;
-    speed = -point.normalSpeed;
-    hit = point;
-  }
-  if (changetype<usize>(hit) == 0) return;
-  const i = t.hitCount++;
-  const pose = poseOf(t, contact.a);
-  putWord(t.hitA, i, contact.a);
-  putWord(t.hitB, i, contact.b);
-  put(t.hitX, i, pose.x + hit.ax);
-  put(t.hitY, i, pose.y + hit.ay);
-  put(t.hitNx, i, contact.nx);
-  put(t.hitNy, i, contact.ny);
-  put(t.hitSpeeds, i, speed);
+function listSensorEvent(t: RigidTable, contact: RigidContact): void {
+  const state = contact.flags & (OVERLAPS | DID_OVERLAP);
+  const isB = (contact.flags & SENSOR_IS_B) != 0;
+  if (state == OVERLAPS) noteSensorBegin(t, isB ? contact.b : contact.a, isB ? contact.a : contact.b);
+  else if (state == DID_OVERLAP) noteSensorPairEnd(t, contact);
+}
+
+export function noteSensorPairEnd(t: RigidTable, contact: RigidContact): void {
+  const isB = (contact.flags & SENSOR_IS_B) != 0;
+  noteSensorEnd(t, isB ? contact.b : contact.a, isB ? contact.a : contact.b);
+}
+
+export function noteSensorBegin(t: RigidTable, sensor: i32, visitor: i32): void {
+  if (t.sensorBeginCount == t.contactCapacity) return;
+  putWord(t.sensorBeginSensors, t.sensorBeginCount, sensor);
+  putWord(t.sensorBeginVisitors, t.sensorBeginCount++, visitor);
+}
+
+export function noteSensorEnd(t: RigidTable, sensor: i32, visitor: i32): void {
+  if (t.sensorEndCount == t.contactCapacity) return;
+  putWord(t.sensorEndSensors, t.sensorEndCount, sensor);
+  putWord(t.sensorEndVisitors, t.sensorEndCount++, visitor);
 }

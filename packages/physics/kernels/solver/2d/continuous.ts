@@ -1,16 +1,36 @@
 // Continuous collision: a body that moved further in a step than half its least extent may have passed through something
-// thin. It is put back to where it came near the first body without mass on its way; the contact there is found in the next
-// step. Where it started in contact it slides along the surface, if a core of a quarter of its size would pass through.
+// thin. It is put back to where it came near the first body without mass on its way, and a bullet to where it came near any
+// other; the contact there is found in the next step. Where it started in contact it slides along the surface, if a core
+// of a quarter of its size would pass through.
 //
 // Source: the bounds are those of Box2D 3 (solver.c); time of impact: narrow-phase/2d/time-of-impact.ts.
 import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { makeCircle, shapeOf } from '../../collision/shapes/2d/shape-pool';
-import { FatBox, measureBox, overlaps, rowBox, tight } from '../../collision/broad-phase/2d/fat-boxes';
-import { layersMeet } from '../../collision/broad-phase/2d/find-pairs';
+import { FatBox, overlaps } from '../../collision/broad-phase/2d/fat-boxes';
+import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
 import { nodeAt } from '../../collision/broad-phase/2d/box-tree';
+import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
+import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
-import { COLLIDES, DYNAMIC, FAST, flagsOf, poseOf, putFlags, stateOf, word } from './body';
+import {
+  COLLIDES,
+  COMPOUND,
+  DYNAMIC,
+  FAST,
+  ONE_WAY,
+  SENSOR,
+  flagsOf,
+  poseOf,
+  putFlags,
+  putWord,
+  stateOf,
+  word,
+} from './body';
+import { passSensors } from './pass-sensors';
+import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
+import { shapeAt } from './walls';
+import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
 
 // A body is fast when it moves by more than this part of its least extent.
 const SAFE_PART: real = 0.5;
@@ -24,85 +44,120 @@ const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const core = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const path = changetype<FatBox>(memory.data(offsetof<FatBox>() + 8, 8));
 
+// Bullets come after all others, whose motion is known then.
 export function stopFastBodies(table: usize): void {
   const t = changetype<RigidTable>(table);
+  let bullets = 0;
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const flags = flagsOf(t, row) & ~FAST;
-    const fast = (flags & DYNAMIC) != 0 && (flags & COLLIDES) != 0 && isFast(t, row);
+    const fast = (flags & DYNAMIC) != 0 && (flags & (COLLIDES | COMPOUND)) != 0 && isFast(t, row);
     putFlags(t, row, fast ? flags | FAST : flags);
-    if (fast) stopBody(t, row);
+    if (!fast) continue;
+    // The list of changed boxes has served its purpose in this step.
+    if (isBullet(t, row)) putWord(t.enlarged, bullets++, row);
+    else stopBody(t, row, -1);
   }
+  if (bullets == 0) return;
+  const reach = longestPath(t);
+  for (let i = 0; i < bullets; i++) stopBody(t, word(t.enlarged, i), reach);
 }
 
 // @ts-ignore: decorator
 @inline function isFast(t: RigidTable, row: i32): bool {
-  const state = stateOf(t, row);
-  const pose = poseOf(t, row);
-  const moved = sqrt<real>(state.dx * state.dx + state.dy * state.dy) + abs<real>(state.turned) * pose.extent;
-  return moved > SAFE_PART * pose.minExtent;
+  return pathOf(t, row) > SAFE_PART * poseOf(t, row).minExtent;
 }
 
-function stopBody(t: RigidTable, row: i32): void {
-  const shape = shapeOf(row, spareB);
-  startSweep(t, row);
-  measurePath(shape);
+// How far any point of a body moved at most in this step, m.
+// @ts-ignore: decorator
+@inline function pathOf(t: RigidTable, row: i32): real {
+  const state = stateOf(t, row);
+  return sqrt<real>(state.dx * state.dx + state.dy * state.dy) + abs<real>(state.turned) * poseOf(t, row).extent;
+}
+
+// A compound is a bullet when one of its parts is.
+function isBullet(t: RigidTable, row: i32): bool {
+  if (word(t.bullet, row) != 0) return true;
+  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
+    if (word(t.bullet, part) != 0) return true;
+  }
+  return false;
+}
+
+function longestPath(t: RigidTable): real {
+  let longest: real = 0;
+  for (let i = 0; i < t.awakeCount; i++) longest = max<real>(longest, pathOf(t, word(t.awake, i)));
+  return longest;
+}
+
+// With a `reach` of 0 and more the body is a bullet, and others may have left their boxes by so much.
+function stopBody(t: RigidTable, row: i32, reach: real): void {
   let first: real = 1;
+  if ((flagsOf(t, row) & COLLIDES) != 0) first = firstImpact(t, row, row, reach, first);
+  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
+    first = firstImpact(t, row, part, reach, first);
+  }
+  store<f32>(t.stops + ((<usize>row) << 2), <f32>first);
+  if (first < 1) moveBack(t, row, first);
+  if (t.sensorCount > 0) passSensors(t, row);
+}
+
+// The fraction of the step at which a shape of a body meets something, at most `first`.
+function firstImpact(t: RigidTable, body: i32, row: i32, reach: real, first: real): real {
+  if ((flagsOf(t, row) & SENSOR) != 0) return first;
+  const shape = shapeOf(row, spareB);
+  startSweepB(t, sweep, body, row);
+  measurePath(path, sweep, shape, 0);
+  const still = firstInTree(t, t.staticNodes, t.staticNodeCount, body, row, shape, first);
+  if (reach < 0) return still;
+  measurePath(path, sweep, shape, reach);
+  return firstInTree(t, t.movingNodes, t.movingNodeCount, body, row, shape, still);
+}
+
+function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i32, shape: Shape, least: real): real {
+  let first = least;
   let i = 0;
-  while (i < t.staticNodeCount) {
-    const node = nodeAt(t.staticNodes, i);
+  while (i < count) {
+    const node = nodeAt(nodes, i);
     if (!overlaps(changetype<FatBox>(node), path)) {
       i = node.skip;
       continue;
     }
     i++;
-    if (node.row != 0 && layersMeet(t, row, node.row)) first = min<real>(first, impactWith(t, row, node.row, shape));
+    if (node.row == 0 || !mayStop(t, body, row, node.row)) continue;
+    const fraction = impactWith(t, node.row, shape);
+    if (fraction == SLIDES) {
+      slide(t, body, sweep.nx, sweep.ny);
+      startSweepB(t, sweep, body, row);
+    } else {
+      first = min<real>(first, fraction);
+    }
   }
-  if (first < 1) moveBack(t, row, first);
+  return first;
 }
 
-// The way of the body in this step, as the second of the two that meet.
-function startSweep(t: RigidTable, row: i32): void {
-  const pose = poseOf(t, row);
-  const state = stateOf(t, row);
-  sweep.bx = pose.x;
-  sweep.by = pose.y;
-  sweep.bc = pose.c;
-  sweep.bs = pose.s;
-  sweep.endBx = pose.x + state.dx;
-  sweep.endBy = pose.y + state.dy;
-  sweep.endBc = pose.c * state.dc - pose.s * state.ds;
-  sweep.endBs = pose.s * state.dc + pose.c * state.ds;
+// @ts-ignore: decorator
+@inline function mayStop(t: RigidTable, body: i32, row: i32, other: i32): bool {
+  if ((flagsOf(t, other) & SENSOR) != 0 || !filtersMeet(t, row, other)) return false;
+  const otherBody = bodyOf(t, other);
+  if (otherBody == body || areJoined(t, body, otherBody)) return false;
+  return t.asksUser == 0 || !isIgnored(t, row, other);
 }
 
-function measurePath(shape: Shape): void {
-  measureBox(shape, sweep.bx, sweep.by, sweep.bc, sweep.bs);
-  path.minX = tight.minX;
-  path.minY = tight.minY;
-  path.maxX = tight.maxX;
-  path.maxY = tight.maxY;
-  measureBox(shape, sweep.endBx, sweep.endBy, sweep.endBc, sweep.endBs);
-  path.minX = min<real>(path.minX, tight.minX);
-  path.minY = min<real>(path.minY, tight.minY);
-  path.maxX = max<real>(path.maxX, tight.maxX);
-  path.maxY = max<real>(path.maxY, tight.maxY);
-}
+// What `impactWith` returns for a shape that slides along another from the start of the step.
+const SLIDES: real = 2;
 
-// The fraction of the step at which the body meets another that does not move; 1 for never.
-function impactWith(t: RigidTable, row: i32, other: i32, shape: Shape): real {
-  const pose = poseOf(t, other);
-  sweep.ax = pose.x;
-  sweep.ay = pose.y;
-  sweep.ac = pose.c;
-  sweep.as = pose.s;
-  sweep.endAx = pose.x;
-  sweep.endAy = pose.y;
-  sweep.endAc = pose.c;
-  sweep.endAs = pose.s;
+// The fraction of the step at which the shape of the sweep meets another; 1 for never.
+function impactWith(t: RigidTable, other: i32, shape: Shape): real {
+  startSweepA(t, sweep, other);
   sweep.target = TARGET;
-  const wall = shapeOf(other, spareA);
-  timeOfImpact(sweep, wall, shape);
+  const wall = shapeAt(t, other, spareA);
+  const stop = stopOf(t, other);
+  if (stop < 1) sweepInPhases(sweep, wall, shape, stop);
+  else timeOfImpact(sweep, wall, shape);
   if (sweep.isHit == 0) return 1;
+  if ((flagsOf(t, other) & ONE_WAY) != 0 && (sweep.fraction == 0 || !isUpperSide(t, other, sweep.nx, sweep.ny)))
+    return 1;
   if (sweep.fraction > 0) return sweep.fraction;
   const nx = sweep.nx;
   const ny = sweep.ny;
@@ -110,9 +165,9 @@ function impactWith(t: RigidTable, row: i32, other: i32, shape: Shape): real {
   timeOfImpact(sweep, wall, core);
   if (sweep.isHit == 0 || sweep.fraction == 0) return 1;
   if (nx == 0 && ny == 0) return sweep.fraction;
-  slide(t, row, nx, ny);
-  startSweep(t, row);
-  return 1;
+  sweep.nx = nx;
+  sweep.ny = ny;
+  return SLIDES;
 }
 
 // Takes the part of the movement that goes into a surface with this normal.

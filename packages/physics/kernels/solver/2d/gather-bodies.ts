@@ -1,6 +1,6 @@
 // Begins a step: which rows are bodies of the solver, their poses, and their velocities, gathered from the columns.
 import { Columns, columns, get } from '../../memory/columns';
-import { computeSineCosine, cosine, sine, sineCosine } from '../../math/elementary';
+import { sineCosine } from '../../math/elementary';
 import { CIRCLE, SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
 import {
@@ -10,11 +10,16 @@ import {
   DYNAMIC,
   FAST,
   KINEMATIC,
+  LOCKED,
   MOVES,
+  PART,
   ROUND,
+  SENSOR,
   SHIFTED,
+  SLEEPLESS,
   STATIC,
   WAKES,
+  WALL,
   flagsOf,
   poseOf,
   putFlags,
@@ -22,9 +27,13 @@ import {
   stateOf,
   word,
 } from './body';
+import { colliderFlags } from './collider-flags';
 import { wakeIsland, wasDisturbed } from './islands';
+import { listLocked } from './motion-locks';
+import { kindOfPart, linkParts, placeParts, turnTo } from './parts';
 import { RigidTable } from './rigid-table';
 import { sleeperOf } from './sleeper';
+import { isValidWall, placeWall } from './walls';
 
 // What a body keeps from step to step.
 const KEPT: u32 = ASLEEP | FAST;
@@ -35,8 +44,43 @@ const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 // Classifies all rows, and lists the bodies that move and are awake. User code may have changed any column between the steps.
 export function gatherBodies(table: usize): void {
   const t = changetype<RigidTable>(table);
-  for (let row = 1; row < t.rows; row++) classify(t, row);
+  t.sleptCount = 0;
+  t.wokenCount = 0;
+  t.sensorCount = 0;
+  // Entities that are gone may have left rows at the end.
+  const end = max<i32>(t.rows, t.lastRows);
+  t.lastRows = t.rows;
+  for (let row = 1; row < end; row++) {
+    if ((<u32>word(t.members, row) & t.attachmentBit) == 0) classify(t, row, kindOf(columns(), t, row));
+  }
+  if (t.partCount > 0) classifyParts(t);
   listAwake(t);
+}
+
+// Parts come after all bodies, because they are of the kind of theirs.
+function classifyParts(t: RigidTable): void {
+  linkParts(t);
+  for (let i = 0; i < t.partCount; i++) {
+    const row = word(t.partIds, i);
+    const kind = kindOfPart(t, row);
+    const body = kind == 0 ? 0 : word(t.attachmentBody, row);
+    if (word(t.owners, row) != body) leaveBody(t, row);
+    const isNew = body != 0 && word(t.owners, row) == 0;
+    putWord(t.owners, row, body);
+    classify(t, row, kind);
+    if (isNew && (flagsOf(t, body) & ASLEEP) != 0) wakeIsland(t, body);
+  }
+}
+
+// What a part belonged to wakes, and what it touched is found anew.
+function leaveBody(t: RigidTable, row: i32): void {
+  const owner = word(t.owners, row);
+  if (owner == 0) return;
+  if ((flagsOf(t, owner) & (ASLEEP | PART)) == ASLEEP) wakeIsland(t, owner);
+  putWord(t.owners, row, 0);
+  putFlags(t, row, 0);
+  t.treesValid = 0;
+  forgetBox(t, row);
 }
 
 // Lists the bodies that move and are awake, with their poses and velocities.
@@ -48,21 +92,33 @@ export function listAwake(t: RigidTable): void {
   let awake = 0;
   for (let row = 1; row < t.rows; row++) {
     const flags = flagsOf(t, row);
-    if ((flags & (MOVES | STATIC)) == 0 || (flags & ASLEEP) != 0) continue;
+    if ((flags & (MOVES | STATIC)) == 0 || (flags & (ASLEEP | PART)) != 0) continue;
+    if ((flags & WALL) != 0) {
+      placeWall(t, row);
+      continue;
+    }
     readPose(c, t, row);
+    readExtents(t, row);
     if ((flags & MOVES) == 0) continue;
     readVelocity(c, t, row);
     putWord(t.awake, awake++, row);
   }
   t.awakeCount = awake;
+  listLocked(t);
+  if (t.partCount > 0) placeParts(t);
 }
 
-function classify(t: RigidTable, row: i32): void {
+function classify(t: RigidTable, row: i32, kind: u32): void {
+  if ((flagsOf(t, row) & PART) != 0 && (kind & PART) == 0) leaveBody(t, row);
   const before = flagsOf(t, row);
-  const kind = kindOf(columns(), t, row);
   const same = kind != 0 && word(t.bodyGenerations, row) == word(t.generations, row);
   const changed = !same || ((before ^ kind) & KINDS) != 0;
-  if ((before & ASLEEP) != 0 && (changed || (before & WAKES) != 0 || wasDisturbed(t, row))) wakeIsland(t, row);
+  if (
+    (before & (ASLEEP | PART)) == ASLEEP &&
+    (changed || (before & WAKES) != 0 || (kind & SLEEPLESS) != 0 || wasDisturbed(t, row))
+  )
+    wakeIsland(t, row);
+  if ((kind & SENSOR) != 0) t.sensorCount++;
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   putWord(t.bodyGenerations, row, word(t.generations, row));
   if (!changed || (before | kind) == 0) return;
@@ -71,17 +127,25 @@ function classify(t: RigidTable, row: i32): void {
   sleeperOf(t, row).stillFor = 0;
 }
 
-const KINDS: u32 = MOVES | STATIC | COLLIDES;
+const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR | WALL;
 
 // @ts-ignore: decorator
 @inline function kindOf(c: Columns, t: RigidTable, row: i32): u32 {
   const bits = <u32>word(c.members, row);
   // Position is the first component: its bit is 1.
-  if ((bits & 1) == 0) return 0;
-  const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES : 0;
-  if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) return DYNAMIC | collides;
+  if ((bits & 1) == 0) return (bits & (t.segmentWallBit | t.planeWallBit)) != 0 ? kindOfWall(t, row) : 0;
+  const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES | colliderFlags(t, row) : 0;
+  const kind = collides | ((bits & t.neverSleepBit) != 0 ? SLEEPLESS : 0);
+  if ((bits & t.kinematicBit) != 0) return KINEMATIC | kind;
+  if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) {
+    return DYNAMIC | kind | ((bits & t.lockBit) != 0 ? LOCKED : 0);
+  }
   // Without a shape it is still what a joint may hang from.
-  return (isDriven(c, row) ? KINEMATIC : STATIC) | collides;
+  return (isDriven(c, row) ? KINEMATIC : STATIC) | kind;
+}
+
+function kindOfWall(t: RigidTable, row: i32): u32 {
+  return isValidWall(t, row) ? STATIC | COLLIDES | WALL : 0;
 }
 
 // What has no mass moves by its velocity, whatever acts on it.
@@ -90,8 +154,13 @@ const KINDS: u32 = MOVES | STATIC | COLLIDES;
   return get(c.velocityX, row) != 0 || get(c.velocityY, row) != 0 || get(c.angularVelocityZ, row) != 0;
 }
 
-// A row's fat box is turned inside out, so that no box is inside it and it overlaps nothing.
+// The fat boxes of a body and of its parts are turned inside out, so that no box is inside them and they overlap nothing.
 export function forgetBox(t: RigidTable, row: i32): void {
+  clearBox(t, row);
+  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) clearBox(t, part);
+}
+
+function clearBox(t: RigidTable, row: i32): void {
   const box = t.boxes + <usize>row * (4 * sizeof<real>());
   store<real>(box, <real>Infinity);
   store<real>(box, <real>Infinity, sizeof<real>());
@@ -118,11 +187,21 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   pose.inverseInertia = 0;
   if ((flags & DYNAMIC) != 0) {
     const inertia = get(c.inertia, row);
-    const turns = inertia > 0 && (<u32>word(c.members, row) & t.turningBits) == t.turningBits;
+    const mayTurn = (flags & LOCKED) == 0 || word(t.lockAngle, row) == 0;
+    const turns = mayTurn && inertia > 0 && (<u32>word(c.members, row) & t.turningBits) == t.turningBits;
     pose.inverseMass = <real>1 / get(c.mass, row);
     pose.inverseInertia = turns ? <real>1 / inertia : <real>0;
   }
-  if ((flags & COLLIDES) == 0) return;
+}
+
+// Of a body without a shape of its own, `placeParts` finds them.
+function readExtents(t: RigidTable, row: i32): void {
+  const pose = poseOf(t, row);
+  if ((flagsOf(t, row) & COLLIDES) == 0) {
+    pose.extent = 0;
+    pose.minExtent = <real>Infinity;
+    return;
+  }
   const shape = shapeOf(row, spare);
   pose.extent = shape.extent;
   pose.minExtent = shape.minExtent;
@@ -135,14 +214,6 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   return <real>sineCosine.cosine != pose.c || <real>sineCosine.sine != pose.s;
 }
 
-// Sine and cosine of any angle.
-// @ts-ignore: decorator
-@inline function turnTo(angle: f64): void {
-  if (abs<f64>(angle) < 1e6) return computeSineCosine(angle);
-  sineCosine.cosine = cosine(angle);
-  sineCosine.sine = sine(angle);
-}
-
 // Reads the velocities of a body. Kinematic bodies move and turn by them although they have no mass and no inertia.
 function readVelocity(c: Columns, t: RigidTable, row: i32): void {
   rest(t, row);
@@ -151,4 +222,7 @@ function readVelocity(c: Columns, t: RigidTable, row: i32): void {
   state.vy = get(c.velocityY, row);
   const turns = (flagsOf(t, row) & KINEMATIC) != 0 || poseOf(t, row).inverseInertia > 0;
   state.w = turns ? get(c.angularVelocityZ, row) : <real>0;
+  if ((flagsOf(t, row) & LOCKED) == 0) return;
+  if (word(t.lockX, row) != 0) state.vx = 0;
+  if (word(t.lockY, row) != 0) state.vy = 0;
 }

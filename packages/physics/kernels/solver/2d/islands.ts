@@ -2,8 +2,22 @@
 // asleep when all its bodies have been still for a while, and wakes as a whole. Source: Box2D 3 (island.c, solver_set.c).
 import { columns, get, put } from '../../memory/columns';
 import { contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
-import { ASLEEP, DYNAMIC, KINEMATIC, WAKES, flagsOf, poseOf, putFlags, stateOf, word } from './body';
+import {
+  ASLEEP,
+  DYNAMIC,
+  KINEMATIC,
+  PART,
+  SLEEPLESS,
+  WAKES,
+  flagsOf,
+  poseOf,
+  putFlags,
+  putWord,
+  stateOf,
+  word,
+} from './body';
 import { readPose } from './gather-bodies';
+import { placePart } from './parts';
 import { RigidTable } from './rigid-table';
 import { Sleeper, sleeperOf } from './sleeper';
 
@@ -28,7 +42,7 @@ function countStill(t: RigidTable): bool {
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const sleeper = sleeperOf(t, row);
-    const still = <f64>speedOf(t, row) <= t.sleepSpeed;
+    const still = (flagsOf(t, row) & SLEEPLESS) == 0 && <f64>speedOf(t, row) <= t.sleepSpeed;
     sleeper.stillFor = still ? sleeper.stillFor + dt : 0;
     sleeper.island = row;
     if (<f64>sleeper.stillFor >= t.sleepTime) any = true;
@@ -48,7 +62,7 @@ function speedOf(t: RigidTable, row: i32): real {
 function joinIslands(t: RigidTable): void {
   for (let i = 0; i < t.touchingCount; i++) {
     const contact = contactAt(t, word(t.touching, 2 * i));
-    joinBodies(t, contact.a, contact.b);
+    joinBodies(t, contact.bodyA, contact.bodyB);
   }
   for (let i = 0; i < t.linkCount; i++) joinBodies(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
 }
@@ -107,7 +121,9 @@ function fallAsleep(t: RigidTable, row: i32): void {
   put(c.velocityY, row, 0);
   put(c.angularVelocityZ, row, 0);
   putFlags(t, row, flagsOf(t, row) | ASLEEP);
+  putWord(t.slept, t.sleptCount++, row);
   readPose(c, t, row);
+  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) placePart(t, part, row);
   const sleeper = sleeperOf(t, row);
   sleeper.angle = get(t.angle, row);
   sleeper.fx = get(t.forceX, row);
@@ -124,7 +140,7 @@ function fallAsleep(t: RigidTable, row: i32): void {
 function watchSleepers(t: RigidTable): void {
   for (let row = 1; row < t.rows; row++) {
     const flags = flagsOf(t, row);
-    if ((flags & ASLEEP) == 0) continue;
+    if ((flags & (ASLEEP | PART)) != ASLEEP) continue;
     const pose = poseOf(t, row);
     const sleeper = sleeperOf(t, row);
     const x = get(t.forceX, row) - sleeper.fx;
@@ -149,7 +165,9 @@ function watchSleepers(t: RigidTable): void {
 export function wakeIsland(t: RigidTable, row: i32): void {
   let at = row;
   do {
-    putFlags(t, at, flagsOf(t, at) & ~(ASLEEP | WAKES));
+    const flags = flagsOf(t, at);
+    if ((flags & ASLEEP) != 0) putWord(t.woken, t.wokenCount++, at);
+    putFlags(t, at, flags & ~(ASLEEP | WAKES));
     const sleeper: Sleeper = sleeperOf(t, at);
     sleeper.stillFor = 0;
     at = sleeper.next;

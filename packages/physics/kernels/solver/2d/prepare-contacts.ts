@@ -2,9 +2,10 @@
 import { LANES } from '../../memory/lanes';
 import { get, put } from '../../memory/columns';
 import { RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
-import { MOVES, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { LOCKED, MOVES, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { takeLane } from './color-contacts';
 import * as block from './contact-block';
+import { inverseMassAlong } from './motion-locks';
 import { RigidTable } from './rigid-table';
 import { soften, softness } from './softness';
 
@@ -28,7 +29,7 @@ export function prepareContacts(table: usize): void {
     const l = lane & (LANES - 1);
     const contact = contactAt(t, slot);
     putWord(at + block.SLOT, l, slot);
-    const single = !(poseOf(t, contact.a).inverseMass > 0 && poseOf(t, contact.b).inverseMass > 0);
+    const single = !(poseOf(t, contact.bodyA).inverseMass > 0 && poseOf(t, contact.bodyB).inverseMass > 0);
     put(at + block.BIAS_RATE, l, single ? <real>(softness.biasRate * softness.massScale) : biasRate);
     put(at + block.MASS_SCALE, l, single ? <real>softness.massScale : massScale);
     put(at + block.IMPULSE_SCALE, l, single ? <real>softness.impulseScale : impulseScale);
@@ -56,10 +57,10 @@ export function prepareContacts(table: usize): void {
 
 // @ts-ignore: decorator
 @inline function fillBodies(t: RigidTable, contact: RigidContact, at: usize, l: i32): void {
-  const a = poseOf(t, contact.a);
-  const b = poseOf(t, contact.b);
-  putWord(at + block.A, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.a))));
-  putWord(at + block.B, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.b))));
+  const a = poseOf(t, contact.bodyA);
+  const b = poseOf(t, contact.bodyB);
+  putWord(at + block.A, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.bodyA))));
+  putWord(at + block.B, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.bodyB))));
   put(at + block.MASS_A, l, a.inverseMass);
   put(at + block.INERTIA_A, l, a.inverseInertia);
   put(at + block.MASS_B, l, b.inverseMass);
@@ -90,22 +91,27 @@ export function prepareContacts(table: usize): void {
   put(to + block.BX, l, bx);
   put(to + block.BY, l, by);
   put(to + block.SEPARATION, l, point.separation - (nx * (bx - ax) + ny * (by - ay)));
-  const a = poseOf(t, contact.a);
-  const b = poseOf(t, contact.b);
-  const mass = a.inverseMass + b.inverseMass;
+  const a = poseOf(t, contact.bodyA);
+  const b = poseOf(t, contact.bodyB);
+  let normalMass = a.inverseMass + b.inverseMass;
+  let tangentMass = normalMass;
+  if (((flagsOf(t, contact.bodyA) | flagsOf(t, contact.bodyB)) & LOCKED) != 0) {
+    normalMass = inverseMassAlong(t, contact.bodyA, nx, ny) + inverseMassAlong(t, contact.bodyB, nx, ny);
+    tangentMass = inverseMassAlong(t, contact.bodyA, ny, -nx) + inverseMassAlong(t, contact.bodyB, ny, -nx);
+  }
   const normalA = ax * ny - ay * nx;
   const normalB = bx * ny - by * nx;
   // The tangent is the normal turned to the right: (ny, -nx).
   const tangentA = ax * nx + ay * ny;
   const tangentB = bx * nx + by * ny;
-  const normal = mass + a.inverseInertia * normalA * normalA + b.inverseInertia * normalB * normalB;
-  const tangent = mass + a.inverseInertia * tangentA * tangentA + b.inverseInertia * tangentB * tangentB;
+  const normal = normalMass + a.inverseInertia * normalA * normalA + b.inverseInertia * normalB * normalB;
+  const tangent = tangentMass + a.inverseInertia * tangentA * tangentA + b.inverseInertia * tangentB * tangentB;
   put(to + block.NORMAL_MASS, l, normal > 0 ? <real>1 / normal : <real>0);
   put(to + block.TANGENT_MASS, l, tangent > 0 ? <real>1 / tangent : <real>0);
   put(to + block.NORMAL_IMPULSE, l, point.normalImpulse);
   put(to + block.TANGENT_IMPULSE, l, point.tangentImpulse);
-  const sa = stateOf(t, solverRow(t, contact.a));
-  const sb = stateOf(t, solverRow(t, contact.b));
+  const sa = stateOf(t, solverRow(t, contact.bodyA));
+  const sb = stateOf(t, solverRow(t, contact.bodyB));
   const vx = sb.vx - sb.w * by - (sa.vx - sa.w * ay);
   const vy = sb.vy + sb.w * bx - (sa.vy + sa.w * ax);
   point.normalSpeed = nx * vx + ny * vy;

@@ -21,6 +21,8 @@ export class RigidTable {
   hitSpeed: f64;
   // Rows in use, from 0, and the addresses of the columns that only this solver reads.
   rows: i32;
+  // Rows in use in the last step.
+  lastRows: i32;
   generations: usize;
   members: usize;
   forceX: usize;
@@ -31,10 +33,46 @@ export class RigidTable {
   rollingResistance: usize;
   layers: usize;
   masks: usize;
+  sensor: usize;
+  bullet: usize;
+  oneWay: usize;
+  group: usize;
+  frictionCombine: usize;
+  restitutionCombine: usize;
   // Bits of membership: what makes a body dynamic, and what lets it turn.
   dynamicBits: u32;
   turningBits: u32;
   colliderBit: u32;
+  // What makes a body kinematic although it has mass, keeps it awake, and locks motions; then the columns of the locks.
+  kinematicBit: u32;
+  neverSleepBit: u32;
+  lockBit: u32;
+  lockX: usize;
+  lockY: usize;
+  lockAngle: usize;
+  // Rows of the bodies that are awake and have locked axes.
+  locked: usize;
+  lockedCount: i32;
+  // Walls (walls.ts): their bits, the record of their columns, and by row the address of the shape.
+  segmentWallBit: u32;
+  planeWallBit: u32;
+  wallColumns: usize;
+  wallShapes: usize;
+  // Number of sensors in this step.
+  sensorCount: i32;
+  // Parts of compound bodies (parts.ts): the bit of Attachment, its columns, and the ids of all parts, ascending.
+  attachmentBit: u32;
+  attachmentBody: usize;
+  attachmentGeneration: usize;
+  attachmentX: usize;
+  attachmentY: usize;
+  attachmentAngle: usize;
+  partIds: usize;
+  partCount: i32;
+  // By row: the body of a part, 0 of any other; the first part of a body, and the next part of the same body.
+  owners: usize;
+  firstParts: usize;
+  nextParts: usize;
   // By row: class BodyState, class BodyPose, flags (body.ts), fat box, the generation these belong to, colors in use.
   states: usize;
   poses: usize;
@@ -42,6 +80,8 @@ export class RigidTable {
   boxes: usize;
   bodyGenerations: usize;
   usedColors: usize;
+  // By row, of a body that is fast: the fraction of the step at which it was stopped, f32.
+  stops: usize;
   // Rows of bodies that the solver moves in this step, ascending.
   awake: usize;
   awakeCount: i32;
@@ -59,6 +99,13 @@ export class RigidTable {
   treesValid: i32;
   // Half perimeter of all nodes of the moving tree, when it was made.
   builtPerimeter: f64;
+  // For queries (collision/queries/2d/query-trees.ts): steps for which they are still prepared, the version of what the trees
+  // contain, a checksum of all poses, and the longest way of a body in the last step, m.
+  queryPatience: i32;
+  rememberedVersion: i32;
+  rememberedLow: u32;
+  rememberedHigh: u32;
+  longestPath: f64;
   // Rows whose fat box changed in this step.
   enlarged: usize;
   enlargedCount: i32;
@@ -86,21 +133,27 @@ export class RigidTable {
   touchingCount: i32;
   colors: usize;
   colorCounts: usize;
-  // Events of the last step: rows of the bodies, and of impacts point, normal and speed.
-  beginCount: i32;
-  beginA: usize;
-  beginB: usize;
+  // Number of new pairs of this step, whose records are listed in `sortedPairs`, and whether a function of the user decides
+  // about them.
+  newPairCount: i32;
+  asksUser: i32;
+  // Events of the last step: contacts that began, and impacts (class ContactEventList); rows of the shapes that no longer
+  // touch; rows of sensors and of what they sense. Then rows of bodies that fell asleep, and that woke.
+  begins: usize;
+  hits: usize;
   endCount: i32;
   endA: usize;
   endB: usize;
-  hitCount: i32;
-  hitA: usize;
-  hitB: usize;
-  hitX: usize;
-  hitY: usize;
-  hitNx: usize;
-  hitNy: usize;
-  hitSpeeds: usize;
+  sensorBeginCount: i32;
+  sensorBeginSensors: usize;
+  sensorBeginVisitors: usize;
+  sensorEndCount: i32;
+  sensorEndSensors: usize;
+  sensorEndVisitors: usize;
+  sleptCount: i32;
+  slept: usize;
+  wokenCount: i32;
+  woken: usize;
 }
 
 // A color for every bit of a word; contacts that found none are in the last one.

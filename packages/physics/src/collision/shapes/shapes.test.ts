@@ -151,7 +151,7 @@ describe('outlines that are refused', () => {
   });
 
   test('by an error that names the corner', () => {
-    expect(() => polygon([...square.slice(0, 3), { x: 0.9, y: 0.5 }])).toThrow(/inward at corner 3\. .*convex shapes/);
+    expect(() => polygon([...square.slice(0, 3), { x: 0.9, y: 0.5 }])).toThrow(/inward at corner 3\. .*decompose/);
   });
 });
 

@@ -2,6 +2,12 @@
 import { createPhysicsWorld, type PhysicsWorld } from '@principia/physics';
 import type { Point } from '../picture.ts';
 
+/** A run with one body of interest. */
+export interface BallRun {
+  readonly world: PhysicsWorld;
+  readonly ball: number;
+}
+
 export function positionOf({ components: { Position } }: PhysicsWorld, id: number): Required<Point> {
   return { x: Position.x[id], y: Position.y[id], z: Position.z[id] };
 }

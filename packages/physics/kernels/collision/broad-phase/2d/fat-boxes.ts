@@ -3,10 +3,10 @@
 //   margin = min(0.05 m, extent / 8)
 //
 // Source: the margin is that of Box2D 3 (constants.h).
-import { SHAPE_BYTES, Shape, vertexX, vertexY } from '../../shapes/2d/shape';
-import { shapeOf } from '../../shapes/2d/shape-pool';
+import { PLANE, SHAPE_BYTES, Shape, vertexX, vertexY } from '../../shapes/2d/shape';
 import { ASLEEP, COLLIDES, ENLARGED, flagsOf, poseOf, putFlags, putWord } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { shapeAt } from '../../../solver/2d/walls';
 
 @unmanaged
 export class FatBox {
@@ -41,7 +41,7 @@ export function updateBoxes(t: RigidTable): void {
     const flags = flagsOf(t, row);
     if ((flags & COLLIDES) == 0 || (flags & ASLEEP) != 0) continue;
     const pose = poseOf(t, row);
-    measureBox(shapeOf(row, spare), pose.x, pose.y, pose.c, pose.s);
+    measureBox(shapeAt(t, row, spare), pose.x, pose.y, pose.c, pose.s);
     const box = rowBox(t, row);
     if (box.minX <= tight.minX && box.minY <= tight.minY && tight.maxX <= box.maxX && tight.maxY <= box.maxY) continue;
     const margin = min<real>(MARGIN, MARGIN_FRACTION * pose.extent);
@@ -57,6 +57,7 @@ export function updateBoxes(t: RigidTable): void {
 
 // Writes the box about a shape at a pose to `tight`.
 export function measureBox(shape: Shape, x: real, y: real, c: real, s: real): void {
+  if (shape.kind == PLANE) return measurePlane(shape, x, y);
   let minX = <real>Infinity;
   let minY = <real>Infinity;
   let maxX = -minX;
@@ -75,4 +76,15 @@ export function measureBox(shape: Shape, x: real, y: real, c: real, s: real): vo
   tight.minY = y + minY - shape.radius;
   tight.maxX = x + maxX + shape.radius;
   tight.maxY = y + maxY + shape.radius;
+}
+
+// As far as boxes reach: further than anything is, and the sum of two is finite.
+const FAR: real = 1e30;
+
+// A half-plane along an axis ends there; any other is everywhere.
+function measurePlane(plane: Shape, x: real, y: real): void {
+  tight.minX = plane.ny0 == 0 && plane.nx0 < 0 ? x : -FAR;
+  tight.maxX = plane.ny0 == 0 && plane.nx0 > 0 ? x : FAR;
+  tight.minY = plane.nx0 == 0 && plane.ny0 < 0 ? y : -FAR;
+  tight.maxY = plane.nx0 == 0 && plane.ny0 > 0 ? y : FAR;
 }

@@ -1,11 +1,13 @@
 // The broad phase: pairs of bodies whose fat boxes overlap. Only boxes that changed look for others, so a pair is found when
 // it begins to overlap; pairs that no longer do are dropped where contacts are updated.
-import { COLLIDES, DYNAMIC, ENLARGED, MOVES, STATIC, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { COLLIDES, ENLARGED, MOVES, STATIC, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { addContacts } from '../../narrow-phase/2d/contact-list';
 import { buildTree, nodeAt, refitTree } from './box-tree';
 import { FatBox, overlaps, rowBox, updateBoxes } from './fat-boxes';
-import { keyAt, sortKeys } from './sort-keys';
+import { areJoined, filtersMeet, keyOf, kindsMeet } from './pair-filter';
+import { sortKeys } from './sort-keys';
 
 // A tree whose boxes have grown by this factor is made anew.
 const MAX_GROWTH: f64 = 1.5;
@@ -14,12 +16,15 @@ export function findRigidPairs(table: usize): void {
   const t = changetype<RigidTable>(table);
   updateBoxes(t);
   t.pairCount = 0;
+  t.newPairCount = 0;
   if (t.enlargedCount == 0 && t.treesValid != 0) return;
   updateTrees(t);
   for (let i = 0; i < t.enlargedCount; i++) {
     const row = word(t.enlarged, i);
+    // What collides with no layer finds nothing.
+    if (word(t.masks, row) == 0) continue;
     findIn(t, t.movingNodes, t.movingNodeCount, row);
-    if ((flagsOf(t, row) & DYNAMIC) != 0) findIn(t, t.staticNodes, t.staticNodeCount, row);
+    if ((flagsOf(t, row) & MOVES) != 0) findIn(t, t.staticNodes, t.staticNodeCount, row);
   }
   sortKeys(t.pairs, t.sortedPairs, t.pairCount);
   addContacts(t);
@@ -78,35 +83,13 @@ function findIn(t: RigidTable, nodes: usize, count: i32, row: i32): void {
   if (row == other) return false;
   const own = flagsOf(t, row);
   const others = flagsOf(t, other);
-  if (((own | others) & DYNAMIC) == 0) return false;
+  if (!kindsMeet(own, others)) return false;
   if ((others & ENLARGED) != 0 && other < row && (own & others & MOVES) != 0) return false;
-  return layersMeet(t, row, other) && !areJoined(t, row, other);
-}
-
-// Whether a joint keeps two bodies from colliding: a binary search.
-export function areJoined(t: RigidTable, a: i32, b: i32): bool {
-  if (t.jointPairCount == 0) return false;
-  const key = keyOf(a, b);
-  let low = 0;
-  let high = t.jointPairCount;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (keyAt(t.jointPairs, middle) < key) low = middle + 1;
-    else high = middle;
-  }
-  return low < t.jointPairCount && keyAt(t.jointPairs, low) == key;
-}
-
-// Two bodies collide where each is on a layer of the other's mask.
-// @ts-ignore: decorator
-@inline export function layersMeet(t: RigidTable, a: i32, b: i32): bool {
-  return (word(t.layers, a) & word(t.masks, b)) != 0 && (word(t.layers, b) & word(t.masks, a)) != 0;
-}
-
-// Sorts by the smaller id, then by the larger.
-// @ts-ignore: decorator
-@inline function keyOf(a: i32, b: i32): u64 {
-  return ((<u64>min<i32>(a, b)) << 32) | <u64>max<i32>(a, b);
+  if (!filtersMeet(t, row, other)) return false;
+  if (t.partCount == 0) return !areJoined(t, row, other);
+  const body = bodyOf(t, row);
+  const otherBody = bodyOf(t, other);
+  return body != otherBody && !areJoined(t, body, otherBody);
 }
 
 // @ts-ignore: decorator

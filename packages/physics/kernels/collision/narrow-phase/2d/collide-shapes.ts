@@ -1,9 +1,10 @@
 // The contact of any two shapes. One order of kinds is implemented, with the disc last; the other is flipped.
-import { CIRCLE, POLYGON, Shape } from '../../shapes/2d/shape';
+import { CIRCLE, PLANE, POLYGON, Shape } from '../../shapes/2d/shape';
 import { collideCapsuleCircle } from './capsule-circle';
 import { collideChainSegment } from './chain-segment';
 import { collideCircles } from './circle-circle';
 import { Manifold, swapShapes, toWorld } from './manifold';
+import { collidePlane } from './plane-outline';
 import { collidePolygonCircle } from './polygon-circle';
 import { collidePolygons } from './polygon-polygon';
 
@@ -27,9 +28,15 @@ export function collideShapes(m: Manifold, a: Shape, b: Shape): void {
   }
 }
 
-// Segments of chains do not meet each other.
+// Segments of chains do not meet each other, nor half-planes.
 function collideChained(m: Manifold, a: Shape, b: Shape): void {
-  if (b.isChained == 0) {
+  if (a.kind == PLANE && b.isChained == 0) {
+    collidePlane(m, a, b);
+  } else if (b.kind == PLANE && a.isChained == 0) {
+    swapShapes(m);
+    collidePlane(m, b, a);
+    swapShapes(m);
+  } else if (b.isChained == 0) {
     collideChainSegment(m, a, b);
   } else if (a.isChained == 0) {
     swapShapes(m);

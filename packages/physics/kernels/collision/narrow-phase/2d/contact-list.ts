@@ -1,8 +1,9 @@
 // The list of contacts, sorted by (a, b). Records stay where they are; the list holds their numbers.
 import { keyAt } from '../../broad-phase/2d/sort-keys';
-import { putWord, word } from '../../../solver/2d/body';
+import { SENSOR, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
-import { RIGID_CONTACT_SIZE, RigidContact, contactAt } from './rigid-contact';
+import { RIGID_CONTACT_SIZE, RigidContact, SENSES, SENSOR_IS_B, contactAt } from './rigid-contact';
 
 // Adds a contact for every new pair of t.pairs, which is sorted. The list is merged from its end, so that it needs no room.
 export function addContacts(t: RigidTable): void {
@@ -14,10 +15,13 @@ export function addContacts(t: RigidTable): void {
     if (old >= 0 && keyOf(contactAt(t, word(t.order, old))) > keyAt(t.pairs, fresh)) {
       putWord(t.order, i, word(t.order, old--));
     } else {
-      putWord(t.order, i, openContact(t, keyAt(t.pairs, fresh--)));
+      const slot = openContact(t, keyAt(t.pairs, fresh));
+      putWord(t.sortedPairs, fresh--, slot);
+      putWord(t.order, i, slot);
     }
   }
   t.contactCount = total;
+  t.newPairCount = added;
 }
 
 // Reduces t.pairs to the pairs that are in no contact yet and for which there is room, once each. Returns their number.
@@ -52,9 +56,17 @@ function openContact(t: RigidTable, key: u64): i32 {
   memory.fill(changetype<usize>(contact), 0, RIGID_CONTACT_SIZE);
   contact.a = <i32>(key >> 32);
   contact.b = <i32>key;
+  contact.bodyA = bodyOf(t, contact.a);
+  contact.bodyB = bodyOf(t, contact.b);
   contact.generationA = <u32>word(t.generations, contact.a);
   contact.generationB = <u32>word(t.generations, contact.b);
+  if (((flagsOf(t, contact.a) | flagsOf(t, contact.b)) & SENSOR) != 0) contact.flags = sensorFlags(t, contact);
   return slot;
+}
+
+// Flags of the contact of a sensor.
+export function sensorFlags(t: RigidTable, contact: RigidContact): u32 {
+  return (flagsOf(t, contact.b) & SENSOR) != 0 ? SENSES | SENSOR_IS_B : SENSES;
 }
 
 export function freeContact(t: RigidTable, slot: i32): void {

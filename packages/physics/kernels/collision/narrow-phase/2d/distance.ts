@@ -2,7 +2,8 @@
 // with the sub-distances of Ericson, Real-time collision detection (2005), section 9.5. A simplex is a set of up to three
 // differences of vertices; each turn keeps the part of it that is nearest to zero and adds the difference that is
 // furthest in the direction from there to zero. It ends when that is one that the simplex had already.
-import { Shape, vertexX, vertexY } from '../../shapes/2d/shape';
+import { PLANE, Shape, vertexX, vertexY } from '../../shapes/2d/shape';
+import { planeDistance } from './plane-distance';
 import { RelativePose, pointX, pointY } from './relative-pose';
 
 @unmanaged
@@ -46,8 +47,9 @@ const MAX_TURNS: i32 = 20;
   return changetype<Corner>(simplex + <usize>k * CORNER);
 }
 
-// Finds the nearest points of two outlines; `pose` is that of b in the frame of a.
+// Finds the nearest points of two outlines; `pose` is that of b in the frame of a. A half-plane may only be the first.
 export function closestPoints(result: Distance, a: Shape, b: Shape, pose: RelativePose): void {
+  if (a.kind == PLANE) return planeDistance(result, a, b, pose);
   count = 0;
   addCorner(a, b, pose, pose.x, pose.y);
   corner(0).weight = 1;

@@ -1,20 +1,44 @@
 // The surface of a contact from those of its bodies: the larger restitution and rolling resistance, the geometric mean of
 // the coefficients of friction, the sum of the speeds of the surfaces. Source: Box2D 3 (types.h); the first and the third
-// are those of contacts between particles, too.
+// are those of contacts between particles, too. Where a collider asks for another rule, the rule of the larger number
+// holds. Source of these rules and of their order: PhysX 5 (PxCombineMode).
 import { columns, get } from '../../../memory/columns';
-import { KINEMATIC, STATIC, flagsOf, poseOf } from '../../../solver/2d/body';
+import { KINEMATIC, STATIC, WALL, flagsOf, poseOf, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { wallFriction, wallRestitution } from '../../../solver/2d/walls';
 import { RigidContact } from './rigid-contact';
 
 export function mixMaterials(t: RigidTable, contact: RigidContact): void {
   const c = columns();
   const a = contact.a;
   const b = contact.b;
-  contact.restitution = max<real>(get(c.restitution, a), get(c.restitution, b));
-  contact.friction = sqrt<real>(get(c.friction, a) * get(c.friction, b));
+  const restitutionRule = max<u32>(<u32>word(t.restitutionCombine, a), <u32>word(t.restitutionCombine, b));
+  const restitutionA = (flagsOf(t, a) & WALL) != 0 ? wallRestitution(t, a) : get(c.restitution, a);
+  const restitutionB = (flagsOf(t, b) & WALL) != 0 ? wallRestitution(t, b) : get(c.restitution, b);
+  contact.restitution =
+    restitutionRule == 0 ? max<real>(restitutionA, restitutionB) : combine(restitutionRule, restitutionA, restitutionB);
+  const frictionRule = max<u32>(<u32>word(t.frictionCombine, a), <u32>word(t.frictionCombine, b));
+  let frictionA = (flagsOf(t, a) & WALL) != 0 ? wallFriction(t, a) : get(c.friction, a);
+  let frictionB = (flagsOf(t, b) & WALL) != 0 ? wallFriction(t, b) : get(c.friction, b);
+  // A wall without a coefficient of its own leaves that to the body.
+  if (frictionA < 0) frictionA = frictionB;
+  if (frictionB < 0) frictionB = frictionA;
+  contact.friction =
+    frictionRule == 0 ? sqrt<real>(frictionA * frictionB) : combine(frictionRule, frictionA, frictionB);
   contact.tangentSpeed = get(t.tangentSpeed, a) + get(t.tangentSpeed, b);
   const rolling = max<real>(get(t.rollingResistance, a), get(t.rollingResistance, b));
   contact.rollingResistance = rolling * rollingRadius(t, a, b);
+}
+
+// Rules beside the standard one, by number: components/collider.ts.
+const AVERAGE: u32 = 1;
+const SMALLER: u32 = 2;
+const PRODUCT: u32 = 3;
+
+function combine(rule: u32, a: real, b: real): real {
+  if (rule == AVERAGE) return <real>0.5 * (a + b);
+  if (rule == SMALLER) return min<real>(a, b);
+  return rule == PRODUCT ? a * b : max<real>(a, b);
 }
 
 // The resisting torque is a fraction of the normal force times a radius: that of the body that rolls.

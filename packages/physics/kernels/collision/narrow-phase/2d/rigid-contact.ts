@@ -1,12 +1,15 @@
-// A pair of bodies whose fat boxes overlap, from the step in which they begin to until they no longer do. It keeps the
+// A pair of shapes whose fat boxes overlap, from the step in which they begin to until they no longer do. It keeps the
 // manifold and its impulses, from which the next step starts.
 import { RigidTable } from '../../../solver/2d/rigid-table';
 
 @unmanaged
 export class RigidContact {
-  // Rows, a < b, and what the contact was made for: generations of the bodies, and the indices of their shapes.
+  // Rows of the shapes, a < b, and of the bodies that they belong to (solver/2d/parts.ts). Then what the contact was made
+  // for: generations of the rows, and the indices of their shapes.
   a: i32;
   b: i32;
+  bodyA: i32;
+  bodyB: i32;
   generationA: u32;
   generationB: u32;
   shapeA: u32;
@@ -35,7 +38,7 @@ export class RigidContact {
   point0: real;
 }
 
-// A point as it was found: anchors from the centres of both bodies, and separation. Then as it is in this step, and the
+// A point as it was found: anchors from the centres of mass of both bodies, and separation. Then as it is in this step, and the
 // impulses.
 @unmanaged
 export class ContactPoint {
@@ -65,6 +68,15 @@ const POINT: usize = 14 * sizeof<real>();
 export const TOUCHING: u32 = 1;
 export const WAS_TOUCHING: u32 = 2;
 export const FOUND: u32 = 4;
+// It passes through a one-way platform.
+export const PASSING: u32 = 8;
+// One of the shapes is a sensor, a or b; they overlap now, and did in the step before.
+export const SENSES: u32 = 16;
+export const SENSOR_IS_B: u32 = 32;
+export const OVERLAPS: u32 = 64;
+export const DID_OVERLAP: u32 = 128;
+// A function of the user keeps the two from colliding.
+export const IGNORED: u32 = 256;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

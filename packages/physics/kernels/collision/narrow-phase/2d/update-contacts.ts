@@ -8,9 +8,12 @@
 import { columns } from '../../../memory/columns';
 import {
   ASLEEP,
-  DYNAMIC,
+  BodyPose,
   FAST,
   MOVES,
+  ONE_WAY,
+  PART,
+  SENSOR,
   SHIFTED,
   WAKES,
   flagsOf,
@@ -20,18 +23,33 @@ import {
   word,
 } from '../../../solver/2d/body';
 import { listAwake } from '../../../solver/2d/gather-bodies';
-import { noteEnd } from '../../../solver/2d/contact-events';
+import { clearEvents, noteEnd, noteSensorPairEnd } from '../../../solver/2d/contact-events';
 import { wakeIsland } from '../../../solver/2d/islands';
+import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { shapeAt } from '../../../solver/2d/walls';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
-import { areJoined, layersMeet } from '../../broad-phase/2d/find-pairs';
+import { areJoined, filtersMeet, kindsMeet } from '../../broad-phase/2d/pair-filter';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
-import { shapeOf } from '../../shapes/2d/shape-pool';
 import { collideShapes } from './collide-shapes';
-import { freeContact } from './contact-list';
+import { freeContact, sensorFlags } from './contact-list';
 import { Manifold } from './manifold';
 import { mixMaterials } from './mix-materials';
-import { ContactPoint, FOUND, RigidContact, TOUCHING, WAS_TOUCHING, contactAt, pointOf } from './rigid-contact';
+import { passesThrough } from './one-way';
+import {
+  ContactPoint,
+  FOUND,
+  IGNORED,
+  OVERLAPS,
+  PASSING,
+  RigidContact,
+  SENSES,
+  TOUCHING,
+  WAS_TOUCHING,
+  contactAt,
+  pointOf,
+} from './rigid-contact';
+import { updateSensor } from './sensor-overlap';
 
 // Points are reported up to this distance, m: four times the slop of 5 mm.
 const SPECULATIVE_DISTANCE: real = 0.02;
@@ -50,28 +68,32 @@ export function wakeTouched(table: usize): void {
     const contact = contactAt(t, word(t.order, i));
     const flagsA = flagsOf(t, contact.a);
     const flagsB = flagsOf(t, contact.b);
+    if ((contact.flags & (SENSES | IGNORED | PASSING)) != 0) continue;
     if (((flagsA | flagsB) & ASLEEP) == 0 || !(isActive(flagsA) || isActive(flagsB)) || isOver(t, contact)) continue;
     const touched = (contact.flags & TOUCHING) != 0;
     findManifold(t, contact);
     if (!touched && contact.count == 0) continue;
-    wakeIsland(t, (flagsA & ASLEEP) != 0 ? contact.a : contact.b);
+    wakeBody(t, contact.bodyA);
+    wakeBody(t, contact.bodyB);
     any = true;
   }
   if (any) listAwake(t);
 }
 
+// @ts-ignore: decorator
+@inline function wakeBody(t: RigidTable, body: i32): void {
+  if ((flagsOf(t, body) & ASLEEP) != 0) wakeIsland(t, body);
+}
+
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   let kept = 0;
-  t.endCount = 0;
+  clearEvents(t);
   for (let i = 0; i < t.contactCount; i++) {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
     if (isOver(t, contact)) {
-      if ((contact.flags & TOUCHING) != 0) {
-        wakeLater(t, contact);
-        noteEnd(t, contact);
-      }
+      endContact(t, contact);
       freeContact(t, slot);
       continue;
     }
@@ -81,12 +103,32 @@ export function updateContacts(table: usize): void {
   t.contactCount = kept;
 }
 
+function endContact(t: RigidTable, contact: RigidContact): void {
+  if ((contact.flags & TOUCHING) != 0) {
+    wakeLater(t, contact);
+    noteEnd(t, contact);
+  } else if ((contact.flags & OVERLAPS) != 0) {
+    noteSensorPairEnd(t, contact);
+  }
+}
+
+// One of the shapes became a sensor, or is none any more.
+function changeKind(t: RigidTable, contact: RigidContact, senses: bool): void {
+  endContact(t, contact);
+  wakeLater(t, contact);
+  contact.count = 0;
+  contact.flags = (contact.flags & IGNORED) | (senses ? sensorFlags(t, contact) : 0);
+}
+
 function isOver(t: RigidTable, contact: RigidContact): bool {
   const a = contact.a;
   const b = contact.b;
-  if (((flagsOf(t, a) | flagsOf(t, b)) & DYNAMIC) == 0) return true;
-  if (!overlaps(rowBox(t, a), rowBox(t, b)) || !layersMeet(t, a, b)) return true;
-  if (areJoined(t, a, b)) return true;
+  const flags = flagsOf(t, a) | flagsOf(t, b);
+  if (!kindsMeet(flagsOf(t, a), flagsOf(t, b))) return true;
+  if (!overlaps(rowBox(t, a), rowBox(t, b)) || !filtersMeet(t, a, b)) return true;
+  if (areJoined(t, contact.bodyA, contact.bodyB)) return true;
+  const hasParts = (flags & PART) != 0 || contact.bodyA != a || contact.bodyB != b;
+  if (hasParts && (contact.bodyA != bodyOf(t, a) || contact.bodyB != bodyOf(t, b))) return true;
   const sameA = contact.generationA == <u32>word(t.generations, a);
   return !sameA || contact.generationB != <u32>word(t.generations, b);
 }
@@ -94,7 +136,7 @@ function isOver(t: RigidTable, contact: RigidContact): bool {
 // What lay on something that is gone wakes in the next step.
 function wakeLater(t: RigidTable, contact: RigidContact): void {
   for (let side = 0; side < 2; side++) {
-    const row = side == 0 ? contact.a : contact.b;
+    const row = side == 0 ? contact.bodyA : contact.bodyB;
     if ((flagsOf(t, row) & ASLEEP) != 0) putFlags(t, row, flagsOf(t, row) | WAKES);
   }
 }
@@ -108,15 +150,26 @@ function wakeLater(t: RigidTable, contact: RigidContact): void {
 function updateContact(t: RigidTable, contact: RigidContact): void {
   const flagsA = flagsOf(t, contact.a);
   const flagsB = flagsOf(t, contact.b);
+  const senses = ((flagsA | flagsB) & SENSOR) != 0;
+  if (senses != ((contact.flags & SENSES) != 0)) changeKind(t, contact, senses);
+  if ((contact.flags & (SENSES | IGNORED)) != 0) {
+    if ((contact.flags & SENSES) != 0) updateSensor(t, contact, isActive(flagsA) || isActive(flagsB));
+    return;
+  }
   const touched = (contact.flags & TOUCHING) != 0;
   const kept = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
   if (!isActive(flagsA) && !isActive(flagsB)) {
-    contact.flags = kept | (touched ? TOUCHING : 0);
+    contact.flags = kept | (touched ? TOUCHING : contact.flags & PASSING);
     return;
   }
+  const passed = (contact.flags & PASSING) != 0;
   contact.flags = kept;
   if (((flagsA | flagsB) & FAST) != 0 || !mayRecycle(t, contact, touched)) findManifold(t, contact);
   if (contact.count == 0) return;
+  if (!touched && ((flagsA | flagsB) & ONE_WAY) != 0 && (passed || passesThrough(t, contact))) {
+    contact.flags |= PASSING;
+    return;
+  }
   contact.flags |= TOUCHING;
   moveAnchors(t, contact);
 }
@@ -163,7 +216,7 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   const c = columns();
   contact.shapeA = <u32>word(c.shape, contact.a);
   contact.shapeB = <u32>word(c.shape, contact.b);
-  collideShapes(m, shapeOf(contact.a, spareA), shapeOf(contact.b, spareB));
+  collideShapes(m, shapeAt(t, contact.a, spareA), shapeAt(t, contact.b, spareB));
   contact.ac = a.c;
   contact.as = a.s;
   contact.bc = b.c;
@@ -171,12 +224,12 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   contact.dx = m.bx;
   contact.dy = m.by;
   contact.flags |= FOUND;
-  takePoints(contact, m);
+  takePoints(t, contact, m);
   if (contact.count > 0) mixMaterials(t, contact);
 }
 
 // Points with the id of an earlier one go on with its impulses.
-function takePoints(contact: RigidContact, m: Manifold): void {
+function takePoints(t: RigidTable, contact: RigidContact, m: Manifold): void {
   const first = pointOf(contact, 0);
   const second = pointOf(contact, 1);
   const oldCount = contact.count;
@@ -191,8 +244,9 @@ function takePoints(contact: RigidContact, m: Manifold): void {
   contact.ny = m.ny;
   contact.id0 = m.id0;
   contact.id1 = m.id1;
-  takePoint(first, m.bx, m.by, m.x0, m.y0, m.separation0);
-  takePoint(second, m.bx, m.by, m.x1, m.y1, m.separation1);
+  takePoint(first, m.x0, m.y0, m.separation0);
+  takePoint(second, m.x1, m.y1, m.separation1);
+  moveToBodies(t, contact, m);
   first.normalImpulse = m.id0 == old0 ? n0 : m.id0 == old1 ? n1 : <real>0;
   first.tangentImpulse = m.id0 == old0 ? t0 : m.id0 == old1 ? t1 : <real>0;
   second.normalImpulse = m.id1 == old0 ? n0 : m.id1 == old1 ? n1 : <real>0;
@@ -204,24 +258,49 @@ function takePoints(contact: RigidContact, m: Manifold): void {
 const NO_POINT: u32 = 0xffffffff;
 
 // @ts-ignore: decorator
-@inline function takePoint(p: ContactPoint, bx: real, by: real, x: real, y: real, separation: real): void {
+@inline function takePoint(p: ContactPoint, x: real, y: real, separation: real): void {
   p.foundAx = x;
   p.foundAy = y;
-  p.foundBx = x - bx;
-  p.foundBy = y - by;
   p.foundSeparation = separation;
+}
+
+// Points, which are given from the centre of the shape a, become anchors from the centres of mass of both bodies.
+function moveToBodies(t: RigidTable, contact: RigidContact, m: Manifold): void {
+  let ax: real = 0;
+  let ay: real = 0;
+  let bx = m.bx;
+  let by = m.by;
+  if (contact.bodyA != contact.a) {
+    ax = poseOf(t, contact.bodyA).x - poseOf(t, contact.a).x;
+    ay = poseOf(t, contact.bodyA).y - poseOf(t, contact.a).y;
+  }
+  if (contact.bodyB != contact.b) {
+    bx += poseOf(t, contact.bodyB).x - poseOf(t, contact.b).x;
+    by += poseOf(t, contact.bodyB).y - poseOf(t, contact.b).y;
+  }
+  for (let i = 0; i < contact.count; i++) {
+    const p = pointOf(contact, i);
+    p.foundBx = p.foundAx - bx;
+    p.foundBy = p.foundAy - by;
+    p.foundAx -= ax;
+    p.foundAy -= ay;
+  }
 }
 
 // Anchors and separations at the present poses.
 function moveAnchors(t: RigidTable, contact: RigidContact): void {
-  const a = poseOf(t, contact.a);
-  const b = poseOf(t, contact.b);
+  moveWith(contact, poseOf(t, contact.a), poseOf(t, contact.b), poseOf(t, contact.bodyA), poseOf(t, contact.bodyB));
+}
+
+// The shapes turn as their bodies do.
+// @ts-ignore: decorator
+@inline function moveWith(contact: RigidContact, a: BodyPose, b: BodyPose, bodyA: BodyPose, bodyB: BodyPose): void {
   const cosA = a.c * contact.ac + a.s * contact.as;
   const sinA = a.s * contact.ac - a.c * contact.as;
   const cosB = b.c * contact.bc + b.s * contact.bs;
   const sinB = b.s * contact.bc - b.c * contact.bs;
-  const dx = b.x - a.x;
-  const dy = b.y - a.y;
+  const dx = bodyB.x - bodyA.x;
+  const dy = bodyB.y - bodyA.y;
   for (let i = 0; i < contact.count; i++) {
     const p = pointOf(contact, i);
     p.ax = cosA * p.foundAx - sinA * p.foundAy;

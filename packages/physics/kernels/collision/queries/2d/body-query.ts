@@ -15,6 +15,12 @@ export class BodyQuery {
   // Columns that are not in the table of columns.
   angle: usize;
   layers: usize;
+  sensor: usize;
+  // 1 to see sensors, too.
+  seesSensors: i32;
+  // Rows to visit, ascending; 0 for all.
+  candidates: usize;
+  candidateCount: i32;
   // Where a ray or a shape starts, m, the shape's cosine and sine, and where it moves to from there, m.
   x: real;
   y: real;
@@ -55,9 +61,14 @@ export function nextNear(q: BodyQuery, row: i32): i32 {
   const pathY = q.limit * q.dy;
   const square = pathX * pathX + pathY * pathY;
   const inverse = square > 0 ? <real>1 / square : <real>0;
-  for (let r = row; r <= q.lastRow; r++) {
+  const listed = q.candidates != 0;
+  let k = listed ? firstCandidate(q, row) : row;
+  const end = listed ? q.candidateCount : q.lastRow + 1;
+  for (; k < end; k++) {
+    const r = listed ? load<i32>(q.candidates + ((<usize>k) << 2)) : k;
     if ((load<u32>(c.members + ((<usize>r) << 2)) & q.required) != q.required) continue;
     if ((load<u32>(q.layers + ((<usize>r) << 2)) & q.mask) == 0 || r == q.ignored) continue;
+    if (q.seesSensors == 0 && load<u32>(q.sensor + ((<usize>r) << 2)) != 0) continue;
     const toX = get(c.positionX, r) - q.x;
     const toY = get(c.positionY, r) - q.y;
     const along = min<real>(max<real>((toX * pathX + toY * pathY) * inverse, 0), 1);
@@ -67,6 +78,18 @@ export function nextNear(q: BodyQuery, row: i32): i32 {
     if (offX * offX + offY * offY <= reach * reach) return r;
   }
   return 0;
+}
+
+// The index of the first candidate from a row on: a binary search.
+function firstCandidate(q: BodyQuery, row: i32): i32 {
+  let low = 0;
+  let high = q.candidateCount;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (load<i32>(q.candidates + ((<usize>middle) << 2)) < row) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 // The pose of a body from the point where the query starts, in the axes of the world.

@@ -6,6 +6,8 @@ export const CIRCLE: i32 = 0;
 export const CAPSULE: i32 = 1;
 export const POLYGON: i32 = 2;
 export const SEGMENT: i32 = 3;
+// A half-plane, only as a wall: solid behind the line through its origin with the normal nx0, ny0.
+export const PLANE: i32 = 4;
 
 export const MAX_VERTICES: i32 = 8;
 

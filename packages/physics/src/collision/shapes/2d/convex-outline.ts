@@ -28,7 +28,7 @@ export function checkOutline(points: unknown, caller: string): number[] {
     throw new PhysicsError('E_RANGE', `${field} has ${points.length} corners.`, {
       field,
       value: points.length,
-      hint: `A polygon has 3 to ${MAX_VERTICES}: divide a larger outline into several convex shapes.`,
+      hint: `A polygon has 3 to ${MAX_VERTICES}: divide a larger outline by decompose(points).`,
     });
   }
   const corners = points.map((point: PointInput, i) => checkPoint(point, `${field}[${i}]`));
@@ -39,7 +39,8 @@ export function checkOutline(points: unknown, caller: string): number[] {
   return ordered;
 }
 
-function checkEdges(outline: readonly number[], field: string): void {
+/** @throws PhysicsError E_RANGE for neighbours that are too close */
+export function checkEdges(outline: readonly number[], field: string): void {
   const { length } = outline;
   for (let i = 0; i < length; i += 2) {
     const next = (i + 2) % length;
@@ -53,7 +54,8 @@ function checkEdges(outline: readonly number[], field: string): void {
   }
 }
 
-function signedArea(outline: readonly number[]): number {
+/** The area within an outline, m², negative where it runs clockwise. */
+export function signedArea(outline: readonly number[]): number {
   const { length } = outline;
   const [x0, y0] = outline;
   let twice = 0;
@@ -83,8 +85,13 @@ function checkConvex(outline: readonly number[], field: string, isInOrder: boole
 /** Returns 1 for a corner to the left of an edge, -1 to its right, 0 where they are too nearly in line to tell. */
 function sideOf(outline: readonly number[], edge: number, corner: number): number {
   const [from, to] = [2 * edge, (2 * edge + 2) % outline.length];
+  return sideOfLine(outline, from, to, 2 * corner);
+}
+
+/** As `sideOf`, for the line from one corner to another and a third, given as indices of their x. */
+export function sideOfLine(outline: readonly number[], from: number, to: number, corner: number): number {
   const [dx, dy] = [outline[to] - outline[from], outline[to + 1] - outline[from + 1]];
-  const [x, y] = [outline[2 * corner] - outline[from], outline[2 * corner + 1] - outline[from + 1]];
+  const [x, y] = [outline[corner] - outline[from], outline[corner + 1] - outline[from + 1]];
   const length = lengthOf(dx, dy);
   const distance = (dx * y - dy * x) / length;
   return Math.abs(distance) <= MIN_CORNER * Math.max(length, Math.abs(x), Math.abs(y)) ? 0 : Math.sign(distance);
@@ -100,6 +107,6 @@ function outlineError(
   const problem = isFlat ? `corners ${a}, ${b} and ${c} lie on one line` : `the outline is not convex: ${turn}`;
   const hint = isFlat
     ? 'Leave the one in the middle out.'
-    : 'Give the corners in order around a convex outline, or divide a concave one into convex shapes.';
+    : 'Give the corners in order around a convex outline, or divide a concave one by decompose(points).';
   return new PhysicsError('E_RANGE', `${field}: ${problem}.`, { field, hint });
 }

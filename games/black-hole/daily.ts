@@ -1,0 +1,21 @@
+/** The challenge of the day: everybody who plays on the same date has the same holes. */
+
+/** The date in the player's time zone, such as 2026-11-23. */
+export function dayOf(now: Date): string {
+  const two = (value: number) => String(value).padStart(2, '0');
+  return `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
+}
+
+/** The seed of a day: its date as a number, such as 20261123. */
+export function seedOf(day: string): number {
+  return Number(day.replaceAll('-', ''));
+}
+
+/** The day of a seed; undefined for a seed that is no date since 2026. */
+export function dayOfSeed(seed: number): string | undefined {
+  const [, year, month, date] = /^(\d{4})(\d\d)(\d\d)$/.exec(String(seed)) ?? [];
+  if (year === undefined || Number(year) < 2026) return undefined;
+  const day = `${year}-${month}-${date}`;
+  const time = new Date(`${day}T12:00:00`);
+  return Number.isNaN(time.getTime()) || dayOf(time) !== day ? undefined : day;
+}

@@ -1,0 +1,101 @@
+/** The live scene at the head of the front page: dust on orbits about a star, which the pointer stirs. */
+import { attractors, createPhysicsWorld, createRandom, createRunner, spawn, spawnMany } from '@principia/physics';
+
+const COUNT = 700;
+/** Gravitational parameters of the star and of the pointer, m³/s². */
+const [STAR, POINTER] = [40, 9];
+/** Inner and outer radius of the dust, m. */
+const [INNER, OUTER] = [1.6, 6.4];
+/** Height that the canvas shows, m. */
+const VISIBLE = 9;
+
+function createDust() {
+  const world = createPhysicsWorld({ capacity: COUNT + 2, precision: 'f32', forces: [attractors()] });
+  const softening = 0.35;
+  spawn(world, { position: {}, attractor: { mu: STAR, softening } });
+  const stirrer = spawn(world, { position: { y: 1e4 }, attractor: { mu: POINTER, softening: 0.8 } });
+  const random = createRandom(7);
+  const axis = () => new Float64Array(COUNT);
+  const [x, y, vx, vy] = [axis(), axis(), axis(), axis()];
+  for (let i = 0; i < COUNT; i++) {
+    const r = INNER + (OUTER - INNER) * Math.sqrt(random.uniform());
+    const angle = random.uniform(0, 2 * Math.PI);
+    const speed = Math.sqrt(STAR / r) * random.uniform(0.96, 1.04);
+    x[i] = r * Math.cos(angle);
+    y[i] = r * Math.sin(angle);
+    vx[i] = -speed * Math.sin(angle);
+    vy[i] = speed * Math.cos(angle);
+  }
+  const dust = spawnMany(world, COUNT, { position: { x, y }, velocity: { x: vx, y: vy }, mass: 1 });
+  return { world, dust, stirrer };
+}
+
+/** Draws the dust on a canvas while it is seen. @param isStill draws one picture only */
+function show(canvas: HTMLCanvasElement, isStill: boolean): void {
+  const context = canvas.getContext('2d');
+  if (context === null) return;
+  const { world, dust, stirrer } = createDust();
+  const { Position } = world.components;
+  const runner = createRunner(world, { dt: 1 / 120 });
+  let scale = 1;
+  /** Position of the star, as a fraction of the width: beside the text where there is room. */
+  let centre = 0.5;
+  const resize = () => {
+    const resolution = Math.min(2, devicePixelRatio);
+    canvas.width = canvas.clientWidth * resolution;
+    canvas.height = canvas.clientHeight * resolution;
+    scale = canvas.height / VISIBLE;
+    centre = canvas.clientWidth > 900 ? 0.74 : 0.5;
+  };
+  const draw = () => {
+    const { width, height } = canvas;
+    // What was drawn fades, which leaves trails.
+    context.globalCompositeOperation = 'destination-out';
+    context.fillStyle = isStill ? '#000' : '#0003';
+    context.fillRect(0, 0, width, height);
+    context.globalCompositeOperation = 'lighter';
+    const size = Math.max(1.4, 0.016 * scale);
+    for (let i = 0; i < dust.length; i++) {
+      const id = dust[i];
+      context.fillStyle = i % 5 === 0 ? '#ffc15e' : i % 3 === 0 ? '#ff7a8a' : '#7fa8ff';
+      context.fillRect(centre * width + scale * Position.x[id], height / 2 - scale * Position.y[id], size, size);
+    }
+  };
+  resize();
+  addEventListener('resize', resize);
+  if (isStill) {
+    draw();
+    addEventListener('resize', draw);
+    return;
+  }
+  addEventListener('pointermove', ({ clientX, clientY }) => {
+    const box = canvas.getBoundingClientRect();
+    const metre = box.height / VISIBLE;
+    Position.x[stirrer] = (clientX - box.left - centre * box.width) / metre;
+    Position.y[stirrer] = -(clientY - box.top - box.height / 2) / metre;
+  });
+  animate(canvas, (seconds) => {
+    runner.advance(seconds);
+    draw();
+  });
+}
+
+/** Calls `frame` while an element is in the window; a hidden page draws no frames by itself. */
+function animate(element: Element, frame: (seconds: number) => void): void {
+  let request = 0;
+  let last = 0;
+  const tick = (now: number) => {
+    frame(Math.min(0.05, (now - last) / 1000));
+    last = now;
+    request = requestAnimationFrame(tick);
+  };
+  new IntersectionObserver(([entry]) => {
+    cancelAnimationFrame(request);
+    if (!entry.isIntersecting) return;
+    last = performance.now();
+    request = requestAnimationFrame(tick);
+  }).observe(element);
+}
+
+const canvas = document.querySelector('canvas');
+if (canvas !== null) show(canvas, matchMedia('(prefers-reduced-motion: reduce)').matches);

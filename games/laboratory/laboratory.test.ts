@@ -1,0 +1,56 @@
+import { expect, test } from 'vitest';
+import { csvOf } from './csv.ts';
+import { gridLines } from './grid-lines.ts';
+import { percentage, plainNumber } from './number-text.ts';
+import { Samples } from './samples.ts';
+
+test('samples keep the whole run in a fixed memory, and forget what was rewound', () => {
+  const samples = new Samples(1, 0.1, 100);
+  let added = 0;
+  for (let i = 0; i <= 10_000; i++) {
+    const time = i / 60;
+    if (!samples.isDue(time)) continue;
+    samples.add(time, [2 * time]);
+    added++;
+  }
+  const [times, values] = samples.columns;
+  expect(added).toBeGreaterThan(100);
+  expect(times.length).toBeLessThanOrEqual(100);
+  expect(times[0]).toBe(0);
+  expect(times.at(-1)).toBeGreaterThan(0.95 * (10_000 / 60));
+  expect(values).toEqual(times.map((time) => 2 * time));
+  expect(samples.discardAfter(50)).toBe(true);
+  expect(samples.columns[0].at(-1)).toBeLessThanOrEqual(50);
+  expect(samples.discardAfter(50)).toBe(false);
+});
+
+test('grid lines are round and within the range', () => {
+  expect(gridLines(0, 1440, 180)).toEqual([0, 180, 360, 540, 720, 900, 1080, 1260, 1440]);
+  expect(gridLines(-1.2, 1.2)).toEqual([-1, -0.5, 0, 0.5, 1]);
+  expect(gridLines(0, 0.3)).toEqual([0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3]);
+});
+
+test('numbers are short and plain', () => {
+  expect([0, 1.99314159, -9.043, 1e-5, 15_000, 3e9, Number.NaN].map(plainNumber)).toEqual([
+    '0',
+    '1.99314',
+    '−9.043',
+    '1.00e−5',
+    '15000',
+    '3.00e9',
+    '–',
+  ]);
+  expect([0, 0.0006, 2e-9, 0.5].map(percentage)).toEqual(['0 %', '0.06 %', '2e−7 %', '50 %']);
+});
+
+test('tables have a line of names, which are quoted where they have a comma', () => {
+  expect(
+    csvOf(
+      ['t, s', 'x'],
+      [
+        [0, 1],
+        [2, 3.5],
+      ],
+    ),
+  ).toBe('"t, s",x\n0,2\n1,3.5\n');
+});

@@ -1,0 +1,52 @@
+/** A dot on every joint: white for hinges, amber for motors, grey for welds. */
+import 'pixi.js/graphics';
+import type { PhysicsWorld } from '@principia/physics';
+import { query } from 'bitecs';
+import { Container, Graphics } from 'pixi.js';
+
+/** `Joint.kind` of a weld. */
+const WELD = 2;
+const COLORS = { hinge: 0xffffff, motor: 0xffc15e, weld: 0x8fa0e0 } as const;
+
+export interface JointMarks {
+  readonly container: Container;
+  update(alpha: number, pixelsPerMetre: number): void;
+  destroy(): void;
+}
+
+export function createJointMarks(world: PhysicsWorld): JointMarks {
+  const container = new Container();
+  const marks: Graphics[] = [];
+  const { Joint, Position, Rotation } = world.components;
+  const old = world.previous;
+  return {
+    container,
+    update(alpha, pixelsPerMetre) {
+      const joints = query(world, [Joint]);
+      while (marks.length < joints.length) {
+        const mark = new Graphics().circle(0, 0, 1).fill(0xffffff);
+        marks.push(mark);
+        container.addChild(mark);
+      }
+      const size = Math.max(0.05, 3.5 / pixelsPerMetre);
+      for (let i = 0; i < marks.length; i++) {
+        marks[i].visible = i < joints.length;
+        if (i >= joints.length) continue;
+        const joint = joints[i];
+        const b = Joint.b[joint];
+        const angle = old.Rotation.angle[b] + (Rotation.angle[b] - old.Rotation.angle[b]) * alpha;
+        const x = old.Position.x[b] + (Position.x[b] - old.Position.x[b]) * alpha;
+        const y = old.Position.y[b] + (Position.y[b] - old.Position.y[b]) * alpha;
+        const [c, s] = [Math.cos(angle), Math.sin(angle)];
+        const [bx, by] = [Joint.bx[joint], Joint.by[joint]];
+        // Pixi's y axis points down.
+        marks[i].position.set(x + c * bx - s * by, -(y + s * bx + c * by));
+        marks[i].scale.set(size);
+        const kind = Joint.kind[joint] === WELD ? 'weld' : Joint.maxMotor[joint] > 0 ? 'motor' : 'hinge';
+        // Pixi converts a tint whenever it is set, which allocates objects.
+        if (marks[i].tint !== COLORS[kind]) marks[i].tint = COLORS[kind];
+      }
+    },
+    destroy: () => container.destroy({ children: true, context: true }),
+  };
+}

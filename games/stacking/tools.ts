@@ -1,0 +1,72 @@
+/** The palette: what a pointer does on the stage. */
+import { hasCoarsePointer } from '@principia/shell';
+
+export const TOOLS = {
+  drag: ['↔', 'Drag', 'Drag bodies to stack or throw them'],
+  hinge: ['○', 'Hinge', 'Tap where two bodies touch to hinge them together, or a body to hang it up'],
+  motor: ['↻', 'Motor', 'Tap a body to make it turn, about another body or in its place'],
+  weld: ['✚', 'Weld', 'Tap where two bodies touch to fix them together'],
+  cut: ['✂', 'Cut', 'Swipe through bodies to cut them'],
+} as const;
+
+export type Tool = keyof typeof TOOLS;
+
+export interface Palette {
+  readonly tool: Tool;
+  destroy(): void;
+}
+
+const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(safe-area-inset-bottom)); translate: -50% 0; display: flex; gap: 4px;
+  padding: 5px; border: 1px solid #ffffff1c; border-radius: 14px; background: #141b36d9; z-index: 2 }
+.game:has(.game-side:not([hidden])) .st-tools { left: calc(50% - 144px) }
+.st-tools button { min-width: 44px; height: 44px; padding: 0 10px; border: 0; border-radius: 10px; background: none; color: inherit; font: inherit;
+  font-weight: 600; cursor: pointer; touch-action: manipulation }
+.st-tools button:hover { background: #ffffff1c } .st-tools button:focus-visible { outline: 2px solid var(--accent) }
+.st-tools button[aria-pressed=true] { background: var(--accent); color: #1c1503 }
+.game-hint { bottom: 78px }
+@media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools span { display: none }
+  .game:has(.game-side:not([hidden])) .st-tools { left: 50% } .game-hint { top: 130px } }`;
+
+/** @param onShare saves the scene to a link @param onHint receives what the chosen tool does */
+export function createPalette(parent: HTMLElement, onShare: () => void, onHint: (text: string) => void): Palette {
+  let tool: Tool = 'drag';
+  const root = document.createElement('div');
+  root.className = 'st-tools';
+  root.setAttribute('role', 'group');
+  root.setAttribute('aria-label', 'Tools');
+  const style = document.createElement('style');
+  style.textContent = STYLE;
+  root.append(style);
+  const add = (icon: string, label: string, title: string, action: () => void) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.title = title;
+    button.setAttribute('aria-label', label);
+    const text = document.createElement('span');
+    text.textContent = ` ${label}`;
+    button.append(icon, text);
+    button.addEventListener('click', action);
+    root.append(button);
+    return button;
+  };
+  const buttons = Object.entries(TOOLS).map(([name, [icon, label, title]]) => {
+    const choose = () => {
+      tool = name as Tool;
+      show();
+      onHint(title);
+    };
+    return { name, button: add(icon, label, title, choose) };
+  });
+  add('⇗', hasCoarsePointer() ? 'Share' : 'Link', 'Save the scene to a link', onShare);
+  const show = () => {
+    for (const { name, button } of buttons) button.setAttribute('aria-pressed', String(name === tool));
+  };
+  show();
+  parent.append(root);
+  return {
+    get tool() {
+      return tool;
+    },
+    destroy: () => root.remove(),
+  };
+}

@@ -1,0 +1,34 @@
+// The pairs that began in this step, in the order of (a, b), for a function of the user that decides which may collide.
+import { word } from '../../../solver/2d/body';
+import { RigidTable } from '../../../solver/2d/rigid-table';
+import { keyOf } from '../../broad-phase/2d/pair-filter';
+import { IGNORED, contactAt } from './rigid-contact';
+
+// The row of one of the shapes of a new pair: that of a for side 0, of b for side 1.
+export function newPair(table: usize, i: i32, side: i32): i32 {
+  const t = changetype<RigidTable>(table);
+  const contact = contactAt(t, word(t.sortedPairs, i));
+  return side == 0 ? contact.a : contact.b;
+}
+
+// A new pair does not collide, until its boxes no longer overlap.
+export function ignorePair(table: usize, i: i32): void {
+  const t = changetype<RigidTable>(table);
+  contactAt(t, word(t.sortedPairs, i)).flags |= IGNORED;
+}
+
+// Whether the user's function has refused a pair: a binary search.
+export function isIgnored(t: RigidTable, a: i32, b: i32): bool {
+  const key = keyOf(a, b);
+  let low = 0;
+  let high = t.contactCount;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    const contact = contactAt(t, word(t.order, middle));
+    if (keyOf(contact.a, contact.b) < key) low = middle + 1;
+    else high = middle;
+  }
+  if (low == t.contactCount) return false;
+  const contact = contactAt(t, word(t.order, low));
+  return keyOf(contact.a, contact.b) == key && (contact.flags & IGNORED) != 0;
+}

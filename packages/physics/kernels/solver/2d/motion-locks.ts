@@ -1,0 +1,38 @@
+// Bodies that do not move along an axis. Their velocity there is cleared after each pass of the solver; the effective masses
+// of their contacts know that along it they are immovable, so that the impulses of a pass are the right ones:
+//
+//   1/m(n) = (nx² fx + ny² fy)/m      f: 0 along a locked axis, otherwise 1
+//
+// A locked angle is an inverse moment of inertia of 0.
+import { DYNAMIC, LOCKED, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { RigidTable } from './rigid-table';
+
+// Lists the bodies that are awake and locked along an axis.
+export function listLocked(t: RigidTable): void {
+  let count = 0;
+  for (let i = 0; i < t.awakeCount; i++) {
+    const row = word(t.awake, i);
+    if ((flagsOf(t, row) & (LOCKED | DYNAMIC)) == (LOCKED | DYNAMIC)) putWord(t.locked, count++, row);
+  }
+  t.lockedCount = count;
+}
+
+// Clears the velocities of all bodies along their locked axes.
+export function holdLocked(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  for (let i = 0; i < t.lockedCount; i++) {
+    const row = word(t.locked, i);
+    const state = stateOf(t, row);
+    if (word(t.lockX, row) != 0) state.vx = 0;
+    if (word(t.lockY, row) != 0) state.vy = 0;
+  }
+}
+
+// The inverse mass of a body along a unit vector.
+export function inverseMassAlong(t: RigidTable, row: i32, nx: real, ny: real): real {
+  const inverseMass = poseOf(t, row).inverseMass;
+  if ((flagsOf(t, row) & LOCKED) == 0) return inverseMass;
+  const x: real = word(t.lockX, row) != 0 ? 0 : nx;
+  const y: real = word(t.lockY, row) != 0 ? 0 : ny;
+  return inverseMass * (x * x + y * y);
+}

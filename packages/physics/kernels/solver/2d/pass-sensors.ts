@@ -1,0 +1,68 @@
+// Sensors that a fast body passed within one step: those that it overlaps neither at its start nor at its end, but on its way.
+// They begin and end in that step. Sensors that move are met at the ends of steps only.
+import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
+import { shapeOf } from '../../collision/shapes/2d/shape-pool';
+import { FatBox, overlaps } from '../../collision/broad-phase/2d/fat-boxes';
+import { filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
+import { nodeAt } from '../../collision/broad-phase/2d/box-tree';
+import { Distance, closestPoints } from '../../collision/narrow-phase/2d/distance';
+import { RelativePose } from '../../collision/narrow-phase/2d/relative-pose';
+import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
+import { COLLIDES, SENSOR, flagsOf, poseOf, word } from './body';
+import { noteSensorBegin, noteSensorEnd } from './contact-events';
+import { RigidTable } from './rigid-table';
+import { measurePath, startSweepA, startSweepB } from './sweep-shapes';
+
+// Surfaces this near overlap, m: a time of impact is found to a fraction of it.
+const TARGET: real = 0.0001;
+
+const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
+const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+const path = changetype<FatBox>(memory.data(offsetof<FatBox>() + 8, 8));
+const nearest = changetype<Distance>(memory.data(offsetof<Distance>() + 8, 8));
+const endInSensor = changetype<RelativePose>(memory.data(offsetof<RelativePose>() + 8, 8));
+
+export function passSensors(t: RigidTable, body: i32): void {
+  if ((flagsOf(t, body) & (COLLIDES | SENSOR)) == COLLIDES) passOf(t, body, body);
+  for (let part = word(t.firstParts, body); part != 0; part = word(t.nextParts, part)) {
+    if ((flagsOf(t, part) & (COLLIDES | SENSOR)) == COLLIDES) passOf(t, body, part);
+  }
+}
+
+function passOf(t: RigidTable, body: i32, row: i32): void {
+  const shape = shapeOf(row, spareB);
+  startSweepB(t, sweep, body, row);
+  measurePath(path, sweep, shape, 0);
+  let i = 0;
+  while (i < t.staticNodeCount) {
+    const node = nodeAt(t.staticNodes, i);
+    if (!overlaps(changetype<FatBox>(node), path)) {
+      i = node.skip;
+      continue;
+    }
+    i++;
+    const sensor = node.row;
+    if (sensor == 0 || (flagsOf(t, sensor) & SENSOR) == 0 || !filtersMeet(t, row, sensor)) continue;
+    if (!passes(t, sensor, shape)) continue;
+    noteSensorBegin(t, sensor, row);
+    noteSensorEnd(t, sensor, row);
+  }
+}
+
+function passes(t: RigidTable, sensor: i32, shape: Shape): bool {
+  startSweepA(t, sweep, sensor);
+  sweep.target = TARGET;
+  const area = shapeOf(sensor, spareA);
+  timeOfImpact(sweep, area, shape);
+  if (sweep.isHit == 0 || sweep.fraction == 0) return false;
+  const pose = poseOf(t, sensor);
+  const dx = sweep.endBx - pose.x;
+  const dy = sweep.endBy - pose.y;
+  endInSensor.x = pose.c * dx + pose.s * dy;
+  endInSensor.y = pose.c * dy - pose.s * dx;
+  endInSensor.c = pose.c * sweep.endBc + pose.s * sweep.endBs;
+  endInSensor.s = pose.c * sweep.endBs - pose.s * sweep.endBc;
+  closestPoints(nearest, area, shape, endInSensor);
+  return nearest.distance > area.radius + shape.radius;
+}

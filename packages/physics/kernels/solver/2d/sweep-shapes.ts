@@ -1,0 +1,112 @@
+// The ways of shapes in a step, for the time of impact: from the pose at the start of the step by the movement of the body.
+import { FatBox, measureBox, tight } from '../../collision/broad-phase/2d/fat-boxes';
+import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
+import { Shape } from '../../collision/shapes/2d/shape';
+import { ASLEEP, FAST, MOVES, flagsOf, poseOf, stateOf } from './body';
+import { bodyOf } from './parts';
+import { RigidTable } from './rigid-table';
+
+// The way of a shape of a body, as the second of the two that meet.
+export function startSweepB(t: RigidTable, sweep: Sweep, body: i32, row: i32): void {
+  const pose = poseOf(t, row);
+  const centre = poseOf(t, body);
+  const state = stateOf(t, body);
+  const fromX = pose.x - centre.x;
+  const fromY = pose.y - centre.y;
+  sweep.bx = pose.x;
+  sweep.by = pose.y;
+  sweep.bc = pose.c;
+  sweep.bs = pose.s;
+  sweep.endBx = centre.x + state.dx + (state.dc * fromX - state.ds * fromY);
+  sweep.endBy = centre.y + state.dy + (state.ds * fromX + state.dc * fromY);
+  sweep.endBc = pose.c * state.dc - pose.s * state.ds;
+  sweep.endBs = pose.s * state.dc + pose.c * state.ds;
+}
+
+// The way of another shape, as the first of the two. What sleeps or is static stays where it is.
+export function startSweepA(t: RigidTable, sweep: Sweep, row: i32): void {
+  const pose = poseOf(t, row);
+  sweep.ax = sweep.endAx = pose.x;
+  sweep.ay = sweep.endAy = pose.y;
+  sweep.ac = sweep.endAc = pose.c;
+  sweep.as = sweep.endAs = pose.s;
+  const flags = flagsOf(t, row);
+  if ((flags & MOVES) == 0 || (flags & ASLEEP) != 0) return;
+  const body = bodyOf(t, row);
+  const centre = poseOf(t, body);
+  const state = stateOf(t, body);
+  const fromX = pose.x - centre.x;
+  const fromY = pose.y - centre.y;
+  sweep.endAx = centre.x + state.dx + (state.dc * fromX - state.ds * fromY);
+  sweep.endAy = centre.y + state.dy + (state.ds * fromX + state.dc * fromY);
+  sweep.endAc = pose.c * state.dc - pose.s * state.ds;
+  sweep.endAs = pose.s * state.dc + pose.c * state.ds;
+}
+
+// Writes the box about the way of the second shape to `path`, and `reach` around it.
+export function measurePath(path: FatBox, sweep: Sweep, shape: Shape, reach: real): void {
+  measureBox(shape, sweep.bx, sweep.by, sweep.bc, sweep.bs);
+  path.minX = tight.minX;
+  path.minY = tight.minY;
+  path.maxX = tight.maxX;
+  path.maxY = tight.maxY;
+  measureBox(shape, sweep.endBx, sweep.endBy, sweep.endBc, sweep.endBs);
+  path.minX = min<real>(path.minX, tight.minX) - reach;
+  path.minY = min<real>(path.minY, tight.minY) - reach;
+  path.maxX = max<real>(path.maxX, tight.maxX) + reach;
+  path.maxY = max<real>(path.maxY, tight.maxY) + reach;
+}
+
+// The fraction of the step at which the body of a shape was stopped; 1 if it was not.
+export function stopOf(t: RigidTable, row: i32): real {
+  const body = bodyOf(t, row);
+  const flags = flagsOf(t, body);
+  if ((flags & FAST) == 0 || (flags & MOVES) == 0 || (flags & ASLEEP) != 0) return 1;
+  return <real>load<f32>(t.stops + ((<usize>body) << 2));
+}
+
+// The time of impact with a first shape that was stopped at a fraction of the step and stays there.
+export function sweepInPhases(sweep: Sweep, a: Shape, b: Shape, stop: real): void {
+  const bx = sweep.bx;
+  const by = sweep.by;
+  const bc = sweep.bc;
+  const bs = sweep.bs;
+  const endX = sweep.endBx;
+  const endY = sweep.endBy;
+  const endC = sweep.endBc;
+  const endS = sweep.endBs;
+  sweep.endBx = bx + stop * (endX - bx);
+  sweep.endBy = by + stop * (endY - by);
+  const c = bc + stop * (endC - bc);
+  const s = bs + stop * (endS - bs);
+  const length = sqrt<real>(c * c + s * s);
+  sweep.endBc = c / length;
+  sweep.endBs = s / length;
+  timeOfImpact(sweep, a, b);
+  if (sweep.isHit != 0) {
+    sweep.fraction *= stop;
+  } else {
+    sweep.ax = sweep.endAx;
+    sweep.ay = sweep.endAy;
+    sweep.ac = sweep.endAc;
+    sweep.as = sweep.endAs;
+    sweep.bx = sweep.endBx;
+    sweep.by = sweep.endBy;
+    sweep.bc = sweep.endBc;
+    sweep.bs = sweep.endBs;
+    sweep.endBx = endX;
+    sweep.endBy = endY;
+    sweep.endBc = endC;
+    sweep.endBs = endS;
+    timeOfImpact(sweep, a, b);
+    sweep.fraction = stop + sweep.fraction * (1 - stop);
+  }
+  sweep.bx = bx;
+  sweep.by = by;
+  sweep.bc = bc;
+  sweep.bs = bs;
+  sweep.endBx = endX;
+  sweep.endBy = endY;
+  sweep.endBc = endC;
+  sweep.endBs = endS;
+}

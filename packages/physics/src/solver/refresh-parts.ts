@@ -1,0 +1,89 @@
+// The list of all parts of compound bodies, for the kernels, kept until components come or go.
+import { hasLiveBody, removeOrphanedParts } from '../bodies/parts.ts';
+import { rigidKernels } from '../collision/kernels.ts';
+import { bitOf } from '../components/all.ts';
+import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
+import { isOpen } from '../ecs/rows.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import { resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { isSoftStep } from './is-soft-step.ts';
+import { rigidTable } from './rigid-table.ts';
+
+const partList = resource((): EntityList => emptyEntityList());
+
+/** What a part needs besides its Attachment. */
+const NEEDED = ['Position', 'Rotation', 'Collider'] as const;
+
+/**
+ * Brings the list of parts up to date. Parts whose body was removed through bitECS are removed here.
+ * @throws PhysicsError E_RANGE for a part of a part, a part without one of its components, and a joint to a part;
+ *   E_CAPACITY
+ */
+export function refreshParts(world: PhysicsWorld): void {
+  const { words } = rigidTable(world);
+  const { internal } = world;
+  if (internal.counts.Attachment === 0 && words[Word.partCount] === 0) return;
+  const list = partList(world);
+  if (list.version === world.versions.membership) return;
+  removeOrphanedParts(world);
+  refreshEntityList(world, list, 'Attachment', 0);
+  words[Word.partIds] = list.ids;
+  words[Word.partCount] = list.count;
+  const ids = new Uint32Array(world.memory.buffer, list.ids, list.count);
+  try {
+    for (const id of ids) checkPart(world, id);
+    if (list.count > 0) checkJoints(world);
+  } catch (error) {
+    // The next step checks again.
+    list.version = -1;
+    throw error;
+  }
+}
+
+/**
+ * Moves the parts of compound bodies to where their bodies are now, for queries between two steps.
+ * @throws PhysicsError E_RANGE as `refreshParts`, E_CAPACITY
+ */
+export function placeParts(world: PhysicsWorld): void {
+  if (world.internal.counts.Attachment === 0 || world.state !== 'idle' || !isSoftStep(world.integrator)) return;
+  refreshParts(world);
+  rigidKernels(world).writeParts(rigidTable(world).at, 1);
+}
+
+function checkPart(world: PhysicsWorld, part: number): void {
+  const body = world.components.Attachment.body[part];
+  const details = { entity: part, field: 'attachment.body', value: body };
+  for (const name of NEEDED) {
+    if (isOpen(world, part, name)) continue;
+    throw new PhysicsError('E_RANGE', `part ${part} of body ${body} has no ${name}.`, {
+      ...details,
+      field: name,
+      hint: `A part has ${NEEDED.join(', ')} and Attachment: spawnCompound adds all four.`,
+    });
+  }
+  if (part === body || (world.internal.members[body] & bitOf('Attachment')) !== 0 || !hasLiveBody(world, part)) {
+    throw new PhysicsError('E_RANGE', `part ${part} is attached to ${body}, which is a part itself.`, {
+      ...details,
+      hint: 'Attach all parts to the body: parts of parts are not supported.',
+    });
+  }
+}
+
+function checkJoints(world: PhysicsWorld): void {
+  const { counts, members } = world.internal;
+  if (counts.Joint === 0) return;
+  const { a, b } = world.components.Joint;
+  for (let id = 1; id <= world.lastId; id++) {
+    if (!isOpen(world, id, 'Joint')) continue;
+    const part = [a[id], b[id]].find((end) => (members[end] & bitOf('Attachment')) !== 0);
+    if (part === undefined) continue;
+    throw new PhysicsError('E_RANGE', `joint ${id} joins ${part}, which is a part of a compound body.`, {
+      entity: id,
+      field: 'joint',
+      value: part,
+      hint: 'Join the body: bodyOf(world, part) is its id.',
+    });
+  }
+}

@@ -1,0 +1,46 @@
+// Events of sensors as arrays, which are read after a step.
+import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import { markImmutable, resource } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { listOf } from './contact-events.ts';
+import { rigidTable } from './rigid-table.ts';
+
+/** Pairs of a sensor and what it senses; entry i of each array is valid for i < `count`. */
+export interface SensorPairs {
+  readonly count: number;
+  /** Ids of the entities with the sensors, and of those that overlap them: bodies, or parts of compound bodies. */
+  readonly sensor: Uint32Array;
+  readonly visitor: Uint32Array;
+}
+
+/** The events of the last step. The arrays are reused by every step. */
+export interface SensorEvents {
+  /** Pairs that began to overlap. */
+  readonly begin: SensorPairs;
+  /** Pairs that no longer overlap; one of them may be gone. */
+  readonly end: SensorPairs;
+}
+
+const eventsOf = /* @__PURE__ */ resource<SensorEvents>((world) => {
+  const { words } = rigidTable(world);
+  const pairs = (count: Word, sensor: Word, visitor: Word): SensorPairs => ({
+    get count() {
+      return words[count];
+    },
+    sensor: listOf(world, words[sensor]),
+    visitor: listOf(world, words[visitor]),
+  });
+  return markImmutable({
+    begin: pairs(Word.sensorBeginCount, Word.sensorBeginSensors, Word.sensorBeginVisitors),
+    end: pairs(Word.sensorEndCount, Word.sensorEndSensors, Word.sensorEndVisitors),
+  });
+});
+
+/**
+ * Returns the events of sensors in the last step: always the same object. Overlaps are those at the start of the step. A fast
+ * body that passed a sensor within the step, which does not move, begins and ends in it; these come before the others.
+ * @throws PhysicsError E_CAPACITY, E_DESTROYED
+ */
+export function sensorEvents(world: PhysicsWorld): SensorEvents {
+  return eventsOf(world);
+}

@@ -1,0 +1,73 @@
+import { bodies, createRandom, keepState, spawn, velocityVerlet } from '@principia/physics';
+import { teleport } from '../../teleport.ts';
+import { defineExample } from '../define-example.ts';
+import { positionOf, velocityOf } from '../support/read.ts';
+import { GROUND, RADIUS, randomLaunch, STAGE, STAGE_VIEW, stageWorld } from '../support/stage.ts';
+
+const START = { x: 50, y: 50 };
+
+export default defineExample({
+  id: 'ch02-bouncing-ball-recycled',
+  title: 'One ball, used again and again',
+  chapter: 2,
+  tags: ['bounce', 'random numbers', 'recycling'],
+  about:
+    'As soon as the ball has left on the right, it is put back to its start and thrown again, at random. It looks like an endless supply of balls, but it is always the same one: a game that recycles what nobody sees any more needs little memory, however long it runs.',
+  duration: 30,
+  parameters: {
+    gravity: { label: 'Gravity', unit: 'px/s²', initial: 360, min: 60, max: 900 },
+    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.8, min: 0, max: 0.95 },
+  },
+  build({ gravity, restitution }, { seed, integrator = velocityVerlet }) {
+    const world = stageWorld(gravity, { seed, integrator });
+    const random = createRandom(seed);
+    const collider = { radius: RADIUS, restitution };
+    const ball = spawn(world, { position: START, velocity: randomLaunch(random), mass: 1, collider });
+    const launches = { count: 1 };
+    keepState(world, launches, random.state);
+    const { Position } = world.components;
+    world.phases.input.push(() => {
+      if (Position.x[ball] <= STAGE.maxX + RADIUS) return;
+      teleport(world, ball, START, randomLaunch(random));
+      launches.count++;
+    });
+    return { world, dt: 1 / 60, ball, launches };
+  },
+  picture: ({ world, ball, launches }) => ({
+    yDown: true,
+    view: STAGE_VIEW,
+    fills: [GROUND],
+    trails: [{ body: ball, length: 300 }],
+    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.3 }],
+    labels: [{ at: { x: 20, y: 495 }, text: () => `throw ${launches.count}` }],
+  }),
+  plots: [
+    {
+      title: 'Way to the right',
+      y: { label: 'x, px' },
+      series: [{ label: 'x', value: ({ world, ball }) => positionOf(world, ball).x }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Most balls at any time',
+      unit: '',
+      exact: 1,
+      tolerance: { absolute: 0 },
+      at: { until: 30, take: 'largest' },
+      measure: ({ world }) => bodies(world).count,
+    },
+    {
+      label: 'Furthest to the right, at most a step of 5 px beyond the edge',
+      unit: 'px',
+      exact: STAGE.maxX + RADIUS + 2.5,
+      tolerance: { absolute: 2.5 },
+      at: { until: 30, take: 'largest' },
+      measure: ({ world, ball }) => positionOf(world, ball).x,
+    },
+  ],
+  tryThis: [
+    'Set the speed that is kept to 0: the ball slides out along the floor, and the next throw begins in the air again.',
+    'Watch the second figure: the ball is put back in the first step after it has left.',
+  ],
+});

@@ -1,0 +1,86 @@
+import { bodies, createRandom, spawn, velocityVerlet } from '@principia/physics';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { positionOf, velocityOf } from '../support/read.ts';
+import { GROUND, RADIUS, randomLaunch, STAGE, STAGE_VIEW, stageWorld, wrapAround } from '../support/stage.ts';
+
+const START = { x: 50, y: 75 };
+const FALL = STAGE.maxY - RADIUS - START.y;
+
+export default defineExample({
+  id: 'ch02-bouncing-balls',
+  title: 'Five bouncing balls',
+  chapter: 2,
+  tags: ['bounce', 'random numbers', 'energy'],
+  about:
+    'Five balls start at the same place with random velocities, and pass through each other: each moves as if it were alone. Every bounce leaves 80 % of the speed at which a ball hits the floor, and so 64 % of the energy of its motion up and down; the motion to the right goes on unchanged.',
+  duration: 16,
+  parameters: {
+    balls: { label: 'Number of balls', unit: '', initial: 5, min: 1, max: 50, integer: true },
+    gravity: { label: 'Gravity', unit: 'px/s²', initial: 360, min: 60, max: 900 },
+    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.8, min: 0, max: 0.95 },
+  },
+  build(
+    { balls, gravity, restitution }: ValuesOf<'balls' | 'gravity' | 'restitution'>,
+    { seed, integrator = velocityVerlet }: BuildOptions,
+  ) {
+    const world = stageWorld(gravity, { seed, integrator });
+    const random = createRandom(seed);
+    const collider = { radius: RADIUS, restitution };
+    const launches = Array.from({ length: balls }, () => randomLaunch(random));
+    const ids = launches.map((velocity) => spawn(world, { position: START, velocity, mass: 1, collider }));
+    wrapAround(world, ids);
+    // Energy per mass of the motion up and down, of all balls.
+    const verticalEnergy = () =>
+      ids.reduce((sum, id) => {
+        const { y } = velocityOf(world, id);
+        return sum + (y * y) / 2 + gravity * (STAGE.maxY - RADIUS - positionOf(world, id).y);
+      }, 0);
+    const [{ y: vy }] = launches;
+    const firstContact = (Math.sqrt(vy * vy + 2 * gravity * FALL) - vy) / gravity;
+    return { world, dt: 1 / 60, ids, verticalEnergy, start: verticalEnergy(), firstContact };
+  },
+  picture: ({ ids }) => ({
+    yDown: true,
+    view: STAGE_VIEW,
+    fills: [GROUND],
+    trails: ids.map((body) => ({ body, length: 90 })),
+  }),
+  plots: [
+    {
+      title: 'Energy of the motion up and down',
+      y: { label: 'share of the start, %' },
+      series: [{ label: 'all balls', value: ({ verticalEnergy, start }) => (100 * verticalEnergy()) / start }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Number of balls after 16 s',
+      unit: '',
+      exact: ({ balls }) => balls,
+      tolerance: { absolute: 0 },
+      at: { time: 16 },
+      measure: ({ world }) => bodies(world).count,
+    },
+    {
+      label: 'First ball: time of the bounce, less (√(v² + 2 g h) − v)/g',
+      unit: 's',
+      exact: 0,
+      tolerance: { absolute: 1 / 60 },
+      at: { event: ({ world, ids }) => (velocityOf(world, ids[0]).y < 0 && world.time > 1 ? 1 : -1) },
+      measure: ({ world, firstContact }) => world.time - firstContact,
+    },
+    {
+      // The five first bounces are over after 2.2 s at the latest, and none of the second has come by 3 s.
+      label: 'Energy after one bounce each, e²',
+      unit: '',
+      exact: 0.64,
+      tolerance: { relative: 1e-9 },
+      at: { time: 3 },
+      measure: ({ verticalEnergy, start }) => verticalEnergy() / start,
+    },
+  ],
+  tryThis: [
+    'Make it fifty balls: they form a cloud, whose last bounces are over within 15 seconds.',
+    'Keep more of the speed: the staircase of the energy falls more slowly.',
+  ],
+});

@@ -1,0 +1,48 @@
+import { explicitEuler } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import {
+  AMPLITUDE,
+  amplitudePlot,
+  integerPower,
+  oscillator,
+  phasePicture,
+  rateParameter,
+} from '../support/oscillator.ts';
+
+export default defineExample({
+  id: 'ch14-explicit-euler',
+  title: 'Explicit Euler gains',
+  chapter: 14,
+  tags: ['integrators', 'oscillation', 'accuracy'],
+  about:
+    'The simplest scheme takes the velocity at the beginning of a step for the whole of it, and so always moves along the tangent: out of the circle, never back. The amplitude grows by the factor √(1 + ω² dt²) in each step. After 100 s the swing has more than twice its size, from nothing.',
+  duration: 100,
+  parameters: { rate: rateParameter },
+  presets: [{ label: 'Short steps', values: { rate: 240 } }],
+  build: ({ rate }, { integrator = explicitEuler }) => oscillator(rate, integrator),
+  picture: (run) => phasePicture(run, 500),
+  plots: [amplitudePlot],
+  checks: [
+    {
+      label: 'Amplitude after 100 s, 200 (1 + ω² dt²)³⁰⁰⁰',
+      unit: 'px',
+      exact: AMPLITUDE * integerPower(1 + 1 / 3600, 3000),
+      tolerance: { absolute: 1e-8 },
+      at: { time: 100 },
+      measure: ({ amplitude }) => amplitude(),
+    },
+    {
+      label: 'The same with four times as many steps',
+      unit: 'px',
+      exact: AMPLITUDE * integerPower(1 + 1 / 57600, 12000),
+      tolerance: { absolute: 1e-8 },
+      at: { time: 100 },
+      measure: ({ amplitude }) => amplitude(),
+      preset: 'Short steps',
+    },
+  ],
+  tryThis: [
+    'Take longer steps, ten a second: after half a minute the dot has left the picture.',
+    'Choose another integrator: most keep to the circle, or even close to it.',
+  ],
+});

@@ -1,0 +1,48 @@
+import { implicitEuler } from '@principia/physics';
+import { defineExample } from '../define-example.ts';
+import {
+  AMPLITUDE,
+  amplitudePlot,
+  integerPower,
+  oscillator,
+  phasePicture,
+  rateParameter,
+} from '../support/oscillator.ts';
+
+export default defineExample({
+  id: 'ch14-implicit-euler',
+  title: 'Implicit Euler tires',
+  chapter: 14,
+  tags: ['integrators', 'oscillation', 'stability'],
+  about:
+    'This scheme takes the force at the end of the step, which it must first find out by solving equations. It errs to the other side: the amplitude shrinks by √(1 + ω² dt²) in each step, as if there were friction. But it is patient: even steps of ten seconds, longer than a whole swing, do not make it explode.',
+  duration: 100,
+  parameters: { rate: { ...rateParameter, min: 0.1 } },
+  presets: [{ label: 'Steps of a second', values: { rate: 1 } }],
+  build: ({ rate }, { integrator = implicitEuler() }) => oscillator(rate, integrator),
+  picture: (run) => phasePicture(run, 220),
+  plots: [amplitudePlot],
+  checks: [
+    {
+      label: 'Amplitude after 100 s, 200/(1 + ω² dt²)³⁰⁰⁰',
+      unit: 'px',
+      exact: AMPLITUDE / integerPower(1 + 1 / 3600, 3000),
+      tolerance: { absolute: 1e-3 },
+      at: { time: 100 },
+      measure: ({ amplitude }) => amplitude(),
+    },
+    {
+      label: 'Amplitude after twenty steps of a second, 200/2¹⁰',
+      unit: 'px',
+      exact: AMPLITUDE / 1024,
+      tolerance: { absolute: 1e-6 },
+      at: { time: 20 },
+      measure: ({ amplitude }) => amplitude(),
+      preset: 'Steps of a second',
+    },
+  ],
+  tryThis: [
+    'Take ten steps a second: the swing dies away within a minute, although nothing brakes it.',
+    'Choose explicit Euler, the opposite of this scheme: with the same steps the amplitude grows.',
+  ],
+});

@@ -1,0 +1,57 @@
+// What the scenes of rigid bodies share. They are arranged as in Box2D's benchmark, in worlds of two dimensions;
+// `dimensions: 3` is ignored.
+import {
+  createPhysicsWorld,
+  type PhysicsWorld,
+  type Precision,
+  rigidBodies,
+  softStep,
+  uniformGravity,
+} from '@principia/physics';
+import type { SceneRun } from '../scene.ts';
+
+/** A run in which other engines take part. */
+export interface RigidRun extends SceneRun {
+  /** Downward acceleration, m/s². */
+  readonly gravity: number;
+}
+
+export const MATERIAL = { density: 1, friction: 0.6 };
+/** The largest distance by which boxes start apart from where they rest, m. */
+export const GAP = 0.01;
+
+/** Standard gravity, m/s². */
+const GRAVITY = 9.80665;
+
+/** A parameter of all rigid scenes: other engines are compared while nothing sleeps. */
+export const sleeping = { about: '1 lets bodies sleep', unit: '', initial: 1, min: 0, max: 1, integer: true };
+
+export interface WorldSetup {
+  readonly precision: Precision;
+  readonly seed: number;
+  readonly parameters: { readonly sleeping: number };
+}
+
+/** @param gravity downward acceleration, m/s² */
+export function rigidWorld(
+  { precision, seed, parameters }: WorldSetup,
+  capacity: number,
+  gravity = GRAVITY,
+): PhysicsWorld {
+  const integrator = parameters.sleeping === 1 ? {} : { integrator: softStep({ sleepTime: 0 }) };
+  return createPhysicsWorld({
+    preset: rigidBodies,
+    ...integrator,
+    precision,
+    seed,
+    capacity,
+    forces: gravity === 0 ? [] : [uniformGravity({ y: -gravity })],
+  });
+}
+
+export const runOf = (world: PhysicsWorld, gravity = GRAVITY): RigidRun => ({
+  world,
+  dt: 1 / 60,
+  gravity,
+  losesEnergy: 'friction and collisions dissipate energy',
+});
