@@ -27,7 +27,7 @@ import {
   stateOf,
   word,
 } from './body';
-import { colliderFlags } from './collider-flags';
+import { colliderFlags, findColliderFlags } from './collider-flags';
 import { wakeIsland, wasDisturbed } from './islands';
 import { listLocked } from './motion-locks';
 import { kindOfPart, linkParts, placeParts, turnTo } from './parts';
@@ -47,6 +47,7 @@ export function gatherBodies(table: usize): void {
   t.sleptCount = 0;
   t.wokenCount = 0;
   t.sensorCount = 0;
+  findColliderFlags(t);
   // Entities that are gone may have left rows at the end.
   const end = max<i32>(t.rows, t.lastRows);
   t.lastRows = t.rows;

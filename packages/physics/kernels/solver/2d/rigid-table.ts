@@ -39,6 +39,8 @@ export class RigidTable {
   group: usize;
   frictionCombine: usize;
   restitutionCombine: usize;
+  // Whether any of these but `bullet` is used in this step.
+  usesColliderFlags: i32;
   // Bits of membership: what makes a body dynamic, and what lets it turn.
   dynamicBits: u32;
   turningBits: u32;

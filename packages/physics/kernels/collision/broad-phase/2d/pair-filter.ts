@@ -22,6 +22,11 @@ import { keyAt } from './sort-keys';
     const group = get(t.group, a);
     if (group == get(t.group, b)) return group > 0;
   }
+  return layersMeet(t, a, b);
+}
+
+// @ts-ignore: decorator
+@inline export function layersMeet(t: RigidTable, a: i32, b: i32): bool {
   return (word(t.layers, a) & word(t.masks, b)) != 0 && (word(t.layers, b) & word(t.masks, a)) != 0;
 }
 

@@ -9,13 +9,16 @@ import { columns } from '../../../memory/columns';
 import {
   ASLEEP,
   BodyPose,
+  DYNAMIC,
   FAST,
+  GROUPED,
   MOVES,
   ONE_WAY,
   PART,
   SENSOR,
   SHIFTED,
   WAKES,
+  WALL,
   flagsOf,
   poseOf,
   putFlags,
@@ -29,7 +32,7 @@ import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
-import { areJoined, filtersMeet, kindsMeet } from '../../broad-phase/2d/pair-filter';
+import { areJoined, filtersMeet, kindsMeet, layersMeet } from '../../broad-phase/2d/pair-filter';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { collideShapes } from './collide-shapes';
 import { freeContact, sensorFlags } from './contact-list';
@@ -120,15 +123,22 @@ function changeKind(t: RigidTable, contact: RigidContact, senses: bool): void {
   contact.flags = (contact.flags & IGNORED) | (senses ? sensorFlags(t, contact) : 0);
 }
 
+// Flags of shapes that are not plain.
+const SPECIAL: u32 = SENSOR | GROUPED | WALL | PART;
+
 function isOver(t: RigidTable, contact: RigidContact): bool {
   const a = contact.a;
   const b = contact.b;
-  const flags = flagsOf(t, a) | flagsOf(t, b);
-  if (!kindsMeet(flagsOf(t, a), flagsOf(t, b))) return true;
-  if (!overlaps(rowBox(t, a), rowBox(t, b)) || !filtersMeet(t, a, b)) return true;
+  const flagsA = flagsOf(t, a);
+  const flagsB = flagsOf(t, b);
+  if (!overlaps(rowBox(t, a), rowBox(t, b))) return true;
+  // Nearly all contacts are of two bodies of one shape each that only layers can keep apart.
+  const isPlain = ((flagsA | flagsB) & SPECIAL) == 0 && contact.bodyA == a && contact.bodyB == b;
+  if (!isPlain || ((flagsA | flagsB) & DYNAMIC) == 0) {
+    if (!kindsMeet(flagsA, flagsB) || !filtersMeet(t, a, b)) return true;
+    if (contact.bodyA != bodyOf(t, a) || contact.bodyB != bodyOf(t, b)) return true;
+  } else if (!layersMeet(t, a, b)) return true;
   if (areJoined(t, contact.bodyA, contact.bodyB)) return true;
-  const hasParts = (flags & PART) != 0 || contact.bodyA != a || contact.bodyB != b;
-  if (hasParts && (contact.bodyA != bodyOf(t, a) || contact.bodyB != bodyOf(t, b))) return true;
   const sameA = contact.generationA == <u32>word(t.generations, a);
   return !sameA || contact.generationB != <u32>word(t.generations, b);
 }
