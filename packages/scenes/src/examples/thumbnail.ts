@@ -2,7 +2,7 @@
 import { bodies, cos, shapeAt, sin, step } from '@principia/physics';
 import type { Example, ExampleRun } from './define-example.ts';
 import { type Frame, frameOf } from './frame.ts';
-import { COLORS, type Color, type Fill, type Line, now, type Picture, type Point } from './picture.ts';
+import { COLORS, type Color, type Fill, type Line, now, type Picture, type Point, type ViewBox } from './picture.ts';
 
 const WIDTH = 240;
 const HEIGHT = 150;
@@ -109,7 +109,8 @@ function drawBodies(sketch: Sketch, run: ExampleRun): void {
 function drawFront(sketch: Sketch, { fills = [], arrows = [], dots = [] }: Picture): void {
   for (const { from, vector, scale = 1, color = COLORS.green } of arrows) {
     const [a, v] = [now(from), vector()];
-    sketch.line({ from: a, to: { x: a.x + scale * v.x, y: a.y + scale * v.y }, color, width: 1.5 });
+    const to = { x: a.x + scale * v.x, y: a.y + scale * v.y, z: (a.z ?? 0) + scale * (v.z ?? 0) };
+    sketch.line({ from: a, to, color, width: 1.5 });
   }
   for (const { at, color = COLORS.orange } of dots) sketch.spot(now(at), 3, color);
   for (const fill of fills) if (fill.inFront) sketch.fill(fill);
@@ -146,14 +147,7 @@ class Sketch {
   fill({ shape, color, opacity = 1 }: Fill): void {
     if ('radius' in shape) this.disc(now(shape.centre), shape.radius, color, opacity);
     else if ('minX' in shape) {
-      const { minX, maxX, minY, maxY } = shape;
-      const corners = [
-        { x: minX, y: minY },
-        { x: maxX, y: minY },
-        { x: maxX, y: maxY },
-        { x: minX, y: maxY },
-      ];
-      this.polygon(corners, color, opacity, 0);
+      this.polygon(cornersOf(shape), color, opacity, 0);
     } else this.polygon(shape, color, opacity, 0);
   }
 
@@ -199,6 +193,14 @@ class Sketch {
     const [dx, dy] = [x - this.#centre.x - 0.35 * depth, y - this.#centre.y - 0.2 * depth];
     return [round(WIDTH / 2 + this.#scale * dx), round(HEIGHT / 2 - this.#up * this.#scale * dy)];
   }
+}
+
+/** A box without width, height or depth is a wall that faces x, y or z. */
+function cornersOf({ minX, maxX, minY, maxY, minZ = 0, maxZ = minZ }: ViewBox): Point[] {
+  const depths =
+    minX === maxX ? [minZ, minZ, maxZ, maxZ] : [minZ, minZ, minY === maxY ? maxZ : minZ, minY === maxY ? maxZ : minZ];
+  const heights = minX === maxX ? [minY, maxY, maxY, minY] : [minY, minY, maxY, maxY];
+  return [minX, maxX, maxX, minX].map((x, i) => ({ x, y: heights[i], z: depths[i] }));
 }
 
 const round = (value: number) => Math.round(10 * value) / 10;

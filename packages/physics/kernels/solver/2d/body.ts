@@ -66,6 +66,8 @@ export const ONE_WAY: u32 = 32768;
 export const GROUPED: u32 = 65536;
 // It is a wall, and no body (walls.ts).
 export const WALL: u32 = 131072;
+// It asks for another rule by which friction or restitution combine.
+export const COMBINES: u32 = 262144;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

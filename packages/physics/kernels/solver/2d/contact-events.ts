@@ -53,10 +53,17 @@ export function listContactEvents(table: usize): void {
     const state = contact.flags & (TOUCHING | WAS_TOUCHING);
     if (state == WAS_TOUCHING) noteEnd(t, contact);
     if ((state & TOUCHING) == 0) continue;
+    // Most contacts have nothing to report.
+    if (state != TOUCHING && !mayBeHit(contact, -(<real>t.hitSpeed))) continue;
     const point = fastestPoint(contact);
     if (state == TOUCHING) noteContact(t, begins, contact, point);
     if (-point.normalSpeed > <real>t.hitSpeed && point.totalImpulse != 0) noteContact(t, hits, contact, point);
   }
+}
+
+// @ts-ignore: decorator
+@inline function mayBeHit(contact: RigidContact, speed: real): bool {
+  return pointOf(contact, 0).normalSpeed < speed || (contact.count > 1 && pointOf(contact, 1).normalSpeed < speed);
 }
 
 // The point at which the surfaces approached faster, among those that were hit if any was.

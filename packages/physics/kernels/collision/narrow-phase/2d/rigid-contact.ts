@@ -15,10 +15,10 @@ export class RigidContact {
   shapeA: u32;
   shapeB: u32;
   flags: u32;
-  // Points of the manifold: 0 to 2.
-  count: i32;
-  id0: u32;
-  id1: u32;
+  // Points of the manifold, 0 to 2, and their feature ids: two bytes each, so that the record of f32 is 13 vectors.
+  count: i16;
+  id0: u16;
+  id1: u16;
   friction: real;
   restitution: real;
   rollingResistance: real;
