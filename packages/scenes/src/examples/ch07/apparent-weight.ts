@@ -32,7 +32,7 @@ export default defineExample({
     const hook = spawn(world, { position: HOOK });
     spawn(world, { spring: { a: hook, b: hanging, stiffness: STIFFNESS, length: LENGTH } });
     const balance = () => STIFFNESS * (distanceBetween(positionOf(world, hanging), HOOK) - LENGTH);
-    const immersed = () => 0.5 - positionOf(world, floating).y / (2 * HALF);
+    const immersed = () => Math.min(1, Math.max(0, 0.5 - positionOf(world, floating).y / (2 * HALF)));
     return { world, dt: 1 / 60, floating, hovering, hanging, balance, immersed };
   },
   picture({ world, floating, hovering, hanging, balance, immersed }) {
