@@ -1,4 +1,5 @@
 /** Everything that must hold before a change is merged; the tests come last, and so does their count. */
+import { buildExamples } from './build-examples.mjs';
 import { buildKernels } from './build-kernels.mjs';
 import { resolveInstalled } from './lib/paths.mjs';
 import { runNode } from './lib/run.mjs';
@@ -9,7 +10,7 @@ const typescript = resolveInstalled('typescript/package.json').replace(/package\
 
 /** @type {readonly (readonly [name: string, step: () => Promise<boolean>])[]} */
 const steps = [
-  ['kernels', () => buildKernels().then(() => true)],
+  ['kernels', () => buildKernels().then(buildExamples).then(() => true)],
   ['lint', () => succeeds(biome, 'check', '--error-on-warnings', '.')],
   ['kernel format', () => succeeds('scripts/format-kernels.mjs')],
   ['types', () => succeeds(typescript, '-p', 'tsconfig.json')],
