@@ -10,7 +10,7 @@ const typescript = resolveInstalled('typescript/package.json').replace(/package\
 
 /** @type {readonly (readonly [name: string, step: () => Promise<boolean>])[]} */
 const steps = [
-  ['kernels', () => buildKernels().then(buildExamples).then(() => true)],
+  ['kernels', generate],
   ['lint', () => succeeds(biome, 'check', '--error-on-warnings', '.')],
   ['kernel format', () => succeeds('scripts/format-kernels.mjs')],
   ['types', () => succeeds(typescript, '-p', 'tsconfig.json')],
@@ -28,6 +28,13 @@ outcomes.push(line('tests', count.ok, start));
 process.stdout.write(`\n${outcomes.join('\n')}\n`);
 if (outcomes.some((outcome) => outcome.startsWith('FAILED'))) process.exitCode = 1;
 printCount(count);
+
+/** Compiles the kernels, and lists the examples, which the types of the laboratory need. */
+async function generate() {
+  await buildKernels();
+  await buildExamples();
+  return true;
+}
 
 /** @param {readonly string[]} args */
 async function succeeds(...args) {
