@@ -4,6 +4,7 @@ import { csvOf, saveText } from './csv.ts';
 import type { LabRun } from './lab-run.ts';
 import { make } from './make.ts';
 import { plainNumber } from './number-text.ts';
+import { rangeAbout } from './range-about.ts';
 import { Samples } from './samples.ts';
 
 /** Samples in the duration of an example. */
@@ -87,7 +88,10 @@ export class Chart {
     return {
       ...baseOptions(this.#xLabel, yLabel),
       cursor: { y: false, points: { size: 6 }, drag: { x: false, y: false } },
-      scales: { x: { time: false, range: (_, __, high) => [0, Math.max(duration, high)] } },
+      scales: {
+        x: { time: false, range: (_, __, high) => [0, Math.max(duration, high)] },
+        y: { range: (_, low, high) => rangeAbout(low, high) },
+      },
       series: [{}, ...this.#lines.map(({ label, color, width, dash }) => lineOf(label, color, width, dash))],
       hooks: { setCursor: [(chart) => this.#readAt(chart.cursor.idx)] },
     };
@@ -116,9 +120,7 @@ export class Chart {
         high = Math.max(high, value);
       }
     }
-    if (!(low < high)) return [-1, 1];
-    const margin = 0.06 * (high - low);
-    return [low - margin, high + margin];
+    return rangeAbout(low, high);
   }
 
   /** Shows the values under the cursor beside the title. */

@@ -15,7 +15,7 @@ export function planckPeer(run: SceneRun): Peer | undefined {
   const bodies = scene.bodies.map((body) => addBody(world, body));
   for (const joint of scene.joints) addJoint(world, bodies, joint);
   return {
-    name: 'planck 1.5',
+    name: 'planck 1.4',
     step: () => world.step(run.dt, VELOCITY_ITERATIONS, POSITION_ITERATIONS),
     positions: (axis) => bodies.map((body) => (axis === 'z' ? 0 : body.getPosition()[axis])),
     differs: true,
