@@ -26,7 +26,7 @@ export const compilerFlags = [
  * Modules that are not worth code that is unrolled and inlined: what they do waits for divisions, and every game carries
  * them.
  */
-const SHORT = ['math/module.ts'];
+const SHORT = ['math/module.ts', 'rotation/module.ts'];
 
 /** Modules that are faster without the last level of optimization: springs take 0.93 of the time in f64, 0.92 in f32. */
 const PLAIN = ['index.ts'];

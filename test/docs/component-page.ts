@@ -18,6 +18,7 @@ export const OTHER_READERS: Partial<Record<ComponentName, string>> = {
   Mass: 'every integrator, walls, contacts, `xpbd`, `energy`, `momentum`, `totalMass`',
   Inertia:
     'the integration of rotation, the preset `rigidBodies`, contacts and wall entities (friction turns a body), `explode`, `energy`',
+  InertiaTensor: 'the integration of rotation in 3D, `applyImpulse`, `angularMomentum`, `energy`',
   Rotation: 'the integration of rotation in 2D, renderers',
   Orientation: 'the integration of rotation in 3D, renderers',
   AngularVelocity: 'the integration of rotation, contacts and wall entities, `angularMomentum`, `energy`',

@@ -1,5 +1,25 @@
 /** What users can do to a world through bitECS's own functions. */
-import { createPhysicsWorld, energy, spawn, stateHash, step, totalMass } from '@principia/physics';
+import {
+  burst,
+  clothWind,
+  createCloth,
+  createEmitter,
+  createPattern,
+  createPhysicsWorld,
+  createSoftBody,
+  energy,
+  entityRef,
+  isAlive,
+  resolve,
+  restore,
+  snapshot,
+  spawn,
+  spawnMany,
+  springs,
+  stateHash,
+  step,
+  totalMass,
+} from '@principia/physics';
 import {
   addComponent,
   addEntity,
@@ -39,6 +59,40 @@ describe('components of another world', () => {
     expect(there.components.Position.x[other]).toBe(0);
     assertWorldAlive(here);
     assertWorldAlive(there);
+  });
+
+  it('and their references are refused, for each pair of twenty worlds', () => {
+    const worlds = Array.from({ length: 20 }, () => createPhysicsWorld({ capacity: 1, arenaBytes: 0 }));
+    const refs = worlds.map((world) => entityRef(world, spawn(world, { position: {} })));
+    expect(new Set(refs).size).toBe(20);
+    const [here, there] = worlds;
+    expect(isAlive(there, refs[0])).toBe(false);
+    assertRefused(there, () => resolve(there, refs[0]), { code: 'E_STALE' });
+    expect(resolve(here, refs[0])).toBe(1);
+  });
+
+  it('53 lists of ids and objects of another world are refused: faces, ends of springs, patterns, snapshots', () => {
+    const make = () => createPhysicsWorld({ dimensions: 3, capacity: 1000, forces: [springs()] });
+    const [here, there] = [make(), make()];
+    const cloth = { corner: {}, columns: 3, rows: 3, spacing: 0.1, mass: 1, structural: 10 };
+    const [own, foreign] = [createCloth(here, cloth), createCloth(there, cloth)];
+    const ids = /Ids belong to one world/;
+    const springsBetween = (a: Uint32Array, b: Uint32Array) =>
+      spawnMany(here, 9, { spring: { a, b, stiffness: 1, length: 1 } });
+    assertRefused(here, () => springsBetween(own.nodes, foreign.nodes), { code: 'E_TYPE', hint: ids });
+    const ball = createSoftBody(there, { centre: {}, radius: 1, detail: 0, mass: 1, stiffness: 1, pressure: 1 });
+    for (const force of [clothWind({ triangles: foreign.triangles }), ball.gas]) {
+      here.forces.push(force);
+      assertRefused(here, () => step(here, DT), { code: 'E_TYPE', hint: ids });
+      here.forces.pop();
+    }
+    const emitter = createEmitter(here, { capacity: 5 });
+    const pattern = createPattern(there, [{ x: 1 }]);
+    expect(refusal(() => burst(emitter, 1, { pattern })).code).toBe('E_RANGE');
+    expect(() => restore(here, snapshot(there))).toThrow(/another world/);
+    here.forces.push(clothWind({ triangles: own.triangles }));
+    step(here, DT);
+    step(there, DT);
   });
 
   it('a user-defined component can be in several worlds', () => {

@@ -59,6 +59,7 @@ export const physicsLayers: readonly string[] = [
   'collision',
   'solver/rigid-table.ts',
   'solver/is-soft-step.ts',
+  'solver/refresh-parts.ts',
   'joints',
   'solver',
   'queries',

@@ -23,6 +23,8 @@ export async function servePage(entry: string | URL, { html = '' }: PageOptions 
   const { outputFiles } = await build({
     // The map lies beside the program: within it, every page would read ten megabytes more.
     ...bundleOptions({}),
+    // As on the site: a page reads what it needs and no more.
+    splitting: true,
     entryPoints: { main: entryPath },
     outdir: '/',
     write: false,

@@ -2,7 +2,7 @@
 import type { SceneRun } from '@principia/scenes';
 import { type Body, Box, Circle, Polygon, RevoluteJoint, Vec2, WeldJoint, World } from 'planck';
 import type { Peer } from '../peer.ts';
-import { type RigidBodyData, type RigidJointData, readRigidScene } from './rigid-scene.ts';
+import { halfSidesOfBox, type RigidBodyData, type RigidJointData, readRigidScene } from './rigid-scene.ts';
 
 /** Iterations of a step: the bench asks for about as much work as that of four sub-steps. */
 const VELOCITY_ITERATIONS = 8;
@@ -40,12 +40,8 @@ function addBody(world: World, { mass, inertia, shape, ...data }: RigidBodyData)
 
 function shapeOf({ kind, vertices, radius }: NonNullable<RigidBodyData['shape']>) {
   if (kind === 'circle') return new Circle(radius);
-  const [x, y] = [
-    Math.max(...vertices.filter((_, i) => i % 2 === 0)),
-    Math.max(...vertices.filter((_, i) => i % 2 === 1)),
-  ];
-  const isBox = vertices.length === 8 && vertices.every((v, i) => Math.abs(v) === (i % 2 === 0 ? x : y));
-  if (isBox) return new Box(x, y);
+  const half = halfSidesOfBox(vertices);
+  if (half !== undefined) return new Box(half.x, half.y);
   return new Polygon(
     Array.from({ length: vertices.length / 2 }, (_, i) => new Vec2(vertices[2 * i], vertices[2 * i + 1])),
   );

@@ -2,7 +2,7 @@
 import RAPIER from '@dimforge/rapier2d-compat';
 import type { SceneRun } from '@principia/scenes';
 import type { Peer } from '../peer.ts';
-import { type RigidBodyData, type RigidJointData, readRigidScene } from './rigid-scene.ts';
+import { halfSidesOfBox, type RigidBodyData, type RigidJointData, readRigidScene } from './rigid-scene.ts';
 
 /** Rapier's solver makes one sub-step of an iteration; its default is 4, as ours. */
 const SOLVER_ITERATIONS = 4;
@@ -43,11 +43,8 @@ function addBody(world: RAPIER.World, { mass, inertia, shape, ...data }: RigidBo
 
 function colliderOf({ kind, vertices, radius }: NonNullable<RigidBodyData['shape']>): RAPIER.ColliderDesc {
   if (kind === 'circle') return RAPIER.ColliderDesc.ball(radius);
-  const xs = vertices.filter((_, i) => i % 2 === 0);
-  const ys = vertices.filter((_, i) => i % 2 === 1);
-  const [x, y] = [Math.max(...xs), Math.max(...ys)];
-  if (vertices.length === 8 && xs.every((v) => Math.abs(v) === x) && ys.every((v) => Math.abs(v) === y))
-    return RAPIER.ColliderDesc.cuboid(x, y);
+  const half = halfSidesOfBox(vertices);
+  if (half !== undefined) return RAPIER.ColliderDesc.cuboid(half.x, half.y);
   return RAPIER.ColliderDesc.convexHull(Float32Array.from(vertices)) as RAPIER.ColliderDesc;
 }
 

@@ -112,3 +112,11 @@ function jointData(
     speed: Joint.motorSpeed[row],
   };
 }
+
+/** Half the width and the height of a box about its centre; undefined if the vertices are no such box. */
+export function halfSidesOfBox(vertices: readonly number[]): { readonly x: number; readonly y: number } | undefined {
+  const half = (axis: number) => Math.max(...vertices.filter((_, i) => i % 2 === axis));
+  const [x, y] = [half(0), half(1)];
+  const isBox = vertices.length === 8 && vertices.every((v, i) => Math.abs(v) === (i % 2 === 0 ? x : y));
+  return isBox ? { x, y } : undefined;
+}

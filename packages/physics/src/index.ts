@@ -2,7 +2,7 @@
 
 export type { ShapeInput } from './bodies/collider-shape.ts';
 export { applyImpulse, type ExplosionOptions, explode } from './bodies/impulse.ts';
-export { ballInertia, ballMass, discInertia, discMass } from './bodies/inertia.ts';
+export { ballInertia, ballMass, boxInertia, cylinderInertia, discInertia, discMass } from './bodies/inertia.ts';
 export type { Many, ManyInput } from './bodies/many.ts';
 export { bodyOf, partsOf } from './bodies/parts.ts';
 export { setShape } from './bodies/set-shape.ts';
@@ -34,6 +34,7 @@ export {
 export { MAX_POSITION } from './components/position.ts';
 export { MAX_ANGULAR_SPEED } from './components/rotation.ts';
 export { MAX_SPEED } from './components/velocity.ts';
+export { type BodyBoxes, bodyBoxes } from './debug/body-boxes.ts';
 export { type ContactPoints, contactPoints } from './debug/contact-points.ts';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy.ts';
 export { stateHash } from './diagnostics/hash.ts';
@@ -105,11 +106,12 @@ export type { Region, Restrictions } from './forces/support/restrictions.ts';
 export { STANDARD_GRAVITY } from './forces/support/standard-gravity.ts';
 export { type GustOptions, gusts, type Wind } from './forces/support/wind.ts';
 export { type ThrustOptions, thrust } from './forces/thrust.ts';
-export { angularDrag, constantTorque } from './forces/torque.ts';
+export { angularDrag, type ConstantTorqueOptions, constantTorque } from './forces/torque.ts';
 export { type TurbulenceOptions, turbulentDrag } from './forces/turbulent-drag.ts';
 export { uniformGravity } from './forces/uniform-gravity.ts';
 export { type UniformSphereOptions, uniformSphereGravity } from './forces/uniform-sphere-gravity.ts';
 export { type VortexOptions, vortex } from './forces/vortex.ts';
+export { type WingDeflection, type WingOptions, wing } from './forces/wing.ts';
 export { type YukawaOptions, yukawa } from './forces/yukawa.ts';
 export { type BorisOptions, boris } from './integrators/boris.ts';
 export {
@@ -163,6 +165,7 @@ export { type CustomForce, defineForce } from './laws/force.ts';
 export { formulasOf } from './laws/formula.ts';
 export type { LawOptions } from './laws/law.ts';
 export { axialVector, axialVectorOverTime, scalar, vector, vectorOverTime } from './laws/parameter.ts';
+export { type CurvePoints, piecewiseLinear } from './laws/piecewise-linear.ts';
 export type { Kick, SchemeFunction, SchemeResult, SchemeState } from './laws/scheme.ts';
 export { type TableLocation, table } from './laws/table.ts';
 export type { VectorOverTime } from './laws/time-vector.ts';

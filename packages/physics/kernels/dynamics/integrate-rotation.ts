@@ -1,35 +1,38 @@
-// Rotation of bodies by semi-implicit (symplectic) Euler: omega += torque/I dt, then the angle with the new omega.
+// Rotation of bodies with one moment of inertia by semi-implicit (symplectic) Euler: omega += torque/I dt, then the angle
+// with the new omega. Bodies with an inertia tensor are left to kernels/rotation.
 import { columns } from '../memory/columns';
 import { at } from '../memory/lanes';
+import { hasTensor } from './has-tensor';
 
-// omega += torque/I dt about one axis, for rows with inertia and the component bit of AngularVelocity.
-export function kickSpinAxis(
-  omega: usize,
-  torque: usize,
-  inertia: usize,
-  members: usize,
-  bit: u32,
-  dt: real,
-  first: i32,
-  last: i32,
-): void {
+// omega += torque/I dt about one axis, for rows with inertia and AngularVelocity.
+export function kickSpinAxis(omega: usize, torque: usize, skipsTensors: bool, dt: real, first: i32, last: i32): void {
+  const c = columns();
+  const inertia = c.inertia;
+  const members = c.members;
+  const bit = c.angularVelocityBit;
   for (let row = first; row < last; row++) {
     const o = at(row);
     const i = load<real>(inertia + o);
     if (!(i > 0) || (load<u32>(members + ((<usize>row) << 2)) & bit) == 0) continue;
+    if (skipsTensors && hasTensor(row)) continue;
     store<real>(omega + o, load<real>(omega + o) + (load<real>(torque + o) / i) * dt);
   }
 }
 
 // 3D: q += dt/2 (omega) q, renormalised; a row with a zero quaternion and no angular velocity stays unchanged. Source:
 // Kuipers, Quaternions and Rotation Sequences, section 11.4 (first order in dt; the norm is restored each step).
-export function rotateQuaternion(qx: usize, qy: usize, qz: usize, qw: usize, dt: real, first: i32, last: i32): void {
+export function rotateQuaternion(dt: real, skipsTensors: bool, first: i32, last: i32): void {
   const c = columns();
+  const qx = c.orientationX;
+  const qy = c.orientationY;
+  const qz = c.orientationZ;
+  const qw = c.orientationW;
   const wx = c.angularVelocityX;
   const wy = c.angularVelocityY;
   const wz = c.angularVelocityZ;
   const half = <real>0.5 * dt;
   for (let row = first; row < last; row++) {
+    if (skipsTensors && hasTensor(row)) continue;
     const o = at(row);
     const ax = load<real>(wx + o) * half;
     const ay = load<real>(wy + o) * half;

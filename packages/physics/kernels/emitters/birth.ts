@@ -3,6 +3,7 @@ import { columns, put } from '../memory/columns';
 import { computeSineCosine, sineCosine } from '../math/elementary';
 import { randomUnit } from '../math/random';
 import { applyAppearance } from './appearance';
+import { rotate, rotated } from './turn';
 import { NONE, link, nextGeneration, takeSlot } from './pool';
 import { Emitter, putWord, word } from './record';
 
@@ -55,7 +56,7 @@ function aim3d(e: Emitter): void {
 }
 
 // Creates a particle that left (x, y, z) `age` seconds ago and has moved since at its initial velocity, to which (vx,
-// vy, vz) is added. Every particle draws the same count of random numbers in 2D and 3D, even if it is dead at birth,
+// vy, vz) is added; newborns.ts adds what forces did since. Every particle draws the same count of random numbers in 2D and 3D, even if it is dead at birth,
 // so that the step's length does not change the next particle. A `given` velocity, three f64 times `scale`, replaces
 // the drawn velocity.
 export function createParticle(
@@ -86,12 +87,19 @@ export function createParticle(
     directionY *= speed;
     directionZ *= speed;
   }
-  const ux = directionX + e.scatterX * drawBetween(e, -1, 1) + vx;
-  const uy = directionY + e.scatterY * drawBetween(e, -1, 1) + vy;
-  const uz = directionZ + e.scatterZ * drawBetween(e, -1, 1) + vz;
-  const px = x + e.areaX * drawBetween(e, -1, 1) + ux * age;
-  const py = y + e.areaY * drawBetween(e, -1, 1) + uy * age;
-  const pz = z + e.areaZ * drawBetween(e, -1, 1) + uz * age;
+  rotate(
+    e,
+    directionX + e.scatterX * drawBetween(e, -1, 1),
+    directionY + e.scatterY * drawBetween(e, -1, 1),
+    directionZ + e.scatterZ * drawBetween(e, -1, 1),
+  );
+  const ux = rotated.x + vx;
+  const uy = rotated.y + vy;
+  const uz = rotated.z + vz;
+  rotate(e, e.areaX * drawBetween(e, -1, 1), e.areaY * drawBetween(e, -1, 1), e.areaZ * drawBetween(e, -1, 1));
+  const px = x + rotated.x + ux * age;
+  const py = y + rotated.y + uy * age;
+  const pz = z + rotated.z + uz * age;
   e.born += 1;
   if (age >= lifetime) {
     e.ended += 1;
@@ -117,6 +125,7 @@ export function createParticle(
   putWord(e.ramp, slot, chosen);
   nextGeneration(e, slot);
   link(e, slot);
+  e.newborns++;
   applyAppearance(e, slot, row, age / lifetime);
   e.changed = 1;
 }

@@ -44,6 +44,13 @@ export class Emitter {
   dimensions: i32;
   recyclesOldest: i32;
   emits: i32;
+  // 1 if directions and spreads are in the frame of the body that the emitter follows.
+  turns: i32;
+  // Number of births in this step; the next particle of `nextNewborns`, the number left, and the end of the rows found.
+  newborns: i32;
+  cursor: u32;
+  remaining: i32;
+  newbornEnd: i32;
   rampCount: i32;
   sizeStops: i32;
   changed: i32;
@@ -135,6 +142,18 @@ export class Emitter {
   velocityX: f64;
   velocityY: f64;
   velocityZ: f64;
+  // Place of births in the frame of the body, and the body's rotation now and at the last step, as unit quaternions.
+  offsetX: f64;
+  offsetY: f64;
+  offsetZ: f64;
+  turnX: f64;
+  turnY: f64;
+  turnZ: f64;
+  turnW: f64;
+  lastTurnX: f64;
+  lastTurnY: f64;
+  lastTurnZ: f64;
+  lastTurnW: f64;
   born: f64;
   ended: f64;
   droppedCount: f64;

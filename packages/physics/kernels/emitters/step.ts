@@ -5,6 +5,7 @@
 import { createParticle } from './birth';
 import { writeColor, writeSize } from './appearance';
 import { end } from './pool';
+import { turnTo } from './turn';
 import { Burst, Emitter, word } from './record';
 
 export function stepEmitter(emitter: usize, dt: f64): void {
@@ -12,6 +13,7 @@ export function stepEmitter(emitter: usize, dt: f64): void {
   e.clock += e.pending;
   e.endedThisStep = 0;
   e.changed = 0;
+  e.newborns = 0;
   ageParticles(e);
   if (e.emits != 0) emitStream(e);
   emitBursts(e);
@@ -75,6 +77,7 @@ function emitStream(e: Emitter): void {
   for (let born: i32 = 1, lastBirth = <i32>(count - skipped); born <= lastBirth; born++) {
     const sinceStart = (skipped + <f64>born - e.fractionalBirths) / e.rate;
     const t = sinceStart / e.pending;
+    turnTo(e, t);
     createParticle(
       e,
       e.lastX + (e.x - e.lastX) * t,
@@ -91,6 +94,7 @@ function emitStream(e: Emitter): void {
 }
 
 function emitBursts(e: Emitter): void {
+  turnTo(e, 1);
   for (let b: i32 = 0; b < e.burstCount; b++) {
     const request = changetype<Burst>(e.bursts + <usize>b * offsetof<Burst>());
     const placed = request.placed != 0;

@@ -12,13 +12,17 @@ export class Limits {
   by: f64;
   bz: f64;
   kind: i32;
+  // Bits of the required components in each of the two words of membership, and the column of the second.
   group: u32;
+  moreGroup: u32;
+  moreMembers: usize;
 }
 
 // @ts-ignore: decorator
 @inline function isInside(l: Limits, row: i32): bool {
   const c = columns();
   if ((load<u32>(c.members + ((<usize>row) << 2)) & l.group) != l.group) return false;
+  if ((load<u32>(l.moreMembers + ((<usize>row) << 2)) & l.moreGroup) != l.moreGroup) return false;
   if (l.kind == 0) return true;
   const x = <f64>get(c.positionX, row);
   const y = <f64>get(c.positionY, row);

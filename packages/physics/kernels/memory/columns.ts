@@ -30,6 +30,17 @@ export class Columns {
   shape: usize;
   shapes: usize;
   shapeCount: i32;
+  orientationX: usize;
+  orientationY: usize;
+  orientationZ: usize;
+  orientationW: usize;
+  inertiaTensorX: usize;
+  inertiaTensorY: usize;
+  inertiaTensorZ: usize;
+  // The bits of the components that a body with a rotating inertia tensor has.
+  tensorBits: u32;
+  // Bytes of a real number: 4 or 8, for kernels that are compiled for both precisions at once.
+  realBytes: i32;
 }
 
 // @ts-ignore: decorator

@@ -73,6 +73,7 @@ function sliceOf(t: ContactTable, i: i32, dt: real, inverseDt: real, lag: real):
   put(t.nx, i, approach.nx);
   put(t.ny, i, approach.ny);
   put(t.nz, i, approach.nz);
+  put(t.speed, i, speedBeforeStep(dt));
   const reach = a.radius + b.radius;
   if (!(approach.distance < reach)) return -1;
   const timeSinceImpact = timeSinceRoundImpact(
@@ -90,6 +91,15 @@ function sliceOf(t: ContactTable, i: i32, dt: real, inverseDt: real, lag: real):
   );
   if (timeSinceImpact >= 0) return max<i32>(0, SLICES - 1 - <i32>(timeSinceImpact * inverseDt * <real>SLICES));
   return approach.vx * approach.nx + approach.vy * approach.ny + approach.vz * approach.nz < 0 ? 0 : -1;
+}
+
+// Returns the speed of approach along the normal when the step began.
+// @ts-ignore: decorator
+@inline function speedBeforeStep(dt: real): real {
+  const x = approach.vx - approach.ax * dt;
+  const y = approach.vy - approach.ay * dt;
+  const z = approach.vz - approach.az * dt;
+  return -(x * approach.nx + y * approach.ny + z * approach.nz);
 }
 
 // Solves the impact of contact i if there is one, and marks its bodies with the number of this `pass`. Returns 1 if the
@@ -150,6 +160,8 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, pass:
   put(t.nx, i, x);
   put(t.ny, i, y);
   put(t.nz, i, z);
+  // Of several impacts in a step the fastest is reported.
+  put(t.speed, i, (flags & COLLIDED) == 0 ? speed : max<real>(speed, get(t.speed, i)));
   put(t.impulse, i, get(t.impulse, i) + impulse);
   putWord(t.flags, i, flags | COLLIDED);
   if (wa > 0) putWord(t.rowWords, word(t.slotA, i), pass);

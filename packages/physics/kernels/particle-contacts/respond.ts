@@ -50,6 +50,7 @@ function compactContacts(t: ContactTable): void {
     put(t.nx, kept, nx);
     put(t.ny, kept, ny);
     put(t.nz, kept, nz);
+    put(t.speed, kept, get(t.speed, i));
     put(t.impulse, kept, impulse);
     put(t.accumulatedImpulse, kept, get(t.accumulatedImpulse, i));
     const arm = a.radius - <real>0.5 * overlap;
@@ -72,6 +73,7 @@ function compactWallContacts(t: ContactTable): void {
     put(t.wallNx, kept, get(t.wallNx, k));
     put(t.wallNy, kept, get(t.wallNy, k));
     put(t.wallNz, kept, get(t.wallNz, k));
+    put(t.wallSpeed, kept, get(t.wallSpeed, k));
     put(t.wallImpulse, kept, impulse);
     kept++;
   }

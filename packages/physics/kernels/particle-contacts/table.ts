@@ -6,8 +6,9 @@ import { columns } from '../memory/columns';
 export class ContactTable {
   // Length of the last step, s.
   previousDt: f64;
-  // Contacts between bodies: ids a < b, unit normal from a to b, normal impulse of this step (N s), the part of it from
-  // resting contact, which warm starts the next step, and the friction state (FRICTION_STATE_SIZE bytes).
+  // Contacts between bodies: ids a < b, unit normal from a to b, speed of approach along it (m/s), normal impulse of this
+  // step (N s), the part of it from resting contact, which warm starts the next step, and the friction state
+  // (FRICTION_STATE_SIZE bytes).
   capacity: i32;
   count: i32;
   // Count of candidates dropped because a limit was reached.
@@ -17,6 +18,7 @@ export class ContactTable {
   nx: usize;
   ny: usize;
   nz: usize;
+  speed: usize;
   impulse: usize;
   accumulatedImpulse: usize;
   frictionState: usize;
@@ -35,8 +37,8 @@ export class ContactTable {
   x: usize;
   y: usize;
   z: usize;
-  // Wall contacts: body, wall (0 for a box), normal out of the wall, impulse, the part of it from resting contact, and
-  // the gap to a wall that is near but was not touched, replaced later by the allowed approach speed.
+  // Wall contacts: body, wall (0 for a box), normal out of the wall, speed of approach along it, impulse, the part of it
+  // from resting contact, and the gap to a wall that is near but was not touched, replaced later by the allowed approach speed.
   wallCapacity: i32;
   wallCount: i32;
   wallDroppedCount: u32;
@@ -45,6 +47,7 @@ export class ContactTable {
   wallNx: usize;
   wallNy: usize;
   wallNz: usize;
+  wallSpeed: usize;
   wallImpulse: usize;
   wallAccumulatedImpulse: usize;
   wallGap: usize;

@@ -13,7 +13,10 @@ export interface ShapeInput {
    * has. Default a disc or ball of `radius`.
    */
   readonly shape?: Shape | number;
-  /** Mass by area, kg/m² (in 3D by volume, kg/m³), from which mass and inertia follow unless they are given. */
+  /**
+   * Mass by area, kg/m² (in 3D by volume, kg/m³), from which mass and inertia follow unless they are given. Default
+   * none: a body without mass is not moved.
+   */
   readonly density?: number;
 }
 

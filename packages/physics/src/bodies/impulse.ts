@@ -7,6 +7,7 @@
 // An impulse is the limit of a large force for a short time: Goldstein, Classical Mechanics, section 1.1. The law of
 // the explosion is a game model, not the blast wave of Sedov (1946).
 
+import { rotationKernels } from '../dynamics/rotation-kernels.ts';
 import { assertBody } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { isOpen } from '../ecs/rows.ts';
@@ -17,7 +18,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 
 /**
  * Applies an impulse through the centre of mass of a body or at a point, which also changes the spin of a body with
- * Inertia and AngularVelocity. A body without mass is not moved.
+ * Inertia or an InertiaTensor, and AngularVelocity. A body without mass is not moved.
  * @param impulse N s
  * @param point point of application, m, in world coordinates
  * @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
@@ -33,13 +34,18 @@ export function applyImpulse(world: PhysicsWorld, eid: number, impulse: VectorIn
   v.x[eid] += j.x / mass;
   v.y[eid] += j.y / mass;
   if (solid) v.z[eid] += j.z / mass;
-  const inertia = Inertia.value[eid];
-  if (p === undefined || !(inertia > 0) || !isOpen(world, eid, 'AngularVelocity')) return;
+  if (p === undefined || !isOpen(world, eid, 'AngularVelocity')) return;
   const x = p.x - Position.x[eid];
   const y = p.y - Position.y[eid];
+  const z = solid ? p.z - Position.z[eid] : 0;
+  if (solid && isOpen(world, eid, 'InertiaTensor') && isOpen(world, eid, 'Orientation')) {
+    rotationKernels(world).kickTensor(eid, y * j.z - z * j.y, z * j.x - x * j.z, x * j.y - y * j.x);
+    return;
+  }
+  const inertia = Inertia.value[eid];
+  if (!(inertia > 0)) return;
   w.z[eid] += (x * j.y - y * j.x) / inertia;
   if (!solid) return;
-  const z = p.z - Position.z[eid];
   w.x[eid] += (y * j.z - z * j.y) / inertia;
   w.y[eid] += (z * j.x - x * j.z) / inertia;
 }

@@ -2,6 +2,7 @@
 import { COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import type { WorldView } from '../ecs/body-references.ts';
+import { assertBelongs } from '../ecs/id-lists.ts';
 import { checkField, completeValues, fieldName, initialValues } from '../ecs/values.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, isWithin, mustBe } from '../errors/validate.ts';
@@ -80,6 +81,7 @@ function checkColumn(space: WorldView, name: string, spec: FieldSpec, many: unkn
   if (many.length !== count) {
     throw new PhysicsError('E_RANGE', `${name} has ${many.length} values for ${count} bodies.`, { field: name });
   }
+  if (spec.generationField !== undefined) assertBelongs(space, many, name);
   // The full check, which formats names, runs only for values that need it.
   const special = spec.generationField !== undefined || (spec.spatial === true && space.dimensions === 2);
   const checked = new Float64Array(count);

@@ -11,13 +11,11 @@ import {
   isBody,
   momentum,
   overlapShape,
-  type PhysicsWorldOptions,
   partsOf,
   polygon,
   rayCast,
   restore,
   revolute,
-  rigidBodies,
   segment,
   snapshot,
   softStep,
@@ -25,20 +23,9 @@ import {
   spawnCompound,
   stateHash,
   step,
-  uniformGravity,
 } from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
-
-const G = 9.80665;
-const DT = 1 / 60;
-
-function rigidWorld(options: PhysicsWorldOptions = {}) {
-  return createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 200, ...options });
-}
-
-function run(world: ReturnType<typeof rigidWorld>, seconds: number) {
-  for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
-}
+import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 const refused = (code: string) => expect.objectContaining({ code });
 
@@ -319,6 +306,8 @@ test('a part of a part, an incomplete part and a joint to a part refuse the step
   despawn(world, blank);
   const post = spawn(world, { position: { y: 3 } });
   const joint = createJoint(world, revolute({ a: post, b: parts[0], anchor: { y: 3 } }));
+  // createJoint takes the body instead.
+  world.components.Joint.b[joint] = parts[0];
   expect(() => step(world, DT)).toThrow(/joins 2, which is a part/);
   despawn(world, joint);
   step(world, DT);

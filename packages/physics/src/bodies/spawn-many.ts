@@ -1,14 +1,16 @@
 // Creates many bodies at once. bitECS takes 0.8 µs and 200 bytes for an entity alone and calls three observers for
 // three components, which doubles that; here a body costs one `addEntity` and, for all its components together, one
-// write of its membership mask and one small set. This uses bitECS's internal tables (public by its `$internal` symbol;
+// write of its membership masks and one small set. This uses bitECS's internal tables (public by its `$internal` symbol;
 // its version is pinned); a test compares the result with that of adding component by component.
 import { addEntity, type ComponentRef, type Query, type WorldContext } from 'bitecs';
 import { storeShape } from '../collision/shapes/2d/shape.ts';
-import { bitOf, type ComponentName } from '../components/all.ts';
-import { contextOf, queriesOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import type { ComponentName } from '../components/all.ts';
+import { bitsOf } from '../components/membership.ts';
+import { contextOf, maskChanges, queriesOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { ComponentSet } from '../ecs/component-set.ts';
 import { capacityError, ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
+import { belongsTo } from '../ecs/id-lists.ts';
 import { countPartialEntities } from '../ecs/partial-entities.ts';
 import { cleanRow } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -54,11 +56,7 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
     undoSpawn(world, ids);
     throw error;
   }
-  return ids;
-}
-
-function bitsOf(components: readonly ComponentValues[]): number {
-  return components.reduce((bits, { name }) => bits | bitOf(name), 0);
+  return belongsTo(world, ids);
 }
 
 function createEntities(
@@ -69,16 +67,16 @@ function createEntities(
 ): void {
   const count = ids.length;
   const context = contextOf(world);
-  const bits = bitsOf(components);
-  // Our components are the first that bitECS registers, so its bits for them are equal to ours.
-  const masks = context.entityMasks[0];
+  const names = components.map(({ name }) => name);
+  const bits = bitsOf(names);
+  const changes = maskChanges(world, names);
   const used = world.lastId;
   for (let i = 0; i < count; i++) {
     const eid = addEntity(world);
     ids[i] = eid;
     if (eid > world.capacity) throw capacityError(world, count);
     if (eid <= used) cleanRow(world, eid);
-    masks[eid] |= bits;
+    for (let m = 0; m < changes.length; m++) changes[m].masks[eid] |= changes[m].bits;
     context.entityComponents.set(eid, new ComponentSet(world, bits) as unknown as Set<ComponentRef>);
     const created = i + 1;
     if (progress !== undefined && (created % CHUNK === 0 || created === count)) {
@@ -194,14 +192,15 @@ function writeColumn(column: Float64Array, values: Column, ids: Uint32Array): vo
 
 function finish(world: PhysicsWorld, components: readonly ComponentValues[], ids: Uint32Array): void {
   const { internal, versions } = world;
-  const bits = bitsOf(components);
+  const { first, second } = bitsOf(components.map(({ name }) => name));
   for (const { name } of components) internal.counts[name] += ids.length;
   for (let i = 0; i < ids.length; i++) {
     const eid = ids[i];
-    internal.members[eid] |= bits;
-    if (bits !== 0 && eid > world.lastId) world.internal.lastId = eid;
+    internal.members[eid] |= first;
+    internal.moreMembers[eid] |= second;
+    if (components.length > 0 && eid > world.lastId) world.internal.lastId = eid;
   }
-  countPartialEntities(world, 0, bits, ids.length);
+  countPartialEntities(world, 0, first, ids.length);
   versions.membership++;
   versions.style++;
   versions.pose++;

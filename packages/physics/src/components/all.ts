@@ -8,6 +8,7 @@ import { AngularDrag, LinearDrag, QuadraticDrag } from './drag.ts';
 import { GravityScale } from './gravity-scale.ts';
 import { Hull } from './hull.ts';
 import { Inertia } from './inertia.ts';
+import { InertiaTensor } from './inertia-tensor.ts';
 import { Joint } from './joint.ts';
 import { Kinematic } from './kinematic.ts';
 import { Lift } from './lift.ts';
@@ -23,7 +24,7 @@ import { TestParticle } from './test-particle.ts';
 import { Velocity } from './velocity.ts';
 import { PlaneWall, SegmentWall } from './wall.ts';
 
-/** Every component of a world, in the order of its membership bits. At most 31, as in one mask of bitECS. */
+/** Every component of a world, in the order of its membership bits (membership.ts). */
 export const COMPONENTS = {
   Position,
   Velocity,
@@ -55,6 +56,7 @@ export const COMPONENTS = {
   GravityScale,
   MotionLocks,
   NeverSleep,
+  InertiaTensor,
 } as const;
 
 export type ComponentName = keyof typeof COMPONENTS;
@@ -72,14 +74,4 @@ export const COMPONENT_NAMES = Object.keys(COMPONENTS) as ComponentName[];
 /** Returns a component's name as in `spawn(world, { … })` and in messages: `position` for Position. */
 export function keyOf(name: ComponentName): string {
   return name[0].toLowerCase() + name.slice(1);
-}
-
-const BITS = Object.fromEntries(COMPONENT_NAMES.map((name, at) => [name, (1 << at) >>> 0])) as Record<
-  ComponentName,
-  number
->;
-
-/** Returns the membership bit of a component. */
-export function bitOf(name: ComponentName): number {
-  return BITS[name];
 }

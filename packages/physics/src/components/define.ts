@@ -13,25 +13,26 @@ export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
   readonly initial: number;
   /** The bounds of a value given through the API. */
   readonly bounds: Bounds;
-  /** The hint of the error for an invalid value. */
+  /** The hint of the error for an invalid value. Default none. */
   readonly hint?: string | undefined;
   /** The number that represents infinity; by default infinity is invalid. */
   readonly infinite?: number | undefined;
-  /** Whether the field must be 0 in 2D. */
+  /** Whether the field must be 0 in 2D. Default false. */
   readonly spatial?: boolean | undefined;
-  /** Whether it is 0 or 1, given as a boolean too. */
+  /** Whether it is 0 or 1, given as a boolean too. Default false. */
   readonly isFlag?: boolean | undefined;
-  /** For the id of a body: the name of the field with the generation of that body. */
+  /** For the id of a body: the name of the field with the generation of that body. Default none: it is no reference. */
   readonly generationField?: string | undefined;
 }
 
 /** A component: its fields, and the field set by a plain number. `COMPONENTS` names it. */
 export interface ComponentSpec<Fields extends Record<string, FieldSpec> = Record<string, FieldSpec>> {
   readonly fields: Fields;
+  /** The field that a plain number sets. Default none. */
   readonly scalar?: (keyof Fields & string) | undefined;
-  /** Whether its values affect the appearance of a body, not only its pose. */
+  /** Whether its values affect the appearance of a body, not only its pose. Default false. */
   readonly visual?: boolean | undefined;
-  /** Validates all values together after each was validated; may normalise them in place. */
+  /** Validates all values together after each was validated; may normalise them in place. Default none. */
   readonly complete?: ((values: Record<string, number>, entity: number | undefined) => void) | undefined;
 }
 

@@ -1,13 +1,13 @@
 // The contact points of rigid bodies as lists, for pictures and logs: copying them costs some 50 ns each.
 
 import { rigidKernels } from '../collision/kernels.ts';
-import { mustBe } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { CONTACT_VIEW_BYTES } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { checkLists } from './check-lists.ts';
 
 /** Points at which rigid bodies touch or nearly touch; entry i of each list is valid for i < `count`. */
 export interface ContactPoints {
@@ -46,7 +46,8 @@ const viewOf = resource((world) => {
  */
 export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyList()): ContactPoints {
   const table = rigidTable(world).at;
-  checkList(into);
+  const lists = [into?.a, into?.b, into?.x, into?.y, into?.nx, into?.ny, into?.separation, into?.impulse];
+  checkLists(into, lists, 'contactPoints');
   const { at, ids, reals } = viewOf(world);
   const kernels = rigidKernels(world);
   let count = 0;
@@ -63,22 +64,6 @@ export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyLi
   }
   into.count = count;
   return into;
-}
-
-/** @throws PhysicsError E_TYPE unless a call without a list has made it */
-function checkList(into: ContactPoints): void {
-  const lists: readonly unknown[] = [
-    into?.a,
-    into?.b,
-    into?.x,
-    into?.y,
-    into?.nx,
-    into?.ny,
-    into?.separation,
-    into?.impulse,
-  ];
-  if (!lists.every(Array.isArray) || Object.isFrozen(into))
-    throw mustBe('a list made by contactPoints', into, 'contactPoints: into');
 }
 
 function emptyList(): ContactPoints {

@@ -34,6 +34,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, ignoredEvents: r
     });
   }
   warnAboutUnreadComponents(world);
+  warnAboutInertiaTensors(world);
   warnAboutRepeatedForces(world);
 }
 
@@ -76,6 +77,15 @@ function warnAboutUnreadComponents(world: PhysicsWorld): void {
       hint: `Add ${factory} to \`forces\`.`,
     });
   }
+}
+
+function warnAboutInertiaTensors(world: PhysicsWorld): void {
+  const { InertiaTensor, Orientation, AngularVelocity } = world.internal.counts;
+  if (InertiaTensor <= Math.min(Orientation, AngularVelocity)) return;
+  warnOnce(world, {
+    message: 'some bodies have an InertiaTensor and do not rotate, because they lack Orientation or AngularVelocity.',
+    hint: 'Spawn them with `orientation: {}` and `angularVelocity: {}` as well.',
+  });
 }
 
 function warnAboutRepeatedForces(world: PhysicsWorld): void {

@@ -1,3 +1,4 @@
+import { rotationKernels } from '../dynamics/rotation-kernels.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkVector, isRecord, mustBe, type Vector, type VectorInput } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
@@ -40,9 +41,14 @@ function kineticEnergy(world: PhysicsWorld): number {
   for (let a = 0; a < 3; a++) {
     const axis = AXES[3][a];
     sum += kernels.kineticAxis(Mass.value, Velocity[axis], 0, rows);
-    sum += kernels.kineticAxis(Inertia.value, AngularVelocity[axis], 0, rows);
+    if (!hasTensors(world)) sum += kernels.kineticAxis(Inertia.value, AngularVelocity[axis], 0, rows);
   }
-  return sum;
+  return hasTensors(world) ? sum + rotationKernels(world).spinEnergy(0, rows) : sum;
+}
+
+/** Bodies with an InertiaTensor take a slower sum, which other worlds are spared. */
+function hasTensors({ internal }: PhysicsWorld): boolean {
+  return internal.counts.InertiaTensor > 0;
 }
 
 /** Total momentum, kg m/s. @throws PhysicsError E_DESTROYED */
@@ -82,10 +88,13 @@ export function angularMomentum(world: PhysicsWorld, about: VectorInput = {}): V
   const { Inertia, AngularVelocity: w } = addresses;
   const { x, y, z } = checkVector(about, 'angularMomentum: about');
   const rows = world.lastId + 1;
-  const spin = (axis: 'x' | 'y' | 'z') => kernels.dotColumns(Inertia.value, w[axis], 0, rows);
+  const spin = (axis: 0 | 1 | 2) =>
+    hasTensors(world)
+      ? rotationKernels(world).spinMomentum(axis, 0, rows)
+      : kernels.dotColumns(Inertia.value, w[AXES[3][axis]], 0, rows);
   return {
-    x: kernels.angularMomentumAxis(0, y, z, 0, rows) + spin('x'),
-    y: kernels.angularMomentumAxis(1, z, x, 0, rows) + spin('y'),
-    z: kernels.angularMomentumAxis(2, x, y, 0, rows) + spin('z'),
+    x: kernels.angularMomentumAxis(0, y, z, 0, rows) + spin(0),
+    y: kernels.angularMomentumAxis(1, z, x, 0, rows) + spin(1),
+    z: kernels.angularMomentumAxis(2, x, y, 0, rows) + spin(2),
   };
 }

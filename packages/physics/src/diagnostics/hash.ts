@@ -1,8 +1,13 @@
 import { shapePool } from '../collision/shapes/shape-pool.ts';
-import { COMPONENT_NAMES, COMPONENTS } from '../components/all.ts';
+import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all.ts';
+import { isInFirstWord } from '../components/membership.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { SHAPE_BYTES } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+
+function usesSecondWord(counts: Readonly<Record<ComponentName, number>>): boolean {
+  return COMPONENT_NAMES.some((name) => !isInFirstWord(name) && counts[name] > 0);
+}
 
 /**
  * Returns a 64-bit hash of the world's state, which covers membership, every component column up to the highest
@@ -15,6 +20,7 @@ export function stateHash(world: PhysicsWorld): string {
   const rows = world.lastId + 1;
   kernels.hashBegin();
   kernels.hashWords(internal.membersAt, rows);
+  if (usesSecondWord(internal.counts)) kernels.hashWords(internal.moreMembersAt, rows);
   for (const name of COMPONENT_NAMES) {
     if (internal.counts[name] === 0) continue;
     for (const [field, spec] of Object.entries(COMPONENTS[name].fields)) {

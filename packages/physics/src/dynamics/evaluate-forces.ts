@@ -11,7 +11,7 @@ import { AXES } from '../memory/axes.ts';
 import { clearAxes } from '../memory/clear-axes.ts';
 import { resource } from '../memory/resource.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
-import type { EvaluateForces, PhysicsWorld, Ranges } from '../world/types.ts';
+import type { EvaluateForces, Force, PhysicsWorld, Ranges } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
 import { notesOf } from './notes.ts';
 import { ParameterBlock, type ParameterOwner, variantOf } from './parameter-block.ts';
@@ -21,7 +21,7 @@ import { WorldColumns } from './world-columns.ts';
 import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 
 /** Length of the step for which forces were last prepared, s. */
-const preparedFor = resource(() => ({ dt: 0 }));
+export const preparedFor = resource(() => ({ dt: 0 }));
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_DESTROYED */
 export const evaluateForces: EvaluateForces = (world, ranges, time) => {
@@ -39,23 +39,31 @@ export const evaluateForces: EvaluateForces = (world, ranges, time) => {
 
 /** Clears the columns and calls every force that is not a law. */
 function accumulateKernels(world: PhysicsWorld, ranges: Ranges, time: number): void {
-  const { force, torque } = world.scratch.at;
-  const hasTorque = anyForceAppliesTorque(world);
-  for (let r = 0; r < ranges.count; r++) {
-    const [first, last] = [ranges.bounds[2 * r], ranges.bounds[2 * r + 1]];
-    clearAxes(world, force, AXES[world.dimensions], first, last);
-    if (hasTorque) clearAxes(world, torque, AXES[3], first, last);
-  }
+  for (let r = 0; r < ranges.count; r++) clearForces(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
   for (const each of world.forces) {
     if (each.accumulate === undefined) continue;
-    try {
-      if (!each.local) each.accumulate(world, 0, world.internal.sweptRows, time);
-      else
-        for (let r = 0; r < ranges.count; r++)
-          each.accumulate(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1], time);
-    } catch (error) {
-      collectThrown(world, error);
-    }
+    if (!each.local) accumulateRows(world, each, 0, world.internal.sweptRows, time);
+    else
+      for (let r = 0; r < ranges.count; r++) {
+        if (!accumulateRows(world, each, ranges.bounds[2 * r], ranges.bounds[2 * r + 1], time)) break;
+      }
+  }
+}
+
+export function clearForces(world: PhysicsWorld, first: number, last: number): void {
+  const { force, torque } = world.scratch.at;
+  clearAxes(world, force, AXES[world.dimensions], first, last);
+  if (anyForceAppliesTorque(world)) clearAxes(world, torque, AXES[3], first, last);
+}
+
+/** Calls a force that is not a law, and returns whether it returned; what it throws is collected. */
+export function accumulateRows(world: PhysicsWorld, force: Force, first: number, last: number, time: number): boolean {
+  try {
+    force.accumulate?.(world, first, last, time);
+    return true;
+  } catch (error) {
+    collectThrown(world, error);
+    return false;
   }
 }
 

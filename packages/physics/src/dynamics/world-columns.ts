@@ -1,6 +1,5 @@
 // The columns and parameters of a world as leaves of a graph: binds the names used by laws to a world.
 
-import { bitOf } from '../components/all.ts';
 import { ownColumns } from '../ecs/own-components.ts';
 import { MOVABLE } from '../ecs/partial-entities.ts';
 import type { ColumnData } from '../laws/body-symbols.ts';
@@ -71,7 +70,7 @@ export class WorldColumns {
       },
       column: (component, field, kind) => this.#column(component, field, kind),
       // A world whose first body gets a GravityScale makes a new plan, and with it this code anew.
-      isAbsent: (bits) => bits === bitOf('GravityScale') && this.world.internal.counts.GravityScale === 0,
+      isAbsent: (name) => name === 'GravityScale' && this.world.internal.counts.GravityScale === 0,
       noise: (seed, channel) => graph.make('noise', [seed, this.load(block.tick)], channel),
     };
   }
@@ -98,9 +97,9 @@ export class WorldColumns {
   }
 }
 
-/** The component '' stands for the column of component bits. */
+/** The component '' stands for the columns of component bits. */
 function addressOf(world: PhysicsWorld, component: ColumnData['component'] | '', field: string): number {
-  if (component === '') return world.internal.membersAt;
+  if (component === '') return field === 'members' ? world.internal.membersAt : world.internal.moreMembersAt;
   if (typeof component !== 'string') return ownColumns(world, component).addresses[field];
   return (world.addresses[component] as Readonly<Record<string, number>>)[field];
 }

@@ -9,7 +9,7 @@ import {
   removeEntity,
   type WorldContext,
 } from 'bitecs';
-import { bitOf, COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
+import { COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -21,10 +21,27 @@ export function contextOf(world: PhysicsWorld): WorldContext {
 /** The component name and the world of each component object. */
 const owners = new WeakMap<object, { readonly world: PhysicsWorld; readonly name: ComponentName }>();
 
-/** The membership bit of a component of `world`; 0 for any other. */
-export function bitIn(world: PhysicsWorld, component: ComponentRef): number {
+/** The name of a component of `world`; undefined for any other. */
+export function nameIn(world: PhysicsWorld, component: ComponentRef): ComponentName | undefined {
   const owner = owners.get(component);
-  return owner?.world === world ? bitOf(owner.name) : 0;
+  return owner?.world === world ? owner.name : undefined;
+}
+
+/** Bits that bitECS sets in a column of masks, one mask an entity, when an entity gains components. */
+export interface MaskChange {
+  readonly masks: number[];
+  readonly bits: number;
+}
+
+/** What `addComponent` of all these components writes to bitECS's masks. */
+export function maskChanges(world: PhysicsWorld, names: readonly ComponentName[]): MaskChange[] {
+  const { componentMap, entityMasks } = contextOf(world);
+  const bits = new Map<number, number>();
+  for (const name of names) {
+    const data = componentMap.get(world.components[name]);
+    if (data !== undefined) bits.set(data.generationId, (bits.get(data.generationId) ?? 0) | data.bitflag);
+  }
+  return [...bits].map(([generation, all]) => ({ masks: entityMasks[generation], bits: all }));
 }
 
 /** Guards bitECS's tables of a new world, after our observers are registered and before any others. */

@@ -28,7 +28,7 @@ describe('the components of a body created in bulk', () => {
 it('behaves as a set of components', () => {
   const world = createPhysicsWorld({ capacity: 1 });
   const { components } = world;
-  const set = new ComponentSet(world, 0);
+  const set = new ComponentSet(world, { first: 0, second: 0 });
   const Other = {};
   expect([set.size, set.has(Other), set.delete(Other)]).toEqual([0, false, false]);
   set.add(Other).add(components.Mass).add(components.Mass).add(components.Quarantined);

@@ -1,5 +1,6 @@
 // Lists of the entities with a given component, for kernels that visit them one by one.
-import { bitOf, type ComponentName } from '../components/all.ts';
+import type { ComponentName } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { allocate } from '../memory/arena.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 

@@ -1,15 +1,17 @@
 import { entityExists } from 'bitecs';
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { describe, PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { isLeaving } from './bitecs-adapter.ts';
 import { assertUsable } from './guards.ts';
+import { isRowUsed } from './rows.ts';
 
 declare const reference: unique symbol;
 
 /**
  * A reference to a body that is never reused: entity ids are reused, references are not. It identifies one generation
- * of an id, from gaining Position to losing it. It is a plain number, safe to store and send.
+ * of an id, from gaining Position to losing it, and other worlds of the same program refuse it. It is a plain number, safe
+ * to store and send: programs that create their worlds in the same order have the same references.
  */
 export type EntityRef = number & { readonly [reference]: true };
 
@@ -25,6 +27,22 @@ export const MAX_CAPACITY = ID_SPAN - 1;
 const MAX_GENERATIONS = 2 ** 29;
 
 /**
+ * 2^29 divided by the golden ratio, and odd: multiples of it are as far apart, modulo 2^29, as so many numbers can be
+ * (Knuth, The Art of Computer Programming 3, section 6.4, theorem S).
+ */
+const GOLDEN = 331_804_471;
+
+let worldsCreated = 0;
+
+/**
+ * Returns where the generations in references of the next world begin. Two of a thousand worlds begin more than 200 000
+ * generations apart, so that a reference of one names nothing in another.
+ */
+export function nextFirstGeneration(): number {
+  return Math.imul(worldsCreated++, GOLDEN) & (MAX_GENERATIONS - 1);
+}
+
+/**
  * Returns the reference of a living body.
  * @throws PhysicsError E_STALE if there is no body with this id, E_DESTROYED
  */
@@ -34,7 +52,8 @@ export function entityRef(world: PhysicsWorld, eid: number): EntityRef {
 }
 
 function generationOf(world: PhysicsWorld, eid: number): number {
-  return world.internal.generations[eid] % MAX_GENERATIONS;
+  const { generations, firstGeneration } = world.internal;
+  return (firstGeneration + generations[eid]) % MAX_GENERATIONS;
 }
 
 /**
@@ -51,15 +70,20 @@ export function isAlive(world: PhysicsWorld, ref: EntityRef): boolean {
 
 /**
  * Returns the entity id of a reference.
- * @throws PhysicsError E_STALE if the body was removed, even if its id is in use again; E_DESTROYED
+ * @throws PhysicsError E_STALE if the body was removed, even if its id is in use again, or if the reference is one of
+ *   another world; E_DESTROYED
  */
 export function resolve(world: PhysicsWorld, ref: EntityRef): number {
   if (isAlive(world, ref)) return ref % ID_SPAN;
-  throw new PhysicsError('E_STALE', `the body of reference ${describe(ref)} was removed.`, {
-    entity: typeof ref === 'number' ? ref % ID_SPAN : undefined,
-    value: ref,
-    hint: 'Call `isAlive(world, ref)` before using a reference whose body may have been removed.',
-  });
+  throw new PhysicsError(
+    'E_STALE',
+    `${describe(ref)} refers to no body of this world: it was removed, or lives in another.`,
+    {
+      entity: typeof ref === 'number' ? ref % ID_SPAN : undefined,
+      value: ref,
+      hint: 'Call `isAlive(world, ref)` before using a reference whose body may have been removed.',
+    },
+  );
 }
 
 /** Returns whether `eid` is a body. @throws PhysicsError E_DESTROYED */
@@ -78,7 +102,7 @@ function isRow(world: PhysicsWorld, eid: number): boolean {
 
 /** Returns whether `eid` has any component of the engine: it may be a body, a wall or a spring. */
 export function hasAnyComponent(world: PhysicsWorld, eid: number): boolean {
-  return isRow(world, eid) && world.internal.members[eid] !== 0;
+  return isRow(world, eid) && isRowUsed(world, eid);
 }
 
 /**

@@ -4,7 +4,7 @@
 // correct as long as absent components have zero coefficients. Mass without Velocity, or Velocity without Position,
 // would make the step write to columns that the entity does not have. Such entities are counted as components are added
 // and removed, and while there are any, the step clears these columns; otherwise they cost nothing.
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { ANGLES, AXES } from '../memory/axes.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 

@@ -1,4 +1,4 @@
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import type { PhysicsWorld, Ranges } from '../world/types.ts';
 import { assertUsable } from './guards.ts';
 

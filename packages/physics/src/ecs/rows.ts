@@ -1,7 +1,8 @@
 // Rows of the columns: initialised when an entity gains a component, and zeroed when it loses it.
 import { removeComponent } from 'bitecs';
-import { bitOf, COMPONENTS, type ComponentName } from '../components/all.ts';
+import { COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
+import { bitInWord, isInFirstWord } from '../components/membership.ts';
 import { type Columns, copyPose } from '../memory/previous-pose.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { countPartialEntities } from './partial-entities.ts';
@@ -9,21 +10,32 @@ import { initialValues } from './values.ts';
 
 /** Returns whether the row of a component is in use. */
 export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): boolean {
-  return (world.internal.members[eid] & bitOf(name)) !== 0;
+  const { members, moreMembers } = world.internal;
+  return ((isInFirstWord(name) ? members : moreMembers)[eid] & bitInWord(name)) !== 0;
 }
 
-function changeBits(world: PhysicsWorld, eid: number, bits: number): void {
-  const { members } = world.internal;
-  countPartialEntities(world, members[eid], bits);
-  members[eid] = bits;
+/** Returns whether an entity has any component. */
+export function isRowUsed({ internal }: PhysicsWorld, eid: number): boolean {
+  return (internal.members[eid] | internal.moreMembers[eid]) !== 0;
+}
+
+function toggleBit(world: PhysicsWorld, eid: number, name: ComponentName): void {
+  const { members, moreMembers } = world.internal;
+  const bit = bitInWord(name);
+  if (isInFirstWord(name)) {
+    countPartialEntities(world, members[eid], members[eid] ^ bit);
+    members[eid] ^= bit;
+  } else {
+    moreMembers[eid] ^= bit;
+  }
 }
 
 /** Initialises a row with the initial values of the component. */
 export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
   if (isOpen(world, eid, name)) return;
   const { internal, versions } = world;
-  if (internal.members[eid] === 0) cleanRow(world, eid);
-  changeBits(world, eid, internal.members[eid] | bitOf(name));
+  if (!isRowUsed(world, eid)) cleanRow(world, eid);
+  toggleBit(world, eid, name);
   internal.counts[name]++;
   if (eid > world.lastId) world.internal.lastId = eid;
   versions.membership++;
@@ -72,13 +84,13 @@ export function teleport(world: PhysicsWorld, eid: number): void {
 export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName): void {
   if (!isOpen(world, eid, name)) return;
   const { internal, versions } = world;
-  changeBits(world, eid, (internal.members[eid] & ~bitOf(name)) >>> 0);
+  toggleBit(world, eid, name);
   internal.counts[name]--;
   const columns: Columns = world.components[name];
   for (const field of Object.keys(columns)) columns[field][eid] = 0;
   if (name in world.previous) teleport(world, eid);
   if (name === 'Position') internal.generations[eid]++;
-  if (internal.members[eid] === 0) {
+  if (!isRowUsed(world, eid)) {
     cleanRow(world, eid);
     if (eid === world.lastId) lowerLastId(world);
   }
@@ -87,6 +99,5 @@ export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName):
 }
 
 function lowerLastId(world: PhysicsWorld): void {
-  const { members } = world.internal;
-  while (world.lastId > 0 && members[world.lastId] === 0) world.internal.lastId--;
+  while (world.lastId > 0 && !isRowUsed(world, world.lastId)) world.internal.lastId--;
 }

@@ -1,12 +1,12 @@
 // The system of the `emit` phase.
 import { removeComponent } from 'bitecs';
-import { bitOf } from '../components/all.ts';
-import { MAX_POSITION } from '../components/position.ts';
-import { isAlive } from '../ecs/entity-ref.ts';
+import { bitOf } from '../components/membership.ts';
 import type { MemoryRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { followBody } from './follow.ts';
 import { emitterKernels } from './kernels.ts';
+import { advanceNewborns } from './newborns.ts';
 import { dropIncomplete } from './pool.ts';
 import { N, W } from './record.ts';
 import type { Emitter } from './types.ts';
@@ -31,34 +31,12 @@ export function emitParticles(world: PhysicsWorld, dt: number): void {
     computeVelocity(record);
     const born = record.numbers[N.born];
     emitterKernels(world).stepEmitter(record.at, dt);
+    advanceNewborns(world, record);
     if (record.words[W.changed] !== 0) world.versions.style++;
     // The previous pose of a new particle is its position of birth, which changes the previous-pose column.
     if (record.numbers[N.born] !== born) world.versions.pose++;
     if (world.internal.counts.Quarantined > 0) clearQuarantine(world, emitter);
   }
-}
-
-/** Moves the emitter to its body, now and at the last step; without the body it stops. */
-function followBody(world: PhysicsWorld, { internal }: Emitter, { words, numbers }: MemoryRecord): void {
-  if (internal.followed === undefined || !isAlive(world, internal.followed)) {
-    words[W.emits] = 0;
-    return;
-  }
-  const eid = internal.entity;
-  const { x, y, z } = world.components.Position;
-  // The state of this step is not validated yet, so a position that is not finite is ignored.
-  if (!isValidCoordinate(x[eid]) || !isValidCoordinate(y[eid]) || !isValidCoordinate(z[eid])) return;
-  const from = world.previous.Position;
-  numbers[N.x] = x[eid];
-  numbers[N.y] = y[eid];
-  numbers[N.z] = z[eid];
-  numbers[N.lastX] = from.x[eid];
-  numbers[N.lastY] = from.y[eid];
-  numbers[N.lastZ] = from.z[eid];
-}
-
-function isValidCoordinate(coordinate: number): boolean {
-  return Math.abs(coordinate) <= MAX_POSITION;
 }
 
 /** Computes the inherited velocity: the emitter's displacement since the last step over the time. */

@@ -21,6 +21,7 @@ import { emitParticles, emittersOf } from './emit.ts';
 import { emitterKernels } from './kernels.ts';
 import {
   type CheckedParameters,
+  checkFollows,
   checkOptionNames,
   checkParameters,
   type EmitterOptions,
@@ -52,6 +53,7 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
 function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   const capacity = checkWhole(options.capacity, 'capacity', 1, world.capacity);
   checkChoice(options.whenFull ?? 'skip', 'whenFull', ['skip', 'oldest']);
+  checkFollows(options);
   const parameters = markImmutable(parametersOf(options));
   const checked = checkParameters(world, parameters);
   const followed = options.entity === undefined ? undefined : entityRef(world, options.entity);
@@ -96,6 +98,9 @@ function initializeRecord(
   layOut(world, block, options.capacity);
   record.words[W.recyclesOldest] = options.whenFull === 'oldest' ? 1 : 0;
   record.words[W.emits] = 1;
+  record.words[W.turns] = options.frame === 'entity' ? 1 : 0;
+  record.numbers[N.turnW] = 1;
+  record.numbers[N.lastTurnW] = 1;
   record.numbers[N.radius] = options.collider?.radius ?? 0;
   const stream = emittersOf(world).made++;
   seedWords(record.words.subarray(W.random0, W.random0 + 4), world.seed, stream);
@@ -110,6 +115,7 @@ function initializeRecord(
 function writeParameters(world: PhysicsWorld, { at, words, numbers }: MemoryRecord, checked: CheckedParameters): void {
   const { ramps } = checked;
   numbers.set(checked.numbers, N.rate);
+  numbers.set(checked.offset, N.offsetX);
   words[W.sizeStops] = checked.numbers.length - (N.size0 - N.rate);
   words[W.rampCount] = ramps.length;
   ramps.forEach((ramp, r) => {
@@ -159,6 +165,7 @@ function checkRestored(emitter: Emitter): void {
 export function setEmitter(emitter: Emitter, changes: EmitterParameters): void {
   const record = recordOf(emitter);
   checkOptionNames(changes, 'setEmitter', true);
+  if (changes.offset !== undefined && emitter.internal.followed === undefined) checkFollows(changes);
   const parameters = markImmutable({ ...emitter.internal.parameters, ...parametersOf(changes) });
   const checked = checkParameters(emitter.world, parameters);
   emitter.internal.parameters = parameters;
@@ -188,11 +195,11 @@ export function moveEmitter(emitter: Emitter, position: VectorInput, jump = fals
 export interface BurstOptions {
   /** Position, m; default the position of the emitter. */
   readonly position?: VectorInput;
-  /** Added to each particle's velocity, m/s. */
+  /** Added to each particle's velocity, m/s. Default 0. */
   readonly velocity?: VectorInput;
   /** Index of the emitter's colour ramp; by default each particle draws a ramp. */
   readonly ramp?: number;
-  /** The velocities of its particles in turn, instead of the emitter's speed and direction. */
+  /** The velocities of its particles in turn, instead of the emitter's speed and direction. Default none. */
   readonly pattern?: BurstPattern | undefined;
   /** Factor of the pattern's velocities. Default 1. */
   readonly scale?: number;

@@ -1,6 +1,15 @@
 import { MAX_POSITION } from '../components/position.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
-import { checkKeys, checkNumber, checkVector, checkWhole, mustBe, type VectorInput } from '../errors/validate.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import {
+  checkChoice,
+  checkKeys,
+  checkNumber,
+  checkVector,
+  checkWhole,
+  mustBe,
+  type VectorInput,
+} from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { MAX_RAMPS, MAX_STOPS } from './record.ts';
 
@@ -25,11 +34,16 @@ export interface EmitterParameters {
   readonly positionSpread?: VectorInput;
   /** Half range of a uniform random velocity, per axis, m/s. Default none. */
   readonly velocitySpread?: VectorInput;
-  /** Fraction of the emitter's velocity that particles inherit. Default 0. */
+  /** From the followed body to the place of births, m, such as a nozzle; see `frame`. Default none. */
+  readonly offset?: VectorInput;
+  /** Fraction of the emitter's velocity that particles inherit; a nozzle also moves as its body turns. Default 0. */
   readonly inheritVelocity?: number;
   /** Mass of a particle, kg. Default 1. */
   readonly mass?: number;
-  /** Colour (see `rgba`), or a ramp of 2 to 4 colours over a particle's life, or up to 8 ramps to draw from. */
+  /**
+   * Colour (see `rgba`), or a ramp of 2 to 4 colours over a particle's life, or up to 8 ramps to draw from. Default 0:
+   * that of the layer.
+   */
   readonly color?: number | readonly number[] | readonly (readonly number[])[];
   /** Drawn radius, m, or a ramp of 2 to 4 radii over a life. Default 0: the radius of the collider. */
   readonly size?: number | readonly number[];
@@ -43,8 +57,14 @@ export interface EmitterOptions extends EmitterParameters {
   readonly capacity: number;
   /**
    * A body at whose position particles are born, instead of `position`; the emitter stops when the body is removed.
+   * Default none.
    */
   readonly entity?: number;
+  /**
+   * Frame of the direction, the offset, both spreads and the patterns of bursts: 'world' (default), or 'entity', which
+   * turns with the Rotation or Orientation of the followed body.
+   */
+  readonly frame?: 'world' | 'entity';
   /**
    * Behaviour when the pool is full: 'skip' (default) drops the birth and counts it as dropped, 'oldest' ends the
    * oldest particle.
@@ -55,10 +75,16 @@ export interface EmitterOptions extends EmitterParameters {
   /** Coefficient of quadratic drag, kg/m. Default none. */
   readonly quadraticDrag?: number;
   /** A round collider for living particles. Default none. */
-  readonly collider?: { readonly radius: number; readonly restitution?: number; readonly friction?: number };
+  readonly collider?: {
+    readonly radius: number;
+    /** Default 0. */
+    readonly restitution?: number;
+    /** Default 0. */
+    readonly friction?: number;
+  };
   /** Kind of shape to draw; 0, the default, is a disc or ball. */
   readonly shape?: number;
-  /** Record ended particles and their states for `endings`. */
+  /** Record ended particles and their states for `endings`. Default false. */
   readonly reportEndings?: boolean;
 }
 
@@ -71,6 +97,7 @@ const PARAMETERS = [
   'spread',
   'positionSpread',
   'velocitySpread',
+  'offset',
   'inheritVelocity',
   'mass',
   'color',
@@ -81,6 +108,7 @@ const PARAMETERS = [
 const FIXED = [
   'capacity',
   'entity',
+  'frame',
   'whenFull',
   'linearDrag',
   'quadraticDrag',
@@ -94,9 +122,26 @@ type Triple = readonly [x: number, y: number, z: number];
 /** The validated parameters in the layout of the record. */
 export interface CheckedParameters {
   readonly position: Triple;
+  readonly offset: Triple;
   /** All numbers from the rate on, in the record's order. */
   readonly numbers: readonly number[];
   readonly ramps: readonly (readonly number[])[];
+}
+
+/** Refuses an offset and a frame without a body. @throws PhysicsError E_TYPE, E_RANGE */
+export function checkFollows({ offset, frame = 'world', entity }: EmitterParameters & Partial<EmitterOptions>): void {
+  checkChoice(frame, 'frame', ['world', 'entity']);
+  if (entity !== undefined) return;
+  const field = offset !== undefined ? 'offset' : frame === 'entity' ? 'frame' : undefined;
+  if (field === undefined) return;
+  throw new PhysicsError(
+    'E_RANGE',
+    `${field} belongs to the body that an emitter follows, and this one follows none.`,
+    {
+      field,
+      hint: 'Make the emitter with `entity`.',
+    },
+  );
 }
 
 /** Refuses unknown options. @throws PhysicsError E_TYPE, E_UNKNOWN */
@@ -119,6 +164,7 @@ export function checkParameters(world: PhysicsWorld, options: EmitterParameters)
   const velocityBounds = { min: -MAX_SPEED, max: MAX_SPEED };
   return {
     position: checkPosition(world, options.position ?? {}, 'position', positionBounds),
+    offset: checkPosition(world, options.offset ?? {}, 'offset', positionBounds),
     numbers: [
       checkNumber(options.rate ?? 0, 'rate', { min: 0, max: 1e9 }),
       ...range(options.lifetime ?? 1, 'lifetime', { above: 0, max: 1e9 }),

@@ -1,7 +1,7 @@
 // The memory and the entities of an emitter's pool.
 
 import { spawnMany } from '../bodies/spawn-many.ts';
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { allocate } from '../memory/arena.ts';
 import { type MemoryRecord, recordAt } from '../memory/record.ts';

@@ -78,8 +78,11 @@ function outOfBounds(value: number, bounds: Bounds): string | undefined {
 
 /** A vector given by a caller: omitted axes are zero. */
 export interface VectorInput {
+  /** Default 0. */
   readonly x?: number;
+  /** Default 0. */
   readonly y?: number;
+  /** Default 0. */
   readonly z?: number;
 }
 

@@ -14,7 +14,7 @@
 // force acts on a centre, neither from other centres nor from itself. A moving centre is extrapolated with its
 // velocity during the step, so that the force reads only its own body and the table of centres. Cost: a square root,
 // a division and about 20 more operations per body and centre; with a speed of light two divisions and about 25.
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { reportFault } from '../errors/report-fault.ts';

@@ -15,7 +15,10 @@ import type { Force, PhysicsWorld } from '../world/types.ts';
 export type Field = (x: number, y: number, z: number, t: number, out: { x: number; y: number; z: number }) => void;
 
 export interface FieldOptions {
-  /** Potential, J/kg (of an acceleration) or J (of a force), at a position; for conservative fields only. */
+  /**
+   * Potential, J/kg (of an acceleration) or J (of a force), at a position; for conservative fields only. Default none:
+   * then the energy leaves this force out.
+   */
   readonly potential?: (x: number, y: number, z: number) => number;
   /** Name of the force; default 'acceleration field' or 'force field'. */
   readonly name?: string;

@@ -8,8 +8,9 @@
 // at the surface, as in a hollow conductor. Valid for sources at rest: no retardation and no magnetic field. The
 // force between mobile charges is `mutualCoulomb`, which includes fixed ones. Cost: a square root, a division and
 // about 20 operations per body and source.
-import { bitOf } from '../components/all.ts';
+
 import { Charge } from '../components/charge.ts';
+import { bitOf } from '../components/membership.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { reportFault } from '../errors/report-fault.ts';

@@ -6,14 +6,18 @@ import {
   defineForce,
   energy,
   type Force,
+  heun,
   linearDrag,
   PhysicsError,
   type Region,
   restrictForce,
+  rungeKutta4,
+  semiImplicitEuler,
   spawn,
   springs,
   step,
   uniformGravity,
+  velocityVerlet,
 } from '../index.ts';
 
 const gravity = uniformGravity({ y: -10 });
@@ -55,6 +59,38 @@ describe('restrictForce', () => {
     // Verlet evaluates the force at both ends of a step, so the two steps at the borders count half each.
     expect(going().y).toBeCloseTo(-10, 9);
   });
+
+  test.each(Object.entries({ semiImplicitEuler, velocityVerlet, rungeKutta4, heun }))(
+    'to a time: a torque from 1 s to 2 s turns by τ t/I, whatever stages %s has',
+    (_name, integrator) => {
+      const own = defineForce({
+        name: 'own torque',
+        appliesTorque: true,
+        accumulate({ scratch: { force, torque }, components }, first, last) {
+          for (let row = first; row < last; row++) {
+            torque.z[row] += 3 * components.Mass.value[row];
+            force.x[row] += 3 * components.Mass.value[row];
+          }
+        },
+      });
+      for (const force of [constantTorque({ z: 3 }), own]) {
+        const forces = [restrictForce(force, { from: 1, until: 2 })];
+        const world = createPhysicsWorld({ capacity: 10, integrator, forces });
+        const eid = spawn(world, {
+          position: {},
+          velocity: {},
+          mass: 1,
+          inertia: 1,
+          rotation: {},
+          angularVelocity: {},
+        });
+        run(world, 3, 1 / 64);
+        expect(world.components.AngularVelocity.z[eid]).toBeCloseTo(3, 12);
+        // A force with torque acts in the same steps.
+        expect(world.components.Velocity.x[eid]).toBeCloseTo(force === own ? 3 : 0, 12);
+      }
+    },
+  );
 
   test('works with user-defined forces, nested and with torque', () => {
     const plain = defineForce({

@@ -10,6 +10,7 @@
 // no potential: energy changes at its border. Cost: one to seven comparisons per body for a law; two copies of the
 // force columns and a test per body for another force.
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all.ts';
+import { bitsOf } from '../components/membership.ts';
 import type { LawForce } from '../dynamics/sum-of-laws.ts';
 import { allocate } from '../memory/arena.ts';
 import { realAddresses, realBytes } from '../memory/columns.ts';
@@ -38,8 +39,9 @@ export function restrictForce(force: Force, limits: Restrictions): Force {
     name: `${force.name} (restricted)`,
     ...prepare,
     accumulate(world, first, last, time) {
-      // A force that consumes resources is decided by the start of the step.
-      const decisionTime = force.consumes === undefined ? time : world.time;
+      // A step has one torque, that of its last evaluation, so it is decided by the start of the step, as fuel is.
+      const isPerStep = force.consumes !== undefined || force.appliesTorque === true;
+      const decisionTime = isPerStep ? world.time : time;
       if (decisionTime < checked.from || decisionTime >= checked.until) return;
       if (isUnlimited(checked)) force.accumulate?.(world, first, last, time);
       else accumulateWithin(world, force, limitsAt(world), first, last, time);
@@ -49,7 +51,7 @@ export function restrictForce(force: Force, limits: Restrictions): Force {
 }
 
 function isUnlimited({ group, box, ball }: CheckedRestrictions): boolean {
-  return group === 0 && box === undefined && ball === undefined;
+  return group.length === 0 && box === undefined && ball === undefined;
 }
 
 /** Runs the preparation and undoes what it consumed outside the limits. */
@@ -143,7 +145,7 @@ function potentialWithin(
 ): Pick<Force, 'potential'> {
   const { potential } = force;
   const isRegion = limits.box !== undefined || limits.ball !== undefined;
-  const groupOnly = limits.group !== 0 && !isRegion;
+  const groupOnly = limits.group.length > 0 && !isRegion;
   if (potential === undefined || isRegion || (groupOnly && !force.local)) {
     return { potential: undefined } as unknown as Pick<Force, 'potential'>;
   }
@@ -189,6 +191,9 @@ function writeLimits(world: PhysicsWorld, { group, box, ball }: CheckedRestricti
     numbers.set([max.x, max.y, isFlat ? Infinity : max.z], LimitsNumber.bx);
   }
   words[LimitsWord.kind] = ball !== undefined ? 2 : box !== undefined ? 1 : 0;
-  words[LimitsWord.group] = group;
+  const required = bitsOf(group);
+  words[LimitsWord.group] = required.first;
+  words[LimitsWord.moreGroup] = required.second;
+  words[LimitsWord.moreMembers] = world.internal.moreMembersAt;
   return at;
 }

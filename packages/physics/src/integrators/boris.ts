@@ -21,9 +21,12 @@ import { defineCheckedIntegrator } from './support/define-integrator.ts';
 
 /** The magnetic field, T: exactly one of the two. In 2D only z is used. */
 export interface BorisOptions {
-  /** A uniform field: a vector, or a function of time, s, that returns it. */
+  /** A uniform field: a vector, or a function of time, s, that returns it. Default none: then `fieldAt` is needed. */
   readonly field?: VectorOverTime;
-  /** A non-uniform field as an expression: called once, with symbols of position (m) and time (s). */
+  /**
+   * A non-uniform field as an expression: called once, with symbols of position (m) and time (s). Default none: then
+   * `field` is needed.
+   */
   readonly fieldAt?: (position: Vector, time: Scalar) => Vector;
 }
 

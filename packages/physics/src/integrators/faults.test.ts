@@ -10,6 +10,7 @@ import {
   type Integrator,
   type IntegratorName,
   implicitEuler,
+  linearDrag,
   mutualGravity,
   positionVerlet,
   spawn,
@@ -256,4 +257,17 @@ test('a world created for another integrator reports missing capacity', () => {
   expect(world.time).toBe(0);
   world.integrator = velocityVerlet;
   step(world, 0.1);
+});
+
+test.each(['f32', 'f64'] as const)('implicit Euler: motion that decays to nothing is no fault, %s', (precision) => {
+  for (const stiffness of [0, 0.1, 1e4]) {
+    const options = { precision, capacity: 100, integrator: implicitEuler(), forces: [springs(), linearDrag()] };
+    const world = createPhysicsWorld(options);
+    const a = spawn(world, { position: { x: 1 }, velocity: { x: 1, y: 2 }, mass: 1, linearDrag: 1 });
+    const b = spawn(world, { position: {} });
+    if (stiffness > 0) spawn(world, { spring: { a, b, stiffness, length: 0 } });
+    for (let i = 0; i < 2000; i++) step(world, 1);
+    expect(world.faults.faults).toEqual([]);
+    expect(Math.abs(world.components.Velocity.x[a])).toBeLessThan(1e-14);
+  }
 });

@@ -6,11 +6,12 @@
 // stiffness at any step, and dissipates energy fast. For stiff, strongly damped systems of which only the slow motion
 // matters. Newton's method solves R = 0; the linear systems are solved by matrix-free GMRES from differences of
 // forces (Knoll and Keyes, J. Comp. Phys. 193, 357, 2004). It stops when |R|, or the Newton step, is below
-// `tolerance` times the velocities. If it does not converge, as for networks of springs that a step would invert, the
-// best velocities are used and an E_CONVERGENCE that names the body with the largest residual is reported. 5 to about
-// 100 force evaluations, depending on stiffness. A falling and swinging chain of 100 springs or more converges at k
-// dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd. Hairer, Wanner: Solving Ordinary
-// Differential Equations II, IV.3.
+// `tolerance` times the velocities, or below 1e-15 m/s in f32 and 1e-140 m/s in f64: for smaller values, squares such
+// as that of the length of a spring leave the range of numbers. If it does not converge, as for networks of springs
+// that a step would invert, the best velocities are used and an E_CONVERGENCE that names the body with the largest
+// residual is reported. 5 to about 100 force evaluations, depending on stiffness. A falling and swinging chain of 100
+// springs or more converges at k dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd.
+// Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
 
 import { reportFault } from '../errors/report-fault.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
@@ -33,6 +34,9 @@ export interface ImplicitEulerOptions {
   /** Maximum residual relative to the velocities; default 1e-10, in f32 at least 1e-5. */
   readonly tolerance?: number;
 }
+
+/** Residual below which velocities count as exact, m/s. */
+const MIN_SPEED = { f32: 1e-15, f64: 1e-140 } as const;
 
 /** Maximum number of Newton steps; each gains about four digits, fewer for strongly nonlinear forces. */
 const MAX_NEWTON_STEPS = 100;
@@ -90,7 +94,8 @@ function solveNewton(
   for (let i = 0; i < MAX_NEWTON_STEPS; i++) {
     norm(world, ranges, start, scalars, Scalar.one);
     norm(world, ranges, best, scalars, Scalar.other);
-    const threshold = minTolerance * Math.max(scalars[Scalar.one], scalars[Scalar.other]);
+    const speed = Math.max(scalars[Scalar.one], scalars[Scalar.other]);
+    const threshold = Math.max(minTolerance * speed, MIN_SPEED[world.precision]);
     if (scalars[Scalar.size] <= threshold) return true;
     if (!(scalars[Scalar.size] < Number.POSITIVE_INFINITY)) return false;
     solveLinear(world, ranges, dt, evaluate, equation);

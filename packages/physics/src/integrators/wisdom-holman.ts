@@ -17,7 +17,7 @@
 //
 // Wisdom and Holman, Astron. J. 102, 1528 (1991); Rein and Tamayo, MNRAS 452, 376 (2015).
 
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';

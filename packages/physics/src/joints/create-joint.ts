@@ -1,7 +1,8 @@
 // Joints as entities. What a joint does is in kernels/joints/2d.
+import { bodyOf } from '../bodies/parts.ts';
 import { despawn, spawn } from '../bodies/spawn.ts';
 import { JOINT_KINDS } from '../components/joint.ts';
-import { assertBody, staleError } from '../ecs/entity-ref.ts';
+import { staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { describe, PhysicsError } from '../errors/physics-error.ts';
@@ -13,13 +14,15 @@ import {
   JointTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { isSoftStep } from '../solver/is-soft-step.ts';
+import { placeParts } from '../solver/refresh-parts.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { JointInput } from './joint-input.ts';
 import { type EndedJoints, endedOf, jointTable } from './joint-table.ts';
 
 /**
  * Joins two rigid bodies in their present poses. The joint is an entity with the component Joint, whose limits, spring and motor
- * may be changed at any time; `despawn` removes it, and it goes when one of its bodies goes.
+ * may be changed at any time; `despawn` removes it, and it goes when one of its bodies goes. A part of a compound body stands
+ * for its body: without an anchor the joint is at the part.
  * @param joint made by `revolute`, `distance`, `weld`, `prismatic`, `wheel`, `pulley`, `gear`, `motorJoint`, `mouseJoint` or
  *   `filterJoint`
  * @returns the entity id of the joint
@@ -35,17 +38,19 @@ export function createJoint(world: PhysicsWorld, joint: JointInput): number {
       hint: 'Make the world with `preset: rigidBodies`.',
     });
   }
-  const { a, b } = joint;
-  if (a !== 0) assertBody(world, a);
-  assertBody(world, b);
-  return spawn(world, { joint: valuesOf(world, joint) });
+  placeParts(world);
+  const a = joint.a === 0 ? 0 : bodyOf(world, joint.a);
+  const b = bodyOf(world, joint.b);
+  return spawn(world, { joint: valuesOf(world, joint, a, b) });
 }
 
-function valuesOf(world: PhysicsWorld, { kind, a, b, axis, fields, ...points }: JointInput): Record<string, number> {
+/** @param a body, or 0 for the world @param b body; `joint` names these, or parts of theirs */
+function valuesOf(world: PhysicsWorld, joint: JointInput, a: number, b: number): Record<string, number> {
+  const { kind, axis, fields, ...points } = joint;
   const angles = world.components.Rotation.angle;
   // The world has no centre: a body that is joined to it is held where it is.
-  const anchorB = placeOf(world, b, points.anchorB);
-  const anchorA = a === 0 && points.anchorA === undefined ? anchorB : placeOf(world, a, points.anchorA);
+  const anchorB = placeOf(world, joint.b, points.anchorB);
+  const anchorA = a === 0 && points.anchorA === undefined ? anchorB : placeOf(world, joint.a, points.anchorA);
   const localA = toLocal(world, a, anchorA);
   const localB = toLocal(world, b, anchorB);
   const values: Record<string, number> = {

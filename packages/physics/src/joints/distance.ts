@@ -11,14 +11,15 @@ import {
 export interface DistanceOptions extends JointOptions {
   /** Points of a and b, m, in world coordinates; default their centres. */
   readonly anchorA?: VectorInput;
+  /** Default the centre of b. */
   readonly anchorB?: VectorInput;
   /** Length, m; default the distance of the points now. */
   readonly length?: number;
-  /** With a spring the length is that at rest; without spring and limits it is fixed. */
+  /** With a spring the length is that at rest; without spring and limits it is fixed. Default none. */
   readonly spring?: JointSpring;
-  /** Bounds of the distance, m: `{ upper: 2 }` is a rope. */
+  /** Bounds of the distance, m: `{ upper: 2 }` is a rope. Default none. */
   readonly limits?: JointLimits;
-  /** Speed at which it grows, m/s, and largest force, N. */
+  /** Speed at which it grows, m/s, and largest force, N. Default none. */
   readonly motor?: JointMotor;
 }
 

@@ -5,7 +5,10 @@ export interface GearOptions extends JointOptions {
   readonly a: number;
   /** Angle by which b turns for each radian of a: negative for two wheels whose teeth mesh. Of a rack, metres. */
   readonly ratio: number;
-  /** Direction in the world along which b moves, in place of turning: b is a rack, and a its pinion. */
+  /**
+   * Direction in the world along which b moves, in place of turning: b is a rack, and a its pinion. Default none: b
+   * turns.
+   */
   readonly axis?: VectorInput;
 }
 

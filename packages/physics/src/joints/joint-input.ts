@@ -4,7 +4,9 @@ import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole, type Vector
 
 /** Bounds of the free coordinate of a joint, m or rad; one that is left out is not there. */
 export interface JointLimits {
+  /** Default none. */
   readonly lower?: number;
+  /** Default none. */
   readonly upper?: number;
 }
 
@@ -28,7 +30,7 @@ export interface JointMotor {
 
 /** The options of every joint. */
 export interface JointOptions {
-  /** The first body, by id, which may be static; without it b is joined to the world. */
+  /** The first body, by id, which may be static. Default the world: b is joined to it. */
   readonly a?: number;
   /** The second body, by id. */
   readonly b: number;

@@ -2,7 +2,7 @@
 // come or go.
 
 import { rigidKernels } from '../collision/kernels.ts';
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
@@ -21,11 +21,12 @@ import { resource } from '../memory/resource.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
-/** Bytes of a joint that the solver works with: its record and five rows. */
-const WORK_BYTES = JOINT_WORK_BYTES + 5 * JOINT_ROW_BYTES;
+/** Bytes of the rows of a joint. */
+const ROWS_BYTES = 5 * JOINT_ROW_BYTES;
 
 /** Memory of joints per entity, bytes: any entity may be a joint. */
-export const JOINT_BYTES_PER_ENTITY = ARTICULATED_BODY_BYTES + JOINT_IMPULSES_BYTES + WORK_BYTES + 5 * 8 + 10 * 4;
+export const JOINT_BYTES_PER_ENTITY =
+  ARTICULATED_BODY_BYTES + JOINT_IMPULSES_BYTES + JOINT_WORK_BYTES + ROWS_BYTES + 5 * 8 + 10 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -90,7 +91,8 @@ export const jointTable = resource((world): JointTable => {
   };
   take(Word.impulses, JOINT_IMPULSES_BYTES);
   take(Word.bodies, ARTICULATED_BODY_BYTES);
-  take(Word.works, WORK_BYTES);
+  take(Word.works, JOINT_WORK_BYTES);
+  take(Word.rows, ROWS_BYTES);
   for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.nodes]) take(word, 8);
   for (const word of [Word.sets, Word.heads, Word.orphans, Word.broken, Word.order, Word.roots]) take(word, 4);
   for (const word of [Word.axes, Word.active, Word.parents, Word.linkIds]) take(word, 4);

@@ -3,7 +3,6 @@ import {
   asleepCount,
   box,
   createJoint,
-  createPhysicsWorld,
   endedJoints,
   filterJoint,
   gear,
@@ -15,7 +14,6 @@ import {
   prismatic,
   pulley,
   revolute,
-  rigidBodies,
   softStep,
   spawn,
   step,
@@ -23,21 +21,17 @@ import {
   weld,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
+import { DT, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 const G = 10;
-const DT = 1 / 60;
 
-function rigidWorld(options: PhysicsWorldOptions = {}) {
-  const forces = [uniformGravity({ y: -G })];
-  return createPhysicsWorld({ preset: rigidBodies, forces, capacity: 200, ...options });
-}
-
-function run(world: ReturnType<typeof rigidWorld>, seconds: number) {
-  for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
+/** With round numbers. */
+function worldOfTen(options: PhysicsWorldOptions = {}) {
+  return rigidWorld({ forces: [uniformGravity({ y: -G })], ...options });
 }
 
 /** A disc of 1 kg whose moment of inertia is 0.5 kg m² for a radius of 1 m. */
-const disc = (world: ReturnType<typeof rigidWorld>, x: number, y: number, mass = 1) =>
+const disc = (world: ReturnType<typeof worldOfTen>, x: number, y: number, mass = 1) =>
   spawn(world, {
     position: { x, y },
     rotation: 0,
@@ -53,7 +47,7 @@ describe.each(['f32', 'f64'] as const)('couplings in %s', (precision) => {
   const digits = precision === 'f32' ? 1e-4 : 1e-9;
 
   test("Atwood's machine: a = g (m₁ - m₂)/(m₁ + m₂), and the tension 2 m₁ m₂ g/(m₁ + m₂)", () => {
-    const world = rigidWorld({ precision });
+    const world = worldOfTen({ precision });
     const a = disc(world, -2, 0, 3);
     const b = disc(world, 2, 0, 1);
     const rope = createJoint(world, pulley({ a, b, pulleyA: { x: -2, y: 10 }, pulleyB: { x: 2, y: 10 } }));
@@ -70,7 +64,7 @@ describe.each(['f32', 'f64'] as const)('couplings in %s', (precision) => {
   });
 
   test('a block and tackle: half the weight on the side with twice the rope holds the balance', () => {
-    const world = rigidWorld({ precision });
+    const world = worldOfTen({ precision });
     const a = disc(world, -2, 0, 1);
     const b = disc(world, 2, 0, 2);
     createJoint(world, pulley({ a, b, ratio: 2, pulleyA: { x: -2, y: 10 }, pulleyB: { x: 2, y: 10 } }));
@@ -80,7 +74,7 @@ describe.each(['f32', 'f64'] as const)('couplings in %s', (precision) => {
   });
 
   test('the rope of a pulley pulls and never pushes', () => {
-    const world = rigidWorld({ precision, forces: [] });
+    const world = worldOfTen({ precision, forces: [] });
     const a = disc(world, -2, 0);
     const b = disc(world, 2, 0);
     const wheels = { pulleyA: { x: -2, y: 10 }, pulleyB: { x: 2, y: 10 } };
@@ -92,7 +86,7 @@ describe.each(['f32', 'f64'] as const)('couplings in %s', (precision) => {
   });
 
   test('two gears share a torque: α = τ/(I_a + ratio² I_b)', () => {
-    const world = rigidWorld({ precision });
+    const world = worldOfTen({ precision });
     const a = disc(world, -5, 0, 2);
     const b = disc(world, 5, 0, 1);
     for (const [body, x] of [
@@ -112,7 +106,7 @@ describe.each(['f32', 'f64'] as const)('couplings in %s', (precision) => {
   });
 
   test('a rack moves by the radius of its pinion for each radian', () => {
-    const world = rigidWorld({ precision, forces: [] });
+    const world = worldOfTen({ precision, forces: [] });
     const pinion = disc(world, 0, 1);
     const rack = spawn(world, { position: { x: 3 }, collider: { shape: box(6, 0.2), density: 1, mask: 0 } });
     createJoint(world, revolute({ b: pinion, anchor: { y: 1 }, motor: { speed: 3, max: 1000 } }));
@@ -127,7 +121,7 @@ describe.each(['f32', 'f64'] as const)('couplings in %s', (precision) => {
 
 describe.each(['f32', 'f64'] as const)('motor joints in %s', (precision) => {
   test('the mouse holds a body below its target by m g / k, with k = m (2 π f)²', () => {
-    const world = rigidWorld({ precision, integrator: softStep({ sleepTime: 0 }) });
+    const world = worldOfTen({ precision, integrator: softStep({ sleepTime: 0 }) });
     const body = disc(world, 1, 1, 2);
     createJoint(world, mouseJoint({ b: body, target: { x: 3, y: 4 }, spring: { hertz: 2 }, maxForce: 1000 }));
     run(world, 6);
@@ -138,7 +132,7 @@ describe.each(['f32', 'f64'] as const)('motor joints in %s', (precision) => {
   });
 
   test('the force is limited: a body that is too heavy falls with g - F/m', () => {
-    const world = rigidWorld({ precision });
+    const world = worldOfTen({ precision });
     const body = disc(world, 0, 0, 2);
     const joint = createJoint(world, mouseJoint({ b: body, target: { y: 50 }, spring: { hertz: 5 }, maxForce: 8 }));
     run(world, 1);
@@ -147,7 +141,7 @@ describe.each(['f32', 'f64'] as const)('motor joints in %s', (precision) => {
   });
 
   test('without a spring it is the friction of a floor seen from above: v falls by F/m, ω by τ/I', () => {
-    const world = rigidWorld({ precision, forces: [] });
+    const world = worldOfTen({ precision, forces: [] });
     const body = disc(world, 0, 0, 2);
     const { Velocity, AngularVelocity } = world.components;
     Velocity.x[body] = 5;
@@ -161,7 +155,7 @@ describe.each(['f32', 'f64'] as const)('motor joints in %s', (precision) => {
   });
 
   test('a motor joint follows a moving body, to the offset and the angle that were asked for', () => {
-    const world = rigidWorld({ precision, forces: [] });
+    const world = worldOfTen({ precision, forces: [] });
     const cart = spawn(world, { position: {}, velocity: { x: 2 }, rotation: 0, collider: { radius: 0.1, mask: 0 } });
     const drone = disc(world, 5, 5);
     const joint = { a: cart, b: drone, target: { x: 0, y: 3 }, turn: 0.5, spring: { hertz: 2 } };
@@ -174,7 +168,7 @@ describe.each(['f32', 'f64'] as const)('motor joints in %s', (precision) => {
   });
 
   test('a body that sleeps wakes when the target of its mouse joint moves', () => {
-    const world = rigidWorld({ precision });
+    const world = worldOfTen({ precision });
     spawn(world, { position: { y: -1 }, collider: { shape: box(20, 2) } });
     const crate = spawn(world, { position: { y: 0.5 }, collider: { shape: box(1, 1), density: 1 } });
     const joint = createJoint(world, mouseJoint({ b: crate, target: { y: 0.5 }, maxForce: 100 }));
@@ -189,7 +183,7 @@ describe.each(['f32', 'f64'] as const)('motor joints in %s', (precision) => {
 describe('the world as a body', () => {
   test('a joint without a holds b to the world, as a static body would, to the bit', () => {
     const positions = [true, false].map((isAnchored) => {
-      const world = rigidWorld();
+      const world = worldOfTen();
       const anchor = spawn(world, { position: {}, collider: { radius: 0.01, mask: 0 } });
       const bob = spawn(world, { position: { x: 1 }, collider: { shape: box(0.2, 0.2), density: 1 } });
       createJoint(world, revolute({ b: bob, anchor: {}, ...(isAnchored ? { a: anchor } : {}) }));
@@ -200,7 +194,7 @@ describe('the world as a body', () => {
   });
 
   test('a filter joint keeps two bodies from colliding, and joins nothing', () => {
-    const world = rigidWorld();
+    const world = worldOfTen();
     const ground = spawn(world, { position: { y: -1 }, collider: { shape: box(20, 2) } });
     const [ghost, crate] = [0, 5].map((x) =>
       spawn(world, { position: { x, y: 0.5 }, collider: { shape: box(1, 1), density: 1 } }),
@@ -212,7 +206,7 @@ describe('the world as a body', () => {
   });
 
   test('a weld breaks at its torque', () => {
-    const world = rigidWorld();
+    const world = worldOfTen();
     const plank = spawn(world, { position: { x: 1 }, collider: { shape: box(2, 0.1), density: 10 } });
     // Its weight of 2 kg · g acts 1 m from the weld.
     const strong = createJoint(world, weld({ b: plank, anchor: {}, breakTorque: 40 }));
@@ -226,7 +220,7 @@ describe('the world as a body', () => {
 });
 
 describe('bad input', () => {
-  const world = rigidWorld();
+  const world = worldOfTen();
   const body = disc(world, 0, 0);
   test.each([
     ['no limit of force', () => mouseJoint({ b: body, target: {} } as never), 'mouseJoint.maxForce'],

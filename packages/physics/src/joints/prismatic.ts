@@ -13,11 +13,11 @@ export interface PrismaticOptions extends JointOptions {
   readonly anchor: VectorInput;
   /** Direction in which it slides, in world coordinates; it turns with a. */
   readonly axis: VectorInput;
-  /** Bounds of the distance from where b is now, m. */
+  /** Bounds of the distance from where b is now, m. Default none. */
   readonly limits?: JointLimits;
-  /** Pulls b back to where it is now. */
+  /** Pulls b back to where it is now. Default none. */
   readonly spring?: JointSpring;
-  /** Speed in m/s, largest force in N. */
+  /** Speed in m/s, largest force in N. Default none. */
   readonly motor?: JointMotor;
 }
 

@@ -8,6 +8,7 @@ export interface PulleyOptions extends JointOptions {
   readonly pulleyB: VectorInput;
   /** Where it is tied to a and b, m, in world coordinates; default their centres. */
   readonly anchorA?: VectorInput;
+  /** Default the centre of b. */
   readonly anchorB?: VectorInput;
   /** Metres of rope at a for one at b, as of a block and tackle; default 1. */
   readonly ratio?: number;

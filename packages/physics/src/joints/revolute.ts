@@ -11,11 +11,11 @@ import {
 export interface RevoluteOptions extends JointOptions {
   /** Point about which the bodies turn, m, in world coordinates. */
   readonly anchor: VectorInput;
-  /** Bounds of the angle of b from a, rad, which is 0 as the bodies are now. */
+  /** Bounds of the angle of b from a, rad, which is 0 as the bodies are now. Default none. */
   readonly limits?: JointLimits;
-  /** Turns the bodies back to the angle 0. */
+  /** Turns the bodies back to the angle 0. Default none. */
   readonly spring?: JointSpring;
-  /** Speed in rad/s, largest torque in N m. */
+  /** Speed in rad/s, largest torque in N m. Default none. */
   readonly motor?: JointMotor;
 }
 

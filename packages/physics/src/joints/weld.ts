@@ -4,7 +4,7 @@ import { describeJoint, type JointInput, type JointOptions, type JointSpring } f
 export interface WeldOptions extends JointOptions {
   /** Point at which the bodies are joined, m, in world coordinates. */
   readonly anchor: VectorInput;
-  /** With a spring the joint bends; without one the angle is fixed. */
+  /** With a spring the joint bends; without one the angle is fixed. Default none. */
   readonly spring?: JointSpring;
 }
 

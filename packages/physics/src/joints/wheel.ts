@@ -15,9 +15,9 @@ export interface WheelOptions extends JointOptions {
   readonly axis?: VectorInput;
   /** Suspension; default 1 Hz with a damping ratio of 0.7. */
   readonly spring?: JointSpring;
-  /** Bounds of the travel of the suspension, m. */
+  /** Bounds of the travel of the suspension, m. Default none. */
   readonly limits?: JointLimits;
-  /** Speed of the wheel in rad/s, largest torque in N m. */
+  /** Speed of the wheel in rad/s, largest torque in N m. Default none. */
   readonly motor?: JointMotor;
 }
 

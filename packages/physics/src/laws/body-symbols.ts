@@ -1,5 +1,5 @@
 // The symbols of the body on which a law acts.
-import { bitOf, COMPONENTS, type ComponentName } from '../components/all.ts';
+import { COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkWhole, isRecord, mustBe, unknownName } from '../errors/validate.ts';
@@ -70,7 +70,7 @@ export function bodySymbols(law: string, reads: Reads): BodySymbols & Readonly<R
     dt: new Scalar('dt', []),
     entity: new Scalar('entity', []),
     rotate: (vector: Vector) => new Vector('rotate', [vectorOf(vector, 'rotate')]),
-    has: (component: ComponentSpec) => new Condition('has', [], bitOf(nameOf(component, law))),
+    has: (component: ComponentSpec) => new Condition('has', [], nameOf(component, law)),
     noise: (seed: ScalarInput, channel: number) =>
       new Scalar('noise', [scalarOf(seed, 'noise')], checkWhole(channel, 'noise: channel', 0, MAX_CHANNEL)),
   };

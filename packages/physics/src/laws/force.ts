@@ -4,7 +4,9 @@ import type { Force, PhysicsWorld } from '../world/types.ts';
 /** The description of a custom force in plain TypeScript. */
 export interface CustomForce {
   readonly name: string;
+  /** The equation, to be shown. Default none. */
   readonly equation?: string;
+  /** Components whose columns it reads. Default none. */
   readonly reads?: readonly string[];
   /** Default true: the force on a body depends on that body only. */
   readonly local?: boolean;

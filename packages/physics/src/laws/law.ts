@@ -30,29 +30,30 @@ export type LawSymbols<P> = {
 /** The description of a law. It must have at least one of `force`, `acceleration` and `torque`. */
 export interface LawOptions<R extends Reads, P extends Parameters> {
   readonly name: string;
-  /** The equation in mathematical notation. */
+  /** The equation in mathematical notation. Default none. */
   readonly formula?: string;
-  /** Source of the law: paper or book, and section. */
+  /** Source of the law: paper or book, and section. Default none. */
   readonly source?: string;
-  /** Components whose values it reads, by the names that its functions use. */
+  /** Components whose values it reads, by the names that its functions use. Default none. */
   readonly reads?: R;
+  /** Its parameters, by name. Default none. */
   readonly parameters?: P;
-  /** Restricts the law to 2D or 3D worlds. */
+  /** Restricts the law to 2D or 3D worlds. Default both. */
   readonly dimensions?: 2 | 3;
-  /** Force on the body, N. */
+  /** Force on the body, N. Default none. */
   readonly force?: LawFunction<R, P, Vector>;
-  /** Acceleration of the body, m/s²: for forces proportional to mass. */
+  /** Acceleration of the body, m/s²: for forces proportional to mass. Default none. */
   readonly acceleration?: LawFunction<R, P, Vector>;
-  /** Torque on the body, N m. */
+  /** Torque on the body, N m. Default none. */
   readonly torque?: LawFunction<R, P, Vector>;
-  /** Potential energy of the body, J; the force is its negative gradient. */
+  /** Potential energy of the body, J; the force is its negative gradient. Default none. */
   readonly potential?: LawFunction<R, P, Scalar>;
   /**
    * Called before every step, while edits are still allowed. Its exceptions propagate from `step`, before anything
-   * moved.
+   * moved. Default none.
    */
   readonly prepare?: (world: PhysicsWorld, dt: number) => void;
-  /** Components whose columns `prepare` changes, as an engine burns fuel. */
+  /** Components whose columns `prepare` changes, as an engine burns fuel. Default none. */
   readonly consumes?: readonly ComponentName[];
 }
 

@@ -1,6 +1,7 @@
 // Lowers expressions to arithmetic: vectors become components, and names become columns.
 
 import type { ComponentName } from '../components/all.ts';
+import { bitInWord, isInFirstWord } from '../components/membership.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Parameter } from '../world/types.ts';
 import type { ColumnData } from './body-symbols.ts';
@@ -37,7 +38,7 @@ export interface Environment {
   /** The change of velocity over a duration, in a stage of a scheme. */
   kick?(position: Axes, velocity: Axes, duration: Node, stage: StageData): Axes;
   /** Whether no entity of the world has one of these components: then code for them is left out. */
-  isAbsent?(bits: number): boolean;
+  isAbsent?(name: ComponentName): boolean;
   /** Noise from the seed of the law. */
   noise(seed: Node, channel: number): Node;
 }
@@ -94,7 +95,7 @@ export class Lowering {
       case 'sum':
         return this.#sum(data as SumScope, this.scalar(args[0]));
       case 'has':
-        return graph.make('has', [environment.column('', 'members', 'u32')], data as number);
+        return this.#has(data as ComponentName);
       case 'noise':
         return environment.noise(this.scalar(args[0]), data as number);
       case 'component':
@@ -167,9 +168,14 @@ export class Lowering {
     }
   }
 
+  #has(name: ComponentName): Node {
+    const word = isInFirstWord(name) ? 'members' : 'moreMembers';
+    return this.graph.make('has', [this.environment.column('', word, 'u32')], bitInWord(name));
+  }
+
   /** Whether a condition asks for a component that no entity has. */
   #isNever({ op, data }: Expression): boolean {
-    return op === 'has' && this.environment.isAbsent?.(data as number) === true;
+    return op === 'has' && this.environment.isAbsent?.(data as ComponentName) === true;
   }
 
   #unknown(op: string): never {

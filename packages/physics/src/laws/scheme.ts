@@ -24,6 +24,7 @@ export interface SchemeState {
 export interface SchemeResult {
   readonly position: Vector;
   readonly velocity: Vector;
+  /** New values of the vectors that the scheme keeps, as many as it declares. Default none. */
   readonly memory?: readonly Vector[];
 }
 

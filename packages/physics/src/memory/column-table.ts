@@ -1,14 +1,18 @@
-import { type Addresses, bitOf } from '../components/all.ts';
+import type { Addresses } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import type { AxisAddresses } from './columns.ts';
 import { COLUMN_TABLE, COLUMNS_BYTES, ColumnsWord } from './layouts.gen.ts';
 
 /** Writes the addresses of columns to the table that kernels/memory/columns.ts reads. */
-export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, members: number): void {
+export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, members: number, realBytes: number): void {
   const table = new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4);
   const axes = (start: ColumnsWord, { x, y, z }: AxisAddresses) => table.set([x, y, z], start);
   axes(ColumnsWord.positionX, at.Position);
   axes(ColumnsWord.velocityX, at.Velocity);
   axes(ColumnsWord.angularVelocityX, at.AngularVelocity);
+  axes(ColumnsWord.orientationX, at.Orientation);
+  axes(ColumnsWord.inertiaTensorX, at.InertiaTensor);
+  table[ColumnsWord.orientationW] = at.Orientation.w;
   table[ColumnsWord.mass] = at.Mass.value;
   table[ColumnsWord.inertia] = at.Inertia.value;
   table[ColumnsWord.radius] = at.Collider.radius;
@@ -19,6 +23,8 @@ export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, memb
   table[ColumnsWord.shape] = at.Collider.shape;
   table[ColumnsWord.members] = members;
   table[ColumnsWord.angularVelocityBit] = bitOf('AngularVelocity');
+  table[ColumnsWord.realBytes] = realBytes;
+  table[ColumnsWord.tensorBits] = bitOf('AngularVelocity') | bitOf('Orientation') | bitOf('InertiaTensor');
 }
 
 /** Writes the address of the contact table for the kernels. */

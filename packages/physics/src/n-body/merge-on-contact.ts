@@ -12,7 +12,7 @@
 // the end of the step. Cost: the broad phase, and 1 µs per merger.
 
 import { despawn } from '../bodies/spawn.ts';
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { pow } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
 import { ContactTableWord as Word } from '../memory/layouts.gen.ts';

@@ -1,6 +1,6 @@
 // The common part of gravity and the Coulomb force between all bodies: participants, summation method, and a report of
 // the last evaluation. kernels/n-body computes the forces, in separate memory in the world's arena.
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';

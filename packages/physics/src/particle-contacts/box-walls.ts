@@ -12,9 +12,9 @@ import type { PhysicsWorld } from '../world/types.ts';
 
 /** A box that keeps bodies inside. An axis omitted from `min` or `max` has no wall on that side. */
 export interface BoxWallsOptions {
-  /** Corner with the smallest coordinates, m. */
+  /** Corner with the smallest coordinates, m. Default no walls there. */
   readonly min?: VectorInput;
-  /** Corner with the largest coordinates, m. */
+  /** Corner with the largest coordinates, m. Default no walls there. */
   readonly max?: VectorInput;
   /** Restitution of the walls; a contact's is the larger of this and the body's. Default 0: the body decides. */
   readonly restitution?: number;

@@ -34,7 +34,7 @@ const MIN_CONTACTS = 8192;
 const MIN_WALL_CONTACTS = 2048;
 
 /** Bytes per contact, summed over the columns in `allocateContacts`. */
-const contactBytes = (bytes: number) => 40 + 6 * bytes + packedBytes(bytes);
+const contactBytes = (bytes: number) => 40 + 7 * bytes + packedBytes(bytes);
 
 /** Bytes per contact in a block of wide contacts (kernels/particle-contacts/wide-contacts.ts). */
 const packedBytes = (bytes: number) => 8 * bytes;
@@ -43,7 +43,7 @@ const packedBytes = (bytes: number) => 8 * bytes;
  * Bytes per wall contact, summed over the columns in `allocateWallContacts`. Large worlds have capacity for one wall
  * contact per two bodies.
  */
-const wallContactBytes = (bytes: number) => 24 + 8 * bytes;
+const wallContactBytes = (bytes: number) => 24 + 9 * bytes;
 
 /** Arena bytes per entity that contacts need, in addition to other features; used by `Preset`. */
 export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): number {
@@ -111,7 +111,14 @@ function allocateWallContacts(world: PhysicsWorld, words: Uint32Array, allocateB
   const bytes = realBytes(world.precision);
   words[Word.wallCapacity] = capacity;
   for (const list of [Word.wallBody, Word.wallId]) words[list] = allocateBytes(4 * capacity);
-  for (const list of [Word.wallNx, Word.wallNy, Word.wallNz, Word.wallImpulse, Word.wallAccumulatedImpulse]) {
+  for (const list of [
+    Word.wallNx,
+    Word.wallNy,
+    Word.wallNz,
+    Word.wallSpeed,
+    Word.wallImpulse,
+    Word.wallAccumulatedImpulse,
+  ]) {
     words[list] = allocateBytes(bytes * capacity);
   }
   for (const list of [Word.wallGap, Word.wallFriction, Word.wallFrictionApplied])
@@ -132,7 +139,7 @@ function allocateContacts(world: PhysicsWorld, words: Uint32Array, allocateBytes
   const capacity = Math.max(256, Math.floor(max / 16) * 16);
   words[Word.capacity] = capacity;
   for (const list of [Word.a, Word.b, Word.slotA, Word.slotB]) words[list] = allocateBytes(4 * capacity);
-  for (const list of [Word.nx, Word.ny, Word.nz, Word.impulse, Word.accumulatedImpulse])
+  for (const list of [Word.nx, Word.ny, Word.nz, Word.speed, Word.impulse, Word.accumulatedImpulse])
     words[list] = allocateBytes(bytes * capacity);
   words[Word.frictionState] = allocateBytes(16 * capacity);
   words[Word.blocks] = allocateBytes(packedBytes(bytes) * capacity);

@@ -26,6 +26,11 @@ export interface Contacts {
   readonly nx: RealColumn;
   readonly ny: RealColumn;
   readonly nz: RealColumn;
+  /**
+   * Speed of approach along the normal, m/s, when the surfaces met, or before the step if they met earlier; negative where
+   * they part.
+   */
+  readonly speed: RealColumn;
   /** Normal impulse in this step, N s: positive on b, and the opposite on a. */
   readonly impulse: RealColumn;
 }
@@ -42,6 +47,8 @@ export interface WallContacts {
   readonly nx: RealColumn;
   readonly ny: RealColumn;
   readonly nz: RealColumn;
+  /** Speed into the wall, m/s, as in {@link Contacts}. */
+  readonly speed: RealColumn;
   /** Impulse of the wall on the body along the normal, N s. */
   readonly impulse: RealColumn;
 }
@@ -65,6 +72,7 @@ const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
     nx: reals(table[Word.nx]),
     ny: reals(table[Word.ny]),
     nz: reals(table[Word.nz]),
+    speed: reals(table[Word.speed]),
     impulse: reals(table[Word.impulse]),
   });
 });
@@ -84,6 +92,7 @@ const wallContactsOf = /* @__PURE__ */ resource<WallContacts>((world) => {
     nx: reals(table[Word.wallNx]),
     ny: reals(table[Word.wallNy]),
     nz: reals(table[Word.wallNz]),
+    speed: reals(table[Word.wallSpeed]),
     impulse: reals(table[Word.wallImpulse]),
   });
 });

@@ -3,8 +3,8 @@
 import { rigidKernels } from '../collision/kernels.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
 import { writeShape } from '../collision/shapes/store-shape.ts';
-import { bitOf } from '../components/all.ts';
 import type { RealColumn } from '../components/define.ts';
+import { bitOf } from '../components/membership.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole } from '../errors/validate.ts';
@@ -47,6 +47,7 @@ export interface Hit {
 export interface PoseInput {
   /** Metres; default 0. */
   readonly x?: number;
+  /** Metres; default 0. */
   readonly y?: number;
   /** Radians, anticlockwise; default 0. */
   readonly angle?: number;

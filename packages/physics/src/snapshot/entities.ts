@@ -1,7 +1,9 @@
 // Saves the entities of bitECS and restores them through bitECS itself, so that queries and observers are updated.
 import { addComponent, addEntity, entityExists, removeComponent } from 'bitecs';
-import { bitOf, COMPONENT_NAMES } from '../components/all.ts';
+import { COMPONENT_NAMES } from '../components/all.ts';
+import { bitInWord, isInFirstWord, type MemberBits } from '../components/membership.ts';
 import { contextOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { isOpen } from '../ecs/rows.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The saved entities, in arrays that later snapshots reuse. */
@@ -12,23 +14,31 @@ export interface SavedEntities {
   length: number;
   alive: number;
   maxId: number;
-  /** Component bits of the rows up to the highest in use. */
+  /** Component bits of the rows up to the highest in use, in both words. */
   members: Uint32Array;
+  moreMembers: Uint32Array;
   rows: number;
 }
 
 export function noEntities(): SavedEntities {
-  return { dense: new Uint32Array(0), length: 0, alive: 0, maxId: 0, members: new Uint32Array(0), rows: 0 };
+  const none = new Uint32Array(0);
+  return { dense: none, length: 0, alive: 0, maxId: 0, members: none, moreMembers: none, rows: 0 };
 }
 
 export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
   const { dense, aliveCount, maxId } = contextOf(world).entityIndex;
-  const { members } = world.internal;
+  const { members, moreMembers } = world.internal;
   const rows = world.lastId + 1;
   if (into.dense.length < dense.length) into.dense = new Uint32Array(roundUpCapacity(dense.length));
-  if (into.members.length < rows) into.members = new Uint32Array(roundUpCapacity(rows));
+  if (into.members.length < rows) {
+    into.members = new Uint32Array(roundUpCapacity(rows));
+    into.moreMembers = new Uint32Array(roundUpCapacity(rows));
+  }
   for (let i = 0; i < dense.length; i++) into.dense[i] = dense[i];
-  for (let row = 0; row < rows; row++) into.members[row] = members[row];
+  for (let row = 0; row < rows; row++) {
+    into.members[row] = members[row];
+    into.moreMembers[row] = moreMembers[row];
+  }
   into.length = dense.length;
   into.alive = aliveCount;
   into.maxId = maxId;
@@ -81,11 +91,13 @@ function removeOthers(world: PhysicsWorld, savedIds: ReadonlySet<number>, attemp
 }
 
 function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt: Attempt): void {
-  const { members } = world.internal;
+  const { members, moreMembers } = world.internal;
   const rows = Math.max(saved.rows, world.lastId + 1);
   for (let eid = 1; eid < rows; eid++) {
-    const bits = eid < saved.rows ? saved.members[eid] : 0;
-    if (members[eid] !== bits) changeComponents(world, eid, bits, attempt);
+    const isSaved = eid < saved.rows;
+    const first = isSaved ? saved.members[eid] : 0;
+    const second = isSaved ? saved.moreMembers[eid] : 0;
+    if (members[eid] !== first || moreMembers[eid] !== second) changeComponents(world, eid, { first, second }, attempt);
   }
 }
 
@@ -114,11 +126,11 @@ function recreateEntity(world: PhysicsWorld, eid: number): void {
 }
 
 /** Handles each entity separately, so that an observer that throws does not prevent the others. */
-function changeComponents(world: PhysicsWorld, eid: number, bits: number, attempt: Attempt): void {
+function changeComponents(world: PhysicsWorld, eid: number, saved: MemberBits, attempt: Attempt): void {
   for (const name of COMPONENT_NAMES) {
-    const differs = ((world.internal.members[eid] ^ bits) & bitOf(name)) !== 0;
-    if (!differs) continue;
-    if ((bits & bitOf(name)) !== 0) attempt(() => addComponent(world, eid, world.components[name]));
+    const belongs = ((isInFirstWord(name) ? saved.first : saved.second) & bitInWord(name)) !== 0;
+    if (isOpen(world, eid, name) === belongs) continue;
+    if (belongs) attempt(() => addComponent(world, eid, world.components[name]));
     else attempt(() => removeComponent(world, eid, world.components[name]));
   }
 }

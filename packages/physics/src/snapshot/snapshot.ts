@@ -59,7 +59,7 @@ function isState(key: object): boolean {
 }
 
 function contentOf(world: PhysicsWorld, snapshot: Snapshot, caller: string): Content {
-  const found = snapshot instanceof Content ? snapshot : undefined;
+  const found = Content.isContent(snapshot) ? snapshot : undefined;
   if (found?.world === world && found.isWhole) return found;
   const problem =
     found === undefined ? 'the argument is not a snapshot' : 'the snapshot is of another world, or incomplete';
@@ -97,6 +97,11 @@ class Content implements Snapshot {
     this.#plain = new PlainRecord(
       (value) => value === world || isImmutable(value) || (ArrayBuffer.isView(value) && value.buffer === buffer),
     );
+  }
+
+  /** Unlike `instanceof`, it refuses objects that only inherit from a snapshot. */
+  static isContent(value: unknown): value is Content {
+    return typeof value === 'object' && value !== null && #world in value;
   }
 
   get world(): PhysicsWorld {

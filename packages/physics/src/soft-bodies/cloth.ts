@@ -3,6 +3,7 @@
 
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
+import { belongsTo } from '../ecs/id-lists.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import {
   checkFlag,
@@ -35,6 +36,7 @@ export interface ClothOptions extends SpringOptions {
   readonly mass: number;
   /** Unit vectors along a row and down a column; default +x and -y. */
   readonly right?: VectorInput;
+  /** Unit vector down a column; default -y. */
   readonly down?: VectorInput;
   /** Stiffness of the springs along rows and columns, N/m; default Infinity, which needs the integrator `xpbd`. */
   readonly structural?: number;
@@ -97,7 +99,7 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   const bodies = placeNodes(options, columns, rows);
   const { nodes, springs } = spawnNetwork(world, columns * rows, bodies, list, options);
   const at = (column: number, row: number) => nodes[row * columns + column];
-  return { nodes, springs, columns, rows, at, triangles: trianglesOf(at, columns, rows) };
+  return { nodes, springs, columns, rows, at, triangles: belongsTo(world, trianglesOf(at, columns, rows)) };
 }
 
 function placeNodes(options: ClothOptions, columns: number, rows: number) {

@@ -2,6 +2,7 @@
 // second corners and so on, then the generations of all corners in the same order.
 
 import { assertBody, isBody } from '../ecs/entity-ref.ts';
+import { assertBelongs } from '../ecs/id-lists.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { allocate } from '../memory/arena.ts';
 import { resource } from '../memory/resource.ts';
@@ -17,7 +18,8 @@ export interface Faces {
 
 /**
  * Returns a function that copies the faces into a world's memory on first use.
- * @throws PhysicsError E_TYPE, E_RANGE (incomplete faces); the returned function: E_STALE, E_CAPACITY
+ * @throws PhysicsError E_TYPE, E_RANGE (incomplete faces); the returned function: E_STALE, E_CAPACITY, and E_TYPE in a world
+ *   other than that of the ids
  */
 export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): (world: PhysicsWorld) => Faces {
   if (typeof ids?.length !== 'number')
@@ -38,6 +40,7 @@ const FORCE_BYTES = 16 + 3 * 128 * 8;
 
 function copyFaces(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, field: string): Faces {
   const { arena, generations } = world.internal;
+  assertBelongs(world, ids, field);
   for (let i = 0; i < ids.length; i++) if (!wasBody(world, ids[i])) assertBody(world, ids[i]);
   const count = ids.length / corners;
   const list = corners === 3 ? listStrips(ids, world.rows) : [];

@@ -20,7 +20,7 @@ export interface SpringOptions {
   readonly damping?: number;
   /** Tension at which springs break, N, if the system `breakSprings` runs; default 0: never. */
   readonly breakForce?: number;
-  /** Further components of every node, such as `{ collider: { radius: 0.01 } }`. */
+  /** Further components of every node, such as `{ collider: { radius: 0.01 } }`. Default none. */
   readonly components?: Omit<ManyInput, 'position' | 'velocity' | 'mass'>;
 }
 

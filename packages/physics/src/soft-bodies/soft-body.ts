@@ -1,6 +1,7 @@
 // A soft body: a skin of springs around a gas, a ring in 2D and a subdivided icosahedron in 3D.
 
 import { assertUsable } from '../ecs/guards.ts';
+import { belongsTo } from '../ecs/id-lists.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { cos, sin } from '../math/elementary.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
@@ -74,7 +75,10 @@ export function createSoftBody(world: PhysicsWorld, options: SoftBodyOptions): S
   };
   const list = edgeSprings(skin, flat ? 2 : 3, radius, stiffness);
   const { nodes, springs } = spawnNetwork(world, count, { position, mass: mass / count }, list, options);
-  const faces = Uint32Array.from(skin.faces, (node) => nodes[node]);
+  const faces = belongsTo(
+    world,
+    Uint32Array.from(skin.faces, (node) => nodes[node]),
+  );
   const volume = enclosedVolume(skin, flat) * (flat ? radius * radius : radius * radius * radius);
   const amount = (pressure + ambient) * volume;
   const gas = enclosedGas({ faces, corners: flat ? 2 : 3, amount, ambient, reference: volume });

@@ -3,32 +3,16 @@ import {
   box,
   COMBINE,
   contactEvents,
-  createPhysicsWorld,
-  type PhysicsWorldOptions,
   restore,
-  rigidBodies,
   snapshot,
   softStep,
   spawn,
   spawnCompound,
   stateHash,
   step,
-  uniformGravity,
 } from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
-
-const G = 9.80665;
-const DT = 1 / 60;
-
-function rigidWorld(options: PhysicsWorldOptions = {}) {
-  return createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 100, ...options });
-}
-
-type World = ReturnType<typeof rigidWorld>;
-
-function run(world: World, seconds: number) {
-  for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
-}
+import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 const refused = (code: string) => expect.objectContaining({ code });
 

@@ -5,8 +5,6 @@ import {
   energy,
   isAsleep,
   momentum,
-  type PhysicsWorldOptions,
-  rigidBodies,
   softStep,
   spawn,
   spawnCompound,
@@ -15,17 +13,7 @@ import {
 } from '@principia/physics';
 import { addComponent, removeComponent } from 'bitecs';
 import { describe, expect, it, test } from 'vitest';
-
-const G = 9.80665;
-const DT = 1 / 60;
-
-function rigidWorld(options: PhysicsWorldOptions = {}) {
-  return createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 100, ...options });
-}
-
-function run(world: ReturnType<typeof rigidWorld>, seconds: number) {
-  for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
-}
+import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   it('a kinematic body with mass keeps its velocity against a weight, and falls once it is released', () => {

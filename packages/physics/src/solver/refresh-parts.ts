@@ -1,7 +1,7 @@
 // The list of all parts of compound bodies, for the kernels, kept until components come or go.
 import { hasLiveBody, removeOrphanedParts } from '../bodies/parts.ts';
 import { rigidKernels } from '../collision/kernels.ts';
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';

@@ -1,6 +1,7 @@
 // Walls that hold rigid bodies: entities with SegmentWall or PlaneWall, which the kernels read (kernels/solver/2d/walls.ts).
 import { rigidKernels } from '../collision/kernels.ts';
-import { bitOf, keyOf } from '../components/all.ts';
+import { keyOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { reportFault } from '../errors/report-fault.ts';

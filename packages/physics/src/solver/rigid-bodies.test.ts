@@ -4,11 +4,8 @@ import {
   angularMomentum,
   applyImpulse,
   box,
-  createPhysicsWorld,
   linearDrag,
   momentum,
-  type PhysicsWorldOptions,
-  rigidBodies,
   softStep,
   spawn,
   springs,
@@ -16,24 +13,12 @@ import {
   uniformGravity,
 } from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
-
-const G = 9.80665;
-const DT = 1 / 60;
-/** Overlap that contacts leave, m. */
-const SLOP = 0.005;
-
-function rigidWorld(options: PhysicsWorldOptions = {}) {
-  return createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 500, ...options });
-}
+import { DT, G, rigidWorld, run, SLOP } from '../../../../test/support/rigid-world.ts';
 
 /** A static slab whose top is at y = 0, or the line through the origin that rises by `angle`. */
 function addGround(world: ReturnType<typeof rigidWorld>, material: object = { friction: 0.6 }, angle = 0): number {
   const position = { x: 0.5 * Math.sin(angle), y: -0.5 * Math.cos(angle) };
   return spawn(world, { position, rotation: angle, collider: { shape: box(200, 1), ...material } });
-}
-
-function run(world: ReturnType<typeof rigidWorld>, seconds: number) {
-  for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
 }
 
 describe.each(['f32', 'f64'] as const)('a rigid body in %s', (precision) => {

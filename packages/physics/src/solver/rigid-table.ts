@@ -2,7 +2,7 @@
 // the lists it points to, all in the world's arena.
 
 import { rigidKernels } from '../collision/kernels.ts';
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
@@ -26,10 +26,10 @@ const MIN_CONTACTS = 4096;
 const contactBytes = (bytes: number) => 56 + 42 * bytes;
 
 /** Bytes of a block of contacts, one for each lane of a vector: kernels/solver/2d/contact-block.ts. */
-const BLOCK_BYTES = 640;
+const BLOCK_BYTES = 672;
 
 /** Bytes for each contact in all lists. Contacts without a color take a block each. */
-const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 32 + 40 + 2 * 6 * bytes;
+const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 32 + 44 + 2 * 6 * bytes;
 
 /** The columns of reals of an event. */
 const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, EventWord.speeds, EventWord.impulses];
@@ -38,7 +38,7 @@ const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, Event
 const SLEEPER_REALS = 5;
 
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
-const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 14 * 4;
+const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 15 * 4;
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function rigidBytesPerEntity(precision: Precision): number {
@@ -118,6 +118,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
     Word.slept,
     Word.woken,
     Word.stops,
+    Word.bullets,
     Word.wallShapes,
   ])
     take(word, 4);
@@ -128,7 +129,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   const bytes = realBytes(precision);
   const { arena } = internal;
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
-  const room = 0.9 * (arena.bytes - arena.top) - 36 * 8192;
+  const room = 0.9 * (arena.bytes - arena.top) - 38 * 8192;
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
   const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(bytes))));
   const take = (word: Word, size: number) => {
@@ -140,6 +141,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.contacts, contactBytes(bytes) * capacity);
   take(Word.order, 4 * capacity);
   take(Word.free, 4 * capacity);
+  take(Word.newContacts, 4 * capacity);
   take(Word.touching, 8 * capacity);
   take(Word.pairs, 8 * capacity);
   take(Word.sortedPairs, 8 * capacity);

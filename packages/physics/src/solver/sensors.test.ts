@@ -1,32 +1,22 @@
 // Sensors: what overlaps them begins and ends once, moves as if they were not there, and fast bodies are not missed.
 import {
   box,
-  createPhysicsWorld,
   despawn,
   isAsleep,
-  type PhysicsWorldOptions,
+  type PhysicsWorld,
   restore,
-  rigidBodies,
   segment,
   sensorEvents,
   snapshot,
   spawn,
   spawnCompound,
   step,
-  uniformGravity,
 } from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
-
-const DT = 1 / 60;
-
-function rigidWorld(options: PhysicsWorldOptions = {}) {
-  return createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 100, ...options });
-}
-
-type World = ReturnType<typeof rigidWorld>;
+import { DT, rigidWorld } from '../../../../test/support/rigid-world.ts';
 
 /** The events of some steps, as `[step, begins, sensor, visitor]`. */
-function record(world: World, steps: number): [number, boolean, number, number][] {
+function record(world: PhysicsWorld, steps: number): [number, boolean, number, number][] {
   const events: [number, boolean, number, number][] = [];
   const { begin, end } = sensorEvents(world);
   for (let i = 0; i < steps; i++) {

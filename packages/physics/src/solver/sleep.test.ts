@@ -4,13 +4,12 @@ import {
   asleepCount,
   box,
   createJoint,
-  createPhysicsWorld,
   despawn,
   distance,
   isAsleep,
+  type PhysicsWorld,
   type PhysicsWorldOptions,
   restore,
-  rigidBodies,
   snapshot,
   softStep,
   spawn,
@@ -20,24 +19,13 @@ import {
   wake,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
+import { DT, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
-const DT = 1 / 60;
-
-function rigidWorld(options: PhysicsWorldOptions = {}) {
-  return createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 500, ...options });
-}
-
-type World = ReturnType<typeof rigidWorld>;
-
-const addGround = (world: World) =>
+const addGround = (world: PhysicsWorld) =>
   spawn(world, { position: { y: -0.5 }, collider: { shape: box(100, 1), friction: 0.6 } });
 
-const addBox = (world: World, x: number, y: number) =>
+const addBox = (world: PhysicsWorld, x: number, y: number) =>
   spawn(world, { position: { x, y }, collider: { shape: box(1, 1), density: 1, friction: 0.6 } });
-
-function run(world: World, seconds: number) {
-  for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
-}
 
 /** A stack of three and a box apart from it, all asleep. */
 function sleepingWorld(options: PhysicsWorldOptions = {}) {

@@ -6,11 +6,7 @@ import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { isSoftStep } from './is-soft-step.ts';
 import { rigidTable } from './rigid-table.ts';
-
-/** Bits of a row's flags: kernels/solver/2d/body.ts. */
-const ASLEEP = 8;
-const WAKES = 128;
-const PART = 1024;
+import { ASLEEP, PART, WAKES } from './row-flags.ts';
 
 function flagsOf(world: PhysicsWorld): Uint32Array {
   if (!isSoftStep(world.integrator)) return new Uint32Array(0);

@@ -49,9 +49,9 @@ export interface SoftStepOptions {
   /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
   readonly sleepTime?: number;
   /**
-   * Called once when the boxes around two shapes begin to overlap, with their entities, a < b, in ascending order of (a, b):
-   * bodies, or parts of compound bodies. With `false` they do not collide until their boxes part. It must depend on nothing
-   * but the world, or steps cannot be repeated; edits take effect when the step ends.
+   * Called once when the boxes around two shapes begin to overlap, with their entities, a < b, in ascending order of
+   * (a, b): bodies, or parts of compound bodies. With `false` they do not collide until their boxes part. It must
+   * depend on nothing but the world, or steps cannot be repeated; edits take effect when the step ends. Default all do.
    */
   readonly shouldCollide?: ShouldCollide;
 }

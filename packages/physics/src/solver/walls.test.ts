@@ -5,34 +5,18 @@ import {
   boxWalls,
   capsule,
   contactEvents,
-  createPhysicsWorld,
   despawn,
   energy,
   isAsleep,
-  type PhysicsWorldOptions,
   polygon,
   restore,
-  rigidBodies,
   snapshot,
   spawn,
   stateHash,
   step,
-  uniformGravity,
 } from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
-
-const G = 9.80665;
-const DT = 1 / 60;
-
-function rigidWorld(options: PhysicsWorldOptions = {}) {
-  return createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 200, ...options });
-}
-
-type World = ReturnType<typeof rigidWorld>;
-
-function run(world: World, seconds: number) {
-  for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
-}
+import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 const roof = polygon([{ x: -0.5 }, { x: 0.5 }, { y: 0.6 }]);
 const SHAPES: [string, BodyInput['collider'], number][] = [

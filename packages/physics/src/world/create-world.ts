@@ -3,7 +3,7 @@ import { printWarning } from '#warnings';
 import { COMPONENT_NAMES, type ComponentName, type Components } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
 import { contextOf } from '../ecs/bitecs-adapter.ts';
-import { MAX_CAPACITY } from '../ecs/entity-ref.ts';
+import { MAX_CAPACITY, nextFirstGeneration } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { observeComponents } from '../ecs/observers.ts';
 import { checkOwnComponents, makeOwnColumns, observeOwnComponents, ownColumnCount } from '../ecs/own-components.ts';
@@ -41,7 +41,7 @@ export interface PhysicsWorldOptions {
   readonly integrator?: Integrator;
   /** Default none. Change `world.forces` at any time. */
   readonly forces?: readonly Force[];
-  /** Systems of the `walls` phase, such as `boxWalls({ … })`. */
+  /** Systems of the `walls` phase, such as `boxWalls({ … })`. Default none. */
   readonly walls?: readonly System[];
   /** Decides which systems run in which phase; default `standard`. */
   readonly preset?: Preset;
@@ -110,7 +110,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   // Read-only, because kernels sweep the rows up to it: a larger value would lead them beyond the columns.
   Object.defineProperty(world, 'lastId', { get: () => world.internal.lastId, enumerable: true });
   world.internal.componentMap = contextOf(world).componentMap;
-  writeColumnTable(world.memory, world.addresses, world.internal.membersAt);
+  writeColumnTable(world.memory, world.addresses, world.internal.membersAt, realBytes(world.precision));
   observeComponents(world);
   observeOwnComponents(world);
   preset(world);
@@ -131,7 +131,7 @@ const LOOP_BYTES = 24_576;
 function memoryBytes(rows: number, precision: Precision): number {
   const { reals, words } = columnCounts();
   const realColumns = reals + SCRATCH_COLUMNS + columnCounts(POSE).reals;
-  const wordColumns = words + 4;
+  const wordColumns = words + 5;
   return columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192) + 2 * rows + LOOP_BYTES + 65536;
 }
 
@@ -145,6 +145,7 @@ function createInternals(arena: Arena, precision: Precision, rows: number, own: 
   const [previous, previousAddresses] = componentColumns<(typeof POSE)[number]>(arena, precision, rows, POSE);
   const scratch = createScratch(arena, precision, rows);
   const [members, membersAt] = wordColumn(arena, rows, 'members');
+  const [moreMembers, moreMembersAt] = wordColumn(arena, rows, 'more members');
   const [generations] = wordColumn(arena, rows, 'generations');
   const [ids, idsAt] = wordColumn(arena, rows, 'ids');
   const [rangeWords, rangesAt] = wordColumn(arena, rows / 4, 'ranges');
@@ -168,7 +169,10 @@ function createInternals(arena: Arena, precision: Precision, rows: number, own: 
       arena,
       members,
       membersAt,
+      moreMembers,
+      moreMembersAt,
       generations,
+      firstGeneration: nextFirstGeneration(),
       idsAt,
       rangesAt,
       ...initialInternals(components),

@@ -73,24 +73,26 @@ export interface Force {
   readonly name: string;
   /** The equation, as in the header of the file. */
   readonly equation: string;
+  /** Its parameters, to be shown. Default none. */
   readonly parameters?: Readonly<Record<string, ForceParameter>>;
   /** Components that a body needs for the force to act on it. */
   readonly reads: readonly string[];
   /** The force on a body depends on that body only. */
   readonly local: boolean;
-  /** The expressions of the law, and the values of its parameters. */
+  /** The expressions of the law. Default none: it has `accumulate`. */
   readonly law?: Law;
+  /** The values of the parameters of the law. Default none. */
   readonly sources?: readonly ParameterSource[];
   /**
    * Called once per step before anything moves, while edits are still allowed, to gather the data of the force. Its
    * exceptions propagate from `step`, which then has no effect.
    */
   prepare?(world: PhysicsWorld, dt: number): void;
-  /** The force also adds to `world.scratch.torque`; the torque of the last evaluation rotates the bodies. */
+  /** The force also adds to `world.scratch.torque`; the torque of the last evaluation rotates the bodies. Default false. */
   readonly appliesTorque?: boolean;
   /**
    * Components whose columns `prepare` changes, as an engine burns fuel: `restrictForce` keeps bodies outside its
-   * limits unchanged.
+   * limits unchanged. Default none.
    */
   readonly consumes?: readonly ComponentName[];
   /**
@@ -140,17 +142,17 @@ export interface Integrator {
    * Springs check it before the step; without this function they do not check.
    */
   isStable?(stiffness: number, damping: number): boolean;
-  /** Number of real columns that the scheme allocates; a world created with it reserves memory for them. */
+  /** Number of real columns that the scheme allocates; a world created with it reserves memory for them. Default 0. */
   readonly columns?: number;
-  /** The integrator solves springs as constraints: the force `springs()` then adds only its potential. */
+  /** The integrator solves springs as constraints: the force `springs()` then adds only its potential. Default false. */
   readonly solvesSprings?: boolean;
-  /** The integrator holds bodies at walls itself: the systems of the phase `walls` for them then do nothing. */
+  /** The integrator holds bodies at walls itself: systems of the phase `walls` then do nothing. Default false. */
   readonly solvesWalls?: boolean;
-  /** The scheme needs all bodies at once, so its steps are not split into chunks. */
+  /** The scheme needs all bodies at once, so its steps are not split into chunks. Default false. */
   readonly wholeWorld?: boolean;
   /** Called once per step before anything moves, to allocate memory. Its exceptions propagate from `step`. */
   prepare?(world: PhysicsWorld, dt: number): void;
-  /** A scheme with fixed stages as expressions, which is fused into one loop with the laws. */
+  /** A scheme with fixed stages as expressions, which is fused into one loop with the laws. Default none: it has `advance`. */
   readonly scheme?: Scheme;
   /** Advances the bodies by one step. It takes precedence over `scheme`. */
   advance?(world: PhysicsWorld, ranges: Ranges, dt: number, evaluateForces: EvaluateForces): void;
@@ -164,7 +166,10 @@ export interface LocalSystem {
   readonly name: string;
   /** Processes the rows of `ranges`. */
   run(world: PhysicsWorld, ranges: Ranges, dt: number): void;
-  /** Role next to the integrator, which may fuse the system into its loop: see docs/step.md. */
+  /**
+   * Role next to the integrator, which may fuse the system into its loop: see docs/step.md. Default none: it runs by
+   * itself.
+   */
   readonly role?: 'begin' | 'integrate' | 'rotate' | 'box' | 'check';
 }
 
@@ -284,11 +289,15 @@ export interface PhysicsWorld {
 /** Internal state of a world. */
 export interface WorldInternals {
   readonly arena: Arena;
-  /** Component bits of the entity in each row. */
+  /** Component bits of the entity in each row (components/membership.ts): the first word, and the second. */
   readonly members: Uint32Array;
   readonly membersAt: number;
+  readonly moreMembers: Uint32Array;
+  readonly moreMembersAt: number;
   /** Generation of each row. */
   readonly generations: Uint32Array;
+  /** Added to generations in references, different in every world. */
+  readonly firstGeneration: number;
   readonly idsAt: number;
   readonly rangesAt: number;
   readonly counts: Record<ComponentName, number>;

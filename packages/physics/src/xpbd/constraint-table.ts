@@ -1,6 +1,6 @@
 // The record of a world's constraints (kernels/xpbd/table.ts). Its rows are assigned anew when springs or bodies are
 // added or removed; their coefficients are read every step.
-import { bitOf } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { removeDanglingSprings, scanSprings, springTable } from '../forces/support/spring-table.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';

@@ -10,7 +10,10 @@ export class ArticulatedBody {
   m11: f64;
   m12: f64;
   m22: f64;
-  // Generalized force; then the change of velocity.
+  // Generalized force that is left for the body to bear, and its change of velocity by it.
+  gx: f64;
+  gy: f64;
+  gw: f64;
   fx: f64;
   fy: f64;
   fw: f64;
@@ -18,7 +21,7 @@ export class ArticulatedBody {
   stiffness: f64;
 }
 
-export const ARTICULATED_BODY_SIZE: usize = 80;
+export const ARTICULATED_BODY_SIZE: usize = offsetof<ArticulatedBody>();
 
 // @ts-ignore: decorator
 @inline export function articulated(t: JointTable, row: i32): ArticulatedBody {
@@ -35,38 +38,60 @@ export function startBody(t: JointTable, row: i32, inverseMass: f64, inverseIner
   body.m02 = 0;
   body.m11 = body.m00;
   body.m12 = 0;
-  body.fx = 0;
-  body.fy = 0;
-  body.fw = 0;
   body.m22 = inverseInertia > 0 ? 1 / inverseInertia : LOCKED_INERTIA * body.m00;
 }
 
 // Forgets what acts on a body.
 export function clearBody(t: JointTable, row: i32): void {
   const body = articulated(t, row);
-  body.fx = 0;
-  body.fy = 0;
-  body.fw = 0;
+  body.gx = 0;
+  body.gy = 0;
+  body.gw = 0;
   body.stiffness = 0;
 }
 
-// Six numbers of the upper half of a symmetric matrix of 3 × 3, replaced by those of its inverse; zero if there is none.
+// Turns the force on a body into its change of velocity, with the inverse of its matrix, and makes it ready for the next.
+// @ts-ignore: decorator
+@inline export function accelerate(body: ArticulatedBody): void {
+  const x = body.gx;
+  const y = body.gy;
+  const w = body.gw;
+  body.gx = 0;
+  body.gy = 0;
+  body.gw = 0;
+  body.stiffness = 0;
+  body.fx = body.m00 * x + body.m01 * y + body.m02 * w;
+  body.fy = body.m01 * x + body.m11 * y + body.m12 * w;
+  body.fw = body.m02 * x + body.m12 * y + body.m22 * w;
+}
+
+// Six numbers of the upper half of a symmetric positive definite matrix of 3 × 3, replaced by those of its inverse, by
+// L D Lᵀ. Cofactors would cancel: a joint to what does not move is a million times as stiff along one direction as along the
+// others, and of a rod they leave no digit. A direction without mass gets none in the inverse.
+// Source: Golub and Van Loan, Matrix Computations, section 4.1.
 export function invert(matrix: usize): void {
   const a = load<f64>(matrix);
   const b = load<f64>(matrix, 8);
   const c = load<f64>(matrix, 16);
-  const d = load<f64>(matrix, 24);
-  const e = load<f64>(matrix, 32);
-  const f = load<f64>(matrix, 40);
-  const A = d * f - e * e;
-  const B = c * e - b * f;
-  const C = b * e - c * d;
-  const determinant = a * A + b * B + c * C;
-  const k = determinant != 0 ? 1 / determinant : 0;
-  store<f64>(matrix, A * k);
-  store<f64>(matrix, B * k, 8);
-  store<f64>(matrix, C * k, 16);
-  store<f64>(matrix, (a * f - c * c) * k, 24);
-  store<f64>(matrix, (b * c - a * e) * k, 32);
-  store<f64>(matrix, (a * d - b * b) * k, 40);
+  const p0 = reciprocal(a);
+  const l10 = b * p0;
+  const l20 = c * p0;
+  const p1 = reciprocal(load<f64>(matrix, 24) - l10 * b);
+  const e = load<f64>(matrix, 32) - l10 * c;
+  const l21 = e * p1;
+  const p2 = reciprocal(load<f64>(matrix, 40) - l20 * c - l21 * e);
+  // The last row of the inverse of L is (s, -l21, 1).
+  const s = l10 * l21 - l20;
+  const q = l21 * p2;
+  store<f64>(matrix, p0 + l10 * l10 * p1 + s * s * p2);
+  store<f64>(matrix, -l10 * p1 - s * q, 8);
+  store<f64>(matrix, s * p2, 16);
+  store<f64>(matrix, p1 + l21 * q, 24);
+  store<f64>(matrix, -q, 32);
+  store<f64>(matrix, p2, 40);
+}
+
+// @ts-ignore: decorator
+@inline function reciprocal(pivot: f64): f64 {
+  return pivot > 0 ? 1 / pivot : 0;
 }

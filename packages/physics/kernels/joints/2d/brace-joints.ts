@@ -6,18 +6,22 @@
 // Constrained Multibody Dynamics (Eurographics 2017).
 import { articulated } from './articulated-body';
 import { JointTable, impulsesOf } from './joint-table';
-import { JointWork, rowOf } from './joint-work';
+import { JointWork, isHinge, rowOf } from './joint-work';
 
 // Adds h k of both bodies, by the impulses of the last sub-step, which are forces times h, and the anchors from the centres.
-export function addStiffness(t: JointTable, work: JointWork, rax: f64, ray: f64, rbx: f64, rby: f64): void {
-  const impulses = impulsesOf(t, work.id);
-  const r0 = rowOf(work, 0);
-  const r1 = rowOf(work, 1);
-  const r2 = rowOf(work, 2);
-  const x = impulses.lock0 * r0.x + impulses.lock1 * r1.x + impulses.lock2 * r2.x;
-  const y = impulses.lock0 * r0.y + impulses.lock1 * r1.y + impulses.lock2 * r2.y;
-  articulated(t, work.a).stiffness -= x * rax + y * ray;
-  articulated(t, work.b).stiffness += x * rbx + y * rby;
+export function addStiffness(t: JointTable, work: JointWork): void {
+  let x = work.impulseX;
+  let y = work.impulseY;
+  if (!isHinge(work)) {
+    const impulses = impulsesOf(t, work.id);
+    const r0 = rowOf(work, 0);
+    const r1 = rowOf(work, 1);
+    const r2 = rowOf(work, 2);
+    x = impulses.lock0 * r0.x + impulses.lock1 * r1.x + impulses.lock2 * r2.x;
+    y = impulses.lock0 * r0.y + impulses.lock1 * r1.y + impulses.lock2 * r2.y;
+  }
+  articulated(t, work.a).stiffness -= x * work.rax + y * work.ray;
+  articulated(t, work.b).stiffness += x * work.rbx + y * work.rby;
 }
 
 // The inverse of the inertia that joints see; `least` is h² k.

@@ -22,7 +22,7 @@ import { JointRow, JointWork, rowOf } from './joint-work';
   b.w = <real>(<f64>b.w + work.inertiaB * row.armB * impulse);
 }
 
-// Applies the impulses of the three locked directions together; those that a joint has not are rows of zeros.
+// Applies the impulses of the three locked directions together. The rows of a joint with fewer of them are zero.
 // @ts-ignore: decorator
 @inline export function applyLocks(work: JointWork, a: BodyState, b: BodyState, j0: f64, j1: f64, j2: f64): void {
   const r0 = rowOf(work, 0);

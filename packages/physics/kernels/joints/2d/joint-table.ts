@@ -39,6 +39,7 @@ export class JointTable {
   ids: usize;
   count: i32;
   works: usize;
+  rows: usize;
   workCount: i32;
   // Indices of the joints that do more than lock directions: with a spring, a motor or limits, and all motor joints,
   // pulleys and gears.

@@ -49,7 +49,7 @@ function linkJoint(t: JointTable, i: i32): void {
   if (b != 0) listAt(t, b, 2 * i + 1);
 }
 
-// Whether a joint locks any direction. One that does not must not close a loop of those that do.
+// Whether a joint locks any direction. Others take no part in trees, where they would turn a chain of locks into a loop.
 function locks(t: JointTable, id: i32): bool {
   const kind = <u32>word(t.kind, id);
   if (kind == DISTANCE) return !(get(t.hertz, id) > 0) && word(t.hasLimits, id) == 0;

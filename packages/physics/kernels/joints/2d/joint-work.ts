@@ -1,6 +1,7 @@
 // A joint of this step. Each direction in which it acts is a row of the Jacobian: with the vector d and the arms of both
-// bodies, its speed is d · (v_b - v_a) + arm_b ω_b - arm_a ω_a.
-import { JointTable } from './joint-table';
+// bodies, its speed is d · (v_b - v_a) + arm_b ω_b - arm_a ω_a. The locked directions of a hinge are x and y: they follow
+// from the anchors and have no rows (hinge-locks.ts).
+import { JointTable, REVOLUTE } from './joint-table';
 
 @unmanaged
 export class JointRow {
@@ -29,7 +30,8 @@ export class JointWork {
   kind: u32;
   // 1 with a spring, a motor or limits, and for motor joints, pulleys and gears.
   hasAxes: i32;
-  pad: i32;
+  // Rows, class JointRow: three locked ones, that of spring and limits, and that of the motor.
+  rows: usize;
   massA: f64;
   inertiaA: f64;
   massB: f64;
@@ -41,26 +43,63 @@ export class JointWork {
   i11: f64;
   i12: f64;
   i22: f64;
-  // Rows: three locked ones, that of spring and limits, and that of the motor.
-  rows: f64;
+  // Anchors from the centres of both bodies, in the axes of the world, and from the anchor of a to that of b, m.
+  rax: f64;
+  ray: f64;
+  rbx: f64;
+  rby: f64;
+  dx: f64;
+  dy: f64;
+  // Of a hinge: an intermediate of the solution, as `value` of a row, and what it has exerted: JointImpulses keeps it from
+  // step to step only.
+  valueX: f64;
+  valueY: f64;
+  impulseX: f64;
+  impulseY: f64;
+  // Largest impulse of a sub-step, squared, and largest angular impulse.
+  largest: f64;
+  largestTurn: f64;
+  // Anchors in the axes of the bodies.
+  localAx: f64;
+  localAy: f64;
+  localBx: f64;
+  localBy: f64;
 }
 
 const ROW: usize = 48;
-const ROWS: usize = offsetof<JointWork>('rows');
-const SIZE: usize = (ROWS + 5 * ROW + 15) & ~15;
+const ROWS: usize = 5 * ROW;
+const SIZE: usize = offsetof<JointWork>();
 
 export const SPRING_ROW: i32 = 3;
 export const MOTOR_ROW: i32 = 4;
-export const JOINT_WORK_SIZE: usize = SIZE;
 
 // @ts-ignore: decorator
 @inline export function workAt(t: JointTable, i: i32): JointWork {
   return changetype<JointWork>(t.works + <usize>i * SIZE);
 }
 
+// Everything but the rows is zero, and the rows are those of before.
+// @ts-ignore: decorator
+@inline export function clearWork(t: JointTable, i: i32): JointWork {
+  const work = workAt(t, i);
+  memory.fill(changetype<usize>(work), 0, SIZE);
+  work.rows = t.rows + <usize>i * ROWS;
+  return work;
+}
+
+// @ts-ignore: decorator
+@inline export function clearRows(work: JointWork): void {
+  memory.fill(work.rows, 0, ROWS);
+}
+
+// @ts-ignore: decorator
+@inline export function isHinge(work: JointWork): bool {
+  return work.kind == REVOLUTE;
+}
+
 // @ts-ignore: decorator
 @inline export function rowOf(work: JointWork, i: i32): JointRow {
-  return changetype<JointRow>(changetype<usize>(work) + ROWS + <usize>i * ROW);
+  return changetype<JointRow>(work.rows + <usize>i * ROW);
 }
 
 // The row of a body in trees: 0 for what joints do not move.

@@ -1,73 +1,75 @@
-// The rows of a joint where its bodies are now.
+// The anchors and rows of a joint where its bodies are now.
 import { get } from '../../memory/columns';
 import { cosine, sine } from '../../math/elementary';
 import { BodyPose, BodyState, poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, WHEEL } from './joint-table';
+import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, WELD, WHEEL } from './joint-table';
 import { addStiffness } from './brace-joints';
-import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf } from './joint-work';
+import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, isHinge, rowOf } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
 
 // Closer points have no direction between them.
 const MIN_DISTANCE: f64 = 1e-9;
 
-// Of the joint that is measured: anchors from the centres, the vector between them, and angle of b from a.
-let rax: f64 = 0;
-let ray: f64 = 0;
-let rbx: f64 = 0;
-let rby: f64 = 0;
-let dx: f64 = 0;
-let dy: f64 = 0;
-let turn: f64 = 0;
-let ca: f64 = 1;
-let sa: f64 = 0;
-
 export function measureJoint(t: JointTable, work: JointWork): void {
   locate(t, work);
-  const id = work.id;
-  const kind = work.kind;
-  if (kind == REVOLUTE || kind == WELD) lockPoint(work);
-  // A weld with a spring bends.
-  if (kind == WELD && get(t.hertz, id) == 0) lockAngle(work, 2);
-  if (work.hasAxes != 0) aboutAngle(rowOf(work, SPRING_ROW), turn);
-  if (work.hasAxes != 0) aboutAngle(rowOf(work, MOTOR_ROW), turn);
-  if (kind == PRISMATIC || kind == WHEEL) alongAxis(t, work, kind == PRISMATIC);
-  if (kind == DISTANCE) alongLine(t, work);
-  if (kind == MOTOR) followPoint(work);
-  if (kind == PULLEY) measurePulley(t, work, rax, ray, rbx, rby);
-  if (kind == GEAR) measureGear(t, work);
-  if (work.locks > 0) addStiffness(t, work, rax, ray, rbx, rby);
+  if (!isHinge(work)) measureLocks(t, work);
+  else work.locks = 2;
+  if (work.hasAxes != 0 && (work.kind == WELD || isHinge(work))) turnAbout(work, angleBetween(t, work));
+  if (work.locks > 0) addStiffness(t, work);
+}
+
+// Cosine and sine of the angle of the body that was asked for last, now.
+let cosineNow: f64 = 1;
+let sineNow: f64 = 0;
+
+// @ts-ignore: decorator
+@inline function turnTo(pose: BodyPose, state: BodyState): void {
+  cosineNow = <f64>pose.c * <f64>state.dc - <f64>pose.s * <f64>state.ds;
+  sineNow = <f64>pose.s * <f64>state.dc + <f64>pose.c * <f64>state.ds;
 }
 
 function locate(t: JointTable, work: JointWork): void {
   const rigid = changetype<RigidTable>(t.rigid);
-  const id = work.id;
   const a = poseOf(rigid, work.rowA);
   const b = poseOf(rigid, work.rowB);
   const stateA = stateOf(rigid, work.a);
   const stateB = stateOf(rigid, work.b);
   turnTo(a, stateA);
-  ca = cosineNow;
-  sa = sineNow;
-  rax = ca * <f64>get(t.ax, id) - sa * <f64>get(t.ay, id);
-  ray = sa * <f64>get(t.ax, id) + ca * <f64>get(t.ay, id);
+  const rax = cosineNow * work.localAx - sineNow * work.localAy;
+  const ray = sineNow * work.localAx + cosineNow * work.localAy;
   turnTo(b, stateB);
-  rbx = cosineNow * <f64>get(t.bx, id) - sineNow * <f64>get(t.by, id);
-  rby = sineNow * <f64>get(t.bx, id) + cosineNow * <f64>get(t.by, id);
-  dx = <f64>b.x - <f64>a.x + (<f64>stateB.dx - <f64>stateA.dx) + rbx - rax;
-  dy = <f64>b.y - <f64>a.y + (<f64>stateB.dy - <f64>stateA.dy) + rby - ray;
-  const start = <f64>get(rigid.angle, work.rowB) - <f64>get(rigid.angle, work.rowA);
-  turn = start + (<f64>stateB.turned - <f64>stateA.turned) - <f64>get(t.angle, id);
+  const rbx = cosineNow * work.localBx - sineNow * work.localBy;
+  const rby = sineNow * work.localBx + cosineNow * work.localBy;
+  work.dx = <f64>b.x - <f64>a.x + (<f64>stateB.dx - <f64>stateA.dx) + rbx - rax;
+  work.dy = <f64>b.y - <f64>a.y + (<f64>stateB.dy - <f64>stateA.dy) + rby - ray;
+  work.rax = rax;
+  work.ray = ray;
+  work.rbx = rbx;
+  work.rby = rby;
 }
 
-let cosineNow: f64 = 1;
-let sineNow: f64 = 0;
+// The angle of b from a, less that of the joint, rad.
+function angleBetween(t: JointTable, work: JointWork): f64 {
+  const rigid = changetype<RigidTable>(t.rigid);
+  const start = <f64>get(rigid.angle, work.rowB) - <f64>get(rigid.angle, work.rowA);
+  const turned = <f64>stateOf(rigid, work.b).turned - <f64>stateOf(rigid, work.a).turned;
+  return start + turned - <f64>get(t.angle, work.id);
+}
 
-// Cosine and sine of the angle of a body now.
-// @ts-ignore: decorator
-@inline function turnTo(pose: BodyPose, state: BodyState): void {
-  cosineNow = <f64>pose.c * <f64>state.dc - <f64>pose.s * <f64>state.ds;
-  sineNow = <f64>pose.s * <f64>state.dc + <f64>pose.c * <f64>state.ds;
+function measureLocks(t: JointTable, work: JointWork): void {
+  const kind = work.kind;
+  work.locks = 0;
+  if (kind == WELD) {
+    lockPoint(work);
+    // A weld with a spring bends.
+    if (get(t.hertz, work.id) == 0) lockAngle(t, work, 2);
+  }
+  if (kind == PRISMATIC || kind == WHEEL) alongAxis(t, work, kind == PRISMATIC);
+  if (kind == DISTANCE) alongLine(t, work);
+  if (kind == MOTOR) followPoint(t, work);
+  if (kind == PULLEY) measurePulley(t, work);
+  if (kind == GEAR) measureGear(t, work);
 }
 
 // @ts-ignore: decorator
@@ -79,59 +81,73 @@ let sineNow: f64 = 0;
   row.error = error;
 }
 
-function lockPoint(work: JointWork): void {
-  setRow(rowOf(work, 0), 1, 0, -ray, -rby, dx);
-  setRow(rowOf(work, 1), 0, 1, rax, rbx, dy);
-  work.locks = 2;
-}
-
-function lockAngle(work: JointWork, i: i32): void {
-  aboutAngle(rowOf(work, i), turn);
-  work.locks = i + 1;
-}
-
-// A motor joint pulls at the point and the angle, and locks neither.
-function followPoint(work: JointWork): void {
-  lockPoint(work);
-  aboutAngle(rowOf(work, 2), turn);
-  work.locks = 0;
-}
-
 // @ts-ignore: decorator
 @inline function aboutAngle(row: JointRow, angle: f64): void {
   setRow(row, 0, 0, 1, 1, angle);
 }
 
+// Spring, limits and motor of a hinge or a weld.
+function turnAbout(work: JointWork, angle: f64): void {
+  aboutAngle(rowOf(work, SPRING_ROW), angle);
+  aboutAngle(rowOf(work, MOTOR_ROW), angle);
+}
+
+function lockPoint(work: JointWork): void {
+  setRow(rowOf(work, 0), 1, 0, -work.ray, -work.rby, work.dx);
+  setRow(rowOf(work, 1), 0, 1, work.rax, work.rbx, work.dy);
+  work.locks = 2;
+}
+
+function lockAngle(t: JointTable, work: JointWork, i: i32): void {
+  aboutAngle(rowOf(work, i), angleBetween(t, work));
+  work.locks = i + 1;
+}
+
+// A motor joint pulls at the point and the angle, and locks neither.
+function followPoint(t: JointTable, work: JointWork): void {
+  lockPoint(work);
+  aboutAngle(rowOf(work, 2), angleBetween(t, work));
+  work.locks = 0;
+}
+
 // The axis is fixed to a. Nothing moves across it; b moves along it.
 function alongAxis(t: JointTable, work: JointWork, keepsAngle: bool): void {
+  const rigid = changetype<RigidTable>(t.rigid);
+  turnTo(poseOf(rigid, work.rowA), stateOf(rigid, work.a));
   const angle = <f64>get(t.axis, work.id);
   const c = cosine(angle);
   const s = sine(angle);
-  const ux = ca * c - sa * s;
-  const uy = sa * c + ca * s;
-  const px = rax + dx;
-  const py = ray + dy;
-  setRow(rowOf(work, 0), -uy, ux, px * ux + py * uy, rbx * ux + rby * uy, dy * ux - dx * uy);
+  const ux = cosineNow * c - sineNow * s;
+  const uy = sineNow * c + cosineNow * s;
+  const dx = work.dx;
+  const dy = work.dy;
+  const px = work.rax + dx;
+  const py = work.ray + dy;
+  const acrossB = work.rbx * ux + work.rby * uy;
+  const alongB = work.rbx * uy - work.rby * ux;
+  setRow(rowOf(work, 0), -uy, ux, px * ux + py * uy, acrossB, dy * ux - dx * uy);
   work.locks = 1;
-  setRow(rowOf(work, SPRING_ROW), ux, uy, px * uy - py * ux, rbx * uy - rby * ux, dx * ux + dy * uy);
-  if (!keepsAngle) return;
-  lockAngle(work, 1);
-  const along = rowOf(work, SPRING_ROW);
-  setRow(rowOf(work, MOTOR_ROW), ux, uy, along.armA, along.armB, along.error);
+  setRow(rowOf(work, SPRING_ROW), ux, uy, px * uy - py * ux, alongB, dx * ux + dy * uy);
+  if (keepsAngle) {
+    lockAngle(t, work, 1);
+    setRow(rowOf(work, MOTOR_ROW), ux, uy, px * uy - py * ux, alongB, dx * ux + dy * uy);
+  } else if (work.hasAxes != 0) {
+    // The motor of a wheel turns it.
+    aboutAngle(rowOf(work, MOTOR_ROW), angleBetween(t, work));
+  }
 }
 
 // Without spring and limits the distance is locked.
 function alongLine(t: JointTable, work: JointWork): void {
   const id = work.id;
-  const distance = sqrt<f64>(dx * dx + dy * dy);
+  const distance = sqrt<f64>(work.dx * work.dx + work.dy * work.dy);
   const near = distance < MIN_DISTANCE;
-  const ux = near ? 1 : dx / distance;
-  const uy = near ? 0 : dy / distance;
-  const armA = rax * uy - ray * ux;
-  const armB = rbx * uy - rby * ux;
+  const ux = near ? 1 : work.dx / distance;
+  const uy = near ? 0 : work.dy / distance;
+  const armA = work.rax * uy - work.ray * ux;
+  const armB = work.rbx * uy - work.rby * ux;
   setRow(rowOf(work, SPRING_ROW), ux, uy, armA, armB, distance);
   setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance);
-  work.locks = 0;
   if (get(t.hertz, id) > 0 || word(t.hasLimits, id) != 0) return;
   setRow(rowOf(work, 0), ux, uy, armA, armB, distance - <f64>get(t.length, id));
   work.locks = 1;

@@ -3,7 +3,7 @@ import { get } from '../../memory/columns';
 import { ASLEEP, DYNAMIC, MOVES, flagsOf, poseOf, putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { FILTER, IMPULSES_SIZE, JointImpulses, JointTable, MOTOR, impulsesOf } from './joint-table';
-import { JOINT_WORK_SIZE, workAt } from './joint-work';
+import { clearRows, clearWork, isHinge } from './joint-work';
 import { clearTrees, orderTrees } from './joint-trees';
 import { wakeJoined } from './wake-joints';
 
@@ -50,15 +50,18 @@ function startWork(t: JointTable, rigid: RigidTable, i: i32): void {
   const kind = <u32>word(t.kind, id);
   const hasAxes = kind >= MOTOR || get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0;
   if (hasAxes) putWord(t.axes, t.axisCount++, t.workCount);
-  const work = workAt(t, t.workCount++);
-  memory.fill(changetype<usize>(work), 0, JOINT_WORK_SIZE);
+  const work = clearWork(t, t.workCount++);
   work.id = id;
   work.kind = kind;
+  if (hasAxes || !isHinge(work)) clearRows(work);
+  work.impulseX = impulses.lock0;
+  work.impulseY = impulses.lock1;
+  work.localAx = <f64>get(t.ax, id);
+  work.localAy = <f64>get(t.ay, id);
+  work.localBx = <f64>get(t.bx, id);
+  work.localBy = <f64>get(t.by, id);
   work.hasAxes = hasAxes ? 1 : 0;
   work.parent = word(t.parents, i);
-  // A joint between bodies that sleep keeps its force.
-  impulses.force = 0;
-  impulses.torque = 0;
   work.rowA = a;
   work.rowB = b;
   work.a = (flagsOf(rigid, a) & MOVES) != 0 ? a : 0;

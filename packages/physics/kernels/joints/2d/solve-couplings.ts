@@ -22,11 +22,15 @@ const ROW_B: i32 = SPRING_ROW;
 // A shorter rope has no direction.
 const MIN_ROPE: f64 = 1e-9;
 
-export function measurePulley(t: JointTable, work: JointWork, rax: f64, ray: f64, rbx: f64, rby: f64): void {
+export function measurePulley(t: JointTable, work: JointWork): void {
   const rigid = changetype<RigidTable>(t.rigid);
   const id = work.id;
   const a = poseOf(rigid, work.rowA);
   const b = poseOf(rigid, work.rowB);
+  const rax = work.rax;
+  const ray = work.ray;
+  const rbx = work.rbx;
+  const rby = work.rby;
   const ratio = <f64>get(t.ratio, id);
   const ax = <f64>a.x + <f64>stateA(rigid, work).dx + rax - <f64>get(t.pulleyAx, id);
   const ay = <f64>a.y + <f64>stateA(rigid, work).dy + ray - <f64>get(t.pulleyAy, id);

@@ -11,10 +11,10 @@
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { ArticulatedBody, articulated, invert } from './articulated-body';
+import { ArticulatedBody, accelerate, articulated, invert } from './articulated-body';
+import { exertHinge, factorHinge, gatherHinge } from './hinge-locks';
 import { JointTable, impulsesOf } from './joint-table';
-import { clearTrees } from './joint-trees';
-import { JointRow, JointWork, childOf, parentOf, rowOf, workAt } from './joint-work';
+import { JointRow, JointWork, childOf, isHinge, parentOf, rowOf, workAt } from './joint-work';
 import { applyLocks, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
 import { softenJoint } from './soft-impulse';
 import { watchJoint } from './watch-joints';
@@ -35,11 +35,12 @@ const COMPLIANCE: f64 = 1e-6;
 // The rows of a joint with fewer locked directions are zero, so three are solved of every joint: without loops, that is
 // faster than two or one.
 function factorJoint(t: JointTable, work: JointWork): void {
+  const share = work.parent == 0 ? 1 : COMPLIANCE;
+  if (isHinge(work)) return factorHinge(t, work, share);
   const child = childOf(work);
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
-  const share = work.parent == 0 ? 1 : COMPLIANCE;
   work.i00 = share * coupling(work, r0, r0);
   work.i01 = share * coupling(work, r0, r1);
   work.i02 = share * coupling(work, r0, r2);
@@ -115,7 +116,6 @@ export function solveLocks(table: usize, soft: i32): void {
   if (soft == 0) {
     softness.massScale = 1;
     softness.impulseScale = 0;
-    clearTrees(t);
   }
   for (let k = t.workCount - 1; k >= 0; k--) {
     const work = workAt(t, k);
@@ -130,19 +130,8 @@ export function solveLocks(table: usize, soft: i32): void {
   for (let k = 0; k < t.workCount; k++) {
     const work = workAt(t, k);
     exert(t, rigid, work, bias);
-    if (soft == 0) watchJoint(work, impulsesOf(t, work.id));
+    if (soft == 0) watchJoint(t, work);
   }
-}
-
-// f becomes W f.
-// @ts-ignore: decorator
-@inline function accelerate(body: ArticulatedBody): void {
-  const x = body.fx;
-  const y = body.fy;
-  const w = body.fw;
-  body.fx = body.m00 * x + body.m01 * y + body.m02 * w;
-  body.fy = body.m01 * x + body.m11 * y + body.m12 * w;
-  body.fw = body.m02 * x + body.m12 * y + body.m22 * w;
 }
 
 // How much a row would move with what a body does, as part of v_b - v_a.
@@ -154,6 +143,7 @@ export function solveLocks(table: usize, soft: i32): void {
 // From the ends: what is left for the parent to do.
 function gatherForces(t: JointTable, rigid: RigidTable, work: JointWork, bias: f64): void {
   if (work.parent == 0 || work.locks == 0) return;
+  if (isHinge(work)) return gatherHinge(t, rigid, work, bias);
   const sign: f64 = work.parent == 1 ? 1 : -1;
   const child = childOf(work);
   const a = stateA(rigid, work);
@@ -175,14 +165,15 @@ function gatherForces(t: JointTable, rigid: RigidTable, work: JointWork, bias: f
   const y1 = sign * (work.i01 * r0.value + work.i11 * r1.value + work.i12 * r2.value);
   const y2 = sign * (work.i02 * r0.value + work.i12 * r1.value + work.i22 * r2.value);
   const to = articulated(t, parentOf(work));
-  to.fx -= y0 * r0.x + y1 * r1.x + y2 * r2.x;
-  to.fy -= y0 * r0.y + y1 * r1.y + y2 * r2.y;
-  to.fw -= y0 * parentArm(work, r0) + y1 * parentArm(work, r1) + y2 * parentArm(work, r2);
+  to.gx -= y0 * r0.x + y1 * r1.x + y2 * r2.x;
+  to.gy -= y0 * r0.y + y1 * r1.y + y2 * r2.y;
+  to.gw -= y0 * parentArm(work, r0) + y1 * parentArm(work, r1) + y2 * parentArm(work, r2);
 }
 
 // From the root: the impulses of a joint, and what the child does with them.
 function exert(t: JointTable, rigid: RigidTable, work: JointWork, bias: f64): void {
   if (work.locks == 0) return;
+  if (isHinge(work)) return exertHinge(t, rigid, work, bias);
   const a = stateA(rigid, work);
   const b = stateB(rigid, work);
   const r0 = rowOf(work, 0);

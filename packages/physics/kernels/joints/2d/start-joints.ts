@@ -3,8 +3,9 @@ import { poseOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { articulated, startBody } from './articulated-body';
 import { braced } from './brace-joints';
+import { applyAtHinge } from './hinge-locks';
 import { GEAR, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
-import { JointWork, MOTOR_ROW, SPRING_ROW, childOf, rowOf, workAt } from './joint-work';
+import { JointWork, MOTOR_ROW, SPRING_ROW, childOf, isHinge, rowOf, workAt } from './joint-work';
 import { applyAlong, applyLocks, stateA, stateB } from './joint-rows';
 import { measureJoint } from './measure-joints';
 import { warmStartCoupling } from './solve-couplings';
@@ -45,8 +46,10 @@ function startRoot(t: JointTable, rigid: RigidTable, row: i32): void {
 function warmStart(t: JointTable, rigid: RigidTable, work: JointWork): void {
   const a = stateA(rigid, work);
   const b = stateB(rigid, work);
+  if (isHinge(work)) applyAtHinge(work, a, b, work.impulseX, work.impulseY);
+  if (isHinge(work) && work.hasAxes == 0) return;
   const impulses = impulsesOf(t, work.id);
-  if (work.locks > 0) applyLocks(work, a, b, impulses.lock0, impulses.lock1, impulses.lock2);
+  if (!isHinge(work) && work.locks > 0) applyLocks(work, a, b, impulses.lock0, impulses.lock1, impulses.lock2);
   if (work.hasAxes == 0) return;
   if (work.kind == MOTOR) return warmStartMotorJoint(work, a, b, impulses);
   if (work.kind == PULLEY || work.kind == GEAR) return warmStartCoupling(work, a, b, impulses);

@@ -3,34 +3,43 @@ import { get } from '../../memory/columns';
 import { putWord } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
-import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, isHinge, rowOf, workAt } from './joint-work';
 
 // Sums over the rows of a joint: the impulse, N s, and the angular impulse, N m s, on b.
 let sumX: f64 = 0;
 let sumY: f64 = 0;
 let sumTurn: f64 = 0;
 
-// Ends a sub-step: keeps the largest impulse, squared, and the largest angular impulse.
+// Ends a sub-step: keeps the largest impulse and angular impulse.
 // @ts-ignore: decorator
-@inline export function watchJoint(work: JointWork, impulses: JointImpulses): void {
-  sumImpulses(work, impulses);
-  impulses.force = max<f64>(impulses.force, sumX * sumX + sumY * sumY);
-  impulses.torque = max<f64>(impulses.torque, abs<f64>(sumTurn));
+@inline export function watchJoint(t: JointTable, work: JointWork): void {
+  if (isHinge(work)) {
+    sumX = work.impulseX;
+    sumY = work.impulseY;
+    sumTurn = 0;
+  }
+  if (!isHinge(work) || work.hasAxes != 0) sumImpulses(work, impulsesOf(t, work.id));
+  work.largest = max<f64>(work.largest, sumX * sumX + sumY * sumY);
+  work.largestTurn = max<f64>(work.largestTurn, abs<f64>(sumTurn));
 }
 
 function sumImpulses(work: JointWork, impulses: JointImpulses): void {
-  sumX = 0;
-  sumY = 0;
-  sumTurn = 0;
-  const locks = work.kind == MOTOR ? 3 : work.locks;
-  for (let p = 0; p < locks; p++)
-    addImpulse(rowOf(work, p), load<f64>(changetype<usize>(impulses) + ((<usize>p) << 3)));
+  if (!isHinge(work)) sumLocks(work, impulses);
   // Of pulleys and gears one row belongs to b.
   if (work.kind == PULLEY) addImpulse(rowOf(work, SPRING_ROW), impulses.upper);
   if (work.kind == GEAR) addImpulse(rowOf(work, SPRING_ROW), impulses.lock0);
   if (work.hasAxes == 0 || work.kind >= MOTOR) return;
   addImpulse(rowOf(work, SPRING_ROW), impulses.spring + impulses.lower - impulses.upper);
   addImpulse(rowOf(work, MOTOR_ROW), impulses.motor);
+}
+
+function sumLocks(work: JointWork, impulses: JointImpulses): void {
+  sumX = 0;
+  sumY = 0;
+  sumTurn = 0;
+  const locks = work.kind == MOTOR ? 3 : work.locks;
+  for (let p = 0; p < locks; p++)
+    addImpulse(rowOf(work, p), load<f64>(changetype<usize>(impulses) + ((<usize>p) << 3)));
 }
 
 // A row without a direction turns bodies, and another pushes them.
@@ -40,16 +49,22 @@ function addImpulse(row: JointRow, impulse: f64): void {
   if (row.x == 0 && row.y == 0) sumTurn += impulse * row.armB;
 }
 
-// Ends a step: the largest forces and torques, and the joints that were loaded beyond what they bear.
+// Ends a step: keeps what hinges exerted for the next step, the largest forces and torques, and lists the joints that were
+// loaded beyond what they bear.
 export function listBroken(table: usize): void {
   const t = changetype<JointTable>(table);
   const h = changetype<RigidTable>(t.rigid).h;
   t.brokenCount = 0;
   for (let i = 0; i < t.workCount; i++) {
-    const id = workAt(t, i).id;
+    const work = workAt(t, i);
+    const id = work.id;
     const impulses = impulsesOf(t, id);
-    impulses.force = sqrt<f64>(impulses.force) / h;
-    impulses.torque /= h;
+    if (isHinge(work)) {
+      impulses.lock0 = work.impulseX;
+      impulses.lock1 = work.impulseY;
+    }
+    impulses.force = sqrt<f64>(work.largest) / h;
+    impulses.torque = work.largestTurn / h;
     const isTorn = exceeds(impulses.force, <f64>get(t.breakForce, id));
     if (isTorn || exceeds(impulses.torque, <f64>get(t.breakTorque, id))) putWord(t.broken, t.brokenCount++, id);
   }

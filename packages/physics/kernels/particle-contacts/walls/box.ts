@@ -16,6 +16,9 @@ const REST_RESTITUTION: real = 0.99;
 // Lanes that came to rest in the last call of `rebound`.
 let restingLanes: v128 = i32x4.splat(0);
 
+// Speeds into the wall at the impacts of the last call of `rebound`.
+let impactSpeeds: v128 = i32x4.splat(0);
+
 // Reflects the lanes `hit` of one vector of rows off the wall at `plane`, which is already offset by the radius; `side`
 // (+1 or -1) points inside. Returns the change of normal velocity per lane, zero for lanes that do not approach.
 //
@@ -49,6 +52,7 @@ let restingLanes: v128 = i32x4.splat(0);
   const outgoing = v128.and(sub(reboundSpeed, mul(acceleration, sub(timeSinceImpact, lag))), rebounds);
   const newVelocity = mul(side, outgoing);
   restingLanes = v128.andnot(entering, rebounds);
+  impactSpeeds = impact;
   v128.store(x, v128.bitselect(add(plane, v128.and(mul(side, reboundDistance), rebounds)), position, hit));
   v128.store(v, v128.bitselect(newVelocity, velocity, entering));
   v128.store(
@@ -70,6 +74,7 @@ function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, side: real
   const ny = axis == 1 ? side : <real>0;
   const nz = axis == 2 ? side : <real>0;
   const resting = restingLanes;
+  const speeds = impactSpeeds;
   if (c.contacts == 0 && (friction == 0 || !hasFriction(c, row))) return;
   for (let lane = 0; lane < LANES; lane++) {
     const body = row + lane;
@@ -78,7 +83,8 @@ function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, side: real
     const own = get(c.friction, body);
     const mu = friction < 0 ? own : sqrt<real>(own * friction);
     applyWallFriction(c, body, nx, ny, nz, mu, impulse);
-    recordWallContact(body, 0, nx, ny, nz, mu, impulse, laneOf(resting, lane) != 0 ? impulse : <real>0);
+    const restingImpulse = laneOf(resting, lane) != 0 ? impulse : <real>0;
+    recordWallContact(body, 0, nx, ny, nz, mu, laneOf(speeds, lane), impulse, restingImpulse);
   }
 }
 
@@ -267,6 +273,7 @@ function holdRestingBodies(w: Walls, row: i32, lower: v128, upper: v128, canRest
   const onLow = v128.and(resting, v128.and(v128.lt<real>(x, lower), v128.eq<real>(origin, lower)));
   const onHigh = v128.and(resting, v128.and(v128.gt<real>(x, upper), v128.eq<real>(origin, upper)));
   restingLanes = v128.or(onLow, onHigh);
+  impactSpeeds = splat(0);
   if (!v128.any_true(restingLanes)) return;
   const velocity = v128.load(w.v + o);
   v128.store(w.x + o, v128.bitselect(origin, x, restingLanes));

@@ -114,7 +114,7 @@ function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: r
   put(c.velocityZ, row, vz + change * nz);
   const friction = sqrt<real>(get(c.friction, row) * get(p.friction, id));
   applyWallFriction(c, row, nx, ny, nz, friction, change * mass);
-  recordWallContact(row, id, nx, ny, nz, friction, change * mass, rebounds ? <real>0 : change * mass);
+  recordWallContact(row, id, nx, ny, nz, friction, impact, change * mass, rebounds ? <real>0 : change * mass);
   return true;
 }
 

@@ -166,7 +166,7 @@ function bounceOff(g: WallGrid, s: Segment, c: Columns, row: i32): void {
   // Impact and friction are not accelerations of this step, but the reaction of a wall cancels acceleration.
   put(g.startX, row, get(c.velocityX, row) - path.ax * stepLength);
   put(g.startY, row, get(c.velocityY, row) - path.ay * stepLength);
-  recordWallContact(row, s.id, nx, ny, 0, friction, impulse, rebounds ? <real>0 : impulse);
+  recordWallContact(row, s.id, nx, ny, 0, friction, hit.speed, impulse, rebounds ? <real>0 : impulse);
 }
 
 // Starts the path after a rebound. The wall no longer supports the body, so the acceleration that it cancelled acts

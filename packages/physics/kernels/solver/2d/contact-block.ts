@@ -24,8 +24,12 @@ export const BIAS_RATE: usize = 14 * V;
 export const MASS_SCALE: usize = 15 * V;
 export const IMPULSE_SCALE: usize = 16 * V;
 export const RESTITUTION: usize = 17 * V;
-// Two points follow, each with these.
-export const POINTS: usize = 18 * V;
+// Radii by which the shapes are rounded: the surface is so far from the anchor, along the normal.
+export const ROUNDING_A: usize = 18 * V;
+export const ROUNDING_B: usize = 19 * V;
+// Two points follow, each with these. A rounded shape touches with another point of its surface as it turns, and so its
+// anchor is the point that the rounding is round: the centre of a disc.
+export const POINTS: usize = 20 * V;
 export const AX: usize = 0;
 export const AY: usize = V;
 export const BX: usize = 2 * V;

@@ -66,7 +66,7 @@ export function listContactEvents(table: usize): void {
   return pointOf(contact, 0).normalSpeed < speed || (contact.count > 1 && pointOf(contact, 1).normalSpeed < speed);
 }
 
-// The point at which the surfaces approached faster, among those that were hit if any was.
+// The point at which the surfaces approached faster; of two points of which one was hit, that one.
 function fastestPoint(contact: RigidContact): ContactPoint {
   const first = pointOf(contact, 0);
   if (contact.count < 2) return first;

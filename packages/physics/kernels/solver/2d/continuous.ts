@@ -1,14 +1,14 @@
 // Continuous collision: a body that moved further in a step than half its least extent may have passed through something
-// thin. It is put back to where it came near the first body without mass on its way, and a bullet to where it came near any
-// other; the contact there is found in the next step. Where it started in contact it slides along the surface, if a core
+// thin. It is put back to where it came near the first body without mass on its way, unless it only goes along the surface,
+// and a bullet to where it came near any other; the contact there is found in the next step. Where it started in contact it slides along the surface, if a core
 // of a quarter of its size would pass through.
 //
 // Source: the bounds are those of Box2D 3 (solver.c); time of impact: narrow-phase/2d/time-of-impact.ts.
 import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { makeCircle, shapeOf } from '../../collision/shapes/2d/shape-pool';
-import { FatBox, overlaps } from '../../collision/broad-phase/2d/fat-boxes';
+import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
-import { nodeAt } from '../../collision/broad-phase/2d/box-tree';
+import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
 import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
@@ -28,6 +28,7 @@ import {
 } from './body';
 import { passSensors } from './pass-sensors';
 import { bodyOf } from './parts';
+import { longestPath, pathOf } from './paths';
 import { RigidTable } from './rigid-table';
 import { shapeAt } from './walls';
 import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
@@ -54,25 +55,17 @@ export function stopFastBodies(table: usize): void {
     const fast = (flags & DYNAMIC) != 0 && (flags & (COLLIDES | COMPOUND)) != 0 && isFast(t, row);
     putFlags(t, row, fast ? flags | FAST : flags);
     if (!fast) continue;
-    // The list of changed boxes has served its purpose in this step.
-    if (isBullet(t, row)) putWord(t.enlarged, bullets++, row);
+    if (isBullet(t, row)) putWord(t.bullets, bullets++, row);
     else stopBody(t, row, -1);
   }
   if (bullets == 0) return;
   const reach = longestPath(t);
-  for (let i = 0; i < bullets; i++) stopBody(t, word(t.enlarged, i), reach);
+  for (let i = 0; i < bullets; i++) stopBody(t, word(t.bullets, i), reach);
 }
 
 // @ts-ignore: decorator
 @inline function isFast(t: RigidTable, row: i32): bool {
   return pathOf(t, row) > SAFE_PART * poseOf(t, row).minExtent;
-}
-
-// How far any point of a body moved at most in this step, m.
-// @ts-ignore: decorator
-@inline function pathOf(t: RigidTable, row: i32): real {
-  const state = stateOf(t, row);
-  return sqrt<real>(state.dx * state.dx + state.dy * state.dy) + abs<real>(state.turned) * poseOf(t, row).extent;
 }
 
 // A compound is a bullet when one of its parts is.
@@ -82,12 +75,6 @@ function isBullet(t: RigidTable, row: i32): bool {
     if (word(t.bullet, part) != 0) return true;
   }
   return false;
-}
-
-function longestPath(t: RigidTable): real {
-  let longest: real = 0;
-  for (let i = 0; i < t.awakeCount; i++) longest = max<real>(longest, pathOf(t, word(t.awake, i)));
-  return longest;
 }
 
 // With a `reach` of 0 and more the body is a bullet, and others may have left their boxes by so much.
@@ -116,16 +103,10 @@ function firstImpact(t: RigidTable, body: i32, row: i32, reach: real, first: rea
 
 function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i32, shape: Shape, least: real): real {
   let first = least;
-  let i = 0;
-  while (i < count) {
-    const node = nodeAt(nodes, i);
-    if (!overlaps(changetype<FatBox>(node), path)) {
-      i = node.skip;
-      continue;
-    }
-    i++;
-    if (node.row == 0 || !mayStop(t, body, row, node.row)) continue;
-    const fraction = impactWith(t, node.row, shape);
+  for (let i = nextLeaf(nodes, count, 0, path); i < count; i = nextLeaf(nodes, count, i + 1, path)) {
+    const other = nodeAt(nodes, i).row;
+    if (!mayStop(t, body, row, other)) continue;
+    const fraction = impactWith(t, other, shape);
     if (fraction == SLIDES) {
       slide(t, body, sweep.nx, sweep.ny);
       startSweepB(t, sweep, body, row);
@@ -158,7 +139,7 @@ function impactWith(t: RigidTable, other: i32, shape: Shape): real {
   if (sweep.isHit == 0) return 1;
   if ((flagsOf(t, other) & ONE_WAY) != 0 && (sweep.fraction == 0 || !isUpperSide(t, other, sweep.nx, sweep.ny)))
     return 1;
-  if (sweep.fraction > 0) return sweep.fraction;
+  if (sweep.fraction > 0) return entersDeep(wall, shape) ? sweep.fraction : 1;
   const nx = sweep.nx;
   const ny = sweep.ny;
   makeCircle(core, CORE_PART * shape.minExtent);
@@ -168,6 +149,27 @@ function impactWith(t: RigidTable, other: i32, shape: Shape): real {
   sweep.nx = nx;
   sweep.ny = ny;
   return SLIDES;
+}
+
+// Whether the second shape would enter the first by more than a quarter of its size, so that the contact of the next step
+// might push it out on the other side. A ball that rolls from one segment to the next does not.
+function entersDeep(wall: Shape, shape: Shape): bool {
+  const fraction = sweep.fraction;
+  const nx = sweep.nx;
+  const ny = sweep.ny;
+  const dx = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
+  const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
+  const round = shape.minExtent == shape.extent;
+  const turn = round ? <real>0 : abs<real>(sweep.endBs * sweep.bc - sweep.endBc * sweep.bs);
+  const depth = (<real>1 - fraction) * (shape.extent * turn - (dx * nx + dy * ny));
+  if (depth < CORE_PART * shape.minExtent) return false;
+  if (!round) return true;
+  makeCircle(core, (<real>1 - CORE_PART) * shape.minExtent);
+  timeOfImpact(sweep, wall, core);
+  sweep.fraction = fraction;
+  sweep.nx = nx;
+  sweep.ny = ny;
+  return sweep.isHit != 0;
 }
 
 // Takes the part of the movement that goes into a surface with this normal.

@@ -18,6 +18,7 @@ import {
 } from './body';
 import { readPose } from './gather-bodies';
 import { placePart } from './parts';
+import { pathOf } from './paths';
 import { RigidTable } from './rigid-table';
 import { Sleeper, sleeperOf } from './sleeper';
 
@@ -55,8 +56,7 @@ function speedOf(t: RigidTable, row: i32): real {
   const state = stateOf(t, row);
   const extent = poseOf(t, row).extent;
   const speed = sqrt<real>(state.vx * state.vx + state.vy * state.vy) + abs<real>(state.w) * extent;
-  const path = sqrt<real>(state.dx * state.dx + state.dy * state.dy) + abs<real>(state.turned) * extent;
-  return max<real>(speed, (<real>0.5 * path) / <real>t.dt);
+  return max<real>(speed, (<real>0.5 * pathOf(t, row)) / <real>t.dt);
 }
 
 function joinIslands(t: RigidTable): void {

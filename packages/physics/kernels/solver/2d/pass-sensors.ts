@@ -1,12 +1,13 @@
-// Sensors that a fast body passed within one step: those that it overlaps neither at its start nor at its end, but on its way.
-// They begin and end in that step. Sensors that move are met at the ends of steps only.
+// Sensors that a fast body passed within one step: the body overlaps them neither at the start nor
+// at the end of the step, but in between. The overlap begins and ends in that step. Sensors that move are tested at the ends of
+// steps only.
 import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
-import { FatBox, overlaps } from '../../collision/broad-phase/2d/fat-boxes';
+import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
-import { nodeAt } from '../../collision/broad-phase/2d/box-tree';
+import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { Distance, closestPoints } from '../../collision/narrow-phase/2d/distance';
-import { RelativePose } from '../../collision/narrow-phase/2d/relative-pose';
+import { RelativePose, setRelative } from '../../collision/narrow-phase/2d/relative-pose';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
 import { COLLIDES, SENSOR, flagsOf, poseOf, word } from './body';
 import { noteSensorBegin, noteSensorEnd } from './contact-events';
@@ -34,16 +35,11 @@ function passOf(t: RigidTable, body: i32, row: i32): void {
   const shape = shapeOf(row, spareB);
   startSweepB(t, sweep, body, row);
   measurePath(path, sweep, shape, 0);
-  let i = 0;
-  while (i < t.staticNodeCount) {
-    const node = nodeAt(t.staticNodes, i);
-    if (!overlaps(changetype<FatBox>(node), path)) {
-      i = node.skip;
-      continue;
-    }
-    i++;
-    const sensor = node.row;
-    if (sensor == 0 || (flagsOf(t, sensor) & SENSOR) == 0 || !filtersMeet(t, row, sensor)) continue;
+  const nodes = t.staticNodes;
+  const count = t.staticNodeCount;
+  for (let i = nextLeaf(nodes, count, 0, path); i < count; i = nextLeaf(nodes, count, i + 1, path)) {
+    const sensor = nodeAt(nodes, i).row;
+    if ((flagsOf(t, sensor) & SENSOR) == 0 || !filtersMeet(t, row, sensor)) continue;
     if (!passes(t, sensor, shape)) continue;
     noteSensorBegin(t, sensor, row);
     noteSensorEnd(t, sensor, row);
@@ -56,13 +52,7 @@ function passes(t: RigidTable, sensor: i32, shape: Shape): bool {
   const area = shapeOf(sensor, spareA);
   timeOfImpact(sweep, area, shape);
   if (sweep.isHit == 0 || sweep.fraction == 0) return false;
-  const pose = poseOf(t, sensor);
-  const dx = sweep.endBx - pose.x;
-  const dy = sweep.endBy - pose.y;
-  endInSensor.x = pose.c * dx + pose.s * dy;
-  endInSensor.y = pose.c * dy - pose.s * dx;
-  endInSensor.c = pose.c * sweep.endBc + pose.s * sweep.endBs;
-  endInSensor.s = pose.c * sweep.endBs - pose.s * sweep.endBc;
+  setRelative(endInSensor, poseOf(t, sensor), sweep.endBx, sweep.endBy, sweep.endBc, sweep.endBs);
   closestPoints(nearest, area, shape, endInSensor);
   return nearest.distance > area.radius + shape.radius;
 }

@@ -1,8 +1,9 @@
 // Fills the blocks of contacts for the sub-steps of a step, and empties them into the contacts afterwards.
 import { LANES } from '../../memory/lanes';
 import { get, put } from '../../memory/columns';
-import { RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
-import { LOCKED, MOVES, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { ContactPoint, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { roundingOf } from '../../collision/shapes/2d/shape-pool';
+import { LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { takeLane } from './color-contacts';
 import * as block from './contact-block';
 import { inverseMassAlong } from './motion-locks';
@@ -12,6 +13,11 @@ import { soften, softness } from './softness';
 // The frequency of a contact is at most this part of the rate of sub-steps.
 const MAX_PART_OF_RATE: f64 = 0.125;
 
+// A body that is so many times as heavy is nearly immovable for the other. Where it is heavier yet, contacts give way
+// altogether: it must come through the light body, and not press that through the ground.
+const MUCH_HEAVIER: real = 10;
+const TOO_HEAVY: real = 2000;
+
 export function prepareContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   for (let i = 0; i < t.blockCount; i++) clearBlock(t, i);
@@ -20,7 +26,8 @@ export function prepareContacts(table: usize): void {
   const biasRate = <real>(softness.biasRate * softness.massScale);
   const massScale = <real>softness.massScale;
   const impulseScale = <real>softness.impulseScale;
-  // Against what does not move contacts are stiffer, so that nothing is pushed through the ground.
+  // Against what does not move contacts are stiffer, so that nothing is pushed through the ground, and against what is much
+  // heavier, so that it does not sink into what bears it.
   soften(2 * hertz, t.contactDampingRatio, t.h);
   for (let i = 0; i < t.touchingCount; i++) {
     const slot = word(t.touching, 2 * i);
@@ -29,13 +36,21 @@ export function prepareContacts(table: usize): void {
     const l = lane & (LANES - 1);
     const contact = contactAt(t, slot);
     putWord(at + block.SLOT, l, slot);
-    const single = !(poseOf(t, contact.bodyA).inverseMass > 0 && poseOf(t, contact.bodyB).inverseMass > 0);
+    const single = isUneven(poseOf(t, contact.bodyA).inverseMass, poseOf(t, contact.bodyB).inverseMass);
     put(at + block.BIAS_RATE, l, single ? <real>(softness.biasRate * softness.massScale) : biasRate);
     put(at + block.MASS_SCALE, l, single ? <real>softness.massScale : massScale);
     put(at + block.IMPULSE_SCALE, l, single ? <real>softness.impulseScale : impulseScale);
     fillBodies(t, contact, at, l);
     for (let p = 0; p < contact.count; p++) fillPoint(t, contact, at, l, p);
   }
+}
+
+// Whether one of two bodies is much heavier than the other, or does not move at all.
+// @ts-ignore: decorator
+@inline function isUneven(inverseMassA: real, inverseMassB: real): bool {
+  const least = min<real>(inverseMassA, inverseMassB);
+  const most = max<real>(inverseMassA, inverseMassB);
+  return least * MUCH_HEAVIER <= most && (least == 0 || least * TOO_HEAVY >= most);
 }
 
 // Lanes without a contact act on row 0 with no mass.
@@ -53,6 +68,12 @@ export function prepareContacts(table: usize): void {
 // @ts-ignore: decorator
 @inline function solverRow(t: RigidTable, row: i32): i32 {
   return (flagsOf(t, row) & MOVES) != 0 ? row : 0;
+}
+
+// Walls are sharp.
+// @ts-ignore: decorator
+@inline function roundingAt(t: RigidTable, row: i32): real {
+  return (flagsOf(t, row) & WALL) != 0 ? 0 : roundingOf(row);
 }
 
 // @ts-ignore: decorator
@@ -74,6 +95,25 @@ export function prepareContacts(table: usize): void {
   put(at + block.ROLLING_MASS, l, turning > 0 ? <real>1 / turning : <real>0);
   put(at + block.ROLLING_IMPULSE, l, contact.rollingImpulse);
   put(at + block.RESTITUTION, l, contact.restitution);
+  put(at + block.ROUNDING_A, l, roundingAt(t, contact.a));
+  put(at + block.ROUNDING_B, l, roundingAt(t, contact.b));
+}
+
+// @ts-ignore: decorator
+@inline function fillAnchors(point: ContactPoint, at: usize, l: i32, to: usize): void {
+  const nx = get(at + block.NX, l);
+  const ny = get(at + block.NY, l);
+  const roundingA = get(at + block.ROUNDING_A, l);
+  const roundingB = get(at + block.ROUNDING_B, l);
+  const ax = point.ax - roundingA * nx;
+  const ay = point.ay - roundingA * ny;
+  const bx = point.bx + roundingB * nx;
+  const by = point.by + roundingB * ny;
+  put(to + block.AX, l, ax);
+  put(to + block.AY, l, ay);
+  put(to + block.BX, l, bx);
+  put(to + block.BY, l, by);
+  put(to + block.SEPARATION, l, point.separation - (nx * (bx - ax) + ny * (by - ay)));
 }
 
 // @ts-ignore: decorator
@@ -86,11 +126,7 @@ export function prepareContacts(table: usize): void {
   const ay = point.ay;
   const bx = point.bx;
   const by = point.by;
-  put(to + block.AX, l, ax);
-  put(to + block.AY, l, ay);
-  put(to + block.BX, l, bx);
-  put(to + block.BY, l, by);
-  put(to + block.SEPARATION, l, point.separation - (nx * (bx - ax) + ny * (by - ay)));
+  fillAnchors(point, at, l, to);
   const a = poseOf(t, contact.bodyA);
   const b = poseOf(t, contact.bodyB);
   let normalMass = a.inverseMass + b.inverseMass;

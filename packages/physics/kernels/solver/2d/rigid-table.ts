@@ -84,6 +84,8 @@ export class RigidTable {
   usedColors: usize;
   // By row, of a body that is fast: the fraction of the step at which it was stopped, f32.
   stops: usize;
+  // Rows of the bullets among the fast bodies, which are swept after all others.
+  bullets: usize;
   // Rows of bodies that the solver moves in this step, ascending.
   awake: usize;
   awakeCount: i32;
@@ -135,8 +137,8 @@ export class RigidTable {
   touchingCount: i32;
   colors: usize;
   colorCounts: usize;
-  // Number of new pairs of this step, whose records are listed in `sortedPairs`, and whether a function of the user decides
-  // about them.
+  // Numbers of the records of the contacts that are new in this step, and whether a function of the user decides about them.
+  newContacts: usize;
   newPairCount: i32;
   asksUser: i32;
   // Events of the last step: contacts that began, and impacts (class ContactEventList); rows of the shapes that no longer

@@ -6,7 +6,8 @@
 //   s <= 0    Δλ = -m (q u + max(q r s, -v)) - p λ                r, q, p: bias rate, mass and impulse scale (softness.ts)
 //   relaxing  Δλ = -m u                                           takes back the speed that pushed the bodies apart
 //
-// and λ + Δλ is at least 0. Anchors are those at the start of the step, but separations follow the bodies. Friction, in
+// and λ + Δλ is at least 0. Anchors are those at the start of the step, but separations follow the bodies, and turn with
+// them; what is round about its anchor keeps its distance. Friction, in
 // the relaxing pass: |λ_t| <= μ λ. Rolling resistance bounds the angular impulse in the same way.
 // Sources: Catto, Solver2D (2024); Macklin et al., Small Steps in Physics Simulation (2019); Box2D 3.
 import { add, larger, mul, splat, sub } from '../../memory/lanes';
@@ -37,6 +38,8 @@ export function warmStartContacts(table: usize): void {
   const ny = v128.load(at, block.NY);
   let px = splat(0);
   let py = splat(0);
+  const roundingA = v128.load(at, block.ROUNDING_A);
+  const roundingB = v128.load(at, block.ROUNDING_B);
   let turnA = v128.load(at, block.ROLLING_IMPULSE);
   let turnB = turnA;
   for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
@@ -47,8 +50,10 @@ export function warmStartContacts(table: usize): void {
     const y = sub(mul(normal, ny), mul(tangent, nx));
     px = add(px, x);
     py = add(py, y);
-    turnA = add(turnA, cross(v128.load(p, block.AX), v128.load(p, block.AY), x, y));
-    turnB = add(turnB, cross(v128.load(p, block.BX), v128.load(p, block.BY), x, y));
+    const aboutA = cross(v128.load(p, block.AX), v128.load(p, block.AY), x, y);
+    const aboutB = cross(v128.load(p, block.BX), v128.load(p, block.BY), x, y);
+    turnA = add(turnA, sub(aboutA, mul(roundingA, tangent)));
+    turnB = add(turnB, add(aboutB, mul(roundingB, tangent)));
   }
   const mA = v128.load(at, block.MASS_A);
   const mB = v128.load(at, block.MASS_B);
@@ -164,6 +169,8 @@ export function relaxContacts(table: usize): void {
   const iB = v128.load(at, block.INERTIA_B);
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
+  const roundingA = v128.load(at, block.ROUNDING_A);
+  const roundingB = v128.load(at, block.ROUNDING_B);
   const surface = v128.load(at, block.TANGENT_SPEED);
   let total = splat(0);
   for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
@@ -173,7 +180,8 @@ export function relaxContacts(table: usize): void {
     const by = v128.load(p, block.BY);
     const vx = sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay)));
     const vy = sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax)));
-    const speed = sub(sub(mul(vx, ny), mul(vy, nx)), surface);
+    const rolling = add(mul(roundingA, wA), mul(roundingB, wB));
+    const speed = add(sub(sub(mul(vx, ny), mul(vy, nx)), surface), rolling);
     const normal = v128.load(p, block.NORMAL_IMPULSE);
     total = add(total, normal);
     const old = v128.load(p, block.TANGENT_IMPULSE);
@@ -185,10 +193,10 @@ export function relaxContacts(table: usize): void {
     const py = v128.neg<real>(mul(delta, nx));
     vxA = sub(vxA, mul(mA, px));
     vyA = sub(vyA, mul(mA, py));
-    wA = sub(wA, mul(iA, cross(ax, ay, px, py)));
+    wA = sub(wA, mul(iA, sub(cross(ax, ay, px, py), mul(roundingA, delta))));
     vxB = add(vxB, mul(mB, px));
     vyB = add(vyB, mul(mB, py));
-    wB = add(wB, mul(iB, cross(bx, by, px, py)));
+    wB = add(wB, mul(iB, add(cross(bx, by, px, py), mul(roundingB, delta))));
   }
   const old = v128.load(at, block.ROLLING_IMPULSE);
   const wanted = sub(old, mul(v128.load(at, block.ROLLING_MASS), sub(wB, wA)));

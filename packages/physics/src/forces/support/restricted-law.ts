@@ -76,7 +76,7 @@ export function restrictedLaw(force: LawForce, limits: CheckedRestrictions): Law
 }
 
 function groupConditions({ group }: CheckedRestrictions): Condition[] {
-  return group === 0 ? [] : [new Condition('has', [], group)];
+  return group.map((name) => new Condition('has', [], name));
 }
 
 function regionConditions({ box, ball }: CheckedRestrictions, added: LimitParameters): Condition[] {
@@ -94,14 +94,18 @@ function regionConditions({ box, ball }: CheckedRestrictions, added: LimitParame
   ]);
 }
 
-/** A force that consumes resources is decided by the start of the step, all others by the time of evaluation. */
+/**
+ * A force that consumes resources or applies torque is decided by the start of the step, as a step has one torque; all
+ * others by the time of evaluation.
+ */
 function timeConditions(
-  { consumes }: LawForce,
+  { consumes, law }: LawForce,
   { from, until }: CheckedRestrictions,
   added: LimitParameters,
 ): Condition[] {
   if (from === -Infinity && until === Infinity) return [];
-  const time = consumes === undefined ? new Scalar('time', []) : added.startOfStep();
+  const isPerStep = consumes !== undefined || law.torque !== undefined;
+  const time = isPerStep ? added.startOfStep() : new Scalar('time', []);
   return [
     ...(from === -Infinity ? [] : [added.scalar('from', from).lessOrEqual(time)]),
     ...(until === Infinity ? [] : [time.less(added.scalar('until', until))]),

@@ -1,5 +1,5 @@
 // The validated limits of a restricted force.
-import { bitOf, COMPONENT_NAMES, type ComponentName } from '../../components/all.ts';
+import { COMPONENT_NAMES, type ComponentName } from '../../components/all.ts';
 import { describe, PhysicsError } from '../../errors/physics-error.ts';
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { LENGTH_BOUNDS, POSITION_BOUNDS } from './bounds.ts';
@@ -18,20 +18,26 @@ interface Ball {
 }
 
 export interface Restrictions {
-  /** Only bodies with this component, or with all of these. */
+  /** Only bodies with this component, or with all of these. Default all bodies. */
   readonly group?: ComponentName | readonly ComponentName[];
-  /** Only bodies whose centre is in this region. */
+  /** Only bodies whose centre is in this region. Default everywhere. */
   readonly region?: Region;
-  /** Only from this time on, s. */
+  /**
+   * Only from this time on, s; a force that applies torque or consumes fuel, only in steps that begin then. Default
+   * from the beginning.
+   */
   readonly from?: number;
-  /** Only before this time, s. */
+  /**
+   * Only before this time, s; a force that applies torque or consumes fuel, only in steps that begin before. Default
+   * for ever.
+   */
   readonly until?: number;
 }
 
 /** Validated limits. */
 export interface CheckedRestrictions {
-  /** The bits of the required components: zero for all bodies. */
-  readonly group: number;
+  /** The required components: none for all bodies. */
+  readonly group: readonly ComponentName[];
   readonly box?: { readonly min: Vector; readonly max: Vector };
   readonly ball?: { readonly centre: Vector; readonly radius: number };
   /** Time limits, s; -∞ and ∞ if unlimited. */
@@ -44,27 +50,24 @@ export function checkRestrictions(limits: Restrictions): CheckedRestrictions {
   checkKeys(limits, 'restrictForce', ['group', 'region', 'from', 'until']);
   const { from, until, region } = limits;
   return {
-    group: groupBits(limits.group),
+    group: checkGroup(limits.group),
     ...(region === undefined ? {} : 'radius' in region ? { ball: checkBall(region) } : { box: checkBox(region) }),
     from: from === undefined ? -Infinity : checkNumber(from, 'restrictForce.from'),
     until: until === undefined ? Infinity : checkNumber(until, 'restrictForce.until'),
   };
 }
 
-function groupBits(group: Restrictions['group']): number {
-  if (group === undefined) return 0;
-  let bits = 0;
-  for (const name of typeof group === 'string' ? [group] : group) {
-    if (!COMPONENT_NAMES.includes(name)) {
-      throw new PhysicsError('E_UNKNOWN', `restrictForce.group: ${describe(name)} is not a component.`, {
-        field: 'group',
-        value: name,
-        hint: `Valid names: ${COMPONENT_NAMES.join(', ')}.`,
-      });
-    }
-    bits |= bitOf(name);
+function checkGroup(group: Restrictions['group'] = []): readonly ComponentName[] {
+  const names = typeof group === 'string' ? [group] : [...group];
+  for (const name of names) {
+    if (COMPONENT_NAMES.includes(name)) continue;
+    throw new PhysicsError('E_UNKNOWN', `restrictForce.group: ${describe(name)} is not a component.`, {
+      field: 'group',
+      value: name,
+      hint: `Valid names: ${COMPONENT_NAMES.join(', ')}.`,
+    });
   }
-  return bits >>> 0;
+  return names;
 }
 
 function checkBall(region: Ball): NonNullable<CheckedRestrictions['ball']> {

@@ -1,6 +1,6 @@
 // The record that the spring kernels read: the addresses of the columns, and the list of springs, kept until springs
 // change.
-import { bitOf } from '../../components/all.ts';
+import { bitOf } from '../../components/membership.ts';
 import { removeEntityCompletely } from '../../ecs/bitecs-adapter.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../../ecs/entity-list.ts';
 import { collectThrown } from '../../errors/collect-thrown.ts';

@@ -13,7 +13,7 @@ export const windParameter = vectorOverTime('m/s', { default: {}, ...VELOCITY_BO
 
 /** The options of `gusts`. */
 export interface GustOptions {
-  /** Mean wind, m/s. */
+  /** Mean wind, m/s. Default 0. */
   readonly mean?: VectorInput;
   /** Half range of the uniform distribution about the mean, per axis, m/s. */
   readonly spread: VectorInput;

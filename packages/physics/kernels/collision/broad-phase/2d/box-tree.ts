@@ -2,7 +2,7 @@
 // all below it: the first child of a node follows it, and `skip` is the node behind all below it. So a query needs no
 // stack, and boxes that changed are brought up to date in one pass from the end. A tree is made at once, from the top, by
 // halving the extent of the centres.
-import { rowBox } from './fat-boxes';
+import { FatBox, overlaps, rowBox } from './fat-boxes';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { putWord, word } from '../../../solver/2d/body';
 
@@ -22,6 +22,19 @@ const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>
 // @ts-ignore: decorator
 @inline export function nodeAt(nodes: usize, i: i32): TreeNode {
   return changetype<TreeNode>(nodes + <usize>i * NODE);
+}
+
+// The index of the first leaf from `i` on whose box overlaps another; `count` if there is none.
+// @ts-ignore: decorator
+@inline export function nextLeaf(nodes: usize, count: i32, i: i32, box: FatBox): i32 {
+  let at = i;
+  while (at < count) {
+    const node = nodeAt(nodes, at);
+    if (!overlaps(changetype<FatBox>(node), box)) at = node.skip;
+    else if (node.row != 0) return at;
+    else at++;
+  }
+  return count;
 }
 
 // Makes a tree of the boxes of `count` rows, listed at t.treeRows, and returns the number of its nodes.

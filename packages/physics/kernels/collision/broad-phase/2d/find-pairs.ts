@@ -4,8 +4,8 @@ import { COLLIDES, ENLARGED, MOVES, STATIC, flagsOf, putWord, word } from '../..
 import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { addContacts } from '../../narrow-phase/2d/contact-list';
-import { buildTree, nodeAt, refitTree } from './box-tree';
-import { FatBox, overlaps, rowBox, updateBoxes } from './fat-boxes';
+import { buildTree, nextLeaf, nodeAt, refitTree } from './box-tree';
+import { rowBox, updateBoxes } from './fat-boxes';
 import { areJoined, filtersMeet, keyOf, kindsMeet } from './pair-filter';
 import { sortKeys } from './sort-keys';
 
@@ -65,15 +65,9 @@ function listRows(t: RigidTable, kinds: u32): i32 {
 // Notes the pairs of a row with those of a tree that its box overlaps.
 function findIn(t: RigidTable, nodes: usize, count: i32, row: i32): void {
   const box = rowBox(t, row);
-  let i = 0;
-  while (i < count) {
-    const node = nodeAt(nodes, i);
-    if (!overlaps(changetype<FatBox>(node), box)) {
-      i = node.skip;
-      continue;
-    }
-    i++;
-    if (node.row != 0 && mayCollide(t, row, node.row)) notePair(t, row, node.row);
+  for (let i = nextLeaf(nodes, count, 0, box); i < count; i = nextLeaf(nodes, count, i + 1, box)) {
+    const other = nodeAt(nodes, i).row;
+    if (mayCollide(t, row, other)) notePair(t, row, other);
   }
 }
 

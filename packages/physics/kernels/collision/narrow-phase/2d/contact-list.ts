@@ -16,7 +16,7 @@ export function addContacts(t: RigidTable): void {
       putWord(t.order, i, word(t.order, old--));
     } else {
       const slot = openContact(t, keyAt(t.pairs, fresh));
-      putWord(t.sortedPairs, fresh--, slot);
+      putWord(t.newContacts, fresh--, slot);
       putWord(t.order, i, slot);
     }
   }

@@ -7,14 +7,14 @@ import { IGNORED, contactAt } from './rigid-contact';
 // The row of one of the shapes of a new pair: that of a for side 0, of b for side 1.
 export function newPair(table: usize, i: i32, side: i32): i32 {
   const t = changetype<RigidTable>(table);
-  const contact = contactAt(t, word(t.sortedPairs, i));
+  const contact = contactAt(t, word(t.newContacts, i));
   return side == 0 ? contact.a : contact.b;
 }
 
 // A new pair does not collide, until its boxes no longer overlap.
 export function ignorePair(table: usize, i: i32): void {
   const t = changetype<RigidTable>(table);
-  contactAt(t, word(t.sortedPairs, i)).flags |= IGNORED;
+  contactAt(t, word(t.newContacts, i)).flags |= IGNORED;
 }
 
 // Whether the user's function has refused a pair: a binary search.

@@ -1,5 +1,6 @@
 // The pose of one shape in the frame of another. Positions are subtracted before anything is rotated, so that shapes far
 // from the origin lose no digits.
+import { BodyPose } from '../../../solver/2d/body';
 import { Manifold } from './manifold';
 
 @unmanaged
@@ -20,6 +21,17 @@ export class RelativePose {
   pose.y = m.ac * dy - m.as * dx;
   pose.c = m.ac * m.bc + m.as * m.bs;
   pose.s = m.ac * m.bs - m.as * m.bc;
+}
+
+// A pose with cosine c and sine s in the frame of a body.
+// @ts-ignore: decorator
+@inline export function setRelative(to: RelativePose, frame: BodyPose, x: real, y: real, c: real, s: real): void {
+  const dx = x - frame.x;
+  const dy = y - frame.y;
+  to.x = frame.c * dx + frame.s * dy;
+  to.y = frame.c * dy - frame.s * dx;
+  to.c = frame.c * c + frame.s * s;
+  to.s = frame.c * s - frame.s * c;
 }
 
 // The pose of the first shape in the frame of the second.

@@ -4,7 +4,7 @@ import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { Distance, closestPoints } from './distance';
-import { RelativePose } from './relative-pose';
+import { RelativePose, setRelative } from './relative-pose';
 import { DID_OVERLAP, FOUND, OVERLAPS, RigidContact, SENSES, SENSOR_IS_B } from './rigid-contact';
 
 const nearest = changetype<Distance>(memory.data(offsetof<Distance>() + 8, 8));
@@ -26,14 +26,8 @@ function shapesOverlap(t: RigidTable, first: i32, second: i32): bool {
   const isWall = (flagsOf(t, second) & WALL) != 0;
   const rowA = isWall ? second : first;
   const rowB = isWall ? first : second;
-  const a = poseOf(t, rowA);
   const b = poseOf(t, rowB);
-  const dx = b.x - a.x;
-  const dy = b.y - a.y;
-  bInA.x = a.c * dx + a.s * dy;
-  bInA.y = a.c * dy - a.s * dx;
-  bInA.c = a.c * b.c + a.s * b.s;
-  bInA.s = a.c * b.s - a.s * b.c;
+  setRelative(bInA, poseOf(t, rowA), b.x, b.y, b.c, b.s);
   const shapeA = shapeAt(t, rowA, spareA);
   const shapeB = shapeAt(t, rowB, spareB);
   closestPoints(nearest, shapeA, shapeB, bInA);

@@ -51,9 +51,10 @@ let sinA: real = 0;
 
 export function timeOfImpact(sweep: Sweep, a: Shape, b: Shape): void {
   const radii = a.radius + b.radius;
+  // What is round about a point comes no nearer as it turns about it.
   const turning =
-    turnRate(sweep.ac, sweep.as, sweep.endAc, sweep.endAs) * a.extent +
-    turnRate(sweep.bc, sweep.bs, sweep.endBc, sweep.endBs) * b.extent;
+    turnRate(sweep.ac, sweep.as, sweep.endAc, sweep.endAs) * (a.extent - a.radius) +
+    turnRate(sweep.bc, sweep.bs, sweep.endBc, sweep.endBs) * (b.extent - b.radius);
   const moveX = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
   const moveY = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
   sweep.isHit = 0;

@@ -3,7 +3,8 @@
 // then are found by a checksum; the query then visits all rows.
 import { columns } from '../../../memory/columns';
 import { at } from '../../../memory/lanes';
-import { COLLIDES, WALL, flagsOf, poseOf, putWord, stateOf, word } from '../../../solver/2d/body';
+import { COLLIDES, WALL, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { longestPath } from '../../../solver/2d/paths';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { TreeNode, nodeAt } from '../../broad-phase/2d/box-tree';
 import { BodyQuery, queryAt } from './body-query';
@@ -21,16 +22,8 @@ export function rememberPoses(table: usize, version: i32): void {
   const sum = checksumOfPoses(t);
   t.rememberedLow = <u32>sum;
   t.rememberedHigh = <u32>(sum >> 32);
-  let longest: real = 0;
-  for (let i = 0; i < t.awakeCount; i++) {
-    const row = word(t.awake, i);
-    const state = stateOf(t, row);
-    const path =
-      sqrt<real>(state.dx * state.dx + state.dy * state.dy) + abs<real>(state.turned) * poseOf(t, row).extent;
-    longest = max<real>(longest, path);
-  }
   // A little more, because sums are rounded.
-  t.longestPath = <f64>longest * 1.0001;
+  t.longestPath = <f64>longestPath(t) * 1.0001;
 }
 
 // Whether the trees hold for the bodies as they are now. The first query after a while finds that they do not.

@@ -21,6 +21,14 @@ export function makeCircle(into: Shape, radius: real): void {
   into.y0 = 0;
 }
 
+// The radius by which the shape of a body is rounded.
+// @ts-ignore: decorator
+@inline export function roundingOf(row: i32): real {
+  const c = columns();
+  const index = load<u32>(c.shape + ((<usize>row) << 2));
+  return index > 0 && index < <u32>c.shapeCount ? poolShape(index).radius : get(c.radius, row);
+}
+
 // The shape of a body. Where the column names no shape of the pool it is the circle of `Collider.radius`, which is then
 // written to `spare`.
 // @ts-ignore: decorator

@@ -1,0 +1,52 @@
+// The boxes by which the broad phase of rigid bodies finds pairs, as lists, for pictures and logs.
+import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import { rigidTable } from '../solver/rigid-table.ts';
+import { ASLEEP, COLLIDES } from '../solver/row-flags.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { checkLists } from './check-lists.ts';
+
+/** The boxes of all shapes that collide; entry i of each list is valid for i < `count`. */
+export interface BodyBoxes {
+  count: number;
+  /** Entity ids of bodies, parts of compound bodies and walls, ascending. */
+  readonly body: number[];
+  /** The box, m: that of the shape and a margin, so that it stays while the body moves a little. */
+  readonly minX: number[];
+  readonly minY: number[];
+  readonly maxX: number[];
+  readonly maxY: number[];
+  /** Whether the body sleeps. */
+  readonly asleep: boolean[];
+}
+
+/**
+ * Lists the boxes of a world with the preset `rigidBodies`, as the last step left them.
+ * @param into a list of an earlier call, which is written anew and returned: then nothing is allocated
+ * @throws PhysicsError E_TYPE, E_CAPACITY, E_DESTROYED
+ */
+export function bodyBoxes(world: PhysicsWorld, into: BodyBoxes = emptyList()): BodyBoxes {
+  const { words } = rigidTable(world);
+  checkLists(into, [into?.body, into?.minX, into?.minY, into?.maxX, into?.maxY, into?.asleep], 'bodyBoxes');
+  const { buffer } = world.memory;
+  const rows = words[Word.rows];
+  const Reals = world.precision === 'f32' ? Float32Array : Float64Array;
+  const boxes = new Reals(buffer, words[Word.boxes], 4 * rows);
+  const flags = new Uint32Array(buffer, words[Word.flags], rows);
+  let count = 0;
+  for (let row = 1; row < rows; row++) {
+    if ((flags[row] & COLLIDES) === 0) continue;
+    into.body[count] = row;
+    into.minX[count] = boxes[4 * row];
+    into.minY[count] = boxes[4 * row + 1];
+    into.maxX[count] = boxes[4 * row + 2];
+    into.maxY[count] = boxes[4 * row + 3];
+    into.asleep[count] = (flags[row] & ASLEEP) !== 0;
+    count++;
+  }
+  into.count = count;
+  return into;
+}
+
+function emptyList(): BodyBoxes {
+  return { count: 0, body: [], minX: [], minY: [], maxX: [], maxY: [], asleep: [] };
+}
