@@ -8,7 +8,7 @@ export interface CameraTarget {
 
 /**
  * Sets a container's transform to the camera's view. Layers in it must have the default `pixelsPerMetre: 1`; sprites
- * and text in it are placed at (x, −y) in metres and stay upright.
+ * and text in it are placed at (x, −y) in metres and stay upright, or at (x, y) in a `createWorldContainer`.
  *
  * Call it each frame: it sets one transform, and nothing if the camera did not move. In a world too large for f32, do
  * not make the container a render group: pixi would then send origin and camera to the GPU separately.

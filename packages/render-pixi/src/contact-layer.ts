@@ -14,6 +14,7 @@ export interface ContactLayerOptions {
   normalLength?: number;
   /** Colours of points and normals, as 0xRRGGBB; default 0xff5050 and 0xffd060. */
   pointColor?: number;
+  /** Colour of normals, as 0xRRGGBB; default 0xffd060. */
   normalColor?: number;
 }
 

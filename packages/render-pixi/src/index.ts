@@ -1,4 +1,5 @@
 export { type BodyLayer, type BodyLayerOptions, createBodyLayer } from './body-layer.ts';
+export { type BoxLayer, type BoxLayerOptions, createBoxLayer } from './box-layer.ts';
 export { applyCamera, type CameraTarget } from './camera.ts';
 export { type ContactLayer, type ContactLayerOptions, createContactLayer } from './contact-layer.ts';
 export type { LineStyle } from './line-style.ts';
@@ -6,3 +7,4 @@ export { createLinkLayer, type LinkLayer, type LinkLayerOptions } from './link-l
 export { openScreen, type Screen, type ScreenOptions } from './screen.ts';
 export { createSegmentLayer, type SegmentLayer } from './segment-layer.ts';
 export { createTrailLayer, type TrailLayer, type TrailLayerOptions } from './trail-layer.ts';
+export { createWorldContainer, keepUpright, type WorldContainerOptions } from './world-container.ts';

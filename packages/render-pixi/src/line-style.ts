@@ -8,6 +8,7 @@ export interface LineStyle {
   color?: number;
   /** Opacity of lines in the default colour; default 1. */
   opacity?: number;
+  /** `add` lets overlapping lines brighten each other; default `normal`. */
   blendMode?: 'normal' | 'add';
   /** Pixels of the layer's own coordinates per metre; default 1, which is what `applyCamera` expects. */
   pixelsPerMetre?: number;

@@ -13,8 +13,8 @@ export interface TrailLayerOptions {
   /** Points per trail, at least 2; default 32. */
   length?: number;
   /**
-   * Ids of the bodies that leave trails, fixed for the life of the layer. Left out, all do, and bodies × points must fit
-   * into a texture: 8 388 608 in all.
+   * Ids of the bodies that leave trails, fixed for the life of the layer. Default all, where bodies × points must fit into
+   * a texture: 8 388 608 in all.
    */
   bodies?: ArrayLike<number>;
   /** Record every n-th pose; default 1. */
@@ -34,6 +34,7 @@ export interface TrailLayerOptions {
   maxSegment?: number;
   /** Pixels of the layer's own coordinates per metre; default 1, which is what `applyCamera` expects. */
   pixelsPerMetre?: number;
+  /** `add` lets overlapping trails brighten each other; default `normal`. */
   blendMode?: 'normal' | 'add';
 }
 

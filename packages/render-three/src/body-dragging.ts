@@ -14,7 +14,7 @@ export interface BodyDraggingOptions {
   onDrag?(id: number, point: Vector3, pointerId: number): void;
   /** A pointer released `id` with `velocity`, for throwing. */
   onRelease?(id: number, point: Vector3, velocity: Vector3, pointerId: number): void;
-  /** Controls to disable while a body is dragged, such as `OrbitControls`. */
+  /** Controls to disable while a body is dragged, such as `OrbitControls`. Default none. */
   controls?: { enabled: boolean };
   /** Distance by which the pointer may miss a body, CSS pixels; default 6. */
   tolerance?: number;

@@ -35,7 +35,8 @@ export interface BodyMesh {
 
 /**
  * Draws the bodies of a source: `disc` as a ball, `box` as a cube, `markedDisc` as a beach ball, `ring` as the outline
- * of a ball and `glow` as a spot of added light. A 2D world lies in the plane z = 0.
+ * of a ball and `glow` as a spot of added light. A 2D world lies in the plane z = 0; as impostors, bodies whose colliders
+ * are polygons are plates, as thick as they are narrow, and capsules are capsules.
  *
  * @throws Error when `segments` is not a whole number of at least 3, `geometry` is given for impostors, `material`
  * draws another body mesh, or a column has another length than `rows`
@@ -88,11 +89,13 @@ function prepared(mesh: Mesh, options: BodyMeshOptions, target: TargetPixels, te
   mesh.frustumCulled = false;
   mesh.castShadow = options.castShadow ?? false;
   mesh.receiveShadow = options.receiveShadow ?? false;
-  mesh.onBeforeRender = (renderer: WebGLRenderer) => {
+  // A shadow is drawn to a map of its own size: with the pixels of a tiny canvas each body would cover all of it.
+  const prepare = (renderer: WebGLRenderer) => {
     target.read(renderer);
     textures.send(renderer);
   };
-  mesh.onBeforeShadow = (renderer: WebGLRenderer) => textures.send(renderer);
+  mesh.onBeforeRender = prepare;
+  mesh.onBeforeShadow = prepare;
   mesh.raycast = () => {}; // the group answers for all passes
   return mesh;
 }

@@ -7,7 +7,7 @@ export interface BodyMeshOptions {
   /** Colour of bodies whose colour is zero; default a light blue. */
   defaultColor?: ColorRepresentation;
   /**
-   * Any mesh material of three, used for these bodies alone: it is rewritten to read the columns. Left out, impostors
+   * Any mesh material of three, used for these bodies alone: it is rewritten to read the columns. Default: impostors
    * are lit by a light that moves with the camera, and meshes are a `MeshStandardMaterial`.
    */
   material?: Material;
@@ -19,14 +19,19 @@ export interface BodyMeshOptions {
   form?: 'impostor' | 'mesh';
   /** Segments around a ball in `mesh` form, at least 3; default 16. */
   segments?: number;
-  /** Geometry of all bodies instead of balls and boxes, in units of the drawn radius; implies the form `mesh`. */
+  /**
+   * Geometry of all bodies instead of balls and boxes, in units of the drawn radius; implies the form `mesh`. Default
+   * none.
+   */
   geometry?: BufferGeometry;
   /**
    * Smallest drawn radius in device pixels, so that distant bodies neither vanish nor flicker; default 0.75. Impostors
    * only.
    */
   minPixelRadius?: number;
+  /** Default false. */
   castShadow?: boolean;
+  /** Default false. */
   receiveShadow?: boolean;
 }
 

@@ -7,7 +7,7 @@ export interface PickOptions {
   alpha?: number;
   /** Tolerance in metres per metre of distance; default 0. Touch input needs some. */
   slack?: number;
-  /** Receives the body (0 for none) and its distance along the ray, metres. */
+  /** Receives the body (0 for none) and its distance along the ray, metres. Default none. */
   result?: { id: number; distance: number };
 }
 

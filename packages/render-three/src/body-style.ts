@@ -1,17 +1,20 @@
 import { type BodySource, SHAPES } from '@principia/render-core';
 
-/** 32-bit lanes per body in the packed style: radius, colour, shape, unused. */
+/** 32-bit lanes per body in the packed style: radius, colour, shape, outline. */
 const LANES = 4;
+
+/** The bit of bodies whose collider has an outline, beside those of the shapes. */
+const OUTLINED = 1 << 31;
 
 /** Bits of the shapes without a surface. */
 const FLATS = (1 << SHAPES.ring) | (1 << SHAPES.glow);
 
 /**
- * Radius, colour and shape of every body packed as four 32-bit lanes a body, so that a 3D world with rotation needs
+ * Radius, colour, shape and outline of every body packed as four 32-bit lanes a body, so that a 3D world with rotation needs
  * sixteen textures in the vertex shader, which is all that WebGL 2 promises.
  */
 export class BodyStyle {
-  /** Drawn radius (metres, as float bits), RGBA bytes, shape kind, unused; `LANES` values a body. */
+  /** Drawn radius (metres, as float bits), RGBA bytes, shape kind, number of the outline; `LANES` values a body. */
   readonly data: Uint32Array;
   readonly #radius: Float32Array;
   readonly #defaultColor: number;
@@ -36,17 +39,17 @@ export class BodyStyle {
 
   /** Whether any row has a shape whose rotation is visible. */
   get hasTurning(): boolean {
-    return this.hasShape(SHAPES.box) || this.hasShape(SHAPES.markedDisc);
+    return this.hasShape(SHAPES.box) || this.hasShape(SHAPES.markedDisc) || (this.#shapes & OUTLINED) !== 0;
   }
 
   /** Whether any row has a shape with a round surface. */
   get hasBalls(): boolean {
-    return (this.#shapes & ~(FLATS | (1 << SHAPES.box))) !== 0;
+    return (this.#shapes & ~(FLATS | OUTLINED | (1 << SHAPES.box))) !== 0;
   }
 
   /** Whether any row has a shape with a surface. */
   get hasSolids(): boolean {
-    return (this.#shapes & ~FLATS) !== 0;
+    return (this.#shapes & ~(FLATS | OUTLINED)) !== 0;
   }
 
   /** Whether any row has a shape that is just an outline or a spot of light. */
@@ -64,7 +67,7 @@ export class BodyStyle {
 function packLooks(
   out: Uint32Array,
   drawn: Float32Array,
-  { size, radius, color, shape }: BodySource,
+  { size, radius, color, shape, outline }: BodySource,
   defaultColor: number,
   used: number,
 ): number {
@@ -80,6 +83,9 @@ function packLooks(
     if (bytes === 0) out[at + 1] = defaultColor;
     out[at + 2] = shape[id];
     shapes |= 1 << shape[id];
+    if (outline === undefined) continue;
+    out[at + 3] = outline[id];
+    if (outline[id] !== 0) shapes |= OUTLINED;
   }
   return shapes;
 }

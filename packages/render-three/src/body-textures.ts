@@ -23,8 +23,10 @@ export class BodyTextures {
   readonly #alwaysTurns: boolean;
   readonly #idTexture = new ColumnTexture('uint');
   readonly #styleTexture = new ColumnTexture('uint4');
+  readonly #outlineTexture = new ColumnTexture('real');
   #styleVersion = Number.NaN;
   #membershipVersion = Number.NaN;
+  #outlineVersion = 0;
 
   constructor(source: BodySource, defaultColor: number, alwaysTurns: boolean) {
     this.#source = source;
@@ -37,6 +39,7 @@ export class BodyTextures {
       poseAlpha: { value: 1 },
       bodyIds: { value: this.#idTexture },
       bodyStyle: { value: this.#styleTexture },
+      bodyOutlines: { value: this.#outlineTexture },
       ...this.centres.uniforms,
       ...this.#turns.uniforms,
     };
@@ -61,6 +64,7 @@ export class BodyTextures {
       this.style.pack(this.#source, used);
       this.#styleTexture.upload(this.style.data, used);
     }
+    this.#refreshOutlines();
     this.#poses.refresh(this.#source);
     this.uniforms.poseAlpha.value = this.#poses.alphaOf(alpha);
     this.centres.refresh();
@@ -72,6 +76,7 @@ export class BodyTextures {
   send(renderer: WebGLRenderer): void {
     this.#idTexture.send(renderer);
     this.#styleTexture.send(renderer);
+    this.#outlineTexture.send(renderer);
     this.centres.send(renderer);
     this.#turns.send(renderer);
   }
@@ -81,6 +86,14 @@ export class BodyTextures {
     this.#turns.dispose();
     this.#idTexture.dispose();
     this.#styleTexture.dispose();
+    this.#outlineTexture.dispose();
+  }
+
+  #refreshOutlines(): void {
+    const { outlines } = this.#source;
+    if (outlines === undefined || outlines.version === this.#outlineVersion) return;
+    this.#outlineVersion = outlines.version;
+    this.#outlineTexture.upload(outlines.texels, outlines.used);
   }
 
   #refreshIds(version: number): void {

@@ -7,11 +7,11 @@ export interface ControlButton {
   readonly label: string;
   /** Values of `KeyboardEvent.key`, in lower case. These keys have no other function in the game. */
   readonly keys: readonly string[];
-  /** Button indices of a standard gamepad. */
+  /** Button indices of a standard gamepad. Default none. */
   readonly pad?: readonly number[];
   /** False leaves the button out of the touch pad; default true. */
   readonly touch?: boolean;
-  /** Axis of a gamepad and the direction that counts as pressed, in games that do not `steer`. */
+  /** Axis of a gamepad and the direction that counts as pressed, in games that do not `steer`. Default none. */
   readonly axis?: readonly [index: number, sign: 1 | -1];
 }
 

@@ -25,7 +25,7 @@ export interface Dragging {
 export interface DragOptions {
   /** Largest speed of a dragged or thrown body, m/s; default 50. It limits the effect of glitches in the input. */
   readonly maxSpeed?: number;
-  /** Changes the target point of a dragged body in place, for example to keep it inside a box. */
+  /** Changes the target point of a dragged body in place, for example to keep it inside a box. Default none. */
   readonly limit?: (point: Point, id: number) => void;
 }
 

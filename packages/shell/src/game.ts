@@ -118,7 +118,7 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   replay?(sim: Sim): Sim;
   /** Number of contacts between bodies in the last step; undefined while the world does not count them. */
   contacts?(sim: Sim): number | undefined;
-  /** The controls of the game. */
+  /** The controls of the game. Default none. */
   readonly controls?: Controls<Sim>;
   /** The result of the game, for the card with the high scores; undefined while the game is running. */
   outcome?(sim: Sim): Outcome | undefined;
@@ -131,6 +131,7 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
 
   /** Number of bodies in the statistics; default all of the world. A game with a pool of bodies counts those in use. */
   bodies?(sim: Sim): number;
+  /** Lines of the help, above those of the shell. Default none. */
   readonly help?: readonly HelpLine[];
   /** Whether each load of the page begins with another seed, unless the address has one; default false. */
   readonly variesSeed?: boolean;

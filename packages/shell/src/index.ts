@@ -4,6 +4,7 @@ export { hasCoarsePointer } from './coarse-pointer.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
 export { copyLink } from './copy-link.ts';
 export { type Dragging, type DragOptions, dragBodies } from './dragging.ts';
+export { element } from './element.ts';
 export type {
   GameCard,
   GameDefinition,

@@ -8,7 +8,7 @@ export interface Outcome {
   readonly score: number;
   /** Lines below the title. */
   readonly lines: readonly string[];
-  /** The result in a line, to be shared with a link to the same game. */
+  /** The result in a line, to be shared with a link to the same game. Default none: nothing is shared. */
   readonly share?: string;
   /** Seed of the game that follows; default the next number. */
   readonly nextSeed?: number;

@@ -11,11 +11,11 @@ export interface NumberSetting {
   readonly integer: boolean;
   /** Step of the slider; default about a hundredth of the range, or 1 for integers. */
   readonly step?: number;
-  /** `log` selects a logarithmic slider; `min` must then be positive. */
+  /** `log` selects a logarithmic slider; `min` must then be positive. Default `linear`. */
   readonly scale?: 'linear' | 'log';
-  /** Values with names, offered as a list below the slider. */
+  /** Values with names, offered as a list below the slider. Default none. */
   readonly presets?: Readonly<Record<string, number>>;
-  /** Tooltip of one line. */
+  /** Tooltip of one line. Default none. */
   readonly about?: string;
 }
 
@@ -24,8 +24,9 @@ export interface SwitchSetting {
   readonly kind: 'switch';
   readonly label: string;
   readonly initial: boolean;
-  /** A key that toggles the setting, such as `t`. */
+  /** A key that toggles the setting, such as `t`. Default none. */
   readonly key?: string;
+  /** Tooltip of one line. Default none. */
   readonly about?: string;
 }
 
@@ -36,6 +37,7 @@ export interface ChoiceSetting {
   readonly initial: string;
   /** Values of the choices by their labels in the panel. */
   readonly choices: Readonly<Record<string, string>>;
+  /** Tooltip of one line. Default none. */
   readonly about?: string;
 }
 
@@ -50,11 +52,13 @@ export type ValuesOf<S extends Settings> = {
 
 /** The description of a scene parameter; `SceneParameter` of the scenes package fits. */
 export interface ParameterLike {
+  /** What it is, for the tooltip. Default none. */
   readonly about?: string;
   readonly unit: string;
   readonly initial: number;
   readonly min: number;
   readonly max: number;
+  /** Whether only integers are allowed. Default false. */
   readonly integer?: boolean;
 }
 

@@ -84,9 +84,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-pad [data-name=action] { position: fixed; left: max(20px, env(safe-area-inset-left)); bottom: max(24px, env(safe-area-inset-bottom));
   width: 64px; height: 64px }
 @media (pointer: coarse) { .game-pad { display: grid } .game-bar :is(button, a) { min-width: 44px; height: 44px }
-  .game-side .lil-gui { --row-height: 44px; --widget-height: 34px; --checkbox-size: 26px }
+  .game-side .lil-gui { --row-height: 48px; --widget-height: 44px; --checkbox-size: 28px }
   .game-tools button, .game-banner button, .game-help button, .game-outcome button { min-height: 44px; min-width: 44px }
-  .game-card select, .game-card input { min-height: 34px } }
+  .game-card select, .game-card input { min-height: 44px } }
 .game-outcome { position: absolute; left: 50%; top: 50%; translate: -50% -50%; min-width: 240px; padding: 24px 32px 26px;
   border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;
   z-index: 2 }

@@ -12,6 +12,7 @@ export interface SoundShape {
   readonly seconds: number;
   /** −1 left to 1 right; default 0. */
   readonly pan?: number;
+  /** Wave form of the tone; default `sine`. */
   readonly wave?: OscillatorType;
 }
 

@@ -23,7 +23,7 @@ export const turnUniforms = {
 } as const;
 
 const shared = /* glsl */ `
-uniform highp usampler2D bodyStyle; // per body: drawn radius as float bits, RGBA bytes, shape kind, unused
+uniform highp usampler2D bodyStyle; // per body: drawn radius as float bits, RGBA bytes, shape kind, outline
 uniform float poseAlpha;            // 0 the previous step, 1 the present one, or the other way round
 
 vec3 bodyCentre;  // in the frame of the object that draws the bodies, metres
@@ -31,6 +31,7 @@ vec4 bodyTurn;    // unit quaternion
 float bodyRadius; // metres; zero draws nothing
 vec4 bodyColor;   // linear rgb, alpha as stored
 uint bodyShape;
+uint bodyOutline; // zero for a ball
 
 vec4 unpackColor(uint bytes) {
   vec4 color = vec4(uvec4(bytes, bytes >> 8, bytes >> 16, bytes >> 24) & 255u) / 255.0;
@@ -46,6 +47,7 @@ void pullStyle(ivec2 at) {
   bodyRadius = uintBitsToFloat(style.r);
   bodyColor = unpackColor(style.g);
   bodyShape = style.b;
+  bodyOutline = style.a;
 }
 `;
 

@@ -3,6 +3,7 @@
  * meets the true surface with the view ray, so depth, normal and outline are those of a perfect solid.
  */
 import { SHAPES } from '@principia/render-core';
+import { outlineSolid } from './outline-solid.ts';
 
 /** Vertex declarations; `placeImpostor()` leaves the quad's corner in view space and the body in flat varyings. */
 export const impostorVertexPars = /* glsl */ `
@@ -15,6 +16,7 @@ flat varying vec4 vSphere;         // centre in view space, radius of the sphere
 flat varying float vPerspective;   // 1 perspective, 0 parallel projection
 flat varying vec4 vBodyColor;
 flat varying uint vBodyShape;
+flat varying uint vBodyOutline;
 flat varying mat3 vBodyFrame;      // columns are the body's axes in view space
 
 vec4 impostorCorner;  // view space
@@ -31,7 +33,7 @@ void pullImpostor() {
   if (!impostorVisible) return;
   bodyCentre = pullCentre(at);
   // A plain ball looks the same however it is turned: spare the fetches.
-  bool turns = bodyShape == ${SHAPES.box}u || bodyShape == ${SHAPES.markedDisc}u;
+  bool turns = bodyShape == ${SHAPES.box}u || bodyShape == ${SHAPES.markedDisc}u || bodyOutline > 0u;
   bodyTurn = turns ? pullTurn(at) : vec4(0.0, 0.0, 0.0, 1.0);
 }
 
@@ -43,7 +45,8 @@ void placeImpostor() {
   bool perspective = isPerspectiveMatrix(projectionMatrix);
   float pixel = (perspective ? max(-centre.z, 0.0) : 1.0) * 2.0 / (projectionMatrix[1][1] * pixelHeight);
   float radius = max(bodyRadius * scale, minPixelRadius * pixel);
-  float bound = bodyShape == ${SHAPES.box}u ? radius * 1.7320508 : radius;
+  // A solid of an outline is at most as thick as it is wide.
+  float bound = radius * (bodyShape == ${SHAPES.box}u ? 1.7320508 : bodyOutline > 0u ? 1.4142136 : 1.0);
   vec2 corner = vec2(gl_VertexID & 1, (gl_VertexID >> 1) & 1) * 2.0 - 1.0;
   // Half a pixel more than the silhouette, or the smoothed edge would be cut where the quad touches it.
   if (perspective) {
@@ -61,6 +64,7 @@ void placeImpostor() {
   vPerspective = perspective ? 1.0 : 0.0;
   vBodyColor = bodyColor;
   vBodyShape = bodyShape;
+  vBodyOutline = bodyOutline;
   vBodyFrame = mat3(modelViewMatrix) * frameOf(bodyTurn) / scale;
 }
 `;
@@ -93,6 +97,7 @@ flat varying vec4 vSphere;
 flat varying float vPerspective;
 flat varying vec4 vBodyColor;
 flat varying uint vBodyShape;
+flat varying uint vBodyOutline;
 flat varying mat3 vBodyFrame;
 
 vec3 impostorHit;       // view space
@@ -108,7 +113,7 @@ void impostorRay(out vec3 origin, out vec3 direction) {
 }
 `;
 
-/** `meetSolid()` intersects the view ray with the ball or box; discards what misses it. */
+/** `meetSolid()` intersects the view ray with the ball, box or solid of an outline; discards what misses it. */
 export const impostorSolidPars = /* glsl */ `
 uniform mat4 projectionMatrix;
 vec4 impostorClip;
@@ -147,10 +152,12 @@ void meetBox(vec3 origin, vec3 direction) {
   impostorNormal = normalize(impostorNormal);
 }
 
+${outlineSolid}
 void meetSolid() {
   vec3 origin, direction;
   impostorRay(origin, direction);
   if (vBodyShape == ${SHAPES.box}u) meetBox(origin, direction);
+  else if (vBodyOutline > 0u) meetOutline(origin, direction);
   else meetSphere(origin, direction);
   #ifdef CASTS_SHADOW
     if (impostorCoverage < 0.5) discard;

@@ -1,0 +1,66 @@
+import { type BodyBoxes, bodyBoxes, type PhysicsWorld } from '@principia/physics';
+import type { Container } from 'pixi.js';
+import { createSegmentLayer } from './segment-layer.ts';
+
+/** Options of a box layer. */
+export interface BoxLayerOptions {
+  /** A world with the preset `rigidBodies`. */
+  world: PhysicsWorld;
+  /** Pixels of the layer's own coordinates per metre; default 1, which is what `applyCamera` expects. */
+  pixelsPerMetre?: number;
+  /** Width of the lines, CSS pixels; default 1. */
+  thickness?: number;
+  /** Colour of boxes of bodies that are awake, RGBA bytes in memory order; default 0xff50c0ff. */
+  awakeColor?: number;
+  /** Colour of boxes of bodies that sleep, RGBA bytes in memory order; default 0xffa08070. */
+  asleepColor?: number;
+}
+
+/** The boxes of the broad phase, for looking into a simulation. */
+export interface BoxLayer {
+  readonly container: Container;
+  /** Draws the boxes that the last step left; call it once a frame before rendering. */
+  update(): void;
+  destroy(): void;
+}
+
+/** Sides of a box. */
+const SIDES = 4;
+
+/** Creates a layer that shows the boxes of rigid bodies, and which sleep. @throws Error when an option is out of range */
+export function createBoxLayer(options: BoxLayerOptions): BoxLayer {
+  const { world, pixelsPerMetre = 1, thickness = 1, awakeColor = 0xff50c0ff, asleepColor = 0xffa08070 } = options;
+  const lines = createSegmentLayer({ pixelsPerMetre, thickness });
+  const ends: number[] = [];
+  const colors: number[] = [];
+  let list: BodyBoxes | undefined;
+  return {
+    container: lines.container,
+    update() {
+      list = bodyBoxes(world, list);
+      for (let i = 0; i < list.count; i++) {
+        writeSides(ends, i, list);
+        const color = list.asleep[i] ? asleepColor : awakeColor;
+        for (let side = 0; side < SIDES; side++) colors[SIDES * i + side] = color;
+      }
+      lines.set(ends, SIDES * list.count, colors);
+    },
+    destroy: lines.destroy,
+  };
+}
+
+function writeSides(ends: number[], i: number, { minX, minY, maxX, maxY }: BodyBoxes): void {
+  const [left, bottom, right, top] = [minX[i], minY[i], maxX[i], maxY[i]];
+  const at = 4 * SIDES * i;
+  writeLine(ends, at, left, bottom, right, bottom);
+  writeLine(ends, at + 4, right, bottom, right, top);
+  writeLine(ends, at + 8, right, top, left, top);
+  writeLine(ends, at + 12, left, top, left, bottom);
+}
+
+function writeLine(ends: number[], at: number, x1: number, y1: number, x2: number, y2: number): void {
+  ends[at] = x1;
+  ends[at + 1] = y1;
+  ends[at + 2] = x2;
+  ends[at + 3] = y2;
+}
