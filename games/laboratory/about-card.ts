@@ -1,29 +1,30 @@
 import type { Example, ExampleRun } from '@principia/scenes/examples';
 import { EXAMPLES } from '@principia/scenes/examples/list';
-import type { GameCard } from '@principia/shell';
+import { element, type GameCard } from '@principia/shell';
 import { keyName } from './key-name.ts';
-import { make } from './make.ts';
 import { momentAddress } from './moment.ts';
 import { actOn, presentRun } from './on-display.ts';
 
 /** What the example is about, what to try, and the ways to its neighbours; it stands above the settings. */
 export function createAboutCard(parent: HTMLElement, example: Example): GameCard<ExampleRun> {
   const at = EXAMPLES.findIndex(({ id }) => id === example.id);
-  const neighbours = make('nav', 'lab-neighbours', { 'aria-label': 'Other examples' });
+  const neighbours = element('nav', 'lab-neighbours', { 'aria-label': 'Other examples' });
   for (const [entry, label] of [
     [EXAMPLES[at - 1], '‹'],
     [EXAMPLES[at + 1], '›'],
   ] as const) {
     if (entry !== undefined) {
-      neighbours.append(make('a', '', { href: `?example=${entry.id}`, title: entry.title }, `${label} ${entry.title}`));
+      neighbours.append(
+        element('a', '', { href: `?example=${entry.id}`, title: entry.title }, `${label} ${entry.title}`),
+      );
     }
   }
-  const tries = make('ul', '');
-  tries.append(...example.tryThis.map((sentence) => make('li', '', {}, sentence)));
-  const about = make('p', '', {}, example.about);
-  const heading = make('h2', '', {}, `Chapter ${example.chapter} · ${example.title}`);
-  const card = make('section', 'game-card lab-about', { 'aria-label': 'About' }, heading, about);
-  card.append(make('h2', '', {}, 'Try this'), tries, ...actionsOf(example), buttonsOf(example), neighbours);
+  const tries = element('ul', '');
+  tries.append(...example.tryThis.map((sentence) => element('li', '', {}, sentence)));
+  const about = element('p', '', {}, example.about);
+  const heading = element('h2', '', {}, `Chapter ${example.chapter} · ${example.title}`);
+  const card = element('section', 'game-card lab-about', { 'aria-label': 'About' }, heading, about);
+  card.append(element('h2', '', {}, 'Try this'), tries, ...actionsOf(example), buttonsOf(example), neighbours);
   parent.prepend(card);
   return { show() {} };
 }
@@ -32,9 +33,9 @@ export function createAboutCard(parent: HTMLElement, example: Example): GameCard
 function actionsOf({ actions }: Example): HTMLElement[] {
   const entries = Object.entries(actions);
   if (entries.length === 0) return [];
-  const row = make('div', 'lab-presets', { role: 'group', 'aria-label': 'Actions' });
+  const row = element('div', 'lab-presets', { role: 'group', 'aria-label': 'Actions' });
   for (const [name, { about, key }] of entries) {
-    const button = make('button', '', { type: 'button' }, make('kbd', '', {}, keyName(key)), ` ${about}`);
+    const button = element('button', '', { type: 'button' }, element('kbd', '', {}, keyName(key)), ` ${about}`);
     const act = (isDown: boolean) => actOn(presentRun(), name, isDown);
     button.addEventListener('pointerdown', (event) => {
       button.setPointerCapture(event.pointerId);
@@ -54,14 +55,14 @@ function actionsOf({ actions }: Example): HTMLElement[] {
 
 /** Presets, and the address of the present moment. */
 function buttonsOf({ id, presets, parameters }: Example): HTMLElement {
-  const row = make('div', 'lab-presets');
+  const row = element('div', 'lab-presets');
   for (const { label, values } of presets) {
     const query = new URLSearchParams({ example: id });
     for (const [name, value] of Object.entries(values)) query.set(name, String(value));
-    row.append(make('a', '', { href: `?${query}` }, label));
+    row.append(element('a', '', { href: `?${query}` }, label));
   }
   if (parameters.count?.integer) row.append(doubleButton(parameters.count.max));
-  const copy = make(
+  const copy = element(
     'button',
     '',
     { type: 'button', title: 'Copy the address of this step and this view' },
@@ -80,7 +81,7 @@ function buttonsOf({ id, presets, parameters }: Example): HTMLElement {
 
 /** Doubles the number of bodies, until the machine or the example has enough. */
 function doubleButton(max: number): HTMLElement {
-  const button = make(
+  const button = element(
     'button',
     '',
     { type: 'button', title: 'Twice as many, until 60 pictures a second are too many' },

@@ -16,6 +16,7 @@ export const CHAPTERS: Readonly<Record<number, string>> = {
   14: 'Integrators and scales',
   15: 'Three dimensions',
   16: 'Projects',
+  17: 'Beyond the book',
 };
 
 /** Number and subject of a chapter. */

@@ -1,15 +1,15 @@
+import { element } from '@principia/shell';
 import uPlot from 'uplot';
 import { type ChartLine, chartLines } from './chart-lines.ts';
+import { baseOptions, fitChart } from './chart-options.ts';
 import { csvOf, saveText } from './csv.ts';
 import type { LabRun } from './lab-run.ts';
-import { make } from './make.ts';
 import { plainNumber } from './number-text.ts';
 import { rangeAbout } from './range-about.ts';
 import { Samples } from './samples.ts';
 
 /** Samples in the duration of an example. */
 const SAMPLES = 400;
-const HEIGHT = 150;
 
 /** What a chart needs besides its run. */
 export interface ChartOptions {
@@ -27,7 +27,7 @@ export class Chart {
   readonly #isPath: boolean;
   readonly #samples: Samples;
   readonly #card: HTMLElement;
-  readonly #readout = make('output', 'lab-readout');
+  readonly #readout = element('output', 'lab-readout');
   readonly #chart: uPlot;
   #isStale = true;
 
@@ -40,12 +40,12 @@ export class Chart {
     // Against another quantity than the time, a line may run to and fro, and each has an x of its own.
     this.#isPath = x.label !== 't, s';
     this.#samples = new Samples((this.#isPath ? 2 : 1) * this.#lines.length, duration / SAMPLES);
-    const names = make('span', '');
-    names.append(...this.#lines.map(({ label, color }) => make('i', '', { style: `--mark: ${color}` }, label)));
-    const save = make('button', 'lab-save', { type: 'button', title: 'Save the numbers of this plot' }, 'CSV');
+    const names = element('span', '');
+    names.append(...this.#lines.map(({ label, color }) => element('i', '', { style: `--mark: ${color}` }, label)));
+    const save = element('button', 'lab-save', { type: 'button', title: 'Save the numbers of this plot' }, 'CSV');
     save.addEventListener('click', () => saveText(`${file}.csv`, this.#csv(), 'text/csv'));
-    const heading = make('h2', '', {}, make('b', '', {}, title), this.#readout, save, names);
-    this.#card = make('section', 'game-card lab-plot', { 'aria-label': title }, heading);
+    const heading = element('h2', '', {}, element('b', '', {}, title), this.#readout, save, names);
+    this.#card = element('section', 'game-card lab-plot', { 'aria-label': title }, heading);
     parent.append(this.#card);
     const options = this.#isPath ? this.#pathOptions(y.label) : this.#timeOptions(y.label, duration);
     this.#chart = new uPlot(options, this.#data() as uPlot.AlignedData, this.#card);
@@ -63,8 +63,7 @@ export class Chart {
   draw(): void {
     if (!this.#isStale || this.#card.offsetParent === null) return;
     this.#isStale = false;
-    const width = Math.max(120, this.#card.clientWidth - 24);
-    if (width !== this.#chart.width) this.#chart.setSize({ width, height: HEIGHT });
+    fitChart(this.#chart, this.#card);
     this.#chart.setData(this.#data() as uPlot.AlignedData);
   }
 
@@ -135,23 +134,6 @@ export class Chart {
 
 function lineOf(label: string, stroke: string, width: number, dash: number[] | undefined): uPlot.Series {
   return { label, stroke, width, points: { show: false }, ...(dash === undefined ? {} : { dash }) };
-}
-
-function baseOptions(xLabel: string, yLabel: string) {
-  const grid = { stroke: '#ffffff14', width: 1 };
-  const font = '11px system-ui, sans-serif';
-  const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font, labelFont: font, labelSize: 14 };
-  const values = (_: uPlot, splits: number[]) => splits.map(plainNumber);
-  return {
-    width: 240,
-    height: HEIGHT,
-    padding: [6, 6, 0, 0] as [number, number, number, number],
-    legend: { show: false },
-    axes: [
-      { ...axis, size: 22, values, space: 50, label: xLabel },
-      { ...axis, size: 46, values, space: 24, label: yLabel },
-    ],
-  };
 }
 
 /** Joins the points in the order of time. */

@@ -1,6 +1,5 @@
 import type { CheckState, Example, ExampleRun, Tolerance } from '@principia/scenes/examples';
-import type { GameCard } from '@principia/shell';
-import { make } from './make.ts';
+import { element, type GameCard } from '@principia/shell';
 import { percentage, plainNumber } from './number-text.ts';
 import { isDisturbed } from './on-display.ts';
 
@@ -9,10 +8,10 @@ const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': 
 /** The figures that prove the example right, as they are measured in the run on display. */
 export function createChecksCard(parent: HTMLElement, { checks }: Example): GameCard<ExampleRun> {
   const rows = checks.map(({ label, unit, tolerance, integrator, preset }) => {
-    const mark = make('b', '', { 'aria-hidden': 'true' });
-    const text = make('p', '');
+    const mark = element('b', '', { 'aria-hidden': 'true' });
+    const text = element('p', '');
     const about = integrator === undefined ? label : `${label} (${integrator.name})`;
-    const row = make('li', '', {}, mark, make('div', '', {}, make('h3', '', {}, about), text));
+    const row = element('li', '', {}, mark, element('div', '', {}, element('h3', '', {}, about), text));
     return {
       mark,
       text,
@@ -24,10 +23,10 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
       preset,
     };
   });
-  const list = make('ul', 'lab-checks', { 'aria-live': 'polite' });
+  const list = element('ul', 'lab-checks', { 'aria-live': 'polite' });
   list.append(...rows.map(({ row }) => row));
   parent.append(
-    make('section', 'game-card', { 'aria-label': 'Checks' }, make('h2', '', {}, 'Computed and exact'), list),
+    element('section', 'game-card', { 'aria-label': 'Checks' }, element('h2', '', {}, 'Computed and exact'), list),
   );
   return {
     show(run) {

@@ -1,7 +1,7 @@
 /** The source of an example beside its picture: to read, to change and to run. */
 
+import { element } from '@principia/shell';
 import { announceCover } from './covers.ts';
-import { make } from './make.ts';
 import { keepOwnCode, linkWith, ownCode } from './own-code.ts';
 import { CodeError } from './run-code.ts';
 import { SOURCES } from './sources.gen.ts';
@@ -14,7 +14,7 @@ export interface CodePanel {
 /** @param linked a version that the address carries, which the reader has not agreed to run yet */
 export async function createCodePanel(parent: HTMLElement, id: string, linked: string | undefined): Promise<CodePanel> {
   const original = await SOURCES[id]();
-  const text = make('textarea', '', {
+  const text = element('textarea', '', {
     'aria-label': 'Source of the example',
     spellcheck: 'false',
     autocomplete: 'off',
@@ -22,15 +22,15 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
     wrap: 'off',
   });
   text.value = linked ?? ownCode(id) ?? original;
-  const note = make('p', 'lab-code-note', { role: 'status' });
+  const note = element('p', 'lab-code-note', { role: 'status' });
   note.textContent =
     linked === undefined
       ? `packages/scenes/src/examples/${id.replace('-', '/')}.ts`
       : 'This link brings its own version of the code. Read it before you run it.';
-  const buttons = make('div', 'lab-code-buttons');
-  const panel = make('section', 'lab-code', { 'aria-label': 'Code', 'data-covers': 'bottom' }, text, note, buttons);
+  const buttons = element('div', 'lab-code-buttons');
+  const panel = element('section', 'lab-code', { 'aria-label': 'Code', 'data-covers': 'bottom' }, text, note, buttons);
   const add = (label: string, title: string, act: () => unknown) => {
-    const button = make('button', '', { type: 'button', title }, label);
+    const button = element('button', '', { type: 'button', title }, label);
     button.addEventListener('click', () => void act());
     buttons.append(button);
   };

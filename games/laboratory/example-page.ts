@@ -4,6 +4,7 @@ import type { Example } from '@principia/scenes/examples';
 import type { ExampleEntry } from '@principia/scenes/examples/list';
 import {
   type Controls,
+  element,
   type Renderer,
   type Settings,
   type SimulationOptions,
@@ -17,7 +18,6 @@ import { chosenIntegrator, parameterValues, SHOWN_SETTINGS, settingsOf } from '.
 import type { Ghosts } from './ghosts.ts';
 import { keyName } from './key-name.ts';
 import type { LabRun } from './lab-run.ts';
-import { make } from './make.ts';
 import { makeGhosts } from './make-ghosts.ts';
 import { goTo, takeMoment } from './moment.ts';
 import { actOn, presenting } from './on-display.ts';
@@ -153,7 +153,7 @@ function controlsOf({ actions }: Example): { readonly controls?: Controls<LabRun
 
 /** The way back to the list, before the title; where there is little room it is a sign only. */
 function addListLink(): void {
-  const words = make('span', '', {}, 'All examples');
-  const link = make('a', 'lab-back', { href: location.pathname, 'aria-label': 'All examples' }, '☰ ', words);
+  const words = element('span', '', {}, 'All examples');
+  const link = element('a', 'lab-back', { href: location.pathname, 'aria-label': 'All examples' }, '☰ ', words);
   document.querySelector('.game-bar')?.prepend(link);
 }

@@ -1,32 +1,43 @@
 /** The list of all examples: by chapter, with a search. */
+
 import { EXAMPLES, type ExampleEntry } from '@principia/scenes/examples/list';
+import { element } from '@principia/shell';
 import { chapterTitle } from './chapters.ts';
-import { make } from './make.ts';
 import { addStartStyles } from './start-styles.ts';
+
+/** Examples to begin with, of all that the framework can do. */
+const STRIKING = [
+  'ch17-figure-eight',
+  'ch17-galaxy-collision',
+  'ch17-double-pendulums',
+  'ch13-cloth',
+  'ch15-wing-nut',
+  'ch17-magnetic-pendulum',
+];
 
 /** @param search words to begin with @param problem a sentence above the list; empty for none */
 export function showStartPage(parent: HTMLElement, search: string, problem: string): void {
   addStartStyles();
-  const field = make('input', '', {
+  const field = element('input', '', {
     type: 'search',
     placeholder: 'Search: orbit, drag, chapter 8 …',
     'aria-label': 'Search',
     value: search,
   });
-  const count = make('p', 'start-count', { role: 'status' });
-  const list = make('div', '');
-  const tags = make('div', 'start-tags', { role: 'group', 'aria-label': 'Subjects' });
+  const count = element('p', 'start-count', { role: 'status' });
+  const list = element('div', '');
+  const tags = element('div', 'start-tags', { role: 'group', 'aria-label': 'Subjects' });
   let pictures: Readonly<Record<string, string>> = {};
   const show = () => {
     const found = EXAMPLES.filter((entry) => matches(entry, field.value));
     for (const button of tags.children) button.setAttribute('aria-pressed', String(button.textContent === field.value));
     count.textContent = found.length === 1 ? '1 example' : `${found.length} examples`;
-    list.replaceChildren(...chapters(found, pictures));
+    list.replaceChildren(...(field.value === '' ? [striking(pictures)] : []), ...chapters(found, pictures));
     const query = field.value === '' ? location.pathname : `?search=${encodeURIComponent(field.value)}`;
     history.replaceState(null, '', query);
   };
   for (const tag of commonTags()) {
-    const button = make('button', '', { type: 'button' }, tag);
+    const button = element('button', '', { type: 'button' }, tag);
     button.addEventListener('click', () => {
       field.value = field.value === tag ? '' : tag;
       show();
@@ -44,17 +55,18 @@ export function showStartPage(parent: HTMLElement, search: string, problem: stri
     event.preventDefault();
     field.focus();
   });
-  const note = make('p', 'start-problem', { role: 'alert' }, problem);
+  const note = element('p', 'start-problem', { role: 'alert' }, problem);
   note.hidden = problem === '';
-  const about = 'Every example of a physics book: play with it, and watch its figures being proven.';
+  const about =
+    'Every example of a physics book, and some beyond it: play with it, and watch its figures being proven.';
   parent.append(
-    make(
+    element(
       'main',
       'start',
       {},
-      make('a', 'start-home', { href: '../index.html' }, 'All games'),
-      make('h1', '', {}, 'The laboratory'),
-      make('p', '', {}, about),
+      element('a', 'start-home', { href: '../index.html' }, 'All games'),
+      element('h1', '', {}, 'The laboratory'),
+      element('p', '', {}, about),
       note,
       field,
       tags,
@@ -82,21 +94,33 @@ function commonTags(): string[] {
   return list.slice(0, 24).map(([tag]) => tag);
 }
 
+function striking(pictures: Readonly<Record<string, string>>): HTMLElement {
+  const entries = STRIKING.flatMap((id) => EXAMPLES.filter((entry) => entry.id === id));
+  return section('Begin with one of these', entries, pictures, 'start-striking');
+}
+
 function chapters(entries: readonly ExampleEntry[], pictures: Readonly<Record<string, string>>): HTMLElement[] {
   const numbers = [...new Set(entries.map(({ chapter }) => chapter))];
   return numbers.map((number) => {
-    const items = entries
-      .filter(({ chapter }) => chapter === number)
-      .map((entry) => item(entry, pictures[entry.id] ?? ''));
-    const list = make('ul', '');
-    list.append(...items);
-    return make('section', '', {}, make('h2', '', {}, chapterTitle(number)), list);
+    const own = entries.filter(({ chapter }) => chapter === number);
+    return section(chapterTitle(number), own, pictures);
   });
 }
 
+function section(
+  title: string,
+  entries: readonly ExampleEntry[],
+  pictures: Readonly<Record<string, string>>,
+  name = '',
+): HTMLElement {
+  const list = element('ul', '');
+  list.append(...entries.map((entry) => item(entry, pictures[entry.id] ?? '')));
+  return element('section', name, {}, element('h2', '', {}, title), list);
+}
+
 function item({ id, title, tags }: ExampleEntry, picture: string): HTMLElement {
-  const frame = make('div', 'start-picture', { 'aria-hidden': 'true' });
+  const frame = element('div', 'start-picture', { 'aria-hidden': 'true' });
   frame.innerHTML = picture;
-  const text = [make('b', '', {}, title), make('span', '', {}, tags.join(' · '))];
-  return make('li', '', {}, make('a', '', { href: `?example=${id}` }, frame, ...text));
+  const text = [element('b', '', {}, title), element('span', '', {}, tags.join(' · '))];
+  return element('li', '', {}, element('a', '', { href: `?example=${id}` }, frame, ...text));
 }

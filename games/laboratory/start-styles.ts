@@ -19,7 +19,8 @@ body { color: #eef1fb; font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Robo
 .start-picture { aspect-ratio: 8 / 5; margin: -12px -14px 10px; border-radius: 14px 14px 0 0; overflow: hidden; background: #0d1430 }
 .start-picture svg { display: block; width: 100%; height: 100% }
 .start li b { display: block; font-weight: 600 } .start li span { font-size: 12.5px; color: #97a3c7 }
-@media (max-width: 600px) { .start { padding: 16px 14px 40px } .start h1 { font-size: 28px }
+.start .start-striking ul { grid-template-columns: repeat(3, 1fr) }
+@media (max-width: 600px) { .start .start-striking ul { grid-template-columns: 1fr 1fr } .start { padding: 16px 14px 40px } .start h1 { font-size: 28px }
   .start-tags { flex-wrap: nowrap; overflow-x: auto; margin-inline: -14px; padding-inline: 14px; scrollbar-width: none }
   .start-tags button { flex: none; min-height: 44px; border-radius: 22px } .start ul { grid-template-columns: 1fr 1fr; gap: 10px }
   .start li a { padding: 10px } .start-picture { margin: -10px -10px 8px } .start li b { font-size: 14px; line-height: 1.3 } }

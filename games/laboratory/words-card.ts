@@ -1,6 +1,5 @@
-import type { GameCard } from '@principia/shell';
+import { element, type GameCard } from '@principia/shell';
 import type { LabRun } from './lab-run.ts';
-import { make } from './make.ts';
 import { plainNumber } from './number-text.ts';
 import { isDisturbed } from './on-display.ts';
 
@@ -9,10 +8,10 @@ const INTERVAL = 10_000;
 
 /** What the picture shows, in words: beside the canvas for everyone, announced when time stands still or now and then. */
 export function createWordsCard(parent: HTMLElement): GameCard<LabRun> {
-  const text = make('p', 'lab-words');
-  const spoken = make('p', 'lab-spoken', { role: 'status' });
+  const text = element('p', 'lab-words');
+  const spoken = element('p', 'lab-spoken', { role: 'status' });
   parent.append(
-    make('section', 'game-card', { 'aria-label': 'In words' }, make('h2', '', {}, 'In words'), text, spoken),
+    element('section', 'game-card', { 'aria-label': 'In words' }, element('h2', '', {}, 'In words'), text, spoken),
   );
   const said = { tick: -1, at: Number.NEGATIVE_INFINITY };
   let last = -1;

@@ -164,7 +164,8 @@ function createShow(world: PhysicsWorld, random: Random, events: EventRing, shel
   };
   const onCrackle = (place: Point3) => emit('crackle', place);
   const burst = (order: ShellOrder, position: Point3, velocity: Point3) => {
-    stars.break(order.kind, order.color, order.power, position, velocity);
+    if (order.points === undefined) stars.break(order.kind, order.color, order.power, position, velocity);
+    else stars.write(order.points, order.color, order.power, position, velocity);
     emit('burst', position, order.kind, order.color, order.power);
   };
   return {

@@ -10,6 +10,7 @@ export { circles } from './circles.ts';
 export { cloth } from './cloth.ts';
 export { emitters, type Sparks } from './emitters.ts';
 export { STAR_COLORS, STAR_RGB, type StarColor } from './fireworks/colors.ts';
+export { MAX_TEXT_STARS, TEXT_STRIDE } from './fireworks/letters.ts';
 export type { EventRing, FireworksEvent } from './fireworks/news.ts';
 export type { ShellOrder } from './fireworks/rockets.ts';
 export { heldStars, maxHoldSeconds, SHELL_NAMES, SHELLS, type ShellForm, type ShellKind } from './fireworks/shells.ts';
@@ -33,8 +34,24 @@ export { tumbler } from './rigid/tumbler.ts';
 export { washer } from './rigid/washer.ts';
 export { rope } from './rope.ts';
 export type { ReferenceRuns, Scene, SceneOptions, SceneParameter, SceneRun, Stretch } from './scene.ts';
-export { buildSolarSystem, type SolarSystem, type SolarSystemOptions } from './solar-system/build.ts';
+export {
+  buildSolarSystem,
+  type SolarEpoch,
+  type SolarState,
+  type SolarSystem,
+  type SolarSystemOptions,
+  solarState,
+} from './solar-system/build.ts';
+export { type Checkpoint, checkpoints } from './solar-system/checkpoints.ts';
 export { advanceTo, type ErrorsKm, type ErrorTable, errorsAt, measureErrors } from './solar-system/errors.ts';
-export { BODY_NAMES, type BodyName, EPOCH, STATES as SOLAR_STATES } from './solar-system/states.ts';
+export {
+  ASTRONOMICAL_UNIT,
+  BODY_NAMES,
+  type BodyName,
+  EPOCH,
+  SPEED_OF_LIGHT,
+  STATES as SOLAR_STATES,
+} from './solar-system/states.ts';
+export { EPOCH_2012 } from './solar-system/states-2012.ts';
 export { type SolarSystemRun, solarSystem } from './solar-system.ts';
 export { springs } from './springs.ts';

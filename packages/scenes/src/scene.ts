@@ -9,20 +9,23 @@ export interface SceneParameter {
   readonly initial: number;
   readonly min: number;
   readonly max: number;
+  /** Whether only integers are allowed. Default false. */
   readonly integer?: boolean;
 }
 
 /** Options that all scenes share. */
 export interface SceneOptions {
-  /** Number of bodies; the scene's parameter `count` says which bodies. */
+  /** Number of bodies; the scene's parameter `count` says which bodies. Default the `initial` of that parameter. */
   readonly count?: number;
+  /** Default 2. */
   readonly dimensions?: 2 | 3;
+  /** Default that of the scene, mostly f64. */
   readonly precision?: Precision;
-  /** Equal seeds and parameters give equal worlds. */
+  /** Equal seeds and parameters give equal worlds. Default 1. */
   readonly seed?: number;
   /** Replaces the scene's default integrator. */
   readonly integrator?: Integrator;
-  /** Called while bodies are created. */
+  /** Called while bodies are created. Default none. */
   readonly progress?: Progress;
 }
 

@@ -1,6 +1,7 @@
 import { type Integrator, PhysicsError } from '@principia/physics';
 import { checkParameter, type SceneRun } from '../scene.ts';
 import { type Check, type CheckState, type Monitor, monitor } from './check.ts';
+import { densities } from './densities.ts';
 import type { Picture } from './picture.ts';
 
 /** A parameter of an example: a number in a range, or a choice of words, whose value is the index of the word. */
@@ -51,6 +52,18 @@ export interface Plot<Run, Values> {
   readonly series: readonly Series<Run, Values>[];
 }
 
+/** A distribution: how many of some numbers are in each of equal intervals, as a density. */
+export interface Histogram<Run, Values> {
+  readonly title: string;
+  /** Label and unit of the numbers, and the range that is divided into intervals; numbers beyond it are not shown. */
+  readonly x: { readonly label: string; readonly min: number; readonly max: number };
+  readonly intervals: number;
+  /** The present numbers, such as the speeds of all molecules. */
+  readonly samples: (run: Run) => ArrayLike<number>;
+  /** The exact density at x, per unit of x, drawn as a thin line. */
+  readonly exact?: (x: number, time: number, values: Values) => number;
+}
+
 /** Named values of the parameters, such as another launch velocity. */
 export interface ExamplePreset<Name extends string> {
   readonly label: string;
@@ -93,6 +106,7 @@ export interface ExampleSpec<Name extends string, Run extends SceneRun> {
   /** By name; the names `up`, `down`, `left`, `right` and `action` give their place on the touch pad. */
   readonly actions?: Readonly<Record<string, ExampleAction<Run>>>;
   readonly plots: readonly Plot<Run, ValuesOf<Name>>[];
+  readonly histograms?: readonly Histogram<Run, ValuesOf<Name>>[];
   readonly checks: readonly Check<Run, ValuesOf<Name>>[];
   /** Sentences that tell the reader what to change and what to watch. */
   readonly tryThis: readonly string[];
@@ -112,6 +126,7 @@ export interface ExampleRun extends SceneRun {
   /** The integrator that the example has by default. */
   readonly ownIntegrator: Integrator;
   readonly plots: readonly LivePlot[];
+  readonly histograms: readonly LiveHistogram[];
   /** Presses or releases the key of an action. */
   act(name: string, isDown: boolean): void;
   /** Measures the present state for the checks; without it a check is one step late. */
@@ -131,6 +146,16 @@ export interface LivePlot {
     readonly value: () => number;
     readonly exact?: (time: number) => number;
   }[];
+}
+
+/** A histogram of a run. */
+export interface LiveHistogram {
+  readonly title: string;
+  readonly x: { readonly label: string; readonly min: number; readonly max: number };
+  /** The present density in each interval, per unit of x. */
+  readonly densities: () => Float64Array;
+  /** The exact density at x now, if it is known. */
+  readonly exact?: (x: number) => number;
 }
 
 /** An example: its description, and `start`. */
@@ -201,6 +226,7 @@ function startRun<Name extends string, Run extends SceneRun>(
     ownIntegrator,
     picture: spec.picture(run, values),
     plots: spec.plots.map((plot) => livePlot(plot, run, values)),
+    histograms: (spec.histograms ?? []).map((histogram) => liveHistogram(histogram, run, values)),
     act(name, isDown) {
       if (isDown) spec.actions?.[name]?.press(run);
       else spec.actions?.[name]?.release?.(run);
@@ -222,6 +248,19 @@ function livePlot<Run extends SceneRun, Values>(plot: Plot<Run, Values>, run: Ru
       value: () => value(run),
       ...(exact === undefined ? {} : { exact: (time: number) => exact(time, values) }),
     })),
+  };
+}
+
+function liveHistogram<Run extends SceneRun, Values>(
+  { title, x, intervals, samples, exact }: Histogram<Run, Values>,
+  run: Run,
+  values: Values,
+): LiveHistogram {
+  return {
+    title,
+    x,
+    densities: () => densities(samples(run), x.min, x.max, intervals),
+    ...(exact === undefined ? {} : { exact: (at: number) => exact(at, run.world.time, values) }),
   };
 }
 

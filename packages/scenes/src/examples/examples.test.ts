@@ -112,6 +112,9 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
       for (const { value } of [x, ...series]) expect(Number.isFinite(value())).toBe(true);
       for (const { exact } of series) expect(Number.isFinite(exact?.(run.world.time) ?? 0)).toBe(true);
     }
+    for (const { x, densities, exact = () => 0 } of run.histograms) {
+      for (const value of [...densities(), exact(x.min), exact(x.max)]) expect(Number.isFinite(value)).toBe(true);
+    }
   });
 });
 

@@ -10,6 +10,8 @@ export {
   type ExamplePreset,
   type ExampleRun,
   type ExampleSpec,
+  type Histogram,
+  type LiveHistogram,
   type LivePlot,
   type Plot,
   type Series,

@@ -12,6 +12,7 @@ const SHARE = 0.4;
 const MAX_STEPS = 1500;
 /** Points of a drawn path at most. */
 const MAX_POINTS = 120;
+const MAX_BODIES = 400;
 /** Colour of bodies that have none. */
 const BODY_COLOR = 0x4f9dde;
 
@@ -86,14 +87,18 @@ function drawBodies(sketch: Sketch, run: ExampleRun): void {
     }
   }
   const { ids, count } = bodies(world);
-  for (let i = 0; i < Math.min(count, 400); i++) {
-    const id = ids[i];
+  const isSeen = (id: number) => Collider.shape[id] > 0 || Appearance.size[id] > 0 || Collider.radius[id] > 0;
+  const seen = Array.from({ length: count }, (_, i) => ids[i]).filter(isSeen);
+  // Of many bodies some are drawn, in place of all, with the area of all.
+  const share = Math.max(1, seen.length / MAX_BODIES);
+  for (let i = 0; i < seen.length / share; i++) {
+    const id = seen[Math.floor(i * share)];
     const at = positionIn(run, id);
     const { color, opacity } = colorOf(Appearance.color[id]);
     const shape = Collider.shape[id] > 0 ? shapeAt(world, Collider.shape[id]) : undefined;
     if (shape === undefined || shape.vertices.length < 4) {
       const radius = Appearance.size[id] || Collider.radius[id];
-      if (radius > 0) sketch.disc(at, radius, color, opacity);
+      if (radius > 0) sketch.disc(at, radius * Math.sqrt(share), color, opacity);
       continue;
     }
     const [c, s] = [cos(Rotation.angle[id]), sin(Rotation.angle[id])];

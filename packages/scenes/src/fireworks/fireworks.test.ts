@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { type Fireworks, fireworks } from '../fireworks.ts';
 import { aim, verticalThrow } from './aim.ts';
 import { formVelocities } from './forms.ts';
+import { TEXT_REACH, TEXT_TIME, textVelocities } from './letters.ts';
 import { SHELL_DRAG } from './rockets.ts';
 import { SHELL_NAMES, SHELLS } from './shells.ts';
 
@@ -289,4 +290,67 @@ test('the same orders give the same bits', () => {
   };
   expect(hash(2)).toBe(hash(2));
   expect(hash(3)).not.toBe(hash(2));
+});
+
+describe('a shell that writes', () => {
+  // The corners and the middle of an F, which is no symmetric form.
+  const points = [-0.4, 0.8, 0, 0.4, 0.8, 1, -0.4, 0, 2, 0.2, 0, -1, -0.4, -0.8, 3];
+  const order = { x: 0, y: 40, z: 0, kind: 0, color: 4, power: 1, points };
+
+  test.each([2, 3] as const)('keeps the momentum of the shell, and forms the text, in %iD', (dimensions) => {
+    const run = night({ dimensions });
+    run.launch(order);
+    untilBurst(run);
+    step(run.world, run.dt);
+    const { Mass, Velocity } = run.world.components;
+    const stars = Array.from({ length: run.world.lastId }, (_, i) => i + 1).filter((id) => Mass.value[id] === 0.001);
+    expect(stars).toHaveLength(5);
+    const mean = (column: ArrayLike<number>) => stars.reduce((sum, id) => sum + column[id] / stars.length, 0);
+    const velocities = textVelocities(points, 0.25);
+    for (const axis of [0, 1]) {
+      // To the rounding of five numbers below 100.
+      expect(Math.abs(velocities.reduce((sum, v, i) => (i % 2 === axis ? sum + v : sum), 0))).toBeLessThan(1e-12);
+    }
+    // The shell bursts at rest, to the speed of a step. In the first step drag takes from fast stars more than from slow
+    // ones: k v² dt = 0.25 · 60² / 60 = 15 m/s at most.
+    expect(Math.abs(mean(Velocity.x))).toBeLessThan(15);
+    expect(Math.abs(mean(Velocity.y))).toBeLessThan(15);
+  });
+
+  test('forms the text after 1.8 s: ln(1 + k v t)/k is its place', () => {
+    // A Z, which lies evenly about its middle: no speed is taken off for the momentum.
+    const places = [
+      [-0.4, 0.8],
+      [0.4, 0.8],
+      [0, 0],
+      [-0.4, -0.8],
+      [0.4, -0.8],
+    ];
+    const run = night();
+    run.launch({ ...order, points: places.flatMap(([x, y]) => [x, y, -1]) });
+    const { time } = untilBurst(run);
+    while (run.world.time < time + TEXT_TIME) step(run.world, run.dt);
+    const { Mass, Position } = run.world.components;
+    const stars = Array.from({ length: run.world.lastId }, (_, i) => i + 1).filter((id) => Mass.value[id] === 0.001);
+    const [middleX, middleY] = [Position.x[stars[2]], Position.y[stars[2]]];
+    for (const [i, id] of stars.entries()) {
+      // Lanterns rise, the slow one in the middle soonest, by the same 2.2 m/s in the end; the steps overestimate drag.
+      expect(Math.abs((Position.x[id] - middleX) / TEXT_REACH - places[i][0])).toBeLessThan(0.08);
+      expect(Math.abs((Position.y[id] - middleY) / TEXT_REACH - places[i][1])).toBeLessThan(0.15);
+    }
+  });
+
+  test('gives the same state again, and bursts of two in one step are told apart', () => {
+    const hash = () => {
+      const run = night();
+      run.launch(order);
+      run.launch({ ...order, x: 5 });
+      untilBurst(run);
+      for (let i = 0; i < 20; i++) step(run.world, run.dt);
+      return [stateHash(run.world), run.alive] as const;
+    };
+    const [first, alive] = hash();
+    expect(hash()[0]).toBe(first);
+    expect(alive).toBeGreaterThan(5);
+  });
 });

@@ -25,6 +25,11 @@ export interface ShellOrder {
   readonly color: number;
   /** Size of the burst, 0 to 1. */
   readonly power: number;
+  /**
+   * A text that the stars form, instead of the form of the kind: for each star x and y within the unit circle, and the index
+   * of its colour, −1 for that of the shell; at most `MAX_TEXT_STARS`. Default none.
+   */
+  readonly points?: readonly number[];
 }
 
 interface Rocket {

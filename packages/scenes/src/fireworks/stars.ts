@@ -8,6 +8,7 @@ import {
   type Emitter,
   emitterCounts,
   endings,
+  keepState,
   type PhysicsWorld,
   type Random,
   setEmitter,
@@ -16,6 +17,7 @@ import { addComponent, set } from 'bitecs';
 import { colorRamp, STAR_COLORS, STAR_RGB } from './colors.ts';
 import { type EmitStars, Families, MAX_FOLLOWED } from './families.ts';
 import { formVelocities } from './forms.ts';
+import { MAX_TEXT_STARS, TEXT_STRIDE, textVelocities } from './letters.ts';
 import { ORIGIN, type Point3, readPosition } from './place.ts';
 import { heldStars, SHELLS, type ShellKind } from './shells.ts';
 
@@ -46,6 +48,9 @@ export class StarPools {
   readonly #families: Families;
   readonly #patterns: readonly (readonly BurstPattern[])[];
   readonly #random: Random;
+  readonly #world: PhysicsWorld;
+  /** Tick at which a text burst last. A typed array, because snapshots copy it without garbage. */
+  readonly #writtenAt = new Float64Array([-1]);
   readonly #place = { x: 0, y: 0, z: 0 };
   /** The parameters of a burst, reused. */
   readonly #order: BurstOrder = { position: ORIGIN, velocity: ORIGIN, ramp: 0, pattern: undefined, scale: 1 };
@@ -57,6 +62,8 @@ export class StarPools {
 
   constructor(world: PhysicsWorld, random: Random) {
     this.#random = random;
+    this.#world = world;
+    keepState(world, this.#writtenAt);
     this.#pools = SHELLS.map((kind) => (kind.family === undefined ? createStars(world, kind) : undefined));
     this.#families = new Families(world, random, (capacity) => createStars(world, { ...FAMILY_KIND, capacity }));
     this.#emitters = [...this.#pools.filter((pool) => pool !== undefined), ...this.#families.emitters];
@@ -92,6 +99,28 @@ export class StarPools {
     if (power < PISTIL_POWER || shell.isHeld) return;
     const inner = (ramp + 2) % STAR_COLORS.length;
     this.#burst(this.#poolFor(kind, count), kind, count, inner, position, velocity, 0.5 * scale);
+  }
+
+  /**
+   * Emits the stars of a text. Where two texts burst in one step, there are bursts for one; the other is a plain shell.
+   * @param points as in `ShellOrder`; stars beyond `MAX_TEXT_STARS` are left out
+   */
+  write(points: readonly number[], color: number, power: number, position: Point3, velocity: Point3): void {
+    const pool = this.#pools[TEXT_KIND] as Emitter;
+    if (this.#writtenAt[0] === this.#world.tick) {
+      this.break(TEXT_KIND, color, power, position, velocity);
+      return;
+    }
+    this.#writtenAt[0] = this.#world.tick;
+    const velocities = textVelocities(points.slice(0, TEXT_STRIDE * MAX_TEXT_STARS), SHELLS[TEXT_KIND].drag);
+    const order = { position, velocity: { x: 0, y: 0, z: velocity.z }, ramp: 0 };
+    for (let i = 0; 2 * i < velocities.length; i++) {
+      order.velocity.x = velocity.x + velocities[2 * i];
+      order.velocity.y = velocity.y + velocities[2 * i + 1];
+      const own = points[TEXT_STRIDE * i + 2];
+      order.ramp = own < 0 ? color : own;
+      burst(pool, 1, order);
+    }
   }
 
   /** Handles the stars that expired in the last step. @param onCrackle receives the positions of crackling stars */
@@ -133,6 +162,9 @@ export class StarPools {
     burst(emitter, count, order);
   }
 }
+
+/** The kind whose stars form texts: lanterns come to rest and hover. */
+const TEXT_KIND = SHELLS.findIndex(({ name }) => name === 'lantern');
 
 /** All kinds with families have the same stars. */
 const FAMILY_KIND = SHELLS.find(({ family }) => family !== undefined) as ShellKind;

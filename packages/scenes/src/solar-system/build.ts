@@ -13,10 +13,14 @@ import {
   wisdomHolman,
 } from '@principia/physics';
 import { BODY_NAMES, type BodyName, type EpochState, OBLIQUITY, SPEED_OF_LIGHT, STATES } from './states.ts';
+import { STATES_2012 } from './states-2012.ts';
 
 export interface SolarSystemOptions {
+  /** Default 3. */
   readonly dimensions?: 2 | 3;
+  /** Default f64. */
   readonly precision?: Precision;
+  /** Seed of the world; default 1. */
   readonly seed?: number;
   /** Default Gauss-Radau 15. Wisdom-Holman gets the gravitational constant of this world, G = 1. */
   readonly integrator?: Integrator;
@@ -26,7 +30,11 @@ export interface SolarSystemOptions {
   readonly relativity?: boolean;
   /** Spare capacity for other bodies; default 0. */
   readonly others?: number;
+  /** Which of JPL's states to start from: noon of 1 January 2000, the default, or midnight of 1 January 2012. */
+  readonly epoch?: SolarEpoch;
 }
+
+export type SolarEpoch = 2000 | 2012;
 
 /** The world and the ids of its bodies. */
 export interface SolarSystem {
@@ -37,6 +45,7 @@ export interface SolarSystem {
 /** @throws PhysicsError E_CAPACITY */
 export function buildSolarSystem(options: SolarSystemOptions = {}): SolarSystem {
   const { dimensions = 3, precision = 'f64', seed = 1, moon = true, relativity = true, others = 0 } = options;
+  const epoch = options.epoch ?? 2000;
   const world = createPhysicsWorld({
     dimensions,
     precision,
@@ -48,11 +57,12 @@ export function buildSolarSystem(options: SolarSystemOptions = {}): SolarSystem 
   const ids: Partial<Record<BodyName, number>> = {};
   for (const name of BODY_NAMES) {
     if (name === 'moon' && !moon) continue;
-    const { gm, position, velocity } = name === 'earth' && !moon ? earthAndMoon() : STATES[name];
+    const state = solarState(name, epoch, moon);
+    const { position, velocity } = state;
     ids[name] = spawn(world, {
-      position: ecliptic(position, dimensions),
-      velocity: ecliptic(velocity, dimensions),
-      mass: gm,
+      position: dimensions === 2 ? { x: position.x, y: position.y } : position,
+      velocity: dimensions === 2 ? { x: velocity.x, y: velocity.y } : velocity,
+      mass: state.gm,
     });
   }
   if (relativity) world.forces.push(postNewtonian({ central: ids.sun as number, G: 1, speedOfLight: SPEED_OF_LIGHT }));
@@ -65,19 +75,34 @@ function inTheseUnits(integrator: Integrator): Integrator {
   return integrator.name === map.name ? map : integrator;
 }
 
+/** Position, km, and velocity, km/s, in ecliptic axes, and GM, km³/s². */
+export interface SolarState {
+  readonly gm: number;
+  readonly position: Point3;
+  readonly velocity: Point3;
+}
+
+type Point3 = { readonly x: number; readonly y: number; readonly z: number };
+
+/** JPL's state of a body at an epoch. @param moon false: the state of the Earth is that of Earth and Moon as one body */
+export function solarState(name: BodyName, epoch: SolarEpoch, moon = true): SolarState {
+  const { gm, position, velocity } = name === 'earth' && !moon ? earthAndMoon(epoch) : stateAt(name, epoch);
+  return { gm, position: ecliptic(position), velocity: ecliptic(velocity) };
+}
+
+function stateAt(name: BodyName, epoch: SolarEpoch): EpochState {
+  return epoch === 2012 ? { ...STATES[name], ...STATES_2012[name] } : STATES[name];
+}
+
 /** Transforms from equatorial to ecliptic axes. */
-function ecliptic(
-  [x, y, z]: readonly [number, number, number],
-  dimensions: 2 | 3,
-): { x: number; y: number; z?: number } {
+function ecliptic([x, y, z]: readonly [number, number, number]): Point3 {
   const { cos, sin } = OBLIQUITY;
-  const inPlane = { x, y: cos * y + sin * z };
-  return dimensions === 2 ? inPlane : { ...inPlane, z: cos * z - sin * y };
+  return { x, y: cos * y + sin * z, z: cos * z - sin * y };
 }
 
 /** Earth and Moon as one body at their centre of mass. */
-function earthAndMoon(): EpochState {
-  const { earth, moon } = STATES;
+function earthAndMoon(epoch: SolarEpoch): EpochState {
+  const [earth, moon] = [stateAt('earth', epoch), stateAt('moon', epoch)];
   const gm = earth.gm + moon.gm;
   const mean = (a: readonly [number, number, number], b: readonly [number, number, number]) =>
     a.map((value, axis) => (earth.gm * value + moon.gm * b[axis]) / gm) as [number, number, number];

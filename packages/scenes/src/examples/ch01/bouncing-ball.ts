@@ -42,10 +42,9 @@ export default defineExample({
     const collider = { radius: RADIUS, restitution };
     const ball = spawn(world, { position: START, velocity: { x: speed }, mass: 1, collider });
     wrapAround(world, [ball]);
-    // The impulse of a bounce is m v (1 + e).
     const hitSpeed = () => {
-      const { count, impulse } = wallContacts(world);
-      return count === 0 ? 0 : impulse[0] / (1 + restitution);
+      const { count, speed } = wallContacts(world);
+      return count === 0 ? 0 : speed[0];
     };
     return { world, dt: 1 / 120, ball, hitSpeed };
   },

@@ -31,8 +31,8 @@ export default defineExample({
   },
   presets: [{ label: 'A heavy wheel', values: { inertia: 10 } }],
   build({ torque, inertia }: ValuesOf<'torque' | 'inertia'>, { integrator = velocityVerlet }: BuildOptions) {
-    // Rotation is integrated with the torque at the end of each step: half a step more makes it 300 steps.
-    const push = restrictForce(constantTorque({ z: torque }), { until: PUSH_TIME + DT / 2 });
+    // Half a step less: 300 steps, wherever the sum of 300 sixtieths is rounded to.
+    const push = restrictForce(constantTorque({ z: torque }), { until: PUSH_TIME - DT / 2 });
     const world = createPhysicsWorld({ capacity: 4, forces: [push], integrator });
     const wheel = { velocity: {}, mass: 1, rotation: {}, angularVelocity: {} };
     const ball = spawn(world, { ...wheel, position: { x: -1.3 }, inertia });

@@ -42,10 +42,10 @@ export function marks(world: PhysicsWorld, body: number, points: readonly Point[
   return points.map((point) => ({ at: () => placeOn(world, body, point), radius: 3, color }));
 }
 
-/** Points on a circle about the origin. */
-export function star(count: number, radius: number): Point[] {
+/** Points on a circle about the origin, at equal angles from the given one on, rad. */
+export function star(count: number, radius: number, from = 0): Point[] {
   return Array.from({ length: count }, (_, i) => ({
-    x: radius * cos((2 * Math.PI * i) / count),
-    y: radius * sin((2 * Math.PI * i) / count),
+    x: radius * cos(from + (2 * Math.PI * i) / count),
+    y: radius * sin(from + (2 * Math.PI * i) / count),
   }));
 }

@@ -1,0 +1,99 @@
+import { rungeKutta4 } from '@principia/physics';
+import { type BuildOptions, defineExample } from '../define-example.ts';
+import {
+  DAYS,
+  distanceFromSun,
+  ellipseOf,
+  INNER_CAMERA,
+  INNER_PLANETS,
+  INNER_VIEW,
+  innerTrails,
+  type SolarRun,
+  system2012,
+} from '../support/solar.ts';
+
+/** The astronomical unit, 10⁹ m. */
+const AU = 149.5978707;
+const NAMES = { mercury: 'Mercury', venus: 'Venus', earth: 'Earth', mars: 'Mars' } as const;
+
+/** Osculating elements of JPL's states: semi-major axis, au, eccentricity, inclination, degrees. */
+const ELEMENTS = {
+  mercury: [0.387099, 0.20563, 7.0043],
+  venus: [0.723328, 0.00674, 3.3947],
+  earth: [1.000069, 0.01679, 0.0021],
+  mars: [1.523597, 0.09346, 1.8488],
+} as const;
+
+/** An angle whose sine is small, degrees: s + s³/6 + 3 s⁵/40. */
+const degreesOf = (sine: number) =>
+  ((sine + (sine * sine * sine) / 6 + (3 * sine * sine * sine * sine * sine) / 40) * 180) / Math.PI;
+
+export default defineExample({
+  id: 'ch16-solar-accurate',
+  title: 'The inner planets as they were in 2012',
+  chapter: 16,
+  tags: ['3D', 'gravity', 'orbit', 'planets'],
+  about:
+    'The start is taken from JPL’s ephemeris: where each planet was at the beginning of 2012, and how fast it moved. The orbits are now ellipses that are a little inclined to each other. Mercury’s and Mars’s are clearly off centre. Ten days pass in each second.',
+  dimensions: 3,
+  duration: 70,
+  parameters: {},
+  build: (_: object, { integrator = rungeKutta4 }: BuildOptions) => system2012({ integrator }),
+  picture: (run) => ({ view: INNER_VIEW, camera: INNER_CAMERA, trails: innerTrails(run) }),
+  plots: [
+    {
+      title: 'Distances from the Sun',
+      x: { label: 't, days', value: ({ world }) => DAYS * world.time },
+      y: { label: 'r, 10⁹ m' },
+      series: INNER_PLANETS.map((name) => ({
+        label: NAMES[name],
+        value: (run: SolarRun) => distanceFromSun(run, name),
+      })),
+    },
+  ],
+  checks: [
+    ...INNER_PLANETS.flatMap((name) => [
+      {
+        label: `Semi-major axis of ${NAMES[name]}`,
+        unit: 'au',
+        exact: ELEMENTS[name][0],
+        tolerance: { absolute: 2e-6 },
+        at: { time: 0 },
+        measure: (run: SolarRun) => ellipseOf(run, name).axis / AU,
+      },
+      {
+        label: `Eccentricity of ${NAMES[name]}`,
+        unit: '',
+        exact: ELEMENTS[name][1],
+        tolerance: { absolute: 1.5e-5 },
+        at: { time: 0 },
+        measure: (run: SolarRun) => ellipseOf(run, name).eccentricity,
+      },
+      {
+        label: `Inclination of ${NAMES[name]}`,
+        unit: '°',
+        exact: ELEMENTS[name][2],
+        tolerance: { absolute: 1e-4 },
+        at: { time: 0 },
+        measure: (run: SolarRun) => degreesOf(ellipseOf(run, name).tilt),
+      },
+    ]),
+    {
+      label: 'Smallest distance of Mercury in 90 days',
+      unit: '10⁹ m',
+      exact: 46.001,
+      tolerance: { relative: 1e-3 },
+      at: { until: 9, take: 'smallest' },
+      measure: (run: SolarRun) => distanceFromSun(run, 'mercury'),
+    },
+    {
+      label: 'Smallest distance of Mars in 690 days',
+      unit: '10⁹ m',
+      exact: 206.626,
+      tolerance: { relative: 1e-3 },
+      at: { until: 69, take: 'smallest' },
+      measure: (run: SolarRun) => distanceFromSun(run, 'mars'),
+    },
+  ],
+  tryThis: ['Turn the view until you look along the plane: Mercury’s path is inclined by 7°.'],
+});

@@ -1,0 +1,88 @@
+import { rungeKutta4 } from '@principia/physics';
+import { type BuildOptions, defineExample } from '../define-example.ts';
+import type { Point } from '../picture.ts';
+import { lengthOf } from '../support/read.ts';
+import {
+  aboutSun,
+  DAYS,
+  errorKm,
+  HOUR,
+  INNER_CAMERA,
+  INNER_VIEW,
+  innerTrails,
+  type SolarRun,
+  system2012,
+} from '../support/solar.ts';
+
+/** Distance from the Sun in the ecliptic. */
+const inPlane = ({ x, y }: Point) => lengthOf({ x, y });
+
+/** Days until the last stored position before a year is over. */
+const LAST = 360;
+
+export default defineExample({
+  id: 'ch16-solar-animated',
+  title: 'A year of the inner planets',
+  chapter: 16,
+  tags: ['3D', 'gravity', 'planets'],
+  about:
+    'Each step of the simulation is an hour, and 240 of them pass in each second. The plot counts the days, so one can look up where a planet really was: Venus passed between Earth and Sun on the 6th of June 2012, when both stand in one line as seen from the Sun.',
+  dimensions: 3,
+  duration: 36.5,
+  ends: true,
+  parameters: {},
+  build(_: object, { integrator = rungeKutta4 }: BuildOptions) {
+    const run = system2012({ integrator });
+    // Twice the area of the triangle of Sun, Venus and Earth over the product of their distances: the sine of the angle.
+    const between = () => {
+      const [venus, earth] = [aboutSun(run, 'venus').r, aboutSun(run, 'earth').r];
+      return (venus.x * earth.y - venus.y * earth.x) / (inPlane(venus) * inPlane(earth));
+    };
+    return { ...run, between };
+  },
+  picture: (run) => ({
+    view: INNER_VIEW,
+    camera: INNER_CAMERA,
+    trails: innerTrails(run),
+    lines: [{ from: () => aboutSun(run, 'venus').r, to: () => aboutSun(run, 'earth').r, width: 1 }],
+  }),
+  plots: [
+    {
+      title: 'Angle between Venus and Earth, its sine',
+      x: { label: 't, days', value: ({ world }) => DAYS * world.time },
+      y: { label: 'sine' },
+      series: [{ label: 'sine', value: ({ between }) => between() }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Hours after 8640 steps',
+      unit: 'h',
+      exact: 8640,
+      tolerance: { absolute: 1e-6 },
+      at: { time: LAST / DAYS },
+      measure: ({ world }) => world.time / HOUR,
+    },
+    ...(['mercury', 'venus', 'earth', 'mars'] as const).map((name) => ({
+      label: `Distance of ${name[0].toUpperCase()}${name.slice(1)} from JPL’s position after 360 days`,
+      unit: 'km',
+      exact: 0,
+      tolerance: { absolute: 1 },
+      at: { time: LAST / DAYS },
+      measure: (run: SolarRun) => errorKm(run, name, LAST),
+    })),
+    {
+      label: 'Venus passes the Earth, 6 June 2012, 01:10',
+      unit: 'd',
+      exact: 157.05,
+      // The conjunction in ecliptic longitude; light takes another five minutes.
+      tolerance: { absolute: 0.02 },
+      at: {
+        event: ({ world, between }: SolarRun & { between(): number }) => (world.time > 12 ? -between() : -1),
+        count: 1,
+      },
+      measure: ({ world }: SolarRun) => DAYS * world.time,
+    },
+  ],
+  tryThis: ['Follow the line from Venus to the Earth: it is shortest when Venus passes.'],
+});

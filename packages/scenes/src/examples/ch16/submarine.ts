@@ -1,0 +1,193 @@
+import {
+  buoyancy,
+  createPhysicsWorld,
+  immersedDrag,
+  spawn,
+  thrust,
+  uniformGravity,
+  velocityVerlet,
+} from '@principia/physics';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { positionOf, velocityOf } from '../support/read.ts';
+import {
+  FILL_RATE,
+  massOf,
+  SEA,
+  SUBMARINE,
+  type SubmarineRun,
+  subPicture,
+  tank,
+  waterHeight,
+} from '../support/submarine.ts';
+
+const { gravity, level } = SEA;
+const { halfHeight, drag, thrust: push, emptyMass } = SUBMARINE;
+type Values = ValuesOf<'fill' | 'engine'>;
+
+/** Height of the centre below the surface at rest: the immersed fraction of the box is its mass. */
+const restOf = (fill: number) => level + halfHeight * (2 * massOf(fill) - 1);
+const REST = restOf(0.4);
+
+function drive({ world, sub }: SubmarineRun, force: number): void {
+  world.components.Thrust.x[sub] = force;
+}
+
+function flood({ state }: SubmarineRun, rate: number): void {
+  state.change = rate;
+}
+
+export default defineExample({
+  id: 'ch16-submarine',
+  title: 'A submarine',
+  chapter: 16,
+  tags: ['buoyancy', 'drag', 'thrust', 'project'],
+  about:
+    'Water in the ballast tank makes the submarine heavier. Half full it weighs as much as the water whose place it takes, and hovers; with less it floats, with more it sinks, until drag balances what is left of its weight. The propeller pushes it to 20 px/s. Hold ↓ to flood the tank, ↑ to blow it out, ← and → to drive.',
+  duration: 60,
+  parameters: {
+    fill: { label: 'Water in the tank', unit: '', initial: 0.4, min: 0, max: 1 },
+    engine: { label: 'Engine at the start', unit: 'N', initial: 0, min: 0, max: push },
+  },
+  presets: [
+    { label: 'Full tank: a dive', values: { fill: 1 } },
+    { label: 'Neutral, full ahead', values: { fill: 0.5, engine: push } },
+  ],
+  build({ fill, engine }: Values, { integrator = velocityVerlet }: BuildOptions): SubmarineRun {
+    const water = { density: SEA.density, gravity: { y: gravity }, level: -level };
+    const forces = [uniformGravity({ y: gravity }), buoyancy(water), immersedDrag(water), thrust()];
+    const world = createPhysicsWorld({ capacity: 6, forces, integrator });
+    const hull = { volume: SUBMARINE.volume, halfHeight, shape: 1 };
+    const boat = (x: number, y: number, share: number, own: object = {}) =>
+      spawn(world, {
+        position: { x, y },
+        velocity: {},
+        mass: massOf(share),
+        hull,
+        quadraticDrag: drag,
+        thrust: {},
+        ...own,
+      });
+    const sub = boat(330, 330, fill, { velocity: { x: 40, y: -20 }, thrust: { x: engine } });
+    // Others tell what the figures ask for: a small bob without drag, a dive, a rise, and a run at neutral weight.
+    const bob = boat(-2000, REST + 1, 0.4, { quadraticDrag: 0 });
+    const dive = boat(-3000, 1000, 1);
+    const rise = boat(-4000, 3000, 0);
+    const run = boat(-9000, 1000, 0.5, { thrust: { x: push } });
+    const state = { fill, change: 0 };
+    tank(world, sub, state);
+    return { world, dt: 1 / 60, sub, bob, dive, rise, run, state };
+  },
+  picture: subPicture,
+  actions: {
+    left: {
+      label: '◀',
+      about: 'full astern',
+      key: 'arrowleft',
+      press: (run) => drive(run, -push),
+      release: (run) => drive(run, 0),
+    },
+    right: {
+      label: '▶',
+      about: 'full ahead',
+      key: 'arrowright',
+      press: (run) => drive(run, push),
+      release: (run) => drive(run, 0),
+    },
+    down: {
+      label: '▼',
+      about: 'flood the tank',
+      key: 'arrowdown',
+      press: (run) => flood(run, FILL_RATE),
+      release: (run) => flood(run, 0),
+    },
+    up: {
+      label: '▲',
+      about: 'blow the tank out',
+      key: 'arrowup',
+      press: (run) => flood(run, -FILL_RATE),
+      release: (run) => flood(run, 0),
+    },
+  },
+  plots: [
+    {
+      title: 'Depth of the centre',
+      y: { label: 'depth, px' },
+      series: [{ label: 'depth', value: ({ world, sub }) => positionOf(world, sub).y - level }],
+    },
+    {
+      title: 'Density by that of water',
+      y: { label: 'ratio' },
+      series: [{ label: 'ratio', value: ({ world, sub }) => world.components.Mass.value[sub] / SUBMARINE.volume }],
+    },
+  ],
+  checks: [
+    {
+      label: 'It comes to rest 90 % under water, its centre at',
+      unit: 'px',
+      exact: REST,
+      tolerance: { relative: 0.005 },
+      at: { until: 60, take: 'mean' },
+      measure: ({ world, bob }) => positionOf(world, bob).y,
+    },
+    {
+      label: 'Small bob, 2π √(m H/ρ V g)',
+      unit: 's',
+      exact: 14.6,
+      tolerance: { relative: 0.005 },
+      at: { event: ({ world, bob }) => positionOf(world, bob).y - REST, from: 1, to: 2 },
+      measure: ({ world }) => world.time,
+    },
+    {
+      label: 'Full tank: speed of the dive after 10 s',
+      unit: 'px/s',
+      exact: 9.9746,
+      tolerance: { relative: 1e-4 },
+      at: { time: 10 },
+      measure: ({ world, dive }) => velocityOf(world, dive).y,
+    },
+    {
+      label: 'Empty tank: final speed of the rise',
+      unit: 'px/s',
+      exact: 10,
+      tolerance: { relative: 1e-4 },
+      at: { time: 30 },
+      measure: ({ world, rise }) => -velocityOf(world, rise).y,
+    },
+    {
+      label: 'Neutral: speed after 5 s of full thrust, 20 tanh t',
+      unit: 'px/s',
+      exact: 19.998,
+      tolerance: { relative: 1e-4 },
+      at: { time: 5 },
+      measure: ({ world, run }) => velocityOf(world, run).x,
+    },
+    {
+      label: 'Neutral: depth does not change',
+      unit: 'px',
+      exact: 1000,
+      tolerance: { absolute: 1e-9 },
+      at: { time: 30 },
+      measure: ({ world, run }) => positionOf(world, run).y,
+    },
+    {
+      label: 'Height of the water in the tank, a fraction of 30 px',
+      unit: 'px',
+      exact: ({ fill }) => 30 * fill,
+      tolerance: { absolute: 1e-12 },
+      at: { time: 0 },
+      measure: ({ state }) => waterHeight(state.fill),
+    },
+    {
+      label: 'Water in the tank for neutral weight',
+      unit: '',
+      exact: 0.5,
+      tolerance: { absolute: 1e-12 },
+      at: { time: 0 },
+      measure: () => SUBMARINE.volume * SEA.density - emptyMass,
+    },
+  ],
+  tryThis: [
+    'Flood the tank to the half, and wait until it hovers: it stays at any depth.',
+    'Choose the full tank: it sinks, faster and faster, to 10 px/s.',
+  ],
+});

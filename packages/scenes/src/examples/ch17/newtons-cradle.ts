@@ -1,0 +1,176 @@
+import {
+  cos,
+  createPhysicsWorld,
+  defineForce,
+  energy,
+  type Force,
+  momentum,
+  type PhysicsWorld,
+  particleContacts,
+  rgba,
+  rungeKutta4,
+  sin,
+  spawn,
+  uniformGravity,
+} from '@principia/physics';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { COLORS, type Point } from '../picture.ts';
+import { positionOf, velocityOf } from '../support/read.ts';
+
+type Values = ValuesOf<'pulled' | 'degrees' | 'restitution'>;
+
+const [COUNT, RADIUS, LENGTH, GRAVITY] = [5, 0.05, 0.5, 9.81];
+/** Between balls at rest, m: so small that they meet one after the other, as real ones do. */
+const GAP = 1e-4;
+const PIVOTS = Array.from({ length: COUNT }, (_, i) => ({ x: (i - (COUNT - 1) / 2) * (2 * RADIUS + GAP), y: 0 }));
+
+/** The tension that keeps each ball on its circle, m (v²/r + g cos φ): Goldstein, Classical Mechanics, section 1.3. */
+function strings(balls: readonly number[]): Force {
+  return defineForce({
+    name: 'strings',
+    reads: ['Position', 'Velocity', 'Mass'],
+    accumulate({ components: { Position: p, Velocity: v, Mass }, scratch: { force } }, first, last) {
+      for (let i = 0; i < balls.length; i++) {
+        const id = balls[i];
+        if (id < first || id >= last) continue;
+        const [x, y] = [p.x[id] - PIVOTS[i].x, p.y[id] - PIVOTS[i].y];
+        const square = x * x + y * y;
+        const pull = (Mass.value[id] * (v.x[id] * v.x[id] + v.y[id] * v.y[id] - GRAVITY * y)) / square;
+        force.x[id] -= pull * x;
+        force.y[id] -= pull * y;
+      }
+    },
+  });
+}
+
+/** A blow that is not quite level would stretch a string: its jerk takes the velocity along it, and the ball stays. */
+function keepLengths({ components: { Position: p, Velocity: v } }: PhysicsWorld, balls: readonly number[]): void {
+  for (let i = 0; i < balls.length; i++) {
+    const id = balls[i];
+    const [x, y] = [p.x[id] - PIVOTS[i].x, p.y[id] - PIVOTS[i].y];
+    const square = x * x + y * y;
+    const along = (v.x[id] * x + v.y[id] * y) / square;
+    v.x[id] -= along * x;
+    v.y[id] -= along * y;
+    const scale = LENGTH / Math.sqrt(square);
+    p.x[id] = PIVOTS[i].x + scale * x;
+    p.y[id] = scale * y;
+  }
+}
+
+/** Speed at the lowest point, √(2 g L (1 − cos φ)). */
+const lowest = (degrees: number) => Math.sqrt(2 * GRAVITY * LENGTH * (1 - cos((degrees * Math.PI) / 180)));
+
+export default defineExample({
+  id: 'ch17-newtons-cradle',
+  title: 'Newton’s cradle',
+  chapter: 17,
+  tags: ['collision', 'momentum', 'energy', 'pendulum'],
+  about:
+    'Pull one ball aside and let it go: on the other side one flies off, just as fast. Two go in, and two come out. Momentum alone would allow one to come out with twice the speed, but then the energy would be twice as large. Mersenne’s and Huygens’ balls never read either law: each hands its velocity to the next.',
+  duration: 12,
+  parameters: {
+    pulled: { label: 'Balls pulled aside', unit: '', initial: 1, min: 1, max: 4, integer: true },
+    degrees: { label: 'Pulled aside by', unit: '°', initial: 40, min: 5, max: 60 },
+    restitution: { label: 'Restitution e', unit: '', initial: 1, min: 0, max: 1 },
+  },
+  presets: [
+    { label: 'Two balls', values: { pulled: 2 } },
+    { label: 'Three balls', values: { pulled: 3 } },
+    { label: 'Balls of clay', values: { restitution: 0 } },
+  ],
+  build({ pulled, degrees, restitution }: Values, { integrator = rungeKutta4 }: BuildOptions) {
+    const balls: number[] = [];
+    const forces = [uniformGravity({ y: -GRAVITY }), strings(balls)];
+    const world = createPhysicsWorld({ preset: particleContacts, capacity: 16, forces, integrator });
+    const angle = (-degrees * Math.PI) / 180;
+    for (const [i, pivot] of PIVOTS.entries()) {
+      const aside = i < pulled ? angle : 0;
+      const position = { x: pivot.x + LENGTH * sin(aside), y: -LENGTH * cos(aside) };
+      const collider = { radius: RADIUS, restitution };
+      balls.push(spawn(world, { position, velocity: {}, mass: 1, collider, appearance: rgba(0.75, 0.8, 0.9) }));
+    }
+    world.phases.finish.push(() => keepLengths(world, balls));
+    const speed = (i: number) => velocityOf(world, balls[i]).x;
+    return { world, dt: 1 / 960, balls, speed, start: energy(world).total };
+  },
+  picture({ world, balls }) {
+    const strings = PIVOTS.flatMap((pivot, i) => ({
+      from: pivot as Point,
+      to: () => positionOf(world, balls[i]),
+      width: 1,
+    }));
+    const beam = { from: { x: -0.4, y: 0 }, to: { x: 0.4, y: 0 }, color: COLORS.grey, width: 6 };
+    return { view: { minX: -0.75, maxX: 0.75, minY: -0.65, maxY: 0.1 }, lines: [...strings, beam] };
+  },
+  plots: [
+    {
+      title: 'Velocity',
+      y: { label: 'v, m/s' },
+      series: [
+        { label: 'first', value: ({ speed }) => speed(0) },
+        { label: 'middle', value: ({ speed }) => speed(2) },
+        { label: 'last', value: ({ speed }) => speed(4) },
+      ],
+    },
+    { title: 'Energy', y: { label: 'E, J' }, series: [{ label: 'total', value: ({ world }) => energy(world).total }] },
+  ],
+  checks: [
+    {
+      label: 'Fastest of the first ball, √(2gL(1 − cos φ))',
+      unit: 'm/s',
+      exact: ({ degrees }) => lowest(degrees),
+      tolerance: { relative: 1e-3 },
+      at: { until: 0.5, take: 'largest' },
+      measure: ({ speed }) => speed(0),
+    },
+    {
+      label: 'Fastest of the last ball: the same',
+      unit: 'm/s',
+      exact: lowest(40),
+      tolerance: { relative: 1e-3 },
+      at: { until: 0.6, take: 'largest' },
+      measure: ({ speed }) => speed(4),
+    },
+    {
+      label: 'Speed of the other four meanwhile',
+      unit: 'm/s',
+      exact: 0,
+      tolerance: { absolute: 0.01 },
+      at: { time: 0.6 },
+      measure: ({ speed }) => Math.max(...[0, 1, 2, 3].map((i) => Math.abs(speed(i)))),
+    },
+    {
+      label: 'Two out for two in: slower of the last two by the faster one',
+      unit: '',
+      exact: 1,
+      tolerance: { relative: 0.01 },
+      at: { time: 0.6 },
+      measure: ({ speed }) => Math.min(speed(3), speed(4)) / Math.max(speed(3), speed(4)),
+      preset: 'Two balls',
+    },
+    {
+      label: 'Change of the energy in 10 s, as a fraction of what was lifted',
+      unit: '',
+      exact: 0,
+      // The jerks of the strings take some.
+      tolerance: { absolute: 1e-3 },
+      at: { time: 10 },
+      measure: ({ world, start }) => (energy(world).total - start) / (start + COUNT * GRAVITY * LENGTH),
+    },
+    {
+      label: 'Speed of all balls of clay after the first blow, a fifth',
+      unit: 'm/s',
+      exact: lowest(40) / 5,
+      tolerance: { relative: 0.02 },
+      at: { event: ({ speed }) => speed(4) - 1e-3, count: 1 },
+      measure: ({ world }) => momentum(world).x / COUNT,
+      preset: 'Balls of clay',
+    },
+  ],
+  tryThis: [
+    'Choose “Three balls”: the ball in the middle never rests, it comes with two and goes with two.',
+    'Choose “Balls of clay”: they stick, and four fifths of the energy are gone at the first blow.',
+    'Set the restitution to 0.95: after some blows all swing together.',
+  ],
+});
