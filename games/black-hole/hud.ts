@@ -1,6 +1,7 @@
 /** The text and bars drawn over the picture. */
 import { hasCoarsePointer } from '@principia/shell';
 import { dayOf, dayOfSeed, seedOf } from './daily.ts';
+import type { Comparison } from './ghost.ts';
 import { css, type Palette } from './palette.ts';
 import { livesText, scoreText } from './report.ts';
 import { type GameEvent, LIVES, TANK } from './rules.ts';
@@ -60,7 +61,8 @@ export interface Frame {
 
 export interface Hud {
   update(sim: BlackHoleGame, frame: Frame): void;
-  toast(event: GameEvent, sim: BlackHoleGame): void;
+  /** @param comparison of a flight that reached the goal with the best one before it */
+  toast(event: GameEvent, sim: BlackHoleGame, comparison?: Comparison): void;
   destroy(): void;
 }
 
@@ -97,8 +99,8 @@ export function createHud(parent: HTMLElement, palette: () => Palette, redraw: (
       const isFirst = sim.rules.phase === 'ready' && !sim.rules.hasBegun && dayOfSeed(sim.seed) === undefined;
       showCall(callOf(sim, current.goalName), isFirst);
     },
-    toast(event, sim) {
-      const text = toastOf(event, sim);
+    toast(event, sim, comparison) {
+      const text = toastOf(event, sim, comparison);
       if (text !== '') toast.show(text, css(event.kind === 'fall' ? palette().fall : palette().goal));
     },
     destroy() {
@@ -275,12 +277,19 @@ function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: str
   return rules.phase === 'ready' ? readyCall(rules, goal) : CALLS.none;
 }
 
-function toastOf({ kind, points }: GameEvent, { rules }: BlackHoleGame): string {
-  if (kind === 'goal') return `Dodged! +${points}${rules.dodged === 4 ? ' – now some holes move' : ''}`;
+function toastOf({ kind, points }: GameEvent, { rules, dt }: BlackHoleGame, comparison?: Comparison): string {
+  const versus = comparison === undefined ? '' : ` – ${comparisonText(comparison.steps * dt)}`;
+  if (kind === 'goal') return `Dodged! +${points}${versus}${rules.dodged === 4 ? ' – now some holes move' : ''}`;
   if (kind === 'fall') return rules.lives === 0 ? '' : `Swallowed – ${livesText(rules.lives)}`;
   if (kind === 'left') return 'Out of bounds – back to the start';
   if (kind === 'redraw') return 'New layout – no bonus this level';
   if (kind === 'sling') return 'Slingshot! +1 bonus at the goal';
   if (kind === 'empty') return 'Out of fuel';
   return '';
+}
+
+/** @param seconds how much sooner than the ghost; negative if later */
+function comparisonText(seconds: number): string {
+  const text = `${Math.abs(seconds).toFixed(2)} s`;
+  return seconds > 0 ? `${text} before your ghost` : `${text} behind your ghost`;
 }

@@ -30,6 +30,7 @@ await startGame({
     ['Danger', 'falling into a hole costs one of three lives'],
     ['N, New layout', 'other holes, as often as you like; the level then gives no bonus'],
     ['Daily challenge', 'the same holes for everybody on the same date, with a result to share'],
+    ['Ghost', 'your fastest flight past the same holes flies beside you; it is kept in this browser'],
     ['Bonus', 'for unused fuel, and for every slingshot around a hole'],
   ],
 });

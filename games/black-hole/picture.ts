@@ -4,6 +4,7 @@ import { type Camera2D, type ViewportSize, worldSource } from '@principia/render
 import { applyCamera, createTrailLayer, type TrailLayer } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
 import { Container, Graphics, type Texture } from 'pixi.js';
+import type { Ghost } from './ghost.ts';
 import { emitGlow } from './hawking.ts';
 import { MAX_LENSES } from './lens-program.ts';
 import type { Palette } from './palette.ts';
@@ -34,9 +35,11 @@ export interface PictureOptions {
   readonly canBend: boolean;
   readonly isCalm: boolean;
   readonly palette: Palette;
+  /** Outlives the picture. */
+  readonly ghost: Ghost;
 }
 
-export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette }: PictureOptions): Picture {
+export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette, ghost }: PictureOptions): Picture {
   const ship = new Float64Array([BLACK_HOLE.start.x, BLACK_HOLE.start.y]);
   const holes: HoleTable = { values: new Float32Array(4 * MAX_LENSES), count: 0 };
   const skyParent = new Container();
@@ -46,7 +49,7 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
   const shipView = createShipView(palette);
   const sparks = createSparks(spot, 180);
   const rays = createSparks(spot, 420);
-  const layers = [rays.container, trailParent, path.container, sparks.container, shipView.container];
+  const layers = [rays.container, trailParent, path.container, ghost.container, sparks.container, shipView.container];
   world.addChild(createLines(palette), ...layers);
   const root = new Container({ children: [skyParent, world] });
   parent.addChild(root);
@@ -55,6 +58,7 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
   let trail: TrailLayer | undefined;
   let isPathShown = true;
   let isGlowing = true;
+  let isGhostShown = true;
   // A typed array, because a captured variable would allocate a number on the heap in every frame.
   const time = new Float64Array(1);
   return {
@@ -62,6 +66,7 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
     show(values) {
       isPathShown = values.path;
       isGlowing = values.glow;
+      isGhostShown = values.ghost;
       if (isBent !== (values.lens && canBend)) {
         skyView?.destroy();
         isBent = values.lens && canBend;
@@ -81,6 +86,7 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
       trail?.update(alpha);
       path.container.visible = isPathShown && sim.rules.phase === 'flying';
       if (path.container.visible) path.update(sim);
+      ghost.update(sim, alpha, isGhostShown);
       shipView.update(sim, ship, seconds);
       if (!isCalm) exhaust(sim, ship, sparks);
       sparks.update(seconds);
@@ -95,6 +101,7 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
     destroy() {
       skyView?.destroy();
       trail?.destroy();
+      ghost.container.removeFromParent();
       // With options, pixi destroys even a Graphics' own shapes only if `context` is given.
       root.destroy({ children: true, context: true });
     },

@@ -11,6 +11,7 @@
  */
 import { keepState, markImmutable } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole } from '@principia/scenes';
+import { FlightRecord } from './flight-record.ts';
 import { type Push, thrustOf } from './heading.ts';
 import { opensStraightUp } from './straight-flight.ts';
 
@@ -67,6 +68,8 @@ export class Rules {
   eventCount = 0;
   readonly events: GameEvent[] = [];
   options: RuleOptions;
+  /** The path of the present flight, or of the last one until the next is prepared. */
+  readonly record = new FlightRecord();
   /**
    * Change of velocity left in the tank and spent in this flight, m/s, and time left to wait, s. A typed array, because
    * snapshots copy it without garbage.
@@ -80,7 +83,7 @@ export class Rules {
   constructor(scene: BlackHole, options: RuleOptions) {
     this.#scene = scene;
     this.options = options;
-    keepState(scene.world, this, this.#delta, this.#near);
+    keepState(scene.world, this, this.#delta, this.#near, this.record.state);
   }
 
   /** Change of velocity left in the tank, m/s. */
@@ -169,6 +172,7 @@ export class Rules {
     }
     const { world, ship } = this.#scene;
     const { x, y } = world.components.Position;
+    this.record.add(x[ship], y[ship]);
     if (this.#hasFallen()) {
       this.#emit('fall', 0);
       this.#loseLife();
@@ -257,6 +261,7 @@ export class Rules {
     this.#delta[SPENT] = 0;
     this.slings = 0;
     this.#near.clear();
+    this.record.clear();
   }
 
   /** Keeps the ship at the start before an input, and where its flight ended after it. */

@@ -25,6 +25,10 @@ export const settings = {
   }),
   path: switchSetting('Predicted path', true, { key: 'v', about: 'The flight of the next two seconds' }),
   trail: switchSetting('Trail', true, { key: 't', about: 'The recent path of the ship' }),
+  ghost: switchSetting('Ghost', true, {
+    key: 'c',
+    about: 'Your fastest flight past the same holes flies beside you as a pale ship',
+  }),
   lens: switchSetting('Light bending', true, { key: 'l', about: 'Holes bend the light of the stars behind them' }),
   glow: switchSetting('Hawking glow', true, {
     key: 'g',

@@ -149,6 +149,7 @@ export class BlackHoleGame {
     if (this.isDemo && rules.phase === 'over') rules.restart();
     rules.launch();
     if (rules.phase !== 'flying') return;
+    rules.record.markAssisted();
     const heading = this.#pilot.steer(dt);
     rules.push = heading === undefined ? undefined : DIRECTIONS[heading];
   }

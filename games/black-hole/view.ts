@@ -4,6 +4,7 @@ import { openScreen } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
 import type { Insets, View, ViewContext } from '@principia/shell';
 import { Container, RendererType, type Texture } from 'pixi.js';
+import { type Comparison, Ghost } from './ghost.ts';
 import { createHud, type Frame, type Hud } from './hud.ts';
 import { paletteOf } from './palette.ts';
 import { createPicture, type Picture } from './picture.ts';
@@ -22,14 +23,11 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
   const content = new Container();
   screen.stage.addChild(content);
   const [sky, spot] = [paintSky(5), paintSpot()];
-  const paint = () => paintGame(context, content, sky, spot, renderer.type === RendererType.WEBGL);
+  const ghost = new Ghost();
+  const paint = () => paintGame(context, content, { sky, spot, ghost, canBend: renderer.type === RendererType.WEBGL });
   let picture = paint();
   let shownEvents = 0;
-  const hud = createHud(
-    context.element,
-    () => paletteOf(context.safeColors),
-    () => context.sim().press('redraw'),
-  );
+  const hud = openHud(context);
   const stage = new StageCamera();
   const { camera } = stage;
   const viewport = watchViewport(canvas, (width, height, resolution) => {
@@ -38,6 +36,7 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
   const shown = { x: 0, y: 0 };
   const place = (x: number, y: number) => toScreen(camera, viewport, x, y, shown);
   const sounds = createSounds();
+  const compare = () => compareFlight(context, ghost);
   const frame = { left: 0, top: 0, width: 0, height: 0, room: 0 };
   const steering = listenToSteering(canvas, {
     ship: () => place(picture.ship[0], picture.ship[1]),
@@ -59,7 +58,7 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
       const sim = context.sim();
       const insets = context.insets();
       stage.update(insets, viewport, picture.ship[0], seconds);
-      shownEvents = showEvents(sim, shownEvents, picture, hud, sounds);
+      shownEvents = showEvents(sim, shownEvents, { picture, hud, sounds, compare });
       sounds.update(sim, context.values().sound);
       picture.update(alpha, seconds, camera, viewport);
       steering.update();
@@ -80,6 +79,7 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
       viewport.destroy();
       hud.destroy();
       picture.destroy();
+      ghost.container.destroy({ children: true, context: true });
       screen.destroy();
       sky.destroy(true);
       spot.destroy(true);
@@ -87,27 +87,47 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
   };
 }
 
+function openHud(context: ViewContext<Settings, BlackHoleGame>): Hud {
+  return createHud(
+    context.element,
+    () => paletteOf(context.safeColors),
+    () => context.sim().press('redraw'),
+  );
+}
+
+/** Compares a flight that has reached the goal with the ghost's, unless the player does not want to see it. */
+function compareFlight(context: ViewContext<Settings, BlackHoleGame>, ghost: Ghost): Comparison | undefined {
+  const comparison = ghost.finish(context.sim());
+  return context.values().ghost ? comparison : undefined;
+}
+
 function paintGame(
   context: ViewContext<Settings, BlackHoleGame>,
   parent: Container,
-  sky: Texture,
-  spot: Texture,
-  canBend: boolean,
+  shared: { readonly sky: Texture; readonly spot: Texture; readonly ghost: Ghost; readonly canBend: boolean },
 ): Picture {
   const isCalm = context.reducedMotion;
   const palette = paletteOf(context.safeColors);
-  const picture = createPicture({ sim: context.sim(), parent, sky, spot, canBend, isCalm, palette });
+  const picture = createPicture({ sim: context.sim(), parent, ...shared, isCalm, palette });
   picture.show(context.values());
   return picture;
 }
 
+interface EventDisplay {
+  readonly picture: Picture;
+  readonly hud: Hud;
+  readonly sounds: Sounds;
+  /** Compares a flight that has reached the goal with the best one. */
+  compare(): Comparison | undefined;
+}
+
 /** Shows the events since the first `shownCount`. @returns the number of events so far */
-function showEvents(sim: BlackHoleGame, shownCount: number, picture: Picture, hud: Hud, sounds: Sounds): number {
+function showEvents(sim: BlackHoleGame, shownCount: number, { picture, hud, sounds, compare }: EventDisplay): number {
   const { events, eventCount } = sim.rules;
   const newCount = Math.max(0, Math.min(events.length, eventCount - shownCount));
   for (let i = events.length - newCount; i < events.length; i++) {
     picture.celebrate(events[i]);
-    hud.toast(events[i], sim);
+    hud.toast(events[i], sim, events[i].kind === 'goal' ? compare() : undefined);
     if (!sim.isDemo) sounds.play(events[i]);
   }
   return eventCount;

@@ -20,17 +20,15 @@ await startGame({
   },
   controls: {
     buttons: { action: { label: 'Pour', keys: ['v'], pad: [0] } },
-    press: ({ spout }) => {
-      spout.isOpen = true;
-    },
-    release: ({ spout }) => {
-      spout.isOpen = false;
-    },
+    press: ({ log }) => log.add({ kind: 'pour', isOpen: true }),
+    release: ({ log }) => log.add({ kind: 'pour', isOpen: false }),
   },
   help: [
     ['Tap, click', 'blow up what is there'],
+    ['Press and hold', 'a magnet: balls fly there, and follow the pointer'],
     ['Hold V, Pour', 'pour balls from the ceiling'],
     ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],
+    ['Tilt', 'on phones and tablets: gravity follows the way the device is held'],
     ['Drag elsewhere', 'in 3D: rotate the view'],
     ['Wheel, two fingers', 'zoom and move the view; so does a drag with the right button'],
   ],

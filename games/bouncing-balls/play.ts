@@ -1,8 +1,10 @@
-/** What both views share: taps that explode, the sound of impacts, and the hint. */
+/** What both views share: taps that explode, the magnet, the tilt of a device, the sound of impacts, and the hint. */
 import { hasCoarsePointer, listenToTaps, Synth, showHint, type ViewContext } from '@principia/shell';
+import { offerTilt } from './device-tilt.ts';
+import { listenToHolds } from './held-magnet.ts';
 import { Impacts } from './impacts.ts';
 import type { Settings } from './settings.ts';
-import { type BallsRun, blast } from './sim.ts';
+import type { BallsRun } from './sim.ts';
 
 export interface Play {
   /** Call it once a frame. */
@@ -22,17 +24,27 @@ export function createPlay(
 ): Play {
   const synth = new Synth();
   let impacts = new Impacts(context.sim(), synth);
+  const log = () => context.sim().log;
   const removeHint = showHint(
     context.element,
     hasCoarsePointer()
-      ? 'Tap to blow balls up, drag to throw them'
-      : 'Click to blow balls up, drag to throw them, hold V to pour',
+      ? 'Tap to blow balls up, hold to attract them, drag to throw them'
+      : 'Click to blow balls up, hold to attract them, drag to throw them, V to pour',
   );
   const stopTaps = listenToTaps(canvas, (x, y) => {
-    const centre = point(x, y);
-    blast(context.sim(), centre);
+    const at = point(x, y);
+    log().add({ kind: 'blast', x: at.x, y: at.y, z: at.z });
     synth.noise({ frequency: 900, to: 60, loudness: 0.7, seconds: 0.7 });
   });
+  const stopHolds = listenToHolds(context.element, canvas, {
+    isTaken: (pointer) => context.dragging().holds(pointer) || context.isSpaceHeld(),
+    attract(x, y) {
+      const at = point(x, y);
+      log().add({ kind: 'magnet', x: at.x, y: at.y, z: at.z });
+    },
+    release: () => log().add({ kind: 'magnet off' }),
+  });
+  const tilt = offerTilt(context.element, ({ x, y, z }) => log().add({ kind: 'tilt', x, y, z }), context.showMessage);
   return {
     update() {
       synth.set(context.values().sound);
@@ -40,9 +52,12 @@ export function createPlay(
     },
     refresh() {
       impacts = new Impacts(context.sim(), synth);
+      tilt.refresh();
     },
     destroy() {
       stopTaps();
+      stopHolds();
+      tilt.destroy();
       removeHint();
       synth.destroy();
     },

@@ -1,21 +1,28 @@
 /** The cloth in 3D: triangles between its nodes, lit on both sides. Torn and cut threads open the triangles beside them. */
-import { query } from 'bitecs';
 import {
   BufferAttribute,
   BufferGeometry,
+  CanvasTexture,
   Color,
   DoubleSide,
   DynamicDrawUsage,
   Mesh,
   MeshStandardMaterial,
+  SRGBColorSpace,
 } from 'three';
+import type { ClothPrint } from './cloth-print.ts';
 import { colorAt } from './colors.ts';
 import { CLOTH, type ClothRun, threadCount } from './sim.ts';
+import type { TearFilm } from './tear-film.ts';
+import { threadEnds } from './thread-ends.ts';
 
 export interface ClothMesh {
   readonly object: Mesh;
-  /** @param alpha position of the picture between the last two steps, 0 to 1 */
-  update(alpha: number): void;
+  /**
+   * @param alpha position of the picture between the last two steps, 0 to 1
+   * @param film shown instead of the world while it runs
+   */
+  update(alpha: number, film: TearFilm, print: ClothPrint): void;
   destroy(): void;
 }
 
@@ -28,43 +35,75 @@ export function createClothMesh(sim: ClothRun, safeColors: boolean): ClothMesh {
   const [position, normal, color] = [attribute(), attribute(), attribute()];
   geometry.setAttribute('position', position).setAttribute('normal', normal).setAttribute('color', color);
   geometry.setIndex(new BufferAttribute(new Uint16Array(6 * (columns - 1) * (rows - 1)), 1));
-  const shade = new Color();
-  for (let i = 0; i < COUNT; i++) {
-    const [red, green, blue] = colorAt(Math.floor(i / columns) / (rows - 1), safeColors);
-    shade.setRGB(red, green, blue, 'srgb').toArray(color.array, 3 * i);
-  }
+  geometry.setAttribute('uv', new BufferAttribute(gridPlaces(), 2));
   const material = new MeshStandardMaterial({ vertexColors: true, side: DoubleSide, roughness: 0.62 });
   const object = new Mesh(geometry, material);
   // The cloth moves, and its bounds with it.
   object.frustumCulled = false;
-  let drawn = -1;
+  const shown = { threads: -1, print: -1 };
   return {
     object,
-    update(alpha) {
-      const count = threadCount(sim);
-      if (drawn !== count) showTriangles(sim, geometry);
-      drawn = count;
-      copyPositions(sim, alpha, position.array as Float32Array);
-      computeNormals(position.array as Float32Array, normal.array as Float32Array);
+    update(alpha, film, print) {
+      const threads = film.time === undefined ? threadCount(sim) : film.threads;
+      if (shown.threads !== threads) showTriangles(threadEnds(sim, film.time), geometry);
+      shown.threads = threads;
+      if (shown.print !== print.version) applyPrint(material, color, print, safeColors);
+      shown.print = print.version;
+      const places = position.array as Float32Array;
+      if (film.time === undefined) copyPositions(sim, alpha, places);
+      else places.set(film.positions);
+      computeNormals(places, normal.array as Float32Array);
       position.needsUpdate = true;
       normal.needsUpdate = true;
     },
     destroy() {
       geometry.dispose();
+      material.map?.dispose();
       material.dispose();
     },
   };
 }
 
-/** A cell has two triangles; each needs the two threads along its edges. */
-function showTriangles({ world, cloth }: ClothRun, geometry: BufferGeometry): void {
-  const { Spring } = world.components;
-  const [first] = cloth.nodes;
+/** Where each node lies on the uncut cloth: shares of its width and height, from the lower left corner. */
+function gridPlaces(): Float32Array {
+  const places = new Float32Array(2 * COUNT);
+  for (let i = 0; i < COUNT; i++) {
+    places[2 * i] = (i % columns) / (columns - 1);
+    places[2 * i + 1] = 1 - Math.floor(i / columns) / (rows - 1);
+  }
+  return places;
+}
+
+/** Shows the player's picture, or without one the colours of the cloth. */
+function applyPrint(
+  material: MeshStandardMaterial,
+  color: BufferAttribute,
+  print: ClothPrint,
+  safeColors: boolean,
+): void {
+  material.map?.dispose();
+  material.map = print.canvas === undefined ? null : new CanvasTexture(print.canvas);
+  if (material.map !== null) {
+    material.map.colorSpace = SRGBColorSpace;
+    material.map.anisotropy = 4;
+  }
+  material.needsUpdate = true;
+  const shade = new Color();
+  for (let i = 0; i < COUNT; i++) {
+    const [red, green, blue] =
+      print.canvas === undefined ? colorAt(Math.floor(i / columns) / (rows - 1), safeColors) : [1, 1, 1];
+    shade.setRGB(red, green, blue, 'srgb').toArray(color.array, 3 * i);
+  }
+  color.needsUpdate = true;
+}
+
+/** A cell has two triangles; each needs the two threads along its edges. @param ends the two nodes of each thread */
+function showTriangles(ends: readonly number[], geometry: BufferGeometry): void {
   /** Whether a node has its threads to the right and downwards. */
   const [right, down] = [new Uint8Array(COUNT), new Uint8Array(COUNT)];
-  for (const thread of query(world, [Spring])) {
-    const low = Math.min(Spring.a[thread], Spring.b[thread]) - first;
-    const difference = Math.abs(Spring.a[thread] - Spring.b[thread]);
+  for (let i = 0; i < ends.length; i += 2) {
+    const low = Math.min(ends[i], ends[i + 1]);
+    const difference = Math.abs(ends[i] - ends[i + 1]);
     if (difference === 1) right[low] = 1;
     else if (difference === columns) down[low] = 1;
   }

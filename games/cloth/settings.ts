@@ -1,5 +1,5 @@
 /** The settings in the panel. */
-import type { NumberSetting } from '@principia/shell';
+import { type Settings as AnySettings, switchSetting } from '@principia/shell';
 
 const number = { kind: 'number', integer: false, min: 0 } as const;
 
@@ -16,6 +16,7 @@ export const settings = {
     scale: 'log',
     about: 'Tension at which a thread breaks',
   },
-} as const satisfies Record<string, NumberSetting>;
+  sound: switchSetting('Sound', true, { key: 'm', about: 'Threads are heard as they tear' }),
+} as const satisfies AnySettings;
 
 export type Settings = typeof settings;

@@ -14,6 +14,7 @@ import {
 } from '@principia/physics';
 import { query } from 'bitecs';
 import { breeze } from './breeze.ts';
+import { TearRecord } from './tear-record.ts';
 
 /** The settings of the cloth. */
 export interface ClothValues {
@@ -26,6 +27,8 @@ export interface ClothRun {
   readonly world: PhysicsWorld;
   readonly dt: number;
   readonly cloth: Cloth;
+  /** The last seconds, to watch a tear again. */
+  readonly tears: TearRecord;
 }
 
 /** Mass of the cloth in kg; drag of a node by its mass, 1/s: a loose thread falls at 6.5 m/s. */
@@ -68,7 +71,7 @@ export function createSim({ values, seed, dimensions }: ClothOptions): ClothRun 
     breakForce: values.strength,
     components: { linearDrag: NODE_DRAG, collider: { radius: 0.3 * spacing } },
   });
-  return { world, dt: 1 / 60, cloth };
+  return { world, dt: 1 / 60, cloth, tears: new TearRecord(world, cloth) };
 }
 
 /** Applies a changed setting to the running world; false if the setting requires a new world. */

@@ -22,16 +22,17 @@ import {
   WebGLRenderer,
 } from 'three';
 import { createClothMesh } from './cloth-mesh.ts';
+import type { ClothPrint } from './cloth-print.ts';
+import { createPlay } from './play.ts';
 import type { Settings } from './settings.ts';
 import { CLOTH, type ClothRun } from './sim.ts';
-import { listenToSwipes } from './swipes.ts';
 
 const WIDTH = CLOTH.columns * CLOTH.spacing;
 const HEIGHT = CLOTH.rows * CLOTH.spacing;
 /** Radius within which a pointer takes nodes, m. */
 const GRAB_RADIUS = 3 * CLOTH.spacing;
 
-export async function openView3D(context: ViewContext<Settings, ClothRun>): Promise<View> {
+export async function openView3D(context: ViewContext<Settings, ClothRun>, print: ClothPrint): Promise<View> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
   const canvas = renderer.domElement;
   context.element.append(canvas);
@@ -58,7 +59,7 @@ export async function openView3D(context: ViewContext<Settings, ClothRun>): Prom
     point.set(x, y, z).project(camera);
     return { x: ((point.x + 1) / 2) * viewport.width, y: ((1 - point.y) / 2) * viewport.height };
   };
-  const stopSwipes = listenToSwipes(context, canvas, (node) => {
+  const play = createPlay(context, canvas, print, (node) => {
     const { x, y, z } = context.sim().world.components.Position;
     return toScreen(x[node], y[node], z[node]);
   });
@@ -72,10 +73,12 @@ export async function openView3D(context: ViewContext<Settings, ClothRun>): Prom
       mesh = createClothMesh(context.sim(), context.safeColors);
       scene.add(mesh.object);
       dragging = listenToHands(context, orbit, canvas);
+      play.refresh();
     },
     draw(alpha, seconds) {
       orbit.update(seconds);
-      mesh.update(alpha);
+      play.update(seconds);
+      mesh.update(alpha, play.film, print);
       renderer.render(scene, camera);
     },
     fit: show,
@@ -88,7 +91,7 @@ export async function openView3D(context: ViewContext<Settings, ClothRun>): Prom
       return toScreen(x, y, z);
     },
     destroy() {
-      stopSwipes();
+      play.destroy();
       for (const part of [dragging, mesh, scenery, orbit, viewport]) part.destroy();
       renderer.dispose();
       renderer.forceContextLoss();

@@ -34,6 +34,17 @@ export const CONTROLS_STYLE = `
 .fw-sight { background: radial-gradient(circle, #ffe6b0 0 2px, #0000 3px), linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 10px / 2px 14px no-repeat,
   linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 40px / 2px 14px no-repeat, linear-gradient(#ffe6b0cc, #ffe6b0cc) 10px 31px / 14px 2px no-repeat,
   linear-gradient(#ffe6b0cc, #ffe6b0cc) 40px 31px / 14px 2px no-repeat }
+.fw-extras { position: absolute; left: max(20px, env(safe-area-inset-left)); top: calc(max(12px, env(safe-area-inset-top)) + 50px);
+  display: flex; flex-wrap: wrap; gap: 6px; max-width: calc(100% - 40px) }
+.fw-text { display: flex; gap: 6px; order: 1; flex-basis: 100% }
+.fw-text input { width: 150px; min-width: 0; padding: 0 12px; border: 1px solid #ffffff38; border-radius: 11px; background: #0a0e24e0;
+  color: var(--ink); font: 600 16px/1 inherit; font-family: inherit }
+.fw-text input::placeholder { color: #aab6dc }
+.fw-extra { min-height: 38px; padding: 0 13px; border: 1px solid var(--line); border-radius: 11px; background: var(--card); color: var(--ink);
+  font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation }
+.fw-extra:hover { background: #2b3766 }
+:is(.fw-extra, .fw-text input):focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
+@media (pointer: coarse) { .fw-extra, .fw-text input { min-height: 44px; box-sizing: border-box } }
 @container (max-width: 860px) { .fw-desk button { min-width: 31px; padding: 0 4px } .fw-tray, .fw-tray > div { gap: 1px }
   .fw-tray .fw-color { min-width: 24px } .fw-tray span { margin: 4px 2px } }
 @container (max-width: 600px) { .fw-tray .fw-color { min-width: 36px } .fw-tray span.fw-break { display: none } .fw-tray { padding: 4px }

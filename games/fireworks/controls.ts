@@ -5,8 +5,12 @@ import { readShow, writeShow } from './show.ts';
 import { ShowEditor } from './show-editor.ts';
 import { type Cue, type FireworksGame, RANDOM, RANDOM_KINDS, SWARM } from './sim.ts';
 import { Sound } from './sound.ts';
+import { MAX_CHARACTERS, textPoints } from './text-points.ts';
 
 type SkyPoint = { readonly x: number; readonly y: number; readonly z: number };
+
+/** Power of a shell that writes. */
+const TEXT_POWER = 0.7;
 
 /** Pointer id that stands for keyboard and gamepad. */
 export const KEYBOARD_POINTER = -1;
@@ -17,6 +21,8 @@ export class PlayerControls {
   color = RANDOM;
   /** Whether clicks are also added to the show. */
   isEditing = false;
+  /** What the next shells write into the sky; nothing if empty. */
+  text = '';
   readonly editor: ShowEditor;
   readonly sound: Sound;
   /** The show that plays first. */
@@ -80,6 +86,11 @@ export class PlayerControls {
 
   /** Fires a shell and, in the editor, adds it to the show. */
   fire(sim: FireworksGame, finger: number, { x, y, z }: SkyPoint): void {
+    if (this.text.trim() !== '') {
+      sim.press({ do: 'forget', finger });
+      this.write(sim, { x, y, z });
+      return;
+    }
     let { kind, color } = this;
     const power = sim.powerOf(finger, kind);
     // A swarm held for less than a second has no stars.
@@ -92,6 +103,17 @@ export class PlayerControls {
       }
     }
     sim.press({ do: 'fire', finger, x, y, z, kind, color });
+  }
+
+  /** Launches a shell that writes the text. It is not added to a show, whose link has no room for it. */
+  write(sim: FireworksGame, { x, y, z }: SkyPoint): void {
+    const text = [...this.text.trim()].slice(0, MAX_CHARACTERS).join('');
+    const points = textPoints(text);
+    if (points.length > 0) sim.press({ do: 'write', points, x, y, z, color: this.color, power: TEXT_POWER });
+    else
+      this.showMessage(
+        text === '' ? 'Write a name or an emoji first.' : `“${text}” leaves no mark. Write something else.`,
+      );
   }
 
   /** Plays the show from its beginning, or stops it. */

@@ -1,12 +1,14 @@
 /** The controls on the page: shells and colours to choose from, and the timeline of a show. */
 import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
-import { hasCoarsePointer, type ViewContext } from '@principia/shell';
+import { element, hasCoarsePointer, type ViewContext } from '@principia/shell';
 import type { PlayerControls } from './controls.ts';
 import { CONTROLS_STYLE } from './controls-style.ts';
 import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
+import { createMusicButton } from './music-button.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
 import { type FireworksGame, RANDOM, SWARM } from './sim.ts';
+import { createTextForm } from './text-form.ts';
 import { createTimeline } from './timeline.ts';
 
 export interface Hud {
@@ -31,7 +33,9 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
   const crosshair = document.createElement('div');
   crosshair.className = 'fw-sight';
   root.append(timeline.element, tray.element);
-  context.element.append(root, crosshair);
+  const music = createMusicButton(context, controls);
+  const extras = element('div', 'fw-extras', {}, ...createTextForm(context, controls), ...music.elements);
+  context.element.append(root, crosshair, extras);
   const unlock = () => controls.sound.unlock();
   const gestures = ['pointerdown', 'keydown', 'touchend'] as const;
   for (const gesture of gestures) globalThis.addEventListener(gesture, unlock, true);
@@ -46,6 +50,7 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
       controls.sound.set(context.values().sound);
       controls.sound.playNew(sim.scene.events);
       timeline.update();
+      music.update();
       crosshair.hidden = !sim.crosshair.isShown;
       if (sim.crosshair.isShown) {
         const { x, y } = screen(sim.crosshair.x, sim.crosshair.y, sim.crosshair.z);
@@ -66,6 +71,9 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
     destroy() {
       stopKeys();
       for (const gesture of gestures) globalThis.removeEventListener(gesture, unlock, true);
+      music.destroy();
+      controls.text = '';
+      extras.remove();
       root.remove();
       crosshair.remove();
     },

@@ -47,6 +47,8 @@ await startGame({
     ['Swarm', 'ignites where you release: two stars per second of holding, and each bursts into as many'],
     ['T', 'timeline: clicks add shells to your show. Drag marks to move them; Backspace undoes, Delete removes'],
     ['L', 'play or stop your show', 'keyboard'],
+    ['Write', 'stars write a name or an emoji: launch it, or press where it shall burst'],
+    ['Music', 'choose a file on your device, and shells burst on its beats'],
     ['Drag, in 3D', 'rotate the view; wheel or pinch to zoom'],
   ],
 });

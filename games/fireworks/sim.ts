@@ -42,6 +42,8 @@ export type Input =
       readonly kind: number;
       readonly color: number;
     })
+  /** A shell whose stars form a text, given by its points, so that a replay needs no font. */
+  | ({ readonly do: 'write'; readonly points: readonly number[] } & Omit<ShellOrder, 'kind' | 'points'>)
   | { readonly do: 'forget'; readonly finger: number }
   | { readonly do: 'steer'; readonly way: Direction; readonly on: boolean }
   | { readonly do: 'play'; readonly cues: readonly Cue[] }
@@ -178,6 +180,7 @@ export class FireworksGame {
     if (input.do === 'hold') this.held.set(input.finger, this.world.time);
     else if (input.do === 'forget') this.held.delete(input.finger);
     else if (input.do === 'fire') this.#fire(input);
+    else if (input.do === 'write') this.#write(input);
     else if (input.do === 'steer') this.#pressedKeys[input.way] = input.on;
     else if (input.do === 'play') this.#play(input.cues);
     else if (input.do === 'stop') this.#play([]);
@@ -192,6 +195,12 @@ export class FireworksGame {
     this.fired++;
     if (this.isDemo) this.#play([]);
     this.#launch({ x, y, z, kind, color, power });
+  }
+
+  #write({ points, x, y, z, color, power }: Extract<Input, { do: 'write' }>): void {
+    this.fired++;
+    if (this.isDemo) this.#play([]);
+    this.#launch({ points, x, y, z, kind: 0, color, power });
   }
 
   #play(cues: readonly Cue[]): void {
@@ -229,13 +238,14 @@ export class FireworksGame {
       this.#launch(this.show[this.#progress.next++]);
   }
 
-  #launch({ x, y, z, kind, color, power }: ShellOrder): void {
+  #launch({ x, y, z, kind, color, power, points }: ShellOrder): void {
     const random = this.#random;
     const order = {
       ...clampToSky(x, y, this.world.dimensions === 3 ? z : 0),
       kind: kind === RANDOM ? random.integer(0, RANDOM_KINDS - 1) : kind,
       color: color === RANDOM ? random.integer(0, STAR_COLORS.length - 1) : color,
       power,
+      ...(points === undefined ? {} : { points }),
     };
     if (!this.scene.launch(order)) this.refused++;
   }

@@ -83,16 +83,17 @@ function show(canvas: HTMLCanvasElement, isStill: boolean): void {
 /** Calls `frame` while an element is in the window; a hidden page draws no frames by itself. */
 function animate(element: Element, frame: (seconds: number) => void): void {
   let request = 0;
-  let last = 0;
+  let last: number | undefined;
   const tick = (now: number) => {
-    frame(Math.min(0.05, (now - last) / 1000));
+    // Its time begins with the first frame, whose stamp may lie before a clock read in advance.
+    frame(Math.min(0.05, (now - (last ?? now)) / 1000));
     last = now;
     request = requestAnimationFrame(tick);
   };
   new IntersectionObserver(([entry]) => {
     cancelAnimationFrame(request);
     if (!entry.isIntersecting) return;
-    last = performance.now();
+    last = undefined;
     request = requestAnimationFrame(tick);
   }).observe(element);
 }

@@ -24,6 +24,13 @@ export const settings = {
   gravity: { ...number, label: 'Gravity', unit: 'm/s²', initial: 9.81, max: 30 },
   friction: { ...number, label: 'Friction', unit: '', initial: 0.6, max: 1.5 },
   restitution: { ...number, label: 'Restitution', unit: '', initial: 0, max: 0.9 },
+  layer: {
+    kind: 'choice',
+    label: 'Show',
+    initial: 'none',
+    choices: { 'Bodies only': 'none', Contacts: 'contacts', 'Boxes and sleep': 'boxes' },
+    about: 'What the engine knows, drawn over the bodies',
+  },
 } as const satisfies Record<string, NumberSetting | ChoiceSetting>;
 
 export type Settings = typeof settings;

@@ -93,7 +93,7 @@ export function applyValue({ world }: StackingRun, name: string, values: Stackin
   else if (name === 'friction' || name === 'restitution') {
     const { ids, count } = bodies(world);
     for (let i = 0; i < count; i++) Collider[name][ids[i]] = values[name];
-  } else return false;
+  } else return name === 'layer';
   return true;
 }
 

@@ -5,6 +5,7 @@ import { copyLink, hasCoarsePointer, listenToTaps, showHint, type View, type Vie
 import { openPixiView } from '@principia/shell/pixi';
 import { Container } from 'pixi.js';
 import { cutAlong } from './cut.ts';
+import { createInsideLayers } from './inside-layers.ts';
 import { join } from './join.ts';
 import { createJointMarks } from './joint-marks.ts';
 import { sceneOf, writeScene } from './scene-link.ts';
@@ -33,15 +34,18 @@ export async function openView(context: ViewContext<Settings, StackingRun>): Pro
     paint({ world }, source) {
       const layer = createBodyLayer({ source, rimWidth: 1, minimumPixels: 1 });
       const marks = createJointMarks(world);
+      const inside = createInsideLayers(world);
       return {
-        container: new Container({ children: [layer.container, marks.container] }),
+        container: new Container({ children: [layer.container, marks.container, inside.container] }),
         update(alpha, pixelsPerMetre) {
           layer.update(alpha);
           marks.update(alpha, pixelsPerMetre);
+          inside.update(context.values().layer);
         },
         destroy() {
           layer.destroy();
           marks.destroy();
+          inside.destroy();
         },
       };
     },

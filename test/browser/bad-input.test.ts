@@ -12,6 +12,9 @@ const games = [
   ['cloth', 'pixi'],
   ['cloth', 'three'],
   ['stacking', 'pixi'],
+  ['solar-system', 'three'],
+  ['submarine', 'pixi'],
+  ['flight-simulator', 'three'],
 ] as const;
 
 /** A world that goes on when it is told to: whatever happened did not kill it. */
@@ -69,7 +72,7 @@ describe.each(games)('%s in %s', (game, renderer) => {
     for (const size of ['0px', '1px', '0px', '']) await resize(size);
     const { banner, ready } = await state(page);
     expect({ banner, ready }).toEqual({ banner: '', ready: true });
-    const { width, height } = (await page.locator('.game-stage canvas').boundingBox()) as DOMRect;
+    const { width, height } = (await page.locator('.game-stage canvas').first().boundingBox()) as DOMRect;
     expect([width, height]).toEqual([640, 420]);
     await expectAlive(page);
   });

@@ -6,7 +6,17 @@ import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { createGame, type Input } from '../../games/black-hole/sim.ts';
 import { HANDS, perform, VALUES, winningMoves } from '../support/black-hole-bot.ts';
-import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state, steps } from '../support/game-page.ts';
+import {
+  body,
+  fingersOf,
+  frames,
+  loseGraphicsCard,
+  pictureOf,
+  playGame,
+  ready,
+  state,
+  steps,
+} from '../support/game-page.ts';
 
 /** What the game tells of itself. */
 interface Told {
@@ -143,6 +153,70 @@ describe('playing', () => {
     expect((await state(page)).hash).toBe(paused.hash);
     await page.keyboard.press('r');
     expect(await told(page)).toMatchObject({ phase: 'ready', holes });
+  });
+});
+
+describe('the ghost', () => {
+  const isPale = (r: number, g: number, b: number) => r > 120 && g > 120 && b > 130 && Math.abs(r - b) < 60;
+
+  /** Without sparks, so that two pictures of the same moment differ by the ghost alone. */
+  const CALM = { reducedMotion: 'reduce' } as const;
+
+  /** Pale pixels that Ghost, key C, adds to the picture, half a second after a launch or into a replay. */
+  async function palePixels(page: Page, doesLaunch = true): Promise<number> {
+    if (doesLaunch) await page.keyboard.down('ArrowLeft');
+    await steps(page, 60);
+    // The ship has turned to its heading by then, to a part in ten thousand.
+    await page.waitForTimeout(600);
+    const shown = await picture(page);
+    await page.keyboard.press('c');
+    expect((await state(page)).values.ghost).toBe(false);
+    const hidden = await picture(page);
+    if (doesLaunch) await page.keyboard.up('ArrowLeft');
+    return countOf(shown, isPale) - countOf(hidden, isPale);
+  }
+
+  async function win(page: Page): Promise<void> {
+    await perform(page, await HANDS.keys(page), winningMoves(4));
+    await frames(page);
+    expect(await told(page)).toMatchObject({ dodged: 1 });
+  }
+
+  it('flies the best flight past the same holes again, also after a reload, but not in a replay', async () => {
+    const page = await play('manual&seed=4', CALM);
+    await win(page);
+    // The first flight has nothing to be compared with.
+    expect(await page.locator('.bh-toast').textContent()).toBe('Dodged! +1');
+    await page.keyboard.press('z');
+    await frames(page);
+    expect(await palePixels(page, false)).toBeLessThan(10);
+    await page.reload();
+    await ready(page);
+    expect(await palePixels(page)).toBeGreaterThan(10);
+    await page.keyboard.press('c');
+    await page.keyboard.press('r');
+    await win(page);
+    expect(await page.locator('.bh-toast').textContent()).toContain('0.00 s behind your ghost');
+  });
+
+  it.each(['full', 'absent'])('lasts as long as the page where the storage is %s', async (kind) => {
+    const prepare = {
+      full: () => {
+        Storage.prototype.setItem = () => {
+          throw new DOMException('The quota has been exceeded.', 'QuotaExceededError');
+        };
+      },
+      absent: () =>
+        Object.defineProperty(globalThis, 'localStorage', {
+          get() {
+            throw new DOMException('Access is denied.', 'SecurityError');
+          },
+        }),
+    }[kind] as () => void;
+    const page = await play('manual&seed=4', { prepare, ...CALM });
+    await win(page);
+    await page.keyboard.press('r');
+    expect(await palePixels(page)).toBeGreaterThan(10);
   });
 });
 

@@ -396,7 +396,85 @@ describe('playing', () => {
     await page.mouse.up();
     expect(await kinetic()).toBeCloseTo(before, 6);
     await page.mouse.click((screen?.x ?? 0) + 3, (screen?.y ?? 0) + 40);
+    await steps(page, 1);
     expect(await kinetic()).toBeGreaterThan(before);
+  });
+
+  it.each(['pixi', 'three'])('a press that rests is a magnet, until it is let go: %s', async (renderer) => {
+    const page = await play(`manual&count=40&gravity=0&renderer=${renderer}`);
+    const ring = page.locator('.magnet-ring');
+    const inwards = async (x: number, y: number) => {
+      const balls = await Promise.all(Array.from({ length: 40 }, (_, i) => body(page, i)));
+      return balls.filter((ball) => ball.vx * (x - ball.x) + ball.vy * (y - ball.y) > 0).length;
+    };
+    await page.mouse.move(560, 320);
+    await page.mouse.down();
+    await ring.waitFor({ state: 'visible' });
+    // The ring follows the pointer, and the view stays.
+    const before = await body(page, 0);
+    await page.mouse.move(600, 340, { steps: 4 });
+    expect((await body(page, 0)).screen).toEqual(before.screen);
+    const { x, width, y, height } = (await ring.boundingBox()) as {
+      x: number;
+      y: number;
+      width: number;
+      height: number;
+    };
+    expect([x + width / 2, y + height / 2]).toEqual([expect.closeTo(600, 0), expect.closeTo(340, 0)]);
+    await steps(page, 20);
+    // In the plane of the picture all balls of the upper left corner fly to the middle of the room by now.
+    expect(await inwards(5, 2.5)).toBeGreaterThan(30);
+    const { energy } = await state(page);
+    expect(energy.kinetic).toBeGreaterThan(0);
+    await page.mouse.up();
+    expect(await ring.isVisible()).toBe(false);
+    // A hold is no tap.
+    await steps(page, 2);
+    const free = await body(page, 3);
+    await steps(page, 1);
+    expect((await body(page, 3)).vx).toBe(free.vx);
+  });
+
+  it('tilts where there is a sensor, and asks where that is wanted', async () => {
+    const tiltTo = (page: Page, beta: number | null, gamma: number | null) =>
+      page.evaluate(
+        (angles) => dispatchEvent(new DeviceOrientationEvent('deviceorientation', { alpha: 0, ...angles })),
+        { beta, gamma },
+      );
+    const page = await play('manual&seed=1&count=5&gravity=10&collisions=off');
+    const button = page.locator('.tilt-button');
+    await tiltTo(page, null, null);
+    expect(await button.isVisible()).toBe(false);
+    await tiltTo(page, 60, 0);
+    expect(await button.isVisible()).toBe(true);
+    const acceleration = async () => {
+      await steps(page, 1);
+      const before = await body(page, 0);
+      await steps(page, 1);
+      const { vx, vy } = await body(page, 0);
+      return [(vx - before.vx) * 60, (vy - before.vy) * 60];
+    };
+    const straight = [expect.closeTo(0, 2), expect.closeTo(-10, 2)];
+    expect(await acceleration()).toEqual(straight);
+    await button.click();
+    // Half a right angle to the right: gravity in steps of 1/64.
+    await tiltTo(page, 0, 30);
+    expect(await acceleration()).toEqual([expect.closeTo(5, 2), expect.closeTo(0, 2)]);
+    await page.keyboard.press('r');
+    await frames(page);
+    expect(await acceleration()).toEqual([expect.closeTo(5, 2), expect.closeTo(0, 2)]);
+    await button.click();
+    expect(await acceleration()).toEqual(straight);
+    const asks = await play('manual', {
+      prepare: () => {
+        Object.assign(DeviceOrientationEvent, { requestPermission: async () => 'denied' });
+        // As on a device that says nothing before it is allowed to.
+        addEventListener('deviceorientation', (event) => event.stopImmediatePropagation(), true);
+      },
+    });
+    await asks.locator('.tilt-button').click();
+    await asks.waitForFunction(() => __game.state().banner.includes('Allow motion'));
+    expect(await asks.locator('.tilt-button').getAttribute('aria-pressed')).toBe('false');
   });
 
   it('V pours balls from the ceiling, and their number stays', async () => {

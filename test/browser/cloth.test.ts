@@ -84,6 +84,74 @@ describe('the cloth', () => {
     expect(await threads()).toBeLessThanOrEqual(before - CLOTH.columns + 2);
   });
 
+  it.each(['pixi', 'three'])('shows the player’s picture, and says what is none: %s', async (renderer) => {
+    const page = await play(`renderer=${renderer}&wind=0&manual`);
+    const picture = new PNG({ width: 64, height: 40 });
+    for (let i = 0; i < picture.data.length; i += 4) picture.data.set([20, 200, 40, 255], i);
+    const greenPixels = async () => {
+      const { data } = PNG.sync.read(await pictureOf(page, '.cloth-print'));
+      let green = 0;
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 1] > data[i] + 30 && data[i + 1] > data[i + 2] + 30) green++;
+      return green;
+    };
+    expect(await greenPixels()).toBe(0);
+    const input = page.locator('.cloth-print input');
+    await input.setInputFiles({ name: 'green.png', mimeType: 'image/png', buffer: PNG.sync.write(picture) });
+    const remove = page.locator('.cloth-print button', { hasText: 'Take it off' });
+    await remove.waitFor({ state: 'visible' });
+    expect(await greenPixels()).toBeGreaterThan(10_000);
+    await input.setInputFiles({ name: 'notes.txt', mimeType: 'image/png', buffer: Buffer.from('no picture') });
+    await page.waitForFunction(() => __game.state().banner.includes('“notes.txt” is not a picture'));
+    expect(await greenPixels()).toBeGreaterThan(10_000);
+    await remove.click();
+    expect(await greenPixels()).toBe(0);
+    await page.evaluate(
+      (bytes) => {
+        const data = new DataTransfer();
+        data.items.add(new File([new Uint8Array(bytes)], 'green.png', { type: 'image/png' }));
+        document.dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
+      },
+      [...PNG.sync.write(picture)],
+    );
+    await remove.waitFor({ state: 'visible' });
+    expect(await greenPixels()).toBeGreaterThan(10_000);
+  });
+
+  it.each(['pixi', 'three'])('shows a tear again slowly, until a press: %s', async (renderer) => {
+    const page = await play(`renderer=${renderer}&wind=0&manual`);
+    // The cloth comes to rest.
+    await page.evaluate(() => __game.step(240));
+    const [left, right] = [await nodePlace(page, 0, 20), await nodePlace(page, CLOTH.columns - 1, 20)];
+    const whole = await pictureOf(page, '.cloth-print');
+    await page.mouse.move(left.x - 40, left.y + 3);
+    await page.mouse.down();
+    await page.mouse.move(right.x + 40, right.y + 3, { steps: 5 });
+    await page.mouse.up();
+    const again = page.locator('.cloth-again');
+    expect(await again.isVisible()).toBe(false);
+    await page.evaluate(() => __game.step(60));
+    await again.click();
+    // The film begins before the cut, while the world lies where it fell.
+    expect(await page.locator('.cloth-film').textContent()).toContain('Slow motion');
+    const film = await pictureOf(page, '.cloth-print', '.cloth-film');
+    const { tick } = await state(page);
+    await page.mouse.click(20, 300);
+    const fallen = await pictureOf(page, '.cloth-print');
+    expect((await state(page)).tick).toBe(tick);
+    const pixels = (png: Buffer) => PNG.sync.read(png).data;
+    const difference = (a: Buffer, b: Buffer) => {
+      const [p, q] = [pixels(a), pixels(b)];
+      let count = 0;
+      for (let i = 0; i < p.length; i += 4) if (Math.abs(p[i] - q[i]) > 40) count++;
+      return count;
+    };
+    expect(difference(film, whole)).toBeLessThan(0.3 * difference(film, fallen));
+    expect(await page.locator('.cloth-film').textContent()).toBe('');
+    await frames(page);
+    expect(await again.isVisible()).toBe(false);
+  });
+
   it('is a lit sheet in 3D, in colours for every eye, and survives the loss of the graphics card', async () => {
     const page = await play('wind=0&manual');
     expect((await state(page)).renderer).toBe('three');

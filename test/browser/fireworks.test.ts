@@ -52,7 +52,7 @@ const watch = (page: Page, count: number) =>
 
 /** Pixels of the sky that are as bright as only sparks are, and how many of them are coloured rather than white. */
 async function brightness(page: Page) {
-  const { data, width, height } = PNG.sync.read(await pictureOf(page));
+  const { data, width, height } = PNG.sync.read(await pictureOf(page, '.fw-extras'));
   const found = { bright: 0, colored: 0 };
   for (let i = 0; i < width * Math.floor(0.7 * height); i++) {
     const [r, g, b] = data.subarray(4 * i, 4 * i + 3);
@@ -248,6 +248,93 @@ describe('a show', () => {
     },
   );
 });
+
+describe('words and music', () => {
+  it('a text is launched by its button or a press in the sky, and the log writes it again in Node', async () => {
+    const page = await play('manual&seed=5');
+    await page.locator('.fw-extra', { hasText: 'Write' }).click();
+    await page.keyboard.type('Ada k');
+    await page.keyboard.press('Enter');
+    await steps(page, 1);
+    await page
+      .locator('canvas')
+      .first()
+      .click({ position: { x: 300, y: 250 } });
+    await steps(page, 400);
+    const told = (await state(page)).game as { hash: string; fired: number; log: LoggedInput<Input>[]; kind: number };
+    expect(told.fired).toBe(2);
+    const written = told.log.flatMap(({ input }) => (input.do === 'write' ? [input] : []));
+    expect(written).toHaveLength(2);
+    expect(written[0].points.length / 3).toBeGreaterThan(60);
+    expect(written[1].x).toBeLessThan(written[0].x);
+    const { values } = await state(page);
+    const again = createGame({
+      values: values as unknown as Parameters<typeof createGame>[0]['values'],
+      seed: 5,
+      dimensions: 2,
+      opening: DEMO_SHOW,
+      isDemo: true,
+      log: told.log,
+    });
+    for (let i = (await state(page)).tick; i > 0; i--) step(again.world, again.dt);
+    expect(again.hash()).toBe(told.hash);
+    // Without letters there is nothing to write.
+    await page.locator('.fw-text input').fill('   ');
+    await page.locator('.fw-text button').click();
+    await page.waitForFunction(() => __game.state().banner.includes('Write a name'));
+  });
+
+  it('shells burst on the beats of a file, whose times are in the log; what is no music is said', async () => {
+    const page = await play('manual&seed=5');
+    const input = page.locator('.fw-extras input[type=file]');
+    await input.setInputFiles({ name: 'notes.mp3', mimeType: 'audio/mpeg', buffer: Buffer.from('no music') });
+    await page.waitForFunction(() => __game.state().banner.includes('“notes.mp3” is not music'));
+    await input.setInputFiles({ name: 'drum.wav', mimeType: 'audio/wav', buffer: drumFile(8) });
+    await page.locator('.fw-extra', { hasText: 'Stop music' }).waitFor();
+    await steps(page, 1);
+    const { game } = await state(page);
+    const [played] = (game as { log: LoggedInput<Input>[] }).log.flatMap(({ input }) =>
+      input.do === 'play' ? [input.cues] : [],
+    );
+    // Two strokes a second, without those of the first seconds, in which no shell could have risen.
+    expect(played.length).toBeGreaterThanOrEqual(9);
+    expect(played.length).toBeLessThanOrEqual(15);
+    await steps(page, 300);
+    expect((await state(page)).game).toMatchObject({ isShowing: true });
+    await page.locator('.fw-extra', { hasText: 'Stop music' }).click();
+    await steps(page, 1);
+    expect((await state(page)).game).toMatchObject({ isShowing: false });
+  });
+});
+
+/** A WAV file of one channel with a stroke of a drum every half second. */
+function drumFile(seconds: number): Buffer {
+  const rate = 8000;
+  const file = Buffer.alloc(44 + 2 * rate * seconds);
+  file.write('RIFF', 0);
+  file.writeUInt32LE(file.length - 8, 4);
+  file.write('WAVEfmt ', 8);
+  for (const [at, value] of [
+    [16, 16],
+    [24, rate],
+    [28, 2 * rate],
+    [40, file.length - 44],
+  ])
+    file.writeUInt32LE(value, at);
+  for (const [at, value] of [
+    [20, 1],
+    [22, 1],
+    [32, 2],
+    [34, 16],
+  ])
+    file.writeUInt16LE(value, at);
+  file.write('data', 36);
+  for (let i = 0; i < rate * seconds; i++) {
+    const t = (i / rate) % 0.5;
+    file.writeInt16LE(Math.round(20_000 * Math.exp(-t / 0.04) * Math.sin(600 * t)), 44 + 2 * i);
+  }
+  return file;
+}
 
 describe('sound', () => {
   it('waits for a gesture, and is heard as late as sound takes', async () => {

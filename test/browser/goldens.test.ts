@@ -72,7 +72,8 @@ describe.each(pictures)('%s in %s', (game, renderer, query, play) => {
     return page;
   }
 
-  const look = async (page: Page) => gridOf(await pictureOf(page, '.bh-hud', '.fw-desk', '.fw-sight'));
+  const look = async (page: Page) =>
+    gridOf(await pictureOf(page, '.bh-hud', '.fw-desk', '.fw-sight', '.fw-extras', '.cloth-print'));
 
   it('looks as it did; and that it would be noticed if it were drawn elsewhere or in other colours', async () => {
     const page = await playTo();

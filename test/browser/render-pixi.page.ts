@@ -18,8 +18,10 @@ import {
   createLinkLayer,
   createSegmentLayer,
   createTrailLayer,
+  createWorldContainer,
+  keepUpright,
 } from '@principia/render-pixi';
-import { Application, Container } from 'pixi.js';
+import { Application, Container, Graphics, Sprite } from 'pixi.js';
 import { createTestBodySource, type TestBodySource } from '../support/body-source.ts';
 
 export type Backend = 'webgl' | 'webgpu';
@@ -312,6 +314,29 @@ export const lab = {
     layer.destroy();
     stage.close();
     return { points: light(picture, 0), normals: light(picture, 1) };
+  },
+
+  /**
+   * Light of the triangle (0, 0), (40, 0), (0, 60) (red) and of a sprite of the same picture, drawn with y down (green),
+   * both at (30, 20) and turned by `angle`, in a container with y up.
+   */
+  async worldContainer(backend: Backend, angle: number) {
+    const stage = await Stage.open(backend);
+    const own = createWorldContainer();
+    stage.world.addChild(own);
+    const up = new Graphics().poly([0, 0, 40, 0, 0, 60]).fill(0xff0000);
+    const down = new Graphics().poly([0, 0, 40, 0, 0, -60]).fill(0x00ff00);
+    const texture = stage.app.renderer.generateTexture({ target: down, resolution: 1 });
+    const sprite = keepUpright(new Sprite({ texture, anchor: { x: 0, y: 1 } }));
+    const seen = [up, sprite].map((child, channel) => {
+      own.removeChildren();
+      own.addChild(child);
+      child.position.set(30, 20);
+      child.rotation = angle;
+      return light(stage.shoot(), channel);
+    });
+    stage.close();
+    return seen;
   },
 
   /** Leaves a picture of all collider shapes, filled with a rim above and as outlines below, on the page. */

@@ -77,6 +77,20 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
     }
   });
 
+  it.each([0, 2])(
+    'places graphics and sprites in a container with y up as the world has it, turned by %d',
+    async (angle) => {
+      const seen = await page.evaluate(([b, a]) => pixiLab.worldContainer(b, a), [backend, angle] as const);
+      // The centroid of the triangle is (40, 60)/3 from its corner.
+      const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+      for (const { area, x, y } of seen) {
+        expect(area / (0.5 * 40 * 60)).toBeCloseTo(1, 1);
+        expect(x).toBeCloseTo(30 + (40 * cos - 60 * sin) / 3, 0);
+        expect(y).toBeCloseTo(20 + (40 * sin + 60 * cos) / 3, 0);
+      }
+    },
+  );
+
   it('draws contact points as dots, and their normals as lines', async () => {
     const { points, normals } = await page.evaluate((b) => pixiLab.contacts(b), backend);
     // Two dots of 9 pixels at a height of -20 m, and two lines of 40 m by 1.5 pixels upward, whose feet the dots hide.

@@ -73,6 +73,36 @@ describe('the outline of a ball', () => {
   });
 });
 
+describe('the solid of an outline', () => {
+  const metre = 32; // in a parallel projection
+  const rounded = Math.hypot(1.5, 0.5) + 0.25;
+  test.each([
+    ['a plate', { vertices: [-1.5, -0.5, 1.5, -0.5, 1.5, 0.5, -1.5, 0.5], rounding: 0, least: 0.5 }, 1.5812, 3 * 1],
+    ['a triangle', { vertices: [-1, -0.5, 1, -0.5, 0, 1], rounding: 0, least: 0.5 }, 1.118, 1.5],
+    [
+      'a rounded plate',
+      { vertices: [-1.5, -0.5, 1.5, -0.5, 1.5, 0.5, -1.5, 0.5], rounding: 0.25, least: 0.75 },
+      rounded,
+      3.5 * 1.5,
+    ],
+    ['a capsule', { vertices: [-1, 0, 1, 0], rounding: 0.5, least: 0.5 }, 1.5, 2 * 1 + Math.PI * 0.25],
+  ])('has the area of the collider: %s', async (_, outline, radius, area) => {
+    for (const angle of [0, 1]) {
+      const bodies = [ball({ at: [0.2, 0.1, 0], radius, angle, outline })];
+      const { count, x } = await measure({ bodies, parallel: true, dimensions: 2 });
+      expect(Math.abs(count / (area * metre ** 2) - 1)).toBeLessThan(0.03);
+      if (outline.vertices.length !== 6) expect(x).toBeCloseTo(0.2 * metre, 0);
+    }
+  });
+
+  test('is as thick as it is narrow: a plate seen from the side', async () => {
+    const outline = { vertices: [-1.5, -0.5, 1.5, -0.5, 1.5, 0.5, -1.5, 0.5], rounding: 0, least: 0.5 };
+    const bodies = [ball({ radius: 1.5812, turn: [Math.SQRT1_2, 0, 0, Math.SQRT1_2], outline })];
+    const { count } = await measure({ bodies, parallel: true });
+    expect(Math.abs(count / (3 * 1 * metre ** 2) - 1)).toBeLessThan(0.03);
+  });
+});
+
 describe('what is drawn', () => {
   test('alpha blends the previous step into the present one, also along the depth', async () => {
     const bodies = [ball({ from: [-2, 0, 0], at: [2, 1, 0], radius: 0.5 })];

@@ -4,12 +4,13 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import type { Browser, BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
 import { writeSite } from '../../scripts/lib/site-build.mjs';
 import { gameNames, gamePicture } from '../../scripts/lib/site-pages.mjs';
 import { type RunningServer, serveFiles } from '../../scripts/lib/static-server.mjs';
 import { launchChromium } from '../support/chromium.ts';
+import { faintTexts, smallTargets, unreachedControls } from '../support/page-audit.ts';
 
 const PREFIX = '/some/sub/path';
 
@@ -17,6 +18,7 @@ const names = gameNames();
 let folder: string;
 let server: RunningServer;
 let browser: Browser;
+const contexts: BrowserContext[] = [];
 let home: string;
 
 beforeAll(async () => {
@@ -39,9 +41,23 @@ afterAll(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** A page for which there is nothing but the folder; `trouble` fills with what goes wrong. */
-async function openHome(options: Parameters<Browser['newContext']>[0] = {}) {
+/** A context that lives as long as the test, and no longer where the test fails. */
+async function newContext(options: BrowserContextOptions = {}): Promise<BrowserContext> {
   const context = await browser.newContext({ viewport: { width: 800, height: 600 }, ...options });
+  contexts.push(context);
+  return context;
+}
+
+afterEach(async () => {
+  for (const context of contexts.splice(0)) await context.close();
+});
+
+/**
+ * A page for which there is nothing but the folder; `trouble` fills with what goes wrong. Without the service worker, which
+ * would fetch the whole site in each test.
+ */
+async function openHome(options: BrowserContextOptions = {}) {
+  const context = await newContext({ serviceWorkers: 'block', ...options });
   const trouble: string[] = [];
   await context.route('**/*', (route) => {
     const url = route.request().url();
@@ -51,7 +67,11 @@ async function openHome(options: Parameters<Browser['newContext']>[0] = {}) {
   });
   const page = await context.newPage();
   page.on('pageerror', (error) => trouble.push(error.stack ?? error.message));
-  page.on('requestfailed', (request) => trouble.push(`failed: ${request.url()}`));
+  page.on('requestfailed', (request) => {
+    const reason = request.failure()?.errorText;
+    // A page that is left gives up the pictures it has not yet got.
+    if (reason !== 'net::ERR_ABORTED') trouble.push(`failed: ${request.url()} (${reason})`);
+  });
   page.on(
     'response',
     (response) => response.status() >= 400 && trouble.push(`${response.status()}: ${response.url()}`),
@@ -60,8 +80,8 @@ async function openHome(options: Parameters<Browser['newContext']>[0] = {}) {
   return { context, page, trouble };
 }
 
-/** The canvas the game draws on; the shell's plot has one of its own. */
-const stage = (page: Page) => page.locator('.game-stage canvas, body > canvas');
+/** The canvas the game draws on; the shell's plot has one of its own, and instruments come after it. */
+const stage = (page: Page) => page.locator('.game-stage canvas, body > canvas').first();
 
 /** Two pictures of the canvas that differ show that something moves. */
 async function moves(page: Page): Promise<boolean> {
@@ -76,7 +96,7 @@ async function moves(page: Page): Promise<boolean> {
 
 it('shows the pictures of the games, on a phone too', async () => {
   const phone = { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true };
-  const { context, page, trouble } = await openHome(phone);
+  const { page, trouble } = await openHome(phone);
   // Pictures are loaded as they come into view.
   for (const picture of await page.locator('.games img').all()) {
     await picture.scrollIntoViewIfNeeded();
@@ -92,11 +112,10 @@ it('shows the pictures of the games, on a phone too', async () => {
   // Nothing sticks out to the right.
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
   expect(trouble).toEqual([]);
-  await context.close();
 });
 
 it.each(names)('plays %s from a folder below another, without the internet', async (name) => {
-  const { context, page, trouble } = await openHome();
+  const { page, trouble } = await openHome();
   await page.locator(`.games a[href*="/${name}/"]`).click();
   // The laboratory begins with a list of its examples.
   if (name === 'laboratory') await page.locator('a[href*="example="]').first().click();
@@ -106,14 +125,44 @@ it.each(names)('plays %s from a folder below another, without the internet', asy
   await page
     .locator('canvas')
     .first()
-    .click({ position: { x: 200, y: 300 } });
+    .click({ position: { x: 400, y: 300 } });
   expect(await moves(page)).toBe(true);
   expect(trouble).toEqual([]);
-  await context.close();
+});
+
+const shellGames = names.filter((name) => !['laboratory', 'first-game'].includes(name));
+
+it.each(shellGames)('can be read, pressed and reached by keyboard on a phone: %s', async (name) => {
+  const phone = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
+  const { page } = await openHome(phone);
+  await page.goto(`${home}${name}/index.html?manual`);
+  await page.waitForFunction(() => globalThis.__game?.state().ready);
+  const side = page.locator('.game-side');
+  if (!(await side.isVisible())) await page.keyboard.press('p');
+  await side.waitFor({ state: 'visible' });
+  expect(await faintTexts(page)).toEqual([]);
+  expect(await smallTargets(page)).toEqual([]);
+  expect(await unreachedControls(page)).toEqual([]);
+});
+
+it('finds texts of too little contrast, small buttons, and buttons that Tab misses', async () => {
+  const { page } = await openHome();
+  await page.setContent(`<body style="background: #222"><p style="color: #777">grey</p><p style="color: #8f8f8f">paler</p>
+<button style="all: unset; width: 20px">small</button><button style="padding: 30px" tabindex="-1">hidden from keys</button></body>`);
+  // Of #777 on #222 it is 3.56, of #8f8f8f 4.9.
+  expect(await faintTexts(page)).toEqual([
+    expect.stringMatching(/“grey”.* 3\.\d+ : 1/),
+    expect.stringContaining('“small”'),
+  ]);
+  expect(await smallTargets(page)).toEqual([expect.stringContaining('“small”')]);
+  expect(await unreachedControls(page)).toEqual([
+    expect.stringContaining('“small” () does not show its focus'),
+    expect.stringContaining('“hidden from keys” () is not reached by Tab'),
+  ]);
 });
 
 it('loads only the renderer that the address names', async () => {
-  const { context, page, trouble } = await openHome();
+  const { page, trouble } = await openHome();
   const asked: string[] = [];
   page.on('request', (request) => asked.push(request.url()));
   await page.goto(`${home}bouncing-balls/index.html?renderer=three`);
@@ -121,11 +170,10 @@ it('loads only the renderer that the address names', async () => {
   expect(asked.filter((url) => /view-3d/.test(url))).toHaveLength(1);
   expect(asked.filter((url) => /view-2d/.test(url))).toEqual([]);
   expect(trouble).toEqual([]);
-  await context.close();
 });
 
 it('keeps the picture where the other one cannot be loaded, and says so', async () => {
-  const { context, page } = await openHome({ serviceWorkers: 'block' });
+  const { context, page } = await openHome();
   await page.goto(`${home}bouncing-balls/index.html?renderer=pixi`);
   await page.waitForFunction(() => globalThis.__game?.state().ready);
   await context.setOffline(true);
@@ -135,11 +183,10 @@ it('keeps the picture where the other one cannot be loaded, and says so', async 
   await context.setOffline(false);
   await page.locator('.game-banner button', { hasText: 'Try again' }).click();
   await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'three');
-  await context.close();
 });
 
 it('has a front page of at most 120 KB with all pictures, a search, a surprise, and a scene that moves', async () => {
-  const { context, page, trouble } = await openHome({ serviceWorkers: 'block' });
+  const { page, trouble } = await openHome();
   const files = ['index.html', 'front-page.js', ...names.filter(gamePicture).map((name) => `${name}/picture.webp`)];
   const sizes = files.map((file) => {
     const content = readFileSync(join(folder, file));
@@ -156,13 +203,13 @@ it('has a front page of at most 120 KB with all pictures, a search, a surprise, 
   await page.locator('button', { hasText: 'Surprise me' }).click();
   await page.waitForURL(/black-hole/);
   expect(trouble).toEqual([]);
-  await context.close();
 });
 
 it('works without the internet after the first visit, every page and both renderers', async () => {
-  const { context, page } = await openHome();
+  const context = await newContext();
+  const page = await context.newPage();
+  await page.goto(home);
   await page.evaluate(() => navigator.serviceWorker.ready);
-  await context.unrouteAll();
   await context.setOffline(true);
   await page.goto(`${home}bouncing-balls/?renderer=pixi`);
   await page.waitForFunction(() => globalThis.__game?.state().ready);
@@ -170,17 +217,15 @@ it('works without the internet after the first visit, every page and both render
   await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'three');
   await page.goto(home);
   expect(await page.locator('.games a').count()).toBe(names.length);
-  await context.close();
 });
 
 it('says how to serve it when it is opened straight from the folder', async () => {
-  const context: BrowserContext = await browser.newContext();
+  const context = await newContext();
   const page = await context.newPage();
   for (const file of ['index.html', `${names[0]}/index.html`]) {
     await page.goto(pathToFileURL(join(folder, file)).href);
     expect(await page.locator('[role=alert]').first().textContent()).toContain('Serve the folder');
   }
-  await context.close();
 });
 
 it('has no address of another place in it', () => {

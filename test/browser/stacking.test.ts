@@ -43,6 +43,7 @@ it('saves the scene to a link, and says what is wrong with a broken one', async 
   await steps(guest, 60);
   await guest.evaluate(() => __game.set('build', 'tower'));
   expect((await told(guest)).joints).toBe(0);
-  const wrong = await open('manual#scene=1.abc');
+  // The note may have left before a slow machine has drawn the first picture.
+  const wrong = await open('manual#scene=1.abc', { until: 'game' });
   await wrong.waitForFunction(() => __game.state().banner.includes('cannot be read'));
 });

@@ -27,6 +27,7 @@ import {
   WebGLRenderer,
   type WebGLRendererParameters,
 } from 'three';
+import { OUTLINE_TEXELS } from '../../../packages/render-core/src/body-source.ts';
 import { SHAPES } from '../../../packages/render-core/src/shapes.ts';
 import {
   type BodyMeshOptions,
@@ -91,6 +92,8 @@ export interface BodySketch {
   angle?: number;
   turn?: [number, number, number, number];
   turnFrom?: [number, number, number, number];
+  /** A flat collider: x and y of its vertices, its rounding, and half of its least width. */
+  outline?: { vertices: number[]; rounding: number; least: number };
 }
 
 function sketch(source: TestBodySource, bodies: BodySketch[]): TestBodySource {
@@ -104,6 +107,7 @@ function sketch(source: TestBodySource, bodies: BodySketch[]): TestBodySource {
     angle = 0,
     turn = [0, 0, 0, 0],
     turnFrom,
+    outline,
   } of bodies) {
     (['x', 'y', 'z'] as const).forEach((axis, i) => {
       source.position[axis][id] = at[i];
@@ -118,9 +122,19 @@ function sketch(source: TestBodySource, bodies: BodySketch[]): TestBodySource {
     source.radius[id] = radius;
     source.color[id] = color;
     source.shape[id] = shape;
+    if (outline !== undefined) giveOutline(source, id, radius, outline);
   }
   source.show(bodies.map((body) => body.id));
   return source;
+}
+
+/** The body's own outline, by its id. */
+function giveOutline(source: TestBodySource, id: number, extent: number, outline: BodySketch['outline'] & {}): void {
+  source.outline ??= new Uint32Array(source.rows);
+  source.outlines ??= { texels: new Float32Array(1024), used: 1024, version: 1 };
+  source.outline[id] = id;
+  const { vertices, rounding, least } = outline;
+  source.outlines.texels.set([vertices.length / 2, rounding, extent, least, ...vertices], id * OUTLINE_TEXELS);
 }
 
 /** Pixels that differ from black, their mean place (from the middle, up positive) and mean colour. */

@@ -1,0 +1,205 @@
+/** Judges the flight: rings, touchdowns, landings, and the reasons of crashes. */
+import type { PhysicsWorld } from '@principia/physics';
+import type { Attitude } from './attitude.ts';
+import { type Axes, rotated } from './body-frame.ts';
+import { type Mission, RING_RADIUS, RINGS } from './course.ts';
+import { compression, WHEELS } from './landing-gear.ts';
+import { groundHeight, isOnRunway, MAP_RADIUS, RUNWAY } from './terrain.ts';
+
+/** The course of a flight; plain values, so that rewinding restores them. */
+export interface FlightLog {
+  phase: 'flying' | 'landed' | 'crashed';
+  /** Why the aeroplane crashed, or how it landed: a sentence. */
+  reason: string;
+  /** It has been higher than a few metres. */
+  hasFlown: boolean;
+  onGround: boolean;
+  /** Index of the next ring. */
+  ring: number;
+  ringsFlown: number;
+  /** The touchdown that counts is the hardest. Sink rate, m/s. */
+  touchSink: number;
+  touchX: number;
+  touchZ: number;
+  bounces: number;
+  /** Steps at rest after the flight. */
+  restSteps: number;
+  score: number;
+  lastX: number;
+  lastZ: number;
+  lastSink: number;
+}
+
+/** Sink rate that breaks the gear, m/s; and one that passengers do not notice. */
+const BREAKING_SINK = 4.5;
+/** Sinking faster, it is no landing at all. */
+const DIVE_SINK = 7;
+const SOFT_SINK = 0.6;
+const HARD_SINK = 3;
+const RING_SCORE = 100;
+
+/** Points of the hull that must not touch the ground, in the body's axes, m. */
+const HULL: readonly (readonly [part: string, at: Readonly<Axes>])[] = [
+  ['propeller', { x: 2.3, y: -0.95, z: 0 }],
+  ['belly', { x: -0.5, y: -0.75, z: 0 }],
+  ['tail', { x: -5.2, y: 0.1, z: 0 }],
+  ['left wing', { x: 0.2, y: 0.8, z: -5.5 }],
+  ['right wing', { x: 0.2, y: 0.8, z: 5.5 }],
+  ['cabin', { x: 0.3, y: 1, z: 0 }],
+];
+
+export function createLog(mission: Mission, at: Readonly<Axes>): FlightLog {
+  return {
+    phase: 'flying',
+    reason: '',
+    hasFlown: mission === 'landing',
+    onGround: mission !== 'landing',
+    ring: mission === 'circuit' ? 0 : RINGS.length,
+    ringsFlown: 0,
+    touchSink: 0,
+    touchX: 0,
+    touchZ: 0,
+    bounces: 0,
+    restSteps: 0,
+    score: 0,
+    lastX: at.x,
+    lastZ: at.z,
+    lastSink: 0,
+  };
+}
+
+const arm: Axes = { x: 0, y: 0, z: 0 };
+
+/** Judges the step that has just ended. */
+export function judge(
+  world: PhysicsWorld,
+  plane: number,
+  log: FlightLog,
+  attitude: Readonly<Attitude>,
+  mission: Mission,
+): void {
+  if (log.phase !== 'flying') return;
+  const { Position: p, Velocity: v } = world.components;
+  const height = p.y[plane] - groundHeight(p.x[plane], p.z[plane]);
+  if (height > 8) log.hasFlown = true;
+  passRings(log, p.x[plane], p.y[plane], p.z[plane]);
+  const isDive = touchDown(world, plane, log);
+  const struck = isDive ? 'landing gear' : height < 12 ? struckPart(world, plane) : undefined;
+  if (struck !== undefined)
+    crash(log, crashReason(struck, attitude, Math.max(log.lastSink, -v.y[plane]), p.x[plane], p.z[plane]));
+  if (Math.max(Math.abs(p.x[plane]), Math.abs(p.z[plane])) > MAP_RADIUS) {
+    crash(log, 'You flew off the map and out of fuel.');
+  }
+  if (log.phase !== 'flying') return;
+  const speed = Math.sqrt(v.x[plane] * v.x[plane] + v.z[plane] * v.z[plane]);
+  log.restSteps = log.hasFlown && log.onGround && speed < 1 ? log.restSteps + 1 : 0;
+  if (log.restSteps > 60 && mission !== 'free') land(log, p.x[plane], p.z[plane]);
+  log.lastX = p.x[plane];
+  log.lastZ = p.z[plane];
+  log.lastSink = -v.y[plane];
+}
+
+/** Returns whether the aeroplane dived into the ground. */
+function touchDown(world: PhysicsWorld, plane: number, log: FlightLog): boolean {
+  const isDown = WHEELS.some((wheel) => compression(world, plane, wheel) > 0);
+  if (isDown && !log.onGround && log.hasFlown) {
+    const { x, z } = world.components.Position;
+    if (log.touchSink > 0) log.bounces++;
+    if (log.lastSink > BREAKING_SINK && log.lastSink < DIVE_SINK) {
+      const sink = log.lastSink.toFixed(1);
+      crash(
+        log,
+        `The landing gear broke: you sank at ${sink} m/s, and it takes ${BREAKING_SINK}. Raise the nose just above the runway.`,
+      );
+    }
+    if (log.touchSink === 0) [log.touchX, log.touchZ] = [x[plane], z[plane]];
+    log.touchSink = Math.max(log.touchSink, log.lastSink, 0.01);
+  }
+  // Taking off again makes the next touchdown count from the beginning.
+  const { x, y, z } = world.components.Position;
+  if (!isDown && y[plane] - groundHeight(x[plane], z[plane]) > 15) Object.assign(log, AIRBORNE);
+  const isDive = isDown && !log.onGround && log.lastSink >= DIVE_SINK;
+  log.onGround = isDown;
+  return isDive;
+}
+
+const AIRBORNE = { touchSink: 0, bounces: 0 };
+
+function struckPart(world: PhysicsWorld, plane: number): string | undefined {
+  const { x, y, z } = world.components.Position;
+  for (const [part, at] of HULL) {
+    rotated(world, plane, at, arm);
+    if (y[plane] + arm.y < groundHeight(x[plane] + arm.x, z[plane] + arm.z)) return part;
+  }
+  return undefined;
+}
+
+const STALL_ATTACK = 0.27;
+
+function crashReason(
+  part: string,
+  { attack, bank, pitch }: Readonly<Attitude>,
+  sink: number,
+  x: number,
+  z: number,
+): string {
+  const degrees = (angle: number) => Math.round((Math.abs(angle) * 180) / Math.PI);
+  if (sink > DIVE_SINK && attack > STALL_ATTACK) {
+    return `The wing had stalled: at ${degrees(attack)}° of attack it carries less, and you fell at ${sink.toFixed(0)} m/s. Push the nose down to stay fast.`;
+  }
+  if (sink > DIVE_SINK) return `You dived into the ground at ${sink.toFixed(0)} m/s. Raise the nose in time.`;
+  if (groundHeight(x, z) > 5) return `You flew into a hill: the ${part} struck it.`;
+  if (part.endsWith('wing'))
+    return `The ${part} struck the ground: you banked by ${degrees(bank)}°. Level the wings to land.`;
+  if (part === 'tail') return `The tail struck the ground: the nose was ${degrees(pitch)}° up.`;
+  if (part === 'propeller')
+    return `The propeller struck the ground: the nose was ${degrees(pitch)}° down. Touch down with the nose up.`;
+  return `The ${part} struck the ground.`;
+}
+
+function crash(log: FlightLog, reason: string): void {
+  if (log.phase !== 'flying') return;
+  log.phase = 'crashed';
+  log.reason = reason;
+  log.score = RING_SCORE * log.ringsFlown;
+}
+
+/** A ring counts if the path crosses its plane within its radius; beside it, it is missed. */
+function passRings(log: FlightLog, x: number, y: number, z: number): void {
+  const ring = RINGS[log.ring];
+  if (ring === undefined) return;
+  const { at, direction } = ring;
+  const ahead = (px: number, pz: number) => (px - at.x) * direction.x + (pz - at.z) * direction.z;
+  if (ahead(log.lastX, log.lastZ) >= 0 || ahead(x, z) < 0) return;
+  const distance2 = (x - at.x) * (x - at.x) + (y - at.y) * (y - at.y) + (z - at.z) * (z - at.z);
+  // Far away, the plane of the ring means nothing.
+  if (distance2 > 400 * 400) return;
+  if (distance2 < RING_RADIUS * RING_RADIUS) log.ringsFlown++;
+  log.ring++;
+}
+
+/** Share of the points for a value: all up to `best`, none from `worst`. */
+function share(value: number, best: number, worst: number): number {
+  return Math.min(1, Math.max(0, (worst - value) / (worst - best)));
+}
+
+/** Points for sinking softly, near the centre line, in the first half of the runway. */
+export function landingScore(sink: number, x: number, z: number, bounces: number): number {
+  if (!isOnRunway(x, z)) return 50;
+  const soft = 250 * share(sink, SOFT_SINK, HARD_SINK);
+  const straight = 100 * share(Math.abs(z), 2, RUNWAY.width / 2);
+  const early = 100 * share(Math.abs(x + RUNWAY.length / 2 - 250), 120, 700);
+  return Math.max(0, Math.round(50 + soft + straight + early - 40 * bounces));
+}
+
+function land(log: FlightLog, x: number, z: number): void {
+  log.phase = 'landed';
+  const sink = log.touchSink.toFixed(1);
+  const points = landingScore(log.touchSink, log.touchX, log.touchZ, log.bounces);
+  log.score = RING_SCORE * log.ringsFlown + points;
+  const where = isOnRunway(x, z) ? `${Math.abs(log.touchZ).toFixed(0)} m from the centre line` : 'on the grass';
+  const how =
+    log.touchSink < SOFT_SINK ? 'As soft as a feather' : log.touchSink < 1.5 ? 'A good landing' : 'A firm landing';
+  const bounced = log.bounces === 0 ? '' : `, with ${log.bounces} ${log.bounces === 1 ? 'bounce' : 'bounces'}`;
+  log.reason = `${how}: ${sink} m/s down, ${where}${bounced}. ${points} points for it.`;
+}

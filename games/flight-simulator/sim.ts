@@ -1,0 +1,203 @@
+/** The simulation: one aeroplane, its ground, its wind and its mission. It needs no display. */
+import {
+  columnsOf,
+  correlatedGusts,
+  createPhysicsWorld,
+  keepState,
+  type PhysicsWorld,
+  spawn,
+} from '@principia/physics';
+import { addComponent, set } from 'bitecs';
+import { AIRCRAFT, aircraftForces, Deflections, propellerThrust, stallSpeed } from './aircraft.ts';
+import { type Attitude, createAttitude, readAttitude } from './attitude.ts';
+import type { Axes } from './body-frame.ts';
+import { MISSIONS, type Mission, RESTING_HEIGHT, RINGS, startOf } from './course.ts';
+import { type GearState, landingGear } from './landing-gear.ts';
+import { createPilotState, type Inputs, movePilot, type PilotState, type Surfaces } from './pilot.ts';
+import { createLog, type FlightLog, judge } from './referee.ts';
+import { groundHeight } from './terrain.ts';
+
+/** The settings of a flight. */
+export interface FlightValues {
+  readonly mission: string;
+  readonly assist: boolean;
+  readonly inverted: boolean;
+  readonly crosswind: number;
+  readonly turbulence: number;
+}
+
+export interface FlightOptions {
+  readonly values: FlightValues;
+  readonly seed: number;
+}
+
+const DT = 1 / 240;
+
+/** Angle of attack at which the stall warning sounds, rad. */
+const WARNING_ATTACK = 0.24;
+
+/** One flight. */
+export class Flight {
+  readonly dt = DT;
+  readonly world: PhysicsWorld;
+  readonly plane: number;
+  readonly mission: Mission;
+  readonly log: FlightLog;
+  readonly pilot: PilotState;
+  /** Attitude after the last step. */
+  readonly attitude: Attitude = createAttitude();
+  readonly inputs: Inputs = { roll: 0, pull: 0, rudder: 0, throttle: 0, brake: 0 };
+  readonly #held = new Set<string>();
+  readonly #ground = { onGround: true, height: 0 };
+  readonly #gear: GearState = { brake: 0, rudder: 0 };
+  readonly #surfaces: Surfaces = { aileron: 0, elevator: 0, rudder: 0 };
+  readonly #wind: (time: number) => Readonly<Axes>;
+  #values: FlightValues;
+  #stickX = 0;
+  #stickY = 0;
+
+  constructor({ values, seed }: FlightOptions) {
+    this.#values = values;
+    this.mission = MISSIONS.find((name) => name === values.mission) ?? 'circuit';
+    this.#wind = windOf(values, seed);
+    this.world = createPhysicsWorld({
+      dimensions: 3,
+      capacity: 4,
+      seed,
+      components: [Deflections],
+      forces: aircraftForces(this.#wind),
+    });
+    const { at, speed, throttle } = startOf(this.mission);
+    this.plane = spawn(this.world, {
+      position: at,
+      velocity: { x: speed },
+      mass: AIRCRAFT.mass,
+      inertiaTensor: AIRCRAFT.inertiaTensor,
+      orientation: {},
+      angularVelocity: {},
+      thrust: {},
+      quadraticDrag: AIRCRAFT.parasite,
+    });
+    addComponent(this.world, this.plane, set(columnsOf(this.world, Deflections), { ...this.#surfaces }));
+    this.world.forces.push(landingGear(this.plane, this.#gear));
+    this.pilot = createPilotState(throttle);
+    this.log = createLog(this.mission, at);
+    keepState(this.world, this.log, this.pilot, this.#gear, this.attitude);
+    this.#look();
+    this.world.phases.input.push((_, dt) => this.#steer(dt));
+    this.world.phases.events.push(() => {
+      this.#look();
+      judge(this.world, this.plane, this.log, this.attitude, this.mission);
+    });
+  }
+
+  /** Height of the centre of mass above the ground, m. */
+  get height(): number {
+    const { x, y, z } = this.world.components.Position;
+    return y[this.plane] - groundHeight(x[this.plane], z[this.plane]);
+  }
+
+  /** Height of the wheels above the airfield, m: what an altimeter shows. */
+  get altitude(): number {
+    return this.world.components.Position.y[this.plane] - RESTING_HEIGHT;
+  }
+
+  /** Climb, m/s. */
+  get climb(): number {
+    return this.world.components.Velocity.y[this.plane];
+  }
+
+  /** Whether the wing is about to stall, or has. */
+  get isStalling(): boolean {
+    return this.attitude.attack > WARNING_ATTACK && !this.log.onGround;
+  }
+
+  /** Velocity of the air, m/s. */
+  get wind(): Readonly<Axes> {
+    return this.#wind(this.world.time);
+  }
+
+  set(values: FlightValues): void {
+    this.#values = values;
+  }
+
+  /** A button was pressed or released. */
+  press(name: string, isDown: boolean): void {
+    if (isDown) this.#held.add(name);
+    else this.#held.delete(name);
+  }
+
+  /** The stick, on the screen or of a gamepad: y up is forwards, which lowers the nose. */
+  stick(x: number, y: number): void {
+    this.#stickX = x;
+    this.#stickY = y;
+  }
+
+  /** Reads buttons and stick, and moves the controls. */
+  #steer(dt: number): void {
+    const held = (name: string) => Number(this.#held.has(name));
+    const { inputs } = this;
+    inputs.roll = clampUnit(this.#stickX + held('right') - held('left'));
+    inputs.pull = clampUnit(held('down') - held('up') - this.#stickY) * (this.#values.inverted ? -1 : 1);
+    inputs.rudder = held('rudderRight') - held('rudderLeft');
+    inputs.throttle = held('more') - held('less');
+    inputs.brake = held('brake');
+    const { world, plane, pilot, attitude, log } = this;
+    this.#ground.onGround = log.onGround;
+    this.#ground.height = this.height;
+    movePilot(pilot, inputs, attitude, this.#values.assist, this.#ground, dt, this.#surfaces);
+    const columns = columnsOf(world, Deflections);
+    columns.aileron[plane] = this.#surfaces.aileron;
+    columns.elevator[plane] = this.#surfaces.elevator;
+    columns.rudder[plane] = this.#surfaces.rudder;
+    this.#gear.brake = pilot.brake;
+    this.#gear.rudder = this.#surfaces.rudder;
+    world.components.Thrust.x[plane] = propellerThrust(pilot.throttle, attitude.airspeed);
+  }
+
+  #look(): void {
+    readAttitude(this.world, this.plane, this.wind, this.attitude);
+  }
+}
+
+const clampUnit = (value: number) => Math.min(1, Math.max(-1, value));
+
+/** Steady crosswind with gusts that last three seconds. */
+function windOf({ crosswind, turbulence }: FlightValues, seed: number): (time: number) => Readonly<Axes> {
+  const mean = { x: 0, y: 0, z: crosswind };
+  if (turbulence === 0) return () => mean;
+  const deviation = { x: turbulence, y: 0.5 * turbulence, z: turbulence };
+  return correlatedGusts({ mean, deviation, time: 3, seed }) as (time: number) => Readonly<Axes>;
+}
+
+export function createFlight(options: FlightOptions): Flight {
+  return new Flight(options);
+}
+
+/** Applies a changed setting to the running flight; false if the setting requires a new one. */
+export function applyValue(flight: Flight, name: string, values: FlightValues): boolean {
+  flight.set(values);
+  return name !== 'mission' && name !== 'crosswind' && name !== 'turbulence';
+}
+
+/** What to do now, in a sentence. */
+export function objective(
+  flight: Flight,
+  names: { readonly throttle: string; readonly pull: string; readonly brake: string },
+): string {
+  const { log, pilot, attitude, mission } = flight;
+  const takeOff = 1.15 * stallSpeed();
+  if (flight.isStalling) return 'Stall! Push the nose down, and give thrust';
+  if (log.onGround && !log.hasFlown) {
+    if (pilot.throttle < 0.9) return `Hold ${names.throttle} for full throttle`;
+    if (attitude.airspeed < takeOff) return 'Gathering speed…';
+    return `Fast enough: hold ${names.pull} gently to raise the nose`;
+  }
+  if (mission === 'free') return '';
+  if (log.ring < RINGS.length) return `Fly through ring ${log.ring + 1} of ${RINGS.length}`;
+  if (log.onGround) return `Hold ${names.brake} to stop on the runway`;
+  if (flight.height < 8) return `Throttle back, and hold ${names.pull} to touch down softly`;
+  return attitude.airspeed < takeOff
+    ? 'Too slow: more throttle, nose down'
+    : 'Land on the runway: line up with it, and slow down';
+}

@@ -1,0 +1,233 @@
+/** The card of the mission: what to do, the change of velocity to set, and what will come of it. */
+import type { BodyName } from '@principia/scenes';
+import type { ViewContext } from '@principia/shell';
+import { indexOf, rounded } from './flight.ts';
+import { type FlightPlan, MAX_WAIT } from './flight-plan.ts';
+import { MISSIONS, type Mission, PASS } from './missions.ts';
+import type { Page } from './page.ts';
+import { isOver, scoreOf, titleOf } from './report.ts';
+import type { Settings } from './settings.ts';
+import type { SolarGame } from './sim.ts';
+import { DAY } from './solar-clock.ts';
+import { TRACKED } from './track.ts';
+import { difference, lengthOf } from './vectors.ts';
+import { distanceText, flightLines, label, MISSION_WORDS, speedText, WORDS } from './words.ts';
+
+export interface MissionCard {
+  readonly element: HTMLElement;
+  update(sim: SolarGame): void;
+}
+
+/** Real seconds that a flight of the longest duration takes. */
+const FLIGHT_SECONDS = 40;
+
+export function createMissionCard(
+  context: ViewContext<Settings, SolarGame>,
+  page: Page,
+  plan: FlightPlan,
+): MissionCard {
+  const element = document.createElement('div');
+  let shown = '';
+  let parts: Parts | undefined;
+  const build = (sim: SolarGame) => {
+    const { phase } = sim.flight;
+    const { mission } = sim;
+    parts = undefined;
+    if (mission === undefined) {
+      element.className = 'ss-menu';
+      element.replaceChildren(
+        paragraph('ss-hint', WORDS.welcome),
+        ...MISSIONS.map((each) => button(MISSION_WORDS[each.id].title, () => page.startMission(context.sim(), each))),
+      );
+      return;
+    }
+    element.className = 'ss-card';
+    const isWatched = sim.isReplay || isOver(sim);
+    parts = isWatched
+      ? watchedParts(context, page, mission)
+      : controlParts(context, page, plan, mission, phase === 'ready');
+    element.replaceChildren(...parts.elements);
+  };
+  return {
+    element,
+    update(sim) {
+      const { phase, mission } = sim.flight;
+      const state = `${mission} ${phase} ${sim.isReplay}`;
+      if (state !== shown) build(sim);
+      shown = state;
+      element.hidden = sim.clock.isTravelling && phase === 'none';
+      parts?.update(sim);
+    },
+  };
+}
+
+interface Parts {
+  readonly elements: readonly HTMLElement[];
+  update(sim: SolarGame): void;
+}
+
+/** A flight that is repeated, or over. */
+function watchedParts(context: ViewContext<Settings, SolarGame>, page: Page, mission: Mission): Parts {
+  const text = paragraph('ss-say');
+  const again = button(WORDS.tryIt, () => page.startMission(context.sim(), mission), 'ss-go');
+  return {
+    elements: [heading(context, page, mission), text, row(again)],
+    update(sim) {
+      const { flight } = sim;
+      const [spent, nearest] = flightLines(
+        mission,
+        flight.deltaV,
+        sim.flightDays(),
+        flight.closest[indexOf(mission.target)],
+      );
+      const end = isOver(sim) ? `${titleOf(sim)} – ${scoreOf(sim)} points. ` : '';
+      say(text, `${end}${spent}. ${nearest}.`);
+    },
+  };
+}
+
+function controlParts(
+  context: ViewContext<Settings, SolarGame>,
+  page: Page,
+  plan: FlightPlan,
+  mission: Mission,
+  isReady: boolean,
+): Parts {
+  const words = MISSION_WORDS[mission.id];
+  const goal = paragraph('ss-goal', isReady ? `${words.goal} ${words.hint}` : words.goal);
+  const sliders = [WORDS.forward, WORDS.outward, WORDS.north].map((name, i) =>
+    createSlider(name, mission.budget, (value) => {
+      plan.set(plan.amounts.map((amount, axis) => (axis === i ? value : amount)));
+    }),
+  );
+  const slides = document.createElement('div');
+  slides.className = 'ss-slides';
+  slides.append(...sliders.map(({ element }) => element));
+  const [outlook, warning] = [paragraph('ss-say'), paragraph('ss-bad')];
+  outlook.setAttribute('role', 'status');
+  const go = button(isReady ? WORDS.launch : WORDS.burn, () => fire(context.sim(), page, plan, mission), 'ss-go');
+  const aims = aimButtons(context, plan, mission);
+  const waits = isReady
+    ? [1, 10].map((days) =>
+        button(WORDS.wait(days), () => {
+          const sim = context.sim();
+          if ((sim.clock.now - sim.flight.start) / DAY + days <= MAX_WAIT) sim.wait(days);
+          plan.set(plan.amounts);
+        }),
+      )
+    : [];
+  return {
+    elements: [heading(context, page, mission), goal, slides, outlook, warning, row(go, ...aims, ...waits)],
+    update(sim) {
+      for (const [i, slider] of sliders.entries()) slider.show(plan.amounts[i]);
+      say(outlook, outlookOf(sim, plan, mission, isReady));
+      const isTooMuch = !sim.canBurn(plan.size) && plan.size > 0;
+      go.disabled = isTooMuch || plan.size === 0 || plan.aimState === 'running' || sim.clock.isTravelling;
+      say(warning, isTooMuch ? WORDS.overBudget(mission.budget) : plan.aimState === 'failed' ? WORDS.aimFailed : '');
+      warning.hidden = warning.textContent === '';
+    },
+  };
+}
+
+function fire(sim: SolarGame, page: Page, plan: FlightPlan, mission: Mission): void {
+  const isLaunch = sim.flight.phase === 'ready';
+  const [forward, outward, north] = plan.amounts;
+  if (!sim.burn(forward, outward, north)) return;
+  page.rememberFlight(sim);
+  plan.set([0, 0, 0]);
+  if (isLaunch) sim.clock.rate = (mission.maxDays * DAY) / FLIGHT_SECONDS;
+}
+
+function aimButtons(
+  context: ViewContext<Settings, SolarGame>,
+  plan: FlightPlan,
+  mission: Mission,
+): HTMLButtonElement[] {
+  const { via, target, reach } = mission;
+  const buttons: HTMLButtonElement[] = [];
+  if (via !== undefined) {
+    const ahead = PASS[via] ?? 0;
+    const text = ahead > 0 ? WORDS.passBefore(via) : WORDS.passBehind(via);
+    buttons.push(button(text, () => plan.aim(context.sim(), via, ahead, 0.15 * Math.abs(ahead))));
+  }
+  buttons.push(button(WORDS.reach(target), () => plan.aim(context.sim(), target, 0, 0.4 * reach)));
+  return buttons;
+}
+
+/** What the prepared burn leads to, or where the probe is. */
+function outlookOf(sim: SolarGame, plan: FlightPlan, mission: Mission, isReady: boolean): string {
+  if (plan.aimState === 'running') return WORDS.aiming;
+  const { flight, clock } = sim;
+  const { via, target } = mission;
+  const spent = `Δv ${speedText(flight.deltaV + (isReady ? plan.size : 0))} of ${mission.budget} km/s.`;
+  const start = isReady ? clock.now : flight.launch;
+  const dateOf = (name: BodyName) => plan.closestAt[TRACKED.indexOf(name)];
+  const pass = (name: BodyName) =>
+    `${label(name)} ${distanceText(plan.closest[TRACKED.indexOf(name)])} on day ${Math.round((dateOf(name) - start) / DAY)}`;
+  const isPast =
+    via !== undefined && !isReady && flight.closestAt[indexOf(via)] < clock.now - DAY && dateOf(via) < clock.now + DAY;
+  const ahead = via === undefined || isPast ? pass(target) : `${pass(via)}, ${pass(target)}`;
+  if (isReady) return `Passes ${ahead}. ${spent}`;
+  const now = distanceText(lengthOf(difference(sim.probeState().position, sim.bodyState(target).position)));
+  const past = isPast ? WORDS.passed(via, distanceText(flight.closest[indexOf(via)])) : '';
+  return `Day ${Math.floor(sim.flightDays())} of ${mission.maxDays}, ${now} from ${label(target)}. ${past} Will pass ${ahead}. ${spent}`;
+}
+
+function heading(context: ViewContext<Settings, SolarGame>, page: Page, mission: Mission): HTMLElement {
+  const element = document.createElement('h2');
+  element.append(
+    MISSION_WORDS[mission.id].title,
+    button(WORDS.endMission, () => page.endMission(context.sim()), 'ss-end'),
+  );
+  return element;
+}
+
+function createSlider(name: string, budget: number, set: (value: number) => void) {
+  const element = document.createElement('label');
+  element.className = 'ss-slide';
+  const limits = `min="${-budget}" max="${budget}"`;
+  element.innerHTML = `<span>${name}</span><input type="range" ${limits} step="0.01" aria-label="${name}, km/s"><input type="number" ${limits} step="0.01" aria-label="${name}, km/s">`;
+  const [slider, number] = element.querySelectorAll('input');
+  for (const input of [slider, number]) {
+    input.addEventListener('input', () => {
+      if (Number.isFinite(input.valueAsNumber)) set(Math.max(-budget, Math.min(budget, input.valueAsNumber)));
+    });
+  }
+  let shown = Number.NaN;
+  return {
+    element,
+    show(value: number) {
+      if (value === shown) return;
+      shown = value;
+      slider.value = String(value);
+      if (document.activeElement !== number) number.value = rounded(value).toFixed(3);
+    },
+  };
+}
+
+function button(text: string, press: () => void, className = ''): HTMLButtonElement {
+  const element = document.createElement('button');
+  element.type = 'button';
+  element.className = className;
+  element.textContent = text;
+  element.addEventListener('click', press);
+  return element;
+}
+
+function paragraph(className: string, text = ''): HTMLElement {
+  const element = document.createElement('p');
+  element.className = className;
+  element.textContent = text;
+  return element;
+}
+
+function row(...parts: HTMLElement[]): HTMLElement {
+  const element = document.createElement('div');
+  element.className = 'ss-row';
+  element.append(...parts);
+  return element;
+}
+
+function say(element: HTMLElement, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}

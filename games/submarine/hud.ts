@@ -1,0 +1,69 @@
+/** The gauges: depth and pressure, tank, hull, air and breath, and what is to be done. */
+import type { ViewContext } from '@principia/shell';
+import type { Settings } from './settings.ts';
+import { AIR, BREATH, type SubmarineGame } from './sim.ts';
+import { WORDS } from './words.ts';
+
+const STYLE = `
+.sub-hud { position: absolute; inset: 0; pointer-events: none; color: #eaf6ff; font: 600 14px/1.35 system-ui, sans-serif;
+  text-shadow: 0 1px 3px #001018, 0 0 8px #001018; font-variant-numeric: tabular-nums }
+.sub-panel { position: absolute; left: 20px; top: 60px; display: grid; gap: 3px; justify-items: start }
+.sub-goal { font-size: 17px } .sub-say { font-size: 13px; color: #ff9d8a; min-height: 19px; max-width: min(460px, 92vw) } .sub-say.tip { color: #e6f4ff }
+.sub-depth { font-size: 14px } .sub-gauges { display: grid; grid-template-columns: auto 120px; gap: 3px 10px; align-items: center; font-size: 12.5px }
+.sub-gauges i { height: 8px; border-radius: 4px; background: #ffffff24; position: relative; overflow: hidden }
+.sub-gauges i b { position: absolute; inset: 0; background: var(--c); transform-origin: 0; border-radius: 4px }
+.sub-gauges i u { position: absolute; left: 50%; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff }
+.sub-gauges em { font-style: normal; color: #d5e9f5 }
+@media (max-width: 759px), (max-height: 479px) { .sub-panel { left: 12px; top: 66px; gap: 1px } .sub-goal { font-size: 15px } .sub-say, .sub-depth { font-size: 12.5px } .sub-gauges { grid-template-columns: auto 84px; font-size: 11.5px } }
+`;
+
+export interface Hud {
+  update(sim: SubmarineGame): void;
+  destroy(): void;
+}
+
+/** How long the first hint is shown, s. */
+const TIP_SECONDS = 14;
+/** Frames between two updates. */
+const FRAMES = 6;
+
+export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
+  const root = document.createElement('div');
+  root.className = 'sub-hud';
+  const { tank, hull, air, breath } = WORDS.gauges;
+  const bar = (name: string, color: string, mark = '') => `<em>${name}</em><i style="--c: ${color}"><b></b>${mark}</i>`;
+  root.innerHTML = `<style>${STYLE}</style><div class="sub-panel"><div class="sub-goal"></div><div class="sub-say" role="status"></div><div class="sub-depth"></div><div class="sub-gauges">${bar(tank, '#4aa8ff', '<u></u>')}${bar(hull, '#ffc15e')}${bar(air, '#9ff5e2')}${bar(breath, '#ff9d8a')}</div></div>`;
+  context.element.append(root);
+  const [goal, warning, depth] = ['.sub-goal', '.sub-say', '.sub-depth'].map(
+    (selector) => root.querySelector(selector) as HTMLElement,
+  );
+  const bars = [...root.querySelectorAll<HTMLElement>('.sub-gauges b')];
+  let frame = 0;
+  const say = (element: HTMLElement, text: string) => {
+    if (element.textContent !== text) element.textContent = text;
+  };
+  return {
+    update(sim) {
+      if (frame++ % FRAMES !== 0) return;
+      const { boat } = sim;
+      const { x, y } = sim.world.components.Velocity;
+      say(goal, WORDS.goal(boat.collected, sim.taken.length));
+      const isNew = sim.world.time < TIP_SECONDS && boat.ending === 'none';
+      warning.classList.toggle('tip', isNew);
+      say(warning, isNew ? WORDS.start : warningOf(sim));
+      const speed = WORDS.speed(Math.hypot(x[sim.sub], y[sim.sub]));
+      say(depth, `${WORDS.depth(sim.depth, sim.pressure)} · ${WORDS.density(sim.ratio)} · ${speed}`);
+      const full = BREATH.first + BREATH.more * sim.level;
+      const shares = [boat.fill, boat.hull, boat.air / AIR.full, boat.breath / full];
+      for (const [i, share] of shares.entries()) bars[i].style.transform = `scaleX(${share.toFixed(3)})`;
+    },
+    destroy: () => root.remove(),
+  };
+}
+
+function warningOf({ boat, depth, sea }: SubmarineGame): string {
+  if (boat.ending !== 'none') return '';
+  if (depth > sea.crushDepth) return WORDS.tooDeep;
+  if (boat.breath < 40) return WORDS.lowBreath;
+  return boat.air < 0.15 * AIR.full ? WORDS.lowAir : '';
+}
