@@ -46,6 +46,18 @@ test('types the exported kernels, and compiles again only when a source changed'
   expect(await build()).toBe(false);
 }, 60_000);
 
+test('compiles only the modules that a change concerns', async () => {
+  write('export function core(): i32 { return 1; }\n');
+  writeModule('springs', "import { length } from './length';\nexport function stretch(): i32 { return length(); }\n");
+  writeFileSync(join(folder, 'springs', 'length.ts'), 'export function length(): i32 { return 2; }\n');
+  expect(await build()).toBe(true);
+  const [core, springs] = ['f64/core.gen.ts', 'f64/springs.gen.ts'].map(read);
+  writeFileSync(join(folder, 'springs', 'length.ts'), 'export function length(): i32 { return 3; }\n');
+  expect(await build()).toBe(true);
+  expect(read('f64/core.gen.ts')).toBe(core);
+  expect(read('f64/springs.gen.ts')).not.toBe(springs);
+}, 60_000);
+
 test('every feature folder with a module.ts becomes a module of its own, with a build for each precision', async () => {
   write('export function core(): i32 { return 1; }\n');
   writeModule('springs', 'export function stretch(): i32 { return sizeof<real>(); }\n');

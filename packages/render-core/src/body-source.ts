@@ -4,8 +4,8 @@ export type RealColumn = Float32Array | Float64Array;
 /** Outlines of colliders, for shaders. */
 export interface Outlines {
   /**
-   * `OUTLINE_TEXELS` numbers for each outline: number of vertices, rounding, greatest distance from the origin, an unused
-   * one, then x and y of each vertex, metres. Its length is a multiple of 1024; the first outline is unused.
+   * `OUTLINE_TEXELS` numbers for each outline: number of vertices, rounding, greatest distance from the origin, half of
+   * the least width, then x and y of each vertex, metres. Its length is a multiple of 1024; the first outline is unused.
    */
   readonly texels: Float32Array;
   /** Numbers in use, from the start. */
@@ -53,9 +53,9 @@ export interface BodySource {
   readonly color: Uint32Array;
   /** Shape kind, see `SHAPES`. */
   readonly shape: Uint32Array;
-  /** Number of the outline of the collider in `outlines`, 0 for a disc or ball. If omitted, all are. */
+  /** Number of the outline of the collider in `outlines`, 0 for a disc or ball. Default all 0. */
   readonly outline?: Uint32Array;
-  /** The outlines that colliders have. */
+  /** The outlines that colliders have. Default none. */
   readonly outlines?: Outlines;
   /**
    * The ids to draw, ascending: `ids[0 … count)`. The array may be replaced; read it again when `membership` changed.
@@ -73,7 +73,7 @@ export interface BodySource {
     readonly membership: number;
     /**
      * Number of steps. If `steps` and `pose` grew by one and `membership` did not change, the new previous poses equal
-     * the old present ones and are not uploaded again. If omitted, both are always uploaded.
+     * the old present ones and are not uploaded again. Default none: both are always uploaded.
      */
     readonly steps?: number;
   };

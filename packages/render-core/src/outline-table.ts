@@ -31,10 +31,10 @@ export class OutlineTable implements Outlines {
 
   #write(index: number, shape: Shape | undefined): void {
     if (shape === undefined) return;
-    const { vertices, radius, extent } = shape;
+    const { vertices, radius, extent, minExtent } = shape;
     const at = index * OUTLINE_TEXELS;
     this.texels.fill(0, at, at + OUTLINE_TEXELS);
-    this.texels.set([vertices.length / 2, radius, extent, 0], at);
+    this.texels.set([vertices.length / 2, radius, extent, minExtent], at);
     this.texels.set(vertices, at + 4);
   }
 }

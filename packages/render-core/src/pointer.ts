@@ -22,7 +22,7 @@ export interface PointerOptions {
   onNavigate?(): void;
   /** False disables panning and zooming; default true. */
   navigate?: boolean;
-  /** Limits of the scale, pixels per metre. */
+  /** Limits of the scale, pixels per metre. Default none. */
   zoomLimits?: ZoomLimits;
 }
 

@@ -7,14 +7,19 @@ export interface TrailOptions {
   /** Points kept per body, at least 2. */
   length: number;
   /**
-   * Ids of the bodies with trails, fixed for the lifetime of the history. If omitted, every body of the source has a
-   * trail, which takes `length * source.rows` points of memory.
+   * Ids of the bodies with trails, fixed for the lifetime of the history. Default every body of the source, which
+   * takes `length * source.rows` points of memory.
    */
   bodies?: ArrayLike<number>;
   /** Keep every n-th pose; default 1. */
   interval?: number;
   /** Point that recorded positions are relative to, metres; keeps precision in a large f64 world. Default zero. */
-  origin?: { readonly x: number; readonly y: number; readonly z?: number };
+  origin?: {
+    readonly x: number;
+    readonly y: number;
+    /** Default 0. */
+    readonly z?: number;
+  };
 }
 
 /**
