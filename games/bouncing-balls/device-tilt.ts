@@ -55,6 +55,7 @@ export function offerTilt(
   parent.append(element('style', '', {}, STYLE), button);
   const stop = new AbortController();
   let isOn = false;
+  let hasMeasured = false;
   let sent = DOWNWARDS;
   const send = (direction: Readonly<Direction>) => {
     if (direction.x === sent.x && direction.y === sent.y && direction.z === sent.z) return;
@@ -63,7 +64,8 @@ export function offerTilt(
   };
   const measure = ({ beta, gamma }: DeviceOrientationEvent) => {
     // Where there is no sensor, browsers send one event without angles.
-    button.hidden = beta === null || gamma === null;
+    hasMeasured ||= beta !== null && gamma !== null;
+    button.hidden = !hasMeasured;
     if (beta === null || gamma === null) return;
     if (isOn) send(gravityOnScreen(beta, gamma, globalThis.screen?.orientation?.angle ?? 0));
   };

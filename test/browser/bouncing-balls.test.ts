@@ -454,16 +454,20 @@ describe('playing', () => {
       const { vx, vy } = await body(page, 0);
       return [(vx - before.vx) * 60, (vy - before.vy) * 60];
     };
+    const switchTo = async (isOn: boolean) => {
+      await button.click();
+      await page.locator(`.tilt-button[aria-pressed=${isOn}]`).waitFor();
+    };
     const straight = [expect.closeTo(0, 2), expect.closeTo(-10, 2)];
     expect(await acceleration()).toEqual(straight);
-    await button.click();
+    await switchTo(true);
     // Half a right angle to the right: gravity in steps of 1/64.
     await tiltTo(page, 0, 30);
     expect(await acceleration()).toEqual([expect.closeTo(5, 2), expect.closeTo(0, 2)]);
     await page.keyboard.press('r');
     await frames(page);
     expect(await acceleration()).toEqual([expect.closeTo(5, 2), expect.closeTo(0, 2)]);
-    await button.click();
+    await switchTo(false);
     expect(await acceleration()).toEqual(straight);
     const asks = await play('manual', {
       prepare: () => {

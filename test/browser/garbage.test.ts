@@ -1,7 +1,7 @@
 /**
- * Frames of a game that goes on leave no object behind, whatever it shows: a step, the picture brought up to date, and
- * the shell. Words on the page are made a few times a second; a few numbers a frame are handed on as objects of
- * JavaScript's heap, twelve bytes each. What pixi and three make while they draw is bounded, and is not ours.
+ * Frames of a game that goes on leave at most a kilobyte behind, and no object for each body, contact or particle: a step,
+ * the picture brought up to date, and the shell. Words on the page are made a few times a second. What pixi and three make
+ * while they draw is bounded, and is not ours.
  * `GARBAGE=print` lists who makes what.
  */
 import { describe, expect, it } from 'vitest';
@@ -14,11 +14,16 @@ const WARM = 2600;
 const FRAMES = 60;
 const WATCHES = 3;
 
+/**
+ * What is ours a frame: bytes at most, and objects, of which there are hundreds where each body makes one. What a compiler
+ * keeps in registers changes with the version of the browser and the load of the machine.
+ */
+const BYTES = 1024;
+const OBJECTS = 5;
+
 interface Play {
   readonly game: string;
   readonly query: string;
-  /** Numbers of ours a frame at most: what is measured, and room for some that a compiler hands on otherwise. */
-  readonly numbers: number;
   /** Bytes of libraries a frame at most. */
   readonly libraries: number;
   /** Before all frames, and before those that are watched. */
@@ -29,17 +34,17 @@ interface Play {
 // Every sound is made of objects, so the black hole is silent. The show of the demonstration ends with L: shells go up now
 // and then. A ship that is pushed flies on for seconds.
 const plays: readonly Play[] = [
-  { game: 'bouncing-balls', query: 'count=200&collisions=true&trails=true&renderer=pixi', numbers: 9, libraries: 1200 },
-  { game: 'bouncing-balls', query: 'count=200&collisions=true&renderer=three', numbers: 9, libraries: 3000 },
-  { game: 'black-hole', query: 'seed=4&sound=off', numbers: 17, libraries: 7000, held: 'ArrowUp' },
-  { game: 'fireworks', query: 'barrage=true&sparks=20000', numbers: 17, libraries: 7000, key: 'l' },
-  { game: 'fireworks', query: 'barrage=true&sparks=20000&renderer=three', numbers: 14, libraries: 6000, key: 'l' },
+  { game: 'bouncing-balls', query: 'count=200&collisions=true&trails=true&renderer=pixi', libraries: 1200 },
+  { game: 'bouncing-balls', query: 'count=200&collisions=true&renderer=three', libraries: 3000 },
+  { game: 'black-hole', query: 'seed=4&sound=off', libraries: 7000, held: 'ArrowUp' },
+  { game: 'fireworks', query: 'barrage=true&sparks=20000', libraries: 7000, key: 'l' },
+  { game: 'fireworks', query: 'barrage=true&sparks=20000&renderer=three', libraries: 6000, key: 'l' },
 ];
 
 const isWords = ({ file }: Garbage) => /(hud|stats)\.ts$/.test(file);
 const isOurs = ({ file }: Garbage) => /^(packages|games)\//.test(file);
 const isLibrary = (each: Garbage) => !isOurs(each) && each.file !== 'browser' && each.file !== 'driver';
-const sum = (list: readonly Garbage[], what: 'bytes' | 'numbers' | 'objects') =>
+const sum = (list: readonly Garbage[], what: 'bytes' | 'objects') =>
   list.reduce((total, each) => total + each[what], 0);
 const told = (list: readonly Garbage[]) =>
   list
@@ -60,11 +65,11 @@ async function leastOf(watch: GarbageWatch): Promise<Garbage[]> {
   return least;
 }
 
-describe.each(plays)('$game?$query', ({ game, query, numbers, libraries, key, held }) => {
+describe.each(plays)('$game?$query', ({ game, query, libraries, key, held }) => {
   const { open } = playGame(game, { viewport: { width: 480, height: 320 }, prepare: driveFrames }, COMPILED_SOON);
   const ofFrames = (list: readonly Garbage[]) => list.filter((each) => isOurs(each) && !isWords(each));
 
-  it('makes no object in a frame, and few numbers; one on purpose is seen', async () => {
+  it('makes at most a kilobyte in a frame, and no object for each body; one object on purpose is seen', async () => {
     const page = await open(query);
     if (key !== undefined) await page.keyboard.press(key);
     const watch = await GarbageWatch.of(page);
@@ -76,11 +81,12 @@ describe.each(plays)('$game?$query', ({ game, query, numbers, libraries, key, he
     const least = await leastOf(watch);
     const ours = ofFrames(least);
     if (process.env.GARBAGE === 'print') process.stdout.write(`${game}?${query}\n${told(least)}\n`);
-    expect(sum(ours, 'objects'), told(ours)).toBeLessThan(1);
-    expect(sum(ours, 'numbers'), told(ours)).toBeLessThan(numbers);
+    const objects = sum(ours, 'objects');
+    expect(objects, told(ours)).toBeLessThan(OBJECTS);
+    expect(sum(ours, 'bytes'), told(ours)).toBeLessThan(BYTES);
     expect(sum(least.filter(isWords), 'objects')).toBeLessThan(2);
     expect(sum(least.filter(isLibrary), 'bytes')).toBeLessThan(libraries);
     await watch.litter();
-    expect(sum(ofFrames(await watch.watch(FRAMES)), 'objects')).toBeGreaterThanOrEqual(1);
+    expect(sum(ofFrames(await watch.watch(FRAMES)), 'objects')).toBeGreaterThan(objects + 0.9);
   });
 });
