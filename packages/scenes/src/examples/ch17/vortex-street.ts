@@ -140,7 +140,7 @@ export default defineExample({
       label: 'ln of how much the shifts of a street that is too wide grow in 4 s',
       unit: '',
       exact: 4 * growthOf({ ratio: 0.5, circulation: 12 }),
-      // What decays at the same rate is e⁻²⁰ of it by then, and the shifts are still below 0.05 of the spacing.
+      // The shifts are below 0.01 of the spacing; what is not linear in them is of their square.
       tolerance: { relative: 1e-3 },
       at: { event: ({ world }) => world.time - (world.time < 8 ? 6 : 10), from: 1, to: 2 },
       measure: ({ waviness }) => log(waviness()),
