@@ -1,4 +1,4 @@
-import { createPhysicsWorld, createRandom, exp, log, rgba, spawn } from '@principia/physics';
+import { createPhysicsWorld, exp, log, rgba, spawn } from '@principia/physics';
 import { teleport } from '../../teleport.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { PointVortices } from '../support/point-vortices.ts';
@@ -6,8 +6,10 @@ import { positionOf, velocityOf } from '../support/read.ts';
 
 type Values = ValuesOf<'ratio' | 'circulation'>;
 
-/** Distance of the vortices of a row, m, their number, which is even, and how many tracers there are. */
-const [SPACING, PER_ROW, TRACERS] = [4, 6, 1800];
+/** Distance of the vortices of a row, m, and their number, which is even. */
+const [SPACING, PER_ROW] = [4, 4];
+/** Lines of dye, their distance, m, and drops in a line. */
+const [LINES, APART, PER_LINE] = [8, 0.5, 240];
 const PERIOD = SPACING * PER_ROW;
 const HALF = PERIOD / 2;
 /** By how much every second vortex is shifted, m. */
@@ -31,14 +33,14 @@ export default defineExample({
   chapter: 17,
   tags: ['fluid', 'vortex', 'instability', 'wind'],
   about:
-    'Behind a post in a stream, a chimney in the wind or an island under clouds, vortices leave to the left and to the right in turn and make two rows. Each is carried by all the others. Kármán found in 1911 that only one width of the street can last: 0.281 of the distance between neighbours. Dye of two colours shows how the rows stir the fluid.',
+    'Behind a post in a stream, a chimney in the wind or an island under clouds, vortices leave to the left and to the right in turn and make two rows. Each is carried by all the others. Kármán found in 1911 that only one width of the street can last: 0.281 of the distance between neighbours. Straight lines of dye, warm above and cold below, show how the rows stir the fluid.',
   duration: 24,
   parameters: {
     ratio: { label: 'Width over spacing', unit: '', initial: KARMAN, min: 0.1, max: 1 },
     circulation: { label: 'Circulation of a vortex', unit: 'm²/s', initial: 12, min: 2, max: 20 },
   },
   presets: [{ label: 'Too wide', values: { ratio: 0.5 } }],
-  build({ ratio, circulation }: Values, { seed, ...options }: BuildOptions) {
+  build({ ratio, circulation }: Values, options: BuildOptions) {
     const world = createPhysicsWorld({ capacity: 2000, ...options });
     const { Position, Velocity } = world.components;
     const dt = 1 / 60;
@@ -47,17 +49,17 @@ export default defineExample({
       const [isUpper, n] = [i < PER_ROW, i % PER_ROW];
       const x = SPACING * (n + (isUpper ? 0.25 : 0.75)) - HALF + (n % 2 === 0 ? SHIFT : -SHIFT);
       const position = { x, y: ((isUpper ? 1 : -1) * ratio * SPACING) / 2 };
-      const appearance = { size: 0.3, color: isUpper ? rgba(1, 0.88, 0.5) : rgba(0.9, 0.95, 1) };
+      const appearance = { size: 0.2, color: isUpper ? rgba(1, 0.88, 0.5) : rgba(0.9, 0.95, 1) };
       return {
         id: spawn(world, { position, velocity: {}, appearance }),
         circulation: isUpper ? -circulation : circulation,
       };
     });
-    const random = createRandom(seed);
-    const tracers = Array.from({ length: TRACERS }, () => {
-      const position = { x: random.uniform(-HALF, HALF), y: random.uniform(-2.4, 2.4) };
-      const color = position.y > 0 ? rgba(1, 0.62, 0.25, 0.85) : rgba(0.36, 0.62, 1, 0.85);
-      return spawn(world, { position, velocity: {}, appearance: { size: 0.07, color } });
+    const tracers = Array.from({ length: LINES * PER_LINE }, (_, i) => {
+      const y = (Math.floor(i / PER_LINE) - (LINES - 1) / 2) * APART;
+      const color = y > 0 ? rgba(1, 0.72 - 0.14 * y, 0.25) : rgba(0.3, 0.65 + 0.14 * y, 1);
+      const position = { x: (((i % PER_LINE) + 0.5) / PER_LINE) * PERIOD - HALF, y };
+      return spawn(world, { position, velocity: {}, appearance: { size: 0.045, color } });
     });
     const flow = new PointVortices(vortices.length, PERIOD, 0.35);
     const cores = new PointVortices(vortices.length, PERIOD, 0);
