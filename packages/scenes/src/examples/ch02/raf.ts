@@ -1,0 +1,47 @@
+import { defineExample, type ValuesOf } from '../define-example.ts';
+import { COLORS } from '../picture.ts';
+import { emptyWorld } from '../support/read.ts';
+
+const [START, STEP, WIDTH] = [50, 2, 600];
+
+export default defineExample({
+  id: 'ch02-raf',
+  title: 'One step for each picture',
+  chapter: 2,
+  tags: ['time', 'frame rate', 'uniform motion'],
+  about:
+    'The browser calls before each picture that it shows, and the disc takes a step of 2 px. That is as smooth as can be, with one fault: the speed belongs to the display. On a screen of 144 pictures a second the same game is 2.4 times as fast as on one of 60. A game needs a clock.',
+  duration: 10,
+  parameters: { rate: { label: 'Pictures a second', unit: 'Hz', initial: 60, min: 24, max: 240, integer: true } },
+  presets: [{ label: 'A fast display', values: { rate: 144 } }],
+  build({ rate }: ValuesOf<'rate'>) {
+    const world = emptyWorld();
+    const frames = () => Math.floor(world.time * rate + 1e-6);
+    return { world, dt: 1 / 720, frames, x: () => START + STEP * frames() };
+  },
+  picture: ({ frames, x }) => ({
+    yDown: true,
+    view: { minX: 0, maxX: 700, minY: 120, maxY: 380 },
+    lines: [{ from: { x: 0, y: 275 }, to: { x: 700, y: 275 }, color: COLORS.ground }],
+    dots: [{ at: () => ({ x: START + ((x() - START) % WIDTH), y: 250 }), radius: 20, color: COLORS.orange }],
+    labels: [{ at: { x: 30, y: 340 }, text: () => `picture ${frames()}` }],
+  }),
+  plots: [
+    {
+      title: 'Place of the disc',
+      y: { label: 'x, px' },
+      series: [{ label: 'x', value: ({ x }) => x(), exact: (t) => START + STEP * 60 * t }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Place after 10 s, 50 + 2 · 10 · rate',
+      unit: 'px',
+      exact: ({ rate }) => START + 20 * rate,
+      tolerance: { absolute: 0 },
+      at: { time: 10 },
+      measure: ({ x }) => x(),
+    },
+  ],
+  tryThis: ['Choose “A fast display”: the thin line of the plot is where the disc would be at 60 pictures a second.'],
+});

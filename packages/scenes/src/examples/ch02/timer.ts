@@ -1,0 +1,51 @@
+import { defineExample, type ValuesOf } from '../define-example.ts';
+import { COLORS } from '../picture.ts';
+import { emptyWorld } from '../support/read.ts';
+
+const [START, STEP, WIDTH] = [50, 2, 600];
+
+export default defineExample({
+  id: 'ch02-timer',
+  title: 'A clock that ticks',
+  chapter: 2,
+  tags: ['time', 'uniform motion'],
+  about:
+    'The simplest animation: a clock ticks at equal intervals, and at each tick the disc goes on by 2 px. It does not move at all in between; the eye makes a motion of it if the ticks come quickly enough. A longer interval makes it jerk, and slows it down as well.',
+  duration: 10,
+  parameters: { interval: { label: 'Interval', unit: 'ms', initial: 1000 / 60, min: 5, max: 500, scale: 'log' } },
+  presets: [{ label: 'Twice a second', values: { interval: 500 } }],
+  build({ interval }: ValuesOf<'interval'>) {
+    const world = emptyWorld();
+    // The tolerance is for sums of steps.
+    const ticks = () => Math.floor((world.time * 1000) / interval + 1e-6);
+    return { world, dt: 1 / 240, ticks, x: () => START + STEP * ticks() };
+  },
+  picture: ({ ticks, x }) => ({
+    yDown: true,
+    view: { minX: 0, maxX: 700, minY: 120, maxY: 380 },
+    lines: [{ from: { x: 0, y: 275 }, to: { x: 700, y: 275 }, color: COLORS.ground }],
+    dots: [{ at: () => ({ x: START + ((x() - START) % WIDTH), y: 250 }), radius: 20, color: COLORS.blue }],
+    labels: [{ at: { x: 30, y: 340 }, text: () => `tick ${ticks()}` }],
+  }),
+  plots: [
+    {
+      title: 'Place of the disc',
+      y: { label: 'x, px' },
+      series: [{ label: 'x', value: ({ x }) => x(), exact: (t, { interval }) => START + (STEP * 1000 * t) / interval }],
+    },
+  ],
+  checks: [
+    {
+      label: 'Place after n = 600 ticks, 50 + 2 n',
+      unit: 'px',
+      exact: 1250,
+      tolerance: { absolute: 0 },
+      at: { time: 10 },
+      measure: ({ x }) => x(),
+    },
+  ],
+  tryThis: [
+    'Choose “Twice a second”, and look at the plot: a staircase instead of a slope.',
+    'Find the longest interval at which you still see a motion and not a row of places.',
+  ],
+});

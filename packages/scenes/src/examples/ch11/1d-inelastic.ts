@@ -1,0 +1,75 @@
+import { energy, momentum } from '@principia/physics';
+import { defineExample, type ValuesOf } from '../define-example.ts';
+import {
+  ENCOUNTER_PARAMETERS,
+  ENCOUNTER_PLOTS,
+  encounterPicture,
+  lostEnergy,
+  meetOnLine,
+  velocityAfter,
+} from '../support/collision-1d.ts';
+
+type Values = ValuesOf<'m1' | 'm2' | 'u1' | 'u2' | 'e'>;
+
+export default defineExample({
+  id: 'ch11-1d-inelastic',
+  title: 'An inelastic encounter on a line',
+  chapter: 11,
+  tags: ['collision', 'momentum', 'energy', 'restitution'],
+  about:
+    'The coefficient of restitution e says with what part of their speed of approach two balls separate. Their momentum does not care; their energy does. At e = 0 they go on together, and all the energy that can be lost without losing momentum is gone.',
+  duration: 4,
+  ends: true,
+  parameters: {
+    ...ENCOUNTER_PARAMETERS,
+    e: { label: 'Restitution e', unit: '', initial: 0.5, min: 0, max: 1 },
+  },
+  presets: [{ label: 'They stay together', values: { e: 0 } }],
+  build: (values: Values, options) => meetOnLine(values, options),
+  picture: encounterPicture,
+  plots: ENCOUNTER_PLOTS,
+  checks: [
+    {
+      label: 'Velocity of the left ball afterwards',
+      unit: 'px/s',
+      exact: ({ m1, m2, u1, u2, e }) => velocityAfter(e, [m1, u1], [m2, u2]),
+      tolerance: { absolute: 1e-9 },
+      at: { time: 4 },
+      measure: ({ left, v }) => v(left),
+    },
+    {
+      label: 'Speed of separation, e times that of approach',
+      unit: 'px/s',
+      exact: ({ u1, u2, e }) => e * (u1 - u2),
+      tolerance: { absolute: 1e-9 },
+      at: { time: 4 },
+      measure: ({ left, right, v }) => v(right) - v(left),
+    },
+    {
+      label: 'Momentum that is lost',
+      unit: 'kg px/s',
+      exact: 0,
+      tolerance: { absolute: 1e-8 },
+      at: { time: 4 },
+      measure: ({ world, start }) => start.momentum - momentum(world).x,
+    },
+    {
+      label: 'Energy that is lost, ½ μ (1 − e²) (u₁ − u₂)²',
+      unit: 'J',
+      exact: lostEnergy,
+      tolerance: { absolute: 1e-6 },
+      at: { time: 4 },
+      measure: ({ world, start }) => start.energy - energy(world).kinetic,
+    },
+    {
+      label: 'Common velocity at e = 0',
+      unit: 'px/s',
+      exact: 51.5873,
+      tolerance: { absolute: 5e-5 },
+      at: { time: 4 },
+      measure: ({ left, v }) => v(left),
+      preset: 'They stay together',
+    },
+  ],
+  tryThis: ['Give both the same momentum in opposite directions and e = 0: they stop dead.'],
+});
