@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { step } from '@principia/physics';
 import { expect, test } from 'vitest';
+import { createLoopGuard, guardLoops } from './guard-loops.ts';
 import { exampleFrom } from './run-code.ts';
 
 const source = readFileSync('packages/scenes/src/examples/ch05/floating-ball.ts', 'utf8');
@@ -33,4 +34,45 @@ test.each([
 
 test('wants an example', async () => {
   await expect(exampleFrom('export default 3;')).rejects.toThrow('exports no example');
+});
+
+test.each([
+  ['for (;;) {}', 1],
+  ['for (;;) ;', 1],
+  ['let i = 0;\nwhile (i < 1) i *= 2;', 2],
+  ['let i = 0;\n\ndo i++; while (i > 0);', 3],
+  ['for (;;) for (let k = 0; k < 3; k++) if (k > 5) break; else continue;', 1],
+  ['const all = [1];\nfor (const x of all) { all.push(x); all.shift(); all.unshift(x); }', 2],
+  ['label: while (true) { do { continue label; } while (true) }', 1],
+])('ends the loop %j, and names its line', async (code, line) => {
+  const guarded = await guardLoops(code, 'guard');
+  expect(guarded.split('\n')).toHaveLength(code.split('\n').length);
+  const guard = createLoopGuard((message, at) => Object.assign(new Error(message), { at }), 20);
+  let error: unknown;
+  try {
+    new Function('guard', guarded)(guard);
+  } catch (reason) {
+    error = reason;
+  }
+  expect(error).toMatchObject({ at: line, message: expect.stringContaining('did not come to an end') });
+});
+
+test('leaves loops that end as they are, however many', async () => {
+  const code = 'let sum = 0; for (let i = 0; i < 1e5; i++) { for (const k in [1, 2]) sum += Number(k); } return sum;';
+  const guard = createLoopGuard((message) => new Error(message));
+  const inFunction = `return (() => { ${code} })();`;
+  const guarded = await guardLoops(`(function () { ${code} })`, 'guard');
+  expect(new Function('guard', `return ${guarded}()`)(guard)).toBe(new Function(inFunction)());
+});
+
+test('ends a loop that begins in a step only', async () => {
+  const late = source.replace(
+    'const body =',
+    'world.phases.input.push(() => { while (world.tick > 2) {} }); const body =',
+  );
+  const run = (await exampleFrom(late)).start();
+  const steps = () => {
+    for (let i = 0; i < 5; i++) step(run.world, run.dt);
+  };
+  expect(steps).toThrow(/did not come to an end/);
 });

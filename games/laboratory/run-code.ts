@@ -1,11 +1,14 @@
 /** Turns the source of an example into the example, in the browser. */
 import type { Example } from '@principia/scenes/examples';
 import { MODULES } from './example-modules.gen.ts';
+import { createLoopGuard, guardLoops } from './guard-loops.ts';
 
 /** Name of the source in stack traces. */
 const FILE = 'example.ts';
 /** Lines that a function made from text has before the text. */
 const LINES_BEFORE = 2;
+/** Name of the function that loops call. */
+const GUARD = 'guardLoop';
 
 /** An error in the source of an example. */
 export class CodeError extends Error {
@@ -27,10 +30,15 @@ export async function exampleFrom(source: string): Promise<Example> {
     if (load === undefined) throw new CodeError(`There is no module “${name}”. ${allowed()}`, undefined);
     modules.set(name, await load());
   }
+  const guarded = await guardLoops(script, GUARD);
   const exported: { default?: unknown } = {};
   try {
-    const run = new Function('require', 'exports', `${script}\n//# sourceURL=${FILE}`);
-    run((name: string) => modules.get(name), exported);
+    const run = new Function('require', 'exports', GUARD, `${guarded}\n//# sourceURL=${FILE}`);
+    run(
+      (name: string) => modules.get(name),
+      exported,
+      createLoopGuard((message, line) => new CodeError(message, line)),
+    );
   } catch (error) {
     throw codeError(error);
   }

@@ -3,6 +3,10 @@ import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { frames, playGame, ready, state, steps } from '../support/game-page.ts';
+import { playAtRandom } from '../support/random-input.ts';
+
+/** Half seconds of random input for every example: a few in each run, more with `RANDOM_INPUT=120`, which is a minute. */
+const RANDOM_ROUNDS = Number(process.env.RANDOM_INPUT ?? 4);
 
 declare global {
   var messages: string[];
@@ -50,6 +54,8 @@ async function tryExample(page: Page, { id, title }: (typeof EXAMPLES)[number]):
   // A body of ten pixels across has 80.
   expect(await drawnPixels(page), id).toBeGreaterThan(40);
   expect(await consoleOf(page), id).toEqual([]);
+  const errors = await playAtRandom(page, RANDOM_ROUNDS, 1 + Math.floor(1e6 * Math.sqrt(id.length + title.length)));
+  expect(errors, id).toEqual([]);
 }
 
 const chapters = [...new Set(EXAMPLES.map(({ chapter }) => chapter))];
@@ -158,7 +164,12 @@ describe('the code of an example', () => {
     expect(await note(page)).toMatch(/^Line \d+: Unexpected token/);
     await page.fill('.lab-code textarea', original);
     await edit(page, 'const body =', 'for (;;) {} const body =');
-    expect(await note(page)).toContain('loop without end');
+    expect(await note(page)).toMatch(/^Line \d+: This loop did not come to an end/);
+    await page.fill('.lab-code textarea', original);
+    await edit(page, 'const body =', 'world.phases.input.push(() => { while (world.tick > 700) {} });\nconst body =');
+    await page.waitForFunction(() => !document.querySelector('.lab-code-note')?.textContent?.startsWith('Trying'));
+    await ready(page);
+    await expect(steps(page, 800)).rejects.toThrow('This loop did not come to an end');
     await page.fill('.lab-code textarea', original);
     await edit(page, "title: 'A ball thrown into water'", "title: 'A ball of my own'");
     await page.waitForFunction(() => document.title.includes('my own'));
