@@ -1,7 +1,7 @@
 /** The gauges: depth and pressure, tank, hull, air and breath, and what is to be done. */
 import type { ViewContext } from '@principia/shell';
 import type { Settings } from './settings.ts';
-import { AIR, BREATH, type SubmarineGame } from './sim.ts';
+import { AIR, breathOf, type SubmarineGame } from './sim.ts';
 import { WORDS } from './words.ts';
 
 const STYLE = `
@@ -53,7 +53,7 @@ export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
       say(warning, isNew ? WORDS.start : warningOf(sim));
       const speed = WORDS.speed(Math.hypot(x[sim.sub], y[sim.sub]));
       say(depth, `${WORDS.depth(sim.depth, sim.pressure)} · ${WORDS.density(sim.ratio)} · ${speed}`);
-      const full = BREATH.first + BREATH.more * sim.level;
+      const full = breathOf(sim.level);
       const shares = [boat.fill, boat.hull, boat.air / AIR.full, boat.breath / full];
       for (const [i, share] of shares.entries()) bars[i].style.transform = `scaleX(${share.toFixed(3)})`;
     },

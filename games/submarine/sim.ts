@@ -34,8 +34,9 @@ const SURFACED = 2.6;
 const CRUSH = 0.08;
 const KNOCK = { free: 0.9, cost: 0.11 } as const;
 const GRAB = 7;
-/** Seconds of breath of a level, and seconds that an echo stays. */
-export const BREATH = { first: 230, more: 80 } as const;
+/** Seconds of breath: from the sixth level on the crates are not more, only deeper. */
+export const breathOf = (level: number): number => 230 + 80 * Math.min(level, 5) + 40 * Math.max(0, level - 5);
+/** Speed of the sound, m/s, and seconds that an echo stays and that lie between two pings. */
 export const PING = { speed: 90, life: 6, pause: 1.5 } as const;
 
 export type Ending = 'none' | 'won' | 'crushed' | 'wrecked' | 'suffocated';
@@ -85,7 +86,7 @@ export class SubmarineGame {
       engine: 0,
       air: AIR.full,
       hull: 1,
-      breath: BREATH.first + BREATH.more * level,
+      breath: breathOf(level),
       collected: 0,
       ending: 'none',
       pingTime: -100,
