@@ -1,7 +1,7 @@
 /** Draws the picture of an example with three.js: bodies, trails, lines, curves, arrows and flat regions. */
 import type { BodySource } from '@principia/render-core';
 import { createBodyMesh, createSegmentLines, createTrailLines, type SegmentLines } from '@principia/render-three';
-import { COLORS, type Color, type Fill, now, type Picture, type Point } from '@principia/scenes/examples';
+import { type Arrow, COLORS, type Color, type Fill, now, type Picture, type Point } from '@principia/scenes/examples';
 import type { ThreePicture } from '@principia/shell/three';
 import {
   DirectionalLight,
@@ -13,8 +13,10 @@ import {
   MeshStandardMaterial,
   type Object3D,
   PlaneGeometry,
+  Vector3,
 } from 'three';
 import type { LabRun } from './lab-run.ts';
+import { LabelSprites } from './label-sprites.ts';
 import type { Shown } from './shown.ts';
 
 const MAX_TRAIL = 2000;
@@ -34,9 +36,10 @@ export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Show
   );
   const still = createSegmentLines({ width: 2 });
   const live = createSegmentLines({ width: 2.5 });
+  const labels = new LabelSprites();
   const planes = (picture.fills ?? []).flatMap(planeOf);
   drawStill(picture, still);
-  const object = new Group().add(bodies.object, still.object, live.object, ...planes, ...lamps(picture));
+  const object = new Group().add(bodies.object, still.object, live.object, labels.object, ...planes, ...lamps(picture));
   for (const trail of trails) object.add(trail.object);
   return {
     object,
@@ -47,9 +50,10 @@ export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Show
       }
       bodies.update(alpha);
       drawLive(run, live, shown());
+      writeLabels(picture, labels, shown());
     },
     destroy() {
-      for (const part of [...trails, still, live, bodies]) part.destroy();
+      for (const part of [...trails, still, live, bodies, labels]) part.destroy();
       for (const { geometry, material } of planes) {
         geometry.dispose();
         material.dispose();
@@ -104,8 +108,7 @@ function drawLive({ picture, world, ghosts }: LabRun, out: SegmentLines, shown: 
     if (typeof from === 'function' || typeof to === 'function') add(out, now(from), now(to), color);
   }
   for (const { from, vector, scale = 1, color = COLORS.green } of shown.arrows === false ? [] : arrows) {
-    const [a, v] = [now(from), vector()];
-    add(out, a, { x: a.x + scale * v.x, y: a.y + scale * v.y, z: (a.z ?? 0) + scale * (v.z ?? 0) }, color);
+    arrow(out, now(from), tipOf({ from, vector, scale }), 2 * size, color);
   }
   for (const curve of curves) if (curve.now) cross(out, curve.now(world.time), 2 * size, curve.color ?? COLORS.grey);
   for (const { at, color = COLORS.orange } of dots) cross(out, now(at), size, color);
@@ -119,6 +122,45 @@ function drawLive({ picture, world, ghosts }: LabRun, out: SegmentLines, shown: 
   for (let id = 1; id <= world.lastId; id++) {
     if (Spring.a[id] !== 0) add(out, place(Spring.a[id]), place(Spring.b[id]), COLORS.white);
   }
+}
+
+type ArrowEnds = Pick<Arrow, 'from' | 'vector' | 'scale'>;
+
+function tipOf({ from, vector, scale = 1 }: ArrowEnds): Required<Point> {
+  const [a, v] = [now(from), vector()];
+  return { x: a.x + scale * v.x, y: a.y + scale * v.y, z: (a.z ?? 0) + scale * (v.z ?? 0) };
+}
+
+/** An arrow whose head is four short lines. @param head their length, m, if the arrow is at least three times as long */
+function arrow(out: SegmentLines, from: Point, tip: Required<Point>, head: number, color: Color): void {
+  add(out, from, tip, color);
+  const way = new Vector3(tip.x - from.x, tip.y - from.y, tip.z - (from.z ?? 0));
+  const length = Math.min(head, way.length() / 3);
+  if (length === 0) return;
+  way.normalize();
+  const side = new Vector3(...(Math.abs(way.z) < 0.9 ? [0, 0, 1] : [1, 0, 0])).cross(way).normalize();
+  const other = side.clone().cross(way);
+  for (const axis of [side, side.clone().negate(), other, other.clone().negate()]) {
+    add(
+      out,
+      tip,
+      axis
+        .multiplyScalar(0.4)
+        .sub(way)
+        .multiplyScalar(length)
+        .add(new Vector3(tip.x, tip.y, tip.z)),
+      color,
+    );
+  }
+}
+
+/** The names of arrows and exact places, and the texts of the picture. */
+function writeLabels({ arrows = [], labels = [] }: Picture, out: LabelSprites, shown: Shown): void {
+  out.begin();
+  for (const each of shown.arrows === false ? [] : arrows)
+    out.write(tipOf(each), each.label, each.color ?? COLORS.green);
+  for (const { at, text, color } of labels) out.write(now(at), now(text), color);
+  out.end();
 }
 
 function placeOf({ world }: Pick<LabRun, 'world'>, id: number): Point {
