@@ -22,7 +22,7 @@ const WING = [
   { x: -1.3, y: -0.65 },
   { x: -0.5, y: -0.1 },
 ];
-const WINDOWS = [-1, -0.5, 0].map((x) => ({ x, y: 0.2 }));
+const PORTHOLES = [-1, -0.5, 0].map((x) => ({ x, y: 0.2 }));
 
 export default defineExample({
   id: 'ch07-airplane-shape',
@@ -38,7 +38,7 @@ export default defineExample({
     view: { minX: -4, maxX: 4, minY: -3.3, maxY: 3.3 },
     lines: [...lines(OUTLINE, COLORS.white), ...lines(WING, COLORS.blue)],
     dots: [
-      ...WINDOWS.map((window) => ({ at: at(window), radius: 6, color: COLORS.yellow })),
+      ...PORTHOLES.map((porthole) => ({ at: at(porthole), radius: 6, color: COLORS.yellow })),
       { at: { x: 0, y: 0 }, radius: 4, color: COLORS.red },
     ],
   }),

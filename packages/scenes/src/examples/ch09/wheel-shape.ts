@@ -7,6 +7,9 @@ import { distanceBetween } from '../support/read.ts';
 const [INNER, OUTER, DENSITY] = [40, 50, 0.01];
 const SIDES = 72;
 
+const massOf = (density: number) => density * Math.PI * (OUTER * OUTER - INNER * INNER);
+const inertiaOf = (density: number) => (massOf(density) * (OUTER * OUTER + INNER * INNER)) / 2;
+
 export default defineExample({
   id: 'ch09-wheel-shape',
   title: 'A wheel with spokes',
@@ -21,8 +24,7 @@ export default defineExample({
   },
   build({ torque, spokes: count }: ValuesOf<'spokes' | 'torque'>, options) {
     const world = createPhysicsWorld({ capacity: 2, ...options });
-    const mass = DENSITY * Math.PI * (OUTER * OUTER - INNER * INNER);
-    const inertia = (mass * (OUTER * OUTER + INNER * INNER)) / 2;
+    const [mass, inertia] = [massOf(DENSITY), inertiaOf(DENSITY)];
     const wheel = spawn(world, { position: {}, velocity: {}, rotation: 0, angularVelocity: 0, mass, inertia });
     world.phases.input.push((_, dt) => {
       world.components.AngularVelocity.z[wheel] += (torque / inertia) * dt;
@@ -69,7 +71,7 @@ export default defineExample({
     {
       label: 'Angular velocity after 6 s, torque · t/I',
       unit: 'rad/s',
-      exact: (15_000 * 6 * 2) / (DENSITY * Math.PI * (OUTER ** 4 - INNER ** 4)),
+      exact: (15_000 * 6) / inertiaOf(DENSITY),
       tolerance: { relative: 1e-9 },
       at: { time: 6 },
       measure: ({ world, wheel }) => world.components.AngularVelocity.z[wheel],
