@@ -1,6 +1,6 @@
 /** The controls on the page: shells and colours to choose from, and the timeline of a show. */
 import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
-import { element, hasCoarsePointer, type ViewContext } from '@principia/shell';
+import { createClipButton, element, hasCoarsePointer, type ViewContext } from '@principia/shell';
 import type { PlayerControls } from './controls.ts';
 import { CONTROLS_STYLE } from './controls-style.ts';
 import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
@@ -34,7 +34,8 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
   crosshair.className = 'fw-sight';
   root.append(timeline.element, tray.element);
   const music = createMusicButton(context, controls);
-  const extras = element('div', 'fw-extras', {}, ...createTextForm(context, controls), ...music.elements);
+  const clip = createClipButton(context.clip, 'fw-extra', '● Clip');
+  const extras = element('div', 'fw-extras', {}, ...createTextForm(context, controls), ...music.elements, clip.button);
   context.element.append(root, crosshair, extras);
   const unlock = () => controls.sound.unlock();
   const gestures = ['pointerdown', 'keydown', 'touchend'] as const;
@@ -59,6 +60,7 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
       sinceUpdate += seconds;
       if (sinceUpdate < UPDATE_INTERVAL) return;
       sinceUpdate = 0;
+      clip.update();
       const { right } = context.insets();
       if (right !== covered) root.style.right = `${right}px`;
       covered = right;

@@ -25,6 +25,8 @@ export interface Actions {
   screenshot(): void;
   copyLink(): void;
   recordVideo(): void;
+  /** Records the next seconds to be shared, or gives them up. */
+  shareClip(): void;
   fullScreen(): void;
   reducedMotion(): void;
   safeColors(): void;
@@ -120,7 +122,8 @@ function rendererCommands<S extends Settings, Sim extends Simulation>(
 
 function common(actions: Actions): Command[] {
   const { step, reset, slow, rewind, stepBack, fit, zoom } = actions;
-  const { help, sidebar, plot, profile, screenshot, recordVideo, fullScreen, reducedMotion, safeColors } = actions;
+  const { help, sidebar, plot, profile, screenshot, recordVideo, shareClip } = actions;
+  const { fullScreen, reducedMotion, safeColors } = actions;
   return [
     {
       keys: [' '],
@@ -151,6 +154,7 @@ function common(actions: Actions): Command[] {
     { keys: ['o'], shown: 'O', description: 'time of a step, phase by phase', press: profile },
     { keys: ['i'], shown: 'I', description: 'save a screenshot', press: screenshot },
     { keys: ['j'], shown: 'J', description: 'record video; press again to stop', press: recordVideo },
+    { keys: ['8'], shown: '8', description: 'share a clip of the next eight seconds', press: shareClip },
     { keys: ['w'], shown: 'W', description: 'full screen', press: fullScreen },
     { keys: ['x'], shown: 'X', description: 'reduced motion', press: reducedMotion },
     { keys: ['y'], shown: 'Y', description: 'colour-blind palette', press: safeColors },

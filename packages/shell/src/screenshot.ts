@@ -19,11 +19,18 @@ export function drawOverBackground(source: HTMLCanvasElement, target: HTMLCanvas
   context.drawImage(source, 0, 0, width, height);
 }
 
-/** A canvas of the same size as another, rounded to even numbers because video encoders require them. */
-export function canvasLike({ width, height }: HTMLCanvasElement): HTMLCanvasElement {
+/**
+ * A canvas of the same size as another, rounded to even numbers because video encoders require them.
+ * @param maxSide scales a larger one down so that its longer side has this length, pixels
+ */
+export function canvasLike(
+  { width, height }: HTMLCanvasElement,
+  maxSide = Number.POSITIVE_INFINITY,
+): HTMLCanvasElement {
+  const scale = Math.min(1, maxSide / Math.max(width, height, 1));
   const made = document.createElement('canvas');
-  made.width = Math.max(2, width & ~1);
-  made.height = Math.max(2, height & ~1);
+  made.width = Math.max(2, Math.round(scale * width) & ~1);
+  made.height = Math.max(2, Math.round(scale * height) & ~1);
   return made;
 }
 

@@ -1,3 +1,4 @@
+import { type ClipControl, createClipButton } from './clip-button.ts';
 import type { Actions } from './commands.ts';
 import { element } from './element.ts';
 
@@ -14,7 +15,12 @@ export interface ToolsCard {
 }
 
 /** @param canReplay whether games can be replayed */
-export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay: boolean): ToolsCard {
+export function createToolsCard(
+  parent: HTMLElement,
+  actions: Actions,
+  clip: ClipControl,
+  canReplay: boolean,
+): ToolsCard {
   const card = element('section', 'game-card game-tools', { 'aria-label': 'Picture' });
   parent.append(card);
   const add = (label: string, title: string, action: () => void) => {
@@ -25,6 +31,8 @@ export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay
   };
   if (canReplay) add('Replay', 'Replay this game from its beginning (Z)', actions.replay);
   add('Copy link', 'Copy a link to this game with its settings and seed', actions.copyLink);
+  const clipButton = createClipButton(clip);
+  card.append(clipButton.button);
   add('Screenshot', 'Save a screenshot (I)', actions.screenshot);
   const video = add('Record video', 'Record video (J)', actions.recordVideo);
   add('Full screen', 'Full screen (W)', actions.fullScreen);
@@ -32,6 +40,7 @@ export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay
   const colors = add('Colour-blind palette', 'Colour-blind palette (Y)', actions.safeColors);
   return {
     show({ recording, reducedMotion, safeColors }) {
+      clipButton.update();
       video.textContent = recording ? '● Stop' : 'Record video';
       video.setAttribute('aria-pressed', String(recording));
       motion.setAttribute('aria-pressed', String(reducedMotion));
