@@ -6,7 +6,7 @@ import { Failures } from '../../packages/shell/src/failures.ts';
 import { Sharing } from '../../packages/shell/src/sharing.ts';
 import { addStyles } from '../../packages/shell/src/styles.ts';
 
-const SECONDS = 2;
+const SECONDS = 3;
 
 addStyles();
 const root = document.createElement('div');

@@ -74,8 +74,8 @@ test.each([0, 1, 2])('is a video that plays, of the length it promised, with the
     expect(clip).toMatchObject({ width: 1280, height: 640 });
     const wanted = await page.evaluate(() => clipLab.SECONDS);
     // A busy machine without a graphics card makes few frames a second, and its sound begins before its pictures.
-    expect(clip.seconds).toBeGreaterThan(wanted - 1);
-    expect(clip.seconds).toBeLessThan(wanted + 1);
+    expect(clip.seconds).toBeGreaterThan(wanted - 1.5);
+    expect(clip.seconds).toBeLessThan(wanted + 2);
     expect(clip.loudness > 0.05).toBe(sounds > 0);
     expect(await page.evaluate(() => clipLab.resumed())).toBe(1);
   }),
@@ -85,7 +85,7 @@ test('counts down on its button, which gives the clip up when it is pressed agai
   withPage(async (page) => {
     const before = await clipButton(page).textContent();
     await clipButton(page).click();
-    expect(await clipButton(page).textContent()).toMatch(/^● [12] s$/);
+    expect(await clipButton(page).textContent()).toMatch(/^● [23] s$/);
     expect(await clipButton(page).getAttribute('aria-pressed')).toBe('true');
     const done = () => clipButton(page).evaluate((button) => Number(button.style.getPropertyValue('--done')));
     const first = await done();
@@ -93,7 +93,7 @@ test('counts down on its button, which gives the clip up when it is pressed agai
     expect(await done()).toBeGreaterThan(first);
     await clipButton(page).click();
     expect(await clipButton(page).textContent()).toBe(before);
-    const download = page.waitForEvent('download', { timeout: 2000 }).catch(() => 'none');
+    const download = page.waitForEvent('download', { timeout: 3500 }).catch(() => 'none');
     expect(await download).toBe('none');
     expect(await message(page)).toBe('');
   }));

@@ -1,4 +1,5 @@
 import { element } from './element.ts';
+import { words } from './words.ts';
 
 /** How a game starts a clip, and shows how far it is. */
 export interface ClipControl {
@@ -18,7 +19,7 @@ export interface ClipButton {
 }
 
 /** @param idle label while no clip is recorded */
-export function createClipButton(clip: ClipControl, className = '', idle = 'Share a clip'): ClipButton {
+export function createClipButton(clip: ClipControl, className = '', idle = words().clip): ClipButton {
   const button = element('button', className, { type: 'button', 'data-clip': '' });
   button.addEventListener('click', () => clip.toggle());
   let shown = '';
@@ -29,8 +30,7 @@ export function createClipButton(clip: ClipControl, className = '', idle = 'Shar
     if (label === shown) return;
     shown = label;
     button.textContent = label;
-    button.title =
-      left === undefined ? `Record the next ${clip.seconds} seconds and share them (8)` : 'Give this clip up (8)';
+    button.title = left === undefined ? words().clipHint(clip.seconds) : words().clipCancel;
     button.setAttribute('aria-pressed', String(left !== undefined));
   };
   update();

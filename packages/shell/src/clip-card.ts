@@ -1,5 +1,6 @@
 import { element } from './element.ts';
 import { download } from './screenshot.ts';
+import { words } from './words.ts';
 
 /** The card on which a clip is seen, shared and saved. */
 export interface ClipCard {
@@ -24,7 +25,7 @@ export async function shareFile(file: File, title: string): Promise<string> {
     // A player who closes the sheet has changed their mind.
     if ((error as Error).name === 'AbortError') return '';
     download(file, file.name);
-    return 'The browser did not share the clip. It was saved as a file instead.';
+    return words().clipRefused;
   }
 }
 
@@ -33,7 +34,7 @@ export async function shareFile(file: File, title: string): Promise<string> {
  * @param onMessage receives sentences for the player
  */
 export function createClipCard(parent: HTMLElement, title: string, onMessage: (text: string) => void): ClipCard {
-  const video = element('video', '', { loop: '', playsinline: '', controls: '', 'aria-label': 'Your clip' });
+  const video = element('video', '', { loop: '', playsinline: '', controls: '', 'aria-label': words().clipCard });
   video.muted = true;
   const add = (label: string, action: (file: File) => void) => {
     const button = element('button', '', { type: 'button' }, label);
@@ -50,10 +51,10 @@ export function createClipCard(parent: HTMLElement, title: string, onMessage: (t
     URL.revokeObjectURL(address);
   };
   const say = (text: string) => text !== '' && onMessage(text);
-  const share = add('Share', (shared) => void shareFile(shared, title).then(say));
-  const save = add('Save', (saved) => download(saved, saved.name));
-  const buttons = element('div', '', {}, share, save, add('Close', hide));
-  const card = element('section', 'game-clip', { 'aria-label': 'Your clip' }, video, buttons);
+  const share = add(words().share, (shared) => void shareFile(shared, title).then(say));
+  const save = add(words().save, (saved) => download(saved, saved.name));
+  const buttons = element('div', '', {}, share, save, add(words().close, hide));
+  const card = element('section', 'game-clip', { 'aria-label': words().clipCard }, video, buttons);
   card.hidden = true;
   card.addEventListener('keydown', (event) => event.key === 'Escape' && hide());
   parent.append(card);

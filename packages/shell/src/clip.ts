@@ -1,6 +1,7 @@
 import { fileName } from './screenshot.ts';
 import { openSoundTrack, type SoundTrack } from './sound-outputs.ts';
 import { startVideo, type VideoRecording } from './video-recording.ts';
+import { words } from './words.ts';
 
 /** Length of a clip, s: long enough for one good moment, and small enough for every messenger. */
 export const CLIP_SECONDS = 8;
@@ -84,8 +85,7 @@ export class Clip {
     this.#options.onChange();
     if (video.size > 0) {
       this.#options.onReady(new File([video], fileName(this.#options.title, time, extension), { type: video.type }));
-    } else
-      this.#options.onFailure('The browser recorded nothing. Try again, or use the screen recorder of your system.');
+    } else this.#options.onFailure(words().clipEmpty);
   }
 
   #release(): void {

@@ -25,6 +25,7 @@ import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
 import { createViewContext } from './view-context.ts';
 import { ViewHost } from './view-host.ts';
+import { words } from './words.ts';
 
 /** A game on a page: the session, the view and the user interface around them. */
 export class GameApp<S extends Settings, Sim extends Simulation> {
@@ -99,11 +100,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         showMessage: (sentence) => this.#banner.show(sentence, 'note'),
         clip: this.#sharing,
       }),
-      `${game.title}, drawn live; press H for help`,
+      words().drawnLive(game.title),
       {
         onError: (sentence) => {
           this.#sharing.dropClip();
-          this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#wanted)]);
+          this.#banner.show(sentence, 'error', [words().tryAgain, () => this.#show(this.#wanted)]);
         },
         onRecovery: () => this.#banner.hide(),
       },
@@ -117,7 +118,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     listenToKeys(this.#commands.pressed, this.#commands.released);
     if (this.#preferences.reducedMotion && !this.#manual) {
       this.#session.paused = true;
-      this.#banner.show(`Paused because reduced motion is on. ${resumeHint()}`, 'status');
+      this.#banner.show(words().motionPaused(resumeHint()), 'status');
     }
     document.addEventListener('visibilitychange', () => document.hidden && this.#pauseHidden());
     await this.#show(this.#renderer);
@@ -211,7 +212,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const before = this.#views.view === undefined ? undefined : this.#renderer;
     this.#wanted = name;
     this.#renderer = name;
-    this.#sharing.dropClip('The clip was given up because another picture took its place. Start it again.');
+    this.#sharing.dropClip(words().clipDropped);
     this.#views.close();
     this.#session.dimensions = renderer.dimensions;
     this.#refresh();
@@ -259,7 +260,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (this.#session.paused || !this.#session.started) return;
     this.#pause(true);
     this.#controls?.releaseAll();
-    if (this.#banner.text === '') this.#banner.show(`Paused while the page was hidden. ${resumeHint()}`, 'status');
+    if (this.#banner.text === '') this.#banner.show(words().hidden(resumeHint()), 'status');
   }
 
   #refresh(): void {

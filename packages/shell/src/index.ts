@@ -20,6 +20,7 @@ export type {
 export { type HighScore, HighScores } from './high-scores.ts';
 export { showHint } from './hint.ts';
 export { dragByJoints } from './joint-dragging.ts';
+export { chooseWords, decimal, grouped, inLanguage, type Language, language } from './language.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export type { Outcome } from './outcome-card.ts';
 export { pickBody2D } from './pick.ts';

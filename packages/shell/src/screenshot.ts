@@ -1,3 +1,5 @@
+import { words } from './words.ts';
+
 // Screenshots of a game: the canvas drawn over the page's background.
 
 /** The background of every game; equal to that of the style sheet. */
@@ -11,7 +13,7 @@ const BACKGROUND = [
 export function drawOverBackground(source: HTMLCanvasElement, target: HTMLCanvasElement): void {
   const { width, height } = target;
   const context = target.getContext('2d', { alpha: false });
-  if (context === null) throw new Error('The browser has no memory left for a screenshot. Close other pages.');
+  if (context === null) throw new Error(words().noMemory);
   const gradient = context.createRadialGradient(0.42 * width, 0.12 * height, 0, 0.42 * width, 0.12 * height, width);
   for (const [at, color] of BACKGROUND) gradient.addColorStop(at, color);
   context.fillStyle = gradient;
@@ -39,7 +41,7 @@ export async function screenshotPng(source: HTMLCanvasElement): Promise<Blob> {
   const copy = canvasLike(source);
   drawOverBackground(source, copy);
   const blob = await new Promise<Blob | null>((done) => copy.toBlob(done, 'image/png'));
-  if (blob === null) throw new Error('The screenshot could not be encoded. The window may be too large or too small.');
+  if (blob === null) throw new Error(words().noPng);
   return blob;
 }
 

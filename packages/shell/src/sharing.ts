@@ -7,6 +7,7 @@ import { copyLink, shareText } from './copy-link.ts';
 import type { Failures } from './failures.ts';
 import { Recorder } from './recorder.ts';
 import { download } from './screenshot.ts';
+import { words } from './words.ts';
 
 /** The picture on display, just drawn. */
 export interface Picture {
@@ -98,7 +99,7 @@ export class Sharing implements ClipControl {
   async share(result?: string): Promise<void> {
     const link = this.#options.link();
     const said = await (result === undefined
-      ? copyLink(link, 'this game')
+      ? copyLink(link, words().thisGame)
       : shareText(result, link, hasCoarsePointer()));
     if (said !== '') this.#options.banner.show(said, 'note');
   }
@@ -111,7 +112,7 @@ export class Sharing implements ClipControl {
       this.#card.show(file);
     } else {
       download(file, file.name);
-      say(`Your clip was saved as ${file.name}.`);
+      say(words().clipSaved(file.name));
     }
   }
 

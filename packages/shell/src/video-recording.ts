@@ -1,4 +1,5 @@
 import { canvasLike, drawOverBackground } from './screenshot.ts';
+import { words } from './words.ts';
 
 /** A video recording in progress. */
 export interface VideoRecording {
@@ -35,6 +36,8 @@ const FORMATS = [
   ['video/mp4', 'video/mp4'],
 ] as const;
 const MAX_SECONDS = 300;
+/** Milliseconds from the last picture to the end, because an encoder drops what it has not yet encoded. */
+const ENCODER_LAG = 300;
 const BITS_PER_SECOND = 12e6;
 
 /**
@@ -65,12 +68,20 @@ export function startVideo(
   let last = performance.now();
   let timer: ReturnType<typeof setTimeout> | undefined;
   const begin = () => {
+    if (isComplete) return;
     clearTimeout(timer);
     timer = setTimeout(() => stop(), maxSeconds * 1000);
   };
-  const stop = () => {
+  let isComplete = false;
+  const end = () => {
     clearTimeout(timer);
     if (recorder.state !== 'inactive') recorder.stop();
+  };
+  const stop = () => {
+    if (isComplete) return;
+    isComplete = true;
+    clearTimeout(timer);
+    timer = setTimeout(end, ENCODER_LAG);
   };
   recorder.onstart = () => {
     begin();
@@ -92,14 +103,14 @@ export function startVideo(
     captureFrame(from) {
       const now = performance.now();
       // Displays are not exact: a frame that is due within a fifth of the interval counts.
-      if (now - last < 800 / maxRate) return;
+      if (isComplete || now - last < 800 / maxRate) return;
       last = now;
       drawOverBackground(from, copy);
     },
     stop,
     discard() {
       isWanted = false;
-      stop();
+      end();
     },
   };
 }
@@ -108,7 +119,6 @@ function formatOf(canvas: HTMLCanvasElement, hasSound: boolean): string {
   const canRecord = typeof MediaRecorder === 'function' && typeof canvas.captureStream === 'function';
   const names = FORMATS.map(([silent, heard]) => (hasSound ? heard : silent));
   const format = canRecord ? names.find((each) => MediaRecorder.isTypeSupported(each)) : undefined;
-  if (format === undefined)
-    throw new Error('This browser cannot record video. Use the screen recorder of your system.');
+  if (format === undefined) throw new Error(words().cannotRecord);
   return format;
 }
