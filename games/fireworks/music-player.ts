@@ -1,6 +1,7 @@
 /** Plays a music file beside the simulation: it pauses with it, and catches up where it went ahead or stayed behind. */
 
 import { connectToSpeakers } from '@principia/shell';
+import { WORDS } from './words.ts';
 
 /** Difference between music and show that nobody notices, s. */
 const MAX_DRIFT = 0.12;
@@ -33,7 +34,7 @@ export class MusicPlayer {
       this.#context ??= new AudioContext();
       this.#buffer = await this.#context.decodeAudioData(await file.arrayBuffer());
     } catch {
-      throw new Error(`“${file.name}” is not music that this browser can play. Choose an MP3, M4A, OGG or WAV file.`);
+      throw new Error(WORDS.noMusic(file.name));
     }
     return { samples: this.#buffer.getChannelData(0), rate: this.#buffer.sampleRate };
   }
