@@ -51,7 +51,8 @@ export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
       if (frame++ % FRAMES !== 0) return;
       const { boat } = sim;
       const { x, y } = sim.world.components.Velocity;
-      say(goal, WORDS.goal(boat.collected, sim.taken.length));
+      const { length } = sim.taken;
+      say(goal, boat.collected < length ? WORDS.goal(boat.collected, length) : WORDS.allAboard);
       const isNew = sim.world.time < TIP_SECONDS && boat.ending === 'none';
       warning.classList.toggle('tip', isNew);
       say(warning, isNew ? WORDS.start : warningOf(sim));

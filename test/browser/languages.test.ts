@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { WORDS_BY_LANGUAGE as FIREWORKS } from '../../games/fireworks/words.ts';
+import { WORDS_BY_LANGUAGE as SUBMARINE } from '../../games/submarine/words.ts';
 import { WORDS_BY_LANGUAGE as SHELL } from '../../packages/shell/src/words.ts';
 import { playGame, state } from '../support/game-page.ts';
 import { textsOf } from '../support/words.ts';
@@ -28,13 +29,15 @@ function foreignWords(english: Parameters<typeof textsOf>[0], german: Parameters
 /** Buttons and headings whose text is cut off, and what sticks out of the window. */
 const overflows = (page: Page) =>
   page.evaluate(() =>
-    [...document.body.querySelectorAll<HTMLElement>('button, a, h1, dt, .fw-hint')].flatMap((element) => {
-      if (!element.checkVisibility({ visibilityProperty: true })) return [];
-      const { left, right } = element.getBoundingClientRect();
-      const isCut = element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== 'inline';
-      const isOut = left < -0.5 || right > innerWidth + 0.5;
-      return isCut || isOut ? [`“${element.textContent}” ${isCut ? 'is cut off' : 'sticks out'}`] : [];
-    }),
+    [...document.body.querySelectorAll<HTMLElement>('button, a, h1, dt, .fw-hint, .sub-panel > *')].flatMap(
+      (element) => {
+        if (!element.checkVisibility({ visibilityProperty: true })) return [];
+        const { left, right } = element.getBoundingClientRect();
+        const isCut = element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== 'inline';
+        const isOut = left < -0.5 || right > innerWidth + 0.5;
+        return isCut || isOut ? [`“${element.textContent}” ${isCut ? 'is cut off' : 'sticks out'}`] : [];
+      },
+    ),
   );
 
 describe('fireworks', () => {
@@ -85,5 +88,25 @@ describe('fireworks', () => {
     expect(texts).toContain('Grün (Barium) (C)');
     expect(texts.filter((text) => /^\d+\.\d+ (s|ms)$/.test(text))).toEqual([]);
     expect(texts.some((text) => /^0,\d s$/.test(text))).toBe(true);
+  });
+});
+
+describe('submarine', () => {
+  const { open } = playGame('submarine', { viewport: { width: 1280, height: 800 } });
+
+  it.each([
+    ['a phone', PHONE],
+    ['a phone on its side', { ...PHONE, viewport: { width: 844, height: 390 } }],
+    ['a desk', {}],
+  ])('has no English word left on %s, and every word fits', async (_name, options) => {
+    const page = await open('manual&lang=de', options);
+    expect(await overflows(page)).toEqual([]);
+    if (!(await page.locator('.game-side').isVisible())) await page.keyboard.press('p');
+    expect(await overflows(page)).toEqual([]);
+    const foreign = new Set([...foreignWords(SHELL.en, SHELL.de), ...foreignWords(SUBMARINE.en, SUBMARINE.de)]);
+    const texts = await written(page);
+    expect(texts).toEqual(expect.arrayContaining(['U-Boot', '0 von 3 Kisten an Bord', 'Druckluft']));
+    expect(texts.some((text) => / m, \d,\d atm · Dichte 0,9/.test(text))).toBe(true);
+    expect(texts.filter((text) => foreign.has(text))).toEqual([]);
   });
 });

@@ -88,7 +88,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       game.outcome &&
       createOutcomeCard(
         root,
-        game.title,
+        game.scoresName ?? game.title,
         () => this.#playAgain(),
         watch,
         (text) => void this.#sharing.share(text),

@@ -97,6 +97,8 @@ export type HelpLine = readonly [input: string, description: string, only?: 'key
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
+  /** Name under which the browser keeps scores; default the title. A game of several languages has one for all. */
+  readonly scoresName?: string;
   /** On phones the sidebar is a sheet below or beside the picture, open at the start; default false. */
   readonly hasSheet?: boolean;
   readonly settings: S;
