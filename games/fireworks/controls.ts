@@ -6,6 +6,7 @@ import { ShowEditor } from './show-editor.ts';
 import { type Cue, type FireworksGame, RANDOM, RANDOM_KINDS, SWARM } from './sim.ts';
 import { Sound } from './sound.ts';
 import { MAX_CHARACTERS, textPoints } from './text-points.ts';
+import { WORDS } from './words.ts';
 
 type SkyPoint = { readonly x: number; readonly y: number; readonly z: number };
 
@@ -40,7 +41,7 @@ export class PlayerControls {
     try {
       if (text !== undefined) shared = readShow(text);
     } catch (error) {
-      this.#pendingMessage = `${(error as Error).message} The demo show plays instead.`;
+      this.#pendingMessage = WORDS.demoInstead((error as Error).message);
     }
     this.editor = new ShowEditor(shared);
     this.isDemo = shared.length === 0;
@@ -99,7 +100,7 @@ export class PlayerControls {
       if (kind === RANDOM) kind = Math.floor(RANDOM_KINDS * Math.random());
       if (color === RANDOM) color = Math.floor(STAR_COLORS.length * Math.random());
       if (!this.editor.add({ x, y, z, kind, color, power })) {
-        this.showMessage(`A show has at most ${this.editor.cues.length} shells. Remove one first.`);
+        this.showMessage(WORDS.tooMany(this.editor.cues.length));
       }
     }
     sim.press({ do: 'fire', finger, x, y, z, kind, color });
@@ -110,10 +111,7 @@ export class PlayerControls {
     const text = [...this.text.trim()].slice(0, MAX_CHARACTERS).join('');
     const points = textPoints(text);
     if (points.length > 0) sim.press({ do: 'write', points, x, y, z, color: this.color, power: TEXT_POWER });
-    else
-      this.showMessage(
-        text === '' ? 'Write a name or an emoji first.' : `“${text}” leaves no mark. Write something else.`,
-      );
+    else this.showMessage(text === '' ? WORDS.noText : WORDS.noMark(text));
   }
 
   /** Plays the show from its beginning, or stops it. */
@@ -129,9 +127,9 @@ export class PlayerControls {
     history.replaceState(null, '', link);
     try {
       await navigator.clipboard.writeText(link.href);
-      this.showMessage('The link to your show was copied. It is also in the address bar.');
+      this.showMessage(WORDS.linkCopied);
     } catch {
-      this.showMessage('The link to your show is in the address bar. Copy it from there.');
+      this.showMessage(WORDS.linkInAddress);
     }
   }
 }

@@ -1,6 +1,6 @@
 /** The controls on the page: shells and colours to choose from, and the timeline of a show. */
 import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
-import { element, hasCoarsePointer, type ViewContext } from '@principia/shell';
+import { createClipButton, element, grouped, type ViewContext } from '@principia/shell';
 import type { PlayerControls } from './controls.ts';
 import { CONTROLS_STYLE } from './controls-style.ts';
 import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
@@ -10,14 +10,13 @@ import type { Settings } from './settings.ts';
 import { type FireworksGame, RANDOM, SWARM } from './sim.ts';
 import { createTextForm } from './text-form.ts';
 import { createTimeline } from './timeline.ts';
+import { WORDS } from './words.ts';
 
 export interface Hud {
   /** Call it once a frame. @param screen maps a point of the sky to the canvas */
   update(seconds: number, screen: (x: number, y: number, z: number) => { x: number; y: number }): void;
   destroy(): void;
 }
-
-const sparks = new Intl.NumberFormat('en', { useGrouping: true });
 
 /** Seconds between two updates of the layout and the hint. */
 const UPDATE_INTERVAL = 0.25;
@@ -34,7 +33,8 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
   crosshair.className = 'fw-sight';
   root.append(timeline.element, tray.element);
   const music = createMusicButton(context, controls);
-  const extras = element('div', 'fw-extras', {}, ...createTextForm(context, controls), ...music.elements);
+  const clip = createClipButton(context.clip, 'fw-extra', WORDS.clip);
+  const extras = element('div', 'fw-extras', {}, ...createTextForm(context, controls), ...music.elements, clip.button);
   context.element.append(root, crosshair, extras);
   const unlock = () => controls.sound.unlock();
   const gestures = ['pointerdown', 'keydown', 'touchend'] as const;
@@ -59,12 +59,13 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
       sinceUpdate += seconds;
       if (sinceUpdate < UPDATE_INTERVAL) return;
       sinceUpdate = 0;
+      clip.update();
       const { right } = context.insets();
       if (right !== covered) root.style.right = `${right}px`;
       covered = right;
       const { barrage } = context.values();
       tray.show(context.safeColors, barrage);
-      const text = barrage ? `${sparks.format(sim.scene.alive)} sparks alight` : hintOf(sim, controls);
+      const text = barrage ? WORDS.alight(grouped(sim.scene.alive)) : hintOf(sim, controls);
       if (text !== shown) hint.textContent = text;
       shown = text;
     },
@@ -80,21 +81,17 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
   };
 }
 
-const isTouch = hasCoarsePointer();
-const LAUNCH = `${isTouch ? 'Tap' : 'Click or tap'} the sky to launch a shell. Hold for a larger one`;
-const COMPOSE = `${isTouch ? 'Tap Show' : 'Press T'} to compose a show and share it`;
-
 function hintOf(sim: FireworksGame, controls: PlayerControls): string {
   if (controls.kind === SWARM) return swarmHint(sim);
   if (controls.isEditing) return '';
-  if (sim.isDemo) return LAUNCH;
-  if (sim.isShowing) return controls.isDemo ? '' : 'Playing a show';
-  return sim.fired > 0 && sim.fired < 4 ? COMPOSE : '';
+  if (sim.isDemo) return WORDS.launch;
+  if (sim.isShowing) return controls.isDemo ? '' : WORDS.playing;
+  return sim.fired > 0 && sim.fired < 4 ? WORDS.compose : '';
 }
 
 function swarmHint({ held, swarmStars }: FireworksGame): string {
-  if (held.size > 0 && swarmStars > 0) return `${swarmStars} stars; each bursts into ${swarmStars} more`;
-  return 'Hold for a few seconds, then release: two stars per second, and each bursts into as many';
+  if (held.size > 0 && swarmStars > 0) return WORDS.swarmNow(swarmStars);
+  return WORDS.swarmHint;
 }
 
 function button(label: string, content: string, action: () => void, className = ''): HTMLButtonElement {
@@ -112,12 +109,12 @@ function createTray(controls: PlayerControls, toggleEditing: () => void, toggleB
   const element = document.createElement('div');
   element.className = 'fw-tray';
   element.setAttribute('role', 'group');
-  element.setAttribute('aria-label', 'Shells and colours');
-  const edit = button('Compose a show (T)', 'Show', toggleEditing);
-  const barrage = button('Barrage: 100,000 sparks at once (G)', icon(BARRAGE_ICON), toggleBarrage);
+  element.setAttribute('aria-label', WORDS.tray);
+  const edit = button(WORDS.showHint, WORDS.show, toggleEditing);
+  const barrage = button(WORDS.barrageHint, icon(BARRAGE_ICON), toggleBarrage);
   const kinds = [RANDOM, ...SHELL_NAMES.keys()].map((kind) => {
-    const name = kind === SWARM ? 'swarm: hold for a few seconds' : SHELL_NAMES[kind];
-    const label = kind === RANDOM ? 'random shell (K)' : `${name} (K)`;
+    const name = kind === SWARM ? WORDS.swarmButton : WORDS.shells[kind];
+    const label = `${kind === RANDOM ? WORDS.randomShell : name} (K)`;
     const path = kind === RANDOM ? SURPRISE_ICON : SHELL_ICONS[kind];
     return { kind, made: button(label, icon(path), () => controls.choose(kind, controls.color)) };
   });
@@ -151,7 +148,7 @@ function createTray(controls: PlayerControls, toggleEditing: () => void, toggleB
       barrage.setAttribute('aria-pressed', String(isBarrage));
       for (const { kind, made } of kinds) made.setAttribute('aria-pressed', String(kind === controls.kind));
       for (const { color, made } of colors) {
-        const chosen = paletteOf(safe)[color] ?? { name: 'random colour', rgb: 0 };
+        const chosen = paletteOf(safe)[color] ?? { name: WORDS.randomColor, rgb: 0 };
         made.setAttribute('aria-pressed', String(color === controls.color));
         made.title = `${chosen.name} (C)`;
         made.setAttribute('aria-label', chosen.name);

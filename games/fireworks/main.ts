@@ -1,14 +1,20 @@
 /** Fireworks: one scene, drawn in 2D by pixi.js and in 3D by three.js. */
-import { FOUR_WAYS, startGame } from '@principia/shell';
+import { FOUR_WAYS, type HelpLine, startGame } from '@principia/shell';
 import { KEYBOARD_POINTER, PlayerControls } from './controls.ts';
 import { applyColors, reportState } from './report.ts';
 import { settings } from './settings.ts';
 import { applyValue, createGame, type Direction } from './sim.ts';
+import { WORDS } from './words.ts';
 
 const controls = new PlayerControls(location.hash);
 
+const { help } = WORDS;
+const row = ([keys, text]: readonly string[], only?: 'keyboard'): HelpLine =>
+  only === undefined ? [keys, text] : [keys, text, only];
+document.title = WORDS.title;
+
 await startGame({
-  title: 'Fireworks',
+  title: WORDS.title,
   home: '../index.html',
   settings,
   create: (options) => createGame({ ...options, opening: controls.opening, isDemo: controls.isDemo }),
@@ -41,14 +47,14 @@ await startGame({
     },
   },
   help: [
-    ['Click, tap', 'launch a shell to this point. Hold for a larger one; every finger launches its own'],
-    ['Arrow keys, Enter', 'aim and fire; so do the stick and the first button of a gamepad', 'keyboard'],
-    ['K, C', 'next kind of shell, next colour', 'keyboard'],
-    ['Swarm', 'ignites where you release: two stars per second of holding, and each bursts into as many'],
-    ['T', 'timeline: clicks add shells to your show. Drag marks to move them; Backspace undoes, Delete removes'],
-    ['L', 'play or stop your show', 'keyboard'],
-    ['Write', 'stars write a name or an emoji: launch it, or press where it shall burst'],
-    ['Music', 'choose a file on your device, and shells burst on its beats'],
-    ['Drag, in 3D', 'rotate the view; wheel or pinch to zoom'],
+    row(help.launch),
+    row(help.aim, 'keyboard'),
+    row(help.next, 'keyboard'),
+    row(help.swarm),
+    row(help.timeline),
+    row(help.play, 'keyboard'),
+    row(help.write),
+    row(help.music),
+    row(help.drag),
   ],
 });

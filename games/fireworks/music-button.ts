@@ -6,6 +6,7 @@ import { MusicPlayer } from './music-player.ts';
 import { composeShow } from './music-show.ts';
 import type { Settings } from './settings.ts';
 import type { Cue, FireworksGame } from './sim.ts';
+import { WORDS } from './words.ts';
 
 export interface MusicButton {
   readonly elements: readonly HTMLElement[];
@@ -18,27 +19,26 @@ export function createMusicButton(
   context: ViewContext<Settings, FireworksGame>,
   controls: PlayerControls,
 ): MusicButton {
-  const button = element('button', 'fw-extra', { type: 'button' }, '♪ Music');
-  button.title = 'Choose music on this device: shells burst on its beats';
-  const input = element('input', '', { type: 'file', accept: 'audio/*', hidden: '', 'aria-label': 'Music file' });
+  const button = element('button', 'fw-extra', { type: 'button' }, WORDS.music);
+  button.title = WORDS.musicHint;
+  const input = element('input', '', { type: 'file', accept: 'audio/*', hidden: '', 'aria-label': WORDS.musicFile });
   const player = new MusicPlayer();
   let cues: readonly Cue[] | undefined;
   const stop = () => {
     cues = undefined;
     player.stop();
-    button.textContent = '♪ Music';
+    button.textContent = WORDS.music;
   };
   const start = async (file: File) => {
-    button.textContent = '♪ Listening …';
+    button.textContent = WORDS.listening;
     try {
       const music = await player.load(file);
       const beats = findBeats(music.samples, music.rate);
       cues = composeShow(beats, context.sim().world.tick + 1);
-      if (cues.length === 0)
-        throw new Error(`“${file.name}” has no beats that this game can hear. Choose other music.`);
+      if (cues.length === 0) throw new Error(WORDS.noBeats(file.name));
       context.sim().press({ do: 'play', cues });
       player.start();
-      button.textContent = '■ Stop music';
+      button.textContent = WORDS.stopMusic;
     } catch (error) {
       stop();
       controls.showMessage((error as Error).message);

@@ -1,5 +1,8 @@
 /** Plays a music file beside the simulation: it pauses with it, and catches up where it went ahead or stayed behind. */
 
+import { connectToSpeakers } from '@principia/shell';
+import { WORDS } from './words.ts';
+
 /** Difference between music and show that nobody notices, s. */
 const MAX_DRIFT = 0.12;
 /** Frames without a step after which the game counts as paused. */
@@ -17,6 +20,8 @@ export class MusicPlayer {
   #buffer: AudioBuffer | undefined;
   #source: AudioBufferSourceNode | undefined;
   #gain: GainNode | undefined;
+  /** Where every piece of music goes. */
+  #out: GainNode | undefined;
   /** Time of the audio context at which the music would have begun, s. */
   #origin = 0;
   /** Time of the show at the last frame, s, and the frames since it moved. */
@@ -29,7 +34,7 @@ export class MusicPlayer {
       this.#context ??= new AudioContext();
       this.#buffer = await this.#context.decodeAudioData(await file.arrayBuffer());
     } catch {
-      throw new Error(`“${file.name}” is not music that this browser can play. Choose an MP3, M4A, OGG or WAV file.`);
+      throw new Error(WORDS.noMusic(file.name));
     }
     return { samples: this.#buffer.getChannelData(0), rate: this.#buffer.sampleRate };
   }
@@ -77,7 +82,11 @@ export class MusicPlayer {
     void context.resume().catch(() => {});
     this.#gain = new GainNode(context, { gain: 0.8 });
     this.#source = new AudioBufferSourceNode(context, { buffer: this.#buffer });
-    this.#source.connect(this.#gain).connect(context.destination);
+    if (this.#out === undefined) {
+      this.#out = new GainNode(context);
+      connectToSpeakers(this.#out);
+    }
+    this.#source.connect(this.#gain).connect(this.#out);
     this.#source.start(0, time);
     this.#origin = context.currentTime - time;
   }

@@ -1,22 +1,13 @@
 /** The colours of shells on the screen: those of metal salts, or a colour-blind palette of eight. */
 import { STAR_COLORS, type StarColor } from '@principia/scenes';
 import { SAFE_COLORS } from '@principia/shell';
+import { WORDS } from './words.ts';
 
-const SAFE_COLOR_NAMES = [
-  'orange',
-  'sky blue',
-  'bluish green',
-  'yellow',
-  'blue',
-  'vermilion',
-  'reddish purple',
-  'white',
-];
-
-const safePalette: readonly StarColor[] = SAFE_COLORS.map((rgb, i) => ({ name: SAFE_COLOR_NAMES[i], rgb }));
+const palette: readonly StarColor[] = STAR_COLORS.map(({ rgb }, i) => ({ name: WORDS.colors[i], rgb }));
+const safePalette: readonly StarColor[] = SAFE_COLORS.map((rgb, i) => ({ name: WORDS.safeColors[i], rgb }));
 
 export function paletteOf(isSafe: boolean): readonly StarColor[] {
-  return isSafe ? safePalette : STAR_COLORS;
+  return isSafe ? safePalette : palette;
 }
 
 /** A colour in CSS notation. */

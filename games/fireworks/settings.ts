@@ -1,19 +1,21 @@
 /** The settings in the panel. */
 import { numberSetting, switchSetting, type ValuesOf } from '@principia/shell';
+import { WORDS } from './words.ts';
 
+const { wind, glow, sound, barrage, sparks } = WORDS.settings;
 const air = { unit: 'm/s', initial: 0, min: -15, max: 15 };
-const glow = { unit: 's', initial: 0.4, min: 0, max: 1.5 };
-const sparks = { unit: '', initial: 100_000, min: 1000, max: 200_000, integer: true };
+const fading = { unit: 's', initial: 0.4, min: 0, max: 1.5 };
+const crowd = { unit: '', initial: 100_000, min: 1000, max: 200_000, integer: true };
 
 export const settings = {
-  wind: numberSetting(air, { label: 'Wind', step: 0.5, about: 'Sparks and shells drift with the wind' }),
-  glow: numberSetting(glow, { label: 'Afterglow', step: 0.05, about: 'Time in which light fades' }),
-  sound: switchSetting('Sound', true, { key: 'm', about: 'Sound reaches you with a delay, at 343 m/s' }),
-  barrage: switchSetting('Barrage', false, { key: 'g', about: 'Random bursts with many sparks at once' }),
-  sparks: numberSetting(sparks, {
-    label: 'Barrage sparks',
+  wind: numberSetting(air, { label: wind[0], about: wind[1], step: 0.5 }),
+  glow: numberSetting(fading, { label: glow[0], about: glow[1], step: 0.05 }),
+  sound: switchSetting(sound[0], true, { key: 'm', about: sound[1] }),
+  barrage: switchSetting(barrage[0], false, { key: 'g', about: barrage[1] }),
+  sparks: numberSetting(crowd, {
+    label: sparks[0],
     scale: 'log',
-    about: 'Number of sparks that the barrage keeps alive',
+    about: sparks[1],
   }),
 };
 

@@ -5,6 +5,7 @@
  */
 import { FIREWORKS_REACH, SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
 import type { Cue } from './sim.ts';
+import { WORDS } from './words.ts';
 
 /** Largest number of shells of a show, and its last time, steps. */
 export const MAX_CUES = 200;
@@ -100,22 +101,19 @@ export function writeShow(cues: readonly Cue[]): string {
 /** Decodes a show. @throws Error with a sentence that says what is wrong with the text and what to do */
 export function readShow(text: string): Cue[] {
   const [, version, body] = /^([^.]*)\.(.*)$/s.exec(text) ?? [];
-  if (version === undefined || body === undefined) throw broken('it does not begin with a version, such as “3.”');
+  if (version === undefined || body === undefined) throw broken(WORDS.broken.noVersion);
   if (!Object.hasOwn(FORMATS, version)) {
-    throw new Error(
-      `The show in the address has version “${version.slice(0, 12)}”, but this game reads versions 1 to 3.`,
-    );
+    throw new Error(WORDS.broken.version(version.slice(0, 12)));
   }
   const format = FORMATS[version];
   const bytes = bytesOf(body);
-  if ((bytes.length - 1) % format.bytes !== 0) throw broken('its length is wrong');
-  if (checkByte(bytes, 1) !== bytes[0]) throw broken('its checksum is wrong');
+  if ((bytes.length - 1) % format.bytes !== 0) throw broken(WORDS.broken.length);
+  if (checkByte(bytes, 1) !== bytes[0]) throw broken(WORDS.broken.checksum);
   const count = (bytes.length - 1) / format.bytes;
-  if (count > MAX_CUES)
-    throw new Error(`The show in the address has ${count} shells, but at most ${MAX_CUES} are allowed.`);
+  if (count > MAX_CUES) throw new Error(WORDS.broken.count(count, MAX_CUES));
   const cues = Array.from({ length: count }, (_, i) => unpack(bytes, 1 + format.bytes * i, format));
   for (const [i, { tick }] of cues.entries()) {
-    if (i > 0 && tick < cues[i - 1].tick) throw broken('its shells are not sorted by time');
+    if (i > 0 && tick < cues[i - 1].tick) throw broken(WORDS.broken.order);
   }
   return cues;
 }
@@ -129,20 +127,20 @@ function unpack(bytes: Uint8Array, at: number, format: Format): Cue {
     bits = Math.floor(bits / radix);
   }
   // A remainder cannot come from the encoder.
-  if (bits > 0) throw broken('it contains an invalid time');
+  if (bits > 0) throw broken(WORDS.broken.time);
   return quantize(cueOf(values, format));
 }
 
 function bytesOf(body: string): Uint8Array {
-  if (!/^[\w-]+$/.test(body)) throw broken('it contains invalid characters');
+  if (!/^[\w-]+$/.test(body)) throw broken(WORDS.broken.characters);
   try {
     const text = atob(body.replaceAll('-', '+').replaceAll('_', '/'));
     return Uint8Array.from(text, (character) => character.charCodeAt(0));
   } catch {
-    throw broken('it was cut off');
+    throw broken(WORDS.broken.cut);
   }
 }
 
 function broken(why: string): Error {
-  return new Error(`The show in the address cannot be read because ${why}. Copy the whole link again.`);
+  return new Error(WORDS.broken.sentence(why));
 }

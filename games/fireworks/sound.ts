@@ -1,6 +1,7 @@
 /** Synthesised sound, delayed by the travel time to the listener. */
 import type { EventRing, FireworksEvent } from '@principia/scenes';
 import { burstVoice, crackleVoice, launchVoice, type Mixer, openMixer } from './voices.ts';
+import { WORDS } from './words.ts';
 
 /** Speed of sound in air of 20 °C, m/s. */
 export const SPEED_OF_SOUND = 343;
@@ -77,6 +78,6 @@ export class Sound {
     if (this.state === 'blocked') return;
     this.state = 'blocked';
     this.#mixer = undefined;
-    this.#showMessage('No sound: Web Audio is missing or blocked in this browser. The fireworks continue silently.');
+    this.#showMessage(WORDS.noSound);
   }
 }

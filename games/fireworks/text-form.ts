@@ -4,24 +4,25 @@ import type { PlayerControls } from './controls.ts';
 import type { Settings } from './settings.ts';
 import type { FireworksGame } from './sim.ts';
 import { MAX_CHARACTERS } from './text-points.ts';
+import { WORDS } from './words.ts';
 
 /** Where the button launches to, m. */
 const MIDDLE = { x: 0, y: 36, z: 0 };
 
 /** @returns the button that opens the field, and the field */
 export function createTextForm(context: ViewContext<Settings, FireworksGame>, controls: PlayerControls): HTMLElement[] {
-  const open = element('button', 'fw-extra', { type: 'button', 'aria-expanded': 'false' }, '✎ Write');
-  open.title = 'Write a name or an emoji into the sky';
+  const open = element('button', 'fw-extra', { type: 'button', 'aria-expanded': 'false' }, WORDS.write);
+  open.title = WORDS.writeHint;
   const input = element('input', '', {
     type: 'text',
-    'aria-label': 'Name or emoji',
-    placeholder: 'Name or emoji',
+    'aria-label': WORDS.nameOrEmoji,
+    placeholder: WORDS.nameOrEmoji,
     enterkeyhint: 'go',
     autocomplete: 'off',
     // An emoji takes several units of text.
     maxlength: String(4 * MAX_CHARACTERS),
   });
-  const launch = element('button', 'fw-extra', { type: 'submit' }, 'Launch');
+  const launch = element('button', 'fw-extra', { type: 'submit' }, WORDS.launchText);
   const form = element('form', 'fw-text', { hidden: '' }, input, launch);
   const show = (isOpen: boolean) => {
     form.hidden = !isOpen;

@@ -1,11 +1,12 @@
 /** The timeline of the edited show. */
-import { SHELL_NAMES, type StarColor } from '@principia/scenes';
+import type { StarColor } from '@principia/scenes';
 import type { ViewContext } from '@principia/shell';
 import type { PlayerControls } from './controls.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
 import type { ShowEditor } from './show-editor.ts';
 import type { Cue, FireworksGame } from './sim.ts';
+import { WORDS } from './words.ts';
 
 const STEPS_PER_SECOND = 60;
 /** Shortest length of the timeline, s, and margin after the last shell, s. */
@@ -44,7 +45,7 @@ export function createTimeline(context: ViewContext<Settings, FireworksGame>, co
     const count = editor.cues.length;
     for (const name of ['play', 'clear', 'share']) buttonOf(name).disabled = count === 0;
     buttonOf('remove').disabled = editor.chosen < 0;
-    buttonOf('play').textContent = isPlaying ? 'Stop' : 'Play';
+    buttonOf('play').textContent = isPlaying ? WORDS.stop : WORDS.play;
     text.textContent = statusOf(count, editor.cursor);
   };
   let [shownVersion, shownTick, isPlaying] = [-1, -1, false];
@@ -72,11 +73,11 @@ export function createTimeline(context: ViewContext<Settings, FireworksGame>, co
 function createElements() {
   const element = document.createElement('section');
   element.className = 'fw-show';
-  element.setAttribute('aria-label', 'Show editor');
-  element.innerHTML = `<div><button type="button" data-do="play">Play</button><p role="status"></p>
-<button type="button" data-do="undo" title="Undo (Backspace)">Undo</button>
-<button type="button" data-do="remove" title="Remove the selected shell (Delete)">Remove</button>
-<button type="button" data-do="clear">Clear</button><button type="button" data-do="share">Share</button></div>
+  element.setAttribute('aria-label', WORDS.editor);
+  element.innerHTML = `<div><button type="button" data-do="play">${WORDS.play}</button><p role="status"></p>
+<button type="button" data-do="undo" title="${WORDS.undoHint}">${WORDS.undo}</button>
+<button type="button" data-do="remove" title="${WORDS.removeHint}">${WORDS.remove}</button>
+<button type="button" data-do="clear">${WORDS.clear}</button><button type="button" data-do="share">${WORDS.share}</button></div>
 <div class="fw-line"><div class="fw-cursor"></div></div>`;
   const find = (selector: string) => element.querySelector(selector) as HTMLElement;
   const buttonOf = (name: string) => find(`[data-do=${name}]`) as HTMLButtonElement;
@@ -142,7 +143,7 @@ function createMark({ tick, kind, color }: Cue, palette: readonly StarColor[], l
   const mark = document.createElement('button');
   mark.type = 'button';
   mark.className = 'fw-mark';
-  mark.title = `${SHELL_NAMES[kind]}, ${palette[color].name}, at ${(tick / STEPS_PER_SECOND).toFixed(1)} s`;
+  mark.title = WORDS.mark(WORDS.shells[kind], palette[color].name, tick / STEPS_PER_SECOND);
   mark.setAttribute('aria-label', mark.title);
   mark.setAttribute('aria-pressed', String(isChosen));
   mark.style.cssText = `left:${(100 * tick) / length}%;--c:${css(palette[color])}`;
@@ -150,7 +151,5 @@ function createMark({ tick, kind, color }: Cue, palette: readonly StarColor[], l
 }
 
 function statusOf(count: number, cursor: number): string {
-  if (count === 0) return 'Click the sky to add shells to the show';
-  const shells = `${count} ${count === 1 ? 'shell' : 'shells'}`;
-  return `${shells}; the next is added at ${(cursor / STEPS_PER_SECOND).toFixed(1)} s`;
+  return count === 0 ? WORDS.noShells : WORDS.next(count, cursor / STEPS_PER_SECOND);
 }

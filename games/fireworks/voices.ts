@@ -1,4 +1,5 @@
 /** The sounds of fireworks, synthesised from oscillators and noise. */
+import { connectToSpeakers } from '@principia/shell';
 
 /** The output chain of all voices. */
 export interface Mixer {
@@ -23,7 +24,7 @@ export function openMixer(): Mixer {
   bus.connect(limiter);
   bus.connect(echo).connect(dull).connect(again).connect(limiter);
   again.connect(echo);
-  limiter.connect(master).connect(context.destination);
+  connectToSpeakers(limiter.connect(master));
   return { context, master, bus, noise: whiteNoise(context), voices: 0 };
 }
 

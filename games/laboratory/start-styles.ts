@@ -20,6 +20,7 @@ body { color: #eef1fb; font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Robo
 .start-picture svg { display: block; width: 100%; height: 100% }
 .start li b { display: block; font-weight: 600 } .start li span { font-size: 12.5px; color: #97a3c7 }
 .start .start-striking ul { grid-template-columns: repeat(3, 1fr) }
+@media (pointer: coarse) { .start .start-home { display: inline-block; line-height: 44px } .start-tags button { min-height: 44px; border-radius: 22px } }
 @media (max-width: 600px) { .start .start-striking ul { grid-template-columns: 1fr 1fr } .start { padding: 16px 14px 40px } .start h1 { font-size: 28px }
   .start-tags { flex-wrap: nowrap; overflow-x: auto; margin-inline: -14px; padding-inline: 14px; scrollbar-width: none }
   .start-tags button { flex: none; min-height: 44px; border-radius: 22px } .start ul { grid-template-columns: 1fr 1fr; gap: 10px }

@@ -36,6 +36,8 @@ const styles = `
 .lab-plot h2 b { font-weight: 600; margin-right: auto } .lab-readout { font-weight: 500; font-variant-numeric: tabular-nums; color: var(--ink) }
 .lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px;
   padding: 1px 7px; cursor: pointer } .lab-save:focus-visible { outline: 2px solid var(--accent) }
+@media (pointer: coarse) { .lab-presets :is(a, button) { min-height: 44px; min-width: 44px; box-sizing: border-box; line-height: 26px }
+  .lab-neighbours a { line-height: 44px; min-width: 44px } .lab-save { min-height: 44px; min-width: 44px } .lab-code-buttons button { min-height: 44px } }
 .lab-plot .u-cursor-x { position: absolute; left: 0; top: 0; height: 100%; border-right: 1px dashed #ffffff66; pointer-events: none }
 .lab-plot .u-cursor-pt { position: absolute; top: 0; left: 0; border-radius: 50%; pointer-events: none; background-clip: padding-box !important }
 .lab-plot .u-over { touch-action: pan-y } .lab-plot .u-off, .lab-plot .u-select { display: none }

@@ -7,14 +7,18 @@ import { WORDS } from './words.ts';
 const STYLE = `
 .sub-hud { position: absolute; inset: 0; pointer-events: none; color: #eaf6ff; font: 600 14px/1.35 system-ui, sans-serif;
   text-shadow: 0 1px 3px #001018, 0 0 8px #001018; font-variant-numeric: tabular-nums }
-.sub-panel { position: absolute; left: 20px; top: 60px; display: grid; gap: 3px; justify-items: start }
+/* Below the surface, where the ship is not; beside the button of a touch pad. */
+.sub-panel { position: absolute; left: 20px; bottom: 20px; display: grid; gap: 3px; justify-items: start }
 .sub-goal { font-size: 17px } .sub-say { font-size: 13px; color: #ff9d8a; min-height: 19px; max-width: min(460px, 92vw) } .sub-say.tip { color: #e6f4ff }
 .sub-depth { font-size: 14px } .sub-gauges { display: grid; grid-template-columns: auto 120px; gap: 3px 10px; align-items: center; font-size: 12.5px }
 .sub-gauges i { height: 8px; border-radius: 4px; background: #ffffff24; position: relative; overflow: hidden }
 .sub-gauges i b { position: absolute; inset: 0; background: var(--c); transform-origin: 0; border-radius: 4px }
 .sub-gauges i u { position: absolute; left: 50%; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff }
 .sub-gauges em { font-style: normal; color: #d5e9f5 }
-@media (max-width: 759px), (max-height: 479px) { .sub-panel { left: 12px; top: 66px; gap: 1px } .sub-goal { font-size: 15px } .sub-say, .sub-depth { font-size: 12.5px } .sub-gauges { grid-template-columns: auto 84px; font-size: 11.5px } }
+@media (max-width: 759px), (max-height: 479px) { .sub-panel { gap: 1px; bottom: 12px } .sub-goal { font-size: 15px } .sub-say, .sub-depth { font-size: 12.5px } .sub-gauges { grid-template-columns: auto 84px; font-size: 11.5px } }
+@media (pointer: coarse) { .sub-panel { left: 104px } .sub-say { max-width: 38vw } }
+/* A window held upright has more sky than the ship is high. */
+@media (orientation: portrait) { .sub-panel { left: 12px; top: 66px; bottom: auto } .sub-say { max-width: min(460px, 92vw) } }
 `;
 
 export interface Hud {
@@ -47,7 +51,8 @@ export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
       if (frame++ % FRAMES !== 0) return;
       const { boat } = sim;
       const { x, y } = sim.world.components.Velocity;
-      say(goal, WORDS.goal(boat.collected, sim.taken.length));
+      const { length } = sim.taken;
+      say(goal, boat.collected < length ? WORDS.goal(boat.collected, length) : WORDS.allAboard);
       const isNew = sim.world.time < TIP_SECONDS && boat.ending === 'none';
       warning.classList.toggle('tip', isNew);
       say(warning, isNew ? WORDS.start : warningOf(sim));

@@ -5,8 +5,11 @@ import { settings } from './settings.ts';
 import { createGame } from './sim.ts';
 import { WORDS } from './words.ts';
 
+document.title = WORDS.title;
+
 await startGame({
   title: WORDS.title,
+  scoresName: 'Submarine',
   home: '../index.html',
   settings,
   create: createGame,
@@ -21,13 +24,5 @@ await startGame({
   renderers: {
     pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },
   },
-  help: [
-    ['▼, ▲', 'flood the tank, or blow it out with compressed air, which takes more of it the deeper you are'],
-    ['◀, ▶', 'full astern, full ahead'],
-    ['X, Enter, ●', 'sonar: the echo shows bed and crates for a while'],
-    ['Goal', 'touch every crate, and come up beside the ship before the air to breathe is gone'],
-    ['Danger', 'the depth crushes the hull, and rocks dent it'],
-    ['Depth', 'presses the hull together: it carries less, so that the tank hovers with less water'],
-    ['At the surface', 'the compressor fills the bottles'],
-  ],
+  help: Object.values(WORDS.help).map(([keys, text]) => [keys, text] as const),
 });

@@ -1,14 +1,14 @@
 /** What the shell and the tests learn about a game. */
 import type { Outcome } from '@principia/shell';
 import type { SubmarineGame } from './sim.ts';
-import { ENDINGS } from './words.ts';
+import { WORDS } from './words.ts';
 
 export function outcomeOf(game: SubmarineGame): Outcome | undefined {
   const { boat, level, taken } = game;
   if (boat.ending === 'none') return undefined;
   const score = game.score();
-  const lines = [`Level ${level}: ${boat.collected} of ${taken.length} crates`, `${score} points`];
-  return { title: ENDINGS[boat.ending], score, lines, share: `Submarine, level ${level}: ${score} points` };
+  const lines = [WORDS.result(level, boat.collected, taken.length), WORDS.points(score)];
+  return { title: WORDS.endings[boat.ending], score, lines, share: WORDS.share(level, score) };
 }
 
 /** The state that tests read. */

@@ -1,23 +1,82 @@
-/** The text of the game. */
-import type { Ending } from './sim.ts';
+/** All words of the game, in every language. The type of the English ones makes a missing translation an error. */
+import { chooseWords, decimal, type Language } from '@principia/shell';
 
-export const WORDS = {
+const en = {
   title: 'Submarine',
+  settings: {
+    level: ['Level', 'A deeper sea, stronger currents, and more crates'],
+    floodlight: ['Floodlight', 'Shows the bed near the boat'],
+    sound: 'Sound',
+  },
+  help: {
+    tank: ['▼, ▲', 'flood the tank, or blow it out with compressed air, which takes more of it the deeper you are'],
+    engine: ['◀, ▶', 'full astern, full ahead'],
+    sonar: ['X, Enter, ●', 'sonar: the echo shows bed and crates for a while'],
+    goal: ['Goal', 'touch every crate, and come up beside the ship before the air to breathe is gone'],
+    danger: ['Danger', 'the depth crushes the hull, and rocks dent it'],
+    depth: ['Depth', 'presses the hull together: it carries less, so that the tank hovers with less water'],
+    surface: ['At the surface', 'the compressor fills the bottles'],
+  },
   start: 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; X or ● pings',
-  goal: (taken: number, count: number) =>
-    taken < count ? `${taken} of ${count} crates aboard` : 'All aboard – come up beside the ship',
+  goal: (taken: number, count: number) => `${taken} of ${count} crates aboard`,
+  allAboard: 'All aboard – come up beside the ship',
   tooDeep: 'Too deep – the hull gives way!',
   lowAir: 'Little compressed air is left: come up for more',
   lowBreath: 'The air to breathe runs out',
-  depth: (depth: number, pressure: number) => `${Math.max(0, depth).toFixed(0)} m, ${pressure.toFixed(1)} atm`,
-  density: (ratio: number) => `density ${ratio.toFixed(3)}`,
-  speed: (speed: number) => `${speed.toFixed(1)} m/s`,
+  depth: (depth: number, pressure: number) => `${decimal(Math.max(0, depth), 0)} m, ${decimal(pressure, 1)} atm`,
+  density: (ratio: number) => `density ${decimal(ratio, 3)}`,
+  speed: (speed: number) => `${decimal(speed, 1)} m/s`,
   gauges: { tank: 'tank', hull: 'hull', air: 'compressed air', breath: 'breath' },
-} as const;
-
-export const ENDINGS: Readonly<Record<Exclude<Ending, 'none'>, string>> = {
-  won: 'All brought up',
-  crushed: 'Crushed by the depth',
-  wrecked: 'Wrecked on the rocks',
-  suffocated: 'Out of breath',
+  endings: {
+    won: 'All brought up',
+    crushed: 'Crushed by the depth',
+    wrecked: 'Wrecked on the rocks',
+    suffocated: 'Out of breath',
+  },
+  result: (level: number, taken: number, count: number) => `Level ${level}: ${taken} of ${count} crates`,
+  points: (score: number) => `${score} points`,
+  share: (level: number, score: number) => `Submarine, level ${level}: ${score} points`,
 };
+
+export type Words = typeof en;
+
+const de: Words = {
+  title: 'U-Boot',
+  settings: {
+    level: ['Stufe', 'Ein tieferes Meer, stärkere Strömungen und mehr Kisten'],
+    floodlight: ['Scheinwerfer', 'Zeigt den Grund in der Nähe des Boots'],
+    sound: 'Ton',
+  },
+  help: {
+    tank: ['▼, ▲', 'Tank fluten oder mit Druckluft ausblasen; je tiefer du bist, desto mehr braucht es davon'],
+    engine: ['◀, ▶', 'volle Kraft zurück, volle Kraft voraus'],
+    sonar: ['X, Enter, ●', 'Sonar: Das Echo zeigt Grund und Kisten für eine Weile'],
+    goal: ['Ziel', 'berühre jede Kiste und tauche neben dem Schiff auf, bevor die Atemluft zu Ende ist'],
+    danger: ['Gefahr', 'die Tiefe zerdrückt den Rumpf, und Felsen beulen ihn ein'],
+    depth: ['Tiefe', 'presst den Rumpf zusammen: Er trägt weniger, und der Tank schwebt mit weniger Wasser'],
+    surface: ['Aufgetaucht', 'füllt der Kompressor die Flaschen'],
+  },
+  start: 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; X oder ● ist das Sonar',
+  goal: (taken, count) => `${taken} von ${count} Kisten an Bord`,
+  allAboard: 'Alle an Bord – tauche neben dem Schiff auf',
+  tooDeep: 'Zu tief – der Rumpf gibt nach!',
+  lowAir: 'Kaum noch Druckluft: Tauche auf und hol neue',
+  lowBreath: 'Die Atemluft geht zu Ende',
+  depth: (depth, pressure) => `${decimal(Math.max(0, depth), 0)} m, ${decimal(pressure, 1)} atm`,
+  density: (ratio) => `Dichte ${decimal(ratio, 3)}`,
+  speed: (speed) => `${decimal(speed, 1)} m/s`,
+  gauges: { tank: 'Wasser', hull: 'Rumpf', air: 'Druckluft', breath: 'Atemluft' },
+  endings: {
+    won: 'Alles geborgen',
+    crushed: 'Von der Tiefe zerdrückt',
+    wrecked: 'An den Felsen zerschellt',
+    suffocated: 'Keine Luft mehr',
+  },
+  result: (level, taken, count) => `Stufe ${level}: ${taken} von ${count} Kisten`,
+  points: (score) => `${score} Punkte`,
+  share: (level, score) => `U-Boot, Stufe ${level}: ${score} Punkte`,
+};
+
+export const WORDS_BY_LANGUAGE: Readonly<Record<Language, Words>> = { en, de };
+
+export const WORDS = chooseWords(WORDS_BY_LANGUAGE);

@@ -151,7 +151,7 @@ describe('pictures', () => {
     const page = await open('seed=3');
     await page.keyboard.press('j');
     expect((await state(page)).recording).toBe(true);
-    expect(await page.locator('.game-tools button[title^=Record]').textContent()).toBe('● Stop');
+    expect(await page.locator('.game-tools button[title^="Record video"]').textContent()).toBe('● Stop');
     await page.waitForTimeout(1200);
     const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('j')]);
     expect(download.suggestedFilename()).toMatch(/^bouncing-balls-[\d.]+s\.(mp4|webm)$/);
@@ -172,6 +172,27 @@ describe('pictures', () => {
     const page = await open('manual', { prepare: () => Object.assign(globalThis, { MediaRecorder: undefined }) });
     await page.keyboard.press('j');
     expect((await state(page)).banner).toMatch(/cannot record video.*screen recorder/);
+  });
+
+  it('the key 8 starts a clip that a press gives up, and that another picture or a lost one ends', async () => {
+    const page = await open('seed=3', { prepare: () => Object.assign(navigator, { canShare: () => false }) });
+    const clip = page.locator('.game-tools [data-clip]');
+    await page.keyboard.press('Space');
+    await page.keyboard.press('8');
+    // A clip shows play.
+    expect((await state(page)).paused).toBe(false);
+    expect(await clip.textContent()).toMatch(/^● [78] s$/);
+    await clip.click();
+    expect(await clip.textContent()).toBe('Share a clip');
+    await page.keyboard.press('8');
+    await page.keyboard.press('3');
+    expect((await state(page)).banner).toMatch(/another picture took its place/);
+    expect(await clip.textContent()).toBe('Share a clip');
+    await page.waitForFunction(() => __game.state().ready && __game.state().renderer === 'three');
+    await page.keyboard.press('8');
+    expect(await clip.textContent()).toMatch(/^● [78] s$/);
+    await loseGraphicsCard(page);
+    expect(await clip.textContent()).toBe('Share a clip');
   });
 
   it('W fills the screen and gives it back, or says that it cannot', async () => {
@@ -229,6 +250,7 @@ describe('help', () => {
       'O',
       'I',
       'J',
+      '8',
       'W',
       'X',
       'Y',

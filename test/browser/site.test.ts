@@ -130,19 +130,39 @@ it.each(names)('plays %s from a folder below another, without the internet', asy
   expect(trouble).toEqual([]);
 });
 
+const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true } as const;
+
+/** What can be read, pressed and reached by keyboard, and what cannot. */
+async function expectAccess(page: Page): Promise<void> {
+  expect(await faintTexts(page)).toEqual([]);
+  expect(await smallTargets(page)).toEqual([]);
+  expect(await unreachedControls(page)).toEqual([]);
+}
+
 const shellGames = names.filter((name) => !['laboratory', 'first-game'].includes(name));
 
-it.each(shellGames)('can be read, pressed and reached by keyboard on a phone: %s', async (name) => {
-  const phone = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
-  const { page } = await openHome(phone);
-  await page.goto(`${home}${name}/index.html?manual`);
+it.each([
+  ...shellGames.map((name) => [name, `${name}/index.html?manual`]),
+  ['an example of the laboratory', 'laboratory/index.html?manual&example=ch17-figure-eight'],
+])('can be read, pressed and reached by keyboard on a phone: %s', async (_name, address) => {
+  const { page } = await openHome(PHONE);
+  await page.goto(home + address);
   await page.waitForFunction(() => globalThis.__game?.state().ready);
   const side = page.locator('.game-side');
   if (!(await side.isVisible())) await page.keyboard.press('p');
   await side.waitFor({ state: 'visible' });
-  expect(await faintTexts(page)).toEqual([]);
-  expect(await smallTargets(page)).toEqual([]);
-  expect(await unreachedControls(page)).toEqual([]);
+  await expectAccess(page);
+});
+
+it.each([
+  ['the front page', 'index.html', '.games a'],
+  ['the list of the laboratory', 'laboratory/index.html', '.start-picture svg'],
+  ['first-game', 'first-game/index.html', 'canvas'],
+])('can be read, pressed and reached by keyboard on a phone: %s', async (_name, address, until) => {
+  const { page } = await openHome(PHONE);
+  await page.goto(home + address);
+  await page.locator(until).first().waitFor();
+  await expectAccess(page);
 });
 
 it('finds texts of too little contrast, small buttons, and buttons that Tab misses', async () => {

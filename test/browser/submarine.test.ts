@@ -42,3 +42,33 @@ it('dives by the touch pad of a phone', async () => {
   await steps(page, 60);
   expect((await told(page)).fill).toBeCloseTo(0.4 + 0.22, 2);
 });
+
+it.each([
+  [1280, 800],
+  [390, 844],
+  [844, 390],
+  [768, 1024],
+  [1024, 768],
+])('keeps its gauges off the ship and the touch pad in a window of %i by %i', async (width, height) => {
+  const touch = { hasTouch: true, isMobile: true };
+  const page = await open('manual', { viewport: { width, height }, ...(width < 1200 ? touch : {}) });
+  await frames(page);
+  const gauges = (await page.locator('.sub-panel').boundingBox()) as {
+    x: number;
+    y: number;
+    width: number;
+    height: number;
+  };
+  const { y } = (await page.evaluate(() => __game.body(0).screen)) as { y: number };
+  // The ship reaches 10 m above the water and 2 m below, and a metre takes at most ten pixels here.
+  expect(gauges.y + gauges.height < y - 110 || gauges.y > y + 40).toBe(true);
+  expect(gauges.y + gauges.height).toBeLessThanOrEqual(height);
+  const buttons = await page.locator('.game-pad :is(button, .game-stick):visible').all();
+  expect(buttons.length > 0).toBe(width < 1200);
+  for (const button of buttons) {
+    const box = (await button.boundingBox()) as typeof gauges;
+    const isBeside = box.x + box.width <= gauges.x || gauges.x + gauges.width <= box.x;
+    const isAbove = box.y + box.height <= gauges.y || gauges.y + gauges.height <= box.y;
+    expect(isBeside || isAbove).toBe(true);
+  }
+});

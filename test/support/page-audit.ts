@@ -89,7 +89,13 @@ export async function unreachedControls(page: Page): Promise<string[]> {
     const found: string[] = [];
     const lookOf = (element: Element) => {
       const { outlineStyle, outlineWidth, boxShadow, backgroundColor, borderColor } = getComputedStyle(element);
-      return [outlineStyle === 'none' ? '' : outlineWidth, boxShadow, backgroundColor, borderColor].join();
+      // A link that covers its card shows the focus around the card.
+      const around = getComputedStyle(element, '::after');
+      const widths = [
+        outlineStyle === 'none' ? '' : outlineWidth,
+        around.outlineStyle === 'none' ? '' : around.outlineWidth,
+      ];
+      return [...widths, boxShadow, backgroundColor, borderColor].join();
     };
     for (const control of document.body.querySelectorAll<HTMLElement>('button, a[href], input, select, textarea')) {
       if (!control.checkVisibility({ visibilityProperty: true }) || control.matches(':disabled')) continue;

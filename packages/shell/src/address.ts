@@ -1,4 +1,5 @@
 import { checkValue, initialValues, type NumberSetting, parseValue, type Settings, type ValuesOf } from './settings.ts';
+import { words } from './words.ts';
 
 /** The settings that a game's page reads from its URL. */
 export interface Address<S extends Settings> {
@@ -39,7 +40,7 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
     try {
       return read();
     } catch (error) {
-      problems.push(`In the address, ${(error as Error).message} ${fallbackSentence(fallback)}`);
+      problems.push(words().address.instead((error as Error).message, fallbackName(fallback)));
       return fallback;
     }
   };
@@ -50,11 +51,13 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
     if (name === 'seed') seed = attempt(() => parseValue(name, SEED, text) as number, seed);
     else if (name === 'renderer') renderer = attempt(() => checkRenderer(text, renderers), renderer);
     else if (name === 'manual') manual = true;
+    else if (name === 'lang')
+      continue; // of `chooseWords`
     else if (Object.hasOwn(settings, name)) {
       values[name] = attempt(() => parseValue(name, settings[name], text), values[name] as never);
     } else if (!TRACKING.test(name)) {
       const known = [...Object.keys(settings), 'seed', 'renderer', 'manual'].join(', ');
-      problems.push(`The address names “${name}”, which is not a setting of this game. The settings are ${known}.`);
+      problems.push(words().address.unknown(name, known));
     }
   }
   return { values: values as ValuesOf<S>, seed, renderer, manual, problems };
@@ -75,10 +78,10 @@ export function writeAddress<S extends Settings>(
   return url.href;
 }
 
-function fallbackSentence(fallback: unknown): string {
+function fallbackName(fallback: unknown): string {
   const rendererName = { pixi: '2D', three: '3D' }[String(fallback)];
-  const value = typeof fallback === 'boolean' ? (fallback ? 'on' : 'off') : (rendererName ?? fallback);
-  return `Using ${value} instead.`;
+  const { on, off } = words().address;
+  return typeof fallback === 'boolean' ? (fallback ? on : off) : (rendererName ?? String(fallback));
 }
 
 function checkRenderer(name: string, renderers: readonly string[]): string {

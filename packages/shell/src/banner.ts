@@ -1,4 +1,5 @@
 import { element } from './element.ts';
+import { words } from './words.ts';
 
 /**
  * `error` stays until it is closed or mended; `note` leaves by itself; `status` stays until the state that it names ends.
@@ -21,7 +22,7 @@ const NOTE_MS = { least: 4000, perCharacter: 66 } as const;
 export function createBanner(parent: HTMLElement): Banner {
   const text = element('p', '');
   const act = element('button', '', { type: 'button' });
-  const close = element('button', '', { type: 'button', 'aria-label': 'Hide this message' }, '✕');
+  const close = element('button', '', { type: 'button', 'aria-label': words().hideMessage }, '✕');
   const box = element('div', 'game-banner', { role: 'alert' }, text, act, close);
   box.hidden = true;
   parent.append(box);

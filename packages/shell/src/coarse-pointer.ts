@@ -1,6 +1,8 @@
+import { words } from './words.ts';
+
 /** What starts a paused game. */
 export function resumeHint(): string {
-  return hasCoarsePointer() ? 'Tap ▶ to play.' : 'Press Space or ▶ to play.';
+  return hasCoarsePointer() ? words().resumeByTouch : words().resumeByKey;
 }
 
 /** Whether the main pointer is a finger: texts then name gestures and buttons instead of keys. */

@@ -1,6 +1,7 @@
 import type { GameDefinition, HelpLine, Simulation } from './game.ts';
 import type { Keys } from './keyboard.ts';
 import type { Settings } from './settings.ts';
+import { words } from './words.ts';
 
 /** The actions that the player has in every game. */
 export interface Actions {
@@ -25,6 +26,8 @@ export interface Actions {
   screenshot(): void;
   copyLink(): void;
   recordVideo(): void;
+  /** Records the next seconds to be shared, or gives them up. */
+  shareClip(): void;
   fullScreen(): void;
   reducedMotion(): void;
   safeColors(): void;
@@ -67,7 +70,7 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
   const again: Command = {
     keys: ['z'],
     shown: 'Z',
-    description: 'replay this game from its beginning',
+    description: words().keys.replay,
     press: actions.replay,
   };
   const all = [
@@ -97,7 +100,9 @@ function settingCommands(settings: Settings, { toggle }: Actions): Command[] {
   return Object.entries(settings).flatMap(([name, setting]) => {
     if (setting.kind !== 'switch' || setting.key === undefined) return [];
     const { key, label } = setting;
-    return [{ keys: [key], shown: key.toUpperCase(), description: `${label} on or off`, press: () => toggle(name) }];
+    return [
+      { keys: [key], shown: key.toUpperCase(), description: words().keys.onOff(label), press: () => toggle(name) },
+    ];
   });
 }
 
@@ -112,7 +117,7 @@ function rendererCommands<S extends Settings, Sim extends Simulation>(
     {
       keys: [...byKey.keys()],
       shown: [...byKey.keys()].join(' '),
-      description: `draw in ${list.map(([, { label }]) => label).join(' or ')}`,
+      description: words().keys.draw(list.map(([, { label }]) => label).join(words().or)),
       press: (key) => actions.renderer(byKey.get(key) as string),
     },
   ];
@@ -120,41 +125,44 @@ function rendererCommands<S extends Settings, Sim extends Simulation>(
 
 function common(actions: Actions): Command[] {
   const { step, reset, slow, rewind, stepBack, fit, zoom } = actions;
-  const { help, sidebar, plot, profile, screenshot, recordVideo, fullScreen, reducedMotion, safeColors } = actions;
+  const { help, sidebar, plot, profile, screenshot, recordVideo, shareClip } = actions;
+  const { fullScreen, reducedMotion, safeColors } = actions;
+  const { keys } = words();
   return [
     {
       keys: [' '],
-      shown: 'Space',
-      description: 'pause and resume; hold it and drag to move the view',
+      shown: words().space,
+      description: keys.pause,
       press: () => actions.spaceBar(true),
       release: () => actions.spaceBar(false),
     },
-    { keys: ['.'], shown: '.', description: 'one step', press: step },
-    { keys: [','], shown: ',', description: 'step back', press: stepBack },
+    { keys: ['.'], shown: '.', description: keys.step, press: step },
+    { keys: [','], shown: ',', description: keys.stepBack, press: stepBack },
     {
       keys: ['backspace', 'b'],
-      shown: 'Hold B',
-      description: 'rewind, up to twenty seconds',
+      shown: words().holdB,
+      description: keys.rewind,
       press: () => rewind(true),
       release: () => rewind(false),
     },
-    { keys: ['s'], shown: 'S', description: 'slow motion', press: slow },
-    { keys: ['r'], shown: 'R', description: 'restart', press: reset },
-    { keys: ['f'], shown: 'F', description: 'fit everything on the screen', press: fit },
+    { keys: ['s'], shown: 'S', description: keys.slow, press: slow },
+    { keys: ['r'], shown: 'R', description: keys.restart, press: reset },
+    { keys: ['f'], shown: 'F', description: keys.fit, press: fit },
     {
       keys: ['+', '=', '-'],
       shown: '+ −',
-      description: 'zoom in, zoom out',
+      description: keys.zoom,
       press: (key) => zoom(key === '-' ? 0.8 : 1.25),
     },
-    { keys: ['e'], shown: 'E', description: 'next plot: energy, momentum, any value', press: plot },
-    { keys: ['o'], shown: 'O', description: 'time of a step, phase by phase', press: profile },
-    { keys: ['i'], shown: 'I', description: 'save a screenshot', press: screenshot },
-    { keys: ['j'], shown: 'J', description: 'record video; press again to stop', press: recordVideo },
-    { keys: ['w'], shown: 'W', description: 'full screen', press: fullScreen },
-    { keys: ['x'], shown: 'X', description: 'reduced motion', press: reducedMotion },
-    { keys: ['y'], shown: 'Y', description: 'colour-blind palette', press: safeColors },
-    { keys: ['p'], shown: 'P', description: 'settings panel', press: sidebar },
-    { keys: ['h', '?'], shown: 'H', description: 'this help', press: help },
+    { keys: ['e'], shown: 'E', description: keys.plot, press: plot },
+    { keys: ['o'], shown: 'O', description: keys.profile, press: profile },
+    { keys: ['i'], shown: 'I', description: keys.screenshot, press: screenshot },
+    { keys: ['j'], shown: 'J', description: keys.video, press: recordVideo },
+    { keys: ['8'], shown: '8', description: keys.clip, press: shareClip },
+    { keys: ['w'], shown: 'W', description: keys.fullScreen, press: fullScreen },
+    { keys: ['x'], shown: 'X', description: keys.motion, press: reducedMotion },
+    { keys: ['y'], shown: 'Y', description: keys.colors, press: safeColors },
+    { keys: ['p'], shown: 'P', description: keys.settings, press: sidebar },
+    { keys: ['h', '?'], shown: 'H', description: keys.help, press: help },
   ];
 }

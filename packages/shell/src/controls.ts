@@ -1,5 +1,6 @@
 import { element } from './element.ts';
 import { createTouchStick, Stick } from './stick.ts';
+import { words } from './words.ts';
 
 /** A button that the player holds down by key, touch or gamepad. */
 export interface ControlButton {
@@ -151,11 +152,16 @@ function createTouchPad(
   held: HeldButtons,
   stick: Stick | undefined,
 ): HTMLElement {
-  const pad = element('div', 'game-pad', { role: 'group', 'aria-label': 'Controls' });
+  const pad = element('div', 'game-pad', { role: 'group', 'aria-label': words().controls });
   if (stick !== undefined) pad.append(createTouchStick(stick));
   for (const [name, { label, touch = true }] of Object.entries(buttons)) {
     if (!touch || (stick !== undefined && Object.hasOwn(FOUR_WAYS, name))) continue;
-    const button = element('button', '', { type: 'button', 'data-name': name, 'aria-label': name }, label);
+    const button = element(
+      'button',
+      '',
+      { type: 'button', 'data-name': name, 'aria-label': words().ways[name] ?? name },
+      label,
+    );
     button.addEventListener('pointerdown', (event) => {
       event.preventDefault();
       button.setPointerCapture(event.pointerId);

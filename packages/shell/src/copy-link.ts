@@ -1,3 +1,5 @@
+import { words } from './words.ts';
+
 /**
  * Puts a link into the clipboard, or into the address bar where the browser refuses.
  * @returns a sentence for the player
@@ -5,10 +7,10 @@
 export async function copyLink(link: string, what: string): Promise<string> {
   try {
     await navigator.clipboard.writeText(link);
-    return `The link to ${what} was copied.`;
+    return words().linkCopied(what);
   } catch {
     history.replaceState(null, '', link);
-    return `The link to ${what} is in the address bar. Copy it from there.`;
+    return words().linkInAddress(what);
   }
 }
 /**
@@ -23,8 +25,8 @@ export async function shareText(text: string, link: string, useSheet: boolean): 
   }
   try {
     await navigator.clipboard.writeText(`${text}\n${link}`);
-    return 'Your result and a link to this game were copied.';
+    return words().resultCopied;
   } catch {
-    return 'This browser lets no page copy. Take a screenshot of your result instead.';
+    return words().cannotCopy;
   }
 }

@@ -1,4 +1,5 @@
 import type { Banner } from './banner.ts';
+import { words } from './words.ts';
 
 /** Turns what goes wrong into sentences on the banner. */
 export class Failures {
@@ -29,7 +30,7 @@ export class Failures {
   report(error: unknown): void {
     const message = error instanceof Error ? error.message : String(error);
     console.error(error);
-    this.#banner.show(`Something went wrong: ${message}`, 'error', ['Restart', () => this.guard(this.#restart)]);
+    this.#banner.show(words().wrong(message), 'error', [words().restart, () => this.guard(this.#restart)]);
   }
 
   /** Runs an action that the browser may refuse; a refusal is shown as a note, not as an error. */

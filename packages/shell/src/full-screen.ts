@@ -1,3 +1,5 @@
+import { words } from './words.ts';
+
 /**
  * Enters full screen with an element, or leaves full screen.
  * @throws Error with a sentence where the browser refuses
@@ -11,6 +13,6 @@ export async function toggleFullScreen(target: HTMLElement): Promise<void> {
     if (typeof target.requestFullscreen !== 'function') throw new TypeError('not offered');
     await target.requestFullscreen();
   } catch {
-    throw new Error('This browser does not offer full screen to pages. Add the page to the home screen instead.');
+    throw new Error(words().cannotFullScreen);
   }
 }

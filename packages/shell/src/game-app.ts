@@ -4,12 +4,11 @@ import { type Banner, createBanner } from './banner.ts';
 import { hasCoarsePointer, resumeHint } from './coarse-pointer.ts';
 import { type Actions, type Commands, gameCommands } from './commands.ts';
 import { type ControlListener, listenToControls } from './controls.ts';
-import { copyLink, shareText } from './copy-link.ts';
 import { Failures } from './failures.ts';
 import { tendFocus } from './focus.ts';
 import { DRAW, FRAME, FrameTimes, STEP } from './frame-times.ts';
 import { toggleFullScreen } from './full-screen.ts';
-import type { GameCard, GameDefinition, Simulation } from './game.ts';
+import type { GameDefinition, Simulation } from './game.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
 import { RESET_INTERVAL, SLOW_MOTION, STATS_INTERVAL } from './intervals.ts';
 import { listenToKeys } from './keyboard.ts';
@@ -17,15 +16,16 @@ import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
 import { createOutcomeCard, type OutcomeCard } from './outcome-card.ts';
 import { type AppearanceOptions, Preferences } from './preferences.ts';
-import { Recorder } from './recorder.ts';
 import { Session } from './session.ts';
 import type { Settings } from './settings.ts';
+import { Sharing } from './sharing.ts';
 import type { Sidebar } from './sidebar.ts';
 import { SpaceBar } from './space-bar.ts';
 import { bodyState, type GameHook, sessionState } from './test-hook.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
 import { createViewContext } from './view-context.ts';
 import { ViewHost } from './view-host.ts';
+import { words } from './words.ts';
 
 /** A game on a page: the session, the view and the user interface around them. */
 export class GameApp<S extends Settings, Sim extends Simulation> {
@@ -37,7 +37,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #failures: Failures;
   readonly #views: ViewHost<S, Sim>;
   readonly #toolbar: Toolbar;
-  readonly #recorder: Recorder;
+  readonly #sharing: Sharing;
   readonly #help: HelpDialog;
   readonly #space: SpaceBar;
   readonly #controls: ControlListener | undefined;
@@ -45,8 +45,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #actions: Actions;
   readonly #commands: Commands;
   /** Created after the first frame. */
-  #sidebar: Sidebar | undefined;
-  #cards: readonly GameCard<Sim>[] = [];
+  #sidebar: Sidebar<Sim> | undefined;
   readonly #preferences = new Preferences(matchMedia('(prefers-reduced-motion: reduce)').matches);
   #renderer: string;
   /** The renderer that the player chose last; its code may not have been loaded. */
@@ -81,7 +80,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const { root } = this.#layout;
     tendFocus(root);
     this.#space = new SpaceBar(this.#layout.stage, () => this.#pause());
-    this.#recorder = new Recorder(game.title, () => this.#refresh());
+    this.#sharing = this.#makeSharing();
     this.#help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
     this.#controls = game.controls && listenToControls(root, game.controls, () => this.#session.sim);
     const watch = game.replay && this.#actions.replay;
@@ -89,20 +88,24 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       game.outcome &&
       createOutcomeCard(
         root,
-        game.title,
+        game.scoresName ?? game.title,
         () => this.#playAgain(),
         watch,
-        (text) => void this.#share(text),
+        (text) => void this.#sharing.share(text),
       );
     this.#views = new ViewHost(
       createViewContext(this.#layout, this.#session, this.#preferences, {
         isSpaceHeld: () => this.#space.isHeld,
         toggle: (name) => this.#toggle(name),
         showMessage: (sentence) => this.#banner.show(sentence, 'note'),
+        clip: this.#sharing,
       }),
-      `${game.title}, drawn live; press H for help`,
+      words().drawnLive(game.title),
       {
-        onError: (sentence) => this.#banner.show(sentence, 'error', ['Try again', () => this.#show(this.#wanted)]),
+        onError: (sentence) => {
+          this.#sharing.dropClip();
+          this.#banner.show(sentence, 'error', [words().tryAgain, () => this.#show(this.#wanted)]);
+        },
         onRecovery: () => this.#banner.hide(),
       },
     );
@@ -115,7 +118,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     listenToKeys(this.#commands.pressed, this.#commands.released);
     if (this.#preferences.reducedMotion && !this.#manual) {
       this.#session.paused = true;
-      this.#banner.show(`Paused because reduced motion is on. ${resumeHint()}`, 'status');
+      this.#banner.show(words().motionPaused(resumeHint()), 'status');
     }
     document.addEventListener('visibilitychange', () => document.hidden && this.#pauseHidden());
     await this.#show(this.#renderer);
@@ -138,12 +141,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       settings: this.#game.settings,
       values: session.values,
       actions: this.#actions,
+      clip: this.#sharing,
       set: (name, value) => this.#failures.guard(() => this.#set(name, value)),
       world: () => (session.started ? session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
-      cards: (parent) => {
-        this.#cards = this.#game.cards?.(parent) ?? [];
-      },
+      cards: (parent) => this.#game.cards?.(parent) ?? [],
     });
     this.#applyAppearance();
     this.#refresh();
@@ -161,8 +163,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     else if (!this.#broken && !this.#manual && !this.#views.isLost) session.advance(seconds);
     // A player who rewound may play on, but the score is not ranked.
     this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
-    this.#sidebar?.plot.record(session.sim.world);
-    for (let i = 0; i < this.#cards.length; i++) this.#cards[i].record?.(session.sim);
+    this.#sidebar?.record(session.sim);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.add(FRAME, seconds * 1000);
     if (session.sim.world.tick !== this.#tick) this.#timing.add(STEP, session.stepTime);
@@ -176,7 +177,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const start = performance.now();
     view.draw(this.#session.alpha, seconds);
     this.#timing.add(DRAW, performance.now() - start);
-    this.#recorder.captureFrame(view.canvas);
+    this.#sharing.captureFrame(view.canvas);
   }
 
   #rewindBy(seconds: number): void {
@@ -194,16 +195,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #showStats(): void {
     this.#sinceStats = 0;
     const { sim } = this.#session;
-    const sidebar = this.#sidebar;
-    if (sidebar === undefined) return;
-    sidebar.plot.draw();
-    for (const card of this.#cards) card.show(sim);
-    sidebar.profile.show(sim.world);
     const stats = this.#timing.copyTo(this.#stats);
     stats.bodies = this.#game.bodies?.(sim) ?? bodies(sim.world).count;
     stats.contacts = this.#game.contacts?.(sim);
     stats.time = sim.world.time;
-    sidebar.stats.show(stats);
+    this.#sidebar?.show(sim, stats);
   }
 
   /**
@@ -216,6 +212,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const before = this.#views.view === undefined ? undefined : this.#renderer;
     this.#wanted = name;
     this.#renderer = name;
+    this.#sharing.dropClip(words().clipDropped);
     this.#views.close();
     this.#session.dimensions = renderer.dimensions;
     this.#refresh();
@@ -263,14 +260,14 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (this.#session.paused || !this.#session.started) return;
     this.#pause(true);
     this.#controls?.releaseAll();
-    if (this.#banner.text === '') this.#banner.show(`Paused while the page was hidden. ${resumeHint()}`, 'status');
+    if (this.#banner.text === '') this.#banner.show(words().hidden(resumeHint()), 'status');
   }
 
   #refresh(): void {
     const { paused, speed } = this.#session;
     const { reducedMotion, safeColors } = this.#preferences;
     this.#toolbar.show({ paused, slow: speed !== 1, rewinding: this.#rewinding, renderer: this.#renderer });
-    this.#sidebar?.tools.show({ recording: this.#recorder.isRecording, reducedMotion, safeColors });
+    this.#sidebar?.tools.show({ recording: this.#sharing.isRecording, reducedMotion, safeColors });
     this.#sidebar?.panel.refresh();
   }
 
@@ -298,22 +295,25 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#views.view?.canvas.focus();
   }
 
-  /** Runs an action on the freshly drawn canvas; the browser may refuse it. */
-  #attempt(action: (canvas: HTMLCanvasElement, time: number) => unknown): void {
-    const { view } = this.#views;
-    if (view === undefined) return;
-    this.#draw(0);
-    this.#failures.attempt(() => action(view.canvas, this.#session.sim.world.time));
-  }
-
-  /** Shares a result, or without one copies the link to this game. */
-  async #share(result?: string): Promise<void> {
-    const { values, seed } = this.#session;
-    const link = writeAddress(location.href, this.#game.settings, { values, seed, renderer: this.#renderer });
-    const said = await (result === undefined
-      ? copyLink(link, 'this game')
-      : shareText(result, link, hasCoarsePointer()));
-    if (said !== '') this.#banner.show(said, 'note');
+  #makeSharing(): Sharing {
+    return new Sharing({
+      title: this.#game.title,
+      root: this.#layout.root,
+      banner: this.#banner,
+      failures: this.#failures,
+      picture: () => {
+        const { view } = this.#views;
+        if (view === undefined) return undefined;
+        this.#draw(0);
+        return { canvas: view.canvas, time: this.#session.sim.world.time };
+      },
+      link: () => {
+        const { values, seed } = this.#session;
+        return writeAddress(location.href, this.#game.settings, { values, seed, renderer: this.#renderer });
+      },
+      onChange: () => this.#refresh(),
+      onClip: () => this.#session.paused && !this.#manual && this.#pause(false),
+    });
   }
 
   #makeActions(): Actions {
@@ -353,10 +353,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       sidebar: () => this.#layout.toggleSidebar(),
       plot: () => this.#sidebar?.plot.next(),
       profile: () => this.#sidebar?.profile.toggle(),
-      copyLink: () => void this.#share(),
-      screenshot: () => this.#attempt((canvas, time) => this.#recorder.saveScreenshot(canvas, time)),
-      recordVideo: () => this.#attempt((canvas, time) => this.#recorder.toggleVideo(canvas, time)),
-      fullScreen: () => this.#attempt(() => toggleFullScreen(this.#layout.root)),
+      copyLink: () => void this.#sharing.share(),
+      screenshot: () => this.#sharing.saveScreenshot(),
+      recordVideo: () => this.#sharing.toggleVideo(),
+      shareClip: () => this.#sharing.toggle(),
+      fullScreen: () => this.#failures.attempt(() => toggleFullScreen(this.#layout.root)),
       reducedMotion: () => this.#change({ reducedMotion: !preferences.reducedMotion }),
       safeColors: () => this.#change({ safeColors: !preferences.safeColors }),
       renderer: (name) => void this.#show(name),
@@ -371,7 +372,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       state: () => ({
         ...sessionState(session),
         reducedMotion: this.#preferences.reducedMotion,
-        recording: this.#recorder.isRecording,
+        recording: this.#sharing.isRecording,
         ready: this.#views.view !== undefined && this.#sidebar !== undefined,
         renderer: this.#renderer,
         banner: this.#banner.text,

@@ -1,5 +1,6 @@
 /** The interfaces between a game, the shell and the views. */
 import type { PhysicsWorld } from '@principia/physics';
+import type { ClipControl } from './clip-button.ts';
 import type { Controls } from './controls.ts';
 import type { Dragging, DragOptions } from './dragging.ts';
 import type { Outcome } from './outcome-card.ts';
@@ -49,6 +50,8 @@ export interface ViewContext<S extends Settings, Sim extends Simulation> {
   readonly safeColors: boolean;
   /** Shows a sentence until the player hides it or another message replaces it. */
   readonly showMessage: (sentence: string) => void;
+  /** Clips of the play that follows; `createClipButton` makes a button of it. */
+  readonly clip: ClipControl;
 }
 
 /** A view draws a simulation. */
@@ -94,6 +97,8 @@ export type HelpLine = readonly [input: string, description: string, only?: 'key
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly title: string;
+  /** Name under which the browser keeps scores; default the title. A game of several languages has one for all. */
+  readonly scoresName?: string;
   /** On phones the sidebar is a sheet below or beside the picture, open at the start; default false. */
   readonly hasSheet?: boolean;
   readonly settings: S;

@@ -1,4 +1,5 @@
 import { element } from './element.ts';
+import { words } from './words.ts';
 
 /** The dialog that lists keys and gestures. */
 export interface HelpDialog {
@@ -13,10 +14,10 @@ export function createHelpDialog(
 ): HelpDialog {
   const list = element('dl', '');
   for (const [keys, text] of lines) list.append(element('dt', '', {}, keys), element('dd', '', {}, text));
-  const close = element('button', '', { type: 'button' }, 'Close');
+  const close = element('button', '', { type: 'button' }, words().close);
   // The title has the focus so that the dialog opens scrolled to its top; Tab moves on to the button.
   const heading = element('h2', '', { tabindex: '-1', autofocus: '' }, title);
-  const dialog = element('dialog', 'game-help', { 'aria-label': 'Help' }, heading, list, close);
+  const dialog = element('dialog', 'game-help', { 'aria-label': words().help }, heading, list, close);
   parent.append(dialog);
   const toggle = () => (dialog.open ? dialog.close() : dialog.showModal());
   close.addEventListener('click', toggle);

@@ -1,5 +1,6 @@
 /** The parts that all games share: loop, settings panel, plot, keyboard, help and error messages. */
 export { type Address, readAddress } from './address.ts';
+export { type ClipButton, type ClipControl, createClipButton } from './clip-button.ts';
 export { hasCoarsePointer } from './coarse-pointer.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
 export { copyLink } from './copy-link.ts';
@@ -19,6 +20,7 @@ export type {
 export { type HighScore, HighScores } from './high-scores.ts';
 export { showHint } from './hint.ts';
 export { dragByJoints } from './joint-dragging.ts';
+export { chooseWords, decimal, grouped, inLanguage, type Language, language } from './language.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export type { Outcome } from './outcome-card.ts';
 export { pickBody2D } from './pick.ts';
@@ -39,6 +41,7 @@ export {
   type Value,
   type ValuesOf,
 } from './settings.ts';
+export { connectToSpeakers } from './sound-outputs.ts';
 export { startGame } from './start-game.ts';
 export { type SoundShape, Synth } from './synth.ts';
 export { listenToTaps } from './taps.ts';

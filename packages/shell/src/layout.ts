@@ -1,6 +1,7 @@
 import { element } from './element.ts';
 import type { Insets } from './game.ts';
 import { addStyles, NARROW } from './styles.ts';
+import { words } from './words.ts';
 
 /** The elements of a game's page, from back to front. */
 export interface Layout {
@@ -24,7 +25,7 @@ export function createLayout(title: string, onSidebar: () => void, isSheet = fal
   addStyles();
   const stage = element('div', 'game-stage');
   const bar = element('header', 'game-bar', {}, element('h1', 'game-title', {}, title));
-  const sidebar = element('aside', 'game-side', { 'aria-label': 'Settings and measurements' });
+  const sidebar = element('aside', 'game-side', { 'aria-label': words().measurements });
   const root = element('div', isSheet ? 'game game-sheet' : 'game', {}, stage, bar, sidebar);
   document.body.append(root);
   /** Reused because games ask in every frame. */

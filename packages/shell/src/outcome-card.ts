@@ -1,5 +1,6 @@
 import { element } from './element.ts';
 import { HighScores } from './high-scores.ts';
+import { words } from './words.ts';
 
 /** The result of a game. */
 export interface Outcome {
@@ -38,15 +39,15 @@ export function createOutcomeCard(
   const scores = new HighScores(game);
   const title = element('h2', '');
   const lines = element('div', '');
-  const list = element('ol', '', { 'aria-label': 'High scores' });
-  const button = element('button', '', { type: 'button' }, 'Play again');
+  const list = element('ol', '', { 'aria-label': words().highScores });
+  const button = element('button', '', { type: 'button' }, words().playAgain);
   const card = element('section', 'game-outcome', { role: 'alert' }, title, lines, list, button);
   if (watch !== undefined) {
-    const replay = element('button', 'second', { type: 'button' }, 'Watch replay');
+    const replay = element('button', 'second', { type: 'button' }, words().watchReplay);
     replay.addEventListener('click', watch);
     card.append(replay);
   }
-  const send = element('button', 'second', { type: 'button' }, 'Share result');
+  const send = element('button', 'second', { type: 'button' }, words().shareResult);
   let text = '';
   send.addEventListener('click', () => share(text));
   card.append(send);
@@ -60,7 +61,7 @@ export function createOutcomeCard(
   const showOutcome = (outcome: Outcome, isRanked: boolean) => {
     const rank = isRanked ? scores.add(outcome.score, new Date().toISOString().slice(0, 10)) : -1;
     title.textContent = outcome.title;
-    const more = isRanked ? (rank === 0 ? ['New high score!'] : []) : ['Not ranked: you rewound.'];
+    const more = isRanked ? (rank === 0 ? [words().newHighScore] : []) : [words().notRanked];
     const texts = [...outcome.lines, ...more];
     lines.replaceChildren(...texts.map((line) => element('p', '', {}, line)));
     const rows = scores.list.map(({ score, day }, i) =>

@@ -1,6 +1,7 @@
 import { type Controller, GUI } from 'lil-gui';
 import { addLogSlider } from './log-slider.ts';
 import type { NumberSetting, Setting, Settings } from './settings.ts';
+import { words } from './words.ts';
 
 /** Sliders and switches for a game's settings. */
 export interface Panel {
@@ -19,7 +20,7 @@ export function createPanel(
   values: Readonly<Record<string, unknown>>,
   onChange: (name: string, value: unknown) => void,
 ): Panel {
-  const gui = new GUI({ container: parent, title: 'Settings' });
+  const gui = new GUI({ container: parent, title: words().settings });
   const controllers = Object.entries(settings).flatMap(([name, setting]) => {
     const proxy = Object.defineProperty({} as Record<string, never>, name, {
       get: () => values[name],
@@ -48,9 +49,6 @@ export function createPanel(
   };
 }
 
-/** Label of a value that has no name. */
-const OWN = 'as above';
-
 /** A list of named values of a slider. */
 function addPresets(
   gui: GUI,
@@ -58,15 +56,17 @@ function addPresets(
   read: () => number,
   write: (value: number) => void,
 ): Controller {
+  /** Label of a value that has no name. */
+  const own = words().asAbove;
   const proxy = {
     get named() {
-      return Object.keys(presets).find((name) => presets[name] === read()) ?? OWN;
+      return Object.keys(presets).find((name) => presets[name] === read()) ?? own;
     },
     set named(name: string) {
-      if (name !== OWN) write(presets[name]);
+      if (name !== own) write(presets[name]);
     },
   };
-  return gui.add(proxy, 'named', [OWN, ...Object.keys(presets)]).name('');
+  return gui.add(proxy, 'named', [own, ...Object.keys(presets)]).name('');
 }
 
 function addController(gui: GUI, proxy: Record<string, never>, name: string, setting: Setting): Controller {

@@ -13,6 +13,7 @@ import {
 import { SAFE_COLORS } from './preferences.ts';
 import { SeriesHistory } from './series-history.ts';
 import { siNumber } from './si-number.ts';
+import { words } from './words.ts';
 
 /** A plot over the last seconds: energies, momenta, or any column. */
 export interface PlotCard {
@@ -36,19 +37,7 @@ const PLOTS = ['Energy', 'Momentum', 'Angular momentum', 'Any value'] as const;
 
 /** @param world returns the world on display */
 export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | undefined): PlotCard {
-  const choice = select('Plot', PLOTS);
-  const column = select('Value', []);
-  const body = element('input', '', { type: 'number', min: '0', step: '1', value: '0', 'aria-label': 'Body' });
-  const which = element(
-    'div',
-    'game-plot-column',
-    {},
-    column,
-    element('label', '', { title: '0 shows any body: minimum, mean and maximum of all' }, 'body ', body),
-  );
-  const names = element('span', '');
-  const card = element('section', 'game-card', { 'aria-label': 'Plot' }, element('h2', '', {}, choice, names), which);
-  parent.append(card);
+  const { choice, column, body, which, names, card } = createElements(parent);
   const state = { safe: false, source: energySource as PlotSource, stale: false, shown: '' };
   let history = new SeriesHistory(3, SAMPLES, INTERVAL);
   let values = new Float64Array(3);
@@ -70,7 +59,9 @@ export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | 
     history = new SeriesHistory(series.length, SAMPLES, INTERVAL);
     values = new Float64Array(series.length);
     const colors = state.safe ? SAFE : COLORS;
-    names.replaceChildren(...series.map((name, i) => element('i', '', { style: `--mark: ${colors[i]}` }, name)));
+    names.replaceChildren(
+      ...series.map((name, i) => element('i', '', { style: `--mark: ${colors[i]}` }, words().names[name] ?? name)),
+    );
     plot?.destroy();
     plot = new uPlot(plotOptions(state.source, colors), history.data(), card);
   };
@@ -106,9 +97,37 @@ export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | 
   };
 }
 
-function select(label: string, options: readonly string[]): HTMLSelectElement {
+function createElements(parent: HTMLElement) {
+  const { plots, plot: plotLabel, value, body: bodyLabel, bodyTitle, bodyHint } = words();
+  const choice = select(
+    plotLabel,
+    PLOTS.map((name) => [name, plots[name]] as const),
+  );
+  const column = select(value, []);
+  const body = element('input', '', { type: 'number', min: '0', step: '1', value: '0', 'aria-label': bodyTitle });
+  const which = element(
+    'div',
+    'game-plot-column',
+    {},
+    column,
+    element('label', '', { title: bodyHint }, `${bodyLabel} `, body),
+  );
+  const names = element('span', '');
+  const card = element(
+    'section',
+    'game-card',
+    { 'aria-label': plotLabel },
+    element('h2', '', {}, choice, names),
+    which,
+  );
+  parent.append(card);
+  return { choice, column, body, which, names, card };
+}
+
+/** @param options pairs of value and label */
+function select(label: string, options: readonly (readonly [string, string])[]): HTMLSelectElement {
   const made = element('select', '', { 'aria-label': label });
-  for (const option of options) made.append(element('option', '', {}, option));
+  for (const [value, shown] of options) made.append(element('option', '', { value }, shown));
   return made;
 }
 

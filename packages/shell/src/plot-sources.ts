@@ -9,6 +9,7 @@ import {
   momentum,
   type PhysicsWorld,
 } from '@principia/physics';
+import { words } from './words.ts';
 
 /** Quantities that share a plot. */
 export interface PlotSource {
@@ -99,7 +100,7 @@ export function columnSource(name: ColumnName, body: number): PlotSource {
   const { unit } = fields[name.field];
   return {
     unit,
-    series: body > 0 ? [`body ${body}`] : ['minimum', 'mean', 'maximum'],
+    series: body > 0 ? [words().bodyNumber(body)] : ['minimum', 'mean', 'maximum'],
     read(world, out) {
       const { ids, count } = bodies(world);
       const column = columnOf(world, name);

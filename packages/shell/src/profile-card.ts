@@ -1,5 +1,7 @@
 import { PHASES, type PhysicsWorld, type Profile, resetProfile, startProfile, stopProfile } from '@principia/physics';
 import { element } from './element.ts';
+import { decimal } from './language.ts';
+import { words } from './words.ts';
 
 /** The time of a step, phase by phase. */
 export interface ProfileCard {
@@ -10,14 +12,14 @@ export interface ProfileCard {
 
 export function createProfileCard(parent: HTMLElement): ProfileCard {
   const list = element('dl', 'game-profile');
-  const title = element('h2', '', {}, 'A step, phase by phase');
-  const card = element('section', 'game-card', { 'aria-label': 'Profile' }, title, list);
+  const title = element('h2', '', {}, words().profileTitle);
+  const card = element('section', 'game-card', { 'aria-label': words().profile }, title, list);
   card.hidden = true;
   parent.append(card);
   const rows = PHASES.map((phase) => {
     const bar = element('i', '');
     const time = element('dd', '', {}, '–');
-    list.append(element('dt', '', {}, phase), bar, time);
+    list.append(element('dt', '', {}, words().names[phase] ?? phase), bar, time);
     return { phase, bar, time };
   });
   let watched: { readonly world: PhysicsWorld; readonly profile: Profile; tick: number } | undefined;
@@ -36,7 +38,7 @@ export function createProfileCard(parent: HTMLElement): ProfileCard {
       const sum = times.reduce((total, time) => total + time, 0);
       for (const [i, { bar, time }] of rows.entries()) {
         bar.style.setProperty('--share', String(sum > 0 ? times[i] / sum : 0));
-        time.textContent = `${times[i].toFixed(times[i] < 1 ? 3 : 1)} ms`;
+        time.textContent = `${decimal(times[i], times[i] < 1 ? 3 : 1)} ms`;
       }
     }
     resetProfile(profile);

@@ -1,3 +1,5 @@
+import { words } from './words.ts';
+
 // Screenshots of a game: the canvas drawn over the page's background.
 
 /** The background of every game; equal to that of the style sheet. */
@@ -11,7 +13,7 @@ const BACKGROUND = [
 export function drawOverBackground(source: HTMLCanvasElement, target: HTMLCanvasElement): void {
   const { width, height } = target;
   const context = target.getContext('2d', { alpha: false });
-  if (context === null) throw new Error('The browser has no memory left for a screenshot. Close other pages.');
+  if (context === null) throw new Error(words().noMemory);
   const gradient = context.createRadialGradient(0.42 * width, 0.12 * height, 0, 0.42 * width, 0.12 * height, width);
   for (const [at, color] of BACKGROUND) gradient.addColorStop(at, color);
   context.fillStyle = gradient;
@@ -19,11 +21,18 @@ export function drawOverBackground(source: HTMLCanvasElement, target: HTMLCanvas
   context.drawImage(source, 0, 0, width, height);
 }
 
-/** A canvas of the same size as another, rounded to even numbers because video encoders require them. */
-export function canvasLike({ width, height }: HTMLCanvasElement): HTMLCanvasElement {
+/**
+ * A canvas of the same size as another, rounded to even numbers because video encoders require them.
+ * @param maxSide scales a larger one down so that its longer side has this length, pixels
+ */
+export function canvasLike(
+  { width, height }: HTMLCanvasElement,
+  maxSide = Number.POSITIVE_INFINITY,
+): HTMLCanvasElement {
+  const scale = Math.min(1, maxSide / Math.max(width, height, 1));
   const made = document.createElement('canvas');
-  made.width = Math.max(2, width & ~1);
-  made.height = Math.max(2, height & ~1);
+  made.width = Math.max(2, Math.round(scale * width) & ~1);
+  made.height = Math.max(2, Math.round(scale * height) & ~1);
   return made;
 }
 
@@ -32,7 +41,7 @@ export async function screenshotPng(source: HTMLCanvasElement): Promise<Blob> {
   const copy = canvasLike(source);
   drawOverBackground(source, copy);
   const blob = await new Promise<Blob | null>((done) => copy.toBlob(done, 'image/png'));
-  if (blob === null) throw new Error('The screenshot could not be encoded. The window may be too large or too small.');
+  if (blob === null) throw new Error(words().noPng);
   return blob;
 }
 

@@ -1,3 +1,5 @@
+import { words } from './words.ts';
+
 /** A numeric setting. */
 export interface NumberSetting {
   readonly kind: 'number';
@@ -89,18 +91,16 @@ export function initialValues<S extends Settings>(settings: S): ValuesOf<S> {
  */
 export function checkValue(name: string, setting: Setting, value: unknown): Value {
   const wrong = (wanted: string): never => {
-    throw new Error(`${name} must be ${wanted}, but it was ${typeof value === 'string' ? `“${value}”` : value}.`);
+    throw new Error(words().address.wrong(name, wanted, typeof value === 'string' ? `“${value}”` : String(value)));
   };
-  if (setting.kind === 'switch') return typeof value === 'boolean' ? value : wrong('on or off');
+  if (setting.kind === 'switch') return typeof value === 'boolean' ? value : wrong(words().address.onOrOff);
   if (setting.kind === 'choice') {
     const choices = Object.values(setting.choices);
-    return choices.includes(value as string) ? (value as string) : wrong(choices.join(' or '));
+    return choices.includes(value as string) ? (value as string) : wrong(choices.join(words().or));
   }
   const { min, max, integer, unit } = setting;
   const fits = typeof value === 'number' && value >= min && value <= max && (!integer || Number.isInteger(value));
-  return fits
-    ? value
-    : wrong(`a ${integer ? 'whole ' : ''}number from ${min} to ${max}${unit === '' ? '' : ` ${unit}`}`);
+  return fits ? value : wrong(words().address.range(integer, min, max, unit));
 }
 
 /** Parses a value from the address. @throws Error with a sentence that states the allowed values */

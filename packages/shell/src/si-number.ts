@@ -1,3 +1,5 @@
+import { inLanguage } from './language.ts';
+
 const PREFIXES = [
   [1e12, 'T'],
   [1e9, 'G'],
@@ -20,6 +22,6 @@ export function siNumber(value: number, unit: string): string {
 
 function short(value: number): string {
   const size = Math.abs(value);
-  if (size !== 0 && (size >= 1e5 || size < 1e-3)) return value.toExponential(1).replace('e+', 'e');
-  return String(Number(value.toPrecision(3)));
+  const isPlain = size === 0 || (size < 1e5 && size >= 1e-3);
+  return inLanguage(isPlain ? String(Number(value.toPrecision(3))) : value.toExponential(1).replace('e+', 'e'));
 }

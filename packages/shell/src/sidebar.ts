@@ -1,23 +1,28 @@
 /** The cards beside the picture. They are not needed at the start, so they are loaded after the first frame. */
 import type { PhysicsWorld } from '@principia/physics';
+import type { ClipControl } from './clip-button.ts';
 import type { Actions } from './commands.ts';
+import type { GameCard, Simulation } from './game.ts';
 import { createPanel, type Panel } from './panel.ts';
 import { createPlotCard, type PlotCard } from './plot-card.ts';
 import { createProfileCard, type ProfileCard } from './profile-card.ts';
 import type { Settings } from './settings.ts';
-import { createStats, type Stats } from './stats.ts';
+import { createStats, type Statistics } from './stats.ts';
 import { createToolsCard, type ToolsCard } from './tools-card.ts';
 
 /** The cards, from top to bottom. */
-export interface Sidebar {
+export interface Sidebar<Sim extends Simulation> {
   readonly panel: Panel;
   readonly plot: PlotCard;
-  readonly stats: Stats;
   readonly profile: ProfileCard;
   readonly tools: ToolsCard;
+  /** Records the values of plots; call it after the steps of a frame. */
+  record(sim: Sim): void;
+  /** Shows the values; call it a few times a second. */
+  show(sim: Sim, statistics: Statistics): void;
 }
 
-export interface SidebarOptions {
+export interface SidebarOptions<Sim extends Simulation> {
   readonly settings: Settings;
   /** Read for display; written only through `set`. */
   readonly values: Readonly<Record<string, unknown>>;
@@ -25,21 +30,36 @@ export interface SidebarOptions {
   /** The world on display. */
   readonly world: () => PhysicsWorld | undefined;
   readonly actions: Actions;
+  readonly clip: ClipControl;
   /** Whether games can be replayed. */
   readonly canReplay: boolean;
   /** Creates the game's own cards. */
-  readonly cards: (parent: HTMLElement) => void;
+  readonly cards: (parent: HTMLElement) => readonly GameCard<Sim>[];
 }
 
-export function createSidebar(parent: HTMLElement, options: SidebarOptions): Sidebar {
-  const { settings, values, set, world, actions, canReplay, cards } = options;
+export function createSidebar<Sim extends Simulation>(parent: HTMLElement, options: SidebarOptions<Sim>): Sidebar<Sim> {
+  const { settings, values, set, world, actions, clip, canReplay } = options;
   const panel = createPanel(parent, settings, values, set);
-  cards(parent);
+  const cards = options.cards(parent);
+  const plot = createPlotCard(parent, world);
+  const stats = createStats(parent);
+  const profile = createProfileCard(parent);
+  const tools = createToolsCard(parent, actions, clip, canReplay);
   return {
     panel,
-    plot: createPlotCard(parent, world),
-    stats: createStats(parent),
-    profile: createProfileCard(parent),
-    tools: createToolsCard(parent, actions, canReplay),
+    plot,
+    profile,
+    tools,
+    // Called in every frame, so without a closure.
+    record(sim) {
+      plot.record(sim.world);
+      for (let i = 0; i < cards.length; i++) cards[i].record?.(sim);
+    },
+    show(sim, statistics) {
+      plot.draw();
+      for (const card of cards) card.show(sim);
+      profile.show(sim.world);
+      stats.show(statistics);
+    },
   };
 }

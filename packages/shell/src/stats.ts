@@ -1,4 +1,6 @@
 import { element } from './element.ts';
+import { decimal, grouped } from './language.ts';
+import { words } from './words.ts';
 
 /** The statistics of one update. */
 export interface Statistics {
@@ -18,23 +20,22 @@ export interface Stats {
   show(statistics: Statistics): void;
 }
 
-const thousands = new Intl.NumberFormat('en').format;
-const milliseconds = (value: number) => `${value < 9.95 ? value.toFixed(value < 0.995 ? 2 : 1) : value.toFixed(0)} ms`;
+const milliseconds = (value: number) => `${decimal(value, value < 9.95 ? (value < 0.995 ? 2 : 1) : 0)} ms`;
 
 export function createStats(parent: HTMLElement): Stats {
   const list = element('dl', 'game-stats');
-  const cells = ['frame', 'bodies', 'step', 'contacts', 'draw', 'time'].map((label) => {
+  const cells = words().stats.map((label) => {
     const cell = element('dd', '', {}, '–');
     list.append(element('dt', '', {}, label), cell);
     return cell;
   });
-  parent.append(element('section', 'game-card', { 'aria-label': 'Statistics' }, list));
+  parent.append(element('section', 'game-card', { 'aria-label': words().statistics }, list));
   return {
     show({ frame, step, draw, bodies, contacts, time }) {
       // Texts are not made while the table is hidden.
       if (list.offsetParent === null) return;
-      const texts = [milliseconds(frame), thousands(bodies), milliseconds(step)];
-      texts.push(contacts === undefined ? '–' : thousands(contacts), milliseconds(draw), `${time.toFixed(1)} s`);
+      const texts = [milliseconds(frame), grouped(bodies), milliseconds(step)];
+      texts.push(contacts === undefined ? '–' : grouped(contacts), milliseconds(draw), `${decimal(time, 1)} s`);
       for (const [i, text] of texts.entries()) if (cells[i].textContent !== text) cells[i].textContent = text;
     },
   };

@@ -1,5 +1,6 @@
 /** Analogue sticks: one on the screen for a thumb, and that of a gamepad. */
 import { element } from './element.ts';
+import { words } from './words.ts';
 
 /** Takes a deflection: fractions per axis, y up, at most 1 long; (0, 0) when released. */
 export type Steer = (x: number, y: number) => void;
@@ -42,7 +43,7 @@ export class Stick {
 /** Creates a stick on the screen, to be dragged from its centre. */
 export function createTouchStick(stick: Stick): HTMLElement {
   const knob = element('i', '');
-  const base = element('div', 'game-stick', { role: 'img', 'aria-label': 'Stick: drag it to steer' }, knob);
+  const base = element('div', 'game-stick', { role: 'img', 'aria-label': words().stick }, knob);
   let pointer: number | undefined;
   const move = (event: PointerEvent) => {
     if (event.pointerId !== pointer) return;

@@ -49,6 +49,17 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   font: inherit; font-size: 12px; line-height: 1; padding: 7px 10px; cursor: pointer }
 .game-tools button:hover { background: #ffffff22 } .game-tools button:focus-visible { outline: 2px solid var(--accent) }
 .game-tools button[aria-pressed=true] { background: var(--accent); border-color: transparent; color: #1c1503 }
+/* A clip in progress fills its button from the left. */
+.game [data-clip][aria-pressed=true] { border-color: transparent; color: #1c1503; font-variant-numeric: tabular-nums;
+  background: linear-gradient(#ffffff70, #ffffff70) 0 0 / calc(100% * var(--done, 0)) 100% no-repeat var(--accent) }
+.game-clip { position: absolute; left: 50%; top: 50%; translate: -50% -50%; box-sizing: border-box; max-width: calc(100% - 24px);
+  padding: 12px; border: 1px solid var(--line); border-radius: 18px; background: #141b36f7; box-shadow: 0 24px 80px #000c; z-index: 4 }
+.game-clip video { display: block; max-width: min(520px, 100%); max-height: 50vh; margin: 0 auto; border-radius: 10px; background: #000 }
+.game-clip div { display: flex; gap: 8px; justify-content: center; margin-top: 12px }
+.game-clip button { border: 1px solid var(--line); border-radius: 11px; padding: 9px 18px; background: #ffffff1c; color: var(--ink);
+  font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
+.game-clip button:first-child { background: var(--accent); color: #1c1503 }
+.game-clip button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
 .game-stats { display: grid; grid-template-columns: auto auto auto auto; gap: 0 8px; margin: 0; font-size: 12px;
   font-variant-numeric: tabular-nums }
 .game-stats dt { color: var(--dim) } .game-stats dd { margin: 0; text-align: right }
@@ -85,7 +96,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   width: 64px; height: 64px }
 @media (pointer: coarse) { .game-pad { display: grid } .game-bar :is(button, a) { min-width: 44px; height: 44px }
   .game-side .lil-gui { --row-height: 48px; --widget-height: 44px; --checkbox-size: 28px }
-  .game-tools button, .game-banner button, .game-help button, .game-outcome button { min-height: 44px; min-width: 44px }
+  .game-tools button, .game-banner button, .game-help button, .game-outcome button, .game-clip button { min-height: 44px; min-width: 44px }
   .game-card select, .game-card input { min-height: 44px } }
 .game-outcome { position: absolute; left: 50%; top: 50%; translate: -50% -50%; min-width: 240px; padding: 24px 32px 26px;
   border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;

@@ -1,4 +1,5 @@
 /** Short sounds, synthesised: a tone that glides, and filtered noise. Where Web Audio is missing or blocked, silence. */
+import { connectToSpeakers } from './sound-outputs.ts';
 
 /** A sound with an exponential decay. */
 export interface SoundShape {
@@ -88,7 +89,7 @@ export class Synth {
 
   #connect(context: AudioContext): AudioNode {
     const limiter = new DynamicsCompressorNode(context, { threshold: -16, ratio: 10, attack: 0.002, release: 0.15 });
-    limiter.connect(context.destination);
+    connectToSpeakers(limiter);
     return limiter;
   }
 

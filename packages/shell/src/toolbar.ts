@@ -1,5 +1,6 @@
 import type { Actions } from './commands.ts';
 import { element } from './element.ts';
+import { words } from './words.ts';
 
 /** The state that the toolbar shows. */
 export interface ToolbarState {
@@ -37,31 +38,31 @@ export function createToolbar(
   home?: string,
 ): Toolbar {
   if (home !== undefined) bar.prepend(homeLink(home));
-  const pause = iconButton('pause', 'Pause (Space)', actions.pause);
+  const pause = iconButton('pause', words().pause, actions.pause);
   const rewind = holdButton(actions);
-  const slow = iconButton('slow', 'Slow motion (S)', actions.slow);
-  const fit = iconButton('fit', 'Show everything (F)', actions.fit);
-  const step = iconButton('step', 'One step (.)', actions.step);
+  const slow = iconButton('slow', words().slow, actions.slow);
+  const fit = iconButton('fit', words().fit, actions.fit);
+  const step = iconButton('step', words().step, actions.step);
   // Narrow windows hide the buttons whose function a key or the panel has too.
   for (const button of [fit, step, slow]) button.dataset.minor = '';
-  bar.append(rewind, pause, step, slow, iconButton('reset', 'Restart (R)', actions.reset), fit);
+  bar.append(rewind, pause, step, slow, iconButton('reset', words().reset, actions.reset), fit);
   const switches = renderers.map(([name, label]) => {
     const button = element(
       'button',
       '',
-      { type: 'button', title: `Draw in ${label} (${label[0]})`, 'data-renderer': name },
+      { type: 'button', title: words().drawIn(label), 'data-renderer': name },
       label,
     );
     button.addEventListener('click', () => actions.renderer(name));
     if (renderers.length > 1) bar.append(button);
     return { name, button };
   });
-  const help = element('button', '', { type: 'button', title: 'Help (H)', 'aria-label': 'Help' }, '?');
+  const help = element('button', '', { type: 'button', title: `${words().help} (H)`, 'aria-label': words().help }, '?');
   help.addEventListener('click', actions.help);
-  bar.append(iconButton('panel', 'Settings (P)', actions.sidebar), help);
+  bar.append(iconButton('panel', words().settingsButton, actions.sidebar), help);
   return {
     show({ paused, slow: isSlow, rewinding, renderer }) {
-      setIcon(pause, paused ? 'play' : 'pause', paused ? 'Resume (Space)' : 'Pause (Space)');
+      setIcon(pause, paused ? 'play' : 'pause', paused ? words().resume : words().pause);
       slow.setAttribute('aria-pressed', String(isSlow));
       rewind.setAttribute('aria-pressed', String(rewinding));
       for (const { name, button } of switches) button.setAttribute('aria-pressed', String(name === renderer));
@@ -70,14 +71,14 @@ export function createToolbar(
 }
 
 function homeLink(address: string): HTMLAnchorElement {
-  const link = element('a', '', { href: address, title: 'All games', 'aria-label': 'All games' });
+  const link = element('a', '', { href: address, title: words().allGames, 'aria-label': words().allGames });
   link.innerHTML = svg('home');
   return link;
 }
 
 /** Rewinds while it is held down; activated by keyboard, it steps back once. */
 function holdButton({ rewind, stepBack }: Actions): HTMLButtonElement {
-  const button = iconButton('rewind', 'Rewind (hold, or B)', (event) => event.detail === 0 && stepBack());
+  const button = iconButton('rewind', words().rewind, (event) => event.detail === 0 && stepBack());
   button.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     button.setPointerCapture(event.pointerId);

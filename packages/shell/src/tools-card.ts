@@ -1,5 +1,7 @@
+import { type ClipControl, createClipButton } from './clip-button.ts';
 import type { Actions } from './commands.ts';
 import { element } from './element.ts';
+import { words } from './words.ts';
 
 /** The state of the card's switches. */
 export interface ToolsState {
@@ -14,8 +16,13 @@ export interface ToolsCard {
 }
 
 /** @param canReplay whether games can be replayed */
-export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay: boolean): ToolsCard {
-  const card = element('section', 'game-card game-tools', { 'aria-label': 'Picture' });
+export function createToolsCard(
+  parent: HTMLElement,
+  actions: Actions,
+  clip: ClipControl,
+  canReplay: boolean,
+): ToolsCard {
+  const card = element('section', 'game-card game-tools', { 'aria-label': words().picture });
   parent.append(card);
   const add = (label: string, title: string, action: () => void) => {
     const button = element('button', '', { type: 'button', title }, label);
@@ -23,16 +30,19 @@ export function createToolsCard(parent: HTMLElement, actions: Actions, canReplay
     card.append(button);
     return button;
   };
-  if (canReplay) add('Replay', 'Replay this game from its beginning (Z)', actions.replay);
-  add('Copy link', 'Copy a link to this game with its settings and seed', actions.copyLink);
-  add('Screenshot', 'Save a screenshot (I)', actions.screenshot);
-  const video = add('Record video', 'Record video (J)', actions.recordVideo);
-  add('Full screen', 'Full screen (W)', actions.fullScreen);
-  const motion = add('Reduced motion', 'Reduced motion (X)', actions.reducedMotion);
-  const colors = add('Colour-blind palette', 'Colour-blind palette (Y)', actions.safeColors);
+  if (canReplay) add(words().replay, words().replayHint, actions.replay);
+  add(words().copyLink, words().copyLinkHint, actions.copyLink);
+  const clipButton = createClipButton(clip);
+  card.append(clipButton.button);
+  add(words().screenshot, words().screenshotHint, actions.screenshot);
+  const video = add(words().record, words().recordHint, actions.recordVideo);
+  add(words().fullScreen, `${words().fullScreen} (W)`, actions.fullScreen);
+  const motion = add(words().motionTool, `${words().motionTool} (X)`, actions.reducedMotion);
+  const colors = add(words().colorsTool, `${words().colorsTool} (Y)`, actions.safeColors);
   return {
     show({ recording, reducedMotion, safeColors }) {
-      video.textContent = recording ? '● Stop' : 'Record video';
+      clipButton.update();
+      video.textContent = recording ? words().recordStop : words().record;
       video.setAttribute('aria-pressed', String(recording));
       motion.setAttribute('aria-pressed', String(reducedMotion));
       colors.setAttribute('aria-pressed', String(safeColors));

@@ -1,4 +1,5 @@
 import { canvasLike, drawOverBackground } from './screenshot.ts';
+import { words } from './words.ts';
 
 /** A video recording in progress. */
 export interface VideoRecording {
@@ -6,12 +7,37 @@ export interface VideoRecording {
   captureFrame(source: HTMLCanvasElement): void;
   /** Ends the recording. */
   stop(): void;
+  /** Ends the recording and discards it. */
+  discard(): void;
 }
 
-/** Video formats, the most widely supported first. */
-const FORMATS = ['video/mp4;codecs=avc1.640028', 'video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
-/** Longest recording, s. The video is held in memory, so a forgotten recording must end. */
+export interface VideoOptions {
+  /** Longest recording, s. Default 300: the video is held in memory, so a forgotten recording must end. */
+  readonly maxSeconds?: number;
+  /** Longer side of the video, pixels; default that of the canvas. */
+  readonly maxSide?: number;
+  readonly bitsPerSecond?: number;
+  /** Most frames a second; default every frame that is drawn. */
+  readonly maxRate?: number;
+  /** Called when the encoder has its first picture, from which on the video counts. */
+  readonly onStart?: () => void;
+  /** Default none: a silent video. */
+  readonly sound?: MediaStreamTrack;
+}
+
+/** Formats, the one that most programs play first, each without and with sound. */
+const FORMATS = [
+  ['video/mp4;codecs=avc1.640028', 'video/mp4;codecs=avc1.640028,mp4a.40.2'],
+  ['video/mp4;codecs=avc1.42E01F', 'video/mp4;codecs=avc1.42E01F,mp4a.40.2'],
+  ['video/mp4;codecs=avc1.640028', 'video/mp4;codecs=avc1.640028,opus'],
+  ['video/webm;codecs=vp9', 'video/webm;codecs=vp9,opus'],
+  ['video/webm;codecs=vp8', 'video/webm;codecs=vp8,opus'],
+  ['video/webm', 'video/webm'],
+  ['video/mp4', 'video/mp4'],
+] as const;
 const MAX_SECONDS = 300;
+/** Milliseconds from the last picture to the end, because an encoder drops what it has not yet encoded. */
+const ENCODER_LAG = 300;
 const BITS_PER_SECOND = 12e6;
 
 /**
@@ -19,35 +45,80 @@ const BITS_PER_SECOND = 12e6;
  * @param onEnd receives the video and its file extension
  * @throws Error with a sentence where the browser cannot record
  */
-export function startVideo(source: HTMLCanvasElement, onEnd: (video: Blob, extension: string) => void): VideoRecording {
-  const copy = canvasLike(source);
-  const format = formatOf(copy);
+export function startVideo(
+  source: HTMLCanvasElement,
+  onEnd: (video: Blob, extension: string) => void,
+  {
+    maxSeconds = MAX_SECONDS,
+    maxSide,
+    bitsPerSecond = BITS_PER_SECOND,
+    maxRate = 1000,
+    onStart,
+    sound,
+  }: VideoOptions = {},
+): VideoRecording {
+  const copy = canvasLike(source, maxSide);
+  const format = formatOf(copy, sound !== undefined);
   drawOverBackground(source, copy);
-  const recorder = new MediaRecorder(copy.captureStream(), { mimeType: format, videoBitsPerSecond: BITS_PER_SECOND });
+  const stream = copy.captureStream();
+  if (sound !== undefined) stream.addTrack(sound);
+  const recorder = new MediaRecorder(stream, { mimeType: format, videoBitsPerSecond: bitsPerSecond });
   const pieces: Blob[] = [];
-  const timer = setTimeout(() => stop(), MAX_SECONDS * 1000);
-  const stop = () => {
+  let isWanted = true;
+  let last = performance.now();
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const begin = () => {
+    if (isComplete) return;
+    clearTimeout(timer);
+    timer = setTimeout(() => stop(), maxSeconds * 1000);
+  };
+  let isComplete = false;
+  const end = () => {
     clearTimeout(timer);
     if (recorder.state !== 'inactive') recorder.stop();
+  };
+  const stop = () => {
+    if (isComplete) return;
+    isComplete = true;
+    clearTimeout(timer);
+    timer = setTimeout(end, ENCODER_LAG);
+  };
+  recorder.onstart = () => {
+    begin();
+    onStart?.();
   };
   recorder.ondataavailable = ({ data }) => {
     if (data.size > 0) pieces.push(data);
   };
   recorder.onstop = () => {
-    for (const track of recorder.stream.getTracks()) track.stop();
-    onEnd(new Blob(pieces, { type: format }), format.startsWith('video/mp4') ? 'mp4' : 'webm');
+    clearTimeout(timer);
+    for (const track of stream.getTracks()) track.stop();
+    // The bare type: share sheets do not know codecs.
+    const [type] = format.split(';');
+    if (isWanted) onEnd(new Blob(pieces, { type }), type === 'video/mp4' ? 'mp4' : 'webm');
   };
   recorder.start(1000);
+  begin();
   return {
-    captureFrame: (from) => drawOverBackground(from, copy),
+    captureFrame(from) {
+      const now = performance.now();
+      // Displays are not exact: a frame that is due within a fifth of the interval counts.
+      if (isComplete || now - last < 800 / maxRate) return;
+      last = now;
+      drawOverBackground(from, copy);
+    },
     stop,
+    discard() {
+      isWanted = false;
+      end();
+    },
   };
 }
 
-function formatOf(canvas: HTMLCanvasElement): string {
+function formatOf(canvas: HTMLCanvasElement, hasSound: boolean): string {
   const canRecord = typeof MediaRecorder === 'function' && typeof canvas.captureStream === 'function';
-  const format = canRecord ? FORMATS.find((each) => MediaRecorder.isTypeSupported(each)) : undefined;
-  if (format === undefined)
-    throw new Error('This browser cannot record video. Use the screen recorder of your system.');
+  const names = FORMATS.map(([silent, heard]) => (hasSound ? heard : silent));
+  const format = canRecord ? names.find((each) => MediaRecorder.isTypeSupported(each)) : undefined;
+  if (format === undefined) throw new Error(words().cannotRecord);
   return format;
 }

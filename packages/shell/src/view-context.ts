@@ -9,7 +9,7 @@ export function createViewContext<S extends Settings, Sim extends Simulation>(
   layout: Layout,
   session: Session<S, Sim>,
   preferences: Preferences,
-  own: Pick<ViewContext<S, Sim>, 'isSpaceHeld' | 'toggle' | 'showMessage'>,
+  own: Pick<ViewContext<S, Sim>, 'isSpaceHeld' | 'toggle' | 'showMessage' | 'clip'>,
 ): ViewContext<S, Sim> {
   return {
     ...own,

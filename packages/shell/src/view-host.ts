@@ -1,5 +1,6 @@
 import type { Renderer, Simulation, View, ViewContext } from './game.ts';
 import type { Settings } from './settings.ts';
+import { words } from './words.ts';
 
 /** Events of a view, with messages for the player. */
 export interface ViewHostEvents {
@@ -62,7 +63,7 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
     canvas.addEventListener('webglcontextlost', () => {
       if (this.view === view) {
         this.isLost = true;
-        this.#events.onError('Graphics interrupted – restoring…');
+        this.#events.onError(words().contextLost);
       }
     });
     canvas.addEventListener('webglcontextrestored', () => {
@@ -80,11 +81,11 @@ export function isLoadingError(error: unknown): boolean {
 
 function openingSentence(label: string, error: unknown): string {
   if (isLoadingError(error)) {
-    return `The ${label} view could not be loaded. Check the connection to the internet, then try again.`;
+    return words().notLoaded(label);
   }
   const canDraw = document.createElement('canvas').getContext('webgl2') !== null;
   if (!canDraw) {
-    return 'This browser offers no WebGL 2, which the picture needs. Turn hardware acceleration on, or try another browser.';
+    return words().noWebGl;
   }
-  return `The ${label} view could not be opened: ${error instanceof Error ? error.message : error}`;
+  return words().notOpened(label, error instanceof Error ? error.message : String(error));
 }

@@ -1,0 +1,55 @@
+/** The language of the page, and how it writes numbers. */
+
+export const LANGUAGES = ['en', 'de'] as const;
+export type Language = (typeof LANGUAGES)[number];
+
+/** English until a page says that it has its words in all languages: no page mixes two. */
+let spoken: Language = 'en';
+
+/** The language of the page. */
+export const language = (): Language => spoken;
+
+/**
+ * The language that a reader wants: that of `?lang=`, else the first known one of the browser's, else English.
+ * @param query as in `location.search` @param wishes as in `navigator.languages`
+ */
+export function preferredLanguage(query: string, wishes: readonly string[]): Language {
+  const asked = new URLSearchParams(query).get('lang') ?? '';
+  const known = [asked, ...wishes].map((wish) => wish.toLowerCase().split('-')[0]);
+  return (known.find((wish) => (LANGUAGES as readonly string[]).includes(wish)) as Language | undefined) ?? 'en';
+}
+
+/**
+ * Chooses the words of a game, and with them the language of its page: of the buttons around it, of `<html lang>` and of
+ * numbers. Call it once, where the words stand.
+ */
+export function chooseWords<Words>(texts: Readonly<Record<Language, Words>>): Words {
+  if (typeof document !== 'undefined') {
+    spoken = preferredLanguage(location.search, navigator.languages ?? []);
+    document.documentElement.lang = spoken;
+  }
+  return texts[spoken];
+}
+
+/** A number with a fixed number of decimals. Short enough to be made in every frame. */
+export function decimal(value: number, digits: number): string {
+  return inLanguage(value.toFixed(digits));
+}
+
+/** A number as JavaScript writes it, with the decimal sign of the language. */
+export function inLanguage(number: string): string {
+  return spoken === 'en' ? number : number.replace('.', ',');
+}
+
+/** Formats with separators between thousands, by language. */
+const GROUPED = new Map<Language, Intl.NumberFormat>();
+
+/** A whole number with separators between thousands. */
+export function grouped(value: number): string {
+  let format = GROUPED.get(spoken);
+  if (format === undefined) {
+    format = new Intl.NumberFormat(spoken, { useGrouping: true });
+    GROUPED.set(spoken, format);
+  }
+  return format.format(value);
+}

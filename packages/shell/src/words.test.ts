@@ -1,0 +1,36 @@
+import { expect, it } from 'vitest';
+import { wordProblems } from '../../../test/support/words.ts';
+import { decimal, grouped, LANGUAGES, language, preferredLanguage } from './language.ts';
+import { siNumber } from './si-number.ts';
+import { WORDS_BY_LANGUAGE, words } from './words.ts';
+
+it.each(LANGUAGES)('has every word and every placeholder in the language %s', (name) => {
+  expect(wordProblems(WORDS_BY_LANGUAGE.en, WORDS_BY_LANGUAGE[name])).toEqual([]);
+});
+
+it('notices a key or a placeholder that is missing', () => {
+  const given = { a: 'one', b: (x: string) => `two ${x}`, c: ['x', 'y'] };
+  expect(wordProblems(given, { a: '', b: () => 'zwei', c: ['x'] })).toEqual([
+    'a is empty',
+    'b lacks 70001',
+    'only one language has c.1',
+  ]);
+});
+
+it.each([
+  ['', [], 'en'],
+  ['', ['fr-FR', 'de-CH', 'en'], 'de'],
+  ['', ['en-GB', 'de'], 'en'],
+  ['?seed=3&lang=de', ['en'], 'de'],
+  ['?lang=EN', ['de'], 'en'],
+  ['?lang=fr', ['de-AT'], 'de'],
+  ['?lang=fr', ['fr'], 'en'],
+] as const)('of the address %j and the wishes %j chooses %s', (query, wishes, chosen) => {
+  expect(preferredLanguage(query, wishes)).toBe(chosen);
+});
+
+it('speaks English outside a page', () => {
+  expect(language()).toBe('en');
+  expect(words()).toBe(WORDS_BY_LANGUAGE.en);
+  expect([decimal(1234.5, 2), grouped(1234), siNumber(1.5, 'm')]).toEqual(['1234.50', '1,234', '1.5 m']);
+});

@@ -1,0 +1,112 @@
+/** Games in German: whether every word is, whether the words fit, and who gets which language. */
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { WORDS_BY_LANGUAGE as FIREWORKS } from '../../games/fireworks/words.ts';
+import { WORDS_BY_LANGUAGE as SUBMARINE } from '../../games/submarine/words.ts';
+import { WORDS_BY_LANGUAGE as SHELL } from '../../packages/shell/src/words.ts';
+import { playGame, state } from '../support/game-page.ts';
+import { textsOf } from '../support/words.ts';
+
+const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true } as const;
+
+/** Everything that is written or read out on a page. */
+const written = (page: Page) =>
+  page.evaluate(() =>
+    [...document.body.querySelectorAll('*')].flatMap((element) => {
+      if (/^(STYLE|SCRIPT|NOSCRIPT)$/.test(element.tagName)) return [];
+      const own = [...element.childNodes].filter(({ nodeType }) => nodeType === Node.TEXT_NODE);
+      const said = ['title', 'aria-label', 'placeholder'].map((name) => element.getAttribute(name) ?? '');
+      return [...own.map(({ textContent }) => (textContent ?? '').trim()), ...said].filter((text) => text !== '');
+    }),
+  );
+
+/** English words that German has another one for. */
+function foreignWords(english: Parameters<typeof textsOf>[0], german: Parameters<typeof textsOf>[0]): Set<string> {
+  const known = new Set(textsOf(german).map(([, text]) => text));
+  return new Set(textsOf(english).flatMap(([, text]) => (known.has(text) ? [] : [text.trim()])));
+}
+
+/** Buttons and headings whose text is cut off, and what sticks out of the window. */
+const overflows = (page: Page) =>
+  page.evaluate(() =>
+    [...document.body.querySelectorAll<HTMLElement>('button, a, h1, dt, .fw-hint, .sub-panel > *')].flatMap(
+      (element) => {
+        if (!element.checkVisibility({ visibilityProperty: true })) return [];
+        const { left, right } = element.getBoundingClientRect();
+        const isCut = element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== 'inline';
+        const isOut = left < -0.5 || right > innerWidth + 0.5;
+        return isCut || isOut ? [`“${element.textContent}” ${isCut ? 'is cut off' : 'sticks out'}`] : [];
+      },
+    ),
+  );
+
+describe('fireworks', () => {
+  const { open } = playGame('fireworks', { viewport: { width: 1280, height: 800 } });
+
+  it('speak German where the browser does, or where the address says so, and English otherwise', async () => {
+    const languageOf = async (query: string, locale: string) => {
+      const page = await open(`manual&renderer=pixi${query}`, {
+        locale,
+        viewport: { width: 480, height: 320 },
+        until: 'game',
+      });
+      const title = await page.locator('h1').textContent();
+      const found = [await page.locator('html').getAttribute('lang'), title, (await state(page)).banner];
+      await page.close();
+      return found;
+    };
+    expect(await languageOf('', 'de-AT')).toEqual(['de', 'Feuerwerk', '']);
+    expect(await languageOf('&lang=de', 'en-GB')).toEqual(['de', 'Feuerwerk', '']);
+    expect(await languageOf('&lang=en', 'de-DE')).toEqual(['en', 'Fireworks', '']);
+    expect(await languageOf('', 'fr-FR')).toEqual(['en', 'Fireworks', '']);
+  });
+
+  it.each([
+    ['a phone', PHONE],
+    ['a desk', {}],
+  ])('have no English word left on %s, and every word fits', async (_name, options) => {
+    const page = await open('manual&renderer=pixi&lang=de&barrage=on', options);
+    if (!(await page.locator('.game-side').isVisible())) await page.keyboard.press('p');
+    expect(await overflows(page)).toEqual([]);
+    // The editor of shows, the field for text, the time of a step and the help, each of which is hidden at first.
+    await page.keyboard.press('o');
+    await page.locator('.fw-extra[aria-expanded]').evaluate((button: HTMLElement) => button.click());
+    await page.keyboard.press('Escape');
+    await page.locator('.fw-extra[aria-expanded]').evaluate((button: HTMLElement) => button.click());
+    await page
+      .locator('.fw-tray button')
+      .first()
+      .evaluate((button: HTMLElement) => button.click());
+    await page.evaluate(() => __game.step(40));
+    await page.waitForFunction(() => / ms$/.test(document.querySelector('.game-stats dd')?.textContent ?? ''));
+    expect(await overflows(page)).toEqual([]);
+    const foreign = new Set([...foreignWords(SHELL.en, SHELL.de), ...foreignWords(FIREWORKS.en, FIREWORKS.de)]);
+    expect(foreign.size).toBeGreaterThan(100);
+    const texts = await written(page);
+    expect(texts.length).toBeGreaterThan(100);
+    expect(texts.filter((text) => foreign.has(text))).toEqual([]);
+    expect(texts).toContain('Grün (Barium) (C)');
+    expect(texts.filter((text) => /^\d+\.\d+ (s|ms)$/.test(text))).toEqual([]);
+    expect(texts.some((text) => /^0,\d s$/.test(text))).toBe(true);
+  });
+});
+
+describe('submarine', () => {
+  const { open } = playGame('submarine', { viewport: { width: 1280, height: 800 } });
+
+  it.each([
+    ['a phone', PHONE],
+    ['a phone on its side', { ...PHONE, viewport: { width: 844, height: 390 } }],
+    ['a desk', {}],
+  ])('has no English word left on %s, and every word fits', async (_name, options) => {
+    const page = await open('manual&lang=de', options);
+    expect(await overflows(page)).toEqual([]);
+    if (!(await page.locator('.game-side').isVisible())) await page.keyboard.press('p');
+    expect(await overflows(page)).toEqual([]);
+    const foreign = new Set([...foreignWords(SHELL.en, SHELL.de), ...foreignWords(SUBMARINE.en, SUBMARINE.de)]);
+    const texts = await written(page);
+    expect(texts).toEqual(expect.arrayContaining(['U-Boot', '0 von 3 Kisten an Bord', 'Druckluft']));
+    expect(texts.some((text) => / m, \d,\d atm · Dichte 0,9/.test(text))).toBe(true);
+    expect(texts.filter((text) => foreign.has(text))).toEqual([]);
+  });
+});
