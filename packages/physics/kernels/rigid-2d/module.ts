@@ -4,6 +4,7 @@ export { sweepPair } from '../collision/narrow-phase/2d/time-of-impact';
 export { nextNearBody } from '../collision/queries/2d/nearest-point';
 export { collectCandidates, rememberPoses, treesHold } from '../collision/queries/2d/query-trees';
 export { nextRayHit } from '../collision/queries/2d/ray-cast';
+export { castMeetsWall, isNearWall, placePlane, placeSegment, rayMeetsWall } from '../collision/queries/2d/walls';
 export { nextShapeHit } from '../collision/queries/2d/shape-cast';
 export { findRigidPairs } from '../collision/broad-phase/2d/find-pairs';
 export { clearContacts } from '../collision/narrow-phase/2d/contact-list';
