@@ -26,6 +26,11 @@ import { Sleeper, sleeperOf } from './sleeper';
 // counts as still.
 const WAKING_ACCELERATION: real = 0.1;
 
+// A body that gains more than this part of the speed that counts as still is not: where gravity is weak a block that begins to
+// tip, or a ball at the top of its flight, is slow for longer than it takes to fall asleep. It may lose more, as piles do that
+// settle.
+const GAIN: real = 0.1;
+
 // Ends a step: counts how long bodies have been still, and lets islands sleep.
 export function updateSleep(table: usize): void {
   const t = changetype<RigidTable>(table);
@@ -39,11 +44,15 @@ export function updateSleep(table: usize): void {
 // Whether any body has been still for long enough.
 function countStill(t: RigidTable): bool {
   const dt = <real>t.dt;
+  const limit = <real>t.sleepSpeed;
+  const gain = GAIN * limit;
   let any = false;
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const sleeper = sleeperOf(t, row);
-    const still = (flagsOf(t, row) & SLEEPLESS) == 0 && <f64>speedOf(t, row) <= t.sleepSpeed;
+    const speed = speedOf(t, row);
+    if (sleeper.stillFor == 0 || speed < sleeper.slowest) sleeper.slowest = speed;
+    const still = (flagsOf(t, row) & SLEEPLESS) == 0 && speed <= limit && speed - sleeper.slowest <= gain;
     sleeper.stillFor = still ? sleeper.stillFor + dt : 0;
     sleeper.island = row;
     if (<f64>sleeper.stillFor >= t.sleepTime) any = true;
