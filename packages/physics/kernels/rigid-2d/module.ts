@@ -20,7 +20,7 @@ export { prepareContacts, storeImpulses } from '../solver/2d/prepare-contacts';
 export { relaxContacts, solveContacts, warmStartContacts } from '../solver/2d/solve-contacts';
 export { listContactEvents } from '../solver/2d/contact-events';
 export { stopFastBodies } from '../solver/2d/continuous';
-export { updateSleep } from '../solver/2d/islands';
+export { islandAt, labelIslands, updateSleep } from '../solver/2d/islands';
 export { applyRestitution } from '../solver/2d/restitution';
 export { listJoints } from '../joints/2d/list-joints';
 export { prepareJoints } from '../joints/2d/prepare-joints';

@@ -17,7 +17,7 @@ import {
   word,
 } from './body';
 import { readPose } from './gather-bodies';
-import { placePart } from './parts';
+import { bodyOf, placePart } from './parts';
 import { pathOf } from './paths';
 import { RigidTable } from './rigid-table';
 import { Sleeper, sleeperOf } from './sleeper';
@@ -74,6 +74,32 @@ function joinIslands(t: RigidTable): void {
     joinBodies(t, contact.bodyA, contact.bodyB);
   }
   for (let i = 0; i < t.linkCount; i++) joinBodies(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
+}
+
+// For pictures: the islands of all bodies, as they are after the step. Steps find them only when something may fall asleep.
+export function labelIslands(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  for (let i = 0; i < t.awakeCount; i++) {
+    const row = word(t.awake, i);
+    if ((flagsOf(t, row) & ASLEEP) == 0) sleeperOf(t, row).island = row;
+  }
+  for (let i = 0; i < t.touchingCount; i++) {
+    const contact = contactAt(t, word(t.touching, 2 * i));
+    labelPair(t, contact.bodyA, contact.bodyB);
+  }
+  for (let i = 0; i < t.linkCount; i++) labelPair(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
+}
+
+function labelPair(t: RigidTable, a: i32, b: i32): void {
+  if ((flagsOf(t, a) & flagsOf(t, b) & DYNAMIC) == 0) return;
+  if (((flagsOf(t, a) | flagsOf(t, b)) & ASLEEP) == 0) joinBodies(t, a, b);
+}
+
+// The smallest id of the island of a body or of a part, 0 for what is in none.
+export function islandAt(table: usize, row: i32): i32 {
+  const t = changetype<RigidTable>(table);
+  const body = bodyOf(t, row);
+  return (flagsOf(t, body) & DYNAMIC) == 0 ? 0 : islandOf(t, body);
 }
 
 // What a kinematic body carries stays awake as long as that moves.
