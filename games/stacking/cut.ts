@@ -22,7 +22,7 @@ const [MAX_CORNERS, MAX_SHAPES] = [8, 4000];
 /** @returns the number of bodies cut */
 export function cutAlong(world: PhysicsWorld, from: Point, to: Point): number {
   if (Math.hypot(to.x - from.x, to.y - from.y) < MIN_EDGE) return 0;
-  const hits = rayCastAll(world, from, to, { mask: CUT_MASK });
+  const hits = rayCastAll(world, from, to, { mask: CUT_MASK, walls: false });
   const ids = [...new Set(hits.map(({ body }) => body))].filter((id) => world.components.Mass.value[id] > 0);
   return ids.filter((id) => cutBody(world, id, from, to)).length;
 }

@@ -1,4 +1,4 @@
-/** What the engine knows, drawn over the bodies: contacts with their normals, or boxes and who sleeps. */
+/** What the engine knows, drawn over the bodies: contacts with their normals, boxes and who sleeps, or islands. */
 import type { PhysicsWorld } from '@principia/physics';
 import { createBoxLayer, createContactLayer } from '@principia/render-pixi';
 import { Container } from 'pixi.js';
@@ -11,7 +11,11 @@ export interface InsideLayers {
 }
 
 export function createInsideLayers(world: PhysicsWorld): InsideLayers {
-  const layers = { contacts: createContactLayer({ world }), boxes: createBoxLayer({ world }) };
+  const layers = {
+    contacts: createContactLayer({ world }),
+    boxes: createBoxLayer({ world }),
+    islands: createBoxLayer({ world, byIsland: true, thickness: 2 }),
+  };
   const container = new Container({ children: Object.values(layers).map((layer) => layer.container) });
   return {
     container,

@@ -25,8 +25,8 @@ export function join(world: PhysicsWorld, name: JointName, point: { readonly x: 
 /** Bodies that can move first, and of those the nearest. */
 function bodiesNear(world: PhysicsWorld, { x, y }: { readonly x: number; readonly y: number }): number[] {
   const { Mass } = world.components;
-  const nearest = nearestPoint(world, { x, y }, { mask: JOIN_MASK, maxDistance: REACH })?.body;
-  const ids = overlapShape(world, circle(REACH), { x, y, angle: 0 }, { mask: JOIN_MASK });
+  const nearest = nearestPoint(world, { x, y }, { mask: JOIN_MASK, walls: false, maxDistance: REACH })?.body;
+  const ids = overlapShape(world, circle(REACH), { x, y, angle: 0 }, { mask: JOIN_MASK, walls: false });
   const rank = (id: number) => (Mass.value[id] > 0 ? 0 : 2) + (id === nearest ? 0 : 1);
   const found = ids.sort((a, b) => rank(a) - rank(b)).slice(0, 2);
   // A joint needs a body that can move.

@@ -29,7 +29,7 @@ export async function openView(context: ViewContext<Settings, StackingRun>): Pro
     bounds: (sim) => sim.bounds,
     pick({ world }, { x, y }, slack) {
       if (palette.tool !== 'drag') return 0;
-      return nearestPoint(world, { x, y }, { mask: TAKEN, maxDistance: slack })?.body ?? 0;
+      return nearestPoint(world, { x, y }, { mask: TAKEN, walls: false, maxDistance: slack })?.body ?? 0;
     },
     paint({ world }, source) {
       const layer = createBodyLayer({ source, rimWidth: 1, minimumPixels: 1 });

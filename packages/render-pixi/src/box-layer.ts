@@ -14,6 +14,8 @@ export interface BoxLayerOptions {
   awakeColor?: number;
   /** Colour of boxes of bodies that sleep, RGBA bytes in memory order; default 0xffa08070. */
   asleepColor?: number;
+  /** Whether boxes of bodies that touch or are joined have one colour, which then tells nothing of sleep; default false. */
+  byIsland?: boolean;
 }
 
 /** The boxes of the broad phase, for looking into a simulation. */
@@ -27,9 +29,18 @@ export interface BoxLayer {
 /** Sides of a box. */
 const SIDES = 4;
 
+/** Colours that everyone can tell apart: Okabe and Ito, Color Universal Design (2008). RGBA bytes in memory order. */
+const ISLAND_COLORS = [0xff009fe6, 0xffe9b456, 0xff739e00, 0xff42e4f0, 0xffb27200, 0xff005ed5, 0xffa779cc];
+
+/** The colour of an island: bits of its id by Fibonacci hashing, so that equal piles beside each other differ. */
+function colorOf(island: number): number {
+  return ISLAND_COLORS[(Math.imul(island, 0x9e3779b1) >>> 20) % ISLAND_COLORS.length];
+}
+
 /** Creates a layer that shows the boxes of rigid bodies, and which sleep. @throws Error when an option is out of range */
 export function createBoxLayer(options: BoxLayerOptions): BoxLayer {
-  const { world, pixelsPerMetre = 1, thickness = 1, awakeColor = 0xff50c0ff, asleepColor = 0xffa08070 } = options;
+  const { world, pixelsPerMetre = 1, thickness = 1, byIsland = false } = options;
+  const { awakeColor = 0xff50c0ff, asleepColor = 0xffa08070 } = options;
   const lines = createSegmentLayer({ pixelsPerMetre, thickness });
   const ends: number[] = [];
   const colors: number[] = [];
@@ -40,7 +51,9 @@ export function createBoxLayer(options: BoxLayerOptions): BoxLayer {
       list = bodyBoxes(world, list);
       for (let i = 0; i < list.count; i++) {
         writeSides(ends, i, list);
-        const color = list.asleep[i] ? asleepColor : awakeColor;
+        const island = byIsland ? list.island[i] : 0;
+        const bySleep = list.asleep[i] ? asleepColor : awakeColor;
+        const color = island === 0 ? bySleep : colorOf(island);
         for (let side = 0; side < SIDES; side++) colors[SIDES * i + side] = color;
       }
       lines.set(ends, SIDES * list.count, colors);

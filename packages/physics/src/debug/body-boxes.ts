@@ -1,4 +1,5 @@
-// The boxes by which the broad phase of rigid bodies finds pairs, as lists, for pictures and logs.
+// The boxes by which the broad phase of rigid bodies finds pairs, and the islands in which bodies sleep, as lists, for pictures and logs.
+import { rigidKernels } from '../collision/kernels.ts';
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import { ASLEEP, COLLIDES } from '../solver/row-flags.ts';
@@ -17,6 +18,8 @@ export interface BodyBoxes {
   readonly maxY: number[];
   /** Whether the body sleeps. */
   readonly asleep: boolean[];
+  /** The smallest id among the bodies of its island, which touch or are joined; 0 for what no contact moves. */
+  readonly island: number[];
 }
 
 /**
@@ -25,13 +28,19 @@ export interface BodyBoxes {
  * @throws PhysicsError E_TYPE, E_CAPACITY, E_DESTROYED
  */
 export function bodyBoxes(world: PhysicsWorld, into: BodyBoxes = emptyList()): BodyBoxes {
-  const { words } = rigidTable(world);
-  checkLists(into, [into?.body, into?.minX, into?.minY, into?.maxX, into?.maxY, into?.asleep], 'bodyBoxes');
+  const { at, words } = rigidTable(world);
+  const kernels = rigidKernels(world);
+  checkLists(
+    into,
+    [into?.body, into?.minX, into?.minY, into?.maxX, into?.maxY, into?.asleep, into?.island],
+    'bodyBoxes',
+  );
   const { buffer } = world.memory;
   const rows = words[Word.rows];
   const Reals = world.precision === 'f32' ? Float32Array : Float64Array;
   const boxes = new Reals(buffer, words[Word.boxes], 4 * rows);
   const flags = new Uint32Array(buffer, words[Word.flags], rows);
+  kernels.labelIslands(at);
   let count = 0;
   for (let row = 1; row < rows; row++) {
     if ((flags[row] & COLLIDES) === 0) continue;
@@ -41,6 +50,7 @@ export function bodyBoxes(world: PhysicsWorld, into: BodyBoxes = emptyList()): B
     into.maxX[count] = boxes[4 * row + 2];
     into.maxY[count] = boxes[4 * row + 3];
     into.asleep[count] = (flags[row] & ASLEEP) !== 0;
+    into.island[count] = kernels.islandAt(at, row);
     count++;
   }
   into.count = count;
@@ -48,5 +58,5 @@ export function bodyBoxes(world: PhysicsWorld, into: BodyBoxes = emptyList()): B
 }
 
 function emptyList(): BodyBoxes {
-  return { count: 0, body: [], minX: [], minY: [], maxX: [], maxY: [], asleep: [] };
+  return { count: 0, body: [], minX: [], minY: [], maxX: [], maxY: [], asleep: [], island: [] };
 }

@@ -1,4 +1,4 @@
-// The parts that all queries about bodies with colliders share: the record that their kernels read
+// The parts that all queries about bodies with colliders and walls share: the record that their kernels read
 // (kernels/collision/queries/2d/body-query.ts), the filter of bodies, and the hit.
 import { rigidKernels } from '../collision/kernels.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
@@ -8,7 +8,6 @@ import { bitOf } from '../components/membership.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole } from '../errors/validate.ts';
-import type { KernelExports } from '../kernels/rigid-2d.gen.ts';
 import { cos, sin } from '../math/elementary.ts';
 import { allocate } from '../memory/arena.ts';
 import { BODY_QUERY_BYTES, SHAPE_BYTES } from '../memory/layouts.gen.ts';
@@ -18,27 +17,32 @@ import { isSoftStep } from '../solver/is-soft-step.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { visitWalls, type WallQuery } from './walls.ts';
 
-/** Which bodies a query is about. */
+/** What a query is about. */
 export interface QueryFilter {
   /** Layers, one bit each: bodies that are on none of them are left out. Default all. */
   readonly mask?: number;
-  /** A body that is left out, such as the one that asks. Default none. */
+  /** A body or a wall that is left out, such as the one that asks. Default none. */
   readonly ignore?: number;
   /** Whether sensors are seen; default false. */
   readonly sensors?: boolean;
+  /** Whether walls are seen: segments, planes and those of `boxWalls`, which are on all layers; default true. */
+  readonly walls?: boolean;
 }
 
-/** Where a ray or a moving shape met a body. */
+/** Where a ray or a moving shape met a body or a wall. */
 export interface Hit {
-  /** Entity id. */
+  /** Entity id of the body or the wall; 0 for a wall of `boxWalls` that is no entity, as in `wallContacts`. */
   readonly body: number;
+  /** Whether it is a wall. */
+  readonly isWall: boolean;
   /** Fraction of the movement until then, 0 to 1. */
   readonly fraction: number;
-  /** Point on the surface of the body, m. */
+  /** Point on the surface, m. */
   readonly x: number;
   readonly y: number;
-  /** Unit normal of the surface there, outward; zero where a shape overlapped the body from the start. */
+  /** Unit normal of the surface there, outward; zero where a shape overlapped it from the start. */
   readonly nx: number;
   readonly ny: number;
 }
@@ -80,10 +84,8 @@ const queryMemory = resource((world): QueryMemory => {
 
 const BODY = (bitOf('Position') | bitOf('Collider')) >>> 0;
 
-/** A query that runs: `next` finds the next body, and the other functions read what was found. */
-export interface RunningQuery {
-  readonly kernels: KernelExports;
-  readonly at: number;
+/** A query that runs. */
+export interface RunningQuery extends WallQuery {
   readonly shapeAt: number;
   readonly reals: RealColumn;
   /** Address of the table whose trees hold for the bodies as they are now, 0 if none do. */
@@ -119,16 +121,19 @@ export function openQuery(
   words.set([BODY, ...checked, world.lastId, Rotation.angle, Collider.layers, Collider.sensor, seesSensors, 0, 0]);
   reals.set([path.x, path.y, cos(path.angle), sin(path.angle), path.dx, path.dy, 1, reach]);
   if (shape !== undefined) writeShape(world, shapeAt, shape);
-  const query = { kernels: rigidKernels(world), at, shapeAt, reals, trees: treesOf(world) };
+  const seesWalls = checkFlag(filter.walls ?? true, 'walls');
+  const kernels = rigidKernels(world);
+  const query = { world, kernels, at, ignored: ignore, seesWalls, shapeAt, reals, trees: treesOf(world) };
   // Without bounds all bodies are in reach.
-  if (query.trees !== 0 && reach !== Infinity) query.kernels.collectCandidates(at, query.trees);
+  if (query.trees !== 0 && reach !== Infinity) kernels.collectCandidates(at, query.trees);
   return query;
 }
 
 /** The hit that the kernel wrote. */
-export function readHit({ reals }: RunningQuery, body: number): Hit {
+export function readHit({ reals }: RunningQuery, body: number, isWall: boolean): Hit {
   return {
     body,
+    isWall,
     fraction: reals[R.fraction],
     x: reals[R.pointX],
     y: reals[R.pointY],
@@ -137,26 +142,38 @@ export function readHit({ reals }: RunningQuery, body: number): Hit {
   };
 }
 
-/**
- * The first of all hits, and of equally early ones that of the smallest id.
- * @param next finds the next hit from a row on, none as 0
- */
-export function firstHit(query: RunningQuery, next: (row: number) => number): Hit | undefined {
+/** How a query finds what it meets, which it then writes into its record. */
+export interface Probe {
+  /** The next body from a row on, 0 if there is none. */
+  next(row: number): number;
+  /** Whether it meets the wall that was placed last: 1 or 0. */
+  meetsWall(): number;
+}
+
+/** The first of all hits, and of equally early ones that of the smallest id. */
+export function firstHit(query: RunningQuery, probe: Probe): Hit | undefined {
   let first: Hit | undefined;
-  for (let row = next(1); row > 0; row = next(row + 1)) {
-    const hit = readHit(query, row);
-    if (first !== undefined && hit.fraction >= first.fraction) continue;
-    first = hit;
+  const consider = (id: number, isWall: boolean) => {
+    const fraction = query.reals[R.fraction];
+    if (first !== undefined && (fraction > first.fraction || (fraction === first.fraction && id >= first.body))) return;
+    first = readHit(query, id, isWall);
     // What lies behind it need not be computed.
-    query.reals[R.limit] = hit.fraction;
-  }
+    query.reals[R.limit] = fraction;
+  };
+  for (let row = probe.next(1); row > 0; row = probe.next(row + 1)) consider(row, false);
+  visitWalls(query, (id) => {
+    if (probe.meetsWall() === 1) consider(id, true);
+  });
   return first;
 }
 
 /** All hits, the earliest first, and of equally early ones that of the smaller id. */
-export function allHits(query: RunningQuery, next: (row: number) => number): Hit[] {
+export function allHits(query: RunningQuery, probe: Probe): Hit[] {
   const hits: Hit[] = [];
-  for (let row = next(1); row > 0; row = next(row + 1)) hits.push(readHit(query, row));
+  for (let row = probe.next(1); row > 0; row = probe.next(row + 1)) hits.push(readHit(query, row, false));
+  visitWalls(query, (id) => {
+    if (probe.meetsWall() === 1) hits.push(readHit(query, id, true));
+  });
   return hits.sort((a, b) => a.fraction - b.fraction || a.body - b.body);
 }
 
@@ -194,7 +211,7 @@ export function assertPlanar(world: PhysicsWorld, caller: string): void {
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN */
 export function checkFilter(filter: unknown, caller: string, others: readonly string[] = []): void {
-  checkKeys(filter, caller, ['mask', 'ignore', 'sensors', ...others]);
+  checkKeys(filter, caller, ['mask', 'ignore', 'sensors', 'walls', ...others]);
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN */

@@ -11,13 +11,14 @@ import {
   type Hit,
   openQuery,
   type PoseInput,
+  type Probe,
   type QueryFilter,
   type RunningQuery,
 } from './body-query.ts';
 
 /**
- * Returns the first body that a shape meets when it moves along a line without turning, and where. It has met a body when
- * the surfaces are 0.1 mm apart. A body that it overlaps at the start is met at fraction 0.
+ * Returns the first body or wall that a shape meets when it moves along a line without turning, and where. It has met one
+ * when the surfaces are 0.1 mm apart. What it overlaps at the start is met at fraction 0.
  * @param pose where the shape starts
  * @param motion where it moves to from there, m
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
@@ -30,11 +31,11 @@ export function castShape(
   filter: QueryFilter = {},
 ): Hit | undefined {
   const query = openCast(world, shape, pose, motion, filter, 'castShape');
-  return firstHit(query, (row) => query.kernels.nextShapeHit(query.at, query.shapeAt, row));
+  return firstHit(query, castProbe(query));
 }
 
 /**
- * Returns all bodies that a shape would meet if it passed through them, the earliest first; otherwise as `castShape`.
+ * Returns all bodies and walls that a shape would meet if it passed through them, the earliest first; otherwise as `castShape`.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
  */
 export function castShapeAll(
@@ -45,8 +46,13 @@ export function castShapeAll(
   filter: QueryFilter = {},
 ): Hit[] {
   const query = openCast(world, shape, pose, motion, filter, 'castShapeAll');
-  return allHits(query, (row) => query.kernels.nextShapeHit(query.at, query.shapeAt, row));
+  return allHits(query, castProbe(query));
 }
+
+const castProbe = ({ kernels, at, shapeAt }: RunningQuery): Probe => ({
+  next: (row) => kernels.nextShapeHit(at, shapeAt, row),
+  meetsWall: () => kernels.castMeetsWall(at, shapeAt),
+});
 
 function openCast(
   world: PhysicsWorld,

@@ -11,20 +11,23 @@ import {
   readHit,
   setReach,
 } from './body-query.ts';
+import { visitWalls } from './walls.ts';
 
 /** Options of `nearestPoint`. */
 export interface NearestPointOptions extends QueryFilter {
-  /** Distance beyond which bodies are left out, m. Default Infinity. */
+  /** Distance beyond which bodies and walls are left out, m. Default Infinity. */
   readonly maxDistance?: number;
 }
 
-/** The nearest point of a body. */
+/** The nearest point of a body or of a wall. */
 export interface NearestPoint {
-  /** Entity id. */
+  /** Entity id of the body or the wall; 0 for a wall of `boxWalls` that is no entity, as in `wallContacts`. */
   readonly body: number;
-  /** Distance from the point that was given, m; 0 inside the body. */
+  /** Whether it is a wall. */
+  readonly isWall: boolean;
+  /** Distance from the point that was given, m; 0 inside. */
   readonly distance: number;
-  /** Point of the body, m: the given one if that is inside. */
+  /** Point of the body or the wall, m: the given one if that is inside. */
   readonly x: number;
   readonly y: number;
 }
@@ -35,8 +38,8 @@ const POINT = { kind: 'circle', vertices: [0, 0], normals: [], radius: 0, area: 
 const POINT_SHAPE: Shape = { ...POINT, extent: 0, minExtent: 0, centre: { x: 0, y: 0 } };
 
 /**
- * Returns the point of any body that is nearest to a point, and of equally near ones that of the smaller id. Bodies are
- * where they are now.
+ * Returns the point of any body or wall that is nearest to a point, and of equally near ones that of the smaller id. Bodies
+ * are where they are now.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
  */
 export function nearestPoint(
@@ -64,15 +67,24 @@ export function nearestPoint(
 const REACHES = [1, 8, 64, 512, 4096, 32768];
 
 function nearestOf(query: RunningQuery, x: number, y: number): NearestPoint | undefined {
-  const next = (row: number) => query.kernels.nextNearBody(query.at, query.shapeAt, row);
+  const { kernels, at, shapeAt } = query;
+  const next = (row: number) => kernels.nextNearBody(at, shapeAt, row);
   let nearest: NearestPoint | undefined;
-  for (let row = next(1); row > 0; row = next(row + 1)) {
-    const hit = readHit(query, row);
+  const consider = (body: number, isWall: boolean) => {
+    const hit = readHit(query, body, isWall);
     const distance = hit.fraction;
-    if (nearest !== undefined && distance >= nearest.distance) continue;
+    if (
+      nearest !== undefined &&
+      (distance > nearest.distance || (distance === nearest.distance && body >= nearest.body))
+    )
+      return;
     const isInside = distance === 0;
-    nearest = { body: row, distance, x: isInside ? x : hit.x, y: isInside ? y : hit.y };
+    nearest = { body, isWall, distance, x: isInside ? x : hit.x, y: isInside ? y : hit.y };
     setReach(query, distance);
-  }
+  };
+  for (let row = next(1); row > 0; row = next(row + 1)) consider(row, false);
+  visitWalls(query, (id) => {
+    if (kernels.isNearWall(at, shapeAt) === 1) consider(id, true);
+  });
   return nearest;
 }

@@ -2,10 +2,11 @@ import { checkShape } from '../bodies/collider-shape.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { assertPlanar, checkFilter, checkPose, openQuery, type PoseInput, type QueryFilter } from './body-query.ts';
+import { visitWalls } from './walls.ts';
 
 /**
- * Returns the ids of all bodies that a shape overlaps or touches, ascending. Bodies are where they
- * are now.
+ * Returns the ids of all bodies and walls that a shape overlaps or touches, ascending; 0 stands for walls of `boxWalls`
+ * that are no entities. Bodies are where they are now.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
  */
 export function overlapShape(world: PhysicsWorld, shape: Shape, pose: PoseInput, filter: QueryFilter = {}): number[] {
@@ -14,8 +15,14 @@ export function overlapShape(world: PhysicsWorld, shape: Shape, pose: PoseInput,
   const start = checkPose(pose, 'overlapShape: pose');
   checkFilter(filter, 'overlapShape');
   const query = openQuery(world, { ...start, dx: 0, dy: 0 }, checked.extent, filter, checked);
-  const next = (row: number) => query.kernels.nextNearBody(query.at, query.shapeAt, row);
+  const { kernels, at, shapeAt } = query;
+  const next = (row: number) => kernels.nextNearBody(at, shapeAt, row);
   const ids: number[] = [];
   for (let row = next(1); row > 0; row = next(row + 1)) ids.push(row);
-  return ids;
+  const bodyCount = ids.length;
+  visitWalls(query, (id) => {
+    // Two walls of a box are listed once.
+    if (kernels.isNearWall(at, shapeAt) === 1 && !(id === 0 && ids.includes(0))) ids.push(id);
+  });
+  return ids.length > bodyCount ? ids.sort((a, b) => a - b) : ids;
 }

@@ -23,6 +23,7 @@ import {
   uniformGravity,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
+import { bitOf } from '../components/membership.ts';
 import { openQuery } from './body-query.ts';
 
 const SHAPES = [box(0.6, 0.4), capsule(0.5, 0.15), circle(0.3)];
@@ -51,8 +52,15 @@ function copyOf(world: PhysicsWorld): PhysicsWorld {
   const copy = createPhysicsWorld({ preset: standard, precision, capacity: 1000 });
   const { Position, Rotation, Collider } = world.components;
   for (let id = 1; id <= world.lastId; id++) {
-    const made = spawn(copy, { position: {}, rotation: 0, collider: { shape: SHAPES[0] } });
+    const isPlane = (world.internal.members[id] & bitOf('PlaneWall')) !== 0;
+    const made = spawn(
+      copy,
+      isPlane
+        ? { planeWall: { nx: 1, ny: 0, offset: -30 } }
+        : { position: {}, rotation: 0, collider: { shape: SHAPES[0] } },
+    );
     expect(made).toBe(id);
+    if (isPlane) continue;
     const isBody = (world.internal.members[id] & 1) !== 0 && Collider.radius[id] > 0;
     copy.components.Position.x[id] = Position.x[id];
     copy.components.Position.y[id] = Position.y[id];
@@ -72,7 +80,7 @@ function ask(world: PhysicsWorld, random: Random): unknown[] {
     rayCast(world, at(), at()),
     rayCastAll(world, at(), at(), { sensors: true }),
     overlapShape(world, box(4, 3), { ...at(), angle: 0.4 }),
-    castShapeAll(world, circle(0.5), at(), { x: random.uniform(-9, 9), y: random.uniform(-9, 9) }),
+    castShapeAll(world, circle(0.5), at(), { x: random.uniform(-15, 15), y: random.uniform(-9, 9) }),
     nearestPoint(world, at()),
     nearestPoint(world, at(), { maxDistance: 2 }),
     nearestPoint(world, { x: 5000, y: 100 }),

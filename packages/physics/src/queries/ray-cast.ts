@@ -8,13 +8,14 @@ import {
   firstHit,
   type Hit,
   openQuery,
+  type Probe,
   type QueryFilter,
   type RunningQuery,
 } from './body-query.ts';
 
 /**
- * Returns the first body that a ray enters, and where. A ray that starts inside a body does not enter that body. Tests
- * every body with a collider, where it is now.
+ * Returns the first body or wall that a ray enters, and where. A ray that starts inside one does not enter it. Tests every
+ * body with a collider, where it is now.
  * @param from start of the ray, m
  * @param to end of the ray, m
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
@@ -26,17 +27,22 @@ export function rayCast(
   filter: QueryFilter = {},
 ): Hit | undefined {
   const query = openRay(world, from, to, filter, 'rayCast');
-  return firstHit(query, (row) => query.kernels.nextRayHit(query.at, row));
+  return firstHit(query, rayProbe(query));
 }
 
 /**
- * Returns all bodies that a ray enters, the nearest to its start first; otherwise as `rayCast`.
+ * Returns all bodies and walls that a ray enters, the nearest to its start first; otherwise as `rayCast`.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
  */
 export function rayCastAll(world: PhysicsWorld, from: PointInput, to: PointInput, filter: QueryFilter = {}): Hit[] {
   const query = openRay(world, from, to, filter, 'rayCastAll');
-  return allHits(query, (row) => query.kernels.nextRayHit(query.at, row));
+  return allHits(query, rayProbe(query));
 }
+
+const rayProbe = ({ kernels, at }: RunningQuery): Probe => ({
+  next: (row) => kernels.nextRayHit(at, row),
+  meetsWall: () => kernels.rayMeetsWall(at),
+});
 
 function openRay(
   world: PhysicsWorld,

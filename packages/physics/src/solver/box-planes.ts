@@ -9,11 +9,11 @@ import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Numbers of a plane: nx, ny, offset, restitution, friction. */
-const SIZE = 5;
+export const PLANE_SIZE = 5;
 
 /** The planes of the boxes of a world. */
 interface BoxPlanes {
-  /** What the entities were made from, and what the boxes ask for now: SIZE numbers for each plane. */
+  /** What the entities were made from, and what the boxes ask for now: PLANE_SIZE numbers for each plane. */
   values: number[];
   readonly wanted: number[];
   ids: number[];
@@ -33,20 +33,28 @@ export function refreshBoxes(world: PhysicsWorld): void {
   planes.ids = [];
   planes.values = [];
   for (const id of ids) if (isOpen(world, id, 'PlaneWall')) despawn(world, id);
-  for (let i = 0; i < SIZE * count; i += SIZE) {
-    const [nx, ny, offset, restitution, friction] = wanted.slice(i, i + SIZE);
+  for (let i = 0; i < PLANE_SIZE * count; i += PLANE_SIZE) {
+    const [nx, ny, offset, restitution, friction] = wanted.slice(i, i + PLANE_SIZE);
     const id = spawn(world, { planeWall: { nx, ny, offset, restitution, friction: Math.max(friction, 0) } });
     // Of a box without a coefficient of its own the body's is that of the contact.
     world.components.PlaneWall.friction[id] = friction;
     planes.ids.push(id);
   }
-  planes.values = wanted.slice(0, SIZE * count);
+  planes.values = wanted.slice(0, PLANE_SIZE * count);
 }
 
 function isCurrent(world: PhysicsWorld, { values, wanted, ids }: BoxPlanes): boolean {
   for (let i = 0; i < values.length; i++) if (values[i] !== wanted[i]) return false;
   for (let i = 0; i < ids.length; i++) if (!isOpen(world, ids[i], 'PlaneWall')) return false;
   return true;
+}
+
+/**
+ * Writes the planes of all boxes that are no entities to a list, PLANE_SIZE numbers each, and returns their number: those of
+ * worlds without rigid bodies, and of others before the first step.
+ */
+export function listVirtualPlanes(world: PhysicsWorld, into: number[]): number {
+  return boxPlanes(world).ids.length > 0 ? 0 : listPlanes(world, into);
 }
 
 /** Writes the planes of all boxes to a list, and returns their number. */
@@ -65,7 +73,7 @@ function listPlanes({ phases }: PhysicsWorld, into: number[]): number {
 }
 
 function writePlane(into: number[], index: number, box: Box, nx: number, ny: number, offset: number): void {
-  const at = SIZE * index;
+  const at = PLANE_SIZE * index;
   into[at] = nx;
   into[at + 1] = ny;
   into[at + 2] = offset;

@@ -35,7 +35,7 @@ const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / b
 const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, EventWord.speeds, EventWord.impulses];
 
 /** Reals that sleep keeps of a body, and two words: kernels/solver/2d/sleeper.ts. */
-const SLEEPER_REALS = 5;
+const SLEEPER_REALS = 6;
 
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
 const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 15 * 4;

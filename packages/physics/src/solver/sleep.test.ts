@@ -18,7 +18,7 @@ import {
   uniformGravity,
   wake,
 } from '@principia/physics';
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 import { DT, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 const addGround = (world: PhysicsWorld) =>
@@ -158,3 +158,32 @@ test.each(['f32', 'f64'] as const)(
     expect(stateHash(world)).toBe(hash);
   },
 );
+
+describe.each([0.2, 1.62, 9.81])('under %s m/s²', (g) => {
+  const world = () => rigidWorld({ forces: [uniformGravity({ y: -g })] });
+
+  test('a block that stands on a corner, 3 degrees off, falls on its side before it sleeps', () => {
+    const weak = world();
+    addGround(weak);
+    const angle = Math.PI / 4 + 0.05;
+    const position = { y: 0.5 * (Math.cos(angle) + Math.sin(angle)) };
+    const block = spawn(weak, { position, rotation: angle, collider: { shape: box(1, 1), density: 1, friction: 0.6 } });
+    for (let i = 0; i < 3000 && !isAsleep(weak, block); i++) step(weak, DT);
+    expect(isAsleep(weak, block)).toBe(true);
+    expect(weak.components.Rotation.angle[block]).toBeCloseTo(Math.PI / 2, 2);
+  });
+
+  test('a block that lies on the ground sleeps after half a second, and one in slow flight does not', () => {
+    const weak = world();
+    addGround(weak);
+    const block = addBox(weak, 0, 0.5);
+    // It is slower than 5 cm/s for half a second about its summit, where that is weakest.
+    const flying = addBox(weak, 5, 2);
+    weak.components.Velocity.y[flying] = 0.045;
+    run(weak, 0.6);
+    expect(isAsleep(weak, block)).toBe(true);
+    expect(isAsleep(weak, flying)).toBe(false);
+    run(weak, 30 / g);
+    expect(weak.components.Position.y[flying]).toBeCloseTo(0.5, 2);
+  });
+});

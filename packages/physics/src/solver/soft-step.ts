@@ -44,7 +44,7 @@ export interface SoftStepOptions {
   readonly restitutionThreshold?: number;
   /** Impacts faster than this are listed in `contactEvents(world).hit`, m/s; default 1. */
   readonly hitSpeed?: number;
-  /** A body none of whose points is faster is still, m/s; default 0.05. */
+  /** A body none of whose points is faster, or gains a tenth of it while it is still, is still, m/s; default 0.05. */
   readonly sleepSpeed?: number;
   /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
   readonly sleepTime?: number;

@@ -1,6 +1,6 @@
 // The contact points of rigid bodies, one after the other, for pictures and logs.
 import { columns, get } from '../../memory/columns';
-import { TOUCHING, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { COVERED, TOUCHING, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 
@@ -27,7 +27,7 @@ export function nextContactPoint(table: usize, view: usize, cursor: i32): i32 {
   for (let at = cursor; at < 2 * t.contactCount; at++) {
     const contact = contactAt(t, word(t.order, at >> 1));
     const index = at & 1;
-    if (index >= contact.count || (contact.flags & TOUCHING) == 0) continue;
+    if (index >= contact.count || (contact.flags & (TOUCHING | COVERED)) != TOUCHING) continue;
     const point = pointOf(contact, index);
     const c = columns();
     to.a = contact.a;

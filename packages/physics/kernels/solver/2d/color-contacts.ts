@@ -6,7 +6,7 @@
 // such a contact must not yield. Contacts that find no color are solved one at a time, before all others.
 // Source: constraint_graph.c of Box2D 3, which keeps its colors from step to step.
 import { LANES } from '../../memory/lanes';
-import { TOUCHING, contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
+import { COVERED, TOUCHING, contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
 import { ASLEEP, DYNAMIC, flagsOf, putWord, word } from './body';
 import { COLORS, RigidTable } from './rigid-table';
 
@@ -25,7 +25,7 @@ export function colorContacts(table: usize): void {
   for (let i = 0; i < t.contactCount; i++) {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
-    if ((contact.flags & TOUCHING) == 0) continue;
+    if ((contact.flags & (TOUCHING | COVERED)) != TOUCHING) continue;
     const movesA = isPushed(t, contact.bodyA);
     const movesB = isPushed(t, contact.bodyB);
     if (!movesA && !movesB) continue;

@@ -17,7 +17,7 @@ import {
   word,
 } from './body';
 import { readPose } from './gather-bodies';
-import { placePart } from './parts';
+import { bodyOf, placePart } from './parts';
 import { pathOf } from './paths';
 import { RigidTable } from './rigid-table';
 import { Sleeper, sleeperOf } from './sleeper';
@@ -25,6 +25,11 @@ import { Sleeper, sleeperOf } from './sleeper';
 // A change of acceleration, m/s², that wakes a body: in the time until it would sleep again it moves it faster than what
 // counts as still.
 const WAKING_ACCELERATION: real = 0.1;
+
+// A body that gains more than this part of the speed that counts as still is not: where gravity is weak a block that begins to
+// tip, or a ball at the top of its flight, is slow for longer than it takes to fall asleep. It may lose more, as piles do that
+// settle.
+const GAIN: real = 0.1;
 
 // Ends a step: counts how long bodies have been still, and lets islands sleep.
 export function updateSleep(table: usize): void {
@@ -39,11 +44,15 @@ export function updateSleep(table: usize): void {
 // Whether any body has been still for long enough.
 function countStill(t: RigidTable): bool {
   const dt = <real>t.dt;
+  const limit = <real>t.sleepSpeed;
+  const gain = GAIN * limit;
   let any = false;
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const sleeper = sleeperOf(t, row);
-    const still = (flagsOf(t, row) & SLEEPLESS) == 0 && <f64>speedOf(t, row) <= t.sleepSpeed;
+    const speed = speedOf(t, row);
+    if (sleeper.stillFor == 0 || speed < sleeper.slowest) sleeper.slowest = speed;
+    const still = (flagsOf(t, row) & SLEEPLESS) == 0 && speed <= limit && speed - sleeper.slowest <= gain;
     sleeper.stillFor = still ? sleeper.stillFor + dt : 0;
     sleeper.island = row;
     if (<f64>sleeper.stillFor >= t.sleepTime) any = true;
@@ -65,6 +74,32 @@ function joinIslands(t: RigidTable): void {
     joinBodies(t, contact.bodyA, contact.bodyB);
   }
   for (let i = 0; i < t.linkCount; i++) joinBodies(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
+}
+
+// For pictures: the islands of all bodies, as they are after the step. Steps find them only when something may fall asleep.
+export function labelIslands(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  for (let i = 0; i < t.awakeCount; i++) {
+    const row = word(t.awake, i);
+    if ((flagsOf(t, row) & ASLEEP) == 0) sleeperOf(t, row).island = row;
+  }
+  for (let i = 0; i < t.touchingCount; i++) {
+    const contact = contactAt(t, word(t.touching, 2 * i));
+    labelPair(t, contact.bodyA, contact.bodyB);
+  }
+  for (let i = 0; i < t.linkCount; i++) labelPair(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
+}
+
+function labelPair(t: RigidTable, a: i32, b: i32): void {
+  if ((flagsOf(t, a) & flagsOf(t, b) & DYNAMIC) == 0) return;
+  if (((flagsOf(t, a) | flagsOf(t, b)) & ASLEEP) == 0) joinBodies(t, a, b);
+}
+
+// The smallest id of the island of a body or of a part, 0 for what is in none.
+export function islandAt(table: usize, row: i32): i32 {
+  const t = changetype<RigidTable>(table);
+  const body = bodyOf(t, row);
+  return (flagsOf(t, body) & DYNAMIC) == 0 ? 0 : islandOf(t, body);
 }
 
 // What a kinematic body carries stays awake as long as that moves.

@@ -5,6 +5,8 @@ import { RigidTable } from './rigid-table';
 export class Sleeper {
   // Time for which the body has been still, s.
   stillFor: real;
+  // The least speed in this time, m/s.
+  slowest: real;
   // Force, torque and angle when it fell asleep.
   fx: real;
   fy: real;

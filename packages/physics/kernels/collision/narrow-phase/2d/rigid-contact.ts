@@ -77,6 +77,8 @@ export const OVERLAPS: u32 = 64;
 export const DID_OVERLAP: u32 = 128;
 // A function of the user keeps the two from colliding.
 export const IGNORED: u32 = 256;
+// Another contact of the same body holds it already, so that this one does nothing (seams.ts).
+export const COVERED: u32 = 512;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

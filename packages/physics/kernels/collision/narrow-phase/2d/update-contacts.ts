@@ -52,6 +52,7 @@ import {
   contactAt,
   pointOf,
 } from './rigid-contact';
+import { coverSeams } from './seams';
 import { updateSensor } from './sensor-overlap';
 
 // Points are reported up to this distance, m: four times the slop of 5 mm.
@@ -91,6 +92,7 @@ export function wakeTouched(table: usize): void {
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   let kept = 0;
+  groundCount = 0;
   clearEvents(t);
   for (let i = 0; i < t.contactCount; i++) {
     const slot = word(t.order, i);
@@ -101,9 +103,10 @@ export function updateContacts(table: usize): void {
       continue;
     }
     putWord(t.order, kept++, slot);
-    updateContact(t, contact);
+    if (updateContact(t, contact)) putWord(t.touching, 2 * groundCount++, slot);
   }
   t.contactCount = kept;
+  if (groundCount > 1) coverSeams(t, groundCount);
 }
 
 function endContact(t: RigidTable, contact: RigidContact): void {
@@ -157,31 +160,36 @@ function wakeLater(t: RigidTable, contact: RigidContact): void {
   return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;
 }
 
-function updateContact(t: RigidTable, contact: RigidContact): void {
+// Contacts that touch, of a body that moves with one that does not.
+let groundCount: i32 = 0;
+
+// Returns whether the contact is one of those.
+function updateContact(t: RigidTable, contact: RigidContact): bool {
   const flagsA = flagsOf(t, contact.a);
   const flagsB = flagsOf(t, contact.b);
   const senses = ((flagsA | flagsB) & SENSOR) != 0;
   if (senses != ((contact.flags & SENSES) != 0)) changeKind(t, contact, senses);
   if ((contact.flags & (SENSES | IGNORED)) != 0) {
     if ((contact.flags & SENSES) != 0) updateSensor(t, contact, isActive(flagsA) || isActive(flagsB));
-    return;
+    return false;
   }
   const touched = (contact.flags & TOUCHING) != 0;
   const kept = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
   if (!isActive(flagsA) && !isActive(flagsB)) {
     contact.flags = kept | (touched ? TOUCHING : contact.flags & PASSING);
-    return;
+    return false;
   }
   const passed = (contact.flags & PASSING) != 0;
   contact.flags = kept;
   if (((flagsA | flagsB) & FAST) != 0 || !mayRecycle(t, contact, touched)) findManifold(t, contact);
-  if (contact.count == 0) return;
+  if (contact.count == 0) return false;
   if (!touched && ((flagsA | flagsB) & ONE_WAY) != 0 && (passed || passesThrough(t, contact))) {
     contact.flags |= PASSING;
-    return;
+    return false;
   }
   contact.flags |= TOUCHING;
   moveAnchors(t, contact);
+  return ((flagsA & MOVES) == 0) != ((flagsB & MOVES) == 0);
 }
 
 function mayRecycle(t: RigidTable, contact: RigidContact, touched: bool): bool {
@@ -222,6 +230,8 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   m.by = b.y - a.y;
   m.bc = b.c;
   m.bs = b.s;
+  const near = COINCIDENT * min<real>(a.minExtent, b.minExtent);
+  if (m.bx * m.bx + m.by * m.by < near * near) spread(m, contact.a, contact.b, near);
   m.speculative = SPECULATIVE_DISTANCE;
   const c = columns();
   contact.shapeA = <u32>word(c.shape, contact.a);
@@ -236,6 +246,26 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   contact.flags |= FOUND;
   takePoints(t, contact, m);
   if (contact.count > 0) mixMaterials(t, contact);
+}
+
+// Bodies whose centres are nearer, in parts of the least extent, lie in one place.
+const COINCIDENT: real = 0.001;
+
+// The first numbers of the sequence R2, which fills a square evenly: Roberts, The unreasonable effectiveness of quasirandom
+// sequences (2018).
+const R2_X: f64 = 0.7548776662466927;
+const R2_Y: f64 = 0.5698402909980532;
+
+// Bodies in one place have no normal, and would all take the same: a heap of a hundred then left as a column of a hundred
+// layers, each faster than the one below. They are taken to lie evenly in a tiny square instead, by their ids.
+function spread(m: Manifold, a: i32, b: i32, size: real): void {
+  m.bx = size * <real>(fraction(R2_X * <f64>b) - fraction(R2_X * <f64>a));
+  m.by = size * <real>(fraction(R2_Y * <f64>b) - fraction(R2_Y * <f64>a));
+}
+
+// @ts-ignore: decorator
+@inline function fraction(x: f64): f64 {
+  return x - Math.floor(x);
 }
 
 // Points with the id of an earlier one go on with its impulses.

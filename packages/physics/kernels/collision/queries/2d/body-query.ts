@@ -59,8 +59,7 @@ export function nextNear(q: BodyQuery, row: i32): i32 {
   const c = columns();
   const pathX = q.limit * q.dx;
   const pathY = q.limit * q.dy;
-  const square = pathX * pathX + pathY * pathY;
-  const inverse = square > 0 ? <real>1 / square : <real>0;
+  const inverse = inverseSquare(pathX, pathY);
   const listed = q.candidates != 0;
   let k = listed ? firstCandidate(q, row) : row;
   const end = listed ? q.candidateCount : q.lastRow + 1;
@@ -71,13 +70,30 @@ export function nextNear(q: BodyQuery, row: i32): i32 {
     if (q.seesSensors == 0 && load<u32>(q.sensor + ((<usize>r) << 2)) != 0) continue;
     const toX = get(c.positionX, r) - q.x;
     const toY = get(c.positionY, r) - q.y;
-    const along = min<real>(max<real>((toX * pathX + toY * pathY) * inverse, 0), 1);
-    const offX = toX - along * pathX;
-    const offY = toY - along * pathY;
-    const reach = get(c.radius, r) + q.reach;
-    if (offX * offX + offY * offY <= reach * reach) return r;
+    if (comesNear(toX, toY, pathX, pathY, inverse, get(c.radius, r) + q.reach)) return r;
   }
   return 0;
+}
+
+// Whether a circle comes within reach of the path; its centre is given from the start of the path.
+export function isNearPath(q: BodyQuery, toX: real, toY: real, radius: real): bool {
+  const pathX = q.limit * q.dx;
+  const pathY = q.limit * q.dy;
+  return comesNear(toX, toY, pathX, pathY, inverseSquare(pathX, pathY), radius + q.reach);
+}
+
+// @ts-ignore: decorator
+@inline function inverseSquare(x: real, y: real): real {
+  const square = x * x + y * y;
+  return square > 0 ? <real>1 / square : <real>0;
+}
+
+// @ts-ignore: decorator
+@inline function comesNear(toX: real, toY: real, pathX: real, pathY: real, inverse: real, reach: real): bool {
+  const along = min<real>(max<real>((toX * pathX + toY * pathY) * inverse, 0), 1);
+  const offX = toX - along * pathX;
+  const offY = toY - along * pathY;
+  return offX * offX + offY * offY <= reach * reach;
 }
 
 // The index of the first candidate from a row on: a binary search.

@@ -1,5 +1,6 @@
 // Distances of a shape, or of a point, which is a disc without radius, from bodies.
 import { Distance, closestPoints } from '../../narrow-phase/2d/distance';
+import { planeDistance } from '../../narrow-phase/2d/plane-distance';
 import { RelativePose } from '../../narrow-phase/2d/relative-pose';
 import { Shape } from '../../shapes/2d/shape';
 import { shapeOf } from '../../shapes/2d/shape-pool';
@@ -14,16 +15,19 @@ export function nextNearBody(query: usize, shape: usize, row: i32): i32 {
   const q = queryAt(query);
   const own = changetype<Shape>(shape);
   for (let r = nextNear(q, row); r > 0; r = nextNear(q, r + 1)) {
-    measure(q, own, r);
-    if (q.fraction <= q.reach - own.extent) return r;
+    measure(q, own, shapeOf(r, spare()), poseFromQuery(q, r));
+    if (isWithinReach(q, own)) return r;
   }
   return 0;
 }
 
-// Distance of the surfaces, 0 where they overlap, and the point on the body.
-function measure(q: BodyQuery, own: Shape, row: i32): void {
-  const shape = shapeOf(row, spare());
-  const pose = poseFromQuery(q, row);
+// @ts-ignore: decorator
+@inline export function isWithinReach(q: BodyQuery, own: Shape): bool {
+  return q.fraction <= q.reach - own.extent;
+}
+
+// Distance of the surfaces, 0 where they overlap, and the point on the other shape, whose pose is that from the query.
+export function measure(q: BodyQuery, own: Shape, shape: Shape, pose: RelativePose): void {
   inQuery.x = q.c * pose.x + q.s * pose.y;
   inQuery.y = q.c * pose.y - q.s * pose.x;
   inQuery.c = q.c * pose.c + q.s * pose.s;
@@ -39,4 +43,18 @@ function measure(q: BodyQuery, own: Shape, row: i32): void {
   q.ny = ny;
   q.pointX = q.x + (q.c * nearest.bx - q.s * nearest.by) + outward * nx;
   q.pointY = q.y + (q.s * nearest.bx + q.c * nearest.by) + outward * ny;
+}
+
+// As `measure` from a half-plane, whose frame is not turned.
+export function measurePlane(q: BodyQuery, own: Shape, plane: Shape, pose: RelativePose): void {
+  inQuery.x = -pose.x;
+  inQuery.y = -pose.y;
+  inQuery.c = q.c;
+  inQuery.s = q.s;
+  planeDistance(nearest, plane, own, inQuery);
+  q.fraction = max<real>(nearest.distance - own.radius, 0);
+  q.nx = plane.nx0;
+  q.ny = plane.ny0;
+  q.pointX = q.x + pose.x + nearest.ax;
+  q.pointY = q.y + pose.y + nearest.ay;
 }

@@ -1,5 +1,6 @@
 // Where a ray enters a shape: on one of its edges, moved outward by the rounding, or on the arc about one of its vertices.
 // A ray that starts inside a shape does not enter it.
+import { RelativePose } from '../../narrow-phase/2d/relative-pose';
 import { Shape, nextVertex, normalX, normalY, vertexX, vertexY } from '../../shapes/2d/shape';
 import { shapeOf } from '../../shapes/2d/shape-pool';
 import { BodyQuery, nextNear, poseFromQuery, queryAt, spare } from './body-query';
@@ -12,13 +13,13 @@ let entryY: real = 0;
 // Returns the first body from `row` on that the ray enters within the limit, 0 if there is none.
 export function nextRayHit(query: usize, row: i32): i32 {
   const q = queryAt(query);
-  for (let r = nextNear(q, row); r > 0; r = nextNear(q, r + 1)) if (rayMeetsBody(q, r)) return r;
+  for (let r = nextNear(q, row); r > 0; r = nextNear(q, r + 1))
+    if (rayMeets(q, shapeOf(r, spare()), poseFromQuery(q, r))) return r;
   return 0;
 }
 
-function rayMeetsBody(q: BodyQuery, row: i32): bool {
-  const shape = shapeOf(row, spare());
-  const pose = poseFromQuery(q, row);
+// The pose is that from the start of the ray.
+export function rayMeets(q: BodyQuery, shape: Shape, pose: RelativePose): bool {
   const x = -(pose.c * pose.x + pose.s * pose.y);
   const y = pose.s * pose.x - pose.c * pose.y;
   const dx = pose.c * q.dx + pose.s * q.dy;
@@ -33,6 +34,21 @@ function rayMeetsBody(q: BodyQuery, row: i32): bool {
   q.ny = pose.s * entryX + pose.c * entryY;
   q.pointX = q.x + fraction * q.dx;
   q.pointY = q.y + fraction * q.dy;
+  return true;
+}
+
+// As `rayMeets` of a half-plane: a ray enters it where it crosses the line from the side of the normal.
+export function rayMeetsPlane(q: BodyQuery, plane: Shape, pose: RelativePose): bool {
+  const height = -(plane.nx0 * pose.x + plane.ny0 * pose.y);
+  const rate = plane.nx0 * q.dx + plane.ny0 * q.dy;
+  if (height < 0 || rate >= 0) return false;
+  const t = -height / rate;
+  if (t > q.limit) return false;
+  q.fraction = t;
+  q.nx = plane.nx0;
+  q.ny = plane.ny0;
+  q.pointX = q.x + t * q.dx;
+  q.pointY = q.y + t * q.dy;
   return true;
 }
 

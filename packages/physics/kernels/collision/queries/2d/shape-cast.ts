@@ -1,4 +1,5 @@
 // Where a shape that moves along a line first meets bodies.
+import { RelativePose } from '../../narrow-phase/2d/relative-pose';
 import { Sweep, timeOfImpact } from '../../narrow-phase/2d/time-of-impact';
 import { Shape } from '../../shapes/2d/shape';
 import { shapeOf } from '../../shapes/2d/shape-pool';
@@ -13,14 +14,13 @@ const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
 export function nextShapeHit(query: usize, shape: usize, row: i32): i32 {
   const q = queryAt(query);
   for (let r = nextNear(q, row); r > 0; r = nextNear(q, r + 1)) {
-    if (shapeMeetsBody(q, changetype<Shape>(shape), r)) return r;
+    if (castMeets(q, changetype<Shape>(shape), shapeOf(r, spare()), poseFromQuery(q, r))) return r;
   }
   return 0;
 }
 
-function shapeMeetsBody(q: BodyQuery, own: Shape, row: i32): bool {
-  const pose = poseFromQuery(q, row);
-  // Positions from the start of the query.
+// The pose is that of `other` from the start of the query.
+export function castMeets(q: BodyQuery, own: Shape, other: Shape, pose: RelativePose): bool {
   sweep.ax = sweep.endAx = pose.x;
   sweep.ay = sweep.endAy = pose.y;
   sweep.ac = sweep.endAc = pose.c;
@@ -31,7 +31,7 @@ function shapeMeetsBody(q: BodyQuery, own: Shape, row: i32): bool {
   sweep.bc = sweep.endBc = q.c;
   sweep.bs = sweep.endBs = q.s;
   sweep.target = TARGET;
-  timeOfImpact(sweep, shapeOf(row, spare()), own);
+  timeOfImpact(sweep, other, own);
   if (sweep.isHit == 0) return false;
   q.fraction = sweep.fraction * q.limit;
   q.nx = sweep.nx;
