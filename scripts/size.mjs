@@ -36,6 +36,8 @@ const PRECISIONS = [
 const GAME_LIMIT = 40;
 const SHARED = [
   '*.gen.ts',
+  'acorn',
+  'acorn-walk',
   'sucrase',
   'uplot',
   '@principia/physics',
