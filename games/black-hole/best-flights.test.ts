@@ -25,7 +25,7 @@ function wonGame(seed: number, watch: (game: BlackHoleGame) => void = () => {}):
   const game = new BlackHoleGame({ values: VALUES, seed });
   const pilot = new Autopilot(game.scene, 99);
   for (let tick = 0; game.rules.dodged === 0; tick++) {
-    if (tick > 6000) throw new Error(`Nobody wins the first level of ${seed}.`);
+    if (tick > 6000) throw new Error(`The bot does not win the first level of seed ${seed}.`);
     // A hand is no faster than a quarter of a second.
     if (tick % 30 === 0) game.press(tick === 0 ? 'up' : (pilot.steer(30 * game.dt) ?? 'release'));
     step(game.world, game.dt);
@@ -69,7 +69,7 @@ describe('the record of a flight', () => {
     expect(game.rules.record.steps).toBe(0);
   });
 
-  it('is nobody’s where the autopilot steers', () => {
+  it('does not count where the autopilot steers', () => {
     const game = new BlackHoleGame({ values: { ...VALUES, autopilot: true }, seed: 4 });
     for (let i = 0; i < 120; i++) step(game.world, game.dt);
     expect(game.rules.record.steps).toBeGreaterThan(0);

@@ -76,7 +76,7 @@ export class Ghost {
   }
 }
 
-/** Puts the ghost where the flight was so many steps after its first position, and turns it along its way. */
+/** Puts the ghost where the flight was a number of steps after its start, and turns it along its path. */
 function placeOnPath({ path }: BestFlight, steps: number, container: Container): void {
   const last = path.length / 2 - 1;
   const time = Math.max(0, Math.min(last, steps / SAMPLE_STEPS));

@@ -35,7 +35,7 @@ export interface PictureOptions {
   readonly canBend: boolean;
   readonly isCalm: boolean;
   readonly palette: Palette;
-  /** Outlives the picture. */
+  /** Not destroyed with the picture. */
   readonly ghost: Ghost;
 }
 

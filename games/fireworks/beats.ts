@@ -6,7 +6,7 @@
 
 /** Samples between two values of energy, by the rate: 86 values a second at 44.1 kHz. */
 const HOP_SECONDS = 1 / 86;
-/** A beat is louder than the mean of so many seconds around it by this factor, and than this share of the loudest rise. */
+/** Window of the mean around a beat, s, by which factor a beat is louder than that, and its least share of the loudest rise. */
 const [WINDOW_SECONDS, FACTOR, FLOOR] = [1.2, 1.6, 0.06];
 /** Shortest time between two beats, s. */
 export const MIN_GAP = 0.28;

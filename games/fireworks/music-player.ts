@@ -3,7 +3,7 @@
 import { connectToSpeakers } from '@principia/shell';
 import { WORDS } from './words.ts';
 
-/** Difference between music and show that nobody notices, s. */
+/** Largest difference between music and show that is left uncorrected, s. */
 const MAX_DRIFT = 0.12;
 /** Frames without a step after which the game counts as paused. */
 const PAUSED_FRAMES = 12;

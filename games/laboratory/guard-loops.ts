@@ -3,19 +3,19 @@ import type { Statement } from 'acorn';
 
 /** How long a piece of code may hold up the page, ms: far longer than any step takes. */
 const LIMIT = 2000;
-/** The clock is read once in so many turns of loops. */
-const TURNS = 1000;
+/** Iterations of loops between two readings of the clock. */
+const ITERATIONS = 1000;
 
-/** What a loop calls in each turn, with its line. */
+/** What a loop calls in each iteration, with its line. */
 export type LoopGuard = (line: number) => void;
 
 /** @param fail makes the error that ends a loop */
 export function createLoopGuard(fail: (message: string, line: number) => Error, limit = LIMIT): LoopGuard {
-  let turns = 0;
+  let iterations = 0;
   let start: number | undefined;
   return (line) => {
-    if (++turns < TURNS) return;
-    turns = 0;
+    if (++iterations < ITERATIONS) return;
+    iterations = 0;
     if (start === undefined) {
       start = performance.now();
       // As soon as the code lets others run, its time begins anew.
@@ -30,7 +30,7 @@ export function createLoopGuard(fail: (message: string, line: number) => Error, 
 }
 
 /**
- * The same JavaScript, in which every loop calls the function `name` at the beginning of each turn. Lines stay where they are.
+ * The same JavaScript, in which every loop calls the function `name` at the beginning of each iteration. Lines stay where they are.
  * @throws SyntaxError that names the place as “(12:5)”
  */
 export async function guardLoops(script: string, name: string): Promise<string> {

@@ -79,7 +79,7 @@ export function burnt(probe: State, sun: State, [, ...amounts]: Burn): Vector {
   return burnAxes(probe, sun).reduce((velocity, axis, i) => sum(velocity, axis, amounts[i]), probe.velocity);
 }
 
-/** Components of a burn are multiples of 0.1 m/s, so that a link says exactly what was flown. */
+/** Components of a burn are multiples of 0.1 m/s, so that a link repeats the flight exactly. */
 export const rounded = (kmPerSecond: number): number => Math.round(1e4 * kmPerSecond) / 1e4;
 
 /** Radius of each body, km, in the order of `BODY_NAMES`. */

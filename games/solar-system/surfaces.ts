@@ -50,7 +50,7 @@ export function paintSurface(look: Look, seed: number): CanvasTexture {
       const height = look.isBanded
         ? band(noise, x, y, z)
         : 0.5 + 0.5 * rough(noise, 2.4 * x + 9, 2.4 * y + 9, 2.4 * z + 9);
-      // Ice at the poles of those that have it as their lightest colour.
+      // Ice at the poles, where ice is the lightest colour.
       const ice = colors.length > 3 && !look.isBanded && Math.abs(z) > 0.93 + 0.05 * height ? 1 : 0;
       write(image.data, i, colors, Math.max(ice, Math.min(0.999, Math.max(0, height))));
     }

@@ -20,7 +20,7 @@ afterAll(async () => {
   await served?.close();
 });
 
-/** Opens the page, plays the test, and expects that nothing was thrown that nobody caught. */
+/** Opens the page, plays the test, and expects no uncaught error. */
 async function withPage(play: (page: Page) => Promise<void>, prepare?: () => void): Promise<void> {
   const context = await browser.newContext({ viewport: { width: 390, height: 844 }, acceptDownloads: true });
   const errors: string[] = [];

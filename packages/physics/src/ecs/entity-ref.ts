@@ -27,7 +27,7 @@ export const MAX_CAPACITY = ID_SPAN - 1;
 const MAX_GENERATIONS = 2 ** 29;
 
 /**
- * 2^29 divided by the golden ratio, and odd: multiples of it are as far apart, modulo 2^29, as so many numbers can be
+ * 2^29 divided by the golden ratio, and odd: its first n multiples are nearly as far apart, modulo 2^29, as n numbers can be
  * (Knuth, The Art of Computer Programming 3, section 6.4, theorem S).
  */
 const GOLDEN = 331_804_471;

@@ -15,6 +15,6 @@ export function assertBelongs(world: object, ids: object, field: string): void {
   if (owner === undefined || owner === world) return;
   throw new PhysicsError('E_TYPE', `${field} are entities of another world.`, {
     field,
-    hint: 'Ids belong to one world: pass those that functions of this world returned.',
+    hint: 'Ids belong to one world: pass ids that functions of this world returned.',
   });
 }

@@ -13,7 +13,7 @@ import { soften, softness } from './softness';
 // The frequency of a contact is at most this part of the rate of sub-steps.
 const MAX_PART_OF_RATE: f64 = 0.125;
 
-// A body that is so many times as heavy is nearly immovable for the other. Where it is heavier yet, contacts give way
+// A body heavier by this factor is nearly immovable for the other. Where it is heavier yet, contacts give way
 // altogether: it must come through the light body, and not press that through the ground.
 const MUCH_HEAVIER: real = 10;
 const TOO_HEAVY: real = 2000;

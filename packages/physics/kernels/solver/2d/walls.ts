@@ -3,6 +3,7 @@
 import { get } from '../../memory/columns';
 import { PLANE, SEGMENT, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
+import { makePlane, makeSegment } from '../../collision/shapes/2d/wall-shapes';
 import { BodyPose, SHIFTED, WALL, flagsOf, poseOf, putFlags, putWord, word } from './body';
 import { RigidTable } from './rigid-table';
 import { WallColumns } from './wall-columns';
@@ -57,18 +58,8 @@ function placeSegment(t: RigidTable, row: i32, shape: Shape, pose: BodyPose): bo
   const isSame = shape.kind == SEGMENT && shape.x1 == halfX && shape.y1 == halfY && pose.x == x && pose.y == y;
   if (isSame) return false;
   const half = sqrt<real>(halfX * halfX + halfY * halfY);
-  shape.kind = SEGMENT;
-  shape.count = 2;
+  makeSegment(shape, halfX, halfY, half);
   shape.isChained = 0;
-  shape.extent = half;
-  shape.x0 = -halfX;
-  shape.y0 = -halfY;
-  shape.x1 = halfX;
-  shape.y1 = halfY;
-  shape.nx0 = halfY / half;
-  shape.ny0 = -halfX / half;
-  shape.nx1 = -shape.nx0;
-  shape.ny1 = -shape.ny0;
   pose.x = x;
   pose.y = y;
   return true;
@@ -83,15 +74,9 @@ function placePlane(t: RigidTable, row: i32, shape: Shape, pose: BodyPose): bool
   const y = get(w.offset, row) * ny;
   const isSame = shape.kind == PLANE && shape.nx0 == nx && shape.ny0 == ny && pose.x == x && pose.y == y;
   if (isSame) return false;
-  shape.kind = PLANE;
-  shape.count = 1;
+  makePlane(shape, nx, ny);
   // Pairs with it take the path of shapes that are rare.
   shape.isChained = 1;
-  shape.extent = 0;
-  shape.x0 = 0;
-  shape.y0 = 0;
-  shape.nx0 = nx;
-  shape.ny0 = ny;
   pose.x = x;
   pose.y = y;
   return true;

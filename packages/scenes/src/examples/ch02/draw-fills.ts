@@ -1,16 +1,8 @@
 import { cos, sin } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
-import { COLORS, type Point, pointsOf } from '../picture.ts';
+import { COLORS, pointsOf } from '../picture.ts';
+import { areaOf } from '../support/outline.ts';
 import { distanceBetween, emptyWorld } from '../support/read.ts';
-
-/** The area of a polygon by the shoelace formula. */
-function areaOf(corners: readonly Point[]): number {
-  const twice = corners.reduce((sum, a, i) => {
-    const b = corners[(i + 1) % corners.length];
-    return sum + a.x * b.y - b.x * a.y;
-  }, 0);
-  return Math.abs(twice) / 2;
-}
 
 const [A, B] = [
   { x: 50, y: 100 },

@@ -1,8 +1,8 @@
+import { keepState } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { discOnLine, placeAfter } from '../support/disc-steps.ts';
 import { emptyWorld } from '../support/read.ts';
-
-const [START, STEP, WIDTH] = [50, 2, 600];
 
 export default defineExample({
   id: 'ch02-raf-throttled',
@@ -19,28 +19,27 @@ export default defineExample({
   presets: [{ label: 'A display of 60', values: { rate: 60 } }],
   build({ rate, cap }: ValuesOf<'rate' | 'cap'>) {
     const world = emptyWorld();
-    /** Each picture that is shown is so many pictures of the display after the one before. */
-    const every = Math.ceil(rate / cap);
-    const shown = () => Math.floor(Math.floor(world.time * rate + 1e-6) / every);
-    return { world, dt: 1 / 720, shown, x: () => START + STEP * shown() };
+    const display = { count: 0 };
+    const shown = { count: 0, last: 0 };
+    keepState(world, display, shown);
+    world.phases.events.push((_, dt) => {
+      if (Math.floor((world.time + dt) * rate + 1e-6) === display.count) return;
+      display.count++;
+      // The rule of a game that saves pictures: draw only if 1/cap has passed since the last one that was drawn.
+      const time = display.count / rate;
+      if (time - shown.last < 1 / cap - 1e-9) return;
+      shown.last = time;
+      shown.count++;
+    });
+    return { world, dt: 1 / 720, shown, x: () => placeAfter(shown.count) };
   },
-  picture: ({ world, shown, x }) => ({
-    yDown: true,
-    view: { minX: 0, maxX: 700, minY: 120, maxY: 380 },
-    lines: [{ from: { x: 0, y: 275 }, to: { x: 700, y: 275 }, color: COLORS.ground }],
-    dots: [{ at: () => ({ x: START + ((x() - START) % WIDTH), y: 250 }), radius: 20, color: COLORS.green }],
-    labels: [
-      {
-        at: { x: 30, y: 340 },
-        text: () => `${shown()} pictures in ${world.time.toFixed(1)} s`,
-      },
-    ],
-  }),
+  picture: ({ world, shown, x }) =>
+    discOnLine(x, COLORS.green, () => `${shown.count} pictures in ${world.time.toFixed(1)} s`),
   plots: [
     {
       title: 'Pictures so far',
       y: { label: 'pictures' },
-      series: [{ label: 'shown', value: ({ shown }) => shown(), exact: (t, { cap }) => cap * t }],
+      series: [{ label: 'shown', value: ({ shown }) => shown.count, exact: (t, { cap }) => cap * t }],
     },
   ],
   checks: [
@@ -50,7 +49,7 @@ export default defineExample({
       exact: ({ rate, cap }) => Math.floor((10 * rate) / Math.ceil(rate / cap)),
       tolerance: { absolute: 0 },
       at: { time: 10 },
-      measure: ({ shown }) => shown(),
+      measure: ({ shown }) => shown.count,
     },
     {
       label: 'Pictures in 10 s of a display of 144 with a cap of 60',
@@ -58,7 +57,7 @@ export default defineExample({
       exact: 480,
       tolerance: { absolute: 0 },
       at: { time: 10 },
-      measure: ({ shown }) => shown(),
+      measure: ({ shown }) => shown.count,
     },
   ],
   tryThis: ['Raise the cap until it is 72, half of 144: now every second picture is shown, and none is lost.'],

@@ -1,8 +1,7 @@
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { discOnLine, placeAfter } from '../support/disc-steps.ts';
 import { emptyWorld } from '../support/read.ts';
-
-const [START, STEP, WIDTH] = [50, 2, 600];
 
 export default defineExample({
   id: 'ch02-raf',
@@ -17,27 +16,21 @@ export default defineExample({
   build({ rate }: ValuesOf<'rate'>) {
     const world = emptyWorld();
     const frames = () => Math.floor(world.time * rate + 1e-6);
-    return { world, dt: 1 / 720, frames, x: () => START + STEP * frames() };
+    return { world, dt: 1 / 720, frames, x: () => placeAfter(frames()) };
   },
-  picture: ({ frames, x }) => ({
-    yDown: true,
-    view: { minX: 0, maxX: 700, minY: 120, maxY: 380 },
-    lines: [{ from: { x: 0, y: 275 }, to: { x: 700, y: 275 }, color: COLORS.ground }],
-    dots: [{ at: () => ({ x: START + ((x() - START) % WIDTH), y: 250 }), radius: 20, color: COLORS.orange }],
-    labels: [{ at: { x: 30, y: 340 }, text: () => `picture ${frames()}` }],
-  }),
+  picture: ({ frames, x }) => discOnLine(x, COLORS.orange, () => `picture ${frames()}`),
   plots: [
     {
       title: 'Place of the disc',
       y: { label: 'x, px' },
-      series: [{ label: 'x', value: ({ x }) => x(), exact: (t) => START + STEP * 60 * t }],
+      series: [{ label: 'x', value: ({ x }) => x(), exact: (t) => placeAfter(60 * t) }],
     },
   ],
   checks: [
     {
       label: 'Place after 10 s, 50 + 2 · 10 · rate',
       unit: 'px',
-      exact: ({ rate }) => START + 20 * rate,
+      exact: ({ rate }) => 50 + 20 * rate,
       tolerance: { absolute: 0 },
       at: { time: 10 },
       measure: ({ x }) => x(),

@@ -1,8 +1,7 @@
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { discOnLine, placeAfter } from '../support/disc-steps.ts';
 import { emptyWorld } from '../support/read.ts';
-
-const [START, STEP, WIDTH] = [50, 2, 600];
 
 export default defineExample({
   id: 'ch02-timer',
@@ -18,20 +17,14 @@ export default defineExample({
     const world = emptyWorld();
     // The tolerance is for sums of steps.
     const ticks = () => Math.floor((world.time * 1000) / interval + 1e-6);
-    return { world, dt: 1 / 240, ticks, x: () => START + STEP * ticks() };
+    return { world, dt: 1 / 240, ticks, x: () => placeAfter(ticks()) };
   },
-  picture: ({ ticks, x }) => ({
-    yDown: true,
-    view: { minX: 0, maxX: 700, minY: 120, maxY: 380 },
-    lines: [{ from: { x: 0, y: 275 }, to: { x: 700, y: 275 }, color: COLORS.ground }],
-    dots: [{ at: () => ({ x: START + ((x() - START) % WIDTH), y: 250 }), radius: 20, color: COLORS.blue }],
-    labels: [{ at: { x: 30, y: 340 }, text: () => `tick ${ticks()}` }],
-  }),
+  picture: ({ ticks, x }) => discOnLine(x, COLORS.blue, () => `tick ${ticks()}`),
   plots: [
     {
       title: 'Place of the disc',
       y: { label: 'x, px' },
-      series: [{ label: 'x', value: ({ x }) => x(), exact: (t, { interval }) => START + (STEP * 1000 * t) / interval }],
+      series: [{ label: 'x', value: ({ x }) => x(), exact: (t, { interval }) => placeAfter((1000 * t) / interval) }],
     },
   ],
   checks: [

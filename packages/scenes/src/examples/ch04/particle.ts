@@ -68,7 +68,7 @@ export default defineExample({
       measure: ({ world, particle }) => positionOf(world, particle).y,
     },
     {
-      label: 'Charge, if nobody gave one',
+      label: 'Default charge',
       unit: 'C',
       exact: 0,
       tolerance: { absolute: 0 },

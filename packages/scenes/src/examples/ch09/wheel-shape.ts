@@ -1,4 +1,4 @@
-import { createPhysicsWorld, spawn } from '@principia/physics';
+import { constantTorque, createPhysicsWorld, spawn } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { placeOn, spokes, star } from '../support/outline.ts';
@@ -23,12 +23,9 @@ export default defineExample({
     torque: { label: 'Torque', unit: 'kg px²/s²', initial: 15_000, min: -40_000, max: 40_000 },
   },
   build({ torque, spokes: count }: ValuesOf<'spokes' | 'torque'>, options) {
-    const world = createPhysicsWorld({ capacity: 2, ...options });
+    const world = createPhysicsWorld({ capacity: 2, forces: [constantTorque({ z: torque })], ...options });
     const [mass, inertia] = [massOf(DENSITY), inertiaOf(DENSITY)];
     const wheel = spawn(world, { position: {}, velocity: {}, rotation: 0, angularVelocity: 0, mass, inertia });
-    world.phases.input.push((_, dt) => {
-      world.components.AngularVelocity.z[wheel] += (torque / inertia) * dt;
-    });
     return { world, dt: 1 / 60, wheel, tips: star(count, INNER), rate: torque / inertia };
   },
   picture({ world, wheel, tips }) {

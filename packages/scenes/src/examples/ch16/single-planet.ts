@@ -6,7 +6,7 @@ import { cross, dot, type Point3, point, times } from '../support/space.ts';
 
 const GM = 50000;
 const START = point(0, 250, 0);
-/** A copy of the planet is left after so many steps. */
+/** Steps between two copies of the planet that are left behind. */
 const COPY_STEPS = 40;
 const COPIES = 63;
 

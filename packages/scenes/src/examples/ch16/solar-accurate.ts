@@ -1,10 +1,11 @@
 import { rungeKutta4 } from '@principia/physics';
 import { type BuildOptions, defineExample } from '../define-example.ts';
 import {
-  DAYS,
   distanceFromSun,
   ellipseOf,
   INNER_CAMERA,
+  INNER_DISTANCES,
+  INNER_NAMES,
   INNER_PLANETS,
   INNER_VIEW,
   innerTrails,
@@ -14,7 +15,6 @@ import {
 
 /** The astronomical unit, 10⁹ m. */
 const AU = 149.5978707;
-const NAMES = { mercury: 'Mercury', venus: 'Venus', earth: 'Earth', mars: 'Mars' } as const;
 
 /** Osculating elements of JPL's states: semi-major axis, au, eccentricity, inclination, degrees. */
 const ELEMENTS = {
@@ -40,21 +40,11 @@ export default defineExample({
   parameters: {},
   build: (_: object, { integrator = rungeKutta4 }: BuildOptions) => system2012({ integrator }),
   picture: (run) => ({ view: INNER_VIEW, camera: INNER_CAMERA, trails: innerTrails(run) }),
-  plots: [
-    {
-      title: 'Distances from the Sun',
-      x: { label: 't, days', value: ({ world }) => DAYS * world.time },
-      y: { label: 'r, 10⁹ m' },
-      series: INNER_PLANETS.map((name) => ({
-        label: NAMES[name],
-        value: (run: SolarRun) => distanceFromSun(run, name),
-      })),
-    },
-  ],
+  plots: [INNER_DISTANCES],
   checks: [
     ...INNER_PLANETS.flatMap((name) => [
       {
-        label: `Semi-major axis of ${NAMES[name]}`,
+        label: `Semi-major axis of ${INNER_NAMES[name]}`,
         unit: 'au',
         exact: ELEMENTS[name][0],
         tolerance: { absolute: 2e-6 },
@@ -62,7 +52,7 @@ export default defineExample({
         measure: (run: SolarRun) => ellipseOf(run, name).axis / AU,
       },
       {
-        label: `Eccentricity of ${NAMES[name]}`,
+        label: `Eccentricity of ${INNER_NAMES[name]}`,
         unit: '',
         exact: ELEMENTS[name][1],
         tolerance: { absolute: 1.5e-5 },
@@ -70,7 +60,7 @@ export default defineExample({
         measure: (run: SolarRun) => ellipseOf(run, name).eccentricity,
       },
       {
-        label: `Inclination of ${NAMES[name]}`,
+        label: `Inclination of ${INNER_NAMES[name]}`,
         unit: '°',
         exact: ELEMENTS[name][2],
         tolerance: { absolute: 1e-4 },

@@ -5,11 +5,12 @@ import {
   BOOK,
   BOOK_PLANETS,
   DAYS,
-  distanceFromSun,
   ellipseOf,
   fixedSun,
   gmInPicture,
   INNER_CAMERA,
+  INNER_DISTANCES,
+  INNER_NAMES,
   INNER_PLANETS,
   INNER_VIEW,
   innerTrails,
@@ -23,7 +24,6 @@ import { point } from '../support/space.ts';
 const MU = gmInPicture((BOOK.G * BOOK.sun) / 1e9);
 /** Periods about a fixed Sun alone, days. */
 const PERIODS = { mercury: 87.913, venus: 224.57, earth: 364.897, mars: 686.469 } as const;
-const NAMES = { mercury: 'Mercury', venus: 'Venus', earth: 'Earth', mars: 'Mars' } as const;
 
 export default defineExample({
   id: 'ch16-solar-basic',
@@ -46,20 +46,10 @@ export default defineExample({
     );
   },
   picture: (run) => ({ view: INNER_VIEW, camera: INNER_CAMERA, trails: innerTrails(run) }),
-  plots: [
-    {
-      title: 'Distances from the Sun',
-      x: { label: 't, days', value: ({ world }) => DAYS * world.time },
-      y: { label: 'r, 10⁹ m' },
-      series: INNER_PLANETS.map((name) => ({
-        label: NAMES[name],
-        value: (run: SolarRun) => distanceFromSun(run, name),
-      })),
-    },
-  ],
+  plots: [INNER_DISTANCES],
   checks: [
     ...INNER_PLANETS.map((name) => ({
-      label: `Year of ${NAMES[name]} about the Sun alone`,
+      label: `Year of ${INNER_NAMES[name]} about the Sun alone`,
       unit: 'd',
       exact: PERIODS[name],
       tolerance: { relative: 1e-5 },
@@ -67,7 +57,7 @@ export default defineExample({
       measure: (run: SolarRun) => periodOf(run, name),
     })),
     ...INNER_PLANETS.map((name) => ({
-      label: `${NAMES[name]} is back where it started`,
+      label: `${INNER_NAMES[name]} is back where it started`,
       unit: 'd',
       exact: PERIODS[name],
       // The other planets delay or hasten it by some parts in 100 000.
@@ -79,7 +69,7 @@ export default defineExample({
       measure: ({ world }: SolarRun) => DAYS * world.time,
     })),
     ...INNER_PLANETS.map((name) => ({
-      label: `Eccentricity of ${NAMES[name]}`,
+      label: `Eccentricity of ${INNER_NAMES[name]}`,
       unit: '',
       exact: 4.5e-4,
       tolerance: { absolute: 1.6e-4 },

@@ -8,6 +8,7 @@ import {
   fixedSun,
   gmInPicture,
   INNER_CAMERA,
+  INNER_NAMES,
   INNER_PLANETS,
   INNER_VIEW,
   innerTrails,
@@ -17,7 +18,6 @@ import {
   system2012,
 } from '../support/solar.ts';
 
-const NAMES = { mercury: 'Mercury', venus: 'Venus', earth: 'Earth', mars: 'Mars' } as const;
 /** Days until the last stored position, that of 1 January 2013. */
 const YEAR = 366;
 const MODELS = ['All planets, Moon, relativity', 'All planets, Newton', 'Inner planets, book'];
@@ -69,14 +69,14 @@ export default defineExample({
       x: { label: 't, days', value: ({ world }) => DAYS * world.time },
       y: { label: '10⁹ m' },
       series: INNER_PLANETS.map((name) => ({
-        label: NAMES[name],
+        label: INNER_NAMES[name],
         value: (run: SolarRun) => 1e-6 * lastError(name)(run),
       })),
     },
   ],
   checks: [
     ...INNER_PLANETS.map((name) => ({
-      label: `${NAMES[name]} after 366 days, distance from JPL’s position`,
+      label: `${INNER_NAMES[name]} after 366 days, distance from JPL’s position`,
       unit: 'km',
       exact: 0,
       tolerance: { absolute: 1 },
@@ -93,7 +93,7 @@ export default defineExample({
       preset: 'Newton without the Moon',
     },
     ...INNER_PLANETS.map((name) => ({
-      label: `${NAMES[name]} with the constants of the book`,
+      label: `${INNER_NAMES[name]} with the constants of the book`,
       unit: 'km',
       exact: BOOK_ERRORS[name],
       tolerance: { relative: 0.01 },

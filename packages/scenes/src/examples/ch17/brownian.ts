@@ -16,7 +16,7 @@ import { boxOf, linesOf } from '../support/walls.ts';
 type Values = ValuesOf<'speed' | 'mass'>;
 
 const [HALF_X, HALF_Y, SMALL, BIG] = [12, 8, 0.12, 1];
-/** Molecules start on a grid, without those that would be in the dust grain. */
+/** Molecules start on a grid, except where the dust grain is. */
 const [COLUMNS, ROWS] = [36, 24];
 
 export default defineExample({

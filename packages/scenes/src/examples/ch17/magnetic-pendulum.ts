@@ -127,6 +127,6 @@ export default defineExample({
   ],
   tryThis: [
     'Choose “Thick air”: the pendulums are caught soon, and three clear regions remain.',
-    'Choose “Thin air”: hardly a point has neighbours of its own colour, and nobody can foretell where it will end.',
+    'Choose “Thin air”: hardly a point has neighbours of its own colour, and the end of a swing cannot be predicted.',
   ],
 });

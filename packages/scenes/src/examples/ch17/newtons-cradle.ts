@@ -150,7 +150,7 @@ export default defineExample({
       preset: 'Two balls',
     },
     {
-      label: 'Change of the energy in 10 s, as a fraction of what was lifted',
+      label: 'Change of the energy in 10 s, as a fraction of the energy at the start',
       unit: '',
       exact: 0,
       // The jerks of the strings take some.

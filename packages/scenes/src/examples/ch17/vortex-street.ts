@@ -1,6 +1,7 @@
-import { createPhysicsWorld, exp, log, rgba, spawn } from '@principia/physics';
+import { createPhysicsWorld, log, rgba, spawn } from '@principia/physics';
 import { teleport } from '../../teleport.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { tanh } from '../support/hyperbolic.ts';
 import { PointVortices } from '../support/point-vortices.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
@@ -12,18 +13,19 @@ const [SPACING, PER_ROW] = [4, 4];
 const [LINES, APART, PER_LINE] = [8, 0.5, 240];
 const PERIOD = SPACING * PER_ROW;
 const HALF = PERIOD / 2;
+/** Radius in which the fluid of a vortex turns like a solid, as drops of dye see it, m. */
+const CORE = 0.35;
 /** By how much every second vortex is shifted, m. */
 const SHIFT = 2e-4 * SPACING;
 /** Width over spacing of Kármán's street: cosh π h/a = √2. */
 const KARMAN = 0.28055;
 
-const cosh = (x: number) => (exp(x) + exp(-x)) / 2;
-const tanh = (x: number) => (exp(x) - exp(-x)) / (exp(x) + exp(-x));
 const speedOf = ({ ratio, circulation }: Values) => (circulation / (2 * SPACING)) * tanh(Math.PI * ratio);
 /** Rate at which a shift of every second vortex grows, 1/s (Lamb, Hydrodynamics, article 156, at φ = π). */
 const growthOf = ({ ratio, circulation }: Values) => {
-  const c = cosh(Math.PI * ratio);
-  return (Math.abs(0.5 - 1 / (c * c)) * Math.PI * circulation) / (2 * SPACING * SPACING);
+  const t = tanh(Math.PI * ratio);
+  // 1/cosh² = 1 − tanh².
+  return (Math.abs(t * t - 0.5) * Math.PI * circulation) / (2 * SPACING * SPACING);
 };
 const wrap = (x: number) => x - PERIOD * Math.round(x / PERIOD);
 
@@ -61,21 +63,18 @@ export default defineExample({
       const position = { x: (((i % PER_LINE) + 0.5) / PER_LINE) * PERIOD - HALF, y };
       return spawn(world, { position, velocity: {}, appearance: { size: 0.045, color } });
     });
-    const flow = new PointVortices(vortices.length, PERIOD, 0.35);
-    const cores = new PointVortices(vortices.length, PERIOD, 0);
+    const flow = new PointVortices(vortices.length, PERIOD);
     const velocity = { x: 0, y: 0 };
     /** Puts the vortices where they are after `ahead` seconds with their present velocities. */
     const place = (ahead: number) => {
       flow.clear();
-      cores.clear();
       for (const { id, circulation: strength } of vortices) {
-        const [x, y] = [Position.x[id] + ahead * Velocity.x[id], Position.y[id] + ahead * Velocity.y[id]];
-        flow.add(x, y, strength);
-        cores.add(x, y, strength);
+        flow.add(Position.x[id] + ahead * Velocity.x[id], Position.y[id] + ahead * Velocity.y[id], strength);
       }
     };
-    const carry = (fluid: PointVortices, id: number, ahead: number) => {
-      fluid.velocityAt(Position.x[id] + ahead * Velocity.x[id], Position.y[id] + ahead * Velocity.y[id], velocity);
+    const carry = (id: number, ahead: number, core: number) => {
+      const [x, y] = [Position.x[id] + ahead * Velocity.x[id], Position.y[id] + ahead * Velocity.y[id]];
+      flow.velocityAt(x, y, core, velocity);
       Velocity.x[id] = velocity.x;
       Velocity.y[id] = velocity.y;
     };
@@ -90,8 +89,8 @@ export default defineExample({
       for (const id of tracers) comeBack(id);
       for (const ahead of [0, dt / 2]) {
         place(ahead);
-        for (const { id } of vortices) carry(cores, id, ahead);
-        for (const id of tracers) carry(flow, id, ahead);
+        for (const { id } of vortices) carry(id, ahead, 0);
+        for (const id of tracers) carry(id, ahead, CORE);
       }
     });
     const drift = () => -vortices.reduce((sum, { id }) => sum + velocityOf(world, id).x, 0) / vortices.length;

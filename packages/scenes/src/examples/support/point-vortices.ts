@@ -7,15 +7,13 @@ import type { Point } from '../picture.ts';
  */
 export class PointVortices {
   readonly #period: number;
-  readonly #core: number;
   #count = 0;
   /** Of each vortex: circulation and, with k = 2π/period, sin k x, cos k x, exp k y, exp −k y. */
   readonly #table: Float64Array;
 
-  /** @param period length after which all is repeated, m. @param core radius of a core that turns like a solid, m */
-  constructor(capacity: number, period: number, core: number) {
+  /** @param period length after which all is repeated, m */
+  constructor(capacity: number, period: number) {
     this.#period = period;
-    this.#core = core;
     this.#table = new Float64Array(5 * capacity);
   }
 
@@ -30,11 +28,14 @@ export class PointVortices {
     this.#table.set([circulation, sin(k * x), cos(k * x), rise, 1 / rise], 5 * this.#count++);
   }
 
-  /** Writes the velocity of the fluid at a point to `result`, m/s. A vortex does not move itself. */
-  velocityAt(x: number, y: number, result: { -readonly [Axis in keyof Point]: number }): void {
+  /**
+   * Writes the velocity of the fluid at a point to `result`, m/s. A vortex does not move itself.
+   * @param core radius of the core of each vortex, which turns like a solid, m
+   */
+  velocityAt(x: number, y: number, core: number, result: { -readonly [Axis in keyof Point]: number }): void {
     const k = (2 * Math.PI) / this.#period;
     const [s, c, rise] = [sin(k * x), cos(k * x), exp(k * y)];
-    const softening = (k * k * this.#core * this.#core) / 2;
+    const softening = (k * k * core * core) / 2;
     let [u, v] = [0, 0];
     for (let i = 0; i < 5 * this.#count; i += 5) {
       const table = this.#table;

@@ -170,3 +170,17 @@ export const INNER_CAMERA = { eye: { x: 0, y: -600, z: 800 }, target: { x: 0, y:
 /** The trails of the inner planets. */
 export const innerTrails = ({ ids }: SolarRun) =>
   INNER_PLANETS.map((name) => ({ body: ids[name] as number, length: 700, interval: 24 }));
+
+/** What the inner planets are called. */
+export const INNER_NAMES = { mercury: 'Mercury', venus: 'Venus', earth: 'Earth', mars: 'Mars' } as const;
+
+/** The distances of the inner planets from the Sun against the days. */
+export const INNER_DISTANCES = {
+  title: 'Distances from the Sun',
+  x: { label: 't, days', value: ({ world }: SolarRun) => DAYS * world.time },
+  y: { label: 'r, 10⁹ m' },
+  series: INNER_PLANETS.map((name) => ({
+    label: INNER_NAMES[name],
+    value: (run: SolarRun) => distanceFromSun(run, name),
+  })),
+} as const;

@@ -130,7 +130,7 @@ function covers(t: RigidTable, by: RigidContact, contact: RigidContact): bool {
   return true;
 }
 
-// How far a shape reaches beyond a point along a direction, infinite for those that have other rules about their sides.
+// How far a shape reaches beyond a point along a direction, infinite for half-planes and segments of chains.
 function reach(t: RigidTable, body: i32, dx: real, dy: real, fromX: real, fromY: real): real {
   const shape = shapeAt(t, body, spare);
   if (shape.isChained != 0) return Infinity;

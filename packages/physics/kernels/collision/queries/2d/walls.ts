@@ -1,6 +1,7 @@
 // Queries about walls that are no bodies: TypeScript places one after the other, and asks whether the query meets it. They
 // need no solver, so that worlds of particles have them, too.
-import { PLANE, SEGMENT, SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
+import { PLANE, SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
+import { makePlane, makeSegment } from '../../shapes/2d/wall-shapes';
 import { RelativePose } from '../../narrow-phase/2d/relative-pose';
 import { BodyQuery, isNearPath, queryAt } from './body-query';
 import { isWithinReach, measure, measurePlane } from './nearest-point';
@@ -23,18 +24,7 @@ export function placeSegment(query: usize, ax: real, ay: real, bx: real, by: rea
   pose.s = 0;
   if (!(half > 0) || !isFinite<real>(half + pose.x + pose.y)) return 0;
   if (!isNearPath(q, pose.x, pose.y, half)) return 0;
-  wall.kind = SEGMENT;
-  wall.count = 2;
-  wall.radius = 0;
-  wall.extent = half;
-  wall.x0 = -halfX;
-  wall.y0 = -halfY;
-  wall.x1 = halfX;
-  wall.y1 = halfY;
-  wall.nx0 = halfY / half;
-  wall.ny0 = -halfX / half;
-  wall.nx1 = -wall.nx0;
-  wall.ny1 = -wall.ny0;
+  makeSegment(wall, halfX, halfY, half);
   return 1;
 }
 
@@ -43,14 +33,7 @@ export function placeSegment(query: usize, ax: real, ay: real, bx: real, by: rea
 export function placePlane(query: usize, nx: real, ny: real, offset: real): i32 {
   const q = queryAt(query);
   const length = sqrt<real>(nx * nx + ny * ny);
-  wall.kind = PLANE;
-  wall.count = 1;
-  wall.radius = 0;
-  wall.extent = 0;
-  wall.x0 = 0;
-  wall.y0 = 0;
-  wall.nx0 = nx / length;
-  wall.ny0 = ny / length;
+  makePlane(wall, nx / length, ny / length);
   const height = wall.nx0 * q.x + wall.ny0 * q.y - offset;
   pose.x = -height * wall.nx0;
   pose.y = -height * wall.ny0;
