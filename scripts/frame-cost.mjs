@@ -1,6 +1,6 @@
 /**
- * What a frame costs in JavaScript: 100 000 particles after a step, handed to each renderer, and 50 000 sparks of the
- * fireworks, their step included. Medians, in milliseconds.
+ * What a frame costs in JavaScript: 100 000 particles after a step, handed to each renderer and to pixi's
+ * `ParticleContainer`; 50 000 sparks of the fireworks; and every game as it opens, steps included. Medians, in milliseconds.
  *
  * `npm run frame-cost -- [--bodies 100000] [--sparks 50000] [--drawn]`; the graphics card is told nothing of what it
  * would draw, unless `--drawn`. `CHROMIUM` names the browser. Times are this machine's: compare those of one run.
@@ -15,6 +15,7 @@ import { bundleOptions } from './lib/bundle.mjs';
 import { commandOptions } from './lib/command-options.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
+import { gameNames } from './lib/site-pages.mjs';
 import { serveFiles } from './lib/static-server.mjs';
 
 /** @typedef {import('playwright-core').Browser} Browser */
@@ -29,22 +30,30 @@ const FRAMES = 15;
 /** Frames before the first that counts: compilers come to rest, and the sky fills with sparks. */
 const WARM = 15;
 const SPARKS_WARM = 200;
+/** Pages that cannot tell what their frames cost. */
+const WITHOUT_SHELL = ['first-game', 'front-page'];
 
+/** @type {Browser | undefined} */
+let browser;
 const folder = mkdtempSync(join(tmpdir(), 'principia-frame-cost-'));
 try {
   for (const what of /** @type {const} */ (['bodies', 'sparks'])) {
     if (!(Number(values[what]) >= 1)) throw new Error(`--${what} must be a number from 1, got ${values[what]}.`);
   }
   await buildKernels({ quiet: true });
-  const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+  const flags = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-  const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
+  browser = await chromium.launch({ executablePath, chromiumSandbox: false, args: flags });
   await measureBodies(browser, Number(values.bodies));
-  await measureSparks(browser, Number(values.sparks));
-  await browser.close();
+  await writeSite(folder);
+  const server = await serveFiles({ find: (path) => readIfThere(join(folder, path)) });
+  await measureSparks(browser, server.url, Number(values.sparks));
+  await measureGames(browser, server.url);
+  await server.close();
 } catch (error) {
   await reportFailure(error);
 } finally {
+  await browser?.close();
   rmSync(folder, { recursive: true, force: true });
 }
 
@@ -79,6 +88,7 @@ async function measureBodies(browser, count) {
     ['pixi', 2],
     ['three', 2],
     ['three', 3],
+    ['ParticleContainer', 2],
   ])) {
     const page = await openPage(browser);
     await page.goto(server.url);
@@ -105,22 +115,47 @@ async function measureBodies(browser, count) {
 
 /**
  * @param {Browser} browser
+ * @param {string} site
  * @param {number} count
  */
-async function measureSparks(browser, count) {
-  await writeSite(folder);
-  const server = await serveFiles({ find: (path) => readIfThere(join(folder, path)) });
+async function measureSparks(browser, site, count) {
   for (const renderer of ['pixi', 'three']) {
-    const page = await openPage(browser);
-    await page.goto(`${server.url}fireworks/?barrage=true&sparks=${count}&renderer=${renderer}`);
-    await page.waitForFunction(() => /** @type {any} */ (globalThis).__game?.state().ready, undefined, { polling: 50 });
-    const frames = await page.evaluate(watchGame, values.drawn ? 40 : 2 * SPARKS_WARM);
-    const [step, draw, alive] = [0, 1, 2].map((i) => median(frames.map((frame) => frame[i])));
-    const parts = `step ${ms(step)}, draw ${ms(draw)}`;
-    process.stdout.write(`${alive} sparks, ${renderer}: ${ms(step + draw)} (${parts})\n`);
-    await page.close();
+    const frames = await watch(browser, `${site}fireworks/?barrage=true&sparks=${count}&renderer=${renderer}`);
+    const alive = median(frames.map((frame) => frame[2]));
+    process.stdout.write(`${alive} sparks, ${renderer}: ${parts(frames)}\n`);
   }
-  await server.close();
+}
+
+/**
+ * Every game as a visitor finds it, in each renderer that it has.
+ * @param {Browser} browser
+ * @param {string} site
+ */
+async function measureGames(browser, site) {
+  for (const name of gameNames()) {
+    if (WITHOUT_SHELL.includes(name)) continue;
+    process.stdout.write(`${name}: ${parts(await watch(browser, `${site}${name}/`))}\n`);
+  }
+}
+
+/**
+ * Frames of a game: milliseconds of steps and of drawing, and its particles.
+ * @param {Browser} browser
+ * @param {string} url
+ */
+async function watch(browser, url) {
+  const page = await openPage(browser);
+  await page.goto(url);
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).__game?.state().ready, undefined, { polling: 50 });
+  const frames = await page.evaluate(watchGame, values.drawn ? 40 : 2 * SPARKS_WARM);
+  await page.close();
+  return frames;
+}
+
+/** @param {number[][]} frames */
+function parts(frames) {
+  const [step, draw] = [0, 1].map((i) => median(frames.map((frame) => frame[i])));
+  return `${ms(step + draw)} (step ${ms(step)}, draw ${ms(draw)})`;
 }
 
 /** Runs in the page. @param {number} count @returns {Promise<number[][]>} of the second half of the frames */

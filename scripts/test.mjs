@@ -9,8 +9,13 @@ import { cacheFolder, resolveInstalled, root } from './lib/paths.mjs';
 import { runNode } from './lib/run.mjs';
 
 /**
+ * What a run of tests came to; `unsteady` are tests that passed only when they were tried again.
+ * @typedef {{ passed: number, failed: number, skipped: number, failures: string[], unsteady: string[], ok: boolean }} TestCount
+ */
+
+/**
  * @param {readonly string[]} args for vitest
- * @returns {Promise<{ passed: number, failed: number, skipped: number, ok: boolean }>}
+ * @returns {Promise<TestCount>}
  */
 export async function runTests(args = []) {
   const countFile = `${cacheFolder}/test-count-${process.pid}.json`;
@@ -24,14 +29,16 @@ export async function runTests(args = []) {
     return { ...count, ok: code === 0 && count.failed === 0 && count.passed > 0 };
   } catch (error) {
     process.stderr.write(`The tests did not run: ${error instanceof Error ? error.message : error}\n`);
-    return { passed: 0, failed: 0, skipped: 0, ok: false };
+    return { passed: 0, failed: 0, skipped: 0, failures: [], unsteady: [], ok: false };
   } finally {
     rmSync(countFile, { force: true });
   }
 }
 
-/** @param {{ passed: number, failed: number, skipped: number }} count */
-export function printCount({ passed, failed, skipped }) {
+/** What failed, again at the end of a long log, and the count. @param {TestCount} count */
+export function printCount({ passed, failed, skipped, failures, unsteady }) {
+  for (const test of unsteady) process.stdout.write(`Passed at the second try: ${test}\n`);
+  for (const test of failures) process.stdout.write(`Failed: ${test}\n`);
   if (passed + failed === 0) process.stdout.write('No test ran: that counts as a failure.\n');
   if (skipped > 0) process.stdout.write(`${skipped} skipped\n`);
   process.stdout.write(`${passed} passed, ${failed} failed\n`);

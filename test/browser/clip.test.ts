@@ -1,28 +1,22 @@
 /** Clips of a real canvas: whether they play, who gets them, and what becomes of the recorder. */
-import type { Browser, Download, Page } from 'playwright-core';
+import type { Download, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launchChromium } from '../support/chromium.ts';
 import { type ServedPage, servePage } from '../support/page.ts';
+import { shareBrowser } from '../support/shared-browser.ts';
 import type {} from './clip.page.ts';
 
-let browser: Browser;
+const browser = shareBrowser({ args: ['--autoplay-policy=no-user-gesture-required'] });
 let served: ServedPage;
 
 beforeAll(async () => {
-  [browser, served] = await Promise.all([
-    launchChromium({ args: ['--autoplay-policy=no-user-gesture-required'] }),
-    servePage(new URL('./clip.page.ts', import.meta.url)),
-  ]);
+  served = await servePage(new URL('./clip.page.ts', import.meta.url));
 });
 
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
+afterAll(() => served?.close());
 
 /** Opens the page, plays the test, and expects no uncaught error. */
 async function withPage(play: (page: Page) => Promise<void>, prepare?: () => void): Promise<void> {
-  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, acceptDownloads: true });
+  const context = await browser().newContext({ viewport: { width: 390, height: 844 }, acceptDownloads: true });
   const errors: string[] = [];
   const page = await context.newPage();
   page.on('pageerror', (error) => errors.push(error.stack ?? error.message));

@@ -1,28 +1,21 @@
-import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { chaosHashes } from '../support/chaos.ts';
-import { launchChromium } from '../support/chromium.ts';
 import { hingeHashes } from '../support/falling-hinges.ts';
 import { openPage, type ServedPage, servePage } from '../support/page.ts';
 import { sceneHashes } from '../support/scene-hashes.ts';
+import { shareBrowser } from '../support/shared-browser.ts';
 
-let browser: Browser;
+const browser = shareBrowser();
 let served: ServedPage;
 
 beforeAll(async () => {
-  [browser, served] = await Promise.all([
-    launchChromium(),
-    servePage(new URL('./pages/determinism-page.ts', import.meta.url)),
-  ]);
+  served = await servePage(new URL('./pages/determinism-page.ts', import.meta.url));
 });
 
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
+afterAll(() => served?.close());
 
 test('chaotic worlds and every scene end in the same bits in Node and in Chromium', async () => {
-  const { page, errors } = await openPage(browser, served.url);
+  const { page, errors } = await openPage(browser(), served.url);
   const found = await page.evaluate('[chaosHashes(), sceneHashes()]');
   expect(errors).toEqual([]);
   expect(found).toEqual([chaosHashes(), sceneHashes()]);

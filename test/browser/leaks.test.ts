@@ -1,18 +1,11 @@
 /** What games hold must not grow, whatever is done to them: the short form of `npm run leaks`. */
 import { readFileSync } from 'node:fs';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, expect, it, onTestFinished } from 'vitest';
+import { expect, it, onTestFinished } from 'vitest';
 import { countInPage, objectsOf, playRound, takeCounts, WITHOUT_COMPILERS } from '../../scripts/lib/leak-watch.mjs';
-import { launchChromium } from '../support/chromium.ts';
 import { servePage } from '../support/page.ts';
+import { shareBrowser } from '../support/shared-browser.ts';
 
-let browser: Browser;
-
-beforeAll(async () => {
-  browser = await launchChromium({ args: [WITHOUT_COMPILERS] });
-});
-
-afterAll(() => browser?.close());
+const browser = shareBrowser({ args: [WITHOUT_COMPILERS] });
 
 /** Rounds until caches are full, and then enough to tell a leak in each from what comes and goes. */
 const WARM = 4;
@@ -32,7 +25,7 @@ const games = [
 it.each(games)('%s lets go of what it no longer needs', { timeout: TIMEOUT }, async (game, query) => {
   const html = readFileSync(`games/${game}/index.html`, 'utf8');
   const served = await servePage(`games/${game}/main.ts`, { html });
-  const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
+  const page = await browser().newPage({ viewport: { width: 400, height: 300 } });
   onTestFinished(async () => {
     await page.close();
     await served.close();

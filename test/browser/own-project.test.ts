@@ -1,21 +1,19 @@
 // The page of docs/in-your-own-project.md that needs no bundler, opened in a browser under the Content-Security-Policy that
 // the same page recommends. What it asks of the CDN is answered from the built packages.
 import { readFileSync } from 'node:fs';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { beforeAll, expect, test } from 'vitest';
 import { buildPackages } from '../../scripts/build-packages.mjs';
-import { launchChromium } from '../support/chromium.ts';
 import { htmlOf } from '../support/import-map.ts';
+import { shareBrowser } from '../support/shared-browser.ts';
 
 const html = htmlOf(readFileSync('docs/in-your-own-project.md', 'utf8'));
 const ORIGIN = 'http://own-project.test/';
-let browser: Browser;
+const browser = shareBrowser();
 
 beforeAll(async () => {
-  [browser] = await Promise.all([launchChromium(), buildPackages()]);
+  await buildPackages();
 });
-
-afterAll(() => browser?.close());
 
 /** The file behind an address such as https://cdn.jsdelivr.net/npm/bitecs@0.4.0/dist/core/index.min.mjs. */
 function fileOf(address: string): string {
@@ -24,7 +22,7 @@ function fileOf(address: string): string {
 }
 
 async function openUnder(scriptSources: string): Promise<{ page: Page; errors: string[] }> {
-  const page = await browser.newPage();
+  const page = await browser().newPage();
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(error.message));
   await page.route('https://cdn.jsdelivr.net/**', (route) =>

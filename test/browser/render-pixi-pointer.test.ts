@@ -1,26 +1,24 @@
-import type { Browser, Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
-import { launchChromium } from '../support/chromium.ts';
 import { openPage, type ServedPage, servePage } from '../support/page.ts';
+import { shareBrowser } from '../support/shared-browser.ts';
 
-let browser: Browser;
+const browser = shareBrowser();
 let served: ServedPage;
 let page: Page;
 let errors: string[];
 
 beforeAll(async () => {
   served = await servePage(new URL('./render-pixi-pointer.page.ts', import.meta.url));
-  browser = await launchChromium();
 });
 
 // The box is 400 by 300 pixels and shows 20 by 15 metres; the body lies at the origin, in the middle.
 beforeEach(async () => {
-  ({ page, errors } = await openPage(browser, served.url));
+  ({ page, errors } = await openPage(browser(), served.url));
   await page.waitForFunction(() => 'pixiPointerLab' in globalThis);
 });
 
 afterAll(async () => {
-  await browser?.close();
   await served?.close();
   expect(errors).toEqual([]);
 });

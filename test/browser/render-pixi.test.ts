@@ -1,28 +1,24 @@
-import type { Browser, Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launchChromium } from '../support/chromium.ts';
 import { openPage, type ServedPage, servePage } from '../support/page.ts';
+import { beforeAllAndRetries, shareBrowser } from '../support/shared-browser.ts';
 import type { Backend } from './render-pixi.page.ts';
 
-let browser: Browser;
+const browser = shareBrowser();
 let served: ServedPage;
 let page: Page;
 let errors: string[];
 
 beforeAll(async () => {
   served = await servePage(new URL('./render-pixi.page.ts', import.meta.url));
-  browser = await launchChromium();
 });
 
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
+afterAll(() => served?.close());
 
 /** Gives the tests of the surrounding block a page: a browser lets one page have only so many WebGL contexts. */
 function useFreshPage(): void {
-  beforeAll(async () => {
-    ({ page, errors } = await openPage(browser, served.url));
+  beforeAllAndRetries(async () => {
+    ({ page, errors } = await openPage(browser(), served.url));
     await page.waitForFunction(() => 'pixiLab' in globalThis);
   });
 

@@ -1,24 +1,24 @@
-import type { Browser, Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import { SHAPES } from '../../packages/render-core/src/shapes.ts';
-import { launchChromium } from '../support/chromium.ts';
 import { openPage, type ServedPage, servePage } from '../support/page.ts';
+import { beforeAllAndRetries, shareBrowser } from '../support/shared-browser.ts';
 import type { BodySketch, DrawRequest, Lab } from './pages/render-three-page.ts';
 
 /** The page's stage: 256 × 192 pixels, 45° vertical angle, eye at (0, 0, 10). */
 const pixelsPerTangent = 96 / Math.tan(Math.PI / 8);
 
-let browser: Browser;
+const browser = shareBrowser();
 let served: ServedPage;
 let page: Page;
 let errors: string[];
 
 beforeAll(async () => {
-  [browser, served] = await Promise.all([
-    launchChromium(),
-    servePage(new URL('./pages/render-three-page.ts', import.meta.url)),
-  ]);
-  ({ page, errors } = await openPage(browser, served.url));
+  served = await servePage(new URL('./pages/render-three-page.ts', import.meta.url));
+});
+
+beforeAllAndRetries(async () => {
+  ({ page, errors } = await openPage(browser(), served.url));
   page.on('console', (message) => {
     if (message.type() === 'error') errors.push(message.text());
   });
@@ -26,10 +26,7 @@ beforeAll(async () => {
 
 afterEach(() => expect(errors).toEqual([]));
 
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
+afterAll(() => served?.close());
 
 /** Calls a function of the page's lab. */
 async function lab<Name extends keyof Lab>(name: Name, ...args: Lab[Name] extends (...a: infer A) => unknown ? A : []) {

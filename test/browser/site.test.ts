@@ -4,20 +4,20 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import type { Browser, BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
+import type { BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
 import { writeSite } from '../../scripts/lib/site-build.mjs';
 import { gameNames, gamePicture } from '../../scripts/lib/site-pages.mjs';
 import { type RunningServer, serveFiles } from '../../scripts/lib/static-server.mjs';
-import { launchChromium } from '../support/chromium.ts';
 import { faintTexts, smallTargets, unreachedControls } from '../support/page-audit.ts';
+import { shareBrowser } from '../support/shared-browser.ts';
 
 const PREFIX = '/some/sub/path';
 
 const names = gameNames();
 let folder: string;
 let server: RunningServer;
-let browser: Browser;
+const browser = shareBrowser();
 const contexts: BrowserContext[] = [];
 let home: string;
 
@@ -32,18 +32,16 @@ beforeAll(async () => {
     },
   });
   home = `${server.url.slice(0, -1)}${PREFIX}/`;
-  browser = await launchChromium();
 });
 
 afterAll(async () => {
-  await browser?.close();
   await server?.close();
   rmSync(folder, { recursive: true, force: true });
 });
 
 /** A context that lives as long as the test, and no longer where the test fails. */
 async function newContext(options: BrowserContextOptions = {}): Promise<BrowserContext> {
-  const context = await browser.newContext({ viewport: { width: 800, height: 600 }, ...options });
+  const context = await browser().newContext({ viewport: { width: 800, height: 600 }, ...options });
   contexts.push(context);
   return context;
 }

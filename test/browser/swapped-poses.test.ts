@@ -1,22 +1,15 @@
-import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { launchChromium } from '../support/chromium.ts';
 import { openPage, type ServedPage, servePage } from '../support/page.ts';
+import { shareBrowser } from '../support/shared-browser.ts';
 
-let browser: Browser;
+const browser = shareBrowser();
 let served: ServedPage;
 
 beforeAll(async () => {
-  [browser, served] = await Promise.all([
-    launchChromium(),
-    servePage(new URL('./swapped-poses.page.ts', import.meta.url)),
-  ]);
+  served = await servePage(new URL('./swapped-poses.page.ts', import.meta.url));
 });
 
-afterAll(async () => {
-  await browser?.close();
-  await served?.close();
-});
+afterAll(() => served?.close());
 
 test.each([
   ['pixi', 2, false],
@@ -27,7 +20,7 @@ test.each([
 ] as const)(
   'after a step %s draws what a new layer would (%iD, context lost: %s)',
   async (renderer, dimensions, loses) => {
-    const { page, errors } = await openPage(browser, served.url);
+    const { page, errors } = await openPage(browser(), served.url);
     const pixels = await page.evaluate(
       (given) => globalThis.swapLab.stepBetween(given.renderer, given.dimensions, given.loses),
       { renderer, dimensions, loses },

@@ -1,10 +1,10 @@
 /** A game's real page in a browser, served, opened and watched for errors: what every test that plays a game needs. */
 import { readFileSync } from 'node:fs';
 import type { BodyState, GameState } from '@principia/shell';
-import type { Browser, BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
+import type { BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect } from 'vitest';
-import { launchChromium } from './chromium.ts';
 import { type ServedPage, servePage } from './page.ts';
+import { shareBrowser } from './shared-browser.ts';
 
 /** How a page is opened: everything a browser context takes (viewport, hasTouch, acceptDownloads, reducedMotion…). */
 export interface OpenOptions extends BrowserContextOptions {
@@ -31,20 +31,17 @@ export interface PlayedGame {
  * @param args further flags of the browser
  */
 export function playGame(name: string, defaults: OpenOptions = {}, args: readonly string[] = []): PlayedGame {
-  let browser: Browser | undefined;
+  const browser = shareBrowser({ args });
   let served: ServedPage | undefined;
   let errors: string[] = [];
   const contexts: BrowserContext[] = [];
 
   beforeAll(async () => {
     const html = readFileSync(`games/${name}/index.html`, 'utf8');
-    [served, browser] = await Promise.all([servePage(`games/${name}/main.ts`, { html }), launchChromium({ args })]);
+    served = await servePage(`games/${name}/main.ts`, { html });
   });
 
-  afterAll(async () => {
-    await browser?.close();
-    await served?.close();
-  });
+  afterAll(() => served?.close());
 
   afterEach(async () => {
     for (const context of contexts.splice(0)) await context.close();
@@ -59,7 +56,7 @@ export function playGame(name: string, defaults: OpenOptions = {}, args: readonl
     },
     async open(query = '', options = {}) {
       const { prepare, until = 'picture', ...rest } = { ...defaults, ...options };
-      const context = await (browser as Browser).newContext(rest);
+      const context = await browser().newContext(rest);
       contexts.push(context);
       context.on('page', (page) => page.on('pageerror', (error) => errors.push(error.stack ?? error.message)));
       const page = await context.newPage();
