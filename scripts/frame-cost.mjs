@@ -32,6 +32,8 @@ const WARM = 15;
 const SPARKS_WARM = 200;
 /** Pages that cannot tell what their frames cost. */
 const WITHOUT_SHELL = ['first-game', 'front-page'];
+/** The start page of the laboratory has no game of its own. @type {Record<string, string>} */
+const EXAMPLE = { laboratory: '?example=ch17-galaxy-collision' };
 
 /** @type {Browser | undefined} */
 let browser;
@@ -134,7 +136,7 @@ async function measureSparks(browser, site, count) {
 async function measureGames(browser, site) {
   for (const name of gameNames()) {
     if (WITHOUT_SHELL.includes(name)) continue;
-    process.stdout.write(`${name}: ${parts(await watch(browser, `${site}${name}/`))}\n`);
+    process.stdout.write(`${name}: ${parts(await watch(browser, `${site}${name}/${EXAMPLE[name] ?? ''}`))}\n`);
   }
 }
 

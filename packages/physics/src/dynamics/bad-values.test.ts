@@ -11,6 +11,7 @@ import {
   type Force,
   INTEGRATORS,
   linearDrag,
+  MAX_SPEED,
   type PhysicsWorld,
   rungeKutta4,
   spawn,
@@ -110,6 +111,16 @@ describe.each(WORLD_KINDS)('in $dimensions dimensions, $precision', (kind) => {
     // Rows without a body hold zeros; all kernels rely on this.
     expect([p.x[0], v.x[0], p.x[falling + 1], v.x[falling + 1]]).toEqual([0, 0, 0, 0]);
     expect(world.faults.faults).toEqual([]);
+  });
+  // The cheap check of a world without walls fails from 10^7.5 m/s on; the exact one decides then.
+  test.each([0.05, 0.5, 0.99])('a body at %f of the speed limit is no fault, and one beyond it is', (part) => {
+    const { world, eids } = crowd([uniformGravity({ y: -1 })], kind);
+    world.components.Velocity.x[eids[3]] = part * MAX_SPEED;
+    steps(world, 3);
+    expect(world.faults.faults).toEqual([]);
+    world.components.Velocity.x[eids[3]] = 1.01 * MAX_SPEED;
+    step(world, 0.01);
+    expect(world.faults.faults.map(({ entity }) => entity)).toEqual([eids[3]]);
   });
 });
 

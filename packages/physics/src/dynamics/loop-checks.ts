@@ -19,6 +19,9 @@ const MARGIN = 1e-6;
  */
 const REST_RESTITUTION = 0.99;
 
+/** Weight of v² beside distances at which the fastest valid speed counts as the farthest valid coordinate. */
+const LEAST_WEIGHT = MAX_POSITION / (MAX_SPEED * MAX_SPEED);
+
 /** Position and velocity of the bodies. */
 type Moved = Pick<Result, 'position' | 'velocity'>;
 
@@ -29,9 +32,10 @@ export function checksOf(
   result: Result,
   { box, list }: StepFeatures,
 ): Pick<LoopSource, 'inRange' | 'walls' | 'fastCheck'> {
-  const inRange = rangeTest(columns, result);
+  const inRange = rangeTest(columns, result, LEAST_WEIGHT);
   const inside = box === undefined ? undefined : insideBox(columns, result, box);
-  if (box === undefined || inside === undefined) return { inRange };
+  // Without its weight of the speed the test takes one operation less, and still holds up to a tenth of the speed limit.
+  if (box === undefined || inside === undefined) return { inRange, fastCheck: rangeTest(columns, result, 1) };
   const at = columns.world.scratch.at.startVelocity;
   const stores = columns.axisNames.map((axis, i) => ({ address: at[axis], node: start.velocity[i] }));
   const walls: WallTest = { inside, list, stores, resting: restingBodies(columns, start, result, box) };
@@ -44,13 +48,14 @@ export function checksOf(
 /**
  * A cheap sufficient condition for all values to be within limits; where it fails, rows are checked one by one. It is a
  * sum, so that a single NaN or infinity makes it fail.
+ * @param weight of the square of the speed beside distances: the least that suffices, or more
  */
-function rangeTest(columns: WorldColumns, { position, velocity }: Moved): Node {
+function rangeTest(columns: WorldColumns, { position, velocity }: Moved, weight: number): Node {
   const { graph, axisNames } = columns;
   const distances = axisNames.map((_, i) => graph.make('abs', [position[i]]));
   const sum = (nodes: readonly Node[]) => nodes.reduce((a, b) => graph.make('add', [a, b]));
-  const factor = graph.constant(MAX_POSITION / (MAX_SPEED * MAX_SPEED));
-  const speed = graph.make('mul', [squareOf(columns, velocity), factor]);
+  const square = squareOf(columns, velocity);
+  const speed = weight === 1 ? square : graph.make('mul', [square, graph.constant(weight)]);
   return graph.make('lessOrEqual', [graph.make('add', [sum(distances), speed]), graph.constant(MAX_POSITION)]);
 }
 
@@ -140,6 +145,7 @@ function restingBodies(columns: WorldColumns, start: Moved, result: Result, box:
     const isInside = and([graph.make('lessOrEqual', [low, x]), graph.make('lessOrEqual', [x, high])]);
     return graph.make('or', [isInside, staysAtRest]);
   });
-  if (!isClosed(columns, box) || !endsWithDrift(columns, result)) conditions.push(rangeTest(columns, result));
+  if (!isClosed(columns, box) || !endsWithDrift(columns, result))
+    conditions.push(rangeTest(columns, result, LEAST_WEIGHT));
   return { condition: and(conditions), stores };
 }
