@@ -1,5 +1,5 @@
 // Parts of compound bodies, as entities: which body a part belongs to, and their removal with it.
-import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { assertBody } from '../ecs/entity-ref.ts';
 import { isOpen } from '../ecs/rows.ts';
 import type { PhysicsWorld } from '../world/types.ts';

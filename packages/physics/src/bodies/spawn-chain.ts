@@ -1,6 +1,6 @@
 import { type ChainOptions, chain } from '../collision/shapes/2d/chain.ts';
 import type { PointInput } from '../collision/shapes/2d/shape.ts';
-import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import type { PhysicsWorld } from '../world/types.ts';

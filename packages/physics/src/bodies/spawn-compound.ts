@@ -1,7 +1,7 @@
 // Bodies of several shapes that move as one.
 import { circle } from '../collision/shapes/2d/circle.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
-import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';

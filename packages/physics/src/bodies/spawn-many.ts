@@ -1,13 +1,10 @@
-// Creates many bodies at once. bitECS takes 0.8 µs and 200 bytes for an entity alone and calls three observers for
-// three components, which doubles that; here a body costs one `addEntity` and, for all its components together, one
-// write of its membership masks and one small set. This uses bitECS's internal tables (public by its `$internal` symbol;
-// its version is pinned); a test compares the result with that of adding component by component.
-import { addEntity, type ComponentRef, type Query, type WorldContext } from 'bitecs';
+// Creates many bodies at once, past bitECS's functions for one component of one entity; a test compares the result with
+// that of adding component by component.
 import { storeShape } from '../collision/shapes/2d/shape.ts';
 import type { ComponentName } from '../components/all.ts';
 import { bitsOf } from '../components/membership.ts';
-import { contextOf, maskChanges, queriesOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
-import { ComponentSet } from '../ecs/component-set.ts';
+import { entityMaker, joinQueries, notifyObservers } from '../ecs/bitecs/add-many.ts';
+import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { capacityError, ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { belongsTo } from '../ecs/id-lists.ts';
@@ -47,9 +44,10 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   const components = shape === undefined ? checked : withShape(checked, storeShape(world, shape));
   const ids = new Uint32Array(count);
   try {
-    createEntities(world, components, ids, progress);
+    const names = components.map(({ name }) => name);
+    createEntities(world, names, ids, progress);
     writeColumns(world, components, ids);
-    const changed = joinQueries(world, components, ids);
+    const changed = joinQueries(world, names, ids);
     finish(world, components, ids);
     notifyObservers(changed, ids);
   } catch (error) {
@@ -61,23 +59,18 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
 
 function createEntities(
   world: PhysicsWorld,
-  components: readonly ComponentValues[],
+  names: readonly ComponentName[],
   ids: Uint32Array,
   progress: Progress | undefined,
 ): void {
   const count = ids.length;
-  const context = contextOf(world);
-  const names = components.map(({ name }) => name);
-  const bits = bitsOf(names);
-  const changes = maskChanges(world, names);
+  const makeEntity = entityMaker(world, names);
   const used = world.lastId;
   for (let i = 0; i < count; i++) {
-    const eid = addEntity(world);
+    const eid = makeEntity();
     ids[i] = eid;
     if (eid > world.capacity) throw capacityError(world, count);
     if (eid <= used) cleanRow(world, eid);
-    for (let m = 0; m < changes.length; m++) changes[m].masks[eid] |= changes[m].bits;
-    context.entityComponents.set(eid, new ComponentSet(world, bits) as unknown as Set<ComponentRef>);
     const created = i + 1;
     if (progress !== undefined && (created % CHUNK === 0 || created === count)) {
       reportProgress(world, progress, created, count);
@@ -99,68 +92,6 @@ function reportProgress(world: PhysicsWorld, progress: Progress, created: number
   throw new PhysicsError('E_REENTRANT', 'destroyWorld was called by the progress function of spawnMany.', {
     hint: 'Call it after spawnMany.',
   });
-}
-
-/** A query that the new entities joined, or left because `Not` no longer holds. */
-interface Changed {
-  readonly query: Query;
-  readonly joined: boolean;
-}
-
-/**
- * Adds the entities to every query they match, ours by component and the user's, and removes them from queries that
- * `addEntity` added them to because they had no component yet. All have the same components, so the first represents
- * all.
- * @returns the queries that users may observe
- */
-function joinQueries(world: PhysicsWorld, components: readonly ComponentValues[], ids: Uint32Array): Changed[] {
-  const context = contextOf(world);
-  const affected = new Set(components.flatMap(({ name }) => queriesOf(world, name)));
-  const changed: Changed[] = [];
-  for (const query of affected) {
-    const joined = matches(context, query, ids[0]);
-    if (!joined && !isIn(query, ids[0])) continue;
-    if (joined) joinQuery(query, ids);
-    else leaveQuery(context, query, ids);
-    if (!world.internal.unobserved.has(query)) changed.push({ query, joined });
-  }
-  return changed;
-}
-
-/** bitECS's own test of an entity against a query. A mask is absent if it has no bit. */
-function matches({ entityMasks }: WorldContext, query: Query, eid: number): boolean {
-  const { generations, masks, notMasks, orMasks, orComponents } = query;
-  const has = (generation: number) => entityMasks[generation][eid];
-  return (
-    generations.every((g) => (masks[g] & ~has(g)) === 0 && (notMasks[g] & has(g)) === 0) &&
-    (orComponents.length === 0 || generations.some((g) => (orMasks[g] & has(g)) !== 0))
-  );
-}
-
-/** Returns whether an entity is in a query; the list itself keeps removed entities until bitECS is queried next. */
-function isIn(query: Query, eid: number): boolean {
-  return query.has(eid) && !query.toRemove.has(eid);
-}
-
-function joinQuery(query: Query, ids: Uint32Array): void {
-  const pending = query.toRemove.dense.length > 0;
-  for (let i = 0; i < ids.length; i++) {
-    if (pending) query.toRemove.remove(ids[i]);
-    query.add(ids[i]);
-  }
-}
-
-function leaveQuery({ dirtyQueries }: WorldContext, query: Query, ids: Uint32Array): void {
-  for (let i = 0; i < ids.length; i++) if (query.has(ids[i])) query.toRemove.add(ids[i]);
-  dirtyQueries.add(query);
-}
-
-/** Calls users' observers. One of them may remove bodies that the others were about to receive. */
-function notifyObservers(changed: readonly Changed[], ids: Uint32Array): void {
-  for (const { query, joined } of changed) {
-    const { notify } = joined ? query.addObservable : query.removeObservable;
-    for (let i = 0; i < ids.length; i++) if (isIn(query, ids[i]) === joined) notify(ids[i]);
-  }
 }
 
 /** Undoes a creation that an exception of user code interrupted. */

@@ -1,7 +1,8 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
 import { type Shape, storeShape } from '../collision/shapes/2d/shape.ts';
 import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
-import { contextOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { generationOf } from '../ecs/bitecs/context.ts';
+import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { hasAnyComponent, staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
@@ -138,11 +139,11 @@ function despawnLater(world: PhysicsWorld, eid: number): void {
   if (!Number.isInteger(eid) || !entityExists(world, eid) || !hasAny(world, eid)) {
     throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
   }
-  const components = contextOf(world).entityComponents.get(eid);
-  if (leaving.get(eid) === components) return;
-  leaving.set(eid, components as Set<unknown>);
+  const generation = generationOf(world, eid);
+  if (leaving.get(eid) === generation) return;
+  leaving.set(eid, generation as object);
   deferredEdits.push(() => {
-    if (contextOf(world).entityComponents.get(eid) === components) removeWithParts(world, eid);
+    if (generationOf(world, eid) === generation) removeWithParts(world, eid);
   });
 }
 

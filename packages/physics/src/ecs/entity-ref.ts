@@ -2,7 +2,7 @@ import { entityExists } from 'bitecs';
 import { bitOf } from '../components/membership.ts';
 import { describe, PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { isLeaving } from './bitecs-adapter.ts';
+import { isLeaving } from './bitecs/remove-entity.ts';
 import { assertUsable } from './guards.ts';
 import { isRowUsed } from './rows.ts';
 

@@ -1,6 +1,6 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { contextOf } from './bitecs-adapter.ts';
+import { identityOf } from './bitecs/context.ts';
 
 /**
  * @throws PhysicsError E_DESTROYED, or E_TYPE if the argument is not a world
@@ -10,7 +10,7 @@ export function assertUsable(world: PhysicsWorld): void {
     throw new PhysicsError('E_TYPE', 'the first argument must be a world made by createPhysicsWorld.');
   }
   if (world.state === 'destroyed') throw new PhysicsError('E_DESTROYED', 'this world was destroyed.');
-  if (contextOf(world)?.componentMap !== world.internal.componentMap) {
+  if (identityOf(world) !== world.internal.bitecsIdentity) {
     throw new PhysicsError('E_DESTROYED', 'this world was deleted or reset through bitECS.', {
       hint: 'Use destroyWorld(world), and create a new world instead of resetting one.',
     });

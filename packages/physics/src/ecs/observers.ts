@@ -5,7 +5,8 @@
 import { hasComponent, observe, onAdd, onGet, onRemove, onSet, removeComponent } from 'bitecs';
 import { COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
-import { guardTables, isLeaving, isPrefab } from './bitecs-adapter.ts';
+import { guardTables } from './bitecs/guard-tables.ts';
+import { isLeaving, isPrefab } from './bitecs/remove-entity.ts';
 import { capacityError } from './entity-capacity.ts';
 import { whenIdle } from './guards.ts';
 import { closeRow, isOpen, openRow, readRow, writeRow } from './rows.ts';

@@ -2,7 +2,7 @@
 
 import { spawnMany } from '../bodies/spawn-many.ts';
 import { bitOf } from '../components/membership.ts';
-import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { allocate } from '../memory/arena.ts';
 import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';

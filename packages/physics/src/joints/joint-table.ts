@@ -3,7 +3,7 @@
 
 import { rigidKernels } from '../collision/kernels.ts';
 import { bitOf } from '../components/membership.ts';
-import { removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { allocate } from '../memory/arena.ts';

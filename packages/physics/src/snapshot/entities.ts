@@ -1,19 +1,22 @@
 // Saves the entities of bitECS and restores them through bitECS itself, so that queries and observers are updated.
-import { addComponent, addEntity, entityExists, removeComponent } from 'bitecs';
+import { addComponent, entityExists, removeComponent } from 'bitecs';
 import { COMPONENT_NAMES } from '../components/all.ts';
 import { bitInWord, isInFirstWord, type MemberBits } from '../components/membership.ts';
-import { contextOf, removeEntityCompletely } from '../ecs/bitecs-adapter.ts';
+import {
+  countEntities,
+  isSameIndex,
+  livingEntities,
+  recreateEntity,
+  type SavedIndex,
+  saveIndex,
+  writeIndex,
+} from '../ecs/bitecs/entity-index.ts';
+import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { isOpen } from '../ecs/rows.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The saved entities, in arrays that later snapshots reuse. */
-export interface SavedEntities {
-  /** bitECS's list of ids: the living entities, then the free ids in the order in which they will be reused. */
-  dense: Uint32Array;
-  /** Number of ids in that list. */
-  length: number;
-  alive: number;
-  maxId: number;
+export interface SavedEntities extends SavedIndex {
   /** Component bits of the rows up to the highest in use, in both words. */
   members: Uint32Array;
   moreMembers: Uint32Array;
@@ -26,22 +29,17 @@ export function noEntities(): SavedEntities {
 }
 
 export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
-  const { dense, aliveCount, maxId } = contextOf(world).entityIndex;
+  saveIndex(world, into, roundUpCapacity);
   const { members, moreMembers } = world.internal;
   const rows = world.lastId + 1;
-  if (into.dense.length < dense.length) into.dense = new Uint32Array(roundUpCapacity(dense.length));
   if (into.members.length < rows) {
     into.members = new Uint32Array(roundUpCapacity(rows));
     into.moreMembers = new Uint32Array(roundUpCapacity(rows));
   }
-  for (let i = 0; i < dense.length; i++) into.dense[i] = dense[i];
   for (let row = 0; row < rows; row++) {
     into.members[row] = members[row];
     into.moreMembers[row] = moreMembers[row];
   }
-  into.length = dense.length;
-  into.alive = aliveCount;
-  into.maxId = maxId;
   into.rows = rows;
 }
 
@@ -73,7 +71,7 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
   for (let round = 0; round < MAX_ROUNDS && !isSameIndex(world, saved); round++) {
     removeOthers(world, new Set(saved.dense.subarray(0, saved.alive)), attempt);
     changeAllComponents(world, saved, attempt);
-    if (contextOf(world).entityIndex.aliveCount === saved.alive) break;
+    if (countEntities(world) === saved.alive) break;
   }
   writeIndex(world, saved);
   return thrown;
@@ -85,9 +83,7 @@ const MAX_ROUNDS = 8;
 type Attempt = (act: () => void) => void;
 
 function removeOthers(world: PhysicsWorld, savedIds: ReadonlySet<number>, attempt: Attempt): void {
-  const { dense, aliveCount } = contextOf(world).entityIndex;
-  for (const eid of dense.slice(0, aliveCount))
-    if (!savedIds.has(eid)) attempt(() => removeEntityCompletely(world, eid));
+  for (const eid of livingEntities(world)) if (!savedIds.has(eid)) attempt(() => removeEntityCompletely(world, eid));
 }
 
 function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt: Attempt): void {
@@ -101,30 +97,6 @@ function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt:
   }
 }
 
-function isSameIndex(world: PhysicsWorld, { dense, alive, maxId }: SavedEntities): boolean {
-  const index = contextOf(world).entityIndex;
-  if (index.aliveCount !== alive || index.maxId !== maxId) return false;
-  for (let i = 0; i < alive; i++) if (index.dense[i] !== dense[i]) return false;
-  return true;
-}
-
-/** Creates an entity with a given id: bitECS returns the first free id. */
-function recreateEntity(world: PhysicsWorld, eid: number): void {
-  const index = contextOf(world).entityIndex;
-  const { dense, sparse, aliveCount } = index;
-  if (dense[sparse[eid]] !== eid) {
-    index.maxId = Math.max(index.maxId, eid);
-    sparse[eid] = dense.push(eid) - 1;
-  }
-  const place = sparse[eid];
-  const other = dense[aliveCount];
-  dense[place] = other;
-  sparse[other] = place;
-  dense[aliveCount] = eid;
-  sparse[eid] = aliveCount;
-  addEntity(world);
-}
-
 /** Handles each entity separately, so that an observer that throws does not prevent the others. */
 function changeComponents(world: PhysicsWorld, eid: number, saved: MemberBits, attempt: Attempt): void {
   for (const name of COMPONENT_NAMES) {
@@ -133,17 +105,4 @@ function changeComponents(world: PhysicsWorld, eid: number, saved: MemberBits, a
     if (belongs) attempt(() => addComponent(world, eid, world.components[name]));
     else attempt(() => removeComponent(world, eid, world.components[name]));
   }
-}
-
-/** Restores the order in which free ids will be reused. */
-function writeIndex(world: PhysicsWorld, { dense, length, alive, maxId }: SavedEntities): void {
-  const index = contextOf(world).entityIndex;
-  index.dense.length = length;
-  for (let i = 0; i < length; i++) {
-    index.dense[i] = dense[i];
-    index.sparse[dense[i]] = i;
-  }
-  index.sparse.length = Math.min(index.sparse.length, maxId + 1);
-  index.aliveCount = alive;
-  index.maxId = maxId;
 }

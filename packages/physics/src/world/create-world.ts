@@ -2,7 +2,7 @@ import { createWorld, deleteWorld } from 'bitecs';
 import { printWarning } from '#warnings';
 import { COMPONENT_NAMES, type ComponentName, type Components } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
-import { contextOf } from '../ecs/bitecs-adapter.ts';
+import { identityOf } from '../ecs/bitecs/context.ts';
 import { MAX_CAPACITY, nextFirstGeneration } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { observeComponents } from '../ecs/observers.ts';
@@ -109,7 +109,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const world = createWorld({ ...chosen, ...internals }) as object as PhysicsWorld;
   // Read-only, because kernels sweep the rows up to it: a larger value would lead them beyond the columns.
   Object.defineProperty(world, 'lastId', { get: () => world.internal.lastId, enumerable: true });
-  world.internal.componentMap = contextOf(world).componentMap;
+  world.internal.bitecsIdentity = identityOf(world);
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt, realBytes(world.precision));
   observeComponents(world);
   observeOwnComponents(world);
@@ -196,7 +196,7 @@ function initialInternals(components: Components) {
     stepFaults: [],
     resources: new Map(),
     columns: COMPONENT_NAMES.flatMap((name) => Object.values(components[name]) as { [row: number]: number }[]),
-    componentMap: undefined,
+    bitecsIdentity: undefined,
     justAdded: zeros(),
     checked: undefined,
     unobserved: new Set(),

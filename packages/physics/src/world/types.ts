@@ -1,5 +1,5 @@
 // The types of a world and its parts. They refer to each other, so they share one file, which contains no code.
-import type { Query, WorldContext } from 'bitecs';
+import type { Query } from 'bitecs';
 import type { Addresses, ComponentName, Components } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
 import type { Fault, FaultLog } from '../errors/fault-log.ts';
@@ -308,8 +308,8 @@ export interface WorldInternals {
   readonly partialEntities: { immovable: number; withoutPose: number };
   /** Edits made during a step, deferred to its end. */
   readonly deferredEdits: (() => void)[];
-  /** Entities removed at the end of this step, and bitECS's component set of each, which identifies the generation. */
-  readonly leaving: Map<number, Set<unknown>>;
+  /** Entities removed at the end of this step, and an object of each that identifies its generation. */
+  readonly leaving: Map<number, object>;
   /** The first exceptions of user code in this step, and their total count. */
   readonly thrown: unknown[];
   thrownCount: number;
@@ -319,8 +319,8 @@ export interface WorldInternals {
   readonly ownComponents: OwnComponents;
   /** Every column of every component. */
   readonly columns: readonly { [row: number]: number }[];
-  /** bitECS's component table, used to detect a reset of the world. */
-  componentMap: WorldContext['componentMap'] | undefined;
+  /** An object of bitECS's by which a reset of the world is detected. */
+  bitecsIdentity: object | undefined;
   /** Per component, the entity that the running `addComponent` adds it to. */
   readonly justAdded: Record<ComponentName, number>;
   /** Values that `spawn` has validated and is about to set. */

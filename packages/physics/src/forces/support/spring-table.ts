@@ -1,7 +1,7 @@
 // The record that the spring kernels read: the addresses of the columns, and the list of springs, kept until springs
 // change.
 import { bitOf } from '../../components/membership.ts';
-import { removeEntityCompletely } from '../../ecs/bitecs-adapter.ts';
+import { removeEntityCompletely } from '../../ecs/bitecs/remove-entity.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../../ecs/entity-list.ts';
 import { collectThrown } from '../../errors/collect-thrown.ts';
 import { SPRING_TABLE_BYTES, SpringTableNumber, SpringTableWord as Word } from '../../memory/layouts.gen.ts';

@@ -1,7 +1,7 @@
 import { addComponent, addEntity, getEntityComponents, hasComponent, removeComponent } from 'bitecs';
 import { describe, expect, it } from 'vitest';
-import { spawnMany } from '../bodies/spawn-many.ts';
-import { createPhysicsWorld } from '../world/create-world.ts';
+import { spawnMany } from '../../bodies/spawn-many.ts';
+import { createPhysicsWorld } from '../../world/create-world.ts';
 import { ComponentSet } from './component-set.ts';
 
 describe('the components of a body created in bulk', () => {

@@ -2,10 +2,10 @@
 // component on: most of the memory of a million bodies. Here an entity has two words of bits, and a `Set` only once it
 // has a component that is not the engine's.
 import type { ComponentRef } from 'bitecs';
-import { COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
-import { bitInWord, isInFirstWord, type MemberBits } from '../components/membership.ts';
-import type { PhysicsWorld } from '../world/types.ts';
-import { nameIn } from './bitecs-adapter.ts';
+import { COMPONENT_NAMES, type ComponentName } from '../../components/all.ts';
+import { bitInWord, isInFirstWord, type MemberBits } from '../../components/membership.ts';
+import type { PhysicsWorld } from '../../world/types.ts';
+import { nameIn } from './guard-tables.ts';
 
 /** Implements the methods that bitECS calls (add, delete, iterate), and the others that readers expect of a `Set`. */
 export class ComponentSet implements Iterable<ComponentRef> {
