@@ -1,4 +1,7 @@
-/** What the engine knows, drawn over the bodies: contacts with their normals, boxes and who sleeps, or islands. */
+/**
+ * What the engine knows, drawn over the bodies: contacts with their normals, contacts that are solved side by side, boxes
+ * and which bodies sleep, or islands.
+ */
 import type { PhysicsWorld } from '@principia/physics';
 import { createBoxLayer, createContactLayer } from '@principia/render-pixi';
 import { Container } from 'pixi.js';
@@ -13,6 +16,7 @@ export interface InsideLayers {
 export function createInsideLayers(world: PhysicsWorld): InsideLayers {
   const layers = {
     contacts: createContactLayer({ world }),
+    colors: createContactLayer({ world, byColor: true, normalLength: 0, pointSize: 9 }),
     boxes: createBoxLayer({ world }),
     islands: createBoxLayer({ world, byIsland: true, thickness: 2 }),
   };

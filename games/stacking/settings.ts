@@ -28,7 +28,13 @@ export const settings = {
     kind: 'choice',
     label: 'Show',
     initial: 'none',
-    choices: { 'Bodies only': 'none', Contacts: 'contacts', 'Boxes and sleep': 'boxes', Islands: 'islands' },
+    choices: {
+      'Bodies only': 'none',
+      Contacts: 'contacts',
+      'Contacts by colour': 'colors',
+      'Boxes and sleep': 'boxes',
+      Islands: 'islands',
+    },
     about: 'What the engine knows, drawn over the bodies',
   },
 } as const satisfies Record<string, NumberSetting | ChoiceSetting>;

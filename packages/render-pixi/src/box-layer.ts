@@ -1,5 +1,6 @@
 import { type BodyBoxes, bodyBoxes, type PhysicsWorld } from '@principia/physics';
 import type { Container } from 'pixi.js';
+import { groupColor } from './group-colors.ts';
 import { createSegmentLayer } from './segment-layer.ts';
 
 /** Options of a box layer. */
@@ -29,12 +30,9 @@ export interface BoxLayer {
 /** Sides of a box. */
 const SIDES = 4;
 
-/** Colours that everyone can tell apart: Okabe and Ito, Color Universal Design (2008). RGBA bytes in memory order. */
-const ISLAND_COLORS = [0xff009fe6, 0xffe9b456, 0xff739e00, 0xff42e4f0, 0xffb27200, 0xff005ed5, 0xffa779cc];
-
 /** The colour of an island: bits of its id by Fibonacci hashing, so that equal piles beside each other differ. */
 function colorOf(island: number): number {
-  return ISLAND_COLORS[(Math.imul(island, 0x9e3779b1) >>> 20) % ISLAND_COLORS.length];
+  return groupColor(Math.imul(island, 0x9e3779b1) >>> 20);
 }
 
 /** Creates a layer that shows the boxes of rigid bodies, and which sleep. @throws Error when an option is out of range */

@@ -1,5 +1,6 @@
 import { type ContactPoints, contactPoints, type PhysicsWorld } from '@principia/physics';
 import { Container } from 'pixi.js';
+import { groupColor } from './group-colors.ts';
 import { createSegmentLayer } from './segment-layer.ts';
 
 /** Options of a contact layer. */
@@ -16,6 +17,8 @@ export interface ContactLayerOptions {
   pointColor?: number;
   /** Colour of normals, as 0xRRGGBB; default 0xffd060. */
   normalColor?: number;
+  /** Whether points that the solver takes side by side have one colour; default false. */
+  byColor?: boolean;
 }
 
 /** Contact points of rigid bodies and their normals, for looking into a simulation. */
@@ -29,7 +32,7 @@ export interface ContactLayer {
 /** Creates a layer that shows where rigid bodies touch. @throws Error when an option is out of range */
 export function createContactLayer(options: ContactLayerOptions): ContactLayer {
   const { world, pixelsPerMetre = 1, pointSize = 5, normalLength = 0.25 } = options;
-  const { pointColor = 0xff5050, normalColor = 0xffd060 } = options;
+  const { pointColor = 0xff5050, normalColor = 0xffd060, byColor = false } = options;
   const normals = createSegmentLayer({ pixelsPerMetre, thickness: 1.5, color: normalColor });
   const points = createSegmentLayer({ pixelsPerMetre, thickness: pointSize, color: pointColor });
   const container = new Container({
@@ -37,6 +40,7 @@ export function createContactLayer(options: ContactLayerOptions): ContactLayer {
     children: [normals.container, points.container],
   });
   const lines: number[] = [];
+  const colors: number[] = [];
   let list: ContactPoints | undefined;
   let live = true;
 
@@ -51,8 +55,9 @@ export function createContactLayer(options: ContactLayerOptions): ContactLayer {
       for (let i = 0; i < count; i++) {
         lines[4 * i + 2] = x[i];
         lines[4 * i + 3] = y[i];
+        colors[i] = byColor ? groupColor(list.color[i]) : 0;
       }
-      points.set(lines, count);
+      points.set(lines, count, colors);
     },
     destroy() {
       if (!live) return;

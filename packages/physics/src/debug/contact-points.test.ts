@@ -26,3 +26,31 @@ it.each(['f32', 'f64'] as const)('the contact points of a resting box carry its 
   // Two contacts together: m g dt.
   expect((list.impulse[0] + list.impulse[1]) / (2 * g * dt)).toBeCloseTo(1, 3);
 });
+
+it('no two contacts of one colour move the same body, and contacts of bodies that sleep have none', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity({ y: -10 })], capacity: 100 });
+  const floor = spawn(world, { position: { y: -0.5 }, collider: { shape: box(40, 1), friction: 0.6 } });
+  for (let row = 0; row < 6; row++) {
+    for (let i = 0; i < 6 - row; i++) {
+      const position = { x: i + row / 2, y: 0.5 + row };
+      spawn(world, { position, collider: { shape: box(0.9, 1), density: 1, friction: 0.6 } });
+    }
+  }
+  step(world, 1 / 60);
+  const { count, a, b, color } = contactPoints(world);
+  // Contacts with the floor, which does not move, have colours of their own.
+  for (let i = 0; i < count; i++) expect(color[i] >= 20).toBe(a[i] === floor);
+  const pairs = new Map<string, readonly [number, number]>();
+  for (let i = 0; i < count; i++) pairs.set(`${a[i]} ${b[i]} ${color[i]}`, [a[i], b[i]]);
+  // Six on the floor, and each of the others on two.
+  expect(pairs.size).toBe(6 + 2 * 15);
+  const moved = [...pairs].flatMap(([key, ids]) =>
+    ids.filter((id) => world.components.Mass.value[id] > 0).map((id) => `${id} in ${key.split(' ')[2]}`),
+  );
+  expect(new Set(moved).size).toBe(moved.length);
+  expect(Math.min(...color.slice(0, count))).toBe(0);
+  for (let i = 0; i < 600; i++) step(world, 1 / 60);
+  const asleep = contactPoints(world);
+  expect(asleep.count).toBeGreaterThan(0);
+  expect(new Set(asleep.color.slice(0, asleep.count))).toEqual(new Set([-1]));
+});

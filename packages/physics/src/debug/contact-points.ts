@@ -25,18 +25,23 @@ export interface ContactPoints {
   readonly separation: number[];
   /** Impulse along the normal in the last step, N s. */
   readonly impulse: number[];
+  /**
+   * Colour in the last step, 0 to 30: the solver takes contacts of one colour side by side, because no two of them move the
+   * same body. 31 for contacts that found no colour and were taken one at a time, -1 for those between bodies that sleep.
+   */
+  readonly color: number[];
 }
 
-/** Bytes of the two ids at the start of the record. */
-const ID_BYTES = 8;
+/** Bytes of ids and colour at the start of the record. */
+const WORD_BYTES = 16;
 
 const viewOf = resource((world) => {
   const { internal, memory, precision } = world;
   const bytes = CONTACT_VIEW_BYTES[precision];
   const at = allocate(internal.arena, bytes, 'contact points');
   const Reals = precision === 'f32' ? Float32Array : Float64Array;
-  const reals = new Reals(memory.buffer, at + ID_BYTES, (bytes - ID_BYTES) / realBytes(precision));
-  return { at, ids: new Uint32Array(memory.buffer, at, 2), reals };
+  const reals = new Reals(memory.buffer, at + WORD_BYTES, (bytes - WORD_BYTES) / realBytes(precision));
+  return { at, words: new Int32Array(memory.buffer, at, WORD_BYTES / 4), reals };
 });
 
 /**
@@ -46,14 +51,15 @@ const viewOf = resource((world) => {
  */
 export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyList()): ContactPoints {
   const table = rigidTable(world).at;
-  const lists = [into?.a, into?.b, into?.x, into?.y, into?.nx, into?.ny, into?.separation, into?.impulse];
+  const lists = [into?.a, into?.b, into?.x, into?.y, into?.nx, into?.ny, into?.separation, into?.impulse, into?.color];
   checkLists(into, lists, 'contactPoints');
-  const { at, ids, reals } = viewOf(world);
+  const { at, words, reals } = viewOf(world);
   const kernels = rigidKernels(world);
   let count = 0;
   for (let cursor = kernels.nextContactPoint(table, at, 0); cursor > 0; count++) {
-    into.a[count] = ids[0];
-    into.b[count] = ids[1];
+    into.a[count] = words[0];
+    into.b[count] = words[1];
+    into.color[count] = words[2];
     into.x[count] = reals[0];
     into.y[count] = reals[1];
     into.nx[count] = reals[2];
@@ -67,5 +73,5 @@ export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyLi
 }
 
 function emptyList(): ContactPoints {
-  return { count: 0, a: [], b: [], x: [], y: [], nx: [], ny: [], separation: [], impulse: [] };
+  return { count: 0, a: [], b: [], x: [], y: [], nx: [], ny: [], separation: [], impulse: [], color: [] };
 }

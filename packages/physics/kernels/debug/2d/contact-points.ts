@@ -9,6 +9,9 @@ export class ContactView {
   // Rows, a < b.
   a: i32;
   b: i32;
+  // Colour in which the solver took it, -1 if it had nothing to do; and the next entry of the solver's list.
+  color: i32;
+  next: i32;
   // Point, m, from where a is now; unit normal from a to b; distance of the surfaces when the step began, m; impulse of
   // the step along the normal, N s.
   x: real;
@@ -24,9 +27,15 @@ export class ContactView {
 export function nextContactPoint(table: usize, view: usize, cursor: i32): i32 {
   const t = changetype<RigidTable>(table);
   const to = changetype<ContactView>(view);
+  if (cursor == 0) to.next = 0;
   for (let at = cursor; at < 2 * t.contactCount; at++) {
-    const contact = contactAt(t, word(t.order, at >> 1));
+    const slot = word(t.order, at >> 1);
+    const contact = contactAt(t, slot);
     const index = at & 1;
+    // The solver's list has the same order.
+    const isSolved = to.next < t.touchingCount && word(t.touching, 2 * to.next) == slot;
+    to.color = isSolved ? word(t.touching, 2 * to.next + 1) : -1;
+    if (isSolved && index == 1) to.next++;
     if (index >= contact.count || (contact.flags & (TOUCHING | COVERED)) != TOUCHING) continue;
     const point = pointOf(contact, index);
     const c = columns();
