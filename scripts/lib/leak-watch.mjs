@@ -77,22 +77,28 @@ export function countInPage() {
   });
 }
 
+/** Counts that must agree before they are believed: some objects go only when those that held them are gone. */
+const AGREEING = 4;
+const MAX_COLLECTIONS = 30;
+
 /**
- * Collects garbage and counts what is left.
+ * Collects garbage until nothing more goes, and counts what is left.
  * @param {Page} page
  * @param {CDPSession} session of that page
  * @returns {Promise<Counts>}
  */
 export async function takeCounts(page, session) {
-  // Some objects go only when those that held them are gone.
-  for (let i = 0; i < 3; i++) {
+  let [counted, agreeing] = ['', 0];
+  for (let i = 0; i < MAX_COLLECTIONS && agreeing < AGREEING; i++) {
     await session.send('HeapProfiler.collectGarbage');
     await page.evaluate(() => new Promise((done) => setTimeout(done, 50)));
+    const now = JSON.stringify(await page.evaluate(() => /** @type {any} */ (globalThis).__counts()));
+    agreeing = now === counted ? agreeing + 1 : 1;
+    counted = now;
   }
   const { usedSize } = await session.send('Runtime.getHeapUsage');
   const { nodes, jsEventListeners } = await session.send('Memory.getDOMCounters');
-  const counted = await page.evaluate(() => /** @type {any} */ (globalThis).__counts());
-  return { heap: usedSize, nodes, listeners: jsEventListeners, ...counted };
+  return { heap: usedSize, nodes, listeners: jsEventListeners, ...JSON.parse(counted) };
 }
 
 /** @param {Counts} counts */

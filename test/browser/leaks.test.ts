@@ -41,10 +41,10 @@ it.each(games)('%s lets go of what it no longer needs', { timeout: TIMEOUT }, as
   expect(before.contexts).toBeGreaterThan(0);
   expect(objectsOf(before)).toBeGreaterThan(10);
   expect(objectsOf(after)).toBeLessThanOrEqual(objectsOf(before));
-  // One that was lost may wait for the collector at the first count.
-  expect(after.contexts).toBeLessThanOrEqual(before.contexts);
-  expect(after.memories).toBe(before.memories);
-  // A leak leaves one or more a round; the labels of a plot come and go by a few.
+  // One may wait for the collector at a count; a leak leaves one or more a round.
+  expect(after.contexts).toBeLessThan(before.contexts + ROUNDS / 2);
+  expect(after.memories).toBeLessThan(before.memories + ROUNDS / 2);
+  // The labels of a plot come and go by a few.
   expect(after.nodes).toBeLessThan(before.nodes + ROUNDS);
   expect(after.listeners).toBeLessThan(before.listeners + ROUNDS);
   expect(after.heap).toBeLessThan(before.heap + SLACK);
