@@ -387,7 +387,7 @@ describe('a clip', () => {
       prepare: () => Object.assign(navigator, { canShare: () => false }),
     });
     const clip = page.locator('.fw-extra[data-clip]');
-    const [download] = await Promise.all([page.waitForEvent('download', { timeout: 30_000 }), clip.click()]);
+    const [download] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), clip.click()]);
     expect(download.suggestedFilename()).toMatch(/^fireworks-[\d.]+s\.(mp4|webm)$/);
     expect((await state(page)).banner).toContain(download.suggestedFilename());
     const pieces: Buffer[] = [];

@@ -57,6 +57,8 @@ export function playGame(name: string, defaults: OpenOptions = {}, args: readonl
     async open(query = '', options = {}) {
       const { prepare, until = 'picture', ...rest } = { ...defaults, ...options };
       const context = await browser().newContext(rest);
+      // A busy machine without a graphics card draws one frame a second.
+      context.setDefaultTimeout(60_000);
       contexts.push(context);
       context.on('page', (page) => page.on('pageerror', (error) => errors.push(error.stack ?? error.message)));
       const page = await context.newPage();
