@@ -60,6 +60,22 @@ describe('restrictForce', () => {
     expect(going().y).toBeCloseTo(-10, 9);
   });
 
+  test.each([30, 50, 60, 120, 144, 240])('to a time: 5 s are as many steps of 1/%d s as they should be', (rate) => {
+    const pull = defineForce({
+      name: 'pull',
+      accumulate({ scratch: { force } }, first, last) {
+        for (let row = first; row < last; row++) force.y[row] -= 10;
+      },
+    });
+    for (const force of [gravity, pull]) {
+      const limited = restrictForce(force, { from: 2, until: 7 });
+      const { world, going } = single([limited], {}, { integrator: semiImplicitEuler });
+      for (let i = 0; i < 8 * rate; i++) step(world, 1 / rate);
+      // A step more or less would be 10/rate.
+      expect(going().y).toBeCloseTo(-50, 8);
+    }
+  });
+
   test.each(Object.entries({ semiImplicitEuler, velocityVerlet, rungeKutta4, heun }))(
     'to a time: a torque from 1 s to 2 s turns by τ t/I, whatever stages %s has',
     (_name, integrator) => {

@@ -52,9 +52,20 @@ export function checkRestrictions(limits: Restrictions): CheckedRestrictions {
   return {
     group: checkGroup(limits.group),
     ...(region === undefined ? {} : 'radius' in region ? { ball: checkBall(region) } : { box: checkBox(region) }),
-    from: from === undefined ? -Infinity : checkNumber(from, 'restrictForce.from'),
-    until: until === undefined ? Infinity : checkNumber(until, 'restrictForce.until'),
+    from: from === undefined ? -Infinity : startOf(checkNumber(from, 'restrictForce.from')),
+    until: until === undefined ? Infinity : startOf(checkNumber(until, 'restrictForce.until')),
   };
+}
+
+/**
+ * Fraction of a time by which the sum of a hundred thousand steps is off at most: 300 steps of 1/60 s add up to less than
+ * 5 s, and a force until 5 s would act in one step more.
+ */
+const ROUNDING = 2 ** -36;
+
+/** A time limit as the sum of steps may reach it. */
+function startOf(time: number): number {
+  return time - ROUNDING * Math.abs(time);
 }
 
 function checkGroup(group: Restrictions['group'] = []): readonly ComponentName[] {
