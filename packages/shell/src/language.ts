@@ -31,6 +31,13 @@ export function chooseWords<Words>(texts: Readonly<Record<Language, Words>>): Wo
   return texts[spoken];
 }
 
+/** An address with the language that this page was asked for by its own, such as `../index.html?lang=de`. */
+export function withLanguage(address: string): string {
+  const asked = new URLSearchParams(globalThis.location?.search).get('lang');
+  if (asked === null) return address;
+  return `${address}${address.includes('?') ? '&' : '?'}lang=${encodeURIComponent(asked)}`;
+}
+
 /** A number with a fixed number of decimals. Short enough to be made in every frame. */
 export function decimal(value: number, digits: number): string {
   return inLanguage(value.toFixed(digits));
