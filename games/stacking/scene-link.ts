@@ -13,6 +13,7 @@ import {
 } from '@principia/physics';
 import { query } from 'bitecs';
 import type { Material } from './builds.ts';
+import { WORDS } from './words.ts';
 
 /** Bodies of a link at most: links of more than some thousand characters are cut off by programs that carry them. */
 export const MAX_BODIES = 250;
@@ -39,9 +40,7 @@ export function sceneOf(world: PhysicsWorld, ground: number): SavedScene {
   const list = bodies(world);
   const ids = Array.from(list.ids.subarray(0, list.count)).filter((id) => id !== ground);
   if (ids.length > MAX_BODIES) {
-    throw new Error(
-      `A link holds ${MAX_BODIES} bodies at most, and there are ${ids.length}. Choose fewer in the panel.`,
-    );
+    throw new Error(WORDS.tooMany(MAX_BODIES, ids.length));
   }
   const shapes: number[][] = [];
   const known = new Map<string, number>();
@@ -130,14 +129,14 @@ export async function writeScene(scene: SavedScene): Promise<string> {
 
 /** @throws Error with a sentence that says what is wrong with the text */
 export async function readScene(text: string): Promise<SavedScene> {
-  if (!text.startsWith(VERSION)) throw broken('its version is unknown');
+  if (!text.startsWith(VERSION)) throw broken(WORDS.broken.version);
   try {
     const bytes = atob(text.slice(VERSION.length).replaceAll('-', '+').replaceAll('_', '/'));
     const packed = Uint8Array.from(bytes, (character) => character.charCodeAt(0));
     const scene = JSON.parse(new TextDecoder().decode(await through(packed, new DecompressionStream('deflate-raw'))));
     return checked(scene);
   } catch {
-    throw broken('it is incomplete');
+    throw broken(WORDS.broken.incomplete);
   }
 }
 
@@ -160,5 +159,5 @@ async function through(
 }
 
 function broken(why: string): Error {
-  return new Error(`The scene in the address cannot be read because ${why}. A tower stands instead.`);
+  return new Error(WORDS.broken.sentence(why));
 }
