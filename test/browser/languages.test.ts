@@ -1,7 +1,11 @@
 /** Games in German: whether every word is, whether the words fit, and who gets which language. */
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { WORDS_BY_LANGUAGE as BLACK_HOLE } from '../../games/black-hole/words.ts';
+import { WORDS_BY_LANGUAGE as BOUNCING_BALLS } from '../../games/bouncing-balls/words.ts';
+import { WORDS_BY_LANGUAGE as CLOTH } from '../../games/cloth/words.ts';
 import { WORDS_BY_LANGUAGE as FIREWORKS } from '../../games/fireworks/words.ts';
+import { WORDS_BY_LANGUAGE as STACKING } from '../../games/stacking/words.ts';
 import { WORDS_BY_LANGUAGE as SUBMARINE } from '../../games/submarine/words.ts';
 import { WORDS_BY_LANGUAGE as SHELL } from '../../packages/shell/src/words.ts';
 import { playGame, state } from '../support/game-page.ts';
@@ -26,18 +30,31 @@ function foreignWords(english: Parameters<typeof textsOf>[0], german: Parameters
   return new Set(textsOf(english).flatMap(([, text]) => (known.has(text) ? [] : [text.trim()])));
 }
 
+/** What a page writes into its console, kept in a list. */
+function listenToConsole(): void {
+  const said: string[] = [];
+  Object.assign(globalThis, { consoleSays: said });
+  for (const kind of ['log', 'warn', 'error'] as const) {
+    console[kind] = (...parts: unknown[]) => said.push(parts.join(' '));
+  }
+}
+
+/** What must fit: buttons, headings, cards of the shell and texts over the picture. */
+const FITTING =
+  'button, a, h1, dt, .game-card, .game-hint, .fw-hint, .sub-panel > *, .bh-hud > *, .cloth-print, .st-tools';
+
 /** Buttons and headings whose text is cut off, and what sticks out of the window. */
 const overflows = (page: Page) =>
-  page.evaluate(() =>
-    [...document.body.querySelectorAll<HTMLElement>('button, a, h1, dt, .fw-hint, .sub-panel > *')].flatMap(
-      (element) => {
+  page.evaluate(
+    (fitting) =>
+      [...document.body.querySelectorAll<HTMLElement>(fitting)].flatMap((element) => {
         if (!element.checkVisibility({ visibilityProperty: true })) return [];
         const { left, right } = element.getBoundingClientRect();
         const isCut = element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== 'inline';
         const isOut = left < -0.5 || right > innerWidth + 0.5;
         return isCut || isOut ? [`“${element.textContent}” ${isCut ? 'is cut off' : 'sticks out'}`] : [];
-      },
-    ),
+      }),
+    FITTING,
   );
 
 describe('fireworks', () => {
@@ -109,4 +126,75 @@ describe('submarine', () => {
     expect(texts.some((text) => / m, \d,\d atm · Dichte 0,9/.test(text))).toBe(true);
     expect(texts.filter((text) => foreign.has(text))).toEqual([]);
   });
+});
+
+type Texts = Parameters<typeof textsOf>[0];
+
+/** The other games: their words, and some German ones that are seen at once. */
+const GAMES: readonly (readonly [
+  name: string,
+  words: Readonly<Record<'en' | 'de', Texts>>,
+  seen: readonly string[],
+])[] = [
+  ['black-hole', BLACK_HOLE, ['Schwarzes Loch', 'Tagesaufgabe', '1 wert · Bonus 0']],
+  ['bouncing-balls', BOUNCING_BALLS, ['Hüpfende Bälle', 'Gießen', 'Schwerkraft, m/s²', 'Erde']],
+  ['cloth', CLOTH, ['Ein Tuch zum Zerreißen', 'Bild aufdrucken', 'Reißkraft, N']],
+  ['stacking', STACKING, ['Stapeln und umwerfen', 'Kleben', 'Dominosteine', 'Hüllen und Schlaf']],
+];
+
+describe.each(GAMES)('%s', (name, words, seen) => {
+  const { open } = playGame(name, { viewport: { width: 1280, height: 800 }, prepare: listenToConsole });
+
+  it.each([
+    ['a phone', PHONE],
+    ['a desk', {}],
+  ])('has no English word left on %s, and every word fits', async (_name, options) => {
+    const page = await open('manual&lang=de', options);
+    await page.evaluate(() => __game.step(20));
+    expect(await page.locator('html').getAttribute('lang')).toBe('de');
+    expect(await overflows(page)).toEqual([]);
+    if (!(await page.locator('.game-side').isVisible())) await page.keyboard.press('p');
+    expect(await overflows(page)).toEqual([]);
+    const texts = await written(page);
+    expect(seen.filter((text) => !texts.includes(text))).toEqual([]);
+    const foreign = new Set([...foreignWords(SHELL.en, SHELL.de), ...foreignWords(words.en, words.de)]);
+    expect(texts.filter((text) => foreign.has(text))).toEqual([]);
+    expect(await page.evaluate(() => (globalThis as unknown as { consoleSays: string[] }).consoleSays)).toEqual([]);
+  });
+});
+
+describe('numbers in the panel', () => {
+  const { open } = playGame('cloth', { viewport: { width: 1280, height: 800 } });
+
+  it.each([
+    ['a phone', 'de', PHONE, ['2,5', '9,8']],
+    ['a desk', 'de', {}, ['2,5', '9,8']],
+    ['a desk', 'en', {}, ['2.5', '9.8']],
+  ] as const)(
+    'on %s in %s have its decimal sign, and are taken with comma and point',
+    async (_name, lang, options, shown) => {
+      const page = await open(`manual&renderer=pixi&lang=${lang}`, options);
+      if (!(await page.locator('.game-side').isVisible())) await page.keyboard.press('p');
+      const field = (label: string) => page.locator('.lil-controller', { hasText: label }).locator('input');
+      const [strength, gravity] = [field(', N'), field('m/s²')];
+      const read = async () => [await strength.inputValue(), await gravity.inputValue()];
+      expect(await read()).toEqual(shown);
+      for (const [strengthTyped, gravityTyped] of [
+        ['3,5', '1.6'],
+        ['3.5', '1,6'],
+      ]) {
+        await strength.fill('1');
+        await strength.fill(strengthTyped);
+        await gravity.fill('2');
+        await gravity.fill(gravityTyped);
+        await gravity.blur();
+        const { values } = await state(page);
+        expect([values.strength, values.gravity]).toEqual([3.5, 1.6]);
+        expect(await read()).toEqual(lang === 'de' ? ['3,5', '1,6'] : ['3.5', '1.6']);
+      }
+      await gravity.press('ArrowUp');
+      expect((await state(page)).values.gravity).toBe(1.7);
+      expect(await gravity.inputValue()).toBe(lang === 'de' ? '1,7' : '1.7');
+    },
+  );
 });
