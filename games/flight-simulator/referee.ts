@@ -5,6 +5,7 @@ import { type Axes, rotated } from './body-frame.ts';
 import { type Mission, RING_RADIUS, RINGS } from './course.ts';
 import { compression, WHEELS } from './landing-gear.ts';
 import { groundHeight, isOnRunway, MAP_RADIUS, RUNWAY } from './terrain.ts';
+import { WORDS } from './words.ts';
 
 /** The course of a flight; plain values, so that rewinding restores them. */
 export interface FlightLog {
@@ -38,13 +39,15 @@ const SOFT_SINK = 0.6;
 const HARD_SINK = 3;
 const RING_SCORE = 100;
 
+type Part = keyof typeof WORDS.parts;
+
 /** Points of the hull that must not touch the ground, in the body's axes, m. */
-const HULL: readonly (readonly [part: string, at: Readonly<Axes>])[] = [
+const HULL: readonly (readonly [part: Part, at: Readonly<Axes>])[] = [
   ['propeller', { x: 2.3, y: -0.95, z: 0 }],
   ['belly', { x: -0.5, y: -0.75, z: 0 }],
   ['tail', { x: -5.2, y: 0.1, z: 0 }],
-  ['left wing', { x: 0.2, y: 0.8, z: -5.5 }],
-  ['right wing', { x: 0.2, y: 0.8, z: 5.5 }],
+  ['leftWing', { x: 0.2, y: 0.8, z: -5.5 }],
+  ['rightWing', { x: 0.2, y: 0.8, z: 5.5 }],
   ['cabin', { x: 0.3, y: 1, z: 0 }],
 ];
 
@@ -84,11 +87,11 @@ export function judge(
   if (height > 8) log.hasFlown = true;
   passRings(log, p.x[plane], p.y[plane], p.z[plane]);
   const isDive = touchDown(world, plane, log);
-  const struck = isDive ? 'landing gear' : height < 12 ? struckPart(world, plane) : undefined;
+  const struck = isDive ? 'gear' : height < 12 ? struckPart(world, plane) : undefined;
   if (struck !== undefined)
     crash(log, crashReason(struck, attitude, Math.max(log.lastSink, -v.y[plane]), p.x[plane], p.z[plane]));
   if (Math.max(Math.abs(p.x[plane]), Math.abs(p.z[plane])) > MAP_RADIUS) {
-    crash(log, 'You flew off the map and out of fuel.');
+    crash(log, WORDS.offMap);
   }
   if (log.phase !== 'flying') return;
   const speed = Math.sqrt(v.x[plane] * v.x[plane] + v.z[plane] * v.z[plane]);
@@ -106,11 +109,7 @@ function touchDown(world: PhysicsWorld, plane: number, log: FlightLog): boolean 
     const { x, z } = world.components.Position;
     if (log.touchSink > 0) log.bounces++;
     if (log.lastSink > BREAKING_SINK && log.lastSink < DIVE_SINK) {
-      const sink = log.lastSink.toFixed(1);
-      crash(
-        log,
-        `The landing gear broke: you sank at ${sink} m/s, and it takes ${BREAKING_SINK}. Raise the nose just above the runway.`,
-      );
+      crash(log, WORDS.gearBroke(log.lastSink, BREAKING_SINK));
     }
     if (log.touchSink === 0) [log.touchX, log.touchZ] = [x[plane], z[plane]];
     log.touchSink = Math.max(log.touchSink, log.lastSink, 0.01);
@@ -125,7 +124,7 @@ function touchDown(world: PhysicsWorld, plane: number, log: FlightLog): boolean 
 
 const AIRBORNE = { touchSink: 0, bounces: 0 };
 
-function struckPart(world: PhysicsWorld, plane: number): string | undefined {
+function struckPart(world: PhysicsWorld, plane: number): Part | undefined {
   const { x, y, z } = world.components.Position;
   for (const [part, at] of HULL) {
     rotated(world, plane, at, arm);
@@ -137,7 +136,7 @@ function struckPart(world: PhysicsWorld, plane: number): string | undefined {
 const STALL_ATTACK = 0.27;
 
 function crashReason(
-  part: string,
+  part: Part,
   { attack, bank, pitch }: Readonly<Attitude>,
   sink: number,
   x: number,
@@ -145,16 +144,14 @@ function crashReason(
 ): string {
   const degrees = (angle: number) => Math.round((Math.abs(angle) * 180) / Math.PI);
   if (sink > DIVE_SINK && attack > STALL_ATTACK) {
-    return `The wing had stalled: at ${degrees(attack)}° of attack it carries less, and you fell at ${sink.toFixed(0)} m/s. Push the nose down to stay fast.`;
+    return WORDS.stalled(degrees(attack), sink);
   }
-  if (sink > DIVE_SINK) return `You dived into the ground at ${sink.toFixed(0)} m/s. Raise the nose in time.`;
-  if (groundHeight(x, z) > 5) return `You flew into a hill: the ${part} struck it.`;
-  if (part.endsWith('wing'))
-    return `The ${part} struck the ground: you banked by ${degrees(bank)}°. Level the wings to land.`;
-  if (part === 'tail') return `The tail struck the ground: the nose was ${degrees(pitch)}° up.`;
-  if (part === 'propeller')
-    return `The propeller struck the ground: the nose was ${degrees(pitch)}° down. Touch down with the nose up.`;
-  return `The ${part} struck the ground.`;
+  if (sink > DIVE_SINK) return WORDS.dived(sink);
+  const [first, within] = WORDS.parts[part];
+  if (groundHeight(x, z) > 5) return WORDS.hill(within);
+  if (part === 'leftWing' || part === 'rightWing') return WORDS.wingStruck(first, degrees(bank));
+  if (part === 'tail') return WORDS.tailStruck(degrees(pitch));
+  return part === 'propeller' ? WORDS.propellerStruck(degrees(pitch)) : WORDS.struck(first);
 }
 
 function crash(log: FlightLog, reason: string): void {
@@ -194,12 +191,10 @@ export function landingScore(sink: number, x: number, z: number, bounces: number
 
 function land(log: FlightLog, x: number, z: number): void {
   log.phase = 'landed';
-  const sink = log.touchSink.toFixed(1);
   const points = landingScore(log.touchSink, log.touchX, log.touchZ, log.bounces);
   log.score = RING_SCORE * log.ringsFlown + points;
-  const where = isOnRunway(x, z) ? `${Math.abs(log.touchZ).toFixed(0)} m from the centre line` : 'on the grass';
-  const how =
-    log.touchSink < SOFT_SINK ? 'As soft as a feather' : log.touchSink < 1.5 ? 'A good landing' : 'A firm landing';
-  const bounced = log.bounces === 0 ? '' : `, with ${log.bounces} ${log.bounces === 1 ? 'bounce' : 'bounces'}`;
-  log.reason = `${how}: ${sink} m/s down, ${where}${bounced}. ${points} points for it.`;
+  const where = isOnRunway(x, z) ? WORDS.fromLine(Math.abs(log.touchZ)) : WORDS.onGrass;
+  const how = log.touchSink < SOFT_SINK ? WORDS.soft : log.touchSink < 1.5 ? WORDS.good : WORDS.firm;
+  const details = log.bounces === 0 ? where : `${where}, ${WORDS.bounces(log.bounces)}`;
+  log.reason = WORDS.landing(how, log.touchSink, details, points);
 }

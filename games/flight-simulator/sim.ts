@@ -16,6 +16,7 @@ import { type GearState, landingGear } from './landing-gear.ts';
 import { createPilotState, type Inputs, movePilot, type PilotState, type Surfaces } from './pilot.ts';
 import { createLog, type FlightLog, judge } from './referee.ts';
 import { groundHeight } from './terrain.ts';
+import { WORDS } from './words.ts';
 
 /** The settings of a flight. */
 export interface FlightValues {
@@ -181,23 +182,18 @@ export function applyValue(flight: Flight, name: string, values: FlightValues): 
 }
 
 /** What to do now, in a sentence. */
-export function objective(
-  flight: Flight,
-  names: { readonly throttle: string; readonly pull: string; readonly brake: string },
-): string {
+export function objective(flight: Flight): string {
   const { log, pilot, attitude, mission } = flight;
+  const { tasks } = WORDS;
   const takeOff = 1.15 * stallSpeed();
-  if (flight.isStalling) return 'Stall! Push the nose down, and give thrust';
+  if (flight.isStalling) return tasks.stall;
   if (log.onGround && !log.hasFlown) {
-    if (pilot.throttle < 0.9) return `Hold ${names.throttle} for full throttle`;
-    if (attitude.airspeed < takeOff) return 'Gathering speed…';
-    return `Fast enough: hold ${names.pull} gently to raise the nose`;
+    if (pilot.throttle < 0.9) return tasks.throttle;
+    return attitude.airspeed < takeOff ? tasks.gather : tasks.rotate;
   }
   if (mission === 'free') return '';
-  if (log.ring < RINGS.length) return `Fly through ring ${log.ring + 1} of ${RINGS.length}`;
-  if (log.onGround) return `Hold ${names.brake} to stop on the runway`;
-  if (flight.height < 8) return `Throttle back, and hold ${names.pull} to touch down softly`;
-  return attitude.airspeed < takeOff
-    ? 'Too slow: more throttle, nose down'
-    : 'Land on the runway: line up with it, and slow down';
+  if (log.ring < RINGS.length) return tasks.ring(log.ring + 1, RINGS.length);
+  if (log.onGround) return tasks.brake;
+  if (flight.height < 8) return tasks.flare;
+  return attitude.airspeed < takeOff ? tasks.slow : tasks.approach;
 }
