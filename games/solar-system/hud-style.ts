@@ -34,7 +34,7 @@ export const HUD_STYLE = `
   color: #1c1503; font-weight: 700; padding: 5px 18px } .ss-card .ss-go:hover:enabled { background: #ffd58f } .ss-card .ss-go:disabled { background: #ffc15e } .ss-card button:disabled { opacity: .4; cursor: default }
 .ss-card .ss-end { border: 0; background: none; padding: 0 2px; color: #97a3c7; font-weight: 500 }
 .ss-slide { display: grid; grid-template-columns: 74px 1fr 84px; gap: 9px; align-items: center; font-size: 13px }
-.ss-slide input[type=number] { width: 100%; box-sizing: border-box; border: 1px solid #ffffff24; border-radius: 8px; background: #ffffff10; padding: 2px 5px; text-align: right }
+.ss-slide .ss-number { width: 100%; box-sizing: border-box; border: 1px solid #ffffff24; border-radius: 8px; background: #ffffff10; padding: 2px 5px; text-align: right }
 .ss-menu { display: flex; gap: 8px; flex-wrap: wrap; justify-content: center }
 .ss-menu button { border: 1px solid #ffc15e66; border-radius: 999px; background: #1c2038d9; padding: 7px 16px; font-weight: 650; cursor: pointer }
 .ss-hint { margin: 0; flex-basis: 100%; text-align: center; font-size: 14px; color: #cfdaf8 }

@@ -1,9 +1,10 @@
 /** The missions: where to fly, when, and what it may cost. */
 import type { BodyName } from '@principia/scenes';
 import { julianDate } from './dates.ts';
+import type { WORDS } from './words.ts';
 
 export interface Mission {
-  readonly id: string;
+  readonly id: keyof typeof WORDS.missions;
   readonly target: BodyName;
   /** The planet whose gravity one needs on the way. */
   readonly via?: BodyName;

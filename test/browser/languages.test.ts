@@ -5,6 +5,8 @@ import { WORDS_BY_LANGUAGE as BLACK_HOLE } from '../../games/black-hole/words.ts
 import { WORDS_BY_LANGUAGE as BOUNCING_BALLS } from '../../games/bouncing-balls/words.ts';
 import { WORDS_BY_LANGUAGE as CLOTH } from '../../games/cloth/words.ts';
 import { WORDS_BY_LANGUAGE as FIREWORKS } from '../../games/fireworks/words.ts';
+import { WORDS_BY_LANGUAGE as FLIGHT_SIMULATOR } from '../../games/flight-simulator/words.ts';
+import { WORDS_BY_LANGUAGE as SOLAR_SYSTEM } from '../../games/solar-system/words.ts';
 import { WORDS_BY_LANGUAGE as STACKING } from '../../games/stacking/words.ts';
 import { WORDS_BY_LANGUAGE as SUBMARINE } from '../../games/submarine/words.ts';
 import { WORDS_BY_LANGUAGE as SHELL } from '../../packages/shell/src/words.ts';
@@ -24,10 +26,10 @@ const written = (page: Page) =>
     }),
   );
 
-/** English words that German has another one for. */
+/** English words that German has another one for; single letters are names of keys as well. */
 function foreignWords(english: Parameters<typeof textsOf>[0], german: Parameters<typeof textsOf>[0]): Set<string> {
   const known = new Set(textsOf(german).map(([, text]) => text));
-  return new Set(textsOf(english).flatMap(([, text]) => (known.has(text) ? [] : [text.trim()])));
+  return new Set(textsOf(english).flatMap(([, text]) => (known.has(text) || text.length === 1 ? [] : [text.trim()])));
 }
 
 /** What a page writes into its console, kept in a list. */
@@ -41,7 +43,7 @@ function listenToConsole(): void {
 
 /** What must fit: buttons, headings, cards of the shell and texts over the picture. */
 const FITTING =
-  'button, a, h1, dt, .game-card, .game-hint, .fw-hint, .sub-panel > *, .bh-hud > *, .cloth-print, .st-tools';
+  'button:not(.ss-label), a, h1, dt, .game-card, .game-hint, .fw-hint, .sub-panel > *, .bh-hud > *, .cloth-print, .st-tools, .fs-task, .ss-date > *, .ss-menu';
 
 /** Buttons and headings whose text is cut off, and what sticks out of the window. */
 const overflows = (page: Page) =>
@@ -140,6 +142,8 @@ const GAMES: readonly (readonly [
   ['bouncing-balls', BOUNCING_BALLS, ['Hüpfende Bälle', 'Gießen', 'Schwerkraft, m/s²', 'Erde']],
   ['cloth', CLOTH, ['Ein Tuch zum Zerreißen', 'Bild aufdrucken', 'Reißkraft, N']],
   ['stacking', STACKING, ['Stapeln und umwerfen', 'Kleben', 'Dominosteine', 'Hüllen und Schlaf']],
+  ['flight-simulator', FLIGHT_SIMULATOR, ['Flugsimulator', 'Seitenwind, m/s', 'Eine Platzrunde']],
+  ['solar-system', SOLAR_SYSTEM, ['Sonnensystem', 'Schwung am Jupiter', 'Missionen', 'Erde']],
 ];
 
 describe.each(GAMES)('%s', (name, words, seen) => {

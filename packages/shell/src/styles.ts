@@ -33,8 +33,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   --slider-knob-width: 3px; --widget-border-radius: 6px; --slider-input-width: 36% }
 .game-card { padding: 6px 12px 10px; border-top: 1px solid var(--line) }
 .game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; flex-wrap: wrap; gap: 0 10px }
-.game-card h2 span { flex-basis: 100%; font-weight: 500; display: flex; gap: 10px }
-.game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
+.game-card h2 span { flex-basis: 100%; font-weight: 500; display: flex; flex-wrap: wrap; gap: 0 10px }
+.game-card h2 small { font-size: 11px } .game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
   border-radius: 50%; margin-right: 4px; background: var(--mark) }
 .game-card select, .game-card input { border: 0; border-radius: 6px; background: #ffffff14; color: var(--ink); font: inherit;
   font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 100% } .game-card option { background: #1a2349 }
