@@ -1,7 +1,8 @@
 /** What lies over the picture: instruments, the next task in a sentence, and a mark on the next goal. */
 import { RINGS } from './course.ts';
 import { createInstruments } from './instruments.ts';
-import { type Flight, objective } from './sim.ts';
+import { objective } from './sentences.ts';
+import type { Flight } from './sim.ts';
 import { RUNWAY } from './terrain.ts';
 import { WORDS } from './words.ts';
 

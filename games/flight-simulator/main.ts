@@ -1,5 +1,6 @@
 /** A flight simulator, drawn by three.js. */
 import { FOUR_WAYS, helpLines, startGame } from '@principia/shell';
+import { reasonOf } from './sentences.ts';
 import { settings } from './settings.ts';
 import { applyValue, createFlight, type Flight } from './sim.ts';
 import { WORDS } from './words.ts';
@@ -8,7 +9,7 @@ document.title = WORDS.title;
 
 function outcome({ log }: Flight) {
   if (log.phase === 'flying') return undefined;
-  return { title: WORDS[log.phase], score: log.score, lines: [log.reason, WORDS.points(log.score)] };
+  return { title: WORDS[log.phase], score: log.score, lines: [reasonOf(log), WORDS.points(log.score)] };
 }
 
 await startGame({
@@ -22,7 +23,7 @@ await startGame({
   hasEnded: ({ log }) => log.phase !== 'flying',
   report: ({ log, attitude, height, climb, pilot }) => ({
     phase: log.phase,
-    reason: log.reason,
+    reason: reasonOf(log),
     score: log.score,
     ring: log.ring,
     onGround: log.onGround,

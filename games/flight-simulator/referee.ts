@@ -5,13 +5,22 @@ import { type Axes, rotated } from './body-frame.ts';
 import { type Mission, RING_RADIUS, RINGS } from './course.ts';
 import { compression, WHEELS } from './landing-gear.ts';
 import { groundHeight, isOnRunway, MAP_RADIUS, RUNWAY } from './terrain.ts';
-import { WORDS } from './words.ts';
+
+/** Parts of the aeroplane that must not strike the ground. */
+export type Part = 'gear' | 'propeller' | 'belly' | 'tail' | 'leftWing' | 'rightWing' | 'cabin';
+export type CrashCause = 'none' | 'offMap' | 'gearBroke' | 'stalled' | 'dived' | 'hill' | 'struck';
 
 /** The course of a flight; plain values, so that rewinding restores them. */
 export interface FlightLog {
   phase: 'flying' | 'landed' | 'crashed';
-  /** Why the aeroplane crashed, or how it landed: a sentence. */
-  reason: string;
+  /** Why the aeroplane crashed; `none` while it has not. */
+  cause: CrashCause;
+  /** What struck the ground. */
+  part: Part;
+  /** Angle of attack, bank or pitch that caused a crash, degrees. */
+  degrees: number;
+  /** Sink rate that caused it, m/s. */
+  sink: number;
   /** It has been higher than a few metres. */
   hasFlown: boolean;
   onGround: boolean;
@@ -23,6 +32,10 @@ export interface FlightLog {
   touchX: number;
   touchZ: number;
   bounces: number;
+  /** Points of the landing alone. */
+  landingScore: number;
+  /** Where it came to rest. */
+  isOnRunway: boolean;
   /** Steps at rest after the flight. */
   restSteps: number;
   score: number;
@@ -32,14 +45,12 @@ export interface FlightLog {
 }
 
 /** Sink rate that breaks the gear, m/s; and one that passengers do not notice. */
-const BREAKING_SINK = 4.5;
+export const BREAKING_SINK = 4.5;
 /** Sinking faster, it is no landing at all. */
 const DIVE_SINK = 7;
-const SOFT_SINK = 0.6;
+export const SOFT_SINK = 0.6;
 const HARD_SINK = 3;
 const RING_SCORE = 100;
-
-type Part = keyof typeof WORDS.parts;
 
 /** Points of the hull that must not touch the ground, in the body's axes, m. */
 const HULL: readonly (readonly [part: Part, at: Readonly<Axes>])[] = [
@@ -54,7 +65,10 @@ const HULL: readonly (readonly [part: Part, at: Readonly<Axes>])[] = [
 export function createLog(mission: Mission, at: Readonly<Axes>): FlightLog {
   return {
     phase: 'flying',
-    reason: '',
+    cause: 'none',
+    part: 'gear',
+    degrees: 0,
+    sink: 0,
     hasFlown: mission === 'landing',
     onGround: mission !== 'landing',
     ring: mission === 'circuit' ? 0 : RINGS.length,
@@ -63,6 +77,8 @@ export function createLog(mission: Mission, at: Readonly<Axes>): FlightLog {
     touchX: 0,
     touchZ: 0,
     bounces: 0,
+    landingScore: 0,
+    isOnRunway: true,
     restSteps: 0,
     score: 0,
     lastX: at.x,
@@ -88,10 +104,11 @@ export function judge(
   passRings(log, p.x[plane], p.y[plane], p.z[plane]);
   const isDive = touchDown(world, plane, log);
   const struck = isDive ? 'gear' : height < 12 ? struckPart(world, plane) : undefined;
-  if (struck !== undefined)
-    crash(log, crashReason(struck, attitude, Math.max(log.lastSink, -v.y[plane]), p.x[plane], p.z[plane]));
+  if (struck !== undefined) {
+    crash(log, causeOf(struck, attitude, Math.max(log.lastSink, -v.y[plane]), groundHeight(p.x[plane], p.z[plane])));
+  }
   if (Math.max(Math.abs(p.x[plane]), Math.abs(p.z[plane])) > MAP_RADIUS) {
-    crash(log, WORDS.offMap);
+    crash(log, { cause: 'offMap' });
   }
   if (log.phase !== 'flying') return;
   const speed = Math.sqrt(v.x[plane] * v.x[plane] + v.z[plane] * v.z[plane]);
@@ -109,7 +126,7 @@ function touchDown(world: PhysicsWorld, plane: number, log: FlightLog): boolean 
     const { x, z } = world.components.Position;
     if (log.touchSink > 0) log.bounces++;
     if (log.lastSink > BREAKING_SINK && log.lastSink < DIVE_SINK) {
-      crash(log, WORDS.gearBroke(log.lastSink, BREAKING_SINK));
+      crash(log, { cause: 'gearBroke', sink: log.lastSink });
     }
     if (log.touchSink === 0) [log.touchX, log.touchZ] = [x[plane], z[plane]];
     log.touchSink = Math.max(log.touchSink, log.lastSink, 0.01);
@@ -135,29 +152,22 @@ function struckPart(world: PhysicsWorld, plane: number): Part | undefined {
 
 const STALL_ATTACK = 0.27;
 
-function crashReason(
-  part: Part,
-  { attack, bank, pitch }: Readonly<Attitude>,
-  sink: number,
-  x: number,
-  z: number,
-): string {
+type Crash = Pick<FlightLog, 'cause'> & Partial<Pick<FlightLog, 'part' | 'degrees' | 'sink'>>;
+
+/** @param ground height of the ground where it struck, m */
+function causeOf(part: Part, { attack, bank, pitch }: Readonly<Attitude>, sink: number, ground: number): Crash {
   const degrees = (angle: number) => Math.round((Math.abs(angle) * 180) / Math.PI);
-  if (sink > DIVE_SINK && attack > STALL_ATTACK) {
-    return WORDS.stalled(degrees(attack), sink);
-  }
-  if (sink > DIVE_SINK) return WORDS.dived(sink);
-  const [first, within] = WORDS.parts[part];
-  if (groundHeight(x, z) > 5) return WORDS.hill(within);
-  if (part === 'leftWing' || part === 'rightWing') return WORDS.wingStruck(first, degrees(bank));
-  if (part === 'tail') return WORDS.tailStruck(degrees(pitch));
-  return part === 'propeller' ? WORDS.propellerStruck(degrees(pitch)) : WORDS.struck(first);
+  if (sink > DIVE_SINK && attack > STALL_ATTACK) return { cause: 'stalled', degrees: degrees(attack), sink };
+  if (sink > DIVE_SINK) return { cause: 'dived', sink };
+  if (ground > 5) return { cause: 'hill', part };
+  const isWing = part === 'leftWing' || part === 'rightWing';
+  return { cause: 'struck', part, degrees: degrees(isWing ? bank : pitch) };
 }
 
-function crash(log: FlightLog, reason: string): void {
+function crash(log: FlightLog, why: Crash): void {
   if (log.phase !== 'flying') return;
   log.phase = 'crashed';
-  log.reason = reason;
+  Object.assign(log, why);
   log.score = RING_SCORE * log.ringsFlown;
 }
 
@@ -191,10 +201,7 @@ export function landingScore(sink: number, x: number, z: number, bounces: number
 
 function land(log: FlightLog, x: number, z: number): void {
   log.phase = 'landed';
-  const points = landingScore(log.touchSink, log.touchX, log.touchZ, log.bounces);
-  log.score = RING_SCORE * log.ringsFlown + points;
-  const where = isOnRunway(x, z) ? WORDS.fromLine(Math.abs(log.touchZ)) : WORDS.onGrass;
-  const how = log.touchSink < SOFT_SINK ? WORDS.soft : log.touchSink < 1.5 ? WORDS.good : WORDS.firm;
-  const details = log.bounces === 0 ? where : `${where}, ${WORDS.bounces(log.bounces)}`;
-  log.reason = WORDS.landing(how, log.touchSink, details, points);
+  log.isOnRunway = isOnRunway(x, z);
+  log.landingScore = landingScore(log.touchSink, log.touchX, log.touchZ, log.bounces);
+  log.score = RING_SCORE * log.ringsFlown + log.landingScore;
 }

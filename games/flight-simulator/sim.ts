@@ -8,15 +8,14 @@ import {
   spawn,
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
-import { AIRCRAFT, aircraftForces, Deflections, propellerThrust, stallSpeed } from './aircraft.ts';
+import { AIRCRAFT, aircraftForces, Deflections, propellerThrust } from './aircraft.ts';
 import { type Attitude, createAttitude, readAttitude } from './attitude.ts';
 import type { Axes } from './body-frame.ts';
-import { MISSIONS, type Mission, RESTING_HEIGHT, RINGS, startOf } from './course.ts';
+import { MISSIONS, type Mission, RESTING_HEIGHT, startOf } from './course.ts';
 import { type GearState, landingGear } from './landing-gear.ts';
 import { createPilotState, type Inputs, movePilot, type PilotState, type Surfaces } from './pilot.ts';
 import { createLog, type FlightLog, judge } from './referee.ts';
 import { groundHeight } from './terrain.ts';
-import { WORDS } from './words.ts';
 
 /** The settings of a flight. */
 export interface FlightValues {
@@ -179,21 +178,4 @@ export function createFlight(options: FlightOptions): Flight {
 export function applyValue(flight: Flight, name: string, values: FlightValues): boolean {
   flight.set(values);
   return name !== 'mission' && name !== 'crosswind' && name !== 'turbulence';
-}
-
-/** What to do now, in a sentence. */
-export function objective(flight: Flight): string {
-  const { log, pilot, attitude, mission } = flight;
-  const { tasks } = WORDS;
-  const takeOff = 1.15 * stallSpeed();
-  if (flight.isStalling) return tasks.stall;
-  if (log.onGround && !log.hasFlown) {
-    if (pilot.throttle < 0.9) return tasks.throttle;
-    return attitude.airspeed < takeOff ? tasks.gather : tasks.rotate;
-  }
-  if (mission === 'free') return '';
-  if (log.ring < RINGS.length) return tasks.ring(log.ring + 1, RINGS.length);
-  if (log.onGround) return tasks.brake;
-  if (flight.height < 8) return tasks.flare;
-  return attitude.airspeed < takeOff ? tasks.slow : tasks.approach;
 }

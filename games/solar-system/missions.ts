@@ -1,10 +1,9 @@
 /** The missions: where to fly, when, and what it may cost. */
 import type { BodyName } from '@principia/scenes';
 import { julianDate } from './dates.ts';
-import type { WORDS } from './words.ts';
 
 export interface Mission {
-  readonly id: keyof typeof WORDS.missions;
+  readonly id: 'mars' | 'mercury' | 'saturn';
   readonly target: BodyName;
   /** The planet whose gravity one needs on the way. */
   readonly via?: BodyName;
