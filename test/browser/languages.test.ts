@@ -6,6 +6,7 @@ import { WORDS_BY_LANGUAGE as BOUNCING_BALLS } from '../../games/bouncing-balls/
 import { WORDS_BY_LANGUAGE as CLOTH } from '../../games/cloth/words.ts';
 import { WORDS_BY_LANGUAGE as FIREWORKS } from '../../games/fireworks/words.ts';
 import { WORDS_BY_LANGUAGE as FLIGHT_SIMULATOR } from '../../games/flight-simulator/words.ts';
+import { WORDS_BY_LANGUAGE as LABORATORY } from '../../games/laboratory/words.ts';
 import { WORDS_BY_LANGUAGE as SOLAR_SYSTEM } from '../../games/solar-system/words.ts';
 import { WORDS_BY_LANGUAGE as STACKING } from '../../games/stacking/words.ts';
 import { WORDS_BY_LANGUAGE as SUBMARINE } from '../../games/submarine/words.ts';
@@ -15,11 +16,12 @@ import { textsOf } from '../support/words.ts';
 
 const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true } as const;
 
-/** Everything that is written or read out on a page. */
+/** Everything that is written or read out on a page, but what is marked as English. */
 const written = (page: Page) =>
   page.evaluate(() =>
     [...document.body.querySelectorAll('*')].flatMap((element) => {
       if (/^(STYLE|SCRIPT|NOSCRIPT)$/.test(element.tagName)) return [];
+      if (element.closest('[lang]')?.getAttribute('lang') === 'en') return [];
       const own = [...element.childNodes].filter(({ nodeType }) => nodeType === Node.TEXT_NODE);
       const said = ['title', 'aria-label', 'placeholder'].map((name) => element.getAttribute(name) ?? '');
       return [...own.map(({ textContent }) => (textContent ?? '').trim()), ...said].filter((text) => text !== '');
@@ -29,7 +31,9 @@ const written = (page: Page) =>
 /** English words that German has another one for; single letters are names of keys as well. */
 function foreignWords(english: Parameters<typeof textsOf>[0], german: Parameters<typeof textsOf>[0]): Set<string> {
   const known = new Set(textsOf(german).map(([, text]) => text));
-  return new Set(textsOf(english).flatMap(([, text]) => (known.has(text) || text.length === 1 ? [] : [text.trim()])));
+  return new Set(
+    textsOf(english).flatMap(([, text]) => (known.has(text) || text.trim().length === 1 ? [] : [text.trim()])),
+  );
 }
 
 /** What a page writes into its console, kept in a list. */
@@ -41,6 +45,9 @@ function listenToConsole(): void {
   }
 }
 
+/** What the page wrote into its console. */
+const consoleOf = (page: Page) => page.evaluate(() => (globalThis as unknown as { consoleSays: string[] }).consoleSays);
+
 /** What must fit: buttons, headings, cards of the shell and texts over the picture. */
 const FITTING =
   'button:not(.ss-label), a, h1, dt, .game-card, .game-hint, .fw-hint, .sub-panel > *, .bh-hud > *, .cloth-print, .st-tools, .fs-task, .ss-date > *, .ss-menu';
@@ -50,7 +57,7 @@ const overflows = (page: Page) =>
   page.evaluate(
     (fitting) =>
       [...document.body.querySelectorAll<HTMLElement>(fitting)].flatMap((element) => {
-        if (!element.checkVisibility({ visibilityProperty: true })) return [];
+        if (!element.checkVisibility({ visibilityProperty: true }) || element.lang === 'en') return [];
         const { left, right } = element.getBoundingClientRect();
         const isCut = element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== 'inline';
         const isOut = left < -0.5 || right > innerWidth + 0.5;
@@ -163,7 +170,49 @@ describe.each(GAMES)('%s', (name, words, seen) => {
     expect(seen.filter((text) => !texts.includes(text))).toEqual([]);
     const foreign = new Set([...foreignWords(SHELL.en, SHELL.de), ...foreignWords(words.en, words.de)]);
     expect(texts.filter((text) => foreign.has(text))).toEqual([]);
-    expect(await page.evaluate(() => (globalThis as unknown as { consoleSays: string[] }).consoleSays)).toEqual([]);
+    expect(await consoleOf(page)).toEqual([]);
+  });
+});
+
+describe('laboratory', () => {
+  const { open } = playGame('laboratory', { viewport: { width: 1280, height: 800 }, prepare: listenToConsole });
+  const foreign = new Set([...foreignWords(SHELL.en, SHELL.de), ...foreignWords(LABORATORY.en, LABORATORY.de)]);
+  const seenOn = async (page: Page, seen: readonly string[]) => {
+    expect(await page.locator('html').getAttribute('lang')).toBe('de');
+    const texts = await written(page);
+    expect(seen.filter((text) => !texts.includes(text))).toEqual([]);
+    expect(texts.filter((text) => foreign.has(text))).toEqual([]);
+    expect(await overflows(page)).toEqual([]);
+    expect(await consoleOf(page)).toEqual([]);
+  };
+
+  it.each([
+    ['a phone', PHONE],
+    ['a desk', {}],
+  ])('has a list with no English word but those of the examples on %s', async (_name, options) => {
+    const page = await open('lang=de', { ...options, until: 'nothing' });
+    await page.locator('.start-picture svg').first().waitFor();
+    await seenOn(page, ['Das Labor', 'Kapitel 17 · Über das Buch hinaus', 'Beginne mit einem von diesen']);
+    expect(await page.locator('.start a[href*="example="]').first().getAttribute('href')).toContain('lang=de');
+    expect(page.url()).toContain('lang=de');
+  });
+
+  it.each([
+    ['a phone', PHONE],
+    ['a desk', {}],
+  ])('has an example with no English word around it on %s', async (_name, options) => {
+    const page = await open('example=ch08-free-oscillations&ghosts=integrators&manual&lang=de', options);
+    await page.evaluate(() => __game.step(60));
+    if (!(await page.locator('.game-side').isVisible())) await page.keyboard.press('p');
+    await page.waitForFunction(() => /Nach 1,0 s/.test(document.querySelector('.lab-words')?.textContent ?? ''));
+    await seenOn(page, ['Probier das', 'Berechnet und exakt', 'Der des Beispiels', 'Verlet, Geschwindigkeit', 'exakt']);
+    expect(await page.locator('.lab-checks').innerText()).not.toMatch(/computed|\d\.\d/);
+    await page.keyboard.press('k');
+    await page.locator('.lab-code textarea').fill('export default 3;');
+    await page.locator('.lab-code button').first().click();
+    // It is tried in a worker, which speaks the language of the page.
+    const note = page.locator('.lab-code-note');
+    await expect.poll(() => note.textContent(), { timeout: 8000 }).toBe(LABORATORY.de.code.noExample);
   });
 });
 

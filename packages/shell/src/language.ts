@@ -24,10 +24,9 @@ export function preferredLanguage(query: string, wishes: readonly string[]): Lan
  * numbers. Call it once, where the words stand.
  */
 export function chooseWords<Words>(texts: Readonly<Record<Language, Words>>): Words {
-  if (typeof document !== 'undefined') {
-    spoken = preferredLanguage(location.search, navigator.languages ?? []);
-    document.documentElement.lang = spoken;
-  }
+  // A worker has no document, but an address.
+  if (typeof location !== 'undefined') spoken = preferredLanguage(location.search, navigator.languages ?? []);
+  if (typeof document !== 'undefined') document.documentElement.lang = spoken;
   return texts[spoken];
 }
 

@@ -31,6 +31,7 @@ export function createPanel(
     const controller = addController(gui, proxy, name, setting);
     const unit = setting.kind === 'number' && setting.unit !== '' ? `, ${setting.unit}` : '';
     controller.name(`${setting.label}${unit}`);
+    if (setting.lang !== undefined) controller.domElement.lang = setting.lang;
     if (setting.about !== undefined) controller.domElement.title = setting.about;
     if (setting.kind !== 'number' || setting.presets === undefined) return [controller];
     return [
