@@ -118,7 +118,7 @@ const de: Words = {
   pageTitle: (example) => `${example} – das Labor`,
   list: {
     home: 'Alle Spiele',
-    lead: 'Jedes Beispiel eines Physikbuchs und einige darüber hinaus: Spiel damit und sieh zu, wie sich seine Zahlen bestätigen. Die Beispiele selbst sind auf Englisch.',
+    lead: 'Jedes Beispiel eines Physikbuchs und einige darüber hinaus: Spiel damit und sieh zu, wie sich seine Zahlen bestätigen.',
     search: 'Suche',
     searchHint: 'Suche: orbit, drag, Kapitel 8 …',
     subjects: 'Themen',

@@ -19,7 +19,7 @@ export interface NumberSetting {
   readonly presets?: Readonly<Record<string, number>>;
   /** Tooltip of one line. Default none. */
   readonly about?: string;
-  /** Language of label and tooltip where it is not that of the page. */
+  /** Language of label and tooltip. Default that of the page. */
   readonly lang?: string;
 }
 
@@ -32,7 +32,7 @@ export interface SwitchSetting {
   readonly key?: string;
   /** Tooltip of one line. Default none. */
   readonly about?: string;
-  /** Language of label and tooltip where it is not that of the page. */
+  /** Language of label and tooltip. Default that of the page. */
   readonly lang?: string;
 }
 
@@ -45,7 +45,7 @@ export interface ChoiceSetting {
   readonly choices: Readonly<Record<string, string>>;
   /** Tooltip of one line. Default none. */
   readonly about?: string;
-  /** Language of label and tooltip where it is not that of the page. */
+  /** Language of label and tooltip. Default that of the page. */
   readonly lang?: string;
 }
 
