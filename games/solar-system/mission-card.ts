@@ -114,7 +114,8 @@ function controlParts(
     elements: [heading(context, page, mission), goal, slides, outlook, warning, row(go, ...aims, ...waits)],
     update(sim) {
       for (const [i, slider] of sliders.entries()) slider.show(plan.amounts[i]);
-      say(outlook, outlookOf(sim, plan, mission, isReady));
+      // On the way to the date of the launch there is nothing to see ahead.
+      say(outlook, sim.clock.isTravelling ? '' : outlookOf(sim, plan, mission, isReady));
       const isTooMuch = !sim.canBurn(plan.size) && plan.size > 0;
       go.disabled = isTooMuch || plan.size === 0 || plan.aimState === 'running' || sim.clock.isTravelling;
       say(
