@@ -19,7 +19,7 @@ const STYLES = `
 .game:has(.game-side:not([hidden])) .fs-task, .game:has(.game-side:not([hidden])) .fs-instruments { left: calc(50% - 144px) }
 /* The pad lies over a bright runway. */
 .game:has(.fs-hud) .game-pad :is(button, .game-stick) { background: #0b122699 }
-@media (pointer: coarse) { .fs-instruments { bottom: auto; top: 136px; scale: 0.82; transform-origin: 50% 0 } }
+@media (pointer: coarse) { .fs-task { font-size: 15px; line-height: 1.4 } .fs-instruments { bottom: auto; top: 136px; scale: 0.82; transform-origin: 50% 0 } }
 @media (pointer: coarse) and (max-height: 500px) { .fs-instruments { top: auto; bottom: 4px; left: max(6px, env(safe-area-inset-left)); translate: 0 0; scale: 0.72; transform-origin: 0 100% } .fs-task { top: 58px; font-size: 14px } }
 @media (max-width: 759px) { .game:has(.game-side:not([hidden])) :is(.fs-task, .fs-instruments) { left: 50% } }
 `;

@@ -8,11 +8,12 @@ import { WORDS } from './words.ts';
 /** Sink rate of a landing that is no longer a good one, m/s. */
 const FIRM_SINK = 1.5;
 
-/** What to do now, in a sentence. */
+/** What to do now, in a sentence; empty where there is nothing. */
 export function objective(flight: Flight): string {
   const { log, pilot, attitude, mission } = flight;
   const { tasks } = WORDS;
   const takeOff = 1.15 * stallSpeed();
+  if (log.phase !== 'flying') return '';
   if (flight.isStalling) return tasks.stall;
   if (log.onGround && !log.hasFlown) {
     if (pilot.throttle < 0.9) return tasks.throttle;

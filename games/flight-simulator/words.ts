@@ -103,7 +103,7 @@ const de: Words = {
     rotate: `Schnell genug: ${isTouch ? 'zieh den Stick sanft zurück' : 'halte sanft ↓'}, um die Nase zu heben`,
     ring: (ring, count) => `Flieg durch Ring ${ring} von ${count}`,
     brake: `Halte ${isTouch ? '■' : 'N'}, um auf der Bahn anzuhalten`,
-    flare: `Gas weg und ${isTouch ? 'den Stick zurückziehen' : '↓ halten'}, um weich aufzusetzen`,
+    flare: `Gas weg und ${isTouch ? 'Stick zurück' : '↓ halten'}, um weich aufzusetzen`,
     slow: 'Zu langsam: mehr Gas, Nase runter',
     approach: 'Lande auf der Bahn: richte dich auf sie aus und werde langsamer',
   },

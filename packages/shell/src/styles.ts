@@ -107,9 +107,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   list-style-position: inside; font-variant-numeric: tabular-nums }
 .game-outcome li b { display: inline-block; min-width: 44px; color: var(--ink); text-align: right }
 .game-outcome li.new, .game-outcome li.new b { color: var(--accent) }
-.game-outcome button { border: 0; border-radius: 11px; padding: 9px 20px; background: var(--accent); color: #1c1503;
+.game-outcome button { margin: 5px; border: 0; border-radius: 11px; padding: 9px 20px; background: var(--accent); color: #1c1503;
   font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
-.game-outcome button.second { margin-left: 10px; background: #ffffff1c; color: var(--ink) }
+.game-outcome button.second { background: #ffffff1c; color: var(--ink) }
 .game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
 .game-hint { position: absolute; left: 16px; right: 16px; bottom: max(14px, env(safe-area-inset-bottom)); margin: 0; pointer-events: none;
   text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
