@@ -1,11 +1,11 @@
 /** The text and bars drawn over the picture. */
-import { hasCoarsePointer } from '@principia/shell';
+import { withLanguage } from '@principia/shell';
 import { dayOf, dayOfSeed, seedOf } from './daily.ts';
 import type { Comparison } from './ghost.ts';
 import { css, type Palette } from './palette.ts';
-import { livesText, scoreText } from './report.ts';
 import { type GameEvent, LIVES, TANK } from './rules.ts';
 import type { BlackHoleGame } from './sim.ts';
+import { WORDS } from './words.ts';
 
 const STYLE = `
 .bh-hud { position: absolute; pointer-events: none; color: #eaf0ff; font: 600 15px/1.3 system-ui, sans-serif;
@@ -117,7 +117,7 @@ function createRoot(parent: HTMLElement): HTMLElement {
 <div class="bh-lives">${'<i></i>'.repeat(LIVES)}<span></span></div><div class="bh-score"></div>
 <div class="bh-level"><span></span><small></small></div>
 <div class="bh-fuel"><small></small><div><b></b></div></div><div class="bh-speed"></div>
-<div class="bh-call"><h2></h2><p></p></div><a class="bh-daily" href="?seed=${seedOf(dayOf(new Date()))}">Daily challenge</a><button type="button" class="bh-redraw" title="New layout (N) – no bonus this level">New layout</button><div class="bh-toast" role="status"></div>`;
+<div class="bh-call"><h2></h2><p></p></div><a class="bh-daily" href="${withLanguage(`?seed=${seedOf(dayOf(new Date()))}`)}">${WORDS.daily}</a><button type="button" class="bh-redraw" title="${WORDS.redrawHint}">${WORDS.redraw}</button><div class="bh-toast" role="status"></div>`;
   parent.append(root);
   return root;
 }
@@ -159,7 +159,7 @@ function createLives(root: HTMLElement, find: Find) {
     if (lives === shown) return;
     shown = lives;
     for (const [i, icon] of icons.entries()) icon.classList.toggle('lost', i >= lives);
-    text.textContent = livesText(lives);
+    text.textContent = WORDS.lives(lives);
   };
 }
 
@@ -167,10 +167,10 @@ function createScore(find: Find) {
   const [points, level, rewards] = [find('.bh-score'), find('.bh-level span'), find('.bh-level small')];
   const shown = { score: -1, dodged: -1, goalPoints: -1, bonus: -1 };
   return ({ score, dodged, goalPoints, bonus }: BlackHoleGame['rules']) => {
-    if (score !== shown.score) points.textContent = scoreText(score);
-    if (dodged !== shown.dodged) level.textContent = `Level ${dodged + 1}`;
+    if (score !== shown.score) points.textContent = score === 0 ? '' : WORDS.dodged(score);
+    if (dodged !== shown.dodged) level.textContent = WORDS.level(dodged + 1);
     if (goalPoints !== shown.goalPoints || bonus !== shown.bonus)
-      rewards.textContent = `worth ${goalPoints} · bonus ${bonus}`;
+      rewards.textContent = WORDS.rewards(goalPoints, bonus);
     shown.score = score;
     shown.dodged = dodged;
     shown.goalPoints = goalPoints;
@@ -188,7 +188,7 @@ function createFuel(find: Find) {
     gauge.classList.toggle('low', fuel < 0.25 * TANK);
     bar.style.transform = `scaleX(${fuel / TANK})`;
     const rounded = Math.round(fuel);
-    if (rounded !== shown.rounded) text.textContent = `fuel ${rounded} m/s`;
+    if (rounded !== shown.rounded) text.textContent = WORDS.fuel(rounded);
     shown.rounded = rounded;
   };
 }
@@ -202,7 +202,7 @@ function createSpeed(find: Find) {
     if (spent === shown.spent && speed === shown.speed) return;
     shown.spent = spent;
     shown.speed = speed;
-    text.textContent = `Δv ${spent} m/s · speed ${speed} m/s`;
+    text.textContent = WORDS.speed(spent, speed);
   };
 }
 
@@ -248,29 +248,28 @@ function speedOf({ scene, world }: BlackHoleGame): number {
 
 type Call = readonly [title: string, text: string];
 
-const isTouch = hasCoarsePointer();
-
 const CALLS = {
-  replay: ['', `Replay – ${isTouch ? 'tap' : 'press any arrow key'} to take over`],
-  demo: ['', `Demo – ${isTouch ? 'tap' : 'press any arrow key'} to play`],
-  autopilot: ['', 'Autopilot on – press A to take over'],
+  replay: ['', WORDS.replay],
+  demo: ['', WORDS.demo],
+  autopilot: ['', WORDS.autopilot],
   none: ['', ''],
 } satisfies Record<string, Call>;
 
-const LAUNCH = isTouch ? 'Tap or use the stick to launch' : 'Press an arrow key or tap to launch';
 /** One message per name of the goal's colour for the first flight, and one per level for the others. */
 const READY = new Map<string | number, Call>();
 
-function readyCall({ hasBegun, dodged }: BlackHoleGame['rules'], goal: string): Call {
+function readyCall({ hasBegun, dodged }: BlackHoleGame['rules'], goal: Palette['goalName']): Call {
   const key = hasBegun ? dodged : goal;
   const known = READY.get(key);
   if (known !== undefined) return known;
-  const made: Call = hasBegun ? [`Level ${dodged + 1}`, LAUNCH] : ['Black hole', `Reach the ${goal} line. ${LAUNCH}.`];
+  const made: Call = hasBegun
+    ? [WORDS.level(dodged + 1), WORDS.launch]
+    : [WORDS.title, `${WORDS.goal[goal]} ${WORDS.launch}.`];
   READY.set(key, made);
   return made;
 }
 
-function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: string): Call {
+function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: Palette['goalName']): Call {
   if (isReplay) return CALLS.replay;
   if (isDemo) return CALLS.demo;
   if (autopilot) return CALLS.autopilot;
@@ -279,17 +278,16 @@ function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: str
 
 function toastOf({ kind, points }: GameEvent, { rules, dt }: BlackHoleGame, comparison?: Comparison): string {
   const versus = comparison === undefined ? '' : ` – ${comparisonText(comparison.steps * dt)}`;
-  if (kind === 'goal') return `Dodged! +${points}${versus}${rules.dodged === 4 ? ' – now some holes move' : ''}`;
-  if (kind === 'fall') return rules.lives === 0 ? '' : `Swallowed – ${livesText(rules.lives)}`;
-  if (kind === 'left') return 'Out of bounds – back to the start';
-  if (kind === 'redraw') return 'New layout – no bonus this level';
-  if (kind === 'sling') return 'Slingshot! +1 bonus at the goal';
-  if (kind === 'empty') return 'Out of fuel';
+  if (kind === 'goal') return `${WORDS.won(points)}${versus}${rules.dodged === 4 ? ` – ${WORDS.nowMoving}` : ''}`;
+  if (kind === 'fall') return rules.lives === 0 ? '' : `${WORDS.swallowed} – ${WORDS.lives(rules.lives)}`;
+  if (kind === 'left') return WORDS.left;
+  if (kind === 'redraw') return WORDS.redrawn;
+  if (kind === 'sling') return WORDS.slingshot;
+  if (kind === 'empty') return WORDS.empty;
   return '';
 }
 
 /** @param seconds how much sooner than the ghost; negative if later */
 function comparisonText(seconds: number): string {
-  const text = `${Math.abs(seconds).toFixed(2)} s`;
-  return seconds > 0 ? `${text} before your ghost` : `${text} behind your ghost`;
+  return seconds > 0 ? WORDS.sooner(seconds) : WORDS.later(Math.abs(seconds));
 }

@@ -1,4 +1,5 @@
 /** The colours that carry meaning: the ship, the goal and danger. */
+import type { WORDS } from './words.ts';
 
 export interface Palette {
   readonly hull: number;
@@ -7,7 +8,7 @@ export interface Palette {
   /** The goal line and successes. */
   readonly goal: number;
   /** Name of the goal's colour. */
-  readonly goalName: string;
+  readonly goalName: keyof typeof WORDS.goal;
   /** A fall into a hole. */
   readonly fall: number;
   readonly path: number;

@@ -3,25 +3,25 @@ import type { Outcome } from '@principia/shell';
 import { dayOfSeed } from './daily.ts';
 import { headingOf } from './heading.ts';
 import type { BlackHoleGame } from './sim.ts';
+import { WORDS } from './words.ts';
 
 /** The result for the card with the high scores; a demo or autopilot game, or one that began higher, is not ranked. */
 export function outcomeOf({ rules, isDemo, autopilot, seed }: BlackHoleGame): Outcome | undefined {
   if (rules.phase !== 'over' || isDemo) return undefined;
   const { score, bonus, dodged } = rules;
   const cleared = dodged - rules.firstLevel + 1;
-  const points = `${score} ${score === 1 ? 'point' : 'points'} + ${bonus} bonus`;
-  const lines = [`${cleared} ${cleared === 1 ? 'level' : 'levels'} cleared`, points];
+  const points = WORDS.points(score, bonus);
+  const lines = [WORDS.cleared(cleared), points];
   const isWhole = rules.firstLevel === 1;
-  if (!isWhole) lines.push(`Not ranked: it began at level ${rules.firstLevel}.`);
+  if (!isWhole) lines.push(WORDS.notRanked(rules.firstLevel));
   const day = dayOfSeed(seed);
-  const which = day === undefined ? '' : `, daily ${day}`;
   return {
-    title: day === undefined ? 'Game over' : `Daily challenge ${day}`,
+    title: day === undefined ? WORDS.over : WORDS.dailyOver(day),
     score: autopilot || !isWhole ? 0 : score + bonus,
     lines,
     // The number after the seed of a day is that of the next day.
     ...(day === undefined ? {} : { nextSeed: 1 }),
-    share: `Black hole${which}: level ${dodged + 1}, ${points}`,
+    share: day === undefined ? WORDS.share(dodged + 1, points) : WORDS.shareDaily(day, dodged + 1, points),
   };
 }
 
@@ -48,15 +48,4 @@ export function reportState(game: BlackHoleGame) {
     hash: game.hash(),
     log: [...game.log.entries],
   };
-}
-
-/** The remaining lives as text. */
-export function livesText(lives: number): string {
-  return `lives left: ${lives}`;
-}
-
-/** The score as text; empty at the start. */
-export function scoreText(score: number): string {
-  if (score === 0) return '';
-  return score === 1 ? '1 hole dodged' : `${score} holes dodged`;
 }

@@ -1,41 +1,32 @@
 /** The settings in the panel. */
 import { type NumberSetting, switchSetting, type ValuesOf } from '@principia/shell';
+import { WORDS } from './words.ts';
+
+const { settings: words } = WORDS;
 
 const level: NumberSetting = {
   kind: 'number',
-  label: 'First level',
+  label: words.level[0],
   unit: '',
   initial: 1,
   min: 1,
   max: 12,
   integer: true,
-  about: 'A game that begins higher is not ranked',
+  about: words.level[1],
 };
 
 export const settings = {
   level,
-  fuel: switchSetting('Fuel', true, {
-    key: 'u',
-    about: 'A limited tank for every flight; unused fuel gives bonus points',
-  }),
-  moving: switchSetting('Moving holes', true, { about: 'From level 5 on, some holes move on circles' }),
-  steep: switchSetting('Relativistic gravity', false, {
-    key: 'q',
-    about: 'Paczyński–Wiita potential: infinite at the horizon, and no stable circular orbit within three radii',
-  }),
-  path: switchSetting('Predicted path', true, { key: 'v', about: 'The flight of the next two seconds' }),
-  trail: switchSetting('Trail', true, { key: 't', about: 'The recent path of the ship' }),
-  ghost: switchSetting('Ghost', true, {
-    key: 'c',
-    about: 'Your fastest flight past the same holes flies beside you as a pale ship',
-  }),
-  lens: switchSetting('Light bending', true, { key: 'l', about: 'Holes bend the light of the stars behind them' }),
-  glow: switchSetting('Hawking glow', true, {
-    key: 'g',
-    about: 'Holes glow: smaller ones are hotter and brighter',
-  }),
-  sound: switchSetting('Sound', true, { key: 'm' }),
-  autopilot: switchSetting('Autopilot', false, { key: 'a', about: 'The game plays itself' }),
+  fuel: switchSetting(words.fuel[0], true, { key: 'u', about: words.fuel[1] }),
+  moving: switchSetting(words.moving[0], true, { about: words.moving[1] }),
+  steep: switchSetting(words.steep[0], false, { key: 'q', about: words.steep[1] }),
+  path: switchSetting(words.path[0], true, { key: 'v', about: words.path[1] }),
+  trail: switchSetting(words.trail[0], true, { key: 't', about: words.trail[1] }),
+  ghost: switchSetting(words.ghost[0], true, { key: 'c', about: words.ghost[1] }),
+  lens: switchSetting(words.lens[0], true, { key: 'l', about: words.lens[1] }),
+  glow: switchSetting(words.glow[0], true, { key: 'g', about: words.glow[1] }),
+  sound: switchSetting(words.sound, true, { key: 'm' }),
+  autopilot: switchSetting(words.autopilot[0], false, { key: 'a', about: words.autopilot[1] }),
 };
 
 export type Settings = typeof settings;

@@ -1,6 +1,7 @@
 /** The direction of gravity on the screen of a phone or tablet, and a button that switches it on. */
 import { cos, sin } from '@principia/physics';
 import { element, hasCoarsePointer } from '@principia/shell';
+import { WORDS } from './words.ts';
 
 export interface Direction {
   x: number;
@@ -49,8 +50,8 @@ export function offerTilt(
   showMessage: (sentence: string) => void,
 ): DeviceTilt {
   const { requestPermission } = (globalThis.DeviceOrientationEvent ?? {}) as Permission;
-  const button = element('button', 'tilt-button', { type: 'button', 'aria-pressed': 'false' }, 'Tilt');
-  button.title = 'Gravity follows the way the device is held';
+  const button = element('button', 'tilt-button', { type: 'button', 'aria-pressed': 'false' }, WORDS.tilt);
+  button.title = WORDS.tiltHint;
   button.hidden = requestPermission === undefined || !hasCoarsePointer();
   parent.append(element('style', '', {}, STYLE), button);
   const stop = new AbortController();
@@ -76,10 +77,7 @@ export function offerTilt(
   };
   button.addEventListener('click', async () => {
     if (isOn || (await isAllowed(requestPermission))) set(!isOn);
-    else
-      showMessage(
-        'The device does not let this page read how it is held. Allow motion and orientation in its settings.',
-      );
+    else showMessage(WORDS.noTilt);
   });
   globalThis.addEventListener('deviceorientation', measure, { signal: stop.signal });
   return {

@@ -1,10 +1,11 @@
 /** What both views share: taps that explode, the magnet, the tilt of a device, the sound of impacts, and the hint. */
-import { hasCoarsePointer, listenToTaps, Synth, showHint, type ViewContext } from '@principia/shell';
+import { listenToTaps, Synth, showHint, type ViewContext } from '@principia/shell';
 import { offerTilt } from './device-tilt.ts';
 import { listenToHolds } from './held-magnet.ts';
 import { Impacts } from './impacts.ts';
 import type { Settings } from './settings.ts';
 import type { BallsRun } from './sim.ts';
+import { WORDS } from './words.ts';
 
 export interface Play {
   /** Call it once a frame. */
@@ -25,12 +26,7 @@ export function createPlay(
   const synth = new Synth();
   let impacts = new Impacts(context.sim(), synth);
   const log = () => context.sim().log;
-  const removeHint = showHint(
-    context.element,
-    hasCoarsePointer()
-      ? 'Tap to blow balls up, hold to attract them, drag to throw them'
-      : 'Click to blow balls up, hold to attract them, drag to throw them, V to pour',
-  );
+  const removeHint = showHint(context.element, WORDS.hint);
   const stopTaps = listenToTaps(canvas, (x, y) => {
     const at = point(x, y);
     log().add({ kind: 'blast', x: at.x, y: at.y, z: at.z });

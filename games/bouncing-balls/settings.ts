@@ -1,28 +1,32 @@
 /** The settings in the panel. */
 import { numberSetting, switchSetting, type ValuesOf } from '@principia/shell';
 import { parameters } from './sim.ts';
+import { WORDS } from './words.ts';
 
 const { count, gravity, restitution, drag, friction } = parameters;
 
+const { settings: words, planets } = WORDS;
+
 /** Surface gravity, m/s²: NASA Planetary Fact Sheet. */
-const PLANETS = { Space: 0, Moon: 1.62, Mars: 3.71, Earth: gravity.initial, Saturn: 10.44, Jupiter: 24.79 };
+const PLANETS = {
+  [planets.space]: 0,
+  [planets.moon]: 1.62,
+  [planets.mars]: 3.71,
+  [planets.earth]: gravity.initial,
+  [planets.saturn]: 10.44,
+  [planets.jupiter]: 24.79,
+};
 
 export const settings = {
-  count: numberSetting(count, { label: 'Balls', initial: 200, max: 100_000, scale: 'log' }),
-  gravity: numberSetting(gravity, { label: 'Gravity', max: 30, presets: PLANETS }),
-  restitution: numberSetting(restitution, { label: 'Restitution', initial: 0.9 }),
-  friction: numberSetting(friction, { label: 'Friction', max: 1 }),
-  drag: numberSetting(drag, { label: 'Air density', max: 100, step: 0.1 }),
-  collisions: switchSetting('Collisions', true, {
-    key: 'c',
-    about: 'Whether balls collide or pass through each other',
-  }),
-  wrap: switchSetting('Wrap around', false, {
-    key: 'u',
-    about: 'Balls that leave at one side come back at the other',
-  }),
-  sound: switchSetting('Sound', true, { key: 'm', about: 'Impacts sound, the louder the faster' }),
-  trails: switchSetting('Trails', false, { key: 't', about: 'Shows the recent path of each ball' }),
+  count: numberSetting(count, { label: words.count, initial: 200, max: 100_000, scale: 'log' }),
+  gravity: numberSetting(gravity, { label: words.gravity, max: 30, presets: PLANETS }),
+  restitution: numberSetting(restitution, { label: words.restitution, initial: 0.9 }),
+  friction: numberSetting(friction, { label: words.friction, max: 1 }),
+  drag: numberSetting(drag, { label: words.drag, max: 100, step: 0.1 }),
+  collisions: switchSetting(words.collisions[0], true, { key: 'c', about: words.collisions[1] }),
+  wrap: switchSetting(words.wrap[0], false, { key: 'u', about: words.wrap[1] }),
+  sound: switchSetting(words.sound[0], true, { key: 'm', about: words.sound[1] }),
+  trails: switchSetting(words.trails[0], false, { key: 't', about: words.trails[1] }),
 };
 
 export type Settings = typeof settings;

@@ -1,5 +1,6 @@
 /** A picture of the player's that is printed on the cloth. It stays in the page: nothing is sent anywhere. */
 import { CLOTH } from './sim.ts';
+import { WORDS } from './words.ts';
 
 /** Pixels between two threads. */
 const SCALE = 16;
@@ -19,7 +20,7 @@ export class ClothPrint {
   async load(file: File): Promise<void> {
     const request = ++this.#requests;
     const image = await createImageBitmap(file).catch(() => {
-      throw new Error(`“${file.name}” is not a picture that this browser can show. Choose a PNG, JPEG or WebP file.`);
+      throw new Error(WORDS.noPicture(file.name));
     });
     if (request === this.#requests) this.#print(image);
     image.close();
@@ -48,7 +49,7 @@ export class ClothPrint {
     canvas.width = PRINT_WIDTH;
     canvas.height = PRINT_HEIGHT;
     const context = canvas.getContext('2d', { willReadFrequently: true });
-    if (context === null) throw new Error('The browser has no memory left for the picture. Close other pages.');
+    if (context === null) throw new Error(WORDS.noMemory);
     context.fillStyle = '#fff';
     context.fillRect(0, 0, PRINT_WIDTH, PRINT_HEIGHT);
     const scale = Math.max(PRINT_WIDTH / image.width, PRINT_HEIGHT / image.height);

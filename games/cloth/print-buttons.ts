@@ -1,6 +1,7 @@
 /** Buttons to choose the picture on the cloth and to take it off; a file may also be dropped on the page. */
 import { element } from '@principia/shell';
 import type { ClothPrint } from './cloth-print.ts';
+import { WORDS } from './words.ts';
 
 /** @returns a function that takes the buttons away */
 export function createPrintButtons(
@@ -8,10 +9,10 @@ export function createPrintButtons(
   print: ClothPrint,
   showMessage: (sentence: string) => void,
 ): () => void {
-  const input = element('input', '', { type: 'file', accept: 'image/*', hidden: '', 'aria-label': 'Picture file' });
-  const choose = element('button', 'cloth-button', { type: 'button' }, 'Print your picture');
-  choose.title = 'Choose a picture, or drop one here. It stays on this device.';
-  const remove = element('button', 'cloth-button', { type: 'button' }, 'Take it off');
+  const input = element('input', '', { type: 'file', accept: 'image/*', hidden: '', 'aria-label': WORDS.pictureFile });
+  const choose = element('button', 'cloth-button', { type: 'button' }, WORDS.print);
+  choose.title = WORDS.printHint;
+  const remove = element('button', 'cloth-button', { type: 'button' }, WORDS.takeOff);
   const row = element('div', 'cloth-print', {}, choose, remove, input);
   parent.append(row);
   const show = () => {

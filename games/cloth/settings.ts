@@ -1,22 +1,24 @@
 /** The settings in the panel. */
 import { type Settings as AnySettings, switchSetting } from '@principia/shell';
+import { WORDS } from './words.ts';
 
+const { settings: words } = WORDS;
 const number = { kind: 'number', integer: false, min: 0 } as const;
 
 export const settings = {
-  gravity: { ...number, label: 'Gravity', unit: 'm/s²', initial: 9.81, max: 30 },
-  wind: { ...number, label: 'Wind', unit: 'm/s', initial: 2, max: 10 },
+  gravity: { ...number, label: words.gravity, unit: 'm/s²', initial: 9.81, max: 30 },
+  wind: { ...number, label: words.wind, unit: 'm/s', initial: 2, max: 10 },
   strength: {
     ...number,
-    label: 'Strength',
+    label: words.strength[0],
     unit: 'N',
     initial: 2.5,
     min: 0.5,
     max: 50,
     scale: 'log',
-    about: 'Tension at which a thread breaks',
+    about: words.strength[1],
   },
-  sound: switchSetting('Sound', true, { key: 'm', about: 'Threads are heard as they tear' }),
+  sound: switchSetting(words.sound[0], true, { key: 'm', about: words.sound[1] }),
 } as const satisfies AnySettings;
 
 export type Settings = typeof settings;

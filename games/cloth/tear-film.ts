@@ -2,6 +2,7 @@
 import { element } from '@principia/shell';
 import type { ClothRun } from './sim.ts';
 import type { Tear } from './tear-record.ts';
+import { WORDS } from './words.ts';
 
 /** Simulated seconds of a second of film. */
 const SPEED = 0.25;
@@ -25,7 +26,7 @@ export class TearFilm {
   constructor(sim: ClothRun, parent: HTMLElement) {
     this.#sim = sim;
     this.positions = new Float32Array(3 * sim.tears.nodeCount);
-    this.#button = element('button', 'cloth-button cloth-again', { type: 'button' }, '↺ Watch the tear slowly');
+    this.#button = element('button', 'cloth-button cloth-again', { type: 'button' }, WORDS.film);
     this.#label = element('p', 'cloth-film', { role: 'status' });
     this.#button.hidden = true;
     parent.append(this.#button, this.#label);
@@ -78,7 +79,7 @@ export class TearFilm {
     tears.positionsAt(tear.from, this.positions);
     this.threads = tears.threadsAt(tear.from);
     this.#button.hidden = true;
-    this.#label.textContent = 'Slow motion – press anywhere to return';
+    this.#label.textContent = WORDS.filmRuns;
   }
 
   #end(): void {

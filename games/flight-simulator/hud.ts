@@ -1,8 +1,10 @@
 /** What lies over the picture: instruments, the next task in a sentence, and a mark on the next goal. */
 import { RINGS } from './course.ts';
 import { createInstruments } from './instruments.ts';
-import { type Flight, objective } from './sim.ts';
+import { objective } from './sentences.ts';
+import type { Flight } from './sim.ts';
 import { RUNWAY } from './terrain.ts';
+import { WORDS } from './words.ts';
 
 const STYLES = `
 .fs-hud { position: absolute; inset: 0; pointer-events: none; overflow: hidden; font-variant-numeric: tabular-nums }
@@ -17,13 +19,10 @@ const STYLES = `
 .game:has(.game-side:not([hidden])) .fs-task, .game:has(.game-side:not([hidden])) .fs-instruments { left: calc(50% - 144px) }
 /* The pad lies over a bright runway. */
 .game:has(.fs-hud) .game-pad :is(button, .game-stick) { background: #0b122699 }
-@media (pointer: coarse) { .fs-instruments { bottom: auto; top: 136px; scale: 0.82; transform-origin: 50% 0 } }
+@media (pointer: coarse) { .fs-task { font-size: 15px; line-height: 1.4 } .fs-instruments { bottom: auto; top: 136px; scale: 0.82; transform-origin: 50% 0 } }
 @media (pointer: coarse) and (max-height: 500px) { .fs-instruments { top: auto; bottom: 4px; left: max(6px, env(safe-area-inset-left)); translate: 0 0; scale: 0.72; transform-origin: 0 100% } .fs-task { top: 58px; font-size: 14px } }
 @media (max-width: 759px) { .game:has(.game-side:not([hidden])) :is(.fs-task, .fs-instruments) { left: 50% } }
 `;
-
-const KEYS = { throttle: 'T', pull: '↓', brake: 'N' };
-const TOUCH = { throttle: '⇧', pull: 'the stick back', brake: '■' };
 
 export interface Hud {
   update(flight: Flight, toScreen: (x: number, y: number, z: number) => { x: number; y: number; ahead: boolean }): void;
@@ -45,11 +44,10 @@ export function createHud(parent: HTMLElement, size: { readonly width: number; r
   goal.append(document.createElement('i'), distance);
   root.append(style, task, goal, instruments.element);
   parent.append(root);
-  const names = matchMedia('(pointer: coarse)').matches ? TOUCH : KEYS;
   return {
     update(flight, toScreen) {
       instruments.draw(flight);
-      const sentence = objective(flight, names);
+      const sentence = objective(flight);
       if (task.textContent !== sentence) task.textContent = sentence;
       task.toggleAttribute('data-warning', flight.isStalling);
       showGoal(flight, toScreen);
@@ -74,7 +72,7 @@ export function createHud(parent: HTMLElement, size: { readonly width: number; r
     const outside = Math.max(Math.abs(dx) / (middleX - 50), Math.abs(dy) / (middleY - 110));
     if (!place.ahead || outside > 1) [dx, dy] = [dx / outside, dy / outside];
     goal.style.transform = `translate(${(middleX + dx).toFixed(1)}px, ${(middleY + dy).toFixed(1)}px)`;
-    const text = metres > 1000 ? `${(metres / 1000).toFixed(1)} km` : `${Math.round(metres / 10) * 10} m`;
+    const text = metres > 1000 ? WORDS.kilometres(metres / 1000) : `${Math.round(metres / 10) * 10} m`;
     if (distance.textContent !== text) distance.textContent = text;
   }
 }

@@ -1,6 +1,8 @@
 /** The instruments: throttle, airspeed, artificial horizon with heading, altitude and vertical speed, on one canvas. */
+import { decimal } from '@principia/shell';
 import { stallSpeed } from './aircraft.ts';
 import type { Flight } from './sim.ts';
+import { WORDS } from './words.ts';
 
 /** Size, CSS pixels. */
 const WIDTH = 340;
@@ -23,7 +25,7 @@ export function createInstruments(): Instruments {
   const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
   element.className = 'fs-instruments';
   element.setAttribute('role', 'img');
-  element.setAttribute('aria-label', 'Instruments: throttle, airspeed, horizon, heading, altitude, vertical speed');
+  element.setAttribute('aria-label', WORDS.instruments);
   [element.width, element.height] = [WIDTH * ratio, HEIGHT * ratio];
   const context = element.getContext('2d');
   if (context === null) throw new Error('This browser offers no 2D canvas.');
@@ -53,8 +55,8 @@ function drawThrottle(context: Context, { pilot }: Flight): void {
   context.fillStyle = ACCENT;
   const length = (BODY - 8) * pilot.throttle;
   context.fillRect(8, TOP + BODY - 4 - length, 14, length);
-  label(context, 'PWR', 15, TOP - 8);
-  if (pilot.brake > 0.1) label(context, 'BRAKE', 24, TOP + BODY + 14, WARNING);
+  label(context, WORDS.throttle, 15, TOP - 8);
+  if (pilot.brake > 0.1) label(context, WORDS.brake, 26, TOP + BODY + 14, WARNING);
 }
 
 /** A scale that moves behind its present value. */
@@ -145,10 +147,8 @@ function drawClimb(context: Context, climb: number): void {
   context.fillStyle = '#ffffff90';
   context.fillRect(x + 2, MIDDLE - 0.5, 20, 1);
   label(context, 'm/s', x + 12, TOP - 8);
-  label(context, climb.toFixed(1), x + 10, TOP + BODY + 14);
+  label(context, decimal(climb, 1), x + 10, TOP + BODY + 14);
 }
-
-const POINTS = ['N', 'NE', 'E', 'SE', 'S', 'SW', 'W', 'NW'];
 
 function drawHeading(context: Context, heading: number): void {
   const [x, width, y] = [100, 136, TOP + BODY + 4];
@@ -161,7 +161,7 @@ function drawHeading(context: Context, heading: number): void {
   for (let mark = 15 * Math.ceil((degrees - 45) / 15); mark <= degrees + 45; mark += 15) {
     const at = x + width / 2 + (mark - degrees) * 1.6;
     const around = (mark + 360) % 360;
-    label(context, around % 45 === 0 ? POINTS[around / 45] : '·', at, y + 13);
+    label(context, around % 45 === 0 ? WORDS.compass[around / 45] : '·', at, y + 13);
   }
   context.restore();
   context.fillStyle = ACCENT;

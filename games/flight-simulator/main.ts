@@ -1,17 +1,20 @@
 /** A flight simulator, drawn by three.js. */
-import { FOUR_WAYS, startGame } from '@principia/shell';
+import { FOUR_WAYS, helpLines, startGame } from '@principia/shell';
+import { reasonOf } from './sentences.ts';
 import { settings } from './settings.ts';
 import { applyValue, createFlight, type Flight } from './sim.ts';
+import { WORDS } from './words.ts';
 
-const TITLES = { landed: 'Landed!', crashed: 'Crashed' } as const;
+document.title = WORDS.title;
 
 function outcome({ log }: Flight) {
   if (log.phase === 'flying') return undefined;
-  return { title: TITLES[log.phase], score: log.score, lines: [log.reason, `${log.score} points`] };
+  return { title: WORDS[log.phase], score: log.score, lines: [reasonOf(log), WORDS.points(log.score)] };
 }
 
 await startGame({
-  title: 'Flight simulator',
+  title: WORDS.title,
+  scoresName: 'Flight simulator',
   home: '../index.html',
   settings,
   create: createFlight,
@@ -20,7 +23,7 @@ await startGame({
   hasEnded: ({ log }) => log.phase !== 'flying',
   report: ({ log, attitude, height, climb, pilot }) => ({
     phase: log.phase,
-    reason: log.reason,
+    reason: reasonOf(log),
     score: log.score,
     ring: log.ring,
     onGround: log.onGround,
@@ -45,13 +48,5 @@ await startGame({
     release: (flight, name) => flight.press(name, false),
     steer: (flight, x, y) => flight.stick(x, y),
   },
-  help: [
-    ['Arrow keys, stick', '← and → bank; ↓ pulls the stick and raises the nose, ↑ lowers it'],
-    ['T and G, ⇧ and ⇩', 'more and less throttle'],
-    ['N, ■', 'brake on the ground'],
-    ['A and D', 'rudder, which also steers on the ground', 'keyboard'],
-    ['C', 'cockpit or outside', 'keyboard'],
-    ['K', 'assistant on or off: without it you move the control surfaces yourself', 'keyboard'],
-    ['Drag, wheel', 'look around, come nearer'],
-  ],
+  help: helpLines(WORDS.help, ['rudder']),
 });

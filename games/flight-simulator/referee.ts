@@ -6,11 +6,21 @@ import { type Mission, RING_RADIUS, RINGS } from './course.ts';
 import { compression, WHEELS } from './landing-gear.ts';
 import { groundHeight, isOnRunway, MAP_RADIUS, RUNWAY } from './terrain.ts';
 
+/** Parts of the aeroplane that must not strike the ground. */
+export type Part = 'gear' | 'propeller' | 'belly' | 'tail' | 'leftWing' | 'rightWing' | 'cabin';
+export type CrashCause = 'none' | 'offMap' | 'gearBroke' | 'stalled' | 'dived' | 'hill' | 'struck';
+
 /** The course of a flight; plain values, so that rewinding restores them. */
 export interface FlightLog {
   phase: 'flying' | 'landed' | 'crashed';
-  /** Why the aeroplane crashed, or how it landed: a sentence. */
-  reason: string;
+  /** Why the aeroplane crashed; `none` while it has not. */
+  cause: CrashCause;
+  /** What struck the ground. */
+  part: Part;
+  /** Angle of attack, bank or pitch that caused a crash, degrees. */
+  degrees: number;
+  /** Sink rate that caused it, m/s. */
+  sink: number;
   /** It has been higher than a few metres. */
   hasFlown: boolean;
   onGround: boolean;
@@ -22,6 +32,10 @@ export interface FlightLog {
   touchX: number;
   touchZ: number;
   bounces: number;
+  /** Points of the landing alone. */
+  landingScore: number;
+  /** Where it came to rest. */
+  isOnRunway: boolean;
   /** Steps at rest after the flight. */
   restSteps: number;
   score: number;
@@ -31,27 +45,30 @@ export interface FlightLog {
 }
 
 /** Sink rate that breaks the gear, m/s; and one that passengers do not notice. */
-const BREAKING_SINK = 4.5;
+export const BREAKING_SINK = 4.5;
 /** Sinking faster, it is no landing at all. */
 const DIVE_SINK = 7;
-const SOFT_SINK = 0.6;
+export const SOFT_SINK = 0.6;
 const HARD_SINK = 3;
 const RING_SCORE = 100;
 
 /** Points of the hull that must not touch the ground, in the body's axes, m. */
-const HULL: readonly (readonly [part: string, at: Readonly<Axes>])[] = [
+const HULL: readonly (readonly [part: Part, at: Readonly<Axes>])[] = [
   ['propeller', { x: 2.3, y: -0.95, z: 0 }],
   ['belly', { x: -0.5, y: -0.75, z: 0 }],
   ['tail', { x: -5.2, y: 0.1, z: 0 }],
-  ['left wing', { x: 0.2, y: 0.8, z: -5.5 }],
-  ['right wing', { x: 0.2, y: 0.8, z: 5.5 }],
+  ['leftWing', { x: 0.2, y: 0.8, z: -5.5 }],
+  ['rightWing', { x: 0.2, y: 0.8, z: 5.5 }],
   ['cabin', { x: 0.3, y: 1, z: 0 }],
 ];
 
 export function createLog(mission: Mission, at: Readonly<Axes>): FlightLog {
   return {
     phase: 'flying',
-    reason: '',
+    cause: 'none',
+    part: 'gear',
+    degrees: 0,
+    sink: 0,
     hasFlown: mission === 'landing',
     onGround: mission !== 'landing',
     ring: mission === 'circuit' ? 0 : RINGS.length,
@@ -60,6 +77,8 @@ export function createLog(mission: Mission, at: Readonly<Axes>): FlightLog {
     touchX: 0,
     touchZ: 0,
     bounces: 0,
+    landingScore: 0,
+    isOnRunway: true,
     restSteps: 0,
     score: 0,
     lastX: at.x,
@@ -84,11 +103,12 @@ export function judge(
   if (height > 8) log.hasFlown = true;
   passRings(log, p.x[plane], p.y[plane], p.z[plane]);
   const isDive = touchDown(world, plane, log);
-  const struck = isDive ? 'landing gear' : height < 12 ? struckPart(world, plane) : undefined;
-  if (struck !== undefined)
-    crash(log, crashReason(struck, attitude, Math.max(log.lastSink, -v.y[plane]), p.x[plane], p.z[plane]));
+  const struck = isDive ? 'gear' : height < 12 ? struckPart(world, plane) : undefined;
+  if (struck !== undefined) {
+    crash(log, causeOf(struck, attitude, Math.max(log.lastSink, -v.y[plane]), groundHeight(p.x[plane], p.z[plane])));
+  }
   if (Math.max(Math.abs(p.x[plane]), Math.abs(p.z[plane])) > MAP_RADIUS) {
-    crash(log, 'You flew off the map and out of fuel.');
+    crash(log, { cause: 'offMap' });
   }
   if (log.phase !== 'flying') return;
   const speed = Math.sqrt(v.x[plane] * v.x[plane] + v.z[plane] * v.z[plane]);
@@ -106,11 +126,7 @@ function touchDown(world: PhysicsWorld, plane: number, log: FlightLog): boolean 
     const { x, z } = world.components.Position;
     if (log.touchSink > 0) log.bounces++;
     if (log.lastSink > BREAKING_SINK && log.lastSink < DIVE_SINK) {
-      const sink = log.lastSink.toFixed(1);
-      crash(
-        log,
-        `The landing gear broke: you sank at ${sink} m/s, and it takes ${BREAKING_SINK}. Raise the nose just above the runway.`,
-      );
+      crash(log, { cause: 'gearBroke', sink: log.lastSink });
     }
     if (log.touchSink === 0) [log.touchX, log.touchZ] = [x[plane], z[plane]];
     log.touchSink = Math.max(log.touchSink, log.lastSink, 0.01);
@@ -125,7 +141,7 @@ function touchDown(world: PhysicsWorld, plane: number, log: FlightLog): boolean 
 
 const AIRBORNE = { touchSink: 0, bounces: 0 };
 
-function struckPart(world: PhysicsWorld, plane: number): string | undefined {
+function struckPart(world: PhysicsWorld, plane: number): Part | undefined {
   const { x, y, z } = world.components.Position;
   for (const [part, at] of HULL) {
     rotated(world, plane, at, arm);
@@ -136,31 +152,22 @@ function struckPart(world: PhysicsWorld, plane: number): string | undefined {
 
 const STALL_ATTACK = 0.27;
 
-function crashReason(
-  part: string,
-  { attack, bank, pitch }: Readonly<Attitude>,
-  sink: number,
-  x: number,
-  z: number,
-): string {
+type Crash = Pick<FlightLog, 'cause'> & Partial<Pick<FlightLog, 'part' | 'degrees' | 'sink'>>;
+
+/** @param ground height of the ground where it struck, m */
+function causeOf(part: Part, { attack, bank, pitch }: Readonly<Attitude>, sink: number, ground: number): Crash {
   const degrees = (angle: number) => Math.round((Math.abs(angle) * 180) / Math.PI);
-  if (sink > DIVE_SINK && attack > STALL_ATTACK) {
-    return `The wing had stalled: at ${degrees(attack)}° of attack it carries less, and you fell at ${sink.toFixed(0)} m/s. Push the nose down to stay fast.`;
-  }
-  if (sink > DIVE_SINK) return `You dived into the ground at ${sink.toFixed(0)} m/s. Raise the nose in time.`;
-  if (groundHeight(x, z) > 5) return `You flew into a hill: the ${part} struck it.`;
-  if (part.endsWith('wing'))
-    return `The ${part} struck the ground: you banked by ${degrees(bank)}°. Level the wings to land.`;
-  if (part === 'tail') return `The tail struck the ground: the nose was ${degrees(pitch)}° up.`;
-  if (part === 'propeller')
-    return `The propeller struck the ground: the nose was ${degrees(pitch)}° down. Touch down with the nose up.`;
-  return `The ${part} struck the ground.`;
+  if (sink > DIVE_SINK && attack > STALL_ATTACK) return { cause: 'stalled', degrees: degrees(attack), sink };
+  if (sink > DIVE_SINK) return { cause: 'dived', sink };
+  if (ground > 5) return { cause: 'hill', part };
+  const isWing = part === 'leftWing' || part === 'rightWing';
+  return { cause: 'struck', part, degrees: degrees(isWing ? bank : pitch) };
 }
 
-function crash(log: FlightLog, reason: string): void {
+function crash(log: FlightLog, why: Crash): void {
   if (log.phase !== 'flying') return;
   log.phase = 'crashed';
-  log.reason = reason;
+  Object.assign(log, why);
   log.score = RING_SCORE * log.ringsFlown;
 }
 
@@ -194,12 +201,7 @@ export function landingScore(sink: number, x: number, z: number, bounces: number
 
 function land(log: FlightLog, x: number, z: number): void {
   log.phase = 'landed';
-  const sink = log.touchSink.toFixed(1);
-  const points = landingScore(log.touchSink, log.touchX, log.touchZ, log.bounces);
-  log.score = RING_SCORE * log.ringsFlown + points;
-  const where = isOnRunway(x, z) ? `${Math.abs(log.touchZ).toFixed(0)} m from the centre line` : 'on the grass';
-  const how =
-    log.touchSink < SOFT_SINK ? 'As soft as a feather' : log.touchSink < 1.5 ? 'A good landing' : 'A firm landing';
-  const bounced = log.bounces === 0 ? '' : `, with ${log.bounces} ${log.bounces === 1 ? 'bounce' : 'bounces'}`;
-  log.reason = `${how}: ${sink} m/s down, ${where}${bounced}. ${points} points for it.`;
+  log.isOnRunway = isOnRunway(x, z);
+  log.landingScore = landingScore(log.touchSink, log.touchX, log.touchZ, log.bounces);
+  log.score = RING_SCORE * log.ringsFlown + log.landingScore;
 }

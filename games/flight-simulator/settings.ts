@@ -1,39 +1,42 @@
 /** The settings in the panel. */
 import type { ChoiceSetting, NumberSetting, SwitchSetting } from '@principia/shell';
+import { WORDS } from './words.ts';
+
+const { settings: words, missions } = WORDS;
 
 export const settings = {
   mission: {
     kind: 'choice',
-    label: 'Mission',
+    label: words.mission,
     initial: 'circuit',
-    choices: { 'A circuit': 'circuit', 'A landing': 'landing', 'Free flight': 'free' },
+    choices: Object.fromEntries(Object.entries(missions).map(([name, label]) => [label, name])),
   },
   assist: {
     kind: 'switch',
-    label: 'Assistant',
+    label: words.assist[0],
     initial: true,
     key: 'k',
-    about: 'Holds the attitude that you fly; without it the stick moves the control surfaces',
+    about: words.assist[1],
   },
   inverted: {
     kind: 'switch',
-    label: '↑ raises the nose',
+    label: words.inverted[0],
     initial: false,
-    about: 'In an aeroplane one pulls the stick back to raise the nose, so ↓ does',
+    about: words.inverted[1],
   },
   crosswind: {
     kind: 'number',
-    label: 'Crosswind',
+    label: words.crosswind[0],
     unit: 'm/s',
     initial: 0,
     min: -8,
     max: 8,
     integer: false,
-    about: 'From the left where positive',
+    about: words.crosswind[1],
   },
-  turbulence: { kind: 'number', label: 'Gusts', unit: 'm/s', initial: 0, min: 0, max: 4, integer: false },
-  cockpit: { kind: 'switch', label: 'Cockpit', initial: false, key: 'c' },
-  sound: { kind: 'switch', label: 'Sound', initial: true, key: 'm' },
+  turbulence: { kind: 'number', label: words.turbulence, unit: 'm/s', initial: 0, min: 0, max: 4, integer: false },
+  cockpit: { kind: 'switch', label: words.cockpit, initial: false, key: 'c' },
+  sound: { kind: 'switch', label: words.sound, initial: true, key: 'm' },
 } as const satisfies Record<string, NumberSetting | SwitchSetting | ChoiceSetting>;
 
 export type Settings = typeof settings;

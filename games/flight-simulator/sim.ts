@@ -8,10 +8,10 @@ import {
   spawn,
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
-import { AIRCRAFT, aircraftForces, Deflections, propellerThrust, stallSpeed } from './aircraft.ts';
+import { AIRCRAFT, aircraftForces, Deflections, propellerThrust } from './aircraft.ts';
 import { type Attitude, createAttitude, readAttitude } from './attitude.ts';
 import type { Axes } from './body-frame.ts';
-import { MISSIONS, type Mission, RESTING_HEIGHT, RINGS, startOf } from './course.ts';
+import { MISSIONS, type Mission, RESTING_HEIGHT, startOf } from './course.ts';
 import { type GearState, landingGear } from './landing-gear.ts';
 import { createPilotState, type Inputs, movePilot, type PilotState, type Surfaces } from './pilot.ts';
 import { createLog, type FlightLog, judge } from './referee.ts';
@@ -178,26 +178,4 @@ export function createFlight(options: FlightOptions): Flight {
 export function applyValue(flight: Flight, name: string, values: FlightValues): boolean {
   flight.set(values);
   return name !== 'mission' && name !== 'crosswind' && name !== 'turbulence';
-}
-
-/** What to do now, in a sentence. */
-export function objective(
-  flight: Flight,
-  names: { readonly throttle: string; readonly pull: string; readonly brake: string },
-): string {
-  const { log, pilot, attitude, mission } = flight;
-  const takeOff = 1.15 * stallSpeed();
-  if (flight.isStalling) return 'Stall! Push the nose down, and give thrust';
-  if (log.onGround && !log.hasFlown) {
-    if (pilot.throttle < 0.9) return `Hold ${names.throttle} for full throttle`;
-    if (attitude.airspeed < takeOff) return 'Gathering speed…';
-    return `Fast enough: hold ${names.pull} gently to raise the nose`;
-  }
-  if (mission === 'free') return '';
-  if (log.ring < RINGS.length) return `Fly through ring ${log.ring + 1} of ${RINGS.length}`;
-  if (log.onGround) return `Hold ${names.brake} to stop on the runway`;
-  if (flight.height < 8) return `Throttle back, and hold ${names.pull} to touch down softly`;
-  return attitude.airspeed < takeOff
-    ? 'Too slow: more throttle, nose down'
-    : 'Land on the runway: line up with it, and slow down';
 }

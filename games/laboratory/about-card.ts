@@ -1,30 +1,37 @@
 import type { Example, ExampleRun } from '@principia/scenes/examples';
 import { EXAMPLES } from '@principia/scenes/examples/list';
-import { element, type GameCard } from '@principia/shell';
+import { element, type GameCard, withLanguage } from '@principia/shell';
 import { keyName } from './key-name.ts';
 import { momentAddress } from './moment.ts';
 import { actOn, presentRun } from './on-display.ts';
+import { WORDS } from './words.ts';
 
 /** What the example is about, what to try, and the ways to its neighbours; it stands above the settings. */
 export function createAboutCard(parent: HTMLElement, example: Example): GameCard<ExampleRun> {
   const at = EXAMPLES.findIndex(({ id }) => id === example.id);
-  const neighbours = element('nav', 'lab-neighbours', { 'aria-label': 'Other examples' });
+  const neighbours = element('nav', 'lab-neighbours', { 'aria-label': WORDS.otherExamples });
   for (const [entry, label] of [
     [EXAMPLES[at - 1], '‹'],
     [EXAMPLES[at + 1], '›'],
   ] as const) {
     if (entry !== undefined) {
       neighbours.append(
-        element('a', '', { href: `?example=${entry.id}`, title: entry.title }, `${label} ${entry.title}`),
+        element(
+          'a',
+          '',
+          { href: withLanguage(`?example=${entry.id}`), title: entry.title, lang: 'en' },
+          `${label} ${entry.title}`,
+        ),
       );
     }
   }
   const tries = element('ul', '');
-  tries.append(...example.tryThis.map((sentence) => element('li', '', {}, sentence)));
-  const about = element('p', '', {}, example.about);
-  const heading = element('h2', '', {}, `Chapter ${example.chapter} · ${example.title}`);
-  const card = element('section', 'game-card lab-about', { 'aria-label': 'About' }, heading, about);
-  card.append(element('h2', '', {}, 'Try this'), tries, ...actionsOf(example), buttonsOf(example), neighbours);
+  tries.append(...example.tryThis.map((sentence) => element('li', '', { lang: 'en' }, sentence)));
+  const about = element('p', '', { lang: 'en' }, example.about);
+  const title = element('b', '', { lang: 'en' }, example.title);
+  const heading = element('h2', '', {}, `${WORDS.chapter(example.chapter)} · `, title);
+  const card = element('section', 'game-card lab-about', { 'aria-label': WORDS.about }, heading, about);
+  card.append(element('h2', '', {}, WORDS.tryThis), tries, ...actionsOf(example), buttonsOf(example), neighbours);
   parent.prepend(card);
   return { show() {} };
 }
@@ -33,9 +40,10 @@ export function createAboutCard(parent: HTMLElement, example: Example): GameCard
 function actionsOf({ actions }: Example): HTMLElement[] {
   const entries = Object.entries(actions);
   if (entries.length === 0) return [];
-  const row = element('div', 'lab-presets', { role: 'group', 'aria-label': 'Actions' });
+  const row = element('div', 'lab-presets', { role: 'group', 'aria-label': WORDS.actions });
   for (const [name, { about, key }] of entries) {
-    const button = element('button', '', { type: 'button' }, element('kbd', '', {}, keyName(key)), ` ${about}`);
+    const text = element('span', '', { lang: 'en' }, ` ${about}`);
+    const button = element('button', '', { type: 'button' }, element('kbd', '', {}, keyName(key)), text);
     const act = (isDown: boolean) => actOn(presentRun(), name, isDown);
     button.addEventListener('pointerdown', (event) => {
       button.setPointerCapture(event.pointerId);
@@ -59,20 +67,15 @@ function buttonsOf({ id, presets, parameters }: Example): HTMLElement {
   for (const { label, values } of presets) {
     const query = new URLSearchParams({ example: id });
     for (const [name, value] of Object.entries(values)) query.set(name, String(value));
-    row.append(element('a', '', { href: `?${query}` }, label));
+    row.append(element('a', '', { href: withLanguage(`?${query}`), lang: 'en' }, label));
   }
   if (parameters.count?.integer) row.append(doubleButton(parameters.count.max));
-  const copy = element(
-    'button',
-    '',
-    { type: 'button', title: 'Copy the address of this step and this view' },
-    'Copy link',
-  );
+  const copy = element('button', '', { type: 'button', title: WORDS.copyMoment }, WORDS.copyLink);
   copy.addEventListener('click', async () => {
     await navigator.clipboard.writeText(momentAddress());
-    copy.textContent = 'Copied';
+    copy.textContent = WORDS.copied;
     setTimeout(() => {
-      copy.textContent = 'Copy link';
+      copy.textContent = WORDS.copyLink;
     }, 2000);
   });
   row.append(copy);
@@ -81,12 +84,7 @@ function buttonsOf({ id, presets, parameters }: Example): HTMLElement {
 
 /** Doubles the number of bodies, until the machine or the example has enough. */
 function doubleButton(max: number): HTMLElement {
-  const button = element(
-    'button',
-    '',
-    { type: 'button', title: 'Twice as many, until 60 pictures a second are too many' },
-    'Double it',
-  );
+  const button = element('button', '', { type: 'button', title: WORDS.doubleHint }, WORDS.double);
   button.addEventListener('click', () => {
     const now = Number(__game.state().values.count);
     __game.set('count', Math.min(max, 2 * now));

@@ -1,11 +1,15 @@
 import type { LabRun } from './lab-run.ts';
+import { WORDS } from './words.ts';
 
 const COLORS = ['#ff8f7a', '#6db7ff', '#ffd98a', '#7be0ad', '#c3a6ff'];
+const ENGLISH = { lang: 'en' };
 const EXACT = { color: '#eef1fb', width: 1, dash: [4, 4] };
 
 /** A line of a chart. */
 export interface ChartLine {
   readonly label: string;
+  /** The language of a label of the example's own. */
+  readonly lang?: { readonly lang: string };
   readonly color: string;
   /** CSS pixels. */
   readonly width: number;
@@ -20,8 +24,8 @@ export interface ChartLine {
 export function chartLines({ plots, ghosts }: LabRun, index: number): ChartLine[] {
   const x = plots[index].x.value;
   const own = plots[index].series.flatMap(({ label, value, exact }, i): ChartLine[] => {
-    const line = { label, color: COLORS[i % COLORS.length], width: 1.6, x, value };
-    return exact === undefined ? [line] : [line, { ...EXACT, label: 'exact', x, value: exact }];
+    const line = { label, lang: ENGLISH, color: COLORS[i % COLORS.length], width: 1.6, x, value };
+    return exact === undefined ? [line] : [line, { ...EXACT, label: WORDS.exact, x, value: exact }];
   });
   const others = ghosts.members.flatMap(({ label, color, run }): ChartLine[] => {
     const plot = run.plots[index];

@@ -7,6 +7,7 @@ import type { LabRun } from './lab-run.ts';
 import { plainNumber } from './number-text.ts';
 import { rangeAbout } from './range-about.ts';
 import { Samples } from './samples.ts';
+import { WORDS } from './words.ts';
 
 /** Samples in the duration of an example. */
 const SAMPLES = 400;
@@ -41,10 +42,12 @@ export class Chart {
     this.#isPath = x.label !== 't, s';
     this.#samples = new Samples((this.#isPath ? 2 : 1) * this.#lines.length, duration / SAMPLES);
     const names = element('span', '');
-    names.append(...this.#lines.map(({ label, color }) => element('i', '', { style: `--mark: ${color}` }, label)));
-    const save = element('button', 'lab-save', { type: 'button', title: 'Save the numbers of this plot' }, 'CSV');
+    names.append(
+      ...this.#lines.map(({ label, color, lang }) => element('i', '', { style: `--mark: ${color}`, ...lang }, label)),
+    );
+    const save = element('button', 'lab-save', { type: 'button', title: WORDS.save }, 'CSV');
     save.addEventListener('click', () => saveText(`${file}.csv`, this.#csv(), 'text/csv'));
-    const heading = element('h2', '', {}, element('b', '', {}, title), this.#readout, save, names);
+    const heading = element('h2', '', {}, element('b', '', { lang: 'en' }, title), this.#readout, save, names);
     this.#card = element('section', 'game-card lab-plot', { 'aria-label': title }, heading);
     parent.append(this.#card);
     const options = this.#isPath ? this.#pathOptions(y.label) : this.#timeOptions(y.label, duration);
@@ -127,7 +130,7 @@ export class Chart {
     const [times, ...values] = this.#samples.columns;
     const isInside = index !== null && index !== undefined && index < times.length;
     this.#readout.textContent = isInside
-      ? `${plainNumber(times[index])} s: ${values.map((column) => plainNumber(column[index])).join(', ')}`
+      ? `${plainNumber(times[index])} s: ${values.map((column) => plainNumber(column[index])).join(WORDS.separator)}`
       : '';
   }
 }

@@ -1,7 +1,9 @@
 import type { CheckState, Example, ExampleRun, Tolerance } from '@principia/scenes/examples';
 import { element, type GameCard } from '@principia/shell';
+import { integratorName } from './integrator-names.ts';
 import { percentage, plainNumber } from './number-text.ts';
 import { isDisturbed } from './on-display.ts';
+import { WORDS } from './words.ts';
 
 const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': '–' } as const;
 
@@ -10,8 +12,8 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
   const rows = checks.map(({ label, unit, tolerance, integrator, preset }) => {
     const mark = element('b', '', { 'aria-hidden': 'true' });
     const text = element('p', '');
-    const about = integrator === undefined ? label : `${label} (${integrator.name})`;
-    const row = element('li', '', {}, mark, element('div', '', {}, element('h3', '', {}, about), text));
+    const about = integrator === undefined ? label : `${label} (${integratorName(integrator.name)})`;
+    const row = element('li', '', {}, mark, element('div', '', {}, element('h3', '', { lang: 'en' }, about), text));
     return {
       mark,
       text,
@@ -19,14 +21,14 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
       shown: '',
       unit: unit === '' ? '' : ` ${unit}`,
       tolerance,
-      needs: integrator?.name,
+      needs: integrator && integratorName(integrator.name),
       preset,
     };
   });
   const list = element('ul', 'lab-checks', { 'aria-live': 'polite' });
   list.append(...rows.map(({ row }) => row));
   parent.append(
-    element('section', 'game-card', { 'aria-label': 'Checks' }, element('h2', '', {}, 'Computed and exact'), list),
+    element('section', 'game-card', { 'aria-label': WORDS.checks }, element('h2', '', {}, WORDS.checksHeading), list),
   );
   return {
     show(run) {
@@ -55,8 +57,8 @@ function unjudged(state: CheckState): CheckState {
 }
 
 function takenPart({ computed, exact }: CheckState, unit: string): string {
-  const measured = Number.isFinite(computed) ? `computed ${plainNumber(computed)}${unit}; ` : '';
-  return `${measured}${plainNumber(exact)}${unit} if it is left alone: restart to prove it`;
+  const measured = Number.isFinite(computed) ? WORDS.computed(`${plainNumber(computed)}${unit}`) : '';
+  return `${measured}${WORDS.leftAlone(`${plainNumber(exact)}${unit}`)}`;
 }
 
 function sentence(
@@ -66,9 +68,9 @@ function sentence(
   needs?: string,
 ): string {
   if (state === 'not applicable') {
-    return needs === undefined ? 'holds for the default settings' : `holds for the default settings and ${needs}`;
+    return needs === undefined ? WORDS.default : WORDS.defaultWith(needs);
   }
-  if (state === 'waiting') return `waiting; exact ${plainNumber(exact)}${unit}`;
+  if (state === 'waiting') return WORDS.waiting(`${plainNumber(exact)}${unit}`);
   const off = 'relative' in tolerance ? percentage(error) : `${plainNumber(error)}${unit}`;
-  return `computed ${plainNumber(computed)}, exact ${plainNumber(exact)}${unit}, error ${off}`;
+  return WORDS.measured(plainNumber(computed), `${plainNumber(exact)}${unit}`, off);
 }

@@ -6,6 +6,9 @@ import { keepOwnCode, linkWith, ownCode } from './own-code.ts';
 import { CodeError } from './run-code.ts';
 import { SOURCES } from './sources.gen.ts';
 import { tryCode } from './try-code.ts';
+import { WORDS } from './words.ts';
+
+const { code: words } = WORDS;
 
 export interface CodePanel {
   show(isShown: boolean): void;
@@ -15,7 +18,7 @@ export interface CodePanel {
 export async function createCodePanel(parent: HTMLElement, id: string, linked: string | undefined): Promise<CodePanel> {
   const original = await SOURCES[id]();
   const text = element('textarea', '', {
-    'aria-label': 'Source of the example',
+    'aria-label': words.source,
     spellcheck: 'false',
     autocomplete: 'off',
     autocapitalize: 'off',
@@ -23,30 +26,34 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
   });
   text.value = linked ?? ownCode(id) ?? original;
   const note = element('p', 'lab-code-note', { role: 'status' });
-  note.textContent =
-    linked === undefined
-      ? `packages/scenes/src/examples/${id.replace('-', '/')}.ts`
-      : 'This link brings its own version of the code. Read it before you run it.';
+  note.textContent = linked === undefined ? `packages/scenes/src/examples/${id.replace('-', '/')}.ts` : words.linked;
   const buttons = element('div', 'lab-code-buttons');
-  const panel = element('section', 'lab-code', { 'aria-label': 'Code', 'data-covers': 'bottom' }, text, note, buttons);
+  const panel = element(
+    'section',
+    'lab-code',
+    { 'aria-label': words.panel, 'data-covers': 'bottom' },
+    text,
+    note,
+    buttons,
+  );
   const add = (label: string, title: string, act: () => unknown) => {
     const button = element('button', '', { type: 'button', title }, label);
     button.addEventListener('click', () => void act());
     buttons.append(button);
   };
   const report = (message: string, line?: number) => {
-    note.textContent = line === undefined ? message : `Line ${line}: ${message}`;
+    note.textContent = line === undefined ? message : words.line(line, message);
     if (line !== undefined) selectLine(text, line);
   };
-  add('Run', 'Run this version (Ctrl+Enter)', () => run(id, text.value, report));
-  add('Original', 'Take the original back', () => {
+  add(words.run, words.runHint, () => run(id, text.value, report));
+  add(words.original, words.originalHint, () => {
     keepOwnCode(id, undefined);
     location.hash = '';
     location.reload();
   });
-  add('Copy link', 'Copy the address of this version', async () => {
+  add(WORDS.copyLink, words.copyHint, async () => {
     await navigator.clipboard.writeText(await linkWith(text.value));
-    report('The address of this version is in the clipboard.');
+    report(words.copied);
   });
   text.addEventListener('keydown', (event) => {
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) void run(id, text.value, report);
@@ -63,7 +70,7 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
 
 /** Tries the code where it can do no harm; the page is then opened anew with it, because its parameters may differ. */
 async function run(id: string, source: string, report: (message: string, line?: number) => void): Promise<void> {
-  report('Trying …');
+  report(words.trying);
   try {
     await tryCode(source);
     keepOwnCode(id, source);

@@ -10,6 +10,7 @@ import {
   type SimulationOptions,
   startGame,
   type Value,
+  withLanguage,
 } from '@principia/shell';
 import { createAboutCard } from './about-card.ts';
 import { createChecksCard } from './checks-card.ts';
@@ -25,6 +26,7 @@ import { linkedCode, ownCode } from './own-code.ts';
 import { writeAddress } from './page-address.ts';
 import { createPlotsCard } from './plots-card.ts';
 import { addLaboratoryStyles } from './styles.ts';
+import { WORDS } from './words.ts';
 import { createWordsCard } from './words-card.ts';
 
 /** Lengths of the view's diagonal that a thrown body crosses in a second at most. */
@@ -35,7 +37,7 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
   addLaboratoryStyles();
   const linked = await linkedCode(location.hash);
   const { example, problem } = await chosenVersion(entry);
-  document.title = `${example.title} – the laboratory`;
+  document.title = WORDS.pageTitle(example.title);
   const probe = example.start();
   const settings: Settings = settingsOf(example, probe);
   destroyWorld(probe.world);
@@ -63,13 +65,14 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
       ...controlsOf(example),
       help: [
         ...Object.values(example.actions).map(({ key, about }) => [keyName(key), about] as const),
-        ['Drag a body', 'move it, release to throw it'],
+        [WORDS.drag[0], WORDS.drag[1]],
       ],
     },
     rest.toString(),
-    problem === '' ? moment.problems : [...moment.problems, `Your version of this example does not run: ${problem}`],
+    problem === '' ? moment.problems : [...moment.problems, WORDS.code.fails(problem)],
   );
   addListLink();
+  document.querySelector('.game-title')?.setAttribute('lang', 'en');
   await goTo(moment);
 }
 
@@ -153,7 +156,13 @@ function controlsOf({ actions }: Example): { readonly controls?: Controls<LabRun
 
 /** The way back to the list, before the title; where there is little room it is a sign only. */
 function addListLink(): void {
-  const words = element('span', '', {}, 'All examples');
-  const link = element('a', 'lab-back', { href: location.pathname, 'aria-label': 'All examples' }, '☰ ', words);
+  const words = element('span', '', {}, WORDS.allExamples);
+  const link = element(
+    'a',
+    'lab-back',
+    { href: withLanguage(location.pathname), 'aria-label': WORDS.allExamples },
+    '☰ ',
+    words,
+  );
   document.querySelector('.game-bar')?.prepend(link);
 }

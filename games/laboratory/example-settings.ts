@@ -3,6 +3,9 @@ import { bodies, INTEGRATORS, type PhysicsWorld } from '@principia/physics';
 import type { Example, ExampleParameter, ExampleRun } from '@principia/scenes/examples';
 import { type ChoiceSetting, type Setting, switchSetting, type Value } from '@principia/shell';
 import { ghostsSetting } from './make-ghosts.ts';
+import { WORDS } from './words.ts';
+
+const { settings: words } = WORDS;
 
 /** The choice of the integrator that the example has by default. */
 export const OWN_INTEGRATOR = 'own';
@@ -31,9 +34,9 @@ export function settingsOf({ parameters }: Example, { picture, world }: ExampleR
   return {
     ...Object.fromEntries(own),
     ...(bodies(world).count > 0 && isComparable(world) ? { integrator: integratorSetting, ghosts: ghostsSetting } : {}),
-    ...(picture.arrows === undefined ? {} : { arrows: switchSetting('Arrows', true, { key: 'v' }) }),
-    ...(picture.trails === undefined ? {} : { trails: switchSetting('Trails', true, { key: 't' }) }),
-    code: switchSetting('Code', false, { key: 'k' }),
+    ...(picture.arrows === undefined ? {} : { arrows: switchSetting(words.arrows, true, { key: 'v' }) }),
+    ...(picture.trails === undefined ? {} : { trails: switchSetting(words.trails, true, { key: 't' }) }),
+    code: switchSetting(words.code, false, { key: 'k' }),
   };
 }
 
@@ -44,21 +47,21 @@ function isComparable({ integrator }: PhysicsWorld): boolean {
 
 function settingOf(parameter: ExampleParameter): Setting {
   const { label, unit, initial, min, max, integer = false, scale, about, choices } = parameter;
-  const more = { ...(about === undefined ? {} : { about }), ...(scale === undefined ? {} : { scale }) };
+  const more = { lang: 'en', ...(about === undefined ? {} : { about }), ...(scale === undefined ? {} : { scale }) };
   if (choices === undefined) return { kind: 'number', label, unit, initial, min, max, integer, ...more };
-  const words = Object.fromEntries(choices.map((word) => [word, word]));
-  return { kind: 'choice', label, initial: choices[initial], choices: words, ...more };
+  const named = Object.fromEntries(choices.map((word) => [word, word]));
+  return { kind: 'choice', label, initial: choices[initial], choices: named, ...more };
 }
 
 const integratorSetting: ChoiceSetting = {
   kind: 'choice',
-  label: 'Integrator',
+  label: words.integrator[0],
   initial: OWN_INTEGRATOR,
   choices: {
-    'The example’s own': OWN_INTEGRATOR,
-    ...Object.fromEntries(COMPARABLE.map((name) => [INTEGRATORS[name].name, name])),
+    [WORDS.ownIntegrator]: OWN_INTEGRATOR,
+    ...Object.fromEntries(COMPARABLE.map((name) => [WORDS.integrators[name], name])),
   },
-  about: 'The scheme that moves the bodies in steps',
+  about: words.integrator[1],
 };
 
 /** The values of the parameters: a choice becomes the index of its word. */

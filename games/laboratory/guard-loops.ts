@@ -1,5 +1,6 @@
 /** Ends loops of a reader's code that would not end by themselves, so that the page goes on. */
 import type { Statement } from 'acorn';
+import { WORDS } from './words.ts';
 
 /** How long a piece of code may hold up the page, ms: far longer than any step takes. */
 const LIMIT = 2000;
@@ -24,7 +25,7 @@ export function createLoopGuard(fail: (message: string, line: number) => Error, 
       });
     } else if (performance.now() - start > limit) {
       start = undefined;
-      throw fail(`This loop did not come to an end within ${limit / 1000} s.`, line);
+      throw fail(WORDS.code.endlessLoop(limit / 1000), line);
     }
   };
 }

@@ -3,6 +3,7 @@ import { element } from '@principia/shell';
 import uPlot from 'uplot';
 import { baseOptions, fitChart } from './chart-options.ts';
 import { csvOf, saveText } from './csv.ts';
+import { WORDS } from './words.ts';
 
 const BARS = { stroke: '#6db7ff', fill: '#6db7ff66' };
 const EXACT = { stroke: '#eef1fb', width: 1, dash: [4, 4] };
@@ -24,11 +25,11 @@ export class HistogramChart {
     const count = histogram.densities().length;
     const width = (x.max - x.min) / count;
     this.#middles = Array.from({ length: count }, (_, i) => x.min + (i + 0.5) * width);
-    const save = element('button', 'lab-save', { type: 'button', title: 'Save the numbers of this plot' }, 'CSV');
+    const save = element('button', 'lab-save', { type: 'button', title: WORDS.save }, 'CSV');
     save.addEventListener('click', () => saveText(`${file}.csv`, this.#csv(), 'text/csv'));
-    const names = element('span', '', {}, element('i', '', { style: `--mark: ${BARS.stroke}` }, 'counted'));
-    if (exact !== undefined) names.append(element('i', '', { style: `--mark: ${EXACT.stroke}` }, 'exact'));
-    const heading = element('h2', '', {}, element('b', '', {}, title), save, names);
+    const names = element('span', '', {}, element('i', '', { style: `--mark: ${BARS.stroke}` }, WORDS.counted));
+    if (exact !== undefined) names.append(element('i', '', { style: `--mark: ${EXACT.stroke}` }, WORDS.exact));
+    const heading = element('h2', '', {}, element('b', '', { lang: 'en' }, title), save, names);
     this.#card = element('section', 'game-card lab-plot', { 'aria-label': title }, heading);
     parent.append(this.#card);
     this.#chart = new uPlot(this.#options(), this.#data(), this.#card);
@@ -54,14 +55,14 @@ export class HistogramChart {
 
   #csv(): string {
     const columns = this.#data().map((column) => Array.from(column as ArrayLike<number>));
-    return csvOf([this.#histogram.x.label, 'density', 'exact'].slice(0, columns.length), columns);
+    return csvOf([this.#histogram.x.label, WORDS.density, WORDS.exact].slice(0, columns.length), columns);
   }
 
   #options(): uPlot.Options {
     const { x, exact } = this.#histogram;
     const bars = { ...BARS, width: 1, points: { show: false }, paths: uPlot.paths.bars?.({ size: [1] }) };
     return {
-      ...baseOptions(x.label, 'density'),
+      ...baseOptions(x.label, WORDS.density),
       cursor: { show: false },
       scales: { x: { time: false, range: () => [x.min, x.max] }, y: { range: (_, __, high) => [0, 1.08 * high || 1] } },
       series: [{}, bars as uPlot.Series, ...(exact === undefined ? [] : [{ ...EXACT, points: { show: false } }])],

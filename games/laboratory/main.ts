@@ -14,6 +14,5 @@ else if (entry !== undefined) {
   await openExample(entry, query);
 } else {
   const { showStartPage } = await openList();
-  const unknown = id === null ? '' : `There is no example “${id}”. Choose one of these.`;
-  showStartPage(document.body, query.get('search') ?? '', unknown);
+  showStartPage(document.body, query.get('search') ?? '', id);
 }

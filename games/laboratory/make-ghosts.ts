@@ -3,6 +3,7 @@ import { INTEGRATORS } from '@principia/physics';
 import type { Example, ExampleOptions } from '@principia/scenes/examples';
 import type { ChoiceSetting } from '@principia/shell';
 import { Ghost, Ghosts } from './ghosts.ts';
+import { WORDS } from './words.ts';
 
 /** One scheme of each kind: energy grows, stays about right, and is right to many digits. */
 const SCHEMES = ['explicitEuler', 'semiImplicitEuler', 'velocityVerlet', 'rungeKutta4'] as const;
@@ -12,10 +13,10 @@ const DEVIATIONS = [-0.02, -0.01, 0.01, 0.02];
 
 export const ghostsSetting: ChoiceSetting = {
   kind: 'choice',
-  label: 'Ghosts',
+  label: WORDS.settings.ghosts[0],
   initial: 'none',
-  choices: { None: 'none', 'Other integrators': 'integrators', 'Values ± 1 and 2 %': 'neighbours' },
-  about: 'The same example run beside this one: rings in the picture, thin lines in the plots',
+  choices: Object.fromEntries(Object.entries(WORDS.ghosts).map(([kind, label]) => [label, kind])),
+  about: WORDS.settings.ghosts[1],
 };
 
 /** @param own name of the integrator of the run on display */
@@ -26,10 +27,10 @@ export function makeGhosts(kind: string, example: Example, options: ExampleOptio
 }
 
 function otherIntegrators(example: Example, options: ExampleOptions, own: string): Ghost[] {
-  const records = SCHEMES.map((name) => INTEGRATORS[name]).filter(({ name }) => name !== own);
-  return records.map((record, i) => {
-    const run = example.start({ ...options, integrator: record.create() });
-    return new Ghost(record.name, COLORS[i], run);
+  const names = SCHEMES.filter((name) => INTEGRATORS[name].name !== own);
+  return names.map((name, i) => {
+    const run = example.start({ ...options, integrator: INTEGRATORS[name].create() });
+    return new Ghost(WORDS.integrators[name], COLORS[i], run);
   });
 }
 

@@ -1,5 +1,6 @@
 /** Addresses of a moment: the step that the run has reached, and the camera. */
 import { presentView } from './on-display.ts';
+import { WORDS } from './words.ts';
 
 /** Steps taken at once, so that the page stays alive, and in all. */
 const CHUNK = 200;
@@ -20,14 +21,12 @@ export function takeMoment(query: URLSearchParams): Moment {
   const problems: string[] = [];
   let step = Number(stepText ?? 0);
   if (!(Number.isInteger(step) && step >= 0 && step <= MAX_STEPS)) {
-    problems.push(
-      `In the address, step must be a whole number from 0 to ${MAX_STEPS}, but it was “${stepText}”. Using 0.`,
-    );
+    problems.push(WORDS.address.step(MAX_STEPS, stepText ?? ''));
     step = 0;
   }
   const camera = cameraText?.split(',').map(Number);
   const isCamera = camera === undefined || (camera.length >= 3 && camera.every(Number.isFinite));
-  if (!isCamera) problems.push(`In the address, camera must be numbers with commas, but it was “${cameraText}”.`);
+  if (!isCamera) problems.push(WORDS.address.camera(cameraText ?? ''));
   return { step, camera: isCamera ? camera : undefined, problems };
 }
 

@@ -114,15 +114,18 @@ function drawLive(run: LabRun, pen: Pen, texts: TextLayer, scale: number, shown:
 }
 
 /** The bodies of ghosts as rings, with their paths, in a colour of their own. */
-function drawGhosts({ ghosts }: LabRun, pen: Pen, texts: TextLayer, scale: number): void {
-  for (const [row, { run, color, label, bodies, path }] of ghosts.members.entries()) {
+function drawGhosts({ ghosts, picture }: LabRun, pen: Pen, texts: TextLayer, scale: number): void {
+  // The exact position has its name in the first row.
+  const first = picture.curves?.some(({ now, label }) => now !== undefined && label !== undefined) ? 1 : 0;
+  for (const [i, { run, color, label, bodies, path }] of ghosts.members.entries()) {
+    const row = first + i;
     const { Position, Collider, Appearance } = run.world.components;
     pen.curve({ points: path, color });
-    for (const [i, id] of bodies.entries()) {
+    for (const [index, id] of bodies.entries()) {
       const radius = Math.max(Appearance.size[id] || Collider.radius[id], 3 / scale);
       const at = { x: Position.x[id], y: Position.y[id] };
       pen.ring(at, color, radius);
-      if (i === 0) texts.write(pen.place(at), label, color, radius + 2 / scale, row);
+      if (index === 0) texts.write(pen.place(at), label, color, radius + 2 / scale, row);
     }
   }
 }

@@ -2,6 +2,7 @@
 import type { Example } from '@principia/scenes/examples';
 import { MODULES } from './example-modules.gen.ts';
 import { createLoopGuard, guardLoops } from './guard-loops.ts';
+import { WORDS } from './words.ts';
 
 /** Name of the source in stack traces. */
 const FILE = 'example.ts';
@@ -27,7 +28,7 @@ export async function exampleFrom(source: string): Promise<Example> {
   const modules = new Map<string, unknown>();
   for (const [, name] of script.matchAll(/require\('([^']+)'\)/g)) {
     const load = MODULES[name];
-    if (load === undefined) throw new CodeError(`There is no module “${name}”. ${allowed()}`, undefined);
+    if (load === undefined) throw new CodeError(WORDS.code.noModule(name, Object.keys(MODULES).join(', ')), undefined);
     modules.set(name, await load());
   }
   const guarded = await guardLoops(script, GUARD);
@@ -43,7 +44,7 @@ export async function exampleFrom(source: string): Promise<Example> {
     throw codeError(error);
   }
   if (!isExample(exported.default)) {
-    throw new CodeError('The code exports no example: it must have “export default defineExample({ … })”.', undefined);
+    throw new CodeError(WORDS.code.noExample, undefined);
   }
   return exported.default;
 }
@@ -68,8 +69,6 @@ async function withoutTypes(source: string): Promise<string> {
     throw new CodeError(text, line === undefined ? undefined : Number(line));
   }
 }
-
-const allowed = () => `Code here can import ${Object.keys(MODULES).join(', ')}.`;
 
 const isExample = (value: unknown): value is Example =>
   typeof (value as Partial<Example> | undefined)?.start === 'function';

@@ -1,9 +1,10 @@
 /** The list of all examples: by chapter, with a search. */
 
 import { EXAMPLES, type ExampleEntry } from '@principia/scenes/examples/list';
-import { element } from '@principia/shell';
+import { element, withLanguage } from '@principia/shell';
 import { chapterTitle } from './chapters.ts';
 import { addStartStyles } from './start-styles.ts';
+import { WORDS } from './words.ts';
 
 /** Examples to begin with, of all that the framework can do. */
 const STRIKING = [
@@ -15,29 +16,31 @@ const STRIKING = [
   'ch17-magnetic-pendulum',
 ];
 
-/** @param search words to begin with @param problem a sentence above the list; empty for none */
-export function showStartPage(parent: HTMLElement, search: string, problem: string): void {
+/** @param search words to begin with @param unknown example that was asked for and does not exist; null for none */
+export function showStartPage(parent: HTMLElement, search: string, unknown: string | null): void {
+  document.title = WORDS.title;
+  const words = WORDS.list;
   addStartStyles();
   const field = element('input', '', {
     type: 'search',
-    placeholder: 'Search: orbit, drag, chapter 8 …',
-    'aria-label': 'Search',
+    placeholder: words.searchHint,
+    'aria-label': words.search,
     value: search,
   });
   const count = element('p', 'start-count', { role: 'status' });
   const list = element('div', '');
-  const tags = element('div', 'start-tags', { role: 'group', 'aria-label': 'Subjects' });
+  const tags = element('div', 'start-tags', { role: 'group', 'aria-label': words.subjects });
   let pictures: Readonly<Record<string, string>> = {};
   const show = () => {
     const found = EXAMPLES.filter((entry) => matches(entry, field.value));
     for (const button of tags.children) button.setAttribute('aria-pressed', String(button.textContent === field.value));
-    count.textContent = found.length === 1 ? '1 example' : `${found.length} examples`;
+    count.textContent = words.count(found.length);
     list.replaceChildren(...(field.value === '' ? [striking(pictures)] : []), ...chapters(found, pictures));
     const query = field.value === '' ? location.pathname : `?search=${encodeURIComponent(field.value)}`;
-    history.replaceState(null, '', query);
+    history.replaceState(null, '', withLanguage(query));
   };
   for (const tag of commonTags()) {
-    const button = element('button', '', { type: 'button' }, tag);
+    const button = element('button', '', { type: 'button', lang: 'en' }, tag);
     button.addEventListener('click', () => {
       field.value = field.value === tag ? '' : tag;
       show();
@@ -55,18 +58,16 @@ export function showStartPage(parent: HTMLElement, search: string, problem: stri
     event.preventDefault();
     field.focus();
   });
-  const note = element('p', 'start-problem', { role: 'alert' }, problem);
-  note.hidden = problem === '';
-  const about =
-    'Every example of a physics book, and some beyond it: play with it, and watch its figures being proven.';
+  const note = element('p', 'start-problem', { role: 'alert' }, unknown === null ? '' : words.unknown(unknown));
+  note.hidden = unknown === null;
   parent.append(
     element(
       'main',
       'start',
       {},
-      element('a', 'start-home', { href: '../index.html' }, 'All games'),
-      element('h1', '', {}, 'The laboratory'),
-      element('p', '', {}, about),
+      element('a', 'start-home', { href: withLanguage('../index.html') }, words.home),
+      element('h1', '', {}, WORDS.title),
+      element('p', '', {}, words.lead),
       note,
       field,
       tags,
@@ -79,7 +80,7 @@ export function showStartPage(parent: HTMLElement, search: string, problem: stri
 
 /** Every word of the search must occur in the title, the chapter, the tags, the text or the id. */
 function matches({ id, title, chapter, tags, about }: ExampleEntry, search: string): boolean {
-  const text = [id, title, chapterTitle(chapter), ...tags, about].join(' ').toLowerCase();
+  const text = [id, title, `chapter ${chapter}`, chapterTitle(chapter), ...tags, about].join(' ').toLowerCase();
   return search
     .toLowerCase()
     .split(/\s+/)
@@ -96,7 +97,7 @@ function commonTags(): string[] {
 
 function striking(pictures: Readonly<Record<string, string>>): HTMLElement {
   const entries = STRIKING.flatMap((id) => EXAMPLES.filter((entry) => entry.id === id));
-  return section('Begin with one of these', entries, pictures, 'start-striking');
+  return section(WORDS.list.begin, entries, pictures, 'start-striking');
 }
 
 function chapters(entries: readonly ExampleEntry[], pictures: Readonly<Record<string, string>>): HTMLElement[] {
@@ -121,6 +122,6 @@ function section(
 function item({ id, title, tags }: ExampleEntry, picture: string): HTMLElement {
   const frame = element('div', 'start-picture', { 'aria-hidden': 'true' });
   frame.innerHTML = picture;
-  const text = [element('b', '', {}, title), element('span', '', {}, tags.join(' · '))];
-  return element('li', '', {}, element('a', '', { href: `?example=${id}` }, frame, ...text));
+  const text = [element('b', '', { lang: 'en' }, title), element('span', '', { lang: 'en' }, tags.join(' · '))];
+  return element('li', '', {}, element('a', '', { href: withLanguage(`?example=${id}`) }, frame, ...text));
 }

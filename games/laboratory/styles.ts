@@ -3,6 +3,10 @@ const styles = `
 .game-bar .lab-back { display: flex; justify-content: center; align-items: center; gap: 6px; text-decoration: none; white-space: nowrap }
 @media (max-width: 759px), (max-height: 479px) { .lab-back span { display: none } }
 .lab-back:focus-visible, .lab-neighbours a:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
+.game-card.lab-about h2 { display: block } .lab-about h2 b { font-weight: inherit }
+/* A long title gives way to the buttons. */
+@media (min-width: 1000px) { .game-bar:has(.lab-back) { flex-wrap: nowrap } .game-bar:has(.lab-back) > :not(.game-title) { flex: none }
+  .game-bar:has(.lab-back) .game-title { min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap } }
 .lab-about p { margin: 2px 0 8px; font-size: 13px; line-height: 1.45; user-select: text }
 .lab-about ul { margin: 2px 0 8px; padding-left: 16px; font-size: 13px; line-height: 1.4 }
 .lab-neighbours { display: flex; justify-content: space-between; gap: 12px; font-size: 12px }

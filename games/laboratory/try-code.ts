@@ -1,5 +1,7 @@
+import { withLanguage } from '@principia/shell';
 import { CodeError } from './run-code.ts';
 import type { TrialMessage } from './trial.ts';
+import { WORDS } from './words.ts';
 
 /** Milliseconds after which code that runs is taken not to come to an end. */
 const TIMEOUT = 4000;
@@ -10,16 +12,10 @@ const TIMEOUT = 4000;
  */
 export async function tryCode(source: string): Promise<void> {
   // The script of this page runs the trial where there is no page.
-  const worker = new Worker(new URL('./main.js', document.baseURI), { type: 'module' });
+  const worker = new Worker(new URL(withLanguage('./main.js'), document.baseURI), { type: 'module' });
   try {
     await new Promise<void>((resolve, reject) => {
-      const stop = () =>
-        reject(
-          new CodeError(
-            `The code did not come to an end within ${TIMEOUT / 1000} s: is there a loop without end?`,
-            undefined,
-          ),
-        );
+      const stop = () => reject(new CodeError(WORDS.code.endless(TIMEOUT / 1000), undefined));
       worker.addEventListener('error', ({ message }) => reject(new CodeError(message, undefined)));
       worker.addEventListener('message', ({ data }: MessageEvent<TrialMessage>) => {
         if (data.kind === 'ready') {

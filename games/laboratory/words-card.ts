@@ -1,7 +1,8 @@
-import { element, type GameCard } from '@principia/shell';
+import { decimal, element, type GameCard } from '@principia/shell';
 import type { LabRun } from './lab-run.ts';
 import { plainNumber } from './number-text.ts';
 import { isDisturbed } from './on-display.ts';
+import { WORDS } from './words.ts';
 
 /** Milliseconds between two announcements while the run goes on; a reader of the screen needs time to speak. */
 const INTERVAL = 10_000;
@@ -11,7 +12,14 @@ export function createWordsCard(parent: HTMLElement): GameCard<LabRun> {
   const text = element('p', 'lab-words');
   const spoken = element('p', 'lab-spoken', { role: 'status' });
   parent.append(
-    element('section', 'game-card', { 'aria-label': 'In words' }, element('h2', '', {}, 'In words'), text, spoken),
+    element(
+      'section',
+      'game-card',
+      { 'aria-label': WORDS.inWords },
+      element('h2', '', {}, WORDS.inWords),
+      text,
+      spoken,
+    ),
   );
   const said = { tick: -1, at: Number.NEGATIVE_INFINITY };
   let last = -1;
@@ -35,10 +43,11 @@ function describe(run: LabRun): string {
     const unit = y.label.includes(', ') ? ` ${y.label.split(', ').at(-1)}` : '';
     return series.map(({ label, value }) => `${label} ${plainNumber(value())}${unit}`);
   });
-  if (isDisturbed(run)) return `After ${run.world.time.toFixed(1)} s: ${[...values, 'you took part'].join('; ')}.`;
+  const time = decimal(run.world.time, 1);
+  if (isDisturbed(run)) return WORDS.after(time, [...values, WORDS.tookPart].join('; '));
   const states = run.checkStates().filter(({ state }) => state !== 'not applicable');
   const passed = states.filter(({ state }) => state === 'passed').length;
   const failed = states.filter(({ state }) => state === 'failed').length;
-  const checks = `${passed} of ${states.length} figures proven${failed > 0 ? `, ${failed} off` : ''}`;
-  return `After ${run.world.time.toFixed(1)} s: ${[...values, checks].join('; ')}.`;
+  const checks = `${WORDS.proven(passed, states.length)}${failed > 0 ? WORDS.off(failed) : ''}`;
+  return WORDS.after(time, [...values, checks].join('; '));
 }

@@ -17,7 +17,7 @@ export function createAccuracy(parent: HTMLElement, page: Page): Accuracy {
   card.open = innerWidth >= 760 && innerHeight >= 560;
   const rows = BODY_NAMES.map((name) => {
     const row = document.createElement('tr');
-    row.innerHTML = `<td><button type="button" style="color: ${LOOKS[name].color}">${LOOKS[name].label}</button></td><td></td><td></td>`;
+    row.innerHTML = `<td><button type="button" style="color: ${LOOKS[name].color}">${WORDS.bodies[name][0]}</button></td><td></td><td></td>`;
     row.querySelector('button')?.addEventListener('click', () => {
       page.follow = name;
     });
@@ -49,8 +49,7 @@ export function createAccuracy(parent: HTMLElement, page: Page): Accuracy {
         row.share.textContent = text === '' ? '' : shareText(error / distanceOf(sim, row.name));
       }
       const last = Math.max(0, ...sim.errorDates);
-      const text =
-        last === 0 ? WORDS.noReference : `on ${dayText(last)}, in km and by distance from the Sun (Moon: Earth)`;
+      const text = last === 0 ? WORDS.noReference : WORDS.errorsOn(dayText(last));
       if (text !== shownNote) note.textContent = text;
       shownNote = text;
     },

@@ -2,8 +2,7 @@
 import type { BodyName } from '@principia/scenes';
 
 export interface Look {
-  readonly label: string;
-  /** CSS colour of label and orbit. */
+  /** CSS colour of name and orbit. */
   readonly color: string;
   /** Colours of the surface, from dark to light. */
   readonly surface: readonly string[];
@@ -19,7 +18,6 @@ export interface Look {
 
 export const LOOKS: Readonly<Record<BodyName, Look>> = {
   sun: {
-    label: 'Sun',
     color: '#ffd27a',
     surface: ['#ff9a2e', '#ffc458', '#fff0b8'],
     pixels: 15,
@@ -27,7 +25,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [7.25, 346],
   },
   mercury: {
-    label: 'Mercury',
     color: '#b9aca0',
     surface: ['#5b544d', '#8c8178', '#c0b3a5'],
     pixels: 4.2,
@@ -35,7 +32,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [7, 318],
   },
   venus: {
-    label: 'Venus',
     color: '#f0d8a2',
     surface: ['#c69a5c', '#e6c98c', '#f7ecca'],
     isBanded: true,
@@ -44,7 +40,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [1.3, 30],
   },
   earth: {
-    label: 'Earth',
     color: '#7db8ff',
     surface: ['#0e2a5c', '#14407f', '#1c58a4', '#35743c', '#8f8a55', '#f4f7fb'],
     pixels: 6.4,
@@ -52,7 +47,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [23.44, 90],
   },
   moon: {
-    label: 'Moon',
     color: '#c9ccd4',
     surface: ['#5d5f66', '#8f929a', '#c6c8cd'],
     pixels: 3.4,
@@ -60,7 +54,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [1.5, 90],
   },
   mars: {
-    label: 'Mars',
     color: '#ff9166',
     surface: ['#7a3620', '#b65a33', '#e0935f', '#f3e0cd'],
     pixels: 5.2,
@@ -68,7 +61,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [26.7, 353],
   },
   jupiter: {
-    label: 'Jupiter',
     color: '#f0c59a',
     surface: ['#9c6b4a', '#d4ad86', '#f0e0c6', '#c88f63'],
     isBanded: true,
@@ -77,7 +69,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [2.2, 248],
   },
   saturn: {
-    label: 'Saturn',
     color: '#f2dfae',
     surface: ['#b3935f', '#dcc38c', '#f3e6c0'],
     isBanded: true,
@@ -86,7 +77,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [28.05, 79.5],
   },
   uranus: {
-    label: 'Uranus',
     color: '#a4e8ee',
     surface: ['#79c6d0', '#9fdfe5', '#c4f1f2'],
     isBanded: true,
@@ -95,7 +85,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [82.3, 257.4],
   },
   neptune: {
-    label: 'Neptune',
     color: '#7f9dff',
     surface: ['#2c4fb8', '#4a74e0', '#86a8ff'],
     isBanded: true,
@@ -104,7 +93,6 @@ export const LOOKS: Readonly<Record<BodyName, Look>> = {
     tilt: [28, 319],
   },
   pluto: {
-    label: 'Pluto',
     color: '#d9c3a8',
     surface: ['#6d5443', '#a98d73', '#e5d8c6'],
     pixels: 3.8,

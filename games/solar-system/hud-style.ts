@@ -34,7 +34,7 @@ export const HUD_STYLE = `
   color: #1c1503; font-weight: 700; padding: 5px 18px } .ss-card .ss-go:hover:enabled { background: #ffd58f } .ss-card .ss-go:disabled { background: #ffc15e } .ss-card button:disabled { opacity: .4; cursor: default }
 .ss-card .ss-end { border: 0; background: none; padding: 0 2px; color: #97a3c7; font-weight: 500 }
 .ss-slide { display: grid; grid-template-columns: 74px 1fr 84px; gap: 9px; align-items: center; font-size: 13px }
-.ss-slide input[type=number] { width: 100%; box-sizing: border-box; border: 1px solid #ffffff24; border-radius: 8px; background: #ffffff10; padding: 2px 5px; text-align: right }
+.ss-slide .ss-number { width: 100%; box-sizing: border-box; border: 1px solid #ffffff24; border-radius: 8px; background: #ffffff10; padding: 2px 5px; text-align: right }
 .ss-menu { display: flex; gap: 8px; flex-wrap: wrap; justify-content: center }
 .ss-menu button { border: 1px solid #ffc15e66; border-radius: 999px; background: #1c2038d9; padding: 7px 16px; font-weight: 650; cursor: pointer }
 .ss-hint { margin: 0; flex-basis: 100%; text-align: center; font-size: 14px; color: #cfdaf8 }
@@ -43,7 +43,7 @@ export const HUD_STYLE = `
   .ss-slide { grid-template-columns: 1fr 78px; gap: 2px } .ss-slide input[type=range] { grid-row: 2; grid-column: 1 / 3 } }
 @media (pointer: coarse) { .ss-pick input, .ss-pick button, .ss-card button, .ss-menu button { min-height: 44px } .ss .ss-label { padding: 13px 6px; top: -22px; min-width: 44px }
   .ss-jpl td button { min-height: 30px } .ss-card .ss-end { min-height: 30px } .ss input[type=range] { height: 44px } }
-@media (max-width: 759px), (max-height: 479px) { .ss-date { left: 12px; top: 66px } .ss-date b { font-size: 20px } .ss-foot { left: 8px; right: 8px; gap: 5px }
+@media (max-width: 759px), (max-height: 479px) { .ss-date { left: 12px; top: 66px } .ss-date > span { max-width: 172px } .ss-date b { font-size: 20px } .ss-foot { left: 8px; right: 8px; gap: 5px }
   .game:has(.game-side:not([hidden])) .ss-foot { right: 8px } .ss-hint { font-size: 13px } .ss-card { padding: 8px 10px; gap: 4px }
   .ss-card p.ss-goal { display: none } .ss-jpl { width: auto; max-width: 292px; padding: 4px 9px } .ss-slide { grid-template-columns: 62px 1fr 74px }
   .ss-date > em:not(:empty) { margin-top: 14px } .ss-pick { position: fixed; left: 190px; top: 64px; margin: 0; gap: 4px } .ss-pick input { width: 122px; padding: 5px 4px; font-size: 12px } .ss-pick button { padding: 5px 7px; font-size: 12px } .ss-time { grid-template-columns: auto minmax(90px, 1fr) auto; width: 100% } }

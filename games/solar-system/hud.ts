@@ -9,7 +9,7 @@ import type { Page } from './page.ts';
 import type { Settings } from './settings.ts';
 import { DATES, type SolarGame } from './sim.ts';
 import { RATES } from './solar-clock.ts';
-import { limitText, rateText, WORDS } from './words.ts';
+import { rateText, WORDS } from './words.ts';
 
 export interface Hud {
   /** The element for names beside bodies. */
@@ -30,10 +30,10 @@ export function createHud(context: ViewContext<Settings, SolarGame>, page: Page,
   root.className = 'ss';
   root.innerHTML = `<style>${HUD_STYLE}</style><div class="ss-labels"></div>
 <div class="ss-date"><b></b><span></span><em role="status"></em>
-<div class="ss-pick"><input type="date" aria-label="Date" title="Go to a date" min="${dayText(DATES.first)}" max="${dayText(DATES.last)}">
+<div class="ss-pick"><input type="date" aria-label="${WORDS.date}" title="${WORDS.goToDate}" min="${dayText(DATES.first)}" max="${dayText(DATES.last)}">
 <button type="button">${WORDS.today}</button></div></div>
-<div class="ss-foot"><div class="ss-time"><span>1 s/s</span><input type="range" min="0" max="1" step="0.002" aria-label="Speed of time">
-<span>100 years/s</span></div></div>`;
+<div class="ss-foot"><div class="ss-time"><span>${WORDS.slowest}</span><input type="range" min="0" max="1" step="0.002" aria-label="${WORDS.timeSpeed}">
+<span>${WORDS.fastest}</span></div></div>`;
   context.element.append(root);
   const find = <E extends HTMLElement>(selector: string) => root.querySelector(selector) as E;
   const foot = find('.ss-foot');
@@ -110,11 +110,11 @@ function createTimeControls(
       const isWaiting = flight.phase !== 'none' && flight.phase !== 'flying';
       const isLimited = clock.limit !== 'none';
       const speed = clock.isTravelling
-        ? WORDS.travelling(clock.daysToTravel)
+        ? WORDS.travelling(Math.ceil(clock.daysToTravel / 365.25))
         : rateText(isWaiting ? 0 : isLimited ? clock.actualRate : clock.rate);
       if (speed !== shown.rate) rate.textContent = speed;
       shown.rate = speed;
-      const text = limitText(clock.limit);
+      const text = WORDS.limits[clock.limit];
       if (text !== shown.note) note.textContent = text;
       shown.note = text;
       const place = Math.log(clock.rate / RATES.min) / LOG_RANGE;

@@ -5,6 +5,7 @@ import type { Burn } from './flight.ts';
 import { missionOf } from './missions.ts';
 import { DATES, type Opening } from './sim.ts';
 import { RATES } from './solar-clock.ts';
+import { WORDS } from './words.ts';
 
 export interface Link extends Opening {
   readonly follow: BodyName;
@@ -23,17 +24,17 @@ export function readLink(hash: string): Link {
     const text = query.get(name);
     if (text === null) return fallback;
     const value = parse(text);
-    if (value === undefined) problems.push(`In the address, ${name} must be ${wanted}, but it was “${text}”.`);
+    if (value === undefined) problems.push(WORDS.link.wrong(name, wanted, text));
     return value ?? fallback;
   };
-  const span = `${dayText(DATES.first)} to ${dayText(DATES.last)}`;
-  const mission = read('mission', '', (text) => missionOf(text)?.id, 'mars, mercury or saturn');
+  const { link } = WORDS;
+  const mission = read('mission', '', (text) => missionOf(text)?.id, link.mission);
   return {
-    date: read('date', EPOCH_2012, readDate, `a day from ${span}, such as 2012-07-04`),
-    rate: read('speed', RATES.initial, readRate, `a number of seconds from ${RATES.min} to ${RATES.max}`),
+    date: read('date', EPOCH_2012, readDate, link.date(dayText(DATES.first), dayText(DATES.last))),
+    rate: read('speed', RATES.initial, readRate, link.speed(RATES.min, RATES.max)),
     mission,
-    burns: read('flight', [], readBurns, 'a list of burns, each of four numbers'),
-    follow: read('follow', 'sun', readBody, `one of ${BODY_NAMES.join(', ')}`),
+    burns: read('flight', [], readBurns, link.flight),
+    follow: read('follow', 'sun', readBody, link.follow(BODY_NAMES.join(', '))),
     problems,
   };
 }

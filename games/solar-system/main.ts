@@ -1,6 +1,6 @@
 /** The solar system as JPL knows it, and missions to fly in it, drawn by three.js. */
 import { BODY_NAMES } from '@principia/scenes';
-import { startGame } from '@principia/shell';
+import { helpLines, startGame } from '@principia/shell';
 import { Page } from './page.ts';
 import { outcomeOf, reportState } from './report.ts';
 import { settings } from './settings.ts';
@@ -8,7 +8,18 @@ import { createGame } from './sim.ts';
 import { RATES } from './solar-clock.ts';
 import { WORDS } from './words.ts';
 
+document.title = WORDS.title;
 const page = new Page(location.hash);
+
+/** The world's masses are G m in km³/s², its lengths km. */
+const UNITS = {
+  m: 'km',
+  'm/s': 'km/s',
+  kg: 'km³/s²',
+  'kg m/s': 'GM km/s',
+  'kg m²/s': 'GM km²/s',
+  J: 'GM km²/s²',
+};
 
 /** Factor by which an arrow key changes the speed of time. */
 const KEY_FACTOR = 2;
@@ -19,8 +30,10 @@ const digits = BODY_NAMES.slice(0, 10).map(
 
 await startGame({
   title: WORDS.title,
+  scoresName: 'Solar system',
   home: '../index.html',
   settings,
+  units: UNITS,
   create: ({ values }) => createGame({ values, opening: page.opening }),
   apply(sim, name) {
     if (name !== 'moon') return true;
@@ -52,13 +65,5 @@ await startGame({
       open: async (context) => (await import('./view.ts')).openView(context, page),
     },
   },
-  help: [
-    ['Tap a body, 0–9', 'follow it: 0 is the Sun, 3 the Earth, 9 Neptune'],
-    ['Drag, wheel, pinch', 'turn the view and zoom'],
-    ['Arrow keys', 'time runs twice as fast, or half as fast', 'keyboard'],
-    ['Missions', 'launch a probe: set its change of velocity, and let planets pull it'],
-    ['Forward', 'along the orbit: more of it leads farther from the Sun on the other side'],
-    ['Outward, north', 'away from the Sun, and out of the plane'],
-    ['Score', 'less fuel and fewer days give more points'],
-  ],
+  help: helpLines(WORDS.help, ['time']),
 });

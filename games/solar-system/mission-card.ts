@@ -1,17 +1,17 @@
 /** The card of the mission: what to do, the change of velocity to set, and what will come of it. */
 import type { BodyName } from '@principia/scenes';
-import type { ViewContext } from '@principia/shell';
+import { inLanguage, speakNumbers, type ViewContext } from '@principia/shell';
 import { indexOf, rounded } from './flight.ts';
 import { type FlightPlan, MAX_WAIT } from './flight-plan.ts';
 import { MISSIONS, type Mission, PASS } from './missions.ts';
 import type { Page } from './page.ts';
-import { isOver, scoreOf, titleOf } from './report.ts';
+import { flightLines, isOver, scoreOf, titleOf } from './report.ts';
 import type { Settings } from './settings.ts';
 import type { SolarGame } from './sim.ts';
 import { DAY } from './solar-clock.ts';
 import { TRACKED } from './track.ts';
 import { difference, lengthOf } from './vectors.ts';
-import { distanceText, flightLines, label, MISSION_WORDS, speedText, WORDS } from './words.ts';
+import { distanceText, speedText, WORDS } from './words.ts';
 
 export interface MissionCard {
   readonly element: HTMLElement;
@@ -37,7 +37,7 @@ export function createMissionCard(
       element.className = 'ss-menu';
       element.replaceChildren(
         paragraph('ss-hint', WORDS.welcome),
-        ...MISSIONS.map((each) => button(MISSION_WORDS[each.id].title, () => page.startMission(context.sim(), each))),
+        ...MISSIONS.map((each) => button(WORDS.missions[each.id].title, () => page.startMission(context.sim(), each))),
       );
       return;
     }
@@ -73,14 +73,8 @@ function watchedParts(context: ViewContext<Settings, SolarGame>, page: Page, mis
   return {
     elements: [heading(context, page, mission), text, row(again)],
     update(sim) {
-      const { flight } = sim;
-      const [spent, nearest] = flightLines(
-        mission,
-        flight.deltaV,
-        sim.flightDays(),
-        flight.closest[indexOf(mission.target)],
-      );
-      const end = isOver(sim) ? `${titleOf(sim)} – ${scoreOf(sim)} points. ` : '';
+      const [spent, nearest] = flightLines(sim, mission);
+      const end = isOver(sim) ? `${titleOf(sim)} – ${WORDS.points(scoreOf(sim))}. ` : '';
       say(text, `${end}${spent}. ${nearest}.`);
     },
   };
@@ -93,7 +87,7 @@ function controlParts(
   mission: Mission,
   isReady: boolean,
 ): Parts {
-  const words = MISSION_WORDS[mission.id];
+  const words = WORDS.missions[mission.id];
   const goal = paragraph('ss-goal', isReady ? `${words.goal} ${words.hint}` : words.goal);
   const sliders = [WORDS.forward, WORDS.outward, WORDS.north].map((name, i) =>
     createSlider(name, mission.budget, (value) => {
@@ -120,10 +114,18 @@ function controlParts(
     elements: [heading(context, page, mission), goal, slides, outlook, warning, row(go, ...aims, ...waits)],
     update(sim) {
       for (const [i, slider] of sliders.entries()) slider.show(plan.amounts[i]);
-      say(outlook, outlookOf(sim, plan, mission, isReady));
+      // On the way to the date of the launch there is nothing to see ahead.
+      say(outlook, sim.clock.isTravelling ? '' : outlookOf(sim, plan, mission, isReady));
       const isTooMuch = !sim.canBurn(plan.size) && plan.size > 0;
       go.disabled = isTooMuch || plan.size === 0 || plan.aimState === 'running' || sim.clock.isTravelling;
-      say(warning, isTooMuch ? WORDS.overBudget(mission.budget) : plan.aimState === 'failed' ? WORDS.aimFailed : '');
+      say(
+        warning,
+        isTooMuch
+          ? WORDS.overBudget(inLanguage(String(mission.budget)))
+          : plan.aimState === 'failed'
+            ? WORDS.aimFailed
+            : '',
+      );
       warning.hidden = warning.textContent === '';
     },
   };
@@ -147,36 +149,44 @@ function aimButtons(
   const buttons: HTMLButtonElement[] = [];
   if (via !== undefined) {
     const ahead = PASS[via] ?? 0;
-    const text = ahead > 0 ? WORDS.passBefore(via) : WORDS.passBehind(via);
+    const text = ahead > 0 ? WORDS.passBefore(nameOf(via)) : WORDS.passBehind(nameOf(via));
     buttons.push(button(text, () => plan.aim(context.sim(), via, ahead, 0.15 * Math.abs(ahead))));
   }
-  buttons.push(button(WORDS.reach(target), () => plan.aim(context.sim(), target, 0, 0.4 * reach)));
+  buttons.push(button(WORDS.reach(nameOf(target)), () => plan.aim(context.sim(), target, 0, 0.4 * reach)));
   return buttons;
 }
+
+const nameOf = (name: BodyName): string => WORDS.bodies[name][0];
 
 /** What the prepared burn leads to, or where the probe is. */
 function outlookOf(sim: SolarGame, plan: FlightPlan, mission: Mission, isReady: boolean): string {
   if (plan.aimState === 'running') return WORDS.aiming;
   const { flight, clock } = sim;
   const { via, target } = mission;
-  const spent = `Δv ${speedText(flight.deltaV + (isReady ? plan.size : 0))} of ${mission.budget} km/s.`;
+  const speed = speedText(flight.deltaV + (isReady ? plan.size : 0));
+  const spent = `${WORDS.spent(speed, inLanguage(String(mission.budget)))}.`;
   const start = isReady ? clock.now : flight.launch;
   const dateOf = (name: BodyName) => plan.closestAt[TRACKED.indexOf(name)];
   const pass = (name: BodyName) =>
-    `${label(name)} ${distanceText(plan.closest[TRACKED.indexOf(name)])} on day ${Math.round((dateOf(name) - start) / DAY)}`;
+    WORDS.pass(
+      WORDS.bodies[name][1],
+      distanceText(plan.closest[TRACKED.indexOf(name)]),
+      Math.round((dateOf(name) - start) / DAY),
+    );
   const isPast =
     via !== undefined && !isReady && flight.closestAt[indexOf(via)] < clock.now - DAY && dateOf(via) < clock.now + DAY;
-  const ahead = via === undefined || isPast ? pass(target) : `${pass(via)}, ${pass(target)}`;
-  if (isReady) return `Passes ${ahead}. ${spent}`;
+  const ahead = via === undefined || isPast ? pass(target) : WORDS.both(pass(via), pass(target));
+  if (isReady) return `${WORDS.willPass(ahead)} ${spent}`;
   const now = distanceText(lengthOf(difference(sim.probeState().position, sim.bodyState(target).position)));
-  const past = isPast ? WORDS.passed(via, distanceText(flight.closest[indexOf(via)])) : '';
-  return `Day ${Math.floor(sim.flightDays())} of ${mission.maxDays}, ${now} from ${label(target)}. ${past} Will pass ${ahead}. ${spent}`;
+  const past = isPast ? `${WORDS.passed(nameOf(via), distanceText(flight.closest[indexOf(via)]))} ` : '';
+  const day = WORDS.flying(Math.floor(sim.flightDays()), mission.maxDays, now, nameOf(target));
+  return `${day} ${past}${WORDS.laterPasses(ahead)} ${spent}`;
 }
 
 function heading(context: ViewContext<Settings, SolarGame>, page: Page, mission: Mission): HTMLElement {
   const element = document.createElement('h2');
   element.append(
-    MISSION_WORDS[mission.id].title,
+    WORDS.missions[mission.id].title,
     button(WORDS.endMission, () => page.endMission(context.sim()), 'ss-end'),
   );
   return element;
@@ -186,11 +196,13 @@ function createSlider(name: string, budget: number, set: (value: number) => void
   const element = document.createElement('label');
   element.className = 'ss-slide';
   const limits = `min="${-budget}" max="${budget}"`;
-  element.innerHTML = `<span>${name}</span><input type="range" ${limits} step="0.01" aria-label="${name}, km/s"><input type="number" ${limits} step="0.01" aria-label="${name}, km/s">`;
+  element.innerHTML = `<span>${name}</span><input type="range" ${limits} step="0.01" aria-label="${name}, km/s"><input class="ss-number" aria-label="${name}, km/s">`;
   const [slider, number] = element.querySelectorAll('input');
+  speakNumbers(number, { min: -budget });
   for (const input of [slider, number]) {
     input.addEventListener('input', () => {
-      if (Number.isFinite(input.valueAsNumber)) set(Math.max(-budget, Math.min(budget, input.valueAsNumber)));
+      const value = input.value.trim() === '' ? Number.NaN : Number(input.value);
+      if (Number.isFinite(value)) set(Math.max(-budget, Math.min(budget, value)));
     });
   }
   let shown = Number.NaN;

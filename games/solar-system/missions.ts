@@ -3,7 +3,7 @@ import type { BodyName } from '@principia/scenes';
 import { julianDate } from './dates.ts';
 
 export interface Mission {
-  readonly id: string;
+  readonly id: 'mars' | 'mercury' | 'saturn';
   readonly target: BodyName;
   /** The planet whose gravity one needs on the way. */
   readonly via?: BodyName;

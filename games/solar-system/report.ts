@@ -1,12 +1,11 @@
 /** What the shell and the tests learn about a game. */
 import { BODY_NAMES } from '@principia/scenes';
-import type { Outcome } from '@principia/shell';
-import { LOOKS } from './bodies.ts';
+import { inLanguage, type Outcome } from '@principia/shell';
 import { dayText } from './dates.ts';
 import { indexOf } from './flight.ts';
-import { pointsOf } from './missions.ts';
+import { type Mission, pointsOf } from './missions.ts';
 import type { SolarGame } from './sim.ts';
-import { flightLines, OUTCOMES, shareLine } from './words.ts';
+import { distanceText, speedText, WORDS } from './words.ts';
 
 /** The result of a flight that ended, unless it was repeated from a link. */
 export function outcomeOf(sim: SolarGame): Outcome | undefined {
@@ -17,8 +16,10 @@ export function outcomeOf(sim: SolarGame): Outcome | undefined {
   return {
     title: titleOf(sim),
     score: points,
-    lines: [...flightLines(mission, flight.deltaV, days, flight.closest[indexOf(mission.target)]), `${points} points`],
-    ...(flight.phase === 'arrived' ? { share: shareLine(mission, flight.deltaV, days, points) } : {}),
+    lines: [...flightLines(sim, mission), WORDS.points(points)],
+    ...(flight.phase === 'arrived'
+      ? { share: WORDS.share(WORDS.missions[mission.id].title, points, speedText(flight.deltaV), Math.round(days)) }
+      : {}),
   };
 }
 
@@ -34,8 +35,18 @@ export function scoreOf(sim: SolarGame): number {
 
 export function titleOf({ mission, flight }: SolarGame): string {
   if (mission === undefined) return '';
-  if (flight.phase === 'crashed') return OUTCOMES.crashed(LOOKS[BODY_NAMES[flight.hit]].label);
-  return flight.phase === 'arrived' ? OUTCOMES.arrived(mission) : OUTCOMES.lost(mission);
+  if (flight.phase === 'crashed') return WORDS.hit(WORDS.bodies[BODY_NAMES[flight.hit]][1]);
+  const [target] = WORDS.bodies[mission.target];
+  return flight.phase === 'arrived' ? WORDS.arrived(target) : WORDS.lost(target);
+}
+
+/** What a flight has come to: what it spent, and how near it came. */
+export function flightLines(sim: SolarGame, { target, budget }: Mission): string[] {
+  const { deltaV, closest } = sim.flight;
+  return [
+    WORDS.result(WORDS.spent(speedText(deltaV), inLanguage(String(budget))), Math.round(sim.flightDays())),
+    WORDS.closest(WORDS.bodies[target][0], distanceText(closest[indexOf(target)])),
+  ];
 }
 
 /** The state that tests read. */

@@ -13,6 +13,7 @@ import type { SolarGame } from './sim.ts';
 import { SolarCamera } from './solar-camera.ts';
 import { createSounds } from './sounds.ts';
 import { difference, lengthOf, scaled, vector } from './vectors.ts';
+import { WORDS } from './words.ts';
 
 /** Distance from which a body is first seen, in its radii. */
 const RADII_AWAY = 26;
@@ -142,8 +143,8 @@ function createPlacement(view: SolarCamera) {
 
 function textsOf(): readonly (readonly [string, string])[] {
   return [
-    ...BODY_NAMES.map((name) => [LOOKS[name].label, LOOKS[name].color] as const),
-    ['Probe', PROBE_COLOR],
+    ...BODY_NAMES.map((name) => [WORDS.bodies[name][0], LOOKS[name].color] as const),
+    [WORDS.probe, PROBE_COLOR],
     ['◎', PROBE_COLOR],
   ];
 }

@@ -1,95 +1,277 @@
-/** The text of the game, and how it writes numbers. */
-import type { BodyName } from '@principia/scenes';
-import { LOOKS } from './bodies.ts';
-import type { Mission } from './missions.ts';
-import type { Limit } from './solar-clock.ts';
+/** All words of the game, in every language. The type of the English ones makes a missing translation an error. */
+import { chooseWords, decimal, grouped, inLanguage, type Language } from '@principia/shell';
 
-export const WORDS = {
+const plural = (count: number, one: string, more: string) => `${count} ${count === 1 ? one : more}`;
+
+const en = {
   title: 'Solar system',
-  welcome: 'Tap a planet to follow it, slide time faster – or fly a mission:',
-  endMission: 'End mission',
-  launch: 'Launch',
-  burn: 'Burn',
-  aiming: 'Aiming…',
-  wait: (days: number) => `Wait ${days} day${days === 1 ? '' : 's'}`,
+  settings: {
+    enlarged: ['Enlarged bodies', 'Off, Sun and planets have their true size, which is less than a pixel from afar'],
+    orbits: ['Orbits', 'The ellipse on which each body is at this moment'],
+    trails: ['Trails', 'The paths that the bodies have taken'],
+    names: 'Names',
+    moon: ['Moon', 'Off, Earth and Moon are one body, and time may run up to 100 years a second'],
+    sound: 'Sound',
+  },
+  help: {
+    follow: ['Tap a body, 0–9', 'follow it: 0 is the Sun, 3 the Earth, 9 Neptune'],
+    view: ['Drag, wheel, pinch', 'turn the view and zoom'],
+    time: ['Arrow keys', 'time runs twice as fast, or half as fast'],
+    missions: ['Missions', 'launch a probe: set its change of velocity, and let planets pull it'],
+    forward: ['Forward', 'along the orbit: more of it leads farther from the Sun on the other side'],
+    outward: ['Outward, north', 'away from the Sun, and out of the plane'],
+    score: ['Score', 'less fuel and fewer days give more points'],
+  },
+  /** Names of bodies: by themselves, and within a sentence. */
+  bodies: {
+    sun: ['Sun', 'the Sun'],
+    mercury: ['Mercury', 'Mercury'],
+    venus: ['Venus', 'Venus'],
+    earth: ['Earth', 'Earth'],
+    moon: ['Moon', 'the Moon'],
+    mars: ['Mars', 'Mars'],
+    jupiter: ['Jupiter', 'Jupiter'],
+    saturn: ['Saturn', 'Saturn'],
+    uranus: ['Uranus', 'Uranus'],
+    neptune: ['Neptune', 'Neptune'],
+    pluto: ['Pluto', 'Pluto'],
+  },
+  probe: 'Probe',
+  date: 'Date',
+  goToDate: 'Go to a date',
+  today: 'Today',
+  timeSpeed: 'Speed of time',
+  slowest: '1 s/s',
+  fastest: '100 years/s',
+  standsStill: 'time stands still',
+  rate: (count: string, unit: string) => `${count} ${unit} a second`,
+  years: ['year', 'years'],
+  days: ['day', 'days'],
+  hours: ['hour', 'hours'],
+  minutes: ['minute', 'minutes'],
+  seconds: ['second', 'seconds'],
+  travelling: (years: number) => `Computing ${plural(years, 'year', 'years')} of all orbits…`,
+  /** Why time runs slower than wanted. */
+  limits: {
+    none: '',
+    moon: 'limited: the Moon needs short steps. Switch it off in the settings for up to 100 years a second',
+    scheme: 'limited by the steps of the planets',
+    encounter: 'slowed down: the probe passes a planet',
+  },
   accuracy: 'Against JPL’s ephemeris DE421',
+  errorsOn: (day: string) => `on ${day}, in km and by distance from the Sun (Moon: Earth)`,
   noReference:
     'JPL’s positions are stored for 2012, and for dates of 2000, 2001, 2010 and 2050: let time pass one of them.',
+  welcome: 'Tap a planet to follow it, slide time faster – or fly a mission:',
+  missions: {
+    mars: {
+      title: 'To Mars',
+      goal: 'Come within 1 million km of Mars.',
+      hint: 'Slide until the dashed path meets ◎, where Mars will be – or let “Reach Mars” do the last bit.',
+    },
+    mercury: {
+      title: 'Fall to Mercury',
+      goal: 'Come within 2 million km of Mercury. Venus must brake you: the tank is too small without it.',
+      hint: 'Pass before Venus, and its gravity takes speed from you; then reach for Mercury.',
+    },
+    saturn: {
+      title: 'Jupiter slingshot',
+      goal: 'Swing by Jupiter to Saturn, within 5 million km, in the autumn of the Voyagers.',
+      hint: 'Pass behind Jupiter, and it drags you along on its way; then reach for Saturn.',
+    },
+  },
+  endMission: 'End mission',
+  tryIt: 'Fly it yourself',
   forward: 'Forward',
   outward: 'Outward',
   north: 'North',
-  today: 'Today',
-  travelling: (days: number) => `Computing ${Math.ceil(days / 365.25)} year${days > 365.25 ? 's' : ''} of all orbits…`,
-  tryIt: 'Fly it yourself',
-  passBehind: (name: BodyName) => `Pass behind ${label(name)}`,
-  passBefore: (name: BodyName) => `Pass before ${label(name)}`,
-  reach: (name: BodyName) => `Reach ${label(name)}`,
-  passed: (name: BodyName, distance: string) => `Passed ${label(name)} at ${distance}.`,
-  overBudget: (budget: number) => `More than the ${budget} km/s of this mission`,
+  launch: 'Launch',
+  burn: 'Burn',
+  wait: (days: number) => `Wait ${plural(days, 'day', 'days')}`,
+  aiming: 'Aiming…',
+  passBehind: (name: string) => `Pass behind ${name}`,
+  passBefore: (name: string) => `Pass before ${name}`,
+  reach: (name: string) => `Reach ${name}`,
+  pass: (name: string, distance: string, day: number) => `${name} ${distance} on day ${day}`,
+  both: (first: string, second: string) => `${first}, ${second}`,
+  willPass: (what: string) => `Passes ${what}.`,
+  flying: (day: number, most: number, distance: string, target: string) =>
+    `Day ${day} of ${most}, ${distance} from ${target}.`,
+  passed: (name: string, distance: string) => `Passed ${name} at ${distance}.`,
+  laterPasses: (what: string) => `Will pass ${what}.`,
+  spent: (speed: string, budget: string) => `Δv ${speed} of ${budget} km/s`,
+  overBudget: (budget: string) => `More than the ${budget} km/s of this mission`,
   aimFailed: 'No way found from here. Change the sliders a little, or wait some days.',
-} as const;
-
-export const label = (name: BodyName): string =>
-  name === 'sun' || name === 'moon' ? `the ${LOOKS[name].label}` : LOOKS[name].label;
-
-interface MissionWords {
-  readonly title: string;
-  readonly goal: string;
-  readonly hint: string;
-}
-
-export const MISSION_WORDS: Readonly<Record<string, MissionWords>> = {
-  mars: {
-    title: 'To Mars',
-    goal: 'Come within 1 million km of Mars.',
-    hint: 'Slide until the dashed path meets ◎, where Mars will be – or let “Reach Mars” do the last bit.',
-  },
-  mercury: {
-    title: 'Fall to Mercury',
-    goal: 'Come within 2 million km of Mercury. Venus must brake you: the tank is too small without it.',
-    hint: 'Pass before Venus, and its gravity takes speed from you; then reach for Mercury.',
-  },
-  saturn: {
-    title: 'Jupiter slingshot',
-    goal: 'Swing by Jupiter to Saturn, within 5 million km, in the autumn of the Voyagers.',
-    hint: 'Pass behind Jupiter, and it drags you along on its way; then reach for Saturn.',
+  arrived: (name: string) => `${name} reached`,
+  lost: (name: string) => `${name} missed`,
+  hit: (name: string) => `Crashed into ${name}`,
+  points: (points: number) => `${points} points`,
+  result: (spent: string, days: number) => `${spent}, ${days} days`,
+  closest: (name: string, distance: string) => `Closest to ${name}: ${distance}`,
+  share: (mission: string, points: number, speed: string, days: number) =>
+    `Solar system, ${mission}: ${points} points with ${speed} in ${days} days. Watch my flight:`,
+  millions: (count: string) => `${count} million km`,
+  /** What may be wrong with the address. */
+  link: {
+    wrong: (name: string, wanted: string, was: string) =>
+      `In the address, ${name} must be ${wanted}, but it was “${was}”.`,
+    mission: 'mars, mercury or saturn',
+    date: (first: string, last: string) => `a day from ${first} to ${last}, such as 2012-07-04`,
+    speed: (least: number, most: number) => `a number of seconds from ${least} to ${most}`,
+    flight: 'a list of burns, each of four numbers',
+    follow: (names: string) => `one of ${names}`,
   },
 };
 
-const LIMITS: Readonly<Record<Limit, string>> = {
-  none: '',
-  moon: 'limited: the Moon needs short steps. Switch it off in the settings for up to 100 years a second',
-  scheme: 'limited by the steps of the planets',
-  encounter: 'slowed down: the probe passes a planet',
+export type Words = typeof en;
+
+const de: Words = {
+  title: 'Sonnensystem',
+  settings: {
+    enlarged: ['Vergrößerte Körper', 'Aus: Sonne und Planeten in wahrer Größe, von fern weniger als ein Pixel'],
+    orbits: ['Bahnen', 'Die Ellipse, auf der jeder Körper in diesem Augenblick ist'],
+    trails: ['Spuren', 'Die Wege, die die Körper genommen haben'],
+    names: 'Namen',
+    moon: ['Mond', 'Aus: Erde und Mond sind ein Körper, und die Zeit darf bis zu 100 Jahre pro Sekunde laufen'],
+    sound: 'Ton',
+  },
+  help: {
+    follow: ['Tippen, 0–9', 'folgt einem Körper: 0 ist die Sonne, 3 die Erde, 9 Neptun'],
+    view: ['Ziehen, Mausrad', 'dreht und zoomt die Ansicht'],
+    time: ['Pfeiltasten', 'die Zeit läuft doppelt oder halb so schnell'],
+    missions: [
+      'Missionen',
+      'starte eine Sonde: Stelle ein, wie sich ihre Geschwindigkeit ändert, und lass Planeten sie ziehen',
+    ],
+    forward: ['Vorwärts', 'entlang der Bahn: Mehr davon führt auf der anderen Seite weiter von der Sonne weg'],
+    outward: ['Auswärts, Norden', 'weg von der Sonne und aus der Bahnebene hinaus'],
+    score: ['Wertung', 'weniger Treibstoff und weniger Tage geben mehr Punkte'],
+  },
+  bodies: {
+    sun: ['Sonne', 'die Sonne'],
+    mercury: ['Merkur', 'den Merkur'],
+    venus: ['Venus', 'die Venus'],
+    earth: ['Erde', 'die Erde'],
+    moon: ['Mond', 'den Mond'],
+    mars: ['Mars', 'den Mars'],
+    jupiter: ['Jupiter', 'den Jupiter'],
+    saturn: ['Saturn', 'den Saturn'],
+    uranus: ['Uranus', 'den Uranus'],
+    neptune: ['Neptun', 'den Neptun'],
+    pluto: ['Pluto', 'den Pluto'],
+  },
+  probe: 'Sonde',
+  date: 'Datum',
+  goToDate: 'Zu einem Datum gehen',
+  today: 'Heute',
+  timeSpeed: 'Tempo der Zeit',
+  slowest: '1 s/s',
+  fastest: '100 Jahre/s',
+  standsStill: 'die Zeit steht still',
+  rate: (count, unit) => `${count} ${unit} pro Sekunde`,
+  years: ['Jahr', 'Jahre'],
+  days: ['Tag', 'Tage'],
+  hours: ['Stunde', 'Stunden'],
+  minutes: ['Minute', 'Minuten'],
+  seconds: ['Sekunde', 'Sekunden'],
+  travelling: (years) => `Berechnet ${plural(years, 'Jahr', 'Jahre')} aller Bahnen …`,
+  limits: {
+    none: '',
+    moon: 'gebremst: Der Mond braucht kurze Schritte. Ohne ihn (Einstellungen) gehen bis zu 100 Jahre pro Sekunde',
+    scheme: 'begrenzt durch die Schritte der Planeten',
+    encounter: 'gebremst: Die Sonde fliegt an einem Planeten vorbei',
+  },
+  accuracy: 'Verglichen mit DE421 vom JPL',
+  errorsOn: (day) => `am ${day}, in km und je Abstand von der Sonne (Mond: Erde)`,
+  noReference:
+    'Positionen des JPL sind für 2012 gespeichert und für Tage in 2000, 2001, 2010 und 2050: Lass die Zeit über einen davon laufen.',
+  welcome: 'Tippe auf einen Planeten, um ihm zu folgen, lass die Zeit schneller laufen – oder flieg eine Mission:',
+  missions: {
+    mars: {
+      title: 'Zum Mars',
+      goal: 'Komm dem Mars auf 1 Million km nahe.',
+      hint: 'Schiebe, bis die gestrichelte Bahn ◎ trifft, wo der Mars dann ist – oder lass „Ziel: Mars“ den Rest tun.',
+    },
+    mercury: {
+      title: 'Sturz zum Merkur',
+      goal: 'Komm dem Merkur auf 2 Millionen km nahe. Die Venus muss dich bremsen: Ohne sie reicht der Tank nicht.',
+      hint: 'Flieg vor der Venus vorbei, und ihre Schwerkraft nimmt dir Fahrt; ziele dann auf den Merkur.',
+    },
+    saturn: {
+      title: 'Schwung am Jupiter',
+      goal: 'Hol Schwung am Jupiter und komm dem Saturn auf 5 Millionen km nahe, im Herbst der Voyager-Sonden.',
+      hint: 'Flieg hinter dem Jupiter vorbei, und er zieht dich auf seinem Weg mit; ziele dann auf den Saturn.',
+    },
+  },
+  endMission: 'Mission beenden',
+  tryIt: 'Selbst fliegen',
+  forward: 'Vorwärts',
+  outward: 'Auswärts',
+  north: 'Norden',
+  launch: 'Starten',
+  burn: 'Zünden',
+  wait: (days) => `${plural(days, 'Tag', 'Tage')} warten`,
+  aiming: 'Zielt …',
+  passBehind: (name) => `Hinter ${name} vorbei`,
+  passBefore: (name) => `Vor ${name} vorbei`,
+  reach: (name) => `Ziel: ${name}`,
+  pass: (name, distance, day) => `${name} in ${distance} Abstand an Tag ${day}`,
+  both: (first, second) => `${first} und ${second}`,
+  willPass: (what) => `Passiert ${what}.`,
+  flying: (day, most, distance, target) => `Tag ${day} von ${most}, ${distance} bis ${target}.`,
+  passed: (name, distance) => `${name} in ${distance} Abstand passiert.`,
+  laterPasses: (what) => `Passiert dann ${what}.`,
+  spent: (speed, budget) => `Δv ${speed} von ${budget} km/s`,
+  overBudget: (budget) => `Mehr als die ${budget} km/s dieser Mission`,
+  aimFailed: 'Von hier aus kein Weg gefunden. Ändere die Regler ein wenig oder warte ein paar Tage.',
+  arrived: (name) => `${name} erreicht`,
+  lost: (name) => `${name} verfehlt`,
+  hit: (name) => `Gegen ${name} geprallt`,
+  points: (points) => `${points} Punkte`,
+  result: (spent, days) => `${spent}, ${days} Tage`,
+  closest: (name, distance) => `Kleinster Abstand von ${name}: ${distance}`,
+  share: (mission, points, speed, days) =>
+    `Sonnensystem, ${mission}: ${points} Punkte mit ${speed} in ${days} Tagen. Sieh dir meinen Flug an:`,
+  millions: (count) => `${count} Mio. km`,
+  link: {
+    wrong: (name, wanted, was) => `In der Adresse muss ${name} ${wanted} sein, war aber „${was}“.`,
+    mission: 'mars, mercury oder saturn',
+    date: (first, last) => `ein Tag von ${first} bis ${last}, etwa 2012-07-04,`,
+    speed: (least, most) => `eine Zahl von Sekunden von ${least} bis ${most}`,
+    flight: 'eine Liste von Zündungen mit je vier Zahlen',
+    follow: (names) => `eines von ${names}`,
+  },
 };
 
-export const limitText = (limit: Limit): string => LIMITS[limit];
+export const WORDS_BY_LANGUAGE: Readonly<Record<Language, Words>> = { en, de };
+
+export const WORDS = chooseWords(WORDS_BY_LANGUAGE);
 
 const UNITS = [
-  [365.25 * 86400, 'year'],
-  [86400, 'day'],
-  [3600, 'hour'],
-  [60, 'minute'],
-  [1, 'second'],
+  [365.25 * 86400, 'years'],
+  [86400, 'days'],
+  [3600, 'hours'],
+  [60, 'minutes'],
+  [1, 'seconds'],
 ] as const;
 
 /** A rate of time, such as `5 days a second`. */
 export function rateText(rate: number): string {
-  if (rate === 0) return 'time stands still';
+  if (rate === 0) return WORDS.standsStill;
   const [length, unit] = UNITS.find(([seconds]) => rate >= 0.95 * seconds) ?? UNITS[4];
   const count = rate / length;
   const number = count < 10 ? Number(count.toPrecision(2)) : Math.round(count);
-  return `${number} ${unit}${number === 1 ? '' : 's'} a second`;
+  return WORDS.rate(inLanguage(String(number)), WORDS[unit][number === 1 ? 0 : 1]);
 }
 
-/** A distance, such as `320 m`, `384 000 km` or `2.31 million km`. */
+/** A distance, such as `320 m`, `384,000 km` or `2.31 million km`. */
 export function distanceText(km: number): string {
   if (!Number.isFinite(km)) return '–';
   if (km < 0.995) return `${Math.round(1000 * km)} m`;
-  if (km < 10) return `${km.toFixed(1)} km`;
-  if (km < 9.95e5) return `${Number(km.toPrecision(3)).toLocaleString('en').replaceAll(',', ' ')} km`;
+  if (km < 10) return `${decimal(km, 1)} km`;
+  if (km < 9.95e5) return `${grouped(Number(km.toPrecision(3)))} km`;
   const millions = km / 1e6;
-  return `${millions < 100 ? millions.toPrecision(3) : Math.round(millions)} million km`;
+  return WORDS.millions(millions < 100 ? inLanguage(millions.toPrecision(3)) : grouped(Math.round(millions)));
 }
 
 /** A part of a distance, such as `2·10⁻⁹`. */
@@ -102,21 +284,4 @@ export function shareText(share: number): string {
   return `${digit}·10${power}`;
 }
 
-export const speedText = (kmPerSecond: number): string => `${kmPerSecond.toFixed(2)} km/s`;
-
-/** What the flight has come to, for the card at its end. */
-export const OUTCOMES = {
-  arrived: (mission: Mission) => `${LOOKS[mission.target].label} reached`,
-  lost: (mission: Mission) => `${LOOKS[mission.target].label} missed`,
-  crashed: (name: string) => `Crashed into ${name}`,
-} as const;
-
-export function flightLines(mission: Mission, deltaV: number, days: number, nearest: number): string[] {
-  return [
-    `Δv ${speedText(deltaV)} of ${mission.budget} km/s, ${Math.round(days)} days`,
-    `Closest to ${label(mission.target)}: ${distanceText(nearest)}`,
-  ];
-}
-
-export const shareLine = (mission: Mission, deltaV: number, days: number, points: number): string =>
-  `Solar system, ${MISSION_WORDS[mission.id].title}: ${points} points with ${speedText(deltaV)} in ${Math.round(days)} days. Watch my flight:`;
+export const speedText = (kmPerSecond: number): string => `${decimal(kmPerSecond, 2)} km/s`;

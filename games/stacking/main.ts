@@ -1,9 +1,12 @@
 /** A sandbox of rigid bodies, drawn by pixi.js. */
-import { dragByJoints, startGame } from '@principia/shell';
+import { dragByJoints, helpLines, startGame } from '@principia/shell';
 import { applyColors } from './colors.ts';
 import { readScene } from './scene-link.ts';
 import { settings } from './settings.ts';
 import { applyValue, blast, createSim, dropBlock, report, throwBall } from './sim.ts';
+import { WORDS } from './words.ts';
+
+document.title = WORDS.title;
 
 const ACTIONS = { action: throwBall, up: dropBlock, down: blast } as const;
 
@@ -16,7 +19,7 @@ let scene = await readScene(text ?? '').catch((error: Error) => {
 });
 
 await startGame({
-  title: 'Stack and smash',
+  title: WORDS.title,
   home: '../index.html',
   settings,
   create: (options) => createSim({ ...options, scene }),
@@ -49,13 +52,5 @@ await startGame({
     press: (sim, name) => ACTIONS[name as keyof typeof ACTIONS](sim),
     release() {},
   },
-  help: [
-    ['C, ●', 'throw a heavy ball'],
-    ['N, ■', 'drop a block'],
-    ['T, ✶', 'blow up the middle'],
-    ['Drag a body', 'move it, stack it, release to throw it'],
-    ['Hinge, Motor, Weld', 'tap where two bodies touch, or a body that is to be joined to the background'],
-    ['Cut', 'swipe through bodies'],
-    ['Link', 'saves the scene to a link, with its joints'],
-  ],
+  help: helpLines(WORDS.help),
 });

@@ -3,7 +3,8 @@ import { dragBodies } from '@principia/shell';
 import { describe, expect, it } from 'vitest';
 import { cutAlong } from './cut.ts';
 import { join } from './join.ts';
-import { readScene, sceneOf, writeScene } from './scene-link.ts';
+import { sceneOf } from './saved-scene.ts';
+import { readScene, writeScene } from './scene-link.ts';
 import { settings } from './settings.ts';
 import { applyValue, blast, createSim, dropBlock, report, throwBall } from './sim.ts';
 
@@ -147,6 +148,6 @@ describe('tools', () => {
     for (const wrong of ['', '1.', '9.abc', `${text.slice(0, 40)}`, '1.!!!']) {
       await expect(readScene(wrong)).rejects.toThrow(/^The scene in the address cannot be read because/);
     }
-    expect(() => sceneOf(make({ count: 900 }).world, 0)).toThrow(/250 bodies at most/);
+    await expect(writeScene(sceneOf(make({ count: 900 }).world, 0))).rejects.toThrow(/250 bodies at most/);
   });
 });

@@ -14,7 +14,7 @@ import {
 } from '@principia/physics';
 import { query } from 'bitecs';
 import { build } from './builds.ts';
-import { buildScene, type SavedScene } from './scene-link.ts';
+import { buildScene, type SavedScene } from './saved-scene.ts';
 
 /** The settings of a build. */
 export interface StackingValues {

@@ -1,15 +1,9 @@
 /** The palette: what a pointer does on the stage. */
-import { hasCoarsePointer } from '@principia/shell';
+import { WORDS } from './words.ts';
 
-export const TOOLS = {
-  drag: ['↔', 'Drag', 'Drag bodies to stack or throw them'],
-  hinge: ['○', 'Hinge', 'Tap where two bodies touch to hinge them together, or a body to hang it up'],
-  motor: ['↻', 'Motor', 'Tap a body to make it turn, about another body or in its place'],
-  weld: ['✚', 'Weld', 'Tap where two bodies touch to fix them together'],
-  cut: ['✂', 'Cut', 'Swipe through bodies to cut them'],
-} as const;
+export type Tool = keyof typeof WORDS.tool;
 
-export type Tool = keyof typeof TOOLS;
+const ICONS: Readonly<Record<Tool, string>> = { drag: '↔', hinge: '○', motor: '↻', weld: '✚', cut: '✂' };
 
 export interface Palette {
   readonly tool: Tool;
@@ -25,7 +19,7 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 .st-tools button[aria-pressed=true] { background: var(--accent); color: #1c1503 }
 .game-hint { bottom: 78px }
 @media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools span { display: none }
-  .game:has(.game-side:not([hidden])) .st-tools { left: 50% } .game-hint { top: 130px } }`;
+  .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px } }`;
 
 /** @param onShare saves the scene to a link @param onHint receives what the chosen tool does */
 export function createPalette(parent: HTMLElement, onShare: () => void, onHint: (text: string) => void): Palette {
@@ -33,7 +27,7 @@ export function createPalette(parent: HTMLElement, onShare: () => void, onHint: 
   const root = document.createElement('div');
   root.className = 'st-tools';
   root.setAttribute('role', 'group');
-  root.setAttribute('aria-label', 'Tools');
+  root.setAttribute('aria-label', WORDS.tools);
   const style = document.createElement('style');
   style.textContent = STYLE;
   root.append(style);
@@ -49,15 +43,15 @@ export function createPalette(parent: HTMLElement, onShare: () => void, onHint: 
     root.append(button);
     return button;
   };
-  const buttons = Object.entries(TOOLS).map(([name, [icon, label, title]]) => {
+  const buttons = Object.entries(WORDS.tool).map(([name, [label, title]]) => {
     const choose = () => {
       tool = name as Tool;
       show();
       onHint(title);
     };
-    return { name, button: add(icon, label, title, choose) };
+    return { name, button: add(ICONS[name as Tool], label, title, choose) };
   });
-  add('⇗', hasCoarsePointer() ? 'Share' : 'Link', 'Save the scene to a link', onShare);
+  add('⇗', WORDS.link, WORDS.linkHint, onShare);
   const show = () => {
     for (const { name, button } of buttons) button.setAttribute('aria-pressed', String(name === tool));
   };

@@ -1,20 +1,19 @@
 /** The view: every body as the shape that it has, its joints, and the tools with which a pointer works on them. */
 import { nearestPoint } from '@principia/physics';
 import { createBodyLayer } from '@principia/render-pixi';
-import { copyLink, hasCoarsePointer, listenToTaps, showHint, type View, type ViewContext } from '@principia/shell';
+import { copyLink, listenToTaps, showHint, type View, type ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import { Container } from 'pixi.js';
 import { cutAlong } from './cut.ts';
 import { createInsideLayers } from './inside-layers.ts';
 import { join } from './join.ts';
 import { createJointMarks } from './joint-marks.ts';
-import { sceneOf, writeScene } from './scene-link.ts';
+import { sceneOf } from './saved-scene.ts';
+import { writeScene } from './scene-link.ts';
 import type { Settings } from './settings.ts';
 import type { StackingRun } from './sim.ts';
 import { createPalette } from './tools.ts';
-
-const TEXT = 'Drag bodies, or take a tool. C throws a ball, N drops a block, T blows up the middle.';
-const TOUCH_TEXT = 'Drag bodies, or take a tool. The buttons throw a ball, drop a block and blow up the middle.';
+import { WORDS } from './words.ts';
 
 /** Layers of bodies that can be taken: not that of the ground. */
 const TAKEN = 1;
@@ -51,7 +50,7 @@ export async function openView(context: ViewContext<Settings, StackingRun>): Pro
     },
   });
   const stopTools = listenToTools(context, view, () => palette.tool);
-  const removeHint = showHint(context.element, hasCoarsePointer() ? TOUCH_TEXT : TEXT);
+  const removeHint = showHint(context.element, WORDS.hint);
   const destroy = () => {
     stopTools();
     removeHint();
@@ -73,7 +72,7 @@ function listenToTools(context: ViewContext<Settings, StackingRun>, view: View, 
     const name = tool();
     if (name === 'drag' || name === 'cut') return;
     const joint = join(context.sim().world, name as 'hinge' | 'motor' | 'weld', worldPoint(x, y));
-    if (joint === 0) context.showMessage('There is no body to join. Tap on one, or where two touch.');
+    if (joint === 0) context.showMessage(WORDS.nothingToJoin);
   });
   const stop = new AbortController();
   const { signal } = stop;
@@ -104,7 +103,7 @@ async function share(context: ViewContext<Settings, StackingRun>): Promise<void>
   try {
     const link = new URL(location.href);
     link.hash = `scene=${await writeScene(sceneOf(world, ground))}`;
-    context.showMessage(await copyLink(link.href, 'your scene'));
+    context.showMessage(await copyLink(link.href, WORDS.yourScene));
   } catch (error) {
     context.showMessage((error as Error).message);
   }

@@ -1,6 +1,7 @@
 /** The games as a static site: files that any web server serves from any folder, with no other address in them. */
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
+import { WORDS_BY_LANGUAGE } from '../../games/front-page/words.mjs';
 import { scriptsByGame, startSooner } from './first-scripts.mjs';
 import { serviceWorker, withServiceWorker } from './service-worker.mjs';
 import { frontPageOptions, siteBundles } from './site-bundle.mjs';
@@ -13,7 +14,7 @@ if (location.protocol === 'file:') {
     var note = document.createElement('p');
     note.setAttribute('role', 'alert');
     note.style.cssText = 'position:fixed;left:0;right:0;bottom:0;margin:0;padding:14px 18px;background:#30142b;color:#ffdfe3;font:15px/1.5 system-ui,sans-serif;z-index:9';
-    note.textContent = 'Browsers do not run games straight from a folder. Serve the folder of this site, as with “npx serve” or “python3 -m http.server”, and open the address it prints.';
+    note.textContent = /^de/i.test(navigator.language) ? ${JSON.stringify(WORDS_BY_LANGUAGE.de.fromDisk)} : ${JSON.stringify(WORDS_BY_LANGUAGE.en.fromDisk)};
     document.body.appendChild(note);
   });
 }

@@ -1,5 +1,6 @@
 /** The pages of the games site: which games exist, their HTML, and the list that leads to them. */
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { WORDS_BY_LANGUAGE } from '../../games/front-page/words.mjs';
 import { root } from './paths.mjs';
 
 const gamesFolder = `${root}/games`;
@@ -36,21 +37,40 @@ export function gamePicture(name) {
   return existsSync(file) ? readFileSync(file) : undefined;
 }
 
-/** Kinds of games, as in `<meta name="kind">`, in the order of the front page, and their headings. */
-const KINDS = { game: 'Games', toy: 'Things to play with', lab: 'Experiments' };
+/** Kinds of games, as in `<meta name="kind">`, in the order of the front page. */
+const KINDS = /** @type {const} */ (['game', 'toy', 'lab']);
 
 /** The front page: `games/index.html`; the lists of games by kind take the place of `<!-- games -->`. */
 export function frontPage() {
   const file = `${gamesFolder}/index.html`;
   const template = existsSync(file) ? readFileSync(file, 'utf8') : plainFrontPage;
   const cards = gameNames().map((name) => ({ kind: metaOf(gamePage(name), 'kind') ?? 'toy', card: cardOf(name) }));
-  const sections = Object.entries(KINDS).map(([kind, heading]) => {
-    const own = cards.filter((each) => each.kind === kind || (kind === 'toy' && !Object.hasOwn(KINDS, each.kind)));
+  const sections = KINDS.map((kind) => {
+    const own = cards.filter((each) => each.kind === kind || (kind === 'toy' && !KINDS.some((k) => k === each.kind)));
     const list = own.map(({ card }) => card).join('\n');
-    return own.length === 0 ? '' : `<section><h2>${heading}</h2>\n<ul class="games">\n${list}\n</ul></section>`;
+    const heading = `<h2 data-de="{{de.${kind}}}">{{${kind}}}</h2>`;
+    return own.length === 0 ? '' : `<section>${heading}\n<ul class="games">\n${list}\n</ul></section>`;
   });
-  const list = cards.length > 0 ? sections.join('\n') : '<p>There is no game yet.</p>';
-  return template.replace('<!-- games -->', list);
+  const list = cards.length > 0 ? sections.join('\n') : '<p data-de="{{de.none}}">{{none}}</p>';
+  return withWords(template.replace('<!-- games -->', list));
+}
+
+/**
+ * A page with its words: `{{lead}}` is one in English, and `{{de.lead}}` the same in German, for an attribute.
+ * @param {string} template
+ */
+function withWords(template) {
+  const { en, de } = WORDS_BY_LANGUAGE;
+  return template.replace(/\{\{(de\.)?(\w+)\}\}/g, (found, german, name) => {
+    if (!Object.hasOwn(en, name)) throw new Error(`games/front-page/words.mjs has no words for ${found}.`);
+    const word = /** @type {keyof typeof en} */ (name);
+    return german ? attribute(de[word]) : en[word];
+  });
+}
+
+/** @param {string} text */
+function attribute(text) {
+  return text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
 }
 
 /** @param {string} name */
@@ -61,20 +81,29 @@ function cardOf(name) {
     ? `<img src="./${name}/picture.webp" alt="" width="560" height="350" decoding="async" loading="lazy">`
     : '';
   const address = `./${name}/index.html`;
-  return `<li><a href="${address}">${picture}<b>${titleOf(html) ?? name}</b></a>${about ? ` <span>${about}</span>` : ''}</li>`;
+  const [title, german] = [titleOf(html) ?? name, metaOf(html, 'description', 'de')];
+  const heading = `<b${inGerman(metaOf(html, 'title', 'de'))}>${title}</b>`;
+  return `<li><a href="${address}">${picture}${heading}</a>${about ? ` <span${inGerman(german)}>${about}</span>` : ''}</li>`;
+}
+
+/** @param {string | undefined} text as it stands in another attribute; undefined where a game has none */
+function inGerman(text) {
+  return text === undefined ? ' lang="en"' : ` data-de="${text}"`;
 }
 
 /** @param {string} html */
 function titleOf(html) {
-  return html.match(/<title>([^<]*)<\/title>/i)?.[1].trim() || undefined;
+  return html.match(/<title[^>]*>([^<]*)<\/title>/i)?.[1].trim() || undefined;
 }
 
 /**
  * @param {string} html
  * @param {string} name
+ * @param {string} [language] of a translation
  */
-function metaOf(html, name) {
-  return html.match(new RegExp(`<meta\\s+name="${name}"\\s+content="([^"]*)"`, 'i'))?.[1];
+function metaOf(html, name, language) {
+  const lang = language === undefined ? '' : `lang="${language}"\\s+`;
+  return html.match(new RegExp(`<meta\\s+name="${name}"\\s+${lang}content="([^"]*)"`, 'i'))?.[1];
 }
 
 /**

@@ -6,6 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import type { BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
+import { WORDS_BY_LANGUAGE as FRONT_PAGE } from '../../games/front-page/words.mjs';
 import { writeSite } from '../../scripts/lib/site-build.mjs';
 import { gameNames, gamePicture } from '../../scripts/lib/site-pages.mjs';
 import { type RunningServer, serveFiles } from '../../scripts/lib/static-server.mjs';
@@ -221,6 +222,34 @@ it('has a front page of at most 120 KB with all pictures, a search, a surprise, 
   await page.locator('button', { hasText: 'Surprise me' }).click();
   await page.waitForURL(/black-hole/);
   expect(trouble).toEqual([]);
+});
+
+it.each([
+  ['de-AT', ''],
+  ['en-GB', '?lang=de'],
+])('has a front page in German for a browser in %s and the address “%s”', async (locale, query) => {
+  const { page, trouble } = await openHome({ ...PHONE, locale });
+  const said: string[] = [];
+  page.on('console', (message) => said.push(message.text()));
+  await page.goto(`${home}index.html${query}`);
+  expect(await page.locator('html').getAttribute('lang')).toBe('de');
+  expect(await page.title()).toBe(FRONT_PAGE.de.title);
+  const text = (await page.locator('body').innerText()).replaceAll('\n', ' ');
+  const written = (html: string) => html.replace(/<[^>]*>/g, '');
+  for (const name of ['title', 'lead', 'surprise', 'game', 'toy', 'lab', 'keys', 'privacy'] as const) {
+    expect(text).toContain(written(FRONT_PAGE.de[name]));
+    if (name !== 'title') expect(text).not.toContain(written(FRONT_PAGE.en[name]));
+  }
+  expect(await page.locator('input').getAttribute('placeholder')).toBe(FRONT_PAGE.de.search);
+  // The first game is a page of code in English.
+  expect(await page.locator('.games :is(b, span):not([data-de])').allTextContents()).toEqual(['Keep it up']);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  await page.locator('input').fill('Schwarzes Loch');
+  await page.locator('.games li:visible a').click();
+  await page.waitForURL(`**/black-hole/index.html${query}`);
+  await page.waitForFunction(() => document.title === 'Schwarzes Loch');
+  if (query !== '') expect(await page.locator('.game-bar a').getAttribute('href')).toContain('lang=de');
+  expect([...trouble, ...said.filter((line) => !/GPU stall|Service Worker/.test(line))]).toEqual([]);
 });
 
 it('works without the internet after the first visit, every page and both renderers', async () => {

@@ -62,3 +62,11 @@ it('goes to the date of the address, follows a body by a key, and says what it c
   await page.keyboard.press('5');
   await page.waitForFunction(() => document.querySelector('.ss-jpl tr.on')?.textContent?.startsWith('Mars'));
 }, 60_000);
+
+it('plots energies in its own units, as masses are G m', async () => {
+  const page = await open('manual');
+  await steps(page, 30);
+  const names = page.locator('.game-card h2 span').first();
+  await expect.poll(() => names.textContent(), { timeout: 10_000 }).toContain('GM km²/s²');
+  expect(await names.textContent()).not.toContain('J');
+});

@@ -145,6 +145,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       set: (name, value) => this.#failures.guard(() => this.#set(name, value)),
       world: () => (session.started ? session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
+      units: this.#game.units,
       cards: (parent) => this.#game.cards?.(parent) ?? [],
     });
     this.#applyAppearance();

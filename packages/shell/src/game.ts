@@ -4,6 +4,7 @@ import type { ClipControl } from './clip-button.ts';
 import type { Controls } from './controls.ts';
 import type { Dragging, DragOptions } from './dragging.ts';
 import type { Outcome } from './outcome-card.ts';
+import type { OwnUnits } from './plot-sources.ts';
 import type { Settings, ValuesOf } from './settings.ts';
 
 /** A world and its time step; a `SceneRun` of the scenes package is a `Simulation`. */
@@ -134,6 +135,8 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   /** Whether the run has come to its end: time then stands still until the player restarts or rewinds. */
   hasEnded?(sim: Sim): boolean;
 
+  /** Units of a world that is not in SI, by the SI units that plots show otherwise: `{ m: 'km' }`. Default none. */
+  readonly units?: OwnUnits;
   /** Number of bodies in the statistics; default all of the world. A game with a pool of bodies counts those in use. */
   bodies?(sim: Sim): number;
   /** Lines of the help, above those of the shell. Default none. */

@@ -17,11 +17,13 @@ export type {
   View,
   ViewContext,
 } from './game.ts';
+export { helpLines } from './help-lines.ts';
 export { type HighScore, HighScores } from './high-scores.ts';
 export { showHint } from './hint.ts';
 export { dragByJoints } from './joint-dragging.ts';
-export { chooseWords, decimal, grouped, inLanguage, type Language, language } from './language.ts';
+export { chooseWords, decimal, grouped, inLanguage, type Language, language, withLanguage } from './language.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
+export { speakNumbers } from './number-field.ts';
 export type { Outcome } from './outcome-card.ts';
 export { pickBody2D } from './pick.ts';
 export { type AppearanceOptions, SAFE_COLORS } from './preferences.ts';

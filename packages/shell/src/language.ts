@@ -24,11 +24,17 @@ export function preferredLanguage(query: string, wishes: readonly string[]): Lan
  * numbers. Call it once, where the words stand.
  */
 export function chooseWords<Words>(texts: Readonly<Record<Language, Words>>): Words {
-  if (typeof document !== 'undefined') {
-    spoken = preferredLanguage(location.search, navigator.languages ?? []);
-    document.documentElement.lang = spoken;
-  }
+  // A worker has no document, but an address.
+  if (typeof location !== 'undefined') spoken = preferredLanguage(location.search, navigator.languages ?? []);
+  if (typeof document !== 'undefined') document.documentElement.lang = spoken;
   return texts[spoken];
+}
+
+/** An address with the language that this page was asked for by its own, such as `../index.html?lang=de`. */
+export function withLanguage(address: string): string {
+  const asked = new URLSearchParams(globalThis.location?.search).get('lang');
+  if (asked === null) return address;
+  return `${address}${address.includes('?') ? '&' : '?'}lang=${encodeURIComponent(asked)}`;
 }
 
 /** A number with a fixed number of decimals. Short enough to be made in every frame. */

@@ -1,5 +1,6 @@
 import { type Controller, GUI } from 'lil-gui';
 import { addLogSlider } from './log-slider.ts';
+import { speakNumbers } from './number-field.ts';
 import type { NumberSetting, Setting, Settings } from './settings.ts';
 import { words } from './words.ts';
 
@@ -30,6 +31,7 @@ export function createPanel(
     const controller = addController(gui, proxy, name, setting);
     const unit = setting.kind === 'number' && setting.unit !== '' ? `, ${setting.unit}` : '';
     controller.name(`${setting.label}${unit}`);
+    if (setting.lang !== undefined) controller.domElement.lang = setting.lang;
     if (setting.about !== undefined) controller.domElement.title = setting.about;
     if (setting.kind !== 'number' || setting.presets === undefined) return [controller];
     return [
@@ -72,6 +74,13 @@ function addPresets(
 function addController(gui: GUI, proxy: Record<string, never>, name: string, setting: Setting): Controller {
   if (setting.kind === 'switch') return gui.add(proxy, name);
   if (setting.kind === 'choice') return gui.add(proxy, name, setting.choices);
+  const controller = addSlider(gui, proxy, name, setting);
+  const { integer: isWhole, min } = setting;
+  speakNumbers(controller.domElement.querySelector('input') as HTMLInputElement, { isWhole, min });
+  return controller.updateDisplay();
+}
+
+function addSlider(gui: GUI, proxy: Record<string, never>, name: string, setting: NumberSetting): Controller {
   if (setting.scale === 'log') return addLogSlider(gui, proxy, name, setting);
   const step = stepOf(setting);
   const decimals = Math.max(0, -Math.floor(Math.log10(step)));

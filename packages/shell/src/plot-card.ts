@@ -7,7 +7,9 @@ import {
   columnSource,
   columnsInUse,
   energySource,
+  inUnits,
   momentumSource,
+  type OwnUnits,
   type PlotSource,
 } from './plot-sources.ts';
 import { SAFE_COLORS } from './preferences.ts';
@@ -35,8 +37,12 @@ const COLORS = ['#ff8f7a', '#6db7ff', '#ffd98a'];
 const SAFE = [5, 1, 3].map((index) => `#${SAFE_COLORS[index].toString(16).padStart(6, '0')}`);
 const PLOTS = ['Energy', 'Momentum', 'Angular momentum', 'Any value'] as const;
 
-/** @param world returns the world on display */
-export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | undefined): PlotCard {
+/** @param world returns the world on display @param units of a world that is not in SI */
+export function createPlotCard(
+  parent: HTMLElement,
+  world: () => PhysicsWorld | undefined,
+  units: OwnUnits = {},
+): PlotCard {
   const { choice, column, body, which, names, card } = createElements(parent);
   const state = { safe: false, source: energySource as PlotSource, stale: false, shown: '' };
   let history = new SeriesHistory(3, SAMPLES, INTERVAL);
@@ -47,7 +53,7 @@ export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | 
     const before = state.shown;
     which.hidden = choice.value !== 'Any value';
     if (!which.hidden) fillColumns(column, world());
-    state.source = sourceOf(choice.value, column.value, Number(body.value), world());
+    state.source = inUnits(sourceOf(choice.value, column.value, Number(body.value), world()), units);
     const { series } = state.source;
     state.shown = [state.safe, state.source.unit, ...series].join();
     state.stale = true;
@@ -61,6 +67,7 @@ export function createPlotCard(parent: HTMLElement, world: () => PhysicsWorld | 
     const colors = state.safe ? SAFE : COLORS;
     names.replaceChildren(
       ...series.map((name, i) => element('i', '', { style: `--mark: ${colors[i]}` }, words().names[name] ?? name)),
+      ...(isCompound(state.source.unit) ? [element('small', '', {}, state.source.unit)] : []),
     );
     plot?.destroy();
     plot = new uPlot(plotOptions(state.source, colors), history.data(), card);
@@ -151,11 +158,13 @@ function sourceOf(plot: string, column: string, body: number, world: PhysicsWorl
   return columnSource(name, Number.isInteger(body) && body > 0 ? body : 0);
 }
 
+/** A unit of one word fits beside the numbers; longer ones stand above. */
+const isCompound = (unit: string): boolean => /[ /]/.test(unit);
+
 function plotOptions({ series, unit }: PlotSource, colors: readonly string[]): uPlot.Options {
   const grid = { stroke: '#ffffff14', width: 1 };
   const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font: '11px system-ui, sans-serif' };
-  // A unit of one word fits beside the numbers; longer ones would not.
-  const shown = /[ /]/.test(unit) ? '' : unit;
+  const shown = isCompound(unit) ? '' : unit;
   return {
     width: 240,
     height: 118,

@@ -5,6 +5,7 @@ import {
   columnSource,
   columnsInUse,
   energySource,
+  inUnits,
   momentumSource,
   type PlotSource,
 } from './plot-sources.ts';
@@ -39,6 +40,14 @@ it('reads any column: of one body, or the range of all', () => {
   const empty = world();
   for (const id of [1, 2]) despawn(empty, id);
   expect(read(columnSource(name, 0), empty)).toEqual([Number.NaN, Number.NaN, Number.NaN]);
+});
+
+it('shows the units of a world that is not in SI', () => {
+  const units = { J: 'GM km²/s²', 'm/s': 'km/s' };
+  expect(inUnits(energySource, units).unit).toBe('GM km²/s²');
+  expect(read(inUnits(energySource, units))).toEqual(read(energySource));
+  expect(inUnits(columnSource({ component: 'Velocity', field: 'x' }, 1), units).unit).toBe('km/s');
+  expect(inUnits(momentumSource(2), units).unit).toBe('kg m/s');
 });
 
 it('offers the columns that hold anything', () => {

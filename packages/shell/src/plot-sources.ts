@@ -11,6 +11,14 @@ import {
 } from '@principia/physics';
 import { words } from './words.ts';
 
+/** Units of a world that is not in SI, by the SI units that they stand for: `{ m: 'km', 'm/s': 'km/s' }`. */
+export type OwnUnits = Readonly<Record<string, string>>;
+
+/** A plot of the same values under the units of the world. */
+export function inUnits(source: PlotSource, units: OwnUnits): PlotSource {
+  return { ...source, unit: units[source.unit] ?? source.unit };
+}
+
 /** Quantities that share a plot. */
 export interface PlotSource {
   readonly unit: string;

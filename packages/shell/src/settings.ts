@@ -19,6 +19,8 @@ export interface NumberSetting {
   readonly presets?: Readonly<Record<string, number>>;
   /** Tooltip of one line. Default none. */
   readonly about?: string;
+  /** Language of label and tooltip. Default that of the page. */
+  readonly lang?: string;
 }
 
 /** A setting that is on or off. */
@@ -30,6 +32,8 @@ export interface SwitchSetting {
   readonly key?: string;
   /** Tooltip of one line. Default none. */
   readonly about?: string;
+  /** Language of label and tooltip. Default that of the page. */
+  readonly lang?: string;
 }
 
 /** A choice among several words. */
@@ -41,6 +45,8 @@ export interface ChoiceSetting {
   readonly choices: Readonly<Record<string, string>>;
   /** Tooltip of one line. Default none. */
   readonly about?: string;
+  /** Language of label and tooltip. Default that of the page. */
+  readonly lang?: string;
 }
 
 export type Setting = NumberSetting | SwitchSetting | ChoiceSetting;

@@ -5,6 +5,7 @@ import type { Actions } from './commands.ts';
 import type { GameCard, Simulation } from './game.ts';
 import { createPanel, type Panel } from './panel.ts';
 import { createPlotCard, type PlotCard } from './plot-card.ts';
+import type { OwnUnits } from './plot-sources.ts';
 import { createProfileCard, type ProfileCard } from './profile-card.ts';
 import type { Settings } from './settings.ts';
 import { createStats, type Statistics } from './stats.ts';
@@ -33,6 +34,8 @@ export interface SidebarOptions<Sim extends Simulation> {
   readonly clip: ClipControl;
   /** Whether games can be replayed. */
   readonly canReplay: boolean;
+  /** Units of a world that is not in SI. */
+  readonly units: OwnUnits | undefined;
   /** Creates the game's own cards. */
   readonly cards: (parent: HTMLElement) => readonly GameCard<Sim>[];
 }
@@ -41,7 +44,7 @@ export function createSidebar<Sim extends Simulation>(parent: HTMLElement, optio
   const { settings, values, set, world, actions, clip, canReplay } = options;
   const panel = createPanel(parent, settings, values, set);
   const cards = options.cards(parent);
-  const plot = createPlotCard(parent, world);
+  const plot = createPlotCard(parent, world, options.units);
   const stats = createStats(parent);
   const profile = createProfileCard(parent);
   const tools = createToolsCard(parent, actions, clip, canReplay);

@@ -33,8 +33,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   --slider-knob-width: 3px; --widget-border-radius: 6px; --slider-input-width: 36% }
 .game-card { padding: 6px 12px 10px; border-top: 1px solid var(--line) }
 .game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; flex-wrap: wrap; gap: 0 10px }
-.game-card h2 span { flex-basis: 100%; font-weight: 500; display: flex; gap: 10px }
-.game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
+.game-card h2 span { flex-basis: 100%; font-weight: 500; display: flex; flex-wrap: wrap; gap: 0 10px }
+.game-card h2 small { font-size: 11px } .game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
   border-radius: 50%; margin-right: 4px; background: var(--mark) }
 .game-card select, .game-card input { border: 0; border-radius: 6px; background: #ffffff14; color: var(--ink); font: inherit;
   font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 100% } .game-card option { background: #1a2349 }
@@ -107,9 +107,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   list-style-position: inside; font-variant-numeric: tabular-nums }
 .game-outcome li b { display: inline-block; min-width: 44px; color: var(--ink); text-align: right }
 .game-outcome li.new, .game-outcome li.new b { color: var(--accent) }
-.game-outcome button { border: 0; border-radius: 11px; padding: 9px 20px; background: var(--accent); color: #1c1503;
+.game-outcome button { margin: 5px; border: 0; border-radius: 11px; padding: 9px 20px; background: var(--accent); color: #1c1503;
   font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
-.game-outcome button.second { margin-left: 10px; background: #ffffff1c; color: var(--ink) }
+.game-outcome button.second { background: #ffffff1c; color: var(--ink) }
 .game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
 .game-hint { position: absolute; left: 16px; right: 16px; bottom: max(14px, env(safe-area-inset-bottom)); margin: 0; pointer-events: none;
   text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }

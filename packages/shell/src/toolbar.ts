@@ -1,5 +1,6 @@
 import type { Actions } from './commands.ts';
 import { element } from './element.ts';
+import { withLanguage } from './language.ts';
 import { words } from './words.ts';
 
 /** The state that the toolbar shows. */
@@ -37,7 +38,7 @@ export function createToolbar(
   renderers: readonly (readonly [string, string])[],
   home?: string,
 ): Toolbar {
-  if (home !== undefined) bar.prepend(homeLink(home));
+  if (home !== undefined) bar.prepend(homeLink(withLanguage(home)));
   const pause = iconButton('pause', words().pause, actions.pause);
   const rewind = holdButton(actions);
   const slow = iconButton('slow', words().slow, actions.slow);

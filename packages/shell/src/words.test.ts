@@ -1,6 +1,7 @@
 import { expect, it } from 'vitest';
 import { wordProblems } from '../../../test/support/words.ts';
 import { decimal, grouped, LANGUAGES, language, preferredLanguage } from './language.ts';
+import { plainNumber } from './number-field.ts';
 import { siNumber } from './si-number.ts';
 import { WORDS_BY_LANGUAGE, words } from './words.ts';
 
@@ -27,6 +28,22 @@ it.each([
   ['?lang=fr', ['fr'], 'en'],
 ] as const)('of the address %j and the wishes %j chooses %s', (query, wishes, chosen) => {
   expect(preferredLanguage(query, wishes)).toBe(chosen);
+});
+
+it.each([
+  ['9.81', false, '9.81'],
+  ['9,81', false, '9.81'],
+  [' −1,5 ', false, '-1.5'],
+  ['1.234,5', false, '1234.5'],
+  ['1,234.5', false, '1234.5'],
+  ['1,250', false, '1.250'],
+  ['100,000', true, '100000'],
+  ['100.000', true, '100000'],
+  ['1 000 000', true, '1000000'],
+  ['1e5', true, '1e5'],
+  ['', false, ''],
+])('reads %j, whole: %j, as %j', (typed, isWhole, plain) => {
+  expect(plainNumber(typed, isWhole)).toBe(plain);
 });
 
 it('speaks English outside a page', () => {

@@ -1,0 +1,75 @@
+/** All words of the game, in every language. The type of the English ones makes a missing translation an error. */
+import { chooseWords, hasCoarsePointer, type Language } from '@principia/shell';
+
+const isTouch = hasCoarsePointer();
+
+const en = {
+  title: 'Bouncing balls',
+  settings: {
+    count: 'Balls',
+    gravity: 'Gravity',
+    restitution: 'Restitution',
+    friction: 'Friction',
+    drag: 'Air density',
+    collisions: ['Collisions', 'Whether balls collide or pass through each other'],
+    wrap: ['Wrap around', 'Balls that leave at one side come back at the other'],
+    sound: ['Sound', 'Impacts sound, the louder the faster'],
+    trails: ['Trails', 'Shows the recent path of each ball'],
+  },
+  planets: { space: 'Space', moon: 'Moon', mars: 'Mars', earth: 'Earth', saturn: 'Saturn', jupiter: 'Jupiter' },
+  help: {
+    tap: ['Tap, click', 'blow up what is there'],
+    hold: ['Press and hold', 'a magnet: balls fly there, and follow the pointer'],
+    pour: ['Hold V, Pour', 'pour balls from the ceiling'],
+    drag: ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],
+    tilt: ['Tilt', 'on phones and tablets: gravity follows the way the device is held'],
+    rotate: ['Drag elsewhere', 'in 3D: rotate the view'],
+    zoom: ['Wheel, two fingers', 'zoom and move the view; so does a drag with the right button'],
+  },
+  hint: isTouch
+    ? 'Tap to blow balls up, hold to attract them, drag to throw them'
+    : 'Click to blow balls up, hold to attract them, drag to throw them, V to pour',
+  pour: 'Pour',
+  tilt: 'Tilt',
+  tiltHint: 'Gravity follows the way the device is held',
+  noTilt: 'The device does not let this page read how it is held. Allow motion and orientation in its settings.',
+};
+
+export type Words = typeof en;
+
+const de: Words = {
+  title: 'Hüpfende Bälle',
+  settings: {
+    count: 'Bälle',
+    gravity: 'Schwerkraft',
+    restitution: 'Stoßzahl',
+    friction: 'Reibung',
+    drag: 'Luftdichte',
+    collisions: ['Stöße', 'Ob Bälle zusammenstoßen oder einander durchdringen'],
+    wrap: ['Ohne Wände', 'Bälle, die auf einer Seite hinausfliegen, kommen auf der anderen wieder herein'],
+    sound: ['Ton', 'Aufpralle sind zu hören, je schneller, desto lauter'],
+    trails: ['Spuren', 'Zeigt die letzte Bahn jedes Balls'],
+  },
+  planets: { space: 'Weltraum', moon: 'Mond', mars: 'Mars', earth: 'Erde', saturn: 'Saturn', jupiter: 'Jupiter' },
+  help: {
+    tap: ['Tippen, klicken', 'sprengt auseinander, was dort ist'],
+    hold: ['Gedrückt halten', 'ein Magnet: Bälle fliegen dorthin und folgen dem Zeiger'],
+    pour: ['V halten, Gießen', 'gießt Bälle von der Decke'],
+    drag: ['Einen Ball ziehen', 'fasst ihn, und loslassen wirft ihn; jeder Finger kann einen fassen'],
+    tilt: ['Neigen', 'auf Telefonen und Tablets: Die Schwerkraft folgt der Haltung des Geräts'],
+    rotate: ['Daneben ziehen', 'dreht in 3D die Ansicht'],
+    zoom: ['Mausrad, zwei Finger', 'zoomt und verschiebt die Ansicht; ebenso Ziehen mit der rechten Maustaste'],
+  },
+  hint: isTouch
+    ? 'Tippen sprengt die Bälle auseinander, Halten zieht sie an, Ziehen wirft sie'
+    : 'Ein Klick sprengt die Bälle auseinander, Halten zieht sie an, Ziehen wirft sie, V gießt neue',
+  pour: 'Gießen',
+  tilt: 'Neigen',
+  tiltHint: 'Die Schwerkraft folgt der Haltung des Geräts',
+  noTilt:
+    'Das Gerät verrät dieser Seite nicht, wie es gehalten wird. Erlaube Bewegung und Ausrichtung in seinen Einstellungen.',
+};
+
+export const WORDS_BY_LANGUAGE: Readonly<Record<Language, Words>> = { en, de };
+
+export const WORDS = chooseWords(WORDS_BY_LANGUAGE);
