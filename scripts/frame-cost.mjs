@@ -33,7 +33,7 @@ const SPARKS_WARM = 200;
 /** Pages that cannot tell what their frames cost. */
 const WITHOUT_SHELL = ['first-game', 'front-page'];
 /** The start page of the laboratory has no game of its own. @type {Record<string, string>} */
-const EXAMPLE = { laboratory: '?example=ch17-galaxy-collision' };
+const EXAMPLE = { laboratory: '?example=ch17-diffusion&count=20000' };
 
 /** @type {Browser | undefined} */
 let browser;
