@@ -4,6 +4,7 @@ import { type Camera2D, type ViewportSize, worldSource } from '@principia/render
 import { applyCamera, createTrailLayer, type TrailLayer } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
 import { Container, Graphics, type Texture } from 'pixi.js';
+import { createFallCloseUp } from './fall-close-up.ts';
 import type { Ghost } from './ghost.ts';
 import { emitGlow } from './hawking.ts';
 import { MAX_LENSES } from './lens-program.ts';
@@ -47,10 +48,11 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
   const trailParent = new Container();
   const path = createPathView(spot, sim.scene.isSteep, palette);
   const shipView = createShipView(palette);
+  const closeUp = createFallCloseUp(palette);
   const sparks = createSparks(spot, 180);
   const rays = createSparks(spot, 420);
-  const layers = [rays.container, trailParent, path.container, ghost.container, sparks.container, shipView.container];
-  world.addChild(createLines(palette), ...layers);
+  const ships = [ghost.container, closeUp.container, sparks.container, shipView.container];
+  world.addChild(createLines(palette), rays.container, trailParent, path.container, ...ships);
   const root = new Container({ children: [skyParent, world] });
   parent.addChild(root);
   let skyView: SkyView | undefined;
@@ -88,6 +90,7 @@ export function createPicture({ sim, parent, sky, spot, canBend, isCalm, palette
       if (path.container.visible) path.update(sim);
       ghost.update(sim, alpha, isGhostShown);
       shipView.update(sim, ship, seconds);
+      if (!isCalm) closeUp.update(sim, alpha, holes);
       if (!isCalm) exhaust(sim, ship, sparks);
       sparks.update(seconds);
       if (isGlowing && !isCalm) emitGlow(holes, seconds, rays);
