@@ -48,6 +48,8 @@ export class JointTable {
   starts: usize;
   treeCount: i32;
   workCount: i32;
+  // How many of them are no plain hinges of trees.
+  otherCount: i32;
   // Hinges that close a loop and do nothing else, side by side (loop-block.ts): the blocks, and where each color begins.
   blocks: usize;
   blockCount: i32;

@@ -17,6 +17,7 @@ export function layOutJoints(t: JointTable, rigid: RigidTable): void {
   layOutLoops(t, rigid);
   t.workCount = t.orderCount;
   t.axisCount = 0;
+  t.otherCount = 0;
   t.bodyCount = t.rootCount + t.treeCount;
   memory.fill(t.bodies, 0, <usize>t.bodyCount * ARTICULATED_BODY_SIZE);
   memory.fill(t.masses, 0, <usize>t.bodyCount * ARTICULATED_MASS_SIZE);
@@ -62,7 +63,10 @@ function layOutJoint(t: JointTable, k: i32): void {
   // A hinge that closes a loop and stands in no block is solved by rows, as other joints are.
   const isHinge = (role & HINGE) != 0 && at.parent != LOOP;
   at.hinge = !isHinge ? 0 : isWarm(t, i) ? WARM : PLAIN;
-  if (at.hinge != PLAIN) clearRows(t, k);
+  if (at.hinge != PLAIN) {
+    t.otherCount++;
+    clearRows(t, k);
+  }
   work.parent = at.parent;
   at.parentRow = at.parent == PARENT_B ? work.b : work.a;
   at.childRow = at.parent == PARENT_B ? work.a : work.b;

@@ -31,7 +31,7 @@ export function prepareJoints(table: usize): void {
   beginLoops(t, rigid);
   braceBodies(t, rigid);
   braceLoops(t);
-  for (let k = 0; k < t.workCount; k++) if (placeAt(t, k).hinge != PLAIN) braceRows(t, k);
+  for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) if (placeAt(t, k).hinge != PLAIN) braceRows(t, k);
 }
 
 // Begins a step of a joint that has rows.

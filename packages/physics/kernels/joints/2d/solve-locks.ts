@@ -125,7 +125,8 @@ export function solveLocks(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   softenJoint(rigid);
-  for (let k = 0; k < t.treeCount; k++) if (placeAt(t, k).hinge != PLAIN) applyImpulses(t, rigid, k, -1);
+  for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++)
+    if (placeAt(t, k).hinge != PLAIN) applyImpulses(t, rigid, k, -1);
   solveAll(t, rigid, softness.biasRate, true);
   solveLoops(t, softness.biasRate);
 }

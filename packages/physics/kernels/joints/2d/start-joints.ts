@@ -15,7 +15,7 @@ export function startJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   memory.fill(t.masses, 0, <usize>t.rootCount * ARTICULATED_MASS_SIZE);
-  for (let k = 0; k < t.workCount; k++) {
+  for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) {
     const at = placeAt(t, k);
     if (at.hinge == PLAIN) continue;
     measureJoint(t, k);

@@ -71,7 +71,7 @@ function addImpulse(row: JointRow, impulse: f64): void {
 // loaded beyond what they bear.
 export function listBroken(table: usize): void {
   const t = changetype<JointTable>(table);
-  const h = changetype<RigidTable>(t.rigid).h;
+  const rate = 1 / changetype<RigidTable>(t.rigid).h;
   t.brokenCount = 0;
   for (let i = 0; i < t.workCount; i++) {
     const at = placeAt(t, i);
@@ -80,25 +80,25 @@ export function listBroken(table: usize): void {
       impulses.lock0 = at.impulseX * signOf(at);
       impulses.lock1 = at.impulseY * signOf(at);
     }
-    const torque = at.hinge == PLAIN ? 0 : workAt(t, i).largestTurn / h;
-    rate(t, at.id, impulses, sqrt<f64>(at.largest) / h, torque);
+    const torque = at.hinge == PLAIN ? 0 : workAt(t, i).largestTurn * rate;
+    note(t, at.id, impulses, sqrt<f64>(at.largest) * rate, torque);
   }
-  for (let i = 0; i < t.blockCount; i++) rateBlock(t, blockOf(t, i), h);
+  for (let i = 0; i < t.blockCount; i++) noteBlock(t, blockOf(t, i), rate);
 }
 
-function rateBlock(t: JointTable, at: usize, h: f64): void {
+function noteBlock(t: JointTable, at: usize, rate: f64): void {
   for (let l = 0; l < LANES; l++) {
     const id = word(at + block.JOINT, l);
     if (id < 0) continue;
     const impulses = impulsesOf(t, id);
     impulses.lock0 = <f64>get(at + block.IMPULSE_X, l);
     impulses.lock1 = <f64>get(at + block.IMPULSE_Y, l);
-    rate(t, id, impulses, sqrt<f64>(<f64>get(at + block.LARGEST, l)) / h, 0);
+    note(t, id, impulses, sqrt<f64>(<f64>get(at + block.LARGEST, l)) * rate, 0);
   }
 }
 
 // @ts-ignore: decorator
-@inline function rate(t: JointTable, id: i32, impulses: JointImpulses, force: f64, torque: f64): void {
+@inline function note(t: JointTable, id: i32, impulses: JointImpulses, force: f64, torque: f64): void {
   impulses.force = force;
   impulses.torque = torque;
   const isTorn = exceeds(force, <f64>get(t.breakForce, id)) || exceeds(torque, <f64>get(t.breakTorque, id));
