@@ -28,5 +28,5 @@ export { noteSettings } from '../joints/2d/wake-joints';
 export { startJoints } from '../joints/2d/start-joints';
 export { listBroken } from '../joints/2d/watch-joints';
 export { solveAxes } from '../joints/2d/solve-axes';
-export { solveLocks } from '../joints/2d/solve-locks';
+export { relaxLocks, solveLocks } from '../joints/2d/solve-locks';
 export { nextContactPoint } from '../debug/2d/contact-points';

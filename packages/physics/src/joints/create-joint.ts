@@ -138,7 +138,7 @@ export function breakJoints(world: PhysicsWorld): void {
   if (broken.length > 0) broken.length = 0;
   if (world.internal.counts.Joint === 0) return;
   const { words } = jointTable(world);
-  const ids = new Uint32Array(world.memory.buffer, words[Word.broken], words[Word.brokenCount]);
+  const ids = new Uint32Array(world.memory.buffer, words[Word.broken], words[Word.brokenCount]).sort();
   for (const id of ids) {
     broken.push(id);
     despawn(world, id);

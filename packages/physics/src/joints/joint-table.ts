@@ -9,10 +9,14 @@ import { collectThrown } from '../errors/collect-thrown.ts';
 import { allocate } from '../memory/arena.ts';
 import {
   ARTICULATED_BODY_BYTES,
+  ARTICULATED_MASS_BYTES,
+  HINGE_START_BYTES,
   JOINT_IMPULSES_BYTES,
+  JOINT_PLACE_BYTES,
   JOINT_ROW_BYTES,
   JOINT_TABLE_BYTES,
   JOINT_WORK_BYTES,
+  JOINTED_BODY_BYTES,
   RigidTableWord as RigidWord,
   JointTableWord as Word,
 } from '../memory/layouts.gen.ts';
@@ -24,9 +28,24 @@ import type { PhysicsWorld } from '../world/types.ts';
 /** Bytes of the rows of a joint. */
 const ROWS_BYTES = 5 * JOINT_ROW_BYTES;
 
+/** Colors of hinges that close loops, with a block each that may be nearly empty, and bytes of a hinge in a block of f64. */
+const COLORS = 32;
+const LOOP_BLOCK_BYTES = 27 * 16;
+const HINGE_BYTES = LOOP_BLOCK_BYTES / 2;
+
 /** Memory of joints per entity, bytes: any entity may be a joint. */
 export const JOINT_BYTES_PER_ENTITY =
-  ARTICULATED_BODY_BYTES + JOINT_IMPULSES_BYTES + JOINT_WORK_BYTES + ROWS_BYTES + 5 * 8 + 10 * 4;
+  ARTICULATED_BODY_BYTES +
+  ARTICULATED_MASS_BYTES +
+  JOINTED_BODY_BYTES +
+  JOINT_IMPULSES_BYTES +
+  JOINT_PLACE_BYTES +
+  JOINT_WORK_BYTES +
+  ROWS_BYTES +
+  HINGE_BYTES +
+  HINGE_START_BYTES +
+  6 * 8 +
+  13 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -91,11 +110,29 @@ export const jointTable = resource((world): JointTable => {
   };
   take(Word.impulses, JOINT_IMPULSES_BYTES);
   take(Word.bodies, ARTICULATED_BODY_BYTES);
+  take(Word.jointed, JOINTED_BODY_BYTES);
+  words[Word.colors] = allocate(arena, 4 * COLORS, 'joints');
+  const lanes = world.precision === 'f32' ? 4 : 2;
+  const blocks = Math.ceil(world.rows / lanes) + COLORS;
+  words[Word.blocks] = allocate(arena, LOOP_BLOCK_BYTES * blocks, 'joints');
+  take(Word.masses, ARTICULATED_MASS_BYTES);
+  take(Word.starts, HINGE_START_BYTES);
+  take(Word.places, JOINT_PLACE_BYTES);
   take(Word.works, JOINT_WORK_BYTES);
   take(Word.rows, ROWS_BYTES);
-  for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.nodes]) take(word, 8);
-  for (const word of [Word.sets, Word.heads, Word.orphans, Word.broken, Word.order, Word.roots]) take(word, 4);
-  for (const word of [Word.axes, Word.active, Word.parents, Word.linkIds]) take(word, 4);
+  for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.ends, Word.nodes]) take(word, 8);
+  for (const word of [
+    Word.sets,
+    Word.heads,
+    Word.orphans,
+    Word.broken,
+    Word.order,
+    Word.roots,
+    Word.marks,
+    Word.bodyRows,
+  ])
+    take(word, 4);
+  for (const word of [Word.axes, Word.active, Word.roles, Word.parents, Word.linkIds]) take(word, 4);
   return { at, words, entityList: emptyEntityList() };
 });
 

@@ -153,11 +153,11 @@ function advance(
     if (joints !== 0) kernels.startJoints(joints);
     kernels.warmStartContacts(at);
     kernels.holdLocked(at);
-    if (joints !== 0) solveJoints(kernels, joints, 1);
+    if (joints !== 0) solveJoints(kernels, joints);
     kernels.solveContacts(at);
     kernels.holdLocked(at);
     kernels.integratePositions(at);
-    if (joints !== 0) solveJoints(kernels, joints, 0);
+    if (joints !== 0) relaxJoints(kernels, joints);
     kernels.relaxContacts(at);
     kernels.holdLocked(at);
     kernels.writeBodies(at);
@@ -178,8 +178,13 @@ function advance(
 
 type Kernels = ReturnType<typeof rigidKernels>;
 
-/** With `soft` 1 joints pull together what is apart. */
-function solveJoints(kernels: Kernels, joints: number, soft: number): void {
-  kernels.solveAxes(joints, soft);
-  kernels.solveLocks(joints, soft);
+/** Joints pull together what is apart. */
+function solveJoints(kernels: Kernels, joints: number): void {
+  kernels.solveAxes(joints, 1);
+  kernels.solveLocks(joints);
+}
+
+function relaxJoints(kernels: Kernels, joints: number): void {
+  kernels.solveAxes(joints, 0);
+  kernels.relaxLocks(joints);
 }

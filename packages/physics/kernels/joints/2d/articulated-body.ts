@@ -1,68 +1,71 @@
-// A body of a tree of joints: its mass matrix with all that hangs below it, or the inverse of that, over x, y and angle.
+// A body of a tree of joints. Its mass matrix over x, y and angle with all that hangs below it, or the inverse of that, stands
+// beside it: hinges read it once a sub-step.
 import { JointTable } from './joint-table';
 
 @unmanaged
 export class ArticulatedBody {
-  // The upper half of a symmetric matrix.
+  // Momentum of what hangs below it, then the velocity that it gets.
+  gx: f64;
+  gy: f64;
+  gw: f64;
+  vx: f64;
+  vy: f64;
+  w: f64;
+  // Its own mass and moment of inertia; a body that may not turn has a large one.
+  mass: f64;
+  inertia: f64;
+}
+
+// The upper half of a symmetric matrix: what hangs below a body, until the joint above it adds the body itself.
+@unmanaged
+export class ArticulatedMass {
   m00: f64;
   m01: f64;
   m02: f64;
   m11: f64;
   m12: f64;
   m22: f64;
-  // Generalized force that is left for the body to bear, and its change of velocity by it.
-  gx: f64;
-  gy: f64;
-  gw: f64;
-  fx: f64;
-  fy: f64;
-  fw: f64;
-  // Torque by which pulling joints turn the body back, times the length of a sub-step, for each radian, N m s.
-  stiffness: f64;
 }
 
 export const ARTICULATED_BODY_SIZE: usize = offsetof<ArticulatedBody>();
+export const ARTICULATED_MASS_SIZE: usize = offsetof<ArticulatedMass>();
 
 // @ts-ignore: decorator
-@inline export function articulated(t: JointTable, row: i32): ArticulatedBody {
-  return changetype<ArticulatedBody>(t.bodies + <usize>row * ARTICULATED_BODY_SIZE);
+@inline export function articulated(t: JointTable, index: i32): ArticulatedBody {
+  return changetype<ArticulatedBody>(t.bodies + <usize>index * ARTICULATED_BODY_SIZE);
 }
 
-// A body that may not turn has this many times its mass as inertia, kg m²: enough digits are left.
-const LOCKED_INERTIA: f64 = 1e8;
-
-export function startBody(t: JointTable, row: i32, inverseMass: f64, inverseInertia: f64): void {
-  const body = articulated(t, row);
-  body.m00 = 1 / inverseMass;
-  body.m01 = 0;
-  body.m02 = 0;
-  body.m11 = body.m00;
-  body.m12 = 0;
-  body.m22 = inverseInertia > 0 ? 1 / inverseInertia : LOCKED_INERTIA * body.m00;
+// @ts-ignore: decorator
+@inline export function massOf(t: JointTable, index: i32): ArticulatedMass {
+  return changetype<ArticulatedMass>(t.masses + <usize>index * ARTICULATED_MASS_SIZE);
 }
 
-// Forgets what acts on a body.
-export function clearBody(t: JointTable, row: i32): void {
-  const body = articulated(t, row);
+// The matrix of a body: 48 bytes for 64.
+// @ts-ignore: decorator
+@inline export function massBeside(t: JointTable, body: usize): ArticulatedMass {
+  return changetype<ArticulatedMass>(t.masses + ((body - t.bodies) >> 2) * 3);
+}
+
+// Adds the mass of a body itself to what hangs below it.
+// @ts-ignore: decorator
+@inline export function addOwnMass(to: ArticulatedMass, body: ArticulatedBody): void {
+  to.m00 += body.mass;
+  to.m11 += body.mass;
+  to.m22 += body.inertia;
+}
+
+// Turns the momentum of a body with the velocity (vx, vy, w) and of what hangs below it into the velocity that it gets, with
+// the inverse of its matrix, and makes it ready for the next.
+export function freeVelocity(body: ArticulatedBody, to: ArticulatedMass, vx: f64, vy: f64, w: f64): void {
+  const x = body.gx + body.mass * vx;
+  const y = body.gy + body.mass * vy;
+  const turn = body.gw + body.inertia * w;
   body.gx = 0;
   body.gy = 0;
   body.gw = 0;
-  body.stiffness = 0;
-}
-
-// Turns the force on a body into its change of velocity, with the inverse of its matrix, and makes it ready for the next.
-// @ts-ignore: decorator
-@inline export function accelerate(body: ArticulatedBody): void {
-  const x = body.gx;
-  const y = body.gy;
-  const w = body.gw;
-  body.gx = 0;
-  body.gy = 0;
-  body.gw = 0;
-  body.stiffness = 0;
-  body.fx = body.m00 * x + body.m01 * y + body.m02 * w;
-  body.fy = body.m01 * x + body.m11 * y + body.m12 * w;
-  body.fw = body.m02 * x + body.m12 * y + body.m22 * w;
+  body.vx = to.m00 * x + to.m01 * y + to.m02 * turn;
+  body.vy = to.m01 * x + to.m11 * y + to.m12 * turn;
+  body.w = to.m02 * x + to.m12 * y + to.m22 * turn;
 }
 
 // Six numbers of the upper half of a symmetric positive definite matrix of 3 × 3, replaced by those of its inverse, by

@@ -4,28 +4,56 @@
 // sub-steps: the chain is stable, and nothing changes where h² k is below I.
 // Sources: Tournier et al., Stable Constrained Dynamics (SIGGRAPH 2015); Andrews et al., Geometric Stiffness for Real-time
 // Constrained Multibody Dynamics (Eurographics 2017).
+import { poseOf, word } from '../../solver/2d/body';
+import { RigidTable } from '../../solver/2d/rigid-table';
 import { articulated } from './articulated-body';
-import { JointTable, impulsesOf } from './joint-table';
-import { JointWork, isHinge, rowOf } from './joint-work';
+import { JointTable } from './joint-table';
 
-// Adds h k of both bodies, by the impulses of the last sub-step, which are forces times h, and the anchors from the centres.
-export function addStiffness(t: JointTable, work: JointWork): void {
-  let x = work.impulseX;
-  let y = work.impulseY;
-  if (!isHinge(work)) {
-    const impulses = impulsesOf(t, work.id);
-    const r0 = rowOf(work, 0);
-    const r1 = rowOf(work, 1);
-    const r2 = rowOf(work, 2);
-    x = impulses.lock0 * r0.x + impulses.lock1 * r1.x + impulses.lock2 * r2.x;
-    y = impulses.lock0 * r0.y + impulses.lock1 * r1.y + impulses.lock2 * r2.y;
-  }
-  articulated(t, work.a).stiffness -= x * work.rax + y * work.ray;
-  articulated(t, work.b).stiffness += x * work.rbx + y * work.rby;
+// A body as its joints see it, by row.
+@unmanaged
+export class JointedBody {
+  // The inverse of its moment of inertia, 0 for a body that may not turn.
+  inverseInertia: f64;
+  // Torque by which pulling joints turn the body back, times the length of a sub-step, for each radian, N m s.
+  stiffness: f64;
 }
 
-// The inverse of the inertia that joints see; `least` is h² k.
+export const JOINTED_BODY_SIZE: usize = offsetof<JointedBody>();
+
 // @ts-ignore: decorator
-@inline export function braced(inverseInertia: f64, least: f64): f64 {
-  return inverseInertia * least > 1 ? 1 / least : inverseInertia;
+@inline export function jointed(t: JointTable, row: i32): JointedBody {
+  return changetype<JointedBody>(t.jointed + <usize>row * JOINTED_BODY_SIZE);
+}
+
+// Begins a step for a body.
+// @ts-ignore: decorator
+@inline export function startJointed(t: JointTable, rigid: RigidTable, row: i32): void {
+  const body = jointed(t, row);
+  body.inverseInertia = <f64>poseOf(rigid, row).inverseInertia;
+  body.stiffness = 0;
+}
+
+// Adds h k of a body by an impulse of the last sub-step, which is a force times h, at an arm from its centre.
+// @ts-ignore: decorator
+@inline export function stiffen(t: JointTable, row: i32, x: f64, y: f64, armX: f64, armY: f64): void {
+  jointed(t, row).stiffness += x * armX + y * armY;
+}
+
+// A body that may not turn has this many times its mass as inertia, kg m²: enough digits are left.
+const LOCKED_INERTIA: f64 = 1e8;
+
+// The masses of all bodies of trees, and their inertias for this step; `least` is h² k.
+export function braceBodies(t: JointTable, rigid: RigidTable): void {
+  for (let i = 0; i < t.bodyCount; i++) {
+    const row = word(t.bodyRows, i);
+    if (row == 0) continue;
+    const body = articulated(t, i);
+    const seen = jointed(t, row);
+    const least = rigid.h * seen.stiffness;
+    body.mass = 1 / <f64>poseOf(rigid, row).inverseMass;
+    body.inertia = seen.inverseInertia > 0 ? 1 / seen.inverseInertia : LOCKED_INERTIA * body.mass;
+    if (seen.inverseInertia == 0 || !(least > body.inertia)) continue;
+    body.inertia = least;
+    seen.inverseInertia = 1 / least;
+  }
 }

@@ -1,146 +1,201 @@
-// The two locked directions of a hinge, x and y of its point: what solve-locks.ts does for any three rows, without the
-// products by 0 and 1. Most joints are hinges; these are the inner loops of chains, bridges and ragdolls.
+// The two locked directions of a hinge in a tree, x and y of its point, without rows: most joints are hinges; these are the
+// inner loops of chains, bridges and ragdolls.
 //
-// With the arm r of a body, its point moves by v + ω × r: the arm of the row x is -r_y, that of the row y is r_x.
-import { BodyState } from '../../solver/2d/body';
+// About its hinge, whose point moves by u, a body that turns by ω has with all that hangs below it the momentum
+//
+//   (A  b) (u)   (g)                          K = A - b bᵀ/d        ω = (τ - b · u)/d
+//   (bᵀ d) (ω) - (τ)       so that            F = K u - g + b τ/d
+//
+// F is the impulse at the hinge: the body weighs K on its parent, of which u is the motion at this point. So a joint takes
+// one division. With the arm r of a body from its centre, the centre moves by u + ω s, s = (r_y, -r_x).
+// Source: Featherstone, Rigid Body Dynamics Algorithms (2008), section 7.3, with velocities in place of accelerations.
+import { BodyState, poseOf, stateOf } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { ArticulatedBody, accelerate, articulated, invert } from './articulated-body';
+import { ArticulatedBody, ArticulatedMass, massBeside } from './articulated-body';
+import { jointed } from './brace-joints';
 import { JointTable } from './joint-table';
-import { JointWork, childOf, parentOf } from './joint-work';
-import { finite, stateA, stateB } from './joint-rows';
+import { HingeStart, JointPlace } from './joint-work';
+import { finite } from './joint-rows';
 
-// Arms at the parent and at the child, as the rows x and y have them.
+// A joint to what joints do not move is softer than rigid by a millionth, so that what is held from two sides has a solution.
+const COMPLIANCE: f64 = 1e-6;
+
+// The anchors where the bodies are now.
 // @ts-ignore: decorator
-@inline function parentX(work: JointWork): f64 {
-  return work.parent == 1 ? -work.ray : -work.rby;
+@inline export function measureHinge(rigid: RigidTable, at: JointPlace, start: HingeStart): void {
+  const p = stateOf(rigid, at.parentRow);
+  const c = stateOf(rigid, at.childRow);
+  const px = <f64>p.dc * start.parentX - <f64>p.ds * start.parentY;
+  const py = <f64>p.ds * start.parentX + <f64>p.dc * start.parentY;
+  const cx = <f64>c.dc * start.childX - <f64>c.ds * start.childY;
+  const cy = <f64>c.ds * start.childX + <f64>c.dc * start.childY;
+  at.parentX = px;
+  at.parentY = py;
+  at.childX = cx;
+  at.childY = cy;
+  start.errorX = start.x + (<f64>c.dx - <f64>p.dx) + cx - px;
+  start.errorY = start.y + (<f64>c.dy - <f64>p.dy) + cy - py;
 }
 
+// From the ends of the tree: what the parent bears. With `soft`, also the matrices.
 // @ts-ignore: decorator
-@inline function parentY(work: JointWork): f64 {
-  return work.parent == 1 ? work.rax : work.rbx;
-}
-
-// @ts-ignore: decorator
-@inline function childX(work: JointWork): f64 {
-  return work.parent == 1 ? -work.rby : -work.ray;
-}
-
-// @ts-ignore: decorator
-@inline function childY(work: JointWork): f64 {
-  return work.parent == 1 ? work.rbx : work.rax;
-}
-
-export function factorHinge(t: JointTable, work: JointWork, share: f64): void {
-  const mass = work.massA + work.massB;
-  let xx = share * (mass + work.inertiaA * work.ray * work.ray + work.inertiaB * work.rby * work.rby);
-  let xy = -share * (work.inertiaA * work.rax * work.ray + work.inertiaB * work.rbx * work.rby);
-  let yy = share * (mass + work.inertiaA * work.rax * work.rax + work.inertiaB * work.rbx * work.rbx);
-  const child = childOf(work);
-  if (child != 0) {
-    const w = articulated(t, child);
-    invert(changetype<usize>(w));
-    const cx = childX(work);
-    const cy = childY(work);
-    xx += w.m00 + cx * (w.m02 + w.m02 + cx * w.m22);
-    xy += w.m01 + cx * w.m12 + cy * (w.m02 + cx * w.m22);
-    yy += w.m11 + cy * (w.m12 + w.m12 + cy * w.m22);
+@inline export function gatherHinge(
+  t: JointTable,
+  rigid: RigidTable,
+  at: JointPlace,
+  start: HingeStart,
+  bias: f64,
+  soft: bool,
+): void {
+  if (at.below != 0) gatherChild(t, rigid, at, soft);
+  else gatherEnd(rigid, at, soft);
+  const to = changetype<ArticulatedBody>(at.above);
+  const x = -at.parentY;
+  const y = at.parentX;
+  let gx = at.valueX;
+  let gy = at.valueY;
+  if (soft) {
+    const wx = at.k00 * x + at.k01 * y;
+    const wy = at.k01 * x + at.k11 * y;
+    const mass = massBeside(t, at.above);
+    mass.m00 += at.k00;
+    mass.m01 += at.k01;
+    mass.m11 += at.k11;
+    mass.m02 += wx;
+    mass.m12 += wy;
+    mass.m22 += x * wx + y * wy;
+    gx += bias * (at.k00 * start.errorX + at.k01 * start.errorY);
+    gy += bias * (at.k01 * start.errorX + at.k11 * start.errorY);
   }
-  const determinant = xx * yy - xy * xy;
-  const k = determinant != 0 ? 1 / determinant : 0;
-  work.i00 = yy * k;
-  work.i01 = -xy * k;
-  work.i11 = xx * k;
-  if (work.parent != 0) addToParent(articulated(t, parentOf(work)), work);
+  to.gx += gx;
+  to.gy += gy;
+  to.gw += x * gx + y * gy;
 }
 
 // @ts-ignore: decorator
-@inline function addToParent(to: ArticulatedBody, work: JointWork): void {
-  const px = parentX(work);
-  const py = parentY(work);
-  const x = work.i00 * px + work.i01 * py;
-  const y = work.i01 * px + work.i11 * py;
-  to.m00 += work.i00;
-  to.m01 += work.i01;
-  to.m11 += work.i11;
-  to.m02 += x;
-  to.m12 += y;
-  to.m22 += px * x + py * y;
+@inline function gatherChild(t: JointTable, rigid: RigidTable, at: JointPlace, soft: bool): void {
+  const from = changetype<ArticulatedBody>(at.below);
+  const state = stateOf(rigid, at.childRow);
+  const sx = at.childY;
+  const sy = -at.childX;
+  if (soft) factorChild(from, massBeside(t, at.below), at, sx, sy);
+  const gx = from.gx + from.mass * <f64>state.vx;
+  const gy = from.gy + from.mass * <f64>state.vy;
+  const torque = from.gw + from.inertia * <f64>state.w + sx * gx + sy * gy;
+  from.gx = 0;
+  from.gy = 0;
+  from.gw = 0;
+  at.turn = torque * at.inverse;
+  at.valueX = gx - torque * at.ratioX;
+  at.valueY = gy - torque * at.ratioY;
 }
 
 // @ts-ignore: decorator
-@inline function speedX(work: JointWork, a: BodyState, b: BodyState): f64 {
-  return <f64>b.vx - <f64>a.vx - work.rby * <f64>b.w + work.ray * <f64>a.w;
+@inline function factorChild(body: ArticulatedBody, mass: ArticulatedMass, at: JointPlace, sx: f64, sy: f64): void {
+  const a00 = mass.m00 + body.mass;
+  const a01 = mass.m01;
+  const a11 = mass.m11 + body.mass;
+  const m02 = mass.m02;
+  const m12 = mass.m12;
+  const bx = m02 + a00 * sx + a01 * sy;
+  const by = m12 + a01 * sx + a11 * sy;
+  const d = mass.m22 + body.inertia + sx * (m02 + bx) + sy * (m12 + by);
+  mass.m00 = 0;
+  mass.m01 = 0;
+  mass.m02 = 0;
+  mass.m11 = 0;
+  mass.m12 = 0;
+  mass.m22 = 0;
+  const inverse = 1 / d;
+  const ratioX = bx * inverse;
+  const ratioY = by * inverse;
+  at.inverse = inverse;
+  at.ratioX = ratioX;
+  at.ratioY = ratioY;
+  at.k00 = a00 - bx * ratioX;
+  at.k01 = a01 - bx * ratioY;
+  at.k11 = a11 - by * ratioY;
 }
 
 // @ts-ignore: decorator
-@inline function speedY(work: JointWork, a: BodyState, b: BodyState): f64 {
-  return <f64>b.vy - <f64>a.vy + work.rbx * <f64>b.w - work.rax * <f64>a.w;
-}
-
-export function gatherHinge(t: JointTable, rigid: RigidTable, work: JointWork, bias: f64): void {
-  const sign: f64 = work.parent == 1 ? 1 : -1;
-  const a = stateA(rigid, work);
-  const b = stateB(rigid, work);
-  let vx = speedX(work, a, b) + bias * work.dx;
-  let vy = speedY(work, a, b) + bias * work.dy;
-  const child = childOf(work);
-  if (child != 0) {
-    const body = articulated(t, child);
-    accelerate(body);
-    vx -= sign * (body.fx + childX(work) * body.fw);
-    vy -= sign * (body.fy + childY(work) * body.fw);
+@inline function gatherEnd(rigid: RigidTable, at: JointPlace, soft: bool): void {
+  const state = stateOf(rigid, at.childRow);
+  if (soft) {
+    const body = changetype<ArticulatedBody>(at.above);
+    const mass = COMPLIANCE / body.mass;
+    const inertia = COMPLIANCE / body.inertia;
+    const xx = mass + inertia * at.parentY * at.parentY;
+    const xy = -inertia * at.parentX * at.parentY;
+    const yy = mass + inertia * at.parentX * at.parentX;
+    const k = 1 / (xx * yy - xy * xy);
+    at.k00 = yy * k;
+    at.k01 = -xy * k;
+    at.k11 = xx * k;
   }
-  work.valueX = vx;
-  work.valueY = vy;
-  const x = sign * (work.i00 * vx + work.i01 * vy);
-  const y = sign * (work.i01 * vx + work.i11 * vy);
-  const to = articulated(t, parentOf(work));
-  to.gx -= x;
-  to.gy -= y;
-  to.gw -= parentX(work) * x + parentY(work) * y;
+  const ux = <f64>state.vx - <f64>state.w * at.childY;
+  const uy = <f64>state.vy + <f64>state.w * at.childX;
+  at.valueX = at.k00 * ux + at.k01 * uy;
+  at.valueY = at.k01 * ux + at.k11 * uy;
 }
 
-export function exertHinge(t: JointTable, rigid: RigidTable, work: JointWork, bias: f64): void {
-  const a = stateA(rigid, work);
-  const b = stateB(rigid, work);
-  const sign: f64 = work.parent == 1 ? 1 : -1;
-  let vx = work.valueX;
-  let vy = work.valueY;
-  if (work.parent == 0) {
-    vx = speedX(work, a, b) + bias * work.dx;
-    vy = speedY(work, a, b) + bias * work.dy;
-  } else {
-    const from = articulated(t, parentOf(work));
-    vx += sign * (from.fx + parentX(work) * from.fw);
-    vy += sign * (from.fy + parentY(work) * from.fw);
+// From the root: the impulse of the hinge, and the velocity of the child.
+// @ts-ignore: decorator
+@inline export function exertHinge(
+  rigid: RigidTable,
+  at: JointPlace,
+  start: HingeStart,
+  bias: f64,
+  soft: bool,
+): void {
+  const from = changetype<ArticulatedBody>(at.above);
+  let ux = from.vx - from.w * at.parentY;
+  let uy = from.vy + from.w * at.parentX;
+  if (soft) {
+    ux -= bias * start.errorX;
+    uy -= bias * start.errorY;
   }
-  const x = work.i00 * vx + work.i01 * vy;
-  const y = work.i01 * vx + work.i11 * vy;
-  const child = childOf(work);
-  if (child != 0) push(articulated(t, child), work, sign * x, sign * y);
-  const jx = finite(-softness.massScale * x - softness.impulseScale * work.impulseX);
-  const jy = finite(-softness.massScale * y - softness.impulseScale * work.impulseY);
-  work.impulseX += jx;
-  work.impulseY += jy;
-  applyAtHinge(work, a, b, jx, jy);
+  const x = finite(at.k00 * ux + at.k01 * uy - at.valueX);
+  const y = finite(at.k01 * ux + at.k11 * uy - at.valueY);
+  at.impulseX = soft ? softness.massScale * x : at.impulseX + x;
+  at.impulseY = soft ? softness.massScale * y : at.impulseY + y;
+  if (at.below == 0) return;
+  const body = changetype<ArticulatedBody>(at.below);
+  const w = at.turn - at.ratioX * ux - at.ratioY * uy;
+  body.w = w;
+  body.vx = ux + w * at.childY;
+  body.vy = uy - w * at.childX;
+  follow(stateOf(rigid, at.childRow), body, at.turns != 0);
+}
+
+// Brings a body to the velocity that its tree gives it, or, softly, most of the way.
+// @ts-ignore: decorator
+@inline export function follow(state: BodyState, body: ArticulatedBody, turns: bool): void {
+  const scale = softness.massScale;
+  state.vx = <real>(<f64>state.vx + scale * finite(body.vx - <f64>state.vx));
+  state.vy = <real>(<f64>state.vy + scale * finite(body.vy - <f64>state.vy));
+  if (turns) state.w = <real>(<f64>state.w + scale * finite(body.w - <f64>state.w));
+}
+
+// Ends a sub-step.
+// @ts-ignore: decorator
+@inline export function watchHinge(at: JointPlace): void {
+  const x = at.impulseX;
+  const y = at.impulseY;
+  at.largest = max<f64>(at.largest, x * x + y * y);
+}
+
+// Applies an impulse to the child, and its opposite to the parent.
+export function applyAtHinge(t: JointTable, rigid: RigidTable, at: JointPlace, x: f64, y: f64): void {
+  push(t, rigid, at.childRow, x, y, at.childX, at.childY);
+  push(t, rigid, at.parentRow, -x, -y, at.parentX, at.parentY);
 }
 
 // @ts-ignore: decorator
-@inline function push(body: ArticulatedBody, work: JointWork, x: f64, y: f64): void {
-  const w = childX(work) * x + childY(work) * y;
-  body.fx += body.m00 * x + body.m01 * y + body.m02 * w;
-  body.fy += body.m01 * x + body.m11 * y + body.m12 * w;
-  body.fw += body.m02 * x + body.m12 * y + body.m22 * w;
-}
-
-// Applies an impulse to b at the hinge, and its opposite to a.
-// @ts-ignore: decorator
-@inline export function applyAtHinge(work: JointWork, a: BodyState, b: BodyState, x: f64, y: f64): void {
-  a.vx = <real>(<f64>a.vx - work.massA * x);
-  a.vy = <real>(<f64>a.vy - work.massA * y);
-  a.w = <real>(<f64>a.w - work.inertiaA * (work.rax * y - work.ray * x));
-  b.vx = <real>(<f64>b.vx + work.massB * x);
-  b.vy = <real>(<f64>b.vy + work.massB * y);
-  b.w = <real>(<f64>b.w + work.inertiaB * (work.rbx * y - work.rby * x));
+@inline function push(t: JointTable, rigid: RigidTable, row: i32, x: f64, y: f64, armX: f64, armY: f64): void {
+  const state = stateOf(rigid, row);
+  const inverseMass = <f64>poseOf(rigid, row).inverseMass;
+  state.vx = <real>(<f64>state.vx + inverseMass * x);
+  state.vy = <real>(<f64>state.vy + inverseMass * y);
+  state.w = <real>(<f64>state.w + jointed(t, row).inverseInertia * (armX * y - armY * x));
 }

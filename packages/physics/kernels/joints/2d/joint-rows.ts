@@ -3,15 +3,13 @@ import { BodyState, stateOf } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { JointRow, JointWork, rowOf } from './joint-work';
 
-// @ts-ignore: decorator
-@inline export function speedAlong(a: BodyState, b: BodyState, row: JointRow): f64 {
+export function speedAlong(a: BodyState, b: BodyState, row: JointRow): f64 {
   const linear = row.x * (<f64>b.vx - <f64>a.vx) + row.y * (<f64>b.vy - <f64>a.vy);
   return linear + row.armB * <f64>b.w - row.armA * <f64>a.w;
 }
 
 // Applies an impulse to b along a row, and its opposite to a. Bodies without mass keep their velocities.
-// @ts-ignore: decorator
-@inline export function applyAlong(work: JointWork, a: BodyState, b: BodyState, row: JointRow, impulse: f64): void {
+export function applyAlong(work: JointWork, a: BodyState, b: BodyState, row: JointRow, impulse: f64): void {
   const ja = impulse * work.massA;
   const jb = impulse * work.massB;
   a.vx = <real>(<f64>a.vx - ja * row.x);
@@ -23,8 +21,7 @@ import { JointRow, JointWork, rowOf } from './joint-work';
 }
 
 // Applies the impulses of the three locked directions together. The rows of a joint with fewer of them are zero.
-// @ts-ignore: decorator
-@inline export function applyLocks(work: JointWork, a: BodyState, b: BodyState, j0: f64, j1: f64, j2: f64): void {
+export function applyLocks(work: JointWork, a: BodyState, b: BodyState, j0: f64, j1: f64, j2: f64): void {
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
@@ -41,8 +38,7 @@ import { JointRow, JointWork, rowOf } from './joint-work';
 }
 
 // What one row and another have to do with each other through the masses of both bodies, 1/kg: an element of J M⁻¹ Jᵀ.
-// @ts-ignore: decorator
-@inline export function coupling(work: JointWork, p: JointRow, q: JointRow): f64 {
+export function coupling(work: JointWork, p: JointRow, q: JointRow): f64 {
   const linear = (work.massA + work.massB) * (p.x * q.x + p.y * q.y);
   return linear + work.inertiaA * p.armA * q.armA + work.inertiaB * p.armB * q.armB;
 }

@@ -35,12 +35,25 @@ export class JointTable {
   breakTorque: usize;
   collide: usize;
   started: usize;
-  // Ids of all joints, ascending, and the joints of this step in the order of the trees, class JointWork.
+  // Ids of all joints, ascending.
   ids: usize;
   count: i32;
+  // The joints of this step that are solved one by one, class JointWork, and their rows: those of trees in the order of the
+  // trees, then the others.
   works: usize;
   rows: usize;
+  // What is read of them in every pass, class JointPlace.
+  places: usize;
+  // Of hinges, class HingeStart.
+  starts: usize;
+  treeCount: i32;
   workCount: i32;
+  // How many of them are no plain hinges of trees.
+  otherCount: i32;
+  // Hinges that close a loop and do nothing else, side by side (loop-block.ts): the blocks, and where each color begins.
+  blocks: usize;
+  blockCount: i32;
+  colors: usize;
   // Indices of the joints that do more than lock directions: with a spring, a motor or limits, and all motor joints,
   // pulleys and gears.
   axes: usize;
@@ -61,22 +74,32 @@ export class JointTable {
   linkIds: usize;
   // The bit of Joint in the membership of an entity.
   jointBit: u32;
-  // The joints that act in this step: ids, the rows of both bodies as far as joints move them, and which of the two is the
-  // parent in a tree. Then their indices in the order of the trees, parents first, and the first bodies of the trees.
+  // The joints that act in this step: ids, the rows of both bodies, and again as far as joints move them, what they do
+  // (list-active.ts), and which of the two is the parent in a tree; of a hinge in a block, its lane. Then their indices in the
+  // order of the trees, parents first, and the first bodies of the trees.
   active: usize;
+  ends: usize;
   nodes: usize;
+  roles: usize;
   parents: usize;
   activeCount: i32;
   order: usize;
   orderCount: i32;
   roots: usize;
   rootCount: i32;
-  // By row of a body: class ArticulatedBody, the set it belongs to, and its first joint in `next`, which has two entries for
-  // each joint.
+  // The bodies of the trees, class ArticulatedBody: first the roots, then the child of each joint; their matrices, class
+  // ArticulatedMass; and their rows, 0 for one that joints do not move.
   bodies: usize;
+  masses: usize;
+  bodyRows: usize;
+  bodyCount: i32;
+  // By row of a body: class JointedBody, the set it belongs to, its first joint in `next`, which has two entries for each
+  // joint, and a mark.
+  jointed: usize;
   sets: usize;
   heads: usize;
   next: usize;
+  marks: usize;
 }
 
 // What a joint has exerted, N s and N m s, on b: by its locked directions, spring, motor and limits. A motor joint has its
@@ -86,13 +109,13 @@ export class JointImpulses {
   lock0: f64;
   lock1: f64;
   lock2: f64;
+  // Largest force, N, and torque, N m, in the step.
+  force: f64;
+  torque: f64;
   spring: f64;
   motor: f64;
   lower: f64;
   upper: f64;
-  // Largest force, N, and torque, N m, in the step.
-  force: f64;
-  torque: f64;
   // A hash of what users set, noted when its bodies fall asleep.
   settings: u32;
   pad: u32;

@@ -1,35 +1,61 @@
 // Joints that hang together as trees, so that all locked directions of a tree can be solved at once (solve-locks.ts). What
 // does not move belongs to no tree: a bridge between two pillars is one tree, and so is a chain from the ceiling. A joint
 // that closes a loop is left out and solved by itself, after the others.
-import { get } from '../../memory/columns';
 import { putWord, word } from '../../solver/2d/body';
-import { clearBody } from './articulated-body';
-import { DISTANCE, JointTable, MOTOR } from './joint-table';
+import { JointTable } from './joint-table';
+import { LOCKS } from './list-active';
 
 // What t.parents holds of a joint: which body is its parent, that it closes a loop, or that no tree has grown to it yet.
 export const LOOP: i32 = 0;
 export const PARENT_A: i32 = 1;
+export const PARENT_B: i32 = 2;
 const UNREACHED: i32 = 3;
 
-// Of a body whose joints are in a tree: in the place of its first joint.
+// Of a body whose joints are in a tree, in the place of its first joint: this less the index of the body in t.bodies.
 const REACHED: i32 = -2;
 
+// All trees grow at once, so that joints that wait for each other are far apart in the order.
 export function orderTrees(t: JointTable): void {
   const count = t.activeCount;
   for (let i = 0; i < 2 * count; i++) {
     const row = word(t.nodes, i);
     putWord(t.sets, row, row);
     putWord(t.heads, row, -1);
+    putWord(t.marks, row, 0);
   }
   for (let i = 0; i < count; i++) linkJoint(t, i);
+  listRoots(t);
   t.orderCount = 0;
-  t.rootCount = 0;
-  for (let i = 0; i < 2 * count; i++) {
-    const row = word(t.nodes, i);
-    if (row != 0) growTree(t, row);
+  for (let r = 0; r < t.rootCount; r++) reach(t, word(t.roots, r), r);
+  for (let at = 0; at < t.orderCount; at++) {
+    const child = childOf(t, word(t.order, at));
+    if (child != 0) reach(t, child, t.rootCount + at);
   }
-  // Joints that close a loop come last.
-  for (let i = 0; i < count; i++) if (word(t.parents, i) == LOOP) putWord(t.order, t.orderCount++, i);
+  t.treeCount = t.orderCount;
+}
+
+// The first body of each tree: that with the smallest row.
+function listRoots(t: JointTable): void {
+  t.rootCount = 0;
+  for (let i = 0; i < 2 * t.activeCount; i++) {
+    const row = word(t.nodes, i);
+    if (row == 0 || word(t.sets, row) != row || word(t.heads, row) < 0 || word(t.marks, row) != 0) continue;
+    putWord(t.marks, row, 1);
+    putWord(t.roots, t.rootCount++, row);
+  }
+  for (let r = 0; r < t.rootCount; r++) putWord(t.marks, word(t.roots, r), 0);
+}
+
+// The row of the body at the end of a joint that is not its parent, 0 where it does not move.
+// @ts-ignore: decorator
+@inline export function childOf(t: JointTable, i: i32): i32 {
+  return word(t.nodes, 2 * i + (word(t.parents, i) == PARENT_A ? 1 : 0));
+}
+
+// The index in t.bodies of the parent of a joint in a tree.
+// @ts-ignore: decorator
+@inline export function indexAbove(t: JointTable, i: i32): i32 {
+  return REACHED - word(t.heads, word(t.nodes, 2 * i + (word(t.parents, i) == PARENT_A ? 0 : 1)));
 }
 
 // Joins the sets of the two bodies, and lists the joint at each; not where both are in one set already.
@@ -37,7 +63,8 @@ function linkJoint(t: JointTable, i: i32): void {
   const a = word(t.nodes, 2 * i);
   const b = word(t.nodes, 2 * i + 1);
   putWord(t.parents, i, LOOP);
-  if (!locks(t, word(t.active, i))) return;
+  // What locks nothing would turn a chain of locks into a loop.
+  if ((word(t.roles, i) & LOCKS) == 0) return;
   if (a != 0 && b != 0) {
     const setA = setOf(t, a);
     const setB = setOf(t, b);
@@ -49,14 +76,7 @@ function linkJoint(t: JointTable, i: i32): void {
   if (b != 0) listAt(t, b, 2 * i + 1);
 }
 
-// Whether a joint locks any direction. Others take no part in trees, where they would turn a chain of locks into a loop.
-function locks(t: JointTable, id: i32): bool {
-  const kind = <u32>word(t.kind, id);
-  if (kind == DISTANCE) return !(get(t.hertz, id) > 0) && word(t.hasLimits, id) == 0;
-  return kind < MOTOR;
-}
-
-function setOf(t: JointTable, row: i32): i32 {
+export function setOf(t: JointTable, row: i32): i32 {
   let set = row;
   while (word(t.sets, set) != set) {
     putWord(t.sets, set, word(t.sets, word(t.sets, set)));
@@ -71,24 +91,10 @@ function setOf(t: JointTable, row: i32): i32 {
   putWord(t.heads, row, entry);
 }
 
-// Breadth first: t.order serves as the queue.
-function growTree(t: JointTable, root: i32): void {
-  if (word(t.heads, root) == REACHED) return;
-  let at = t.orderCount;
-  reach(t, root);
-  if (t.orderCount == at) return;
-  putWord(t.roots, t.rootCount++, root);
-  while (at < t.orderCount) {
-    const i = word(t.order, at++);
-    const child = word(t.nodes, 2 * i + (word(t.parents, i) == PARENT_A ? 1 : 0));
-    if (child != 0) reach(t, child);
-  }
-}
-
 // Adds the joints of a body that no other has added.
-function reach(t: JointTable, row: i32): void {
+function reach(t: JointTable, row: i32, index: i32): void {
   let entry = word(t.heads, row);
-  putWord(t.heads, row, REACHED);
+  putWord(t.heads, row, REACHED - index);
   while (entry >= 0) {
     const i = entry >> 1;
     if (word(t.parents, i) == UNREACHED) {
@@ -96,17 +102,5 @@ function reach(t: JointTable, row: i32): void {
       putWord(t.order, t.orderCount++, i);
     }
     entry = word(t.next, entry);
-  }
-}
-
-// Forgets what acts on the bodies of all trees. Each is a root or the child of one joint.
-export function clearTrees(t: JointTable): void {
-  for (let k = 0; k < t.rootCount; k++) clearBody(t, word(t.roots, k));
-  for (let k = 0; k < t.orderCount; k++) {
-    const i = word(t.order, k);
-    const parent = word(t.parents, i);
-    if (parent == LOOP) continue;
-    const child = word(t.nodes, 2 * i + (parent == PARENT_A ? 1 : 0));
-    if (child != 0) clearBody(t, child);
   }
 }

@@ -1,7 +1,7 @@
 // A joint of this step. Each direction in which it acts is a row of the Jacobian: with the vector d and the arms of both
 // bodies, its speed is d · (v_b - v_a) + arm_b ω_b - arm_a ω_a. The locked directions of a hinge are x and y: they follow
 // from the anchors and have no rows (hinge-locks.ts).
-import { JointTable, REVOLUTE } from './joint-table';
+import { JointTable } from './joint-table';
 
 @unmanaged
 export class JointRow {
@@ -17,19 +17,19 @@ export class JointRow {
 
 @unmanaged
 export class JointWork {
+  // As of JointPlace.
+  parent: i32;
   id: i32;
-  // Rows of the bodies' states, 0 for one that does not move, and of their poses.
+  kind: u32;
+  // Number of locked directions.
+  locks: i32;
+  // 1 with a spring, a motor or limits, and for motor joints, pulleys and gears.
+  hasAxes: i32;
+  // Rows of the states of a and b, 0 for one that does not move, and of their poses.
   a: i32;
   b: i32;
   rowA: i32;
   rowB: i32;
-  // Number of locked directions.
-  locks: i32;
-  // In a tree: 1 where a is the parent, 2 where b is, 0 for a joint that closes a loop.
-  parent: i32;
-  kind: u32;
-  // 1 with a spring, a motor or limits, and for motor joints, pulleys and gears.
-  hasAxes: i32;
   // Rows, class JointRow: three locked ones, that of spring and limits, and that of the motor.
   rows: usize;
   massA: f64;
@@ -50,14 +50,7 @@ export class JointWork {
   rby: f64;
   dx: f64;
   dy: f64;
-  // Of a hinge: an intermediate of the solution, as `value` of a row, and what it has exerted: JointImpulses keeps it from
-  // step to step only.
-  valueX: f64;
-  valueY: f64;
-  impulseX: f64;
-  impulseY: f64;
-  // Largest impulse of a sub-step, squared, and largest angular impulse.
-  largest: f64;
+  // Largest angular impulse of a sub-step.
   largestTurn: f64;
   // Anchors in the axes of the bodies.
   localAx: f64;
@@ -65,6 +58,61 @@ export class JointWork {
   localBx: f64;
   localBy: f64;
 }
+
+// Of a hinge when the step began: anchors from the centres of the parent and the child, in the axes of the world, and from the
+// centre of the parent to that of the child, m. Then from the anchor of the parent to that of the child, now.
+@unmanaged
+export class HingeStart {
+  parentX: f64;
+  parentY: f64;
+  childX: f64;
+  childY: f64;
+  x: f64;
+  y: f64;
+  errorX: f64;
+  errorY: f64;
+}
+
+// What is read of a joint in every pass, side by side: its place in a tree, and a hinge (hinge-locks.ts).
+@unmanaged
+export class JointPlace {
+  // Whether it is solved as a hinge of a tree: PLAIN, or WARM if it begins with what it exerted in the last sub-step, else 0.
+  hinge: i32;
+  // Whether the child may turn.
+  turns: i32;
+  // In a tree: the parent and the child, class ArticulatedBody, the child 0 if joints do not move it.
+  above: usize;
+  below: usize;
+  id: i32;
+  // In a tree: 1 where a is the parent, 2 where b is, 0 for a joint that closes a loop; of this, a counts as the parent.
+  parent: i32;
+  // Rows of the states of the parent and the child, 0 for one that does not move.
+  parentRow: i32;
+  childRow: i32;
+  // The matrix of the hinge, and b/d and 1/d of its child.
+  k00: f64;
+  k01: f64;
+  k11: f64;
+  ratioX: f64;
+  ratioY: f64;
+  inverse: f64;
+  // Anchors from the centres of the parent and the child, in the axes of the world, m.
+  parentX: f64;
+  parentY: f64;
+  childX: f64;
+  childY: f64;
+  // Intermediates of the solution, and the impulse on the child.
+  valueX: f64;
+  valueY: f64;
+  turn: f64;
+  impulseX: f64;
+  impulseY: f64;
+  // Largest impulse of a sub-step, squared.
+  largest: f64;
+}
+
+export const PLAIN: i32 = 1;
+export const WARM: i32 = 2;
 
 const ROW: usize = 48;
 const ROWS: usize = 5 * ROW;
@@ -78,23 +126,24 @@ export const MOTOR_ROW: i32 = 4;
   return changetype<JointWork>(t.works + <usize>i * SIZE);
 }
 
-// Everything but the rows is zero, and the rows are those of before.
+const PLACE: usize = offsetof<JointPlace>();
+
 // @ts-ignore: decorator
-@inline export function clearWork(t: JointTable, i: i32): JointWork {
-  const work = workAt(t, i);
-  memory.fill(changetype<usize>(work), 0, SIZE);
-  work.rows = t.rows + <usize>i * ROWS;
-  return work;
+@inline export function placeAt(t: JointTable, i: i32): JointPlace {
+  return changetype<JointPlace>(t.places + <usize>i * PLACE);
+}
+
+const START: usize = offsetof<HingeStart>();
+
+// @ts-ignore: decorator
+@inline export function startAt(t: JointTable, i: i32): HingeStart {
+  return changetype<HingeStart>(t.starts + <usize>i * START);
 }
 
 // @ts-ignore: decorator
-@inline export function clearRows(work: JointWork): void {
-  memory.fill(work.rows, 0, ROWS);
-}
-
-// @ts-ignore: decorator
-@inline export function isHinge(work: JointWork): bool {
-  return work.kind == REVOLUTE;
+@inline export function clearRows(t: JointTable, i: i32): void {
+  workAt(t, i).rows = t.rows + <usize>i * ROWS;
+  memory.fill(t.rows + <usize>i * ROWS, 0, ROWS);
 }
 
 // @ts-ignore: decorator
@@ -102,24 +151,8 @@ export const MOTOR_ROW: i32 = 4;
   return changetype<JointRow>(work.rows + <usize>i * ROW);
 }
 
-// The row of a body in trees: 0 for what joints do not move.
+// What is done to the child is done to b, times this.
 // @ts-ignore: decorator
-@inline export function nodeA(work: JointWork): i32 {
-  return work.massA > 0 ? work.a : 0;
-}
-
-// @ts-ignore: decorator
-@inline export function nodeB(work: JointWork): i32 {
-  return work.massB > 0 ? work.b : 0;
-}
-
-// The child in a tree, 0 where it does not move; a joint that closes a loop has none.
-// @ts-ignore: decorator
-@inline export function childOf(work: JointWork): i32 {
-  return work.parent == 0 ? 0 : work.parent == 1 ? nodeB(work) : nodeA(work);
-}
-
-// @ts-ignore: decorator
-@inline export function parentOf(work: JointWork): i32 {
-  return work.parent == 1 ? nodeA(work) : nodeB(work);
+@inline export function signOf(at: JointPlace): f64 {
+  return at.parent == 2 ? -1 : 1;
 }

@@ -3,20 +3,24 @@ import { get } from '../../memory/columns';
 import { cosine, sine } from '../../math/elementary';
 import { BodyPose, BodyState, poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, WELD, WHEEL } from './joint-table';
-import { addStiffness } from './brace-joints';
-import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, isHinge, rowOf } from './joint-work';
+import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, WHEEL } from './joint-table';
+import { measureHinge } from './hinge-locks';
+import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, placeAt, rowOf, startAt, workAt } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
 
 // Closer points have no direction between them.
 const MIN_DISTANCE: f64 = 1e-9;
 
-export function measureJoint(t: JointTable, work: JointWork): void {
-  locate(t, work);
-  if (!isHinge(work)) measureLocks(t, work);
-  else work.locks = 2;
-  if (work.hasAxes != 0 && (work.kind == WELD || isHinge(work))) turnAbout(work, angleBetween(t, work));
-  if (work.locks > 0) addStiffness(t, work);
+export function measureJoint(t: JointTable, k: i32): void {
+  const work = workAt(t, k);
+  const at = placeAt(t, k);
+  if (at.hinge != 0) {
+    measureHinge(changetype<RigidTable>(t.rigid), at, startAt(t, k));
+  } else {
+    locate(t, work);
+    measureLocks(t, work);
+  }
+  if (work.hasAxes != 0 && (work.kind == WELD || work.kind == REVOLUTE)) turnAbout(work, angleBetween(t, work));
 }
 
 // Cosine and sine of the angle of the body that was asked for last, now.
@@ -60,6 +64,7 @@ function angleBetween(t: JointTable, work: JointWork): f64 {
 function measureLocks(t: JointTable, work: JointWork): void {
   const kind = work.kind;
   work.locks = 0;
+  if (kind == REVOLUTE) lockPoint(work);
   if (kind == WELD) {
     lockPoint(work);
     // A weld with a spring bends.
@@ -72,8 +77,7 @@ function measureLocks(t: JointTable, work: JointWork): void {
   if (kind == GEAR) measureGear(t, work);
 }
 
-// @ts-ignore: decorator
-@inline function setRow(row: JointRow, x: f64, y: f64, armA: f64, armB: f64, error: f64): void {
+function setRow(row: JointRow, x: f64, y: f64, armA: f64, armB: f64, error: f64): void {
   row.x = x;
   row.y = y;
   row.armA = armA;
@@ -81,8 +85,7 @@ function measureLocks(t: JointTable, work: JointWork): void {
   row.error = error;
 }
 
-// @ts-ignore: decorator
-@inline function aboutAngle(row: JointRow, angle: f64): void {
+function aboutAngle(row: JointRow, angle: f64): void {
   setRow(row, 0, 0, 1, 1, angle);
 }
 

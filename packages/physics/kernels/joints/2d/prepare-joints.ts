@@ -1,83 +1,86 @@
-// Begins a step of the joints: which of them act, with which masses, from which impulses.
+// Begins a step of the joints: which of them act, with which masses, from where.
 import { get } from '../../memory/columns';
-import { ASLEEP, DYNAMIC, MOVES, flagsOf, poseOf, putWord, word } from '../../solver/2d/body';
+import { poseOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { FILTER, IMPULSES_SIZE, JointImpulses, JointTable, MOTOR, impulsesOf } from './joint-table';
-import { clearRows, clearWork, isHinge } from './joint-work';
-import { clearTrees, orderTrees } from './joint-trees';
+import { braceBodies, jointed, startJointed, stiffen } from './brace-joints';
+import { beginLoops, braceLoops } from './color-loops';
+import { JointTable, impulsesOf } from './joint-table';
+import { PARENT_B } from './joint-trees';
+import { PLAIN, placeAt, startAt, workAt } from './joint-work';
+import { layOutJoints } from './lay-out-joints';
+import { listActive } from './list-active';
+import { measureJoint } from './measure-joints';
 import { wakeJoined } from './wake-joints';
+import { stiffenByLocks } from './watch-joints';
 
 export function prepareJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   rigid.links = t.links;
   wakeJoined(t, rigid);
-  t.activeCount = 0;
-  for (let i = 0; i < t.count; i++) {
-    const id = word(t.ids, i);
-    if (word(t.started, id) == 0) {
-      memory.fill(changetype<usize>(impulsesOf(t, id)), 0, IMPULSES_SIZE);
-      putWord(t.started, id, 1);
-    }
-    if (<u32>word(t.kind, id) == FILTER) continue;
-    const a = word(t.a, id);
-    const b = word(t.b, id);
-    const movesA = isMoved(rigid, a);
-    const movesB = isMoved(rigid, b);
-    if (!movesA && !movesB) continue;
-    putWord(t.nodes, 2 * t.activeCount, movesA ? a : 0);
-    putWord(t.nodes, 2 * t.activeCount + 1, movesB ? b : 0);
-    putWord(t.active, t.activeCount++, id);
+  if (listActive(t, rigid)) layOutJoints(t, rigid);
+  for (let i = 0; i < t.bodyCount; i++) startJointed(t, rigid, word(t.bodyRows, i));
+  for (let k = t.treeCount; k < t.workCount; k++) {
+    startJointed(t, rigid, workAt(t, k).a);
+    startJointed(t, rigid, workAt(t, k).b);
   }
-  orderTrees(t);
-  t.workCount = 0;
-  t.axisCount = 0;
-  for (let k = 0; k < t.orderCount; k++) startWork(t, rigid, word(t.order, k));
-  clearTrees(t);
+  for (let k = 0; k < t.workCount; k++) {
+    if (placeAt(t, k).hinge != PLAIN) beginRows(t, rigid, k);
+    if (placeAt(t, k).hinge != 0) beginHinge(t, rigid, k);
+  }
+  beginLoops(t, rigid);
+  braceBodies(t, rigid);
+  braceLoops(t);
+  for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) if (placeAt(t, k).hinge != PLAIN) braceRows(t, k);
 }
 
-// @ts-ignore: decorator
-@inline function isMoved(rigid: RigidTable, row: i32): bool {
-  return (flagsOf(rigid, row) & (DYNAMIC | ASLEEP)) == DYNAMIC;
-}
-
-function startWork(t: JointTable, rigid: RigidTable, i: i32): void {
-  const id = word(t.active, i);
-  const a = word(t.a, id);
-  const b = word(t.b, id);
-  const impulses = impulsesOf(t, id);
-  dropUnused(t, id, impulses);
-  const kind = <u32>word(t.kind, id);
-  const hasAxes = kind >= MOTOR || get(t.hertz, id) > 0 || get(t.maxMotor, id) > 0 || word(t.hasLimits, id) != 0;
-  if (hasAxes) putWord(t.axes, t.axisCount++, t.workCount);
-  const work = clearWork(t, t.workCount++);
-  work.id = id;
-  work.kind = kind;
-  if (hasAxes || !isHinge(work)) clearRows(work);
-  work.impulseX = impulses.lock0;
-  work.impulseY = impulses.lock1;
+// Begins a step of a joint that has rows.
+function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
+  const work = workAt(t, k);
+  const id = work.id;
   work.localAx = <f64>get(t.ax, id);
   work.localAy = <f64>get(t.ay, id);
   work.localBx = <f64>get(t.bx, id);
   work.localBy = <f64>get(t.by, id);
-  work.hasAxes = hasAxes ? 1 : 0;
-  work.parent = word(t.parents, i);
-  work.rowA = a;
-  work.rowB = b;
-  work.a = (flagsOf(rigid, a) & MOVES) != 0 ? a : 0;
-  work.b = (flagsOf(rigid, b) & MOVES) != 0 ? b : 0;
-  work.massA = <f64>poseOf(rigid, a).inverseMass;
-  work.inertiaA = <f64>poseOf(rigid, a).inverseInertia;
-  work.massB = <f64>poseOf(rigid, b).inverseMass;
-  work.inertiaB = <f64>poseOf(rigid, b).inverseInertia;
+  work.massA = <f64>poseOf(rigid, work.rowA).inverseMass;
+  work.massB = <f64>poseOf(rigid, work.rowB).inverseMass;
+  work.largestTurn = 0;
+  const at = placeAt(t, k);
+  at.largest = 0;
+  at.turns = poseOf(rigid, at.childRow).inverseInertia > 0 ? 1 : 0;
+  if (at.hinge != 0) return;
+  measureJoint(t, k);
+  if (work.locks > 0) stiffenByLocks(t, work, impulsesOf(t, id));
 }
 
-// Clears the impulses of a spring, motor or limit that was switched off.
-function dropUnused(t: JointTable, id: i32, impulses: JointImpulses): void {
-  if (!(get(t.hertz, id) > 0)) impulses.spring = 0;
-  if (!(get(t.maxMotor, id) > 0)) impulses.motor = 0;
-  if (word(t.hasLimits, id) == 0) {
-    impulses.lower = 0;
-    impulses.upper = 0;
-  }
+// The inertias that rows see.
+function braceRows(t: JointTable, k: i32): void {
+  const work = workAt(t, k);
+  work.inertiaA = jointed(t, work.a).inverseInertia;
+  work.inertiaB = jointed(t, work.b).inverseInertia;
+}
+
+// @ts-ignore: decorator
+@inline function beginHinge(t: JointTable, rigid: RigidTable, k: i32): void {
+  const at = placeAt(t, k);
+  const start = startAt(t, k);
+  const work = workAt(t, k);
+  const id = at.id;
+  const swaps = at.parent == PARENT_B;
+  const parent = poseOf(rigid, swaps ? work.rowB : work.rowA);
+  const child = poseOf(rigid, swaps ? work.rowA : work.rowB);
+  const px = <f64>get(swaps ? t.bx : t.ax, id);
+  const py = <f64>get(swaps ? t.by : t.ay, id);
+  const cx = <f64>get(swaps ? t.ax : t.bx, id);
+  const cy = <f64>get(swaps ? t.ay : t.by, id);
+  start.parentX = <f64>parent.c * px - <f64>parent.s * py;
+  start.parentY = <f64>parent.s * px + <f64>parent.c * py;
+  start.childX = <f64>child.c * cx - <f64>child.s * cy;
+  start.childY = <f64>child.s * cx + <f64>child.c * cy;
+  start.x = <f64>child.x - <f64>parent.x;
+  start.y = <f64>child.y - <f64>parent.y;
+  at.largest = 0;
+  at.turns = child.inverseInertia > 0 ? 1 : 0;
+  stiffen(t, at.childRow, at.impulseX, at.impulseY, start.childX, start.childY);
+  stiffen(t, at.parentRow, at.impulseX, at.impulseY, -start.parentX, -start.parentY);
 }

@@ -1,22 +1,37 @@
 // The locked directions of joints. Those of a tree are solved exactly and at once, however long a chain and however heavy
-// its end is: with the Jacobian J and the masses M, the impulses λ of all joints of the tree satisfy
+// its end is: with the Jacobian J, the masses M and velocities v that no joint of the tree has changed in this sub-step, the
+// velocities v* with the least (v* - v)ᵀ M (v* - v) for which
 //
-//   (J M⁻¹ Jᵀ) y = J v + r C        Δλ = -q y - p λ             r, q, p: bias rate, mass and impulse scale (softness.ts)
+//   J v* = -r C           v += q (v* - v)        λ = q M (v* - v)            r, q: bias rate and mass scale (softness.ts)
 //
-// From the ends of a tree towards its root, each joint adds to the mass of its parent what hangs below it, seen through the
-// joint; from the root back each joint gets its impulse: as many operations as there are joints. A joint that closes a loop
-// follows by itself. The joint is softer than rigid by a millionth, so that what is held from two sides has a solution.
+// From the ends of a tree towards its root, each joint adds to the mass and the momentum of its parent what hangs below it,
+// seen through the joint; from the root back each body gets its velocity: as many operations as there are joints. What the
+// joints exerted before does not matter: it would be taken back. A joint that closes a loop follows by itself: Δλ = -q y - p λ
+// with (J M⁻¹ Jᵀ) y = J v + r C and the impulse scale p = 1 - q. The joint is softer than rigid by a millionth, so that what
+// is held from two sides has a solution.
 // Sources: Baraff, Linear-Time Dynamics using Lagrange Multipliers (SIGGRAPH 1996); Featherstone, Rigid Body Dynamics
 // Algorithms (2008), chapter 7.
-import { word } from '../../solver/2d/body';
+import { stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { ArticulatedBody, accelerate, articulated, invert } from './articulated-body';
-import { exertHinge, factorHinge, gatherHinge } from './hinge-locks';
+import {
+  ArticulatedBody,
+  ArticulatedMass,
+  addOwnMass,
+  articulated,
+  freeVelocity,
+  invert,
+  massBeside,
+  massOf,
+} from './articulated-body';
+import { jointed } from './brace-joints';
+import { exertHinge, follow, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
 import { JointTable, impulsesOf } from './joint-table';
-import { JointRow, JointWork, childOf, isHinge, parentOf, rowOf, workAt } from './joint-work';
+import { JointPlace, JointRow, JointWork, PLAIN, placeAt, rowOf, signOf, startAt, workAt } from './joint-work';
 import { applyLocks, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
 import { softenJoint } from './soft-impulse';
+import { relaxLoops, solveLoops } from './solve-loops';
+import { applyImpulses } from './start-joints';
 import { watchJoint } from './watch-joints';
 
 const COMPLIANCE: f64 = 1e-6;
@@ -34,10 +49,8 @@ const COMPLIANCE: f64 = 1e-6;
 
 // The rows of a joint with fewer locked directions are zero, so three are solved of every joint: without loops, that is
 // faster than two or one.
-function factorJoint(t: JointTable, work: JointWork): void {
+function factorJoint(t: JointTable, at: JointPlace, work: JointWork): void {
   const share = work.parent == 0 ? 1 : COMPLIANCE;
-  if (isHinge(work)) return factorHinge(t, work, share);
-  const child = childOf(work);
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
@@ -47,22 +60,23 @@ function factorJoint(t: JointTable, work: JointWork): void {
   work.i11 = share * coupling(work, r1, r1);
   work.i12 = share * coupling(work, r1, r2);
   work.i22 = share * coupling(work, r2, r2);
-  if (child != 0) {
-    const body = articulated(t, child);
-    invert(changetype<usize>(body));
-    addThrough(body, work, r0, r1, r2);
+  if (at.below != 0) {
+    const mass = massBeside(t, at.below);
+    addOwnMass(mass, changetype<ArticulatedBody>(at.below));
+    invert(changetype<usize>(mass));
+    addThrough(mass, work, r0, r1, r2);
   }
   // A row of zeros has no impulse, whatever its element is.
   if (work.locks < 3) work.i22 = 1;
   if (work.locks < 2) work.i11 = 1;
   if (work.locks < 1) work.i00 = 1;
   invert(changetype<usize>(work) + offsetof<JointWork>('i00'));
-  if (work.parent != 0) addToParent(articulated(t, parentOf(work)), work, r0, r1, r2);
+  if (at.above != 0) addToParent(massBeside(t, at.above), work, r0, r1, r2);
 }
 
 // Adds J W Jᵀ for the inverse mass matrix W of the child.
 // @ts-ignore: decorator
-@inline function addThrough(w: ArticulatedBody, work: JointWork, r0: JointRow, r1: JointRow, r2: JointRow): void {
+@inline function addThrough(w: ArticulatedMass, work: JointWork, r0: JointRow, r1: JointRow, r2: JointRow): void {
   const c0 = childArm(work, r0);
   const c1 = childArm(work, r1);
   const c2 = childArm(work, r2);
@@ -85,7 +99,7 @@ function factorJoint(t: JointTable, work: JointWork): void {
 
 // Adds Jᵀ K J for the effective mass matrix K of the joint: what hangs below it, as the parent feels it.
 // @ts-ignore: decorator
-@inline function addToParent(to: ArticulatedBody, work: JointWork, r0: JointRow, r1: JointRow, r2: JointRow): void {
+@inline function addToParent(to: ArticulatedMass, work: JointWork, r0: JointRow, r1: JointRow, r2: JointRow): void {
   const p0 = parentArm(work, r0);
   const p1 = parentArm(work, r1);
   const p2 = parentArm(work, r2);
@@ -106,118 +120,180 @@ function factorJoint(t: JointTable, work: JointWork): void {
   to.m22 += p0 * w0 + p1 * w1 + p2 * w2;
 }
 
-// With `soft`, joints pull together what is apart, and their matrices are made for the rows as they are measured now;
-// without it, this sub-step ends, and the largest forces are kept.
-export function solveLocks(table: usize, soft: i32): void {
+// Joints pull together what is apart, and their matrices are made for the rows as they are measured now.
+export function solveLocks(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   softenJoint(rigid);
-  const bias = soft != 0 ? softness.biasRate : 0;
-  if (soft == 0) {
-    softness.massScale = 1;
-    softness.impulseScale = 0;
+  for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++)
+    if (placeAt(t, k).hinge != PLAIN) applyImpulses(t, rigid, k, -1);
+  solveAll(t, rigid, softness.biasRate, true);
+  solveLoops(t, softness.biasRate);
+}
+
+// Takes back the speed at which joints pulled, and ends the sub-step: the largest forces are kept.
+export function relaxLocks(table: usize): void {
+  const t = changetype<JointTable>(table);
+  const rigid = changetype<RigidTable>(t.rigid);
+  softness.massScale = 1;
+  softness.impulseScale = 0;
+  solveAll(t, rigid, 0, false);
+  relaxLoops(t);
+}
+
+// One function for both, because a branch on `soft` costs less than the code would weigh twice.
+function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool): void {
+  for (let k = t.treeCount - 1; k >= 0; k--) {
+    const at = placeAt(t, k);
+    if (soft && at.hinge == PLAIN) measureHinge(rigid, at, startAt(t, k));
+    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), bias, soft);
+    else gatherJoint(t, rigid, k, bias, soft);
   }
-  for (let k = t.workCount - 1; k >= 0; k--) {
-    const work = workAt(t, k);
-    if (soft != 0) factorJoint(t, work);
-    gatherForces(t, rigid, work, bias);
+  moveRoots(t, rigid, soft);
+  for (let k = 0; k < t.treeCount; k++) {
+    const at = placeAt(t, k);
+    if (at.hinge != 0) exertHinge(rigid, at, startAt(t, k), bias, soft);
+    else exertJoint(t, rigid, k, soft);
+    if (!soft) watch(t, at, k);
   }
-  for (let k = 0; k < t.rootCount; k++) {
-    const root = articulated(t, word(t.roots, k));
-    if (soft != 0) invert(changetype<usize>(root));
-    accelerate(root);
-  }
-  for (let k = 0; k < t.workCount; k++) {
-    const work = workAt(t, k);
-    exert(t, rigid, work, bias);
-    if (soft == 0) watchJoint(t, work);
+  for (let k = t.treeCount; k < t.workCount; k++) {
+    const at = placeAt(t, k);
+    if (soft) factorJoint(t, at, workAt(t, k));
+    exertLoop(t, rigid, k, bias);
+    if (!soft) watch(t, at, k);
   }
 }
 
-// How much a row would move with what a body does, as part of v_b - v_a.
+// @ts-ignore: decorator
+@inline function watch(t: JointTable, at: JointPlace, k: i32): void {
+  if (at.hinge == PLAIN) watchHinge(at);
+  else watchJoint(t, k);
+}
+
+function moveRoots(t: JointTable, rigid: RigidTable, soft: bool): void {
+  for (let k = 0; k < t.rootCount; k++) {
+    const root = articulated(t, k);
+    const mass = massOf(t, k);
+    const row = word(t.roots, k);
+    const state = stateOf(rigid, row);
+    if (soft) addOwnMass(mass, root);
+    if (soft) invert(changetype<usize>(mass));
+    freeVelocity(root, mass, <f64>state.vx, <f64>state.vy, <f64>state.w);
+    follow(state, root, jointed(t, row).inverseInertia > 0);
+  }
+}
+
+// How much a row moves with the velocity of a body.
 // @ts-ignore: decorator
 @inline function motion(body: ArticulatedBody, row: JointRow, arm: f64): f64 {
-  return row.x * body.fx + row.y * body.fy + arm * body.fw;
+  return row.x * body.vx + row.y * body.vy + arm * body.w;
 }
 
-// From the ends: what is left for the parent to do.
-function gatherForces(t: JointTable, rigid: RigidTable, work: JointWork, bias: f64): void {
-  if (work.parent == 0 || work.locks == 0) return;
-  if (isHinge(work)) return gatherHinge(t, rigid, work, bias);
-  const sign: f64 = work.parent == 1 ? 1 : -1;
-  const child = childOf(work);
-  const a = stateA(rigid, work);
-  const b = stateB(rigid, work);
+// From the ends: what the parent bears.
+function gatherJoint(t: JointTable, rigid: RigidTable, k: i32, bias: f64, soft: bool): void {
+  const at = placeAt(t, k);
+  const work = workAt(t, k);
+  if (soft) factorJoint(t, at, work);
+  const state = stateOf(rigid, at.childRow);
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
-  r0.value = speedAlong(a, b, r0) + bias * r0.error;
-  r1.value = speedAlong(a, b, r1) + bias * r1.error;
-  r2.value = speedAlong(a, b, r2) + bias * r2.error;
-  if (child != 0) {
-    const body = articulated(t, child);
-    accelerate(body);
-    r0.value -= sign * motion(body, r0, childArm(work, r0));
-    r1.value -= sign * motion(body, r1, childArm(work, r1));
-    r2.value -= sign * motion(body, r2, childArm(work, r2));
-  }
-  const y0 = sign * (work.i00 * r0.value + work.i01 * r1.value + work.i02 * r2.value);
-  const y1 = sign * (work.i01 * r0.value + work.i11 * r1.value + work.i12 * r2.value);
-  const y2 = sign * (work.i02 * r0.value + work.i12 * r1.value + work.i22 * r2.value);
-  const to = articulated(t, parentOf(work));
-  to.gx -= y0 * r0.x + y1 * r1.x + y2 * r2.x;
-  to.gy -= y0 * r0.y + y1 * r1.y + y2 * r2.y;
-  to.gw -= y0 * parentArm(work, r0) + y1 * parentArm(work, r1) + y2 * parentArm(work, r2);
-}
-
-// From the root: the impulses of a joint, and what the child does with them.
-function exert(t: JointTable, rigid: RigidTable, work: JointWork, bias: f64): void {
-  if (work.locks == 0) return;
-  if (isHinge(work)) return exertHinge(t, rigid, work, bias);
-  const a = stateA(rigid, work);
-  const b = stateB(rigid, work);
-  const r0 = rowOf(work, 0);
-  const r1 = rowOf(work, 1);
-  const r2 = rowOf(work, 2);
-  let v0 = r0.value;
-  let v1 = r1.value;
-  let v2 = r2.value;
-  const sign: f64 = work.parent == 1 ? 1 : -1;
-  if (work.parent == 0) {
-    v0 = speedAlong(a, b, r0) + bias * r0.error;
-    v1 = speedAlong(a, b, r1) + bias * r1.error;
-    v2 = speedAlong(a, b, r2) + bias * r2.error;
+  bias *= signOf(at);
+  r0.value = bias * r0.error;
+  r1.value = bias * r1.error;
+  r2.value = bias * r2.error;
+  const vx = <f64>state.vx;
+  const vy = <f64>state.vy;
+  const w = <f64>state.w;
+  if (at.below != 0) {
+    const body = changetype<ArticulatedBody>(at.below);
+    freeVelocity(body, massBeside(t, at.below), vx, vy, w);
+    r0.value += motion(body, r0, childArm(work, r0));
+    r1.value += motion(body, r1, childArm(work, r1));
+    r2.value += motion(body, r2, childArm(work, r2));
   } else {
-    const from = articulated(t, parentOf(work));
-    v0 += sign * motion(from, r0, parentArm(work, r0));
-    v1 += sign * motion(from, r1, parentArm(work, r1));
-    v2 += sign * motion(from, r2, parentArm(work, r2));
+    r0.value += r0.x * vx + r0.y * vy + childArm(work, r0) * w;
+    r1.value += r1.x * vx + r1.y * vy + childArm(work, r1) * w;
+    r2.value += r2.x * vx + r2.y * vy + childArm(work, r2) * w;
   }
+  const y0 = work.i00 * r0.value + work.i01 * r1.value + work.i02 * r2.value;
+  const y1 = work.i01 * r0.value + work.i11 * r1.value + work.i12 * r2.value;
+  const y2 = work.i02 * r0.value + work.i12 * r1.value + work.i22 * r2.value;
+  const to = changetype<ArticulatedBody>(at.above);
+  to.gx += y0 * r0.x + y1 * r1.x + y2 * r2.x;
+  to.gy += y0 * r0.y + y1 * r1.y + y2 * r2.y;
+  to.gw += y0 * parentArm(work, r0) + y1 * parentArm(work, r1) + y2 * parentArm(work, r2);
+}
+
+// From the root: the impulses of a joint, and the velocity of the child.
+function exertJoint(t: JointTable, rigid: RigidTable, k: i32, soft: bool): void {
+  const at = placeAt(t, k);
+  const work = workAt(t, k);
+  const r0 = rowOf(work, 0);
+  const r1 = rowOf(work, 1);
+  const r2 = rowOf(work, 2);
+  const from = changetype<ArticulatedBody>(at.above);
+  const v0 = r0.value - motion(from, r0, parentArm(work, r0));
+  const v1 = r1.value - motion(from, r1, parentArm(work, r1));
+  const v2 = r2.value - motion(from, r2, parentArm(work, r2));
   const y0 = work.i00 * v0 + work.i01 * v1 + work.i02 * v2;
   const y1 = work.i01 * v0 + work.i11 * v1 + work.i12 * v2;
   const y2 = work.i02 * v0 + work.i12 * v1 + work.i22 * v2;
-  const child = childOf(work);
-  if (child != 0) push(articulated(t, child), work, sign * y0, sign * y1, sign * y2);
   const impulses = impulsesOf(t, work.id);
-  const j0 = finite(-softness.massScale * y0 - softness.impulseScale * impulses.lock0);
-  const j1 = finite(-softness.massScale * y1 - softness.impulseScale * impulses.lock1);
-  const j2 = finite(-softness.massScale * y2 - softness.impulseScale * impulses.lock2);
-  impulses.lock0 += j0;
-  impulses.lock1 += j1;
-  impulses.lock2 += j2;
-  applyLocks(work, a, b, j0, j1, j2);
+  const scale = -signOf(at) * softness.massScale;
+  impulses.lock0 = (soft ? 0 : impulses.lock0) + finite(scale * y0);
+  impulses.lock1 = (soft ? 0 : impulses.lock1) + finite(scale * y1);
+  impulses.lock2 = (soft ? 0 : impulses.lock2) + finite(scale * y2);
+  if (at.below == 0) return;
+  const body = changetype<ArticulatedBody>(at.below);
+  pull(body, massBeside(t, at.below), work, -y0, -y1, -y2);
+  follow(stateOf(rigid, at.childRow), body, at.turns != 0);
 }
 
-// Adds W Jᵀ y to the motion of the child.
+// Adds W Jᵀ y to the velocity of the child.
 // @ts-ignore: decorator
-@inline function push(body: ArticulatedBody, work: JointWork, y0: f64, y1: f64, y2: f64): void {
+@inline function pull(
+  body: ArticulatedBody,
+  mass: ArticulatedMass,
+  work: JointWork,
+  y0: f64,
+  y1: f64,
+  y2: f64,
+): void {
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
   const x = y0 * r0.x + y1 * r1.x + y2 * r2.x;
   const y = y0 * r0.y + y1 * r1.y + y2 * r2.y;
   const w = y0 * childArm(work, r0) + y1 * childArm(work, r1) + y2 * childArm(work, r2);
-  body.fx += body.m00 * x + body.m01 * y + body.m02 * w;
-  body.fy += body.m01 * x + body.m11 * y + body.m12 * w;
-  body.fw += body.m02 * x + body.m12 * y + body.m22 * w;
+  body.vx += mass.m00 * x + mass.m01 * y + mass.m02 * w;
+  body.vy += mass.m01 * x + mass.m11 * y + mass.m12 * w;
+  body.w += mass.m02 * x + mass.m12 * y + mass.m22 * w;
+}
+
+// A joint that closes a loop.
+function exertLoop(t: JointTable, rigid: RigidTable, k: i32, bias: f64): void {
+  const work = workAt(t, k);
+  if (work.locks == 0) return;
+  const a = stateA(rigid, work);
+  const b = stateB(rigid, work);
+  const r0 = rowOf(work, 0);
+  const r1 = rowOf(work, 1);
+  const r2 = rowOf(work, 2);
+  const v0 = speedAlong(a, b, r0) + bias * r0.error;
+  const v1 = speedAlong(a, b, r1) + bias * r1.error;
+  const v2 = speedAlong(a, b, r2) + bias * r2.error;
+  const impulses = impulsesOf(t, work.id);
+  const massScale = softness.massScale;
+  const impulseScale = softness.impulseScale;
+  const y0 = work.i00 * v0 + work.i01 * v1 + work.i02 * v2;
+  const y1 = work.i01 * v0 + work.i11 * v1 + work.i12 * v2;
+  const y2 = work.i02 * v0 + work.i12 * v1 + work.i22 * v2;
+  const j0 = finite(-massScale * y0 - impulseScale * impulses.lock0);
+  const j1 = finite(-massScale * y1 - impulseScale * impulses.lock1);
+  const j2 = finite(-massScale * y2 - impulseScale * impulses.lock2);
+  impulses.lock0 += j0;
+  impulses.lock1 += j1;
+  impulses.lock2 += j2;
+  applyLocks(work, a, b, j0, j1, j2);
 }

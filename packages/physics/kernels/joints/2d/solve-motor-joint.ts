@@ -13,12 +13,6 @@ import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './join
 // The row of the angle, after those of x and y.
 const ANGLE: i32 = 2;
 
-export function warmStartMotorJoint(work: JointWork, a: BodyState, b: BodyState, impulses: JointImpulses): void {
-  applyAlong(work, a, b, rowOf(work, 0), impulses.lock0);
-  applyAlong(work, a, b, rowOf(work, 1), impulses.lock1);
-  applyAlong(work, a, b, rowOf(work, ANGLE), impulses.lock2);
-}
-
 export function solveMotorJoint(t: JointTable, work: JointWork, impulses: JointImpulses, rigid: RigidTable): void {
   const id = work.id;
   const a = stateA(rigid, work);

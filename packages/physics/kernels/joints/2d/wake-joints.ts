@@ -5,7 +5,6 @@ import { listAwake } from '../../solver/2d/gather-bodies';
 import { wakeIsland } from '../../solver/2d/islands';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { FILTER, JointTable, impulsesOf } from './joint-table';
-import { workAt } from './joint-work';
 
 // Wakes what is joined to something that moves, and what hangs from a joint that was changed, and notes the pairs of bodies.
 export function wakeJoined(t: JointTable, rigid: RigidTable): void {
@@ -40,10 +39,10 @@ export function wakeJoined(t: JointTable, rigid: RigidTable): void {
 export function noteSettings(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
-  for (let i = 0; i < t.workCount; i++) {
-    const work = workAt(t, i);
-    if (((flagsOf(rigid, work.rowA) | flagsOf(rigid, work.rowB)) & ASLEEP) == 0) continue;
-    impulsesOf(t, work.id).settings = settingsOf(t, work.id);
+  for (let i = 0; i < t.activeCount; i++) {
+    const id = word(t.active, i);
+    if (((flagsOf(rigid, word(t.a, id)) | flagsOf(rigid, word(t.b, id))) & ASLEEP) == 0) continue;
+    impulsesOf(t, id).settings = settingsOf(t, id);
   }
 }
 

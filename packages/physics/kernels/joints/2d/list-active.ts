@@ -1,0 +1,103 @@
+// The joints that act in a step, and what each of them does. As long as these are those of the step before, their trees and
+// colors are, too.
+import { get } from '../../memory/columns';
+import { ASLEEP, DYNAMIC, LOCKED, MOVES, flagsOf, putWord, word } from '../../solver/2d/body';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { DISTANCE, FILTER, IMPULSES_SIZE, JointTable, MOTOR, REVOLUTE, impulsesOf } from './joint-table';
+
+// What a joint does: it locks directions; it is a hinge; it has a spring, a motor or limits, or is a motor joint, pulley or
+// gear.
+export const LOCKS: i32 = 1;
+export const HINGE: i32 = 2;
+const SPRING: i32 = 4;
+const POWERED: i32 = 8;
+const LIMITED: i32 = 16;
+const SPECIAL: i32 = 32;
+export const AXES: i32 = SPRING | POWERED | LIMITED | SPECIAL;
+
+// Which of the two bodies moves, be it kinematic.
+export const A_MOVES: i32 = 64;
+export const B_MOVES: i32 = 128;
+// One of them does not move along some axis.
+export const LOCKED_END: i32 = 256;
+
+// @ts-ignore: decorator
+@inline export function isPlainHinge(role: i32): bool {
+  return (role & (LOCKS | HINGE | AXES)) == (LOCKS | HINGE);
+}
+
+// Returns whether the list has changed.
+export function listActive(t: JointTable, rigid: RigidTable): bool {
+  let count = 0;
+  let changed = false;
+  for (let i = 0; i < t.count; i++) {
+    const id = word(t.ids, i);
+    if (word(t.started, id) == 0) {
+      memory.fill(changetype<usize>(impulsesOf(t, id)), 0, IMPULSES_SIZE);
+      putWord(t.started, id, 1);
+      changed = true;
+    }
+    const kind = <u32>word(t.kind, id);
+    if (kind == FILTER) continue;
+    const a = word(t.a, id);
+    const b = word(t.b, id);
+    const flagsA = flagsOf(rigid, a);
+    const flagsB = flagsOf(rigid, b);
+    if (!isPushed(flagsA) && !isPushed(flagsB)) continue;
+    let role = roleOf(t, id, kind);
+    if ((flagsA & MOVES) != 0) role |= A_MOVES;
+    if ((flagsB & MOVES) != 0) role |= B_MOVES;
+    if (((flagsA | flagsB) & LOCKED) != 0) role |= LOCKED_END;
+    if (replaces(t.active, count, id)) changed = true;
+    if (replaces(t.roles, count, role)) changed = true;
+    if (replaces(t.ends, 2 * count, a)) changed = true;
+    if (replaces(t.ends, 2 * count + 1, b)) changed = true;
+    if (replaces(t.nodes, 2 * count, isPushed(flagsA) ? a : 0)) changed = true;
+    if (replaces(t.nodes, 2 * count + 1, isPushed(flagsB) ? b : 0)) changed = true;
+    count++;
+  }
+  if (count != t.activeCount) changed = true;
+  t.activeCount = count;
+  return changed;
+}
+
+// Writes a word, and returns whether it was another.
+// @ts-ignore: decorator
+@inline function replaces(list: usize, i: i32, value: i32): bool {
+  const before = word(list, i);
+  if (before == value) return false;
+  putWord(list, i, value);
+  return true;
+}
+
+// Whether joints move a body.
+// @ts-ignore: decorator
+@inline function isPushed(flags: u32): bool {
+  return (flags & (DYNAMIC | ASLEEP)) == DYNAMIC;
+}
+
+// A rod with a spring or limits locks nothing.
+// @ts-ignore: decorator
+@inline function roleOf(t: JointTable, id: i32, kind: u32): i32 {
+  if (kind >= MOTOR) return SPECIAL;
+  let axes = 0;
+  if (get(t.hertz, id) > 0) axes |= SPRING;
+  if (get(t.maxMotor, id) > 0) axes |= POWERED;
+  if (word(t.hasLimits, id) != 0) axes |= LIMITED;
+  if (kind == REVOLUTE) return LOCKS | HINGE | axes;
+  return kind == DISTANCE && (axes & (SPRING | LIMITED)) != 0 ? axes : LOCKS | axes;
+}
+
+// Clears the impulses of springs, motors and limits that were switched off.
+export function dropUnused(t: JointTable): void {
+  for (let i = 0; i < t.activeCount; i++) {
+    const role = word(t.roles, i);
+    if ((role & SPECIAL) != 0) continue;
+    const impulses = impulsesOf(t, word(t.active, i));
+    if ((role & SPRING) == 0) impulses.spring = 0;
+    if ((role & POWERED) == 0) impulses.motor = 0;
+    if ((role & LIMITED) != 0) continue;
+    impulses.lower = 0;
+    impulses.upper = 0;
+  }
+}

@@ -1,0 +1,147 @@
+// Hinges that close loops, in blocks of LANES (color-loops.ts), by the formulas of solve-locks.ts in reals of the world.
+import { add, div, larger, mul, splat, sub } from '../../memory/lanes';
+import { MOVEMENT, gather, gathered, scatter } from '../../solver/2d/gather-lanes';
+import { softness } from '../../solver/2d/softness';
+import { JointTable } from './joint-table';
+import * as block from './loop-block';
+import { blockOf } from './loop-block';
+
+// No impulse is larger, N s: what is not finite would reach every body of a net.
+const MAX_IMPULSE: real = 1e30;
+
+// Begins a sub-step: anchors and matrices where the bodies are now, and the impulses of the last sub-step.
+export function startLoops(t: JointTable): void {
+  for (let i = 0; i < t.blockCount; i++) {
+    const at = blockOf(t, i);
+    measureBlock(at);
+    factorBlock(at);
+    solveBlock(at, splat(0), splat(0), splat(0), WARM);
+  }
+}
+
+// @ts-ignore: decorator
+@inline function measureBlock(at: usize): void {
+  gather(at + block.A, MOVEMENT);
+  const movedX = gathered.x;
+  const movedY = gathered.y;
+  let c = gathered.z;
+  let s = gathered.w;
+  let x = v128.load(at, block.START_AX);
+  let y = v128.load(at, block.START_AY);
+  const ax = sub(mul(c, x), mul(s, y));
+  const ay = add(mul(s, x), mul(c, y));
+  gather(at + block.B, MOVEMENT);
+  c = gathered.z;
+  s = gathered.w;
+  x = v128.load(at, block.START_BX);
+  y = v128.load(at, block.START_BY);
+  const bx = sub(mul(c, x), mul(s, y));
+  const by = add(mul(s, x), mul(c, y));
+  v128.store(at, ax, block.AX);
+  v128.store(at, ay, block.AY);
+  v128.store(at, bx, block.BX);
+  v128.store(at, by, block.BY);
+  const dx = add(sub(gathered.x, movedX), sub(bx, ax));
+  const dy = add(sub(gathered.y, movedY), sub(by, ay));
+  v128.store(at, add(v128.load(at, block.START_X), dx), block.ERROR_X);
+  v128.store(at, add(v128.load(at, block.START_Y), dy), block.ERROR_Y);
+}
+
+// @ts-ignore: decorator
+@inline function factorBlock(at: usize): void {
+  const ax = v128.load(at, block.AX);
+  const ay = v128.load(at, block.AY);
+  const bx = v128.load(at, block.BX);
+  const by = v128.load(at, block.BY);
+  const iA = v128.load(at, block.INERTIA_A);
+  const iB = v128.load(at, block.INERTIA_B);
+  const mass = add(v128.load(at, block.MASS_A), v128.load(at, block.MASS_B));
+  const xx = add(mass, add(mul(iA, mul(ay, ay)), mul(iB, mul(by, by))));
+  const xy = add(mul(iA, mul(ax, ay)), mul(iB, mul(bx, by)));
+  const yy = add(mass, add(mul(iA, mul(ax, ax)), mul(iB, mul(bx, bx))));
+  const determinant = sub(mul(xx, yy), mul(xy, xy));
+  // A lane without a hinge has no impulses.
+  const k = v128.and(div(splat(1), determinant), v128.gt<real>(determinant, splat(0)));
+  v128.store(at, mul(yy, k), block.K00);
+  v128.store(at, mul(xy, k), block.K01);
+  v128.store(at, mul(xx, k), block.K11);
+}
+
+// With bias, softly.
+export function solveLoops(t: JointTable, bias: f64): void {
+  const rate = splat(<real>bias);
+  const massScale = splat(<real>softness.massScale);
+  const impulseScale = splat(<real>softness.impulseScale);
+  for (let i = 0; i < t.blockCount; i++) solveBlock(blockOf(t, i), rate, massScale, impulseScale, SOFT);
+}
+
+// Rigidly. Ends the sub-step.
+export function relaxLoops(t: JointTable): void {
+  const none = splat(0);
+  for (let i = 0; i < t.blockCount; i++) {
+    const at = blockOf(t, i);
+    solveBlock(at, none, none, none, RIGID);
+    const x = v128.load(at, block.IMPULSE_X);
+    const y = v128.load(at, block.IMPULSE_Y);
+    v128.store(at, larger(v128.load(at, block.LARGEST), add(mul(x, x), mul(y, y))), block.LARGEST);
+  }
+}
+
+// What a pass does: applies impulses as they are, or changes them.
+const WARM: i32 = 0;
+const SOFT: i32 = 1;
+const RIGID: i32 = 2;
+
+function solveBlock(at: usize, bias: v128, massScale: v128, impulseScale: v128, pass: i32): void {
+  const ax = v128.load(at, block.AX);
+  const ay = v128.load(at, block.AY);
+  const bx = v128.load(at, block.BX);
+  const by = v128.load(at, block.BY);
+  gather(at + block.A, 0);
+  const vxA = gathered.x;
+  const vyA = gathered.y;
+  const wA = gathered.z;
+  const turnedA = gathered.w;
+  gather(at + block.B, 0);
+  const vxB = gathered.x;
+  const vyB = gathered.y;
+  const wB = gathered.z;
+  const turnedB = gathered.w;
+  let x = v128.load(at, block.IMPULSE_X);
+  let y = v128.load(at, block.IMPULSE_Y);
+  if (pass != WARM) {
+    let ux = sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay)));
+    let uy = sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax)));
+    if (pass == SOFT) {
+      ux = add(ux, mul(bias, v128.load(at, block.ERROR_X)));
+      uy = add(uy, mul(bias, v128.load(at, block.ERROR_Y)));
+    }
+    const k01 = v128.load(at, block.K01);
+    let jx = add(mul(v128.load(at, block.K00), ux), mul(k01, uy));
+    let jy = add(mul(k01, ux), mul(v128.load(at, block.K11), uy));
+    if (pass == SOFT) {
+      jx = add(mul(massScale, jx), mul(impulseScale, x));
+      jy = add(mul(massScale, jy), mul(impulseScale, y));
+    }
+    const oldX = x;
+    const oldY = y;
+    x = finite(sub(x, jx));
+    y = finite(sub(y, jy));
+    v128.store(at, x, block.IMPULSE_X);
+    v128.store(at, y, block.IMPULSE_Y);
+    x = sub(x, oldX);
+    y = sub(y, oldY);
+  }
+  const mA = v128.load(at, block.MASS_A);
+  const mB = v128.load(at, block.MASS_B);
+  const wOfA = sub(wA, mul(v128.load(at, block.INERTIA_A), sub(mul(ax, y), mul(ay, x))));
+  const wOfB = add(wB, mul(v128.load(at, block.INERTIA_B), sub(mul(bx, y), mul(by, x))));
+  scatter(at + block.A, sub(vxA, mul(mA, x)), sub(vyA, mul(mA, y)), wOfA, turnedA);
+  scatter(at + block.B, add(vxB, mul(mB, x)), add(vyB, mul(mB, y)), wOfB, turnedB);
+}
+
+// What is not finite, or nearly so, becomes 0.
+// @ts-ignore: decorator
+@inline function finite(impulse: v128): v128 {
+  return v128.and(impulse, v128.lt<real>(v128.abs<real>(impulse), splat(MAX_IMPULSE)));
+}
