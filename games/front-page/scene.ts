@@ -30,10 +30,16 @@ function createDust() {
   return { world, dust, stirrer };
 }
 
+/** A scene that can stand still for a while. */
+export interface LiveScene {
+  pause(): void;
+  resume(): void;
+}
+
 /** Draws the dust on a canvas while it is seen. @param isStill draws one picture only */
-function show(canvas: HTMLCanvasElement, isStill: boolean): void {
+export function showDust(canvas: HTMLCanvasElement, isStill: boolean): LiveScene | undefined {
   const context = canvas.getContext('2d');
-  if (context === null) return;
+  if (context === null) return undefined;
   const { world, dust, stirrer } = createDust();
   const { Position } = world.components;
   const runner = createRunner(world, { dt: 1 / 120 });
@@ -66,7 +72,7 @@ function show(canvas: HTMLCanvasElement, isStill: boolean): void {
   if (isStill) {
     draw();
     addEventListener('resize', draw);
-    return;
+    return undefined;
   }
   addEventListener('pointermove', ({ clientX, clientY }) => {
     const box = canvas.getBoundingClientRect();
@@ -74,15 +80,16 @@ function show(canvas: HTMLCanvasElement, isStill: boolean): void {
     Position.x[stirrer] = (clientX - box.left - centre * box.width) / metre;
     Position.y[stirrer] = -(clientY - box.top - box.height / 2) / metre;
   });
-  animate(canvas, (seconds) => {
+  return animate(canvas, (seconds) => {
     runner.advance(seconds);
     draw();
   });
 }
 
-/** Calls `frame` while an element is in the window; a hidden page draws no frames by itself. */
-function animate(element: Element, frame: (seconds: number) => void): void {
+/** Calls `frame` while an element is in the window and not paused; a hidden page draws no frames by itself. */
+function animate(element: Element, frame: (seconds: number) => void): LiveScene {
   let request = 0;
+  let [isSeen, isPaused] = [false, false];
   let last: number | undefined;
   const tick = (now: number) => {
     // Its time begins with the first frame, whose stamp may lie before a clock read in advance.
@@ -90,13 +97,19 @@ function animate(element: Element, frame: (seconds: number) => void): void {
     last = now;
     request = requestAnimationFrame(tick);
   };
-  new IntersectionObserver(([entry]) => {
+  const update = () => {
     cancelAnimationFrame(request);
-    if (!entry.isIntersecting) return;
+    if (!isSeen || isPaused) return;
     last = undefined;
     request = requestAnimationFrame(tick);
+  };
+  const setPaused = (paused: boolean) => {
+    isPaused = paused;
+    update();
+  };
+  new IntersectionObserver((entries) => {
+    isSeen = entries[entries.length - 1].isIntersecting;
+    update();
   }).observe(element);
+  return { pause: () => setPaused(true), resume: () => setPaused(false) };
 }
-
-const canvas = document.querySelector('canvas');
-if (canvas !== null) show(canvas, matchMedia('(prefers-reduced-motion: reduce)').matches);

@@ -49,13 +49,13 @@ function siteOptions(names, options) {
 }
 
 /**
- * The live scene of the front page, a bundle of its own with the one precision that it uses: visitors who play nothing
+ * What moves on the front page, a bundle of its own with the one precision that it uses: visitors who play nothing
  * load little.
  * @param {import('esbuild').BuildOptions} options
  */
 export function frontPageOptions(options) {
   return bundleOptions({
-    entryPoints: { 'front-page': 'games/front-page/scene.ts' },
+    entryPoints: { 'front-page': 'games/front-page/page.ts' },
     outdir: 'dist/site',
     plugins: [kernelsPlugin],
     minify: true,

@@ -77,13 +77,16 @@ function attribute(text) {
 function cardOf(name) {
   const html = gamePage(name);
   const about = metaOf(html, 'description');
+  // Addresses and attributes of a page are already written as HTML.
+  const live = metaOf(html, 'live');
   const picture = gamePicture(name)
     ? `<img src="./${name}/picture.webp" alt="" width="560" height="350" decoding="async" loading="lazy">`
     : '';
   const address = `./${name}/index.html`;
   const [title, german] = [titleOf(html) ?? name, metaOf(html, 'description', 'de')];
   const heading = `<b${inGerman(metaOf(html, 'title', 'de'))}>${title}</b>`;
-  return `<li><a href="${address}">${picture}${heading}</a>${about ? ` <span${inGerman(german)}>${about}</span>` : ''}</li>`;
+  const liveAddress = live === undefined ? '' : ` data-live="${address}?${live}"`;
+  return `<li${liveAddress}><a href="${address}">${picture}${heading}</a>${about ? ` <span${inGerman(german)}>${about}</span>` : ''}</li>`;
 }
 
 /** @param {string | undefined} text as it stands in another attribute; undefined where a game has none */

@@ -8,7 +8,7 @@ import type { BrowserContext, BrowserContextOptions, Page } from 'playwright-cor
 import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
 import { WORDS_BY_LANGUAGE as FRONT_PAGE } from '../../games/front-page/words.mjs';
 import { writeSite } from '../../scripts/lib/site-build.mjs';
-import { gameNames, gamePicture } from '../../scripts/lib/site-pages.mjs';
+import { gameNames, gamePage, gamePicture } from '../../scripts/lib/site-pages.mjs';
 import { type RunningServer, serveFiles } from '../../scripts/lib/static-server.mjs';
 import { faintTexts, smallTargets, unreachedControls } from '../support/page-audit.ts';
 import { shareBrowser } from '../support/shared-browser.ts';
@@ -222,6 +222,102 @@ it('has a front page of at most 120 KB with all pictures, a search, a surprise, 
   await page.locator('button', { hasText: 'Surprise me' }).click();
   await page.waitForURL(/black-hole/);
   expect(trouble).toEqual([]);
+});
+
+/** Large enough for the head of the front page and some cards at once. */
+const DESK = { viewport: { width: 1280, height: 1100 } } as const;
+const liveNames = names.filter((name) => /<meta name="live"/.test(gamePage(name)));
+const cardOf = (page: Page, name: string) => page.locator(`.games li:has(a[href*="/${name}/"])`);
+const frames = (page: Page) => page.locator('iframe').count();
+/** Longer than a pointer has to rest. */
+const REST = 900;
+
+/** What the scene at the head of the front page shows. */
+const dust = (page: Page) => page.locator('header canvas').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+
+it.each(liveNames)('lets the card of %s come alive under the pointer, and nothing else meanwhile', async (name) => {
+  const { page, trouble } = await openHome(DESK);
+  const said: string[] = [];
+  page.on('console', (message) => said.push(message.text()));
+  const card = cardOf(page, name);
+  await card.scrollIntoViewIfNeeded();
+  await card.hover();
+  await page.locator('iframe[data-ready]').waitFor({ state: 'attached', timeout: 60_000 });
+  expect(page.frames()).toHaveLength(2);
+  const [, game] = page.frames();
+  const tick = () => game.evaluate(() => __game.state().tick);
+  const before = { tick: await tick(), dust: await dust(page) };
+  await game.waitForFunction((first) => __game.state().tick > first, before.tick);
+  expect(await dust(page)).toBe(before.dust);
+  // Nothing but the picture is seen, and nothing is kept.
+  expect(await game.locator('.game > :not(.game-stage):visible, .game-stage > :not(canvas):visible').count()).toBe(0);
+  expect(await game.evaluate(() => Object.keys(localStorage))).toEqual([]);
+  await page.mouse.move(2, 2);
+  await expect.poll(() => frames(page)).toBe(0);
+  await page.evaluate(() => scrollTo(0, 0));
+  await expect.poll(() => dust(page)).not.toBe(before.dust);
+  expect([...trouble, ...said.filter((line) => !/GPU stall|Service Worker/.test(line))]).toEqual([]);
+});
+
+it('has one live card at most, none for a pointer in passing, and still leads to the game', async () => {
+  const { page, trouble } = await openHome(DESK);
+  await page.evaluate(() => {
+    const { dataset } = document.documentElement;
+    const count = () => {
+      dataset.most = String(Math.max(Number(dataset.most ?? 0), document.querySelectorAll('iframe').length));
+    };
+    new MutationObserver(count).observe(document.body, { childList: true, subtree: true });
+  });
+  const most = () => page.evaluate(() => Number(document.documentElement.dataset.most ?? 0));
+  const [first, second] = [cardOf(page, 'black-hole'), cardOf(page, 'solar-system')];
+  await first.hover();
+  await page.mouse.move(2, 2);
+  await page.waitForTimeout(REST);
+  expect(await most()).toBe(0);
+  for (const card of [first, second, first]) {
+    await card.hover();
+    await card.locator('iframe').waitFor({ state: 'attached' });
+    expect(await frames(page)).toBe(1);
+  }
+  expect(await most()).toBe(1);
+  await page.locator('input').fill('solar');
+  expect(await frames(page)).toBe(0);
+  await page.mouse.move(2, 2);
+  await second.hover();
+  await second.locator('iframe[data-ready]').waitFor({ state: 'attached', timeout: 60_000 });
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.waitForURL(/solar-system\/index\.html$/);
+  expect(trouble).toEqual([]);
+});
+
+it('lets a card come alive on which the focus of the keyboard rests, and Tab goes past the game', async () => {
+  const { page } = await openHome(DESK);
+  await page.locator('button').focus();
+  await page.keyboard.press('Tab');
+  const card = cardOf(page, 'black-hole');
+  await card.locator('iframe[data-ready]').waitFor({ state: 'attached', timeout: 60_000 });
+  await page.keyboard.press('Tab');
+  expect(await frames(page)).toBe(0);
+  expect(await page.evaluate(() => document.activeElement?.matches('.games a'))).toBe(true);
+});
+
+it.each([
+  ['on a touch screen', PHONE, ''],
+  ['with reduced motion', { ...DESK, reducedMotion: 'reduce' }, ''],
+  ['where data are saved', DESK, 'Object.defineProperty(navigator, "connection", { value: { saveData: true } })'],
+] as const)('has still cards %s', async (_where, options, prepare) => {
+  const { page } = await openHome(options);
+  await page.addInitScript(prepare);
+  await page.reload();
+  const card = cardOf(page, 'black-hole');
+  await card.hover();
+  await page.waitForTimeout(REST);
+  expect(await frames(page)).toBe(0);
+  await page.locator('button').focus();
+  await page.keyboard.press('Tab');
+  await page.waitForTimeout(REST);
+  expect(await frames(page)).toBe(0);
 });
 
 it.each([

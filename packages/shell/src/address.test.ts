@@ -18,6 +18,10 @@ it('has the initial values when nothing is asked for', () => {
   });
 });
 
+it('leaves the language and the preview to others', () => {
+  expect(read('?lang=de&preview=action').problems).toEqual([]);
+});
+
 it('takes what it can take', () => {
   expect(read('?seed=7&count=20&trails&renderer=three&manual')).toEqual({
     values: { count: 20, trails: true },

@@ -51,8 +51,8 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
     if (name === 'seed') seed = attempt(() => parseValue(name, SEED, text) as number, seed);
     else if (name === 'renderer') renderer = attempt(() => checkRenderer(text, renderers), renderer);
     else if (name === 'manual') manual = true;
-    else if (name === 'lang')
-      continue; // of `chooseWords`
+    else if (name === 'lang' || name === 'preview')
+      continue; // of `chooseWords` and `isPreview`
     else if (Object.hasOwn(settings, name)) {
       values[name] = attempt(() => parseValue(name, settings[name], text), values[name] as never);
     } else if (!TRACKING.test(name)) {

@@ -16,6 +16,7 @@ import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
 import { createOutcomeCard, type OutcomeCard } from './outcome-card.ts';
 import { type AppearanceOptions, Preferences } from './preferences.ts';
+import { isPreview, startPreview } from './preview.ts';
 import { Session } from './session.ts';
 import type { Settings } from './settings.ts';
 import { Sharing } from './sharing.ts';
@@ -131,7 +132,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       },
     );
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-    await this.#openSidebar();
+    if (!isPreview) await this.#openSidebar();
+    else if (this.#views.view !== undefined && !this.#session.paused)
+      startPreview(this.#game.controls, () => this.#session.sim, this.#actions.reset);
   }
 
   async #openSidebar(): Promise<void> {

@@ -1,5 +1,6 @@
 import { element } from './element.ts';
 import type { Insets } from './game.ts';
+import { isPreview } from './preview.ts';
 import { addStyles, NARROW } from './styles.ts';
 import { words } from './words.ts';
 
@@ -27,11 +28,12 @@ export function createLayout(title: string, onSidebar: () => void, isSheet = fal
   const bar = element('header', 'game-bar', {}, element('h1', 'game-title', {}, title));
   const sidebar = element('aside', 'game-side', { 'aria-label': words().measurements });
   const root = element('div', isSheet ? 'game game-sheet' : 'game', {}, stage, bar, sidebar);
+  root.toggleAttribute('data-preview', isPreview);
   document.body.append(root);
   /** Reused because games ask in every frame. */
   const covered = { top: 0, right: 0, bottom: 0, left: 0 };
   const narrow = matchMedia(NARROW);
-  let shown = isSheet || !narrow.matches;
+  let shown = !isPreview && (isSheet || !narrow.matches);
   sidebar.hidden = !shown;
   return {
     root,

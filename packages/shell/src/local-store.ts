@@ -1,3 +1,5 @@
+import { isPreview } from './preview.ts';
+
 /** The methods of `localStorage` that are used. */
 export type LocalStore = Pick<Storage, 'getItem' | 'setItem'>;
 
@@ -19,8 +21,9 @@ export function readLocal(store: LocalStore | undefined, name: string): unknown 
   }
 }
 
-/** Stores a value; where the storage is full or blocked, the value lasts as long as the page. */
+/** Stores a value; where the storage is full or blocked, and in a preview, the value lasts as long as the page. */
 export function writeLocal(store: LocalStore | undefined, name: string, value: unknown): void {
+  if (isPreview) return;
   try {
     store?.setItem(name, JSON.stringify(value));
   } catch {

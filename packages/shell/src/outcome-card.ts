@@ -1,5 +1,6 @@
 import { element } from './element.ts';
 import { HighScores } from './high-scores.ts';
+import { isPreview, restartAtEnd } from './preview.ts';
 import { words } from './words.ts';
 
 /** The result of a game. */
@@ -36,6 +37,7 @@ export function createOutcomeCard(
   watch: (() => void) | undefined,
   share: (text: string) => void,
 ): OutcomeCard {
+  if (isPreview) return restartAtEnd(again);
   const scores = new HighScores(game);
   const title = element('h2', '');
   const lines = element('div', '');

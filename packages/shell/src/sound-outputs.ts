@@ -1,9 +1,12 @@
 /** What a page plays, so that a clip of it has its sound. */
 
+import { isPreview } from './preview.ts';
+
 const outputs = new Set<AudioNode>();
 
-/** Connects the last node of a chain to the loudspeakers, and lets clips record it. */
+/** Connects the last node of a chain to the loudspeakers, and lets clips record it; a preview is silent. */
 export function connectToSpeakers(node: AudioNode): void {
+  if (isPreview) return;
   node.connect(node.context.destination);
   outputs.add(node);
 }

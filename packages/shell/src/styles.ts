@@ -8,6 +8,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   position: fixed; inset: 0; color: var(--ink); font: 14px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif;
   background: radial-gradient(110% 95% at 42% 12%, #2c3a72 0%, #1a2349 45%, #0d1226 100%); user-select: none; direction: ltr;
   -webkit-text-size-adjust: 100%; text-size-adjust: 100%; -webkit-user-select: none; -webkit-tap-highlight-color: transparent }
+.game[data-preview] > :not(.game-stage), .game[data-preview] > .game-stage > :not(canvas) { display: none !important }
 .game [hidden] { display: none !important }
 .game-stage { position: absolute; inset: 0; overflow: hidden }
 .game-stage canvas { display: block; outline: none }
