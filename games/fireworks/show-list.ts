@@ -39,10 +39,11 @@ export function createShowList(
   };
   const entries = GALLERY.map((entry) => createEntry(entry));
   for (const [i, entry] of entries.entries()) {
-    entry.addEventListener('click', () => {
+    entry.addEventListener('click', ({ detail }) => {
       controls.load(context.sim(), GALLERY[i].cues);
       show(false);
-      open.focus();
+      // After a click by pointer, whose detail is not 0, the space bar is to pause.
+      if (detail === 0) open.focus();
     });
   }
   list.append(...entries);

@@ -173,8 +173,8 @@ const de: Words = {
   gallery: {
     willows: ['Stille Weiden', 'Lange Zweige sinken, und Laternen steigen'],
     heartbeat: ['Herzschlag', 'Zwei Schläge und eine Pause, immer schneller'],
-    crescendo: ['Crescendo', 'Ein kleiner Ring wächst zu einem vollen Himmel'],
-    rainbow: ['Regenbogen', 'Alle Farben im Bogen: erst reihum, dann zugleich'],
+    crescendo: ['Crescendo', 'Ein Ring wächst zu einem vollen Himmel'],
+    rainbow: ['Regenbogen', 'Alle Farben, erst reihum und dann zugleich'],
     duel: ['Duell', 'Links und rechts überbieten einander'],
     finale: ['Großes Finale', 'Alles, was es gibt, und noch mehr davon'],
   },

@@ -186,7 +186,7 @@ describe('a show', () => {
     await page.locator('.fw-tray [aria-label^=green]').click();
     for (const [x, y] of [
       [150, 120],
-      [300, 90],
+      [300, 130],
       [450, 140],
     ])
       await page.mouse.click(x, y);
