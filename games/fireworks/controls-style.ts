@@ -43,6 +43,13 @@ export const CONTROLS_STYLE = `
 .fw-extra { min-height: 38px; padding: 0 13px; border: 1px solid var(--line); border-radius: 11px; background: var(--card); color: var(--ink);
   font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation }
 .fw-extra:hover { background: #2b3766 }
+.fw-gallery { position: absolute; z-index: 1; left: 0; top: calc(100% + 6px); box-sizing: border-box; width: min(350px, 100vw - 40px); overflow-y: auto;
+  overscroll-behavior: contain; padding: 5px; border: 1px solid #ffffff2e; border-radius: 14px; background: #0a0e24f0 }
+.fw-gallery button { display: grid; grid-template-columns: 1fr auto; gap: 3px 10px; width: 100%; min-height: 50px; padding: 7px 10px; border: 0;
+  border-radius: 9px; background: none; color: var(--ink); font: 13px/1.3 inherit; font-family: inherit; text-align: left; cursor: pointer; touch-action: manipulation }
+.fw-gallery button:hover { background: #ffffff1c }
+.fw-gallery :is(i, span) { color: #b9c4e6; font-style: normal } .fw-gallery span { grid-column: 1 / -1 } .fw-gallery b { font-size: 14px }
+.fw-gallery button:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px }
 :is(.fw-extra, .fw-text input):focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 @media (pointer: coarse) { .fw-extra, .fw-text input { min-height: 44px; box-sizing: border-box } }
 @container (max-width: 860px) { .fw-desk button { min-width: 31px; padding: 0 4px } .fw-tray, .fw-tray > div { gap: 1px }

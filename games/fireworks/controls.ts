@@ -120,6 +120,12 @@ export class PlayerControls {
     else sim.press({ do: 'play', cues: this.editor.cues });
   }
 
+  /** Puts a show in the place of the edited one, which undo brings back, and plays it from its beginning. */
+  load(sim: FireworksGame, cues: readonly Cue[]): void {
+    this.editor.load(cues);
+    sim.press({ do: 'play', cues: this.editor.cues });
+  }
+
   /** Puts the show into the URL, and into the clipboard where that is allowed. */
   async share(): Promise<void> {
     const link = new URL(location.href);

@@ -1,11 +1,27 @@
 /** The show that plays until the player fires. */
+
+import {
+  BLUE,
+  CHAIN,
+  CHARGED,
+  CRACKLE,
+  cuesOf,
+  GOLD,
+  GREEN,
+  LANTERN,
+  ORANGE,
+  PALM,
+  PEONY,
+  RED,
+  RING,
+  SILVER,
+  VIOLET,
+  WILLOW,
+  YELLOW,
+} from './show-rows.ts';
 import type { Cue } from './sim.ts';
 
-const [PEONY, WILLOW, RING, CRACKLE, PALM, CHARGED, CHAIN, LANTERN] = [0, 1, 2, 3, 4, 5, 6, 7];
-const [RED, ORANGE, YELLOW, GREEN, BLUE, VIOLET, SILVER, GOLD] = [0, 1, 2, 3, 4, 5, 6, 7];
-
-/** Seconds, x, y, z, kind, colour, power. */
-const rows: readonly (readonly number[])[] = [
+export const DEMO_SHOW: readonly Cue[] = cuesOf([
   // The first shells burst low, so that the page shows light within two seconds.
   [0, -13, 15, 3, RING, GOLD, 0.2],
   [0, 13, 15, -3, RING, SILVER, 0.2],
@@ -33,14 +49,4 @@ const rows: readonly (readonly number[])[] = [
   [17, 30, 42, -8, CHARGED, BLUE, 0.7],
   [17.5, -30, 40, 8, CHARGED, ORANGE, 0.7],
   [19, 0, 34, 0, PEONY, VIOLET, 1],
-];
-
-export const DEMO_SHOW: readonly Cue[] = rows.map(([seconds, x, y, z, kind, color, power]) => ({
-  tick: Math.round(60 * seconds),
-  x,
-  y,
-  z,
-  kind,
-  color,
-  power,
-}));
+]);

@@ -7,6 +7,7 @@ import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
 import { createMusicButton } from './music-button.ts';
 import { css, paletteOf } from './palette.ts';
 import type { Settings } from './settings.ts';
+import { createShowList } from './show-list.ts';
 import { type FireworksGame, RANDOM, SWARM } from './sim.ts';
 import { createTextForm } from './text-form.ts';
 import { createTimeline } from './timeline.ts';
@@ -34,7 +35,9 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
   root.append(timeline.element, tray.element);
   const music = createMusicButton(context, controls);
   const clip = createClipButton(context.clip, 'fw-extra', WORDS.clip);
+  const shows = createShowList(context, controls, root);
   const extras = element('div', 'fw-extras', {}, ...createTextForm(context, controls), ...music.elements, clip.button);
+  extras.append(...shows.elements);
   context.element.append(root, crosshair, extras);
   const unlock = () => controls.sound.unlock();
   const gestures = ['pointerdown', 'keydown', 'touchend'] as const;
@@ -60,6 +63,7 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
       if (sinceUpdate < UPDATE_INTERVAL) return;
       sinceUpdate = 0;
       clip.update();
+      shows.update();
       const { right } = context.insets();
       if (right !== covered) root.style.right = `${right}px`;
       covered = right;
@@ -73,6 +77,7 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
       stopKeys();
       for (const gesture of gestures) globalThis.removeEventListener(gesture, unlock, true);
       music.destroy();
+      shows.destroy();
       controls.text = '';
       extras.remove();
       root.remove();

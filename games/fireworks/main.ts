@@ -52,6 +52,7 @@ await startGame({
     row(help.next, 'keyboard'),
     row(help.swarm),
     row(help.timeline),
+    row(help.shows),
     row(help.play, 'keyboard'),
     row(help.write),
     row(help.music),

@@ -10,6 +10,9 @@ const [KINDS, STRONG_KIND] = [[0, 2, 3, 4], 1];
 /** Steps that a shell takes to 30 m, by which it is launched before its beat; and those of each further metre. */
 const [FLIGHT, FLIGHT_PER_METRE] = [146, 2.2];
 
+/** Steps from the launch of a shell to its burst. @param y height of the burst, m */
+export const flightSteps = (y: number) => FLIGHT + FLIGHT_PER_METRE * (y - 30);
+
 /** @param seed of the choice of kinds, colours and places */
 export function composeShow(beats: readonly Beat[], seed: number): Cue[] {
   const random = createRandom(seed, 3);
@@ -20,9 +23,8 @@ export function composeShow(beats: readonly Beat[], seed: number): Cue[] {
     const kind =
       strength > 0.9 && random.uniform(0, 1) < 0.4 ? STRONG_KIND : KINDS[random.integer(0, KINDS.length - 1)];
     const color = random.integer(0, STAR_COLORS.length - 1);
-    const flight = FLIGHT + FLIGHT_PER_METRE * (y - 30);
     return {
-      tick: Math.round(STEPS_PER_SECOND * time - flight),
+      tick: Math.round(STEPS_PER_SECOND * time - flightSteps(y)),
       x,
       y,
       z: 0,

@@ -18,7 +18,7 @@ export class ShowEditor {
 
   constructor(cues: readonly Cue[] = []) {
     this.cues = cues;
-    this.cursor = cues.length === 0 ? 0 : Math.min(LAST_TICK, cues[cues.length - 1].tick + BEAT);
+    this.cursor = endOf(cues);
   }
 
   /** Adds a shell at the cursor, which advances by a beat. @returns false when the show is full */
@@ -47,6 +47,13 @@ export class ShowEditor {
     );
   }
 
+  /** Puts another show in the place of this one. @param cues sorted by time */
+  load(cues: readonly Cue[]): void {
+    this.#change(cues.map(quantize));
+    this.cursor = endOf(cues);
+    this.chosen = -1;
+  }
+
   clear(): void {
     if (this.cues.length > 0) this.#change([]);
     this.cursor = 0;
@@ -57,7 +64,10 @@ export class ShowEditor {
   undo(): void {
     const before = this.#past.pop();
     if (before === undefined) return;
-    if (before.length < this.cues.length) this.cursor = Math.max(0, this.cursor - BEAT);
+    const added = this.cues.length - before.length;
+    if (added === 1) this.cursor = Math.max(0, this.cursor - BEAT);
+    // More than one shell came or went with another show.
+    else if (Math.abs(added) > 1) this.cursor = endOf(before);
     this.cues = before;
     this.chosen = -1;
     this.version++;
@@ -81,4 +91,10 @@ export class ShowEditor {
     this.cues = cues;
     this.version++;
   }
+}
+
+/** A beat after the last shell. */
+function endOf(cues: readonly Cue[]): number {
+  const last = cues.at(-1);
+  return last === undefined ? 0 : Math.min(LAST_TICK, last.tick + BEAT);
 }

@@ -5,6 +5,8 @@ import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { DEMO_SHOW } from '../../games/fireworks/demo-show.ts';
+import { GALLERY } from '../../games/fireworks/gallery.ts';
+import { quantize } from '../../games/fireworks/show.ts';
 import { type Cue, createGame, type Input } from '../../games/fireworks/sim.ts';
 import {
   body,
@@ -184,7 +186,7 @@ describe('a show', () => {
     await page.locator('.fw-tray [aria-label^=green]').click();
     for (const [x, y] of [
       [150, 120],
-      [300, 90],
+      [300, 130],
       [450, 140],
     ])
       await page.mouse.click(x, y);
@@ -220,6 +222,42 @@ describe('a show', () => {
     await ready(guest);
     await steps(guest, 1);
     expect(await told(guest)).toMatchObject({ cues, isShowing: true, isDemo: false, flying: 1 });
+  });
+
+  it('of the list is chosen by touch or keys, runs, and can be changed and shared', async () => {
+    const page = await play('manual', { viewport: { width: 390, height: 844 } });
+    const button = page.locator('.fw-extra', { hasText: 'Shows' });
+    const list = page.locator('.fw-gallery');
+    await button.tap();
+    const heights = await list.locator('button').evaluateAll((all) => all.map((each) => each.clientHeight));
+    expect(heights).toHaveLength(GALLERY.length);
+    expect(Math.min(...heights)).toBeGreaterThanOrEqual(44);
+    const [box, desk] = await Promise.all([list.boundingBox(), page.locator('.fw-desk').boundingBox()]);
+    if (box === null || desk === null) throw new Error('There is no list.');
+    expect(box.x + box.width).toBeLessThanOrEqual(390);
+    expect(box.y + box.height).toBeLessThanOrEqual(desk.y);
+    await page.keyboard.press('Escape');
+    expect(await list.isVisible()).toBe(false);
+    // The button has the focus again. The keys that aim and fire elsewhere choose here.
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Enter');
+    expect(await list.isVisible()).toBe(false);
+    await steps(page, 60);
+    const [first, second] = GALLERY.map(({ cues }) => cues.map(quantize));
+    expect(await told(page)).toMatchObject({ cues: second, isShowing: true, isDemo: false, fired: 0, held: [] });
+    await button.tap();
+    await list.locator('button').first().tap();
+    await steps(page, 60);
+    expect(await told(page)).toMatchObject({ cues: first, isShowing: true, fired: 0 });
+    await page.keyboard.press('t');
+    await frames(page);
+    expect(await page.locator('.fw-mark').count()).toBe(first.length);
+    await page.locator('.fw-mark').last().tap();
+    await page.keyboard.press('Delete');
+    expect((await told(page)).cues).toEqual(first.slice(0, -1));
+    await page.locator('[data-do=share]').tap();
+    await page.waitForFunction(() => location.hash.startsWith('#show=3.'));
   });
 
   it('takes back, takes out and clears', async () => {

@@ -94,11 +94,13 @@ describe('fireworks', () => {
     const page = await open('manual&renderer=pixi&lang=de&barrage=on', options);
     if (!(await page.locator('.game-side').isVisible())) await page.keyboard.press('p');
     expect(await overflows(page)).toEqual([]);
-    // The editor of shows, the field for text, the time of a step and the help, each of which is hidden at first.
+    // The editor of shows, the field for text, the list of shows, the time of a step and the help, each of which is hidden at first.
     await page.keyboard.press('o');
-    await page.locator('.fw-extra[aria-expanded]').evaluate((button: HTMLElement) => button.click());
+    const [write, shows] = await page.locator('.fw-extra[aria-expanded]').all();
+    await write.evaluate((button: HTMLElement) => button.click());
     await page.keyboard.press('Escape');
-    await page.locator('.fw-extra[aria-expanded]').evaluate((button: HTMLElement) => button.click());
+    await write.evaluate((button: HTMLElement) => button.click());
+    await shows.evaluate((button: HTMLElement) => button.click());
     await page
       .locator('.fw-tray button')
       .first()

@@ -7,8 +7,8 @@
 // From the ends of a tree towards its root, each joint adds to the mass and the momentum of its parent what hangs below it,
 // seen through the joint; from the root back each body gets its velocity: as many operations as there are joints. What the
 // joints exerted before does not matter: it would be taken back. A joint that closes a loop follows by itself: Δλ = -q y - p λ
-// with (J M⁻¹ Jᵀ) y = J v + r C and the impulse scale p = 1 - q. The joint is softer than rigid by a millionth, so that what
-// is held from two sides has a solution.
+// with (J M⁻¹ Jᵀ) y = J v + r C and the impulse scale p = 1 - q. The joint is a little softer than rigid, so that
+// what is held from two sides has a solution (hinge-locks.ts).
 // Sources: Baraff, Linear-Time Dynamics using Lagrange Multipliers (SIGGRAPH 1996); Featherstone, Rigid Body Dynamics
 // Algorithms (2008), chapter 7.
 import { stateOf, word } from '../../solver/2d/body';
@@ -25,7 +25,7 @@ import {
   massOf,
 } from './articulated-body';
 import { jointed } from './brace-joints';
-import { exertHinge, follow, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
+import { COMPLIANCE, exertHinge, follow, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
 import { JointTable, impulsesOf } from './joint-table';
 import { JointPlace, JointRow, JointWork, PLAIN, placeAt, rowOf, signOf, startAt, workAt } from './joint-work';
 import { applyLocks, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
@@ -33,8 +33,6 @@ import { softenJoint } from './soft-impulse';
 import { relaxLoops, solveLoops } from './solve-loops';
 import { applyImpulses } from './start-joints';
 import { watchJoint } from './watch-joints';
-
-const COMPLIANCE: f64 = 1e-6;
 
 // Arms of a row at the parent and at the child.
 // @ts-ignore: decorator
