@@ -28,9 +28,12 @@ function useFreshPage(): void {
   });
 }
 
+/** A test takes a second; once in some hundred, Chromium's WebGPU in software hangs and never comes back. */
+const HANGS = { timeout: 60_000, retry: 2 };
+
 const discArea = (radius: number) => Math.PI * radius ** 2;
 
-describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
+describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', HANGS, (backend) => {
   useFreshPage();
 
   it.each(['f32', 'f64'] as const)('draws a disc of the right area in the right place, %s', async (precision) => {
@@ -108,7 +111,7 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', (backend) => {
   });
 });
 
-describe.each<Backend>(['webgl', 'webgpu'])('trails and lines with %s', (backend) => {
+describe.each<Backend>(['webgl', 'webgpu'])('trails and lines with %s', HANGS, (backend) => {
   useFreshPage();
 
   // 32 segments of a circle of radius 80 cut into 64, fading from full to nothing and tapering from 3 to 0.9 pixels.
