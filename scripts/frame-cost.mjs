@@ -29,7 +29,7 @@ const ROUNDS = 6;
 const FRAMES = 15;
 /** Frames before the first that counts: compilers come to rest, and the sky fills with sparks. */
 const WARM = 15;
-const SPARKS_WARM = 200;
+const GAME_WARM = 200;
 /** Pages that cannot tell what their frames cost. */
 const WITHOUT_SHELL = ['first-game', 'front-page'];
 /** The start page of the laboratory has no game of its own. @type {Record<string, string>} */
@@ -149,7 +149,7 @@ async function watch(browser, url) {
   const page = await openPage(browser);
   await page.goto(url);
   await page.waitForFunction(() => /** @type {any} */ (globalThis).__game?.state().ready, undefined, { polling: 50 });
-  const frames = await page.evaluate(watchGame, values.drawn ? 40 : 2 * SPARKS_WARM);
+  const frames = await page.evaluate(watchGame, values.drawn ? 40 : 2 * GAME_WARM);
   await page.close();
   return frames;
 }

@@ -37,11 +37,13 @@ export function createFallCloseUp({ hull, fall: color }: Palette): FallCloseUp {
   return {
     container,
     update({ rules, world, dt }, alpha, holes) {
+      container.visible = false;
+      if (rules.phase !== 'breath' && rules.phase !== 'over') return;
       const fall = rules.events.findLast(({ kind }) => kind !== 'over');
-      const hasEnded = rules.phase === 'breath' || rules.phase === 'over';
-      const part = fall === undefined ? 1 : ((world.tick - fall.tick + alpha) * dt) / BREATH;
-      container.visible = hasEnded && fall?.kind === 'fall' && part < 1;
-      if (!container.visible || fall === undefined) return;
+      if (fall?.kind !== 'fall') return;
+      const part = ((world.tick - fall.tick + alpha) * dt) / BREATH;
+      if (part >= 1) return;
+      container.visible = true;
       const i = 4 * nearestHole(holes, fall.x, fall.y);
       const [x, y] = [holes.values[i], holes.values[i + 1]];
       container.position.set(x, -y);
@@ -61,7 +63,9 @@ function writeHull(vertices: Float32Array, part: number): void {
     const height = START - NOSE + ((NOSE + TAIL) * i) / SECTIONS;
     const distance = HORIZON + heightAfter(height, highest, part);
     const half = (((HALF_WIDTH * i) / SECTIONS) * distance) / (HORIZON + height);
-    vertices.set([distance, -half, distance, half], 4 * i);
+    vertices[4 * i] = vertices[4 * i + 2] = distance;
+    vertices[4 * i + 1] = -half;
+    vertices[4 * i + 3] = half;
   }
 }
 

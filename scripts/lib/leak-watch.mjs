@@ -77,7 +77,10 @@ export function countInPage() {
   });
 }
 
-/** Counts that must agree before they are believed: some objects go only when those that held them are gone. */
+/**
+ * Equal counts in a row that end the collection, and the most collections: some objects are freed only after those that
+ * held them.
+ */
 const AGREEING = 4;
 const MAX_COLLECTIONS = 30;
 

@@ -1,14 +1,14 @@
 /**
  * `?preview` in the address: only the picture of a game, for a frame in another page such as a card in a list. It has no
- * interface, makes no sound, keeps nothing in the browser's storage, and plays again when it is over. A game that waits for its player may have
- * some of its buttons pressed: `?preview=right,action`.
+ * interface, makes no sound, keeps nothing in the browser's storage, and plays again when it is over. A game that waits for
+ * its player may have some of its buttons pressed: `?preview=right,action`.
  */
 import type { Controls } from './controls.ts';
 
 /** Seconds for which the end of a game is shown. */
 const END_SECONDS = 2;
 
-/** Buttons are pressed every so many seconds, for so long, and after so many times the game begins anew. */
+/** Seconds between two presses of the buttons, how long each lasts, s, and the number of them after which the game restarts. */
 const [PRESS_INTERVAL, PRESS_SECONDS, PRESSES] = [4, 1.5, 5];
 
 /** Asked once: a page may write another address later. A worker has an address as well, Node has none. */

@@ -80,7 +80,7 @@ describe.each(['f32', 'f64'] as const)('joints in %s', (precision) => {
       const arm = anchorB.x * u.y - anchorB.y * u.x;
       const mu = 1 / (1 / Mass.value[b] + arm ** 2 / Inertia.value[b]);
       const pull = mu * G * u.y;
-      // Rods are softer than rigid by a millionth, and their direction turns by about g h²/2 over their length.
+      // Rods to what does not move are a little softer than rigid (hinge-locks.ts), and their direction turns by about g h²/2 over their length.
       const tolerance = (precision === 'f32' ? 1e-4 : 1e-5) * Mass.value[b] * G + (mu * G * G * DT ** 2) / size;
       expect(Math.abs(jointForce(world, joint) - Math.abs(pull))).toBeLessThan(tolerance);
       const turn = (arm * pull * DT) / Inertia.value[b];

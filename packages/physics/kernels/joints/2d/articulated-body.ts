@@ -69,8 +69,8 @@ export function freeVelocity(body: ArticulatedBody, to: ArticulatedMass, vx: f64
 }
 
 // Six numbers of the upper half of a symmetric positive definite matrix of 3 × 3, replaced by those of its inverse, by
-// L D Lᵀ. Cofactors would cancel: a joint to what does not move is a million times as stiff along one direction as along the
-// others, and of a rod they leave no digit. A direction without mass gets none in the inverse.
+// L D Lᵀ. Cofactors would cancel: a joint to what does not move is ten thousand times as stiff along one direction as along
+// the others. A direction without mass gets none in the inverse.
 // Source: Golub and Van Loan, Matrix Computations, section 4.1.
 export function invert(matrix: usize): void {
   const a = load<f64>(matrix);

@@ -1,7 +1,7 @@
 // The joints that act in a step, and what each of them does. As long as these are those of the step before, their trees and
 // colors are, too.
 import { get } from '../../memory/columns';
-import { ASLEEP, DYNAMIC, LOCKED, MOVES, flagsOf, putWord, word } from '../../solver/2d/body';
+import { LOCKED, MOVES, flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { DISTANCE, FILTER, IMPULSES_SIZE, JointTable, MOTOR, REVOLUTE, impulsesOf } from './joint-table';
 
@@ -68,12 +68,6 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
   if (before == value) return false;
   putWord(list, i, value);
   return true;
-}
-
-// Whether joints move a body.
-// @ts-ignore: decorator
-@inline function isPushed(flags: u32): bool {
-  return (flags & (DYNAMIC | ASLEEP)) == DYNAMIC;
 }
 
 // A rod with a spring or limits locks nothing.

@@ -96,6 +96,12 @@ export const MOVES: u32 = DYNAMIC | KINEMATIC;
   return load<u32>(t.flags + ((<usize>row) << 2));
 }
 
+// Whether contacts and joints move a body with these flags.
+// @ts-ignore: decorator
+@inline export function isPushed(flags: u32): bool {
+  return (flags & (DYNAMIC | ASLEEP)) == DYNAMIC;
+}
+
 // @ts-ignore: decorator
 @inline export function putFlags(t: RigidTable, row: i32, flags: u32): void {
   store<u32>(t.flags + ((<usize>row) << 2), flags);

@@ -7,7 +7,7 @@
 // Source: constraint_graph.c of Box2D 3, which keeps its colors from step to step.
 import { LANES } from '../../memory/lanes';
 import { COVERED, TOUCHING, contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
-import { ASLEEP, DYNAMIC, flagsOf, putWord, word } from './body';
+import { flagsOf, isPushed, putWord, word } from './body';
 import { COLORS, RigidTable } from './rigid-table';
 
 // Bits of colors: 0 to 19 for two bodies that move, 20 to 30 for one. The last is for contacts without a color.
@@ -26,8 +26,8 @@ export function colorContacts(table: usize): void {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);
     if ((contact.flags & (TOUCHING | COVERED)) != TOUCHING) continue;
-    const movesA = isPushed(t, contact.bodyA);
-    const movesB = isPushed(t, contact.bodyB);
+    const movesA = isPushed(flagsOf(t, contact.bodyA));
+    const movesB = isPushed(flagsOf(t, contact.bodyB));
     if (!movesA && !movesB) continue;
     const color = chooseColor(t, contact.bodyA, contact.bodyB, movesA, movesB);
     const size = word(t.colorCounts, color);
@@ -44,12 +44,6 @@ export function colorContacts(table: usize): void {
   }
   t.touchingCount = count;
   layOutBlocks(t);
-}
-
-// Whether contacts move a body.
-// @ts-ignore: decorator
-@inline function isPushed(t: RigidTable, row: i32): bool {
-  return (flagsOf(t, row) & (DYNAMIC | ASLEEP)) == DYNAMIC;
 }
 
 // @ts-ignore: decorator

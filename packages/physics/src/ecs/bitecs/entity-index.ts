@@ -67,8 +67,9 @@ export function recreateEntity(world: PhysicsWorld, eid: number): void {
 }
 
 /**
- * Ensures that the next `count` calls of `addEntity` return ids up to `maxId`, and returns whether there are so many. If
- * the user created entities beyond it, freed ids may be larger: they are moved to the bottom of the stack.
+ * Makes the next `count` calls of `addEntity` return ids up to `maxId`. If the user created entities beyond it, freed ids
+ * may be larger: they are moved to the bottom of the stack, where they do not block the others.
+ * @returns whether `count` such ids are free
  */
 export function reserveIds(world: PhysicsWorld, count: number, maxId: number): boolean {
   const index = contextOf(world).entityIndex;

@@ -52,8 +52,8 @@ export function checkRestrictions(limits: Restrictions): CheckedRestrictions {
   return {
     group: checkGroup(limits.group),
     ...(region === undefined ? {} : 'radius' in region ? { ball: checkBall(region) } : { box: checkBox(region) }),
-    from: from === undefined ? -Infinity : startOf(checkNumber(from, 'restrictForce.from')),
-    until: until === undefined ? Infinity : startOf(checkNumber(until, 'restrictForce.until')),
+    from: from === undefined ? -Infinity : withRounding(checkNumber(from, 'restrictForce.from')),
+    until: until === undefined ? Infinity : withRounding(checkNumber(until, 'restrictForce.until')),
   };
 }
 
@@ -63,8 +63,8 @@ export function checkRestrictions(limits: Restrictions): CheckedRestrictions {
  */
 const ROUNDING = 2 ** -36;
 
-/** A time limit as the sum of steps may reach it. */
-function startOf(time: number): number {
+/** A time limit, less what the sum of steps may fall short of it. */
+function withRounding(time: number): number {
   return time - ROUNDING * Math.abs(time);
 }
 
