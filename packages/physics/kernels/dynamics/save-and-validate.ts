@@ -2,7 +2,8 @@
 // range.
 import { BLOCK, LANES, at, splat } from '../memory/lanes';
 
-// Saves position and velocity at the start of the step and returns 1 if every |x| <= maxPosition and |v| <= maxSpeed.
+// Saves position and velocity at the start of the step and returns 1 if every |x| <= maxPosition and |v| <= maxSpeed; in
+// f64 it may return 0 for a value just below a limit.
 // An invalid position is not saved: `previous` keeps the last valid one.
 export function beginAxis(
   previous: usize,
@@ -20,8 +21,8 @@ export function beginAxis(
   let speeds = emptyAccumulator();
   for (let row = first; row < last; row += BLOCK) {
     const o = at(row);
-    const inRange = isWithin(accumulateBlock(emptyAccumulator(), x + o, limitX), limitX);
-    speeds = accumulateBlock(speeds, v + o, limitV);
+    const inRange = isWithin(accumulateBlock(emptyAccumulator(), x + o), limitX);
+    speeds = accumulateBlock(speeds, v + o);
     copyBlock(start + o, v + o);
     if (i32x4.all_true(inRange)) {
       copyBlock(previous + o, x + o);
@@ -33,7 +34,7 @@ export function beginAxis(
   return i32(i32x4.all_true(v128.and(valid, isWithin(speeds, limitV))));
 }
 
-// Returns 1 if every |x| <= maxPosition and |v| <= maxSpeed.
+// Returns 1 if every |x| <= maxPosition and |v| <= maxSpeed; in f64 it may return 0 for a value just below a limit.
 export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real, first: i32, last: i32): i32 {
   const limitX = splat(maxPosition);
   const limitV = splat(maxSpeed);
@@ -41,39 +42,36 @@ export function checkAxis(x: usize, v: usize, maxPosition: real, maxSpeed: real,
   let speeds = emptyAccumulator();
   for (let row = first; row < last; row += BLOCK) {
     const o = at(row);
-    positions = accumulateBlock(positions, x + o, limitX);
-    speeds = accumulateBlock(speeds, v + o, limitV);
+    positions = accumulateBlock(positions, x + o);
+    speeds = accumulateBlock(speeds, v + o);
   }
   return i32(i32x4.all_true(v128.and(isWithin(positions, limitX), isWithin(speeds, limitV))));
 }
 
-// The accumulator of the checks: in f32 the largest magnitude per lane, in f64 a mask of the lanes within the limit so
-// far. In f32 magnitudes are compared as integers, which orders NaN above infinity above all numbers; 64-bit integers
-// have no such instruction, but the comparison of reals is false for NaN.
+// The accumulator of the checks: the largest magnitude per lane. Magnitudes are compared as integers, which orders NaN
+// above infinity above all numbers. There is no such instruction for 64-bit integers, so in f64 the upper halves are
+// compared: sign, exponent and 20 bits of the fraction.
 // @ts-ignore: decorator
 @inline function emptyAccumulator(): v128 {
-  return i32x4.splat(sizeof<real>() == 4 ? 0 : -1);
+  return i32x4.splat(0);
 }
 
 // @ts-ignore: decorator
-@inline function accumulate(accumulated: v128, values: usize, limit: v128): v128 {
-  if (sizeof<real>() == 4) return v128.max<u32>(accumulated, v128.and(v128.load(values), i32x4.splat(0x7fffffff)));
-  return v128.and(accumulated, v128.le<real>(v128.abs<real>(v128.load(values)), limit));
+@inline function accumulate(accumulated: v128, values: usize): v128 {
+  const magnitude = sizeof<real>() == 4 ? i32x4.splat(0x7fffffff) : i64x2.splat(0x7fffffff00000000);
+  return v128.max<u32>(accumulated, v128.and(v128.load(values), magnitude));
 }
 
 // @ts-ignore: decorator
-@inline function accumulateBlock(accumulated: v128, p: usize, limit: v128): v128 {
-  return accumulate(
-    accumulate(accumulate(accumulate(accumulated, p, limit), p + 16, limit), p + 32, limit),
-    p + 48,
-    limit,
-  );
+@inline function accumulateBlock(accumulated: v128, p: usize): v128 {
+  return accumulate(accumulate(accumulate(accumulate(accumulated, p), p + 16), p + 32), p + 48);
 }
 
 // Returns a mask of the lanes whose values are all within the limit.
 // @ts-ignore: decorator
 @inline function isWithin(accumulated: v128, limit: v128): v128 {
-  return sizeof<real>() == 4 ? v128.le<u32>(accumulated, limit) : accumulated;
+  if (sizeof<real>() == 4) return v128.le<u32>(accumulated, limit);
+  return v128.lt<u32>(accumulated, v128.or(limit, i64x2.splat(0xffffffff)));
 }
 
 // @ts-ignore: decorator
@@ -108,15 +106,21 @@ export function copyColumn(to: usize, from: usize, first: i32, last: i32): void 
 
 // Returns 1 if every value is 0, as in rows without the component, or in [min, max]. NaN is not.
 export function isColumnWithin(column: usize, min: real, max: real, first: i32, last: i32): i32 {
-  const zero = splat(0);
   const low = splat(min);
   const high = splat(max);
   let valid = i32x4.splat(-1);
-  const end = at(last);
-  for (let o = at(first); o < end; o += 16) {
-    const value = v128.load(column + o);
-    const inRange = v128.and(v128.ge<real>(value, low), v128.le<real>(value, high));
-    valid = v128.and(valid, v128.or(inRange, v128.eq<real>(value, zero)));
+  const end = column + at(last);
+  for (let p = column + at(first); p < end; p += 64) {
+    valid = v128.and(valid, isZeroOrWithin(v128.load(p), low, high));
+    valid = v128.and(valid, isZeroOrWithin(v128.load(p, 16), low, high));
+    valid = v128.and(valid, isZeroOrWithin(v128.load(p, 32), low, high));
+    valid = v128.and(valid, isZeroOrWithin(v128.load(p, 48), low, high));
   }
   return i32(i32x4.all_true(valid));
+}
+
+// @ts-ignore: decorator
+@inline function isZeroOrWithin(value: v128, low: v128, high: v128): v128 {
+  const inRange = v128.and(v128.ge<real>(value, low), v128.le<real>(value, high));
+  return v128.or(inRange, v128.eq<real>(value, splat(0)));
 }

@@ -28,14 +28,25 @@ export const evaluateForces: EvaluateForces = (world, ranges, time) => {
   assertUsable(world);
   if (ranges?.bounds === undefined) throw mustBe('ranges of rows, such as `world.ranges`', ranges, 'ranges');
   checkNumber(time, 'time');
+  sumForces(world, ranges, time);
+  // Forces that read one body confine a bad value to it, unless the scheme couples bodies, as Jacobi coordinates do.
+  const confinesBadForces = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
+  if (confinesBadForces || world.internal.isTrial) return;
+  for (let r = 0; r < ranges.count; r++) quarantineBadForces(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
+};
+
+/** Evaluates all forces without a check of their values. */
+export function sumForces(world: PhysicsWorld, ranges: Ranges, time: number): void {
   const lawLoop = lawLoopOf(world);
   if (lawLoop === undefined || lawLoop.addsToColumns) accumulateKernels(world, ranges, time);
   if (lawLoop !== undefined) {
     lawLoop.block.write(preparedFor(world).dt, time, 0);
     for (let r = 0; r < ranges.count; r++) lawLoop.run(ranges.bounds[2 * r], ranges.bounds[2 * r + 1], 0);
   }
-  for (let r = 0; r < ranges.count; r++) finish(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
-};
+  for (let r = 0; r < ranges.count; r++) {
+    clearForcesOfImmovable(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
+  }
+}
 
 /** Clears the columns and calls every force that is not a law. */
 function accumulateKernels(world: PhysicsWorld, ranges: Ranges, time: number): void {
@@ -65,13 +76,6 @@ export function accumulateRows(world: PhysicsWorld, force: Force, first: number,
     collectThrown(world, error);
     return false;
   }
-}
-
-function finish(world: PhysicsWorld, first: number, last: number): void {
-  clearForcesOfImmovable(world, first, last);
-  // Forces that read one body confine a bad value to it, unless the scheme couples bodies, as Jacobi coordinates do.
-  const confinesBadForces = world.internal.plan?.forcesLocal === true && world.integrator.wholeWorld !== true;
-  if (!confinesBadForces && !world.internal.isTrial) quarantineBadForces(world, first, last);
 }
 
 /** Returns whether any force of the world adds torque. */

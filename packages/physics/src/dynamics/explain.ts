@@ -17,9 +17,9 @@ import { stepLoop } from './fused-step.ts';
  */
 export function explain(world: PhysicsWorld): string {
   assertIdle(world, 'explain');
-  const { fusion } = currentPlan(world);
+  const { isOneLoop } = currentPlan(world);
   const { forces, integrator, dimensions, precision } = world;
-  const loops = compiledLoops(world, fusion !== undefined);
+  const loops = compiledLoops(world, isOneLoop);
   const lines = [
     `A step in ${dimensions}D, ${precision}, by ${integrator.name}.`,
     ...forces.flatMap(({ name, law }) =>
@@ -27,14 +27,14 @@ export function explain(world: PhysicsWorld): string {
         ? [`  ${name}: a function, called for each evaluation`]
         : formulasOf(law).map((f) => `  ${name}: ${f}`),
     ),
-    ...(fusion === undefined ? ['Forces and integrator are separate loops:'] : ['The whole step is one loop:']),
+    ...(isOneLoop ? ['The whole step is one loop:'] : ['Forces and integrator are separate loops:']),
     ...loops.map(({ source }) => printModule(source)),
   ];
   return lines.join('\n');
 }
 
-function compiledLoops(world: PhysicsWorld, isFused: boolean): readonly CompiledLoop[] {
-  if (isFused) return [stepLoop(world).compiled];
+function compiledLoops(world: PhysicsWorld, isOneLoop: boolean): readonly CompiledLoop[] {
+  if (isOneLoop) return [stepLoop(world).compiled];
   const laws = lawLoopOf(world);
   const { scheme, advance } = world.integrator;
   const segments = scheme === undefined || advance !== undefined ? [] : schemeLoops(world).compiled;

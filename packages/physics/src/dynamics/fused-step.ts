@@ -10,6 +10,7 @@ import { faultyLaws } from './blame-law.ts';
 import { anyForceAppliesTorque, lawLoopOf } from './evaluate-forces.ts';
 import { layoutOf } from './layout.ts';
 import { ParameterBlock, variantOf } from './parameter-block.ts';
+import { runChecked } from './run-checked.ts';
 import { lastStepOf, schemeMemory } from './scheme-memory.ts';
 import type { Box, StepFeatures } from './step-features.ts';
 import { ownersOf, stepLoopSource } from './step-loop.ts';
@@ -66,7 +67,7 @@ export const stepLoop = cachedWithPlan((world): StepLoop => {
 /** Builds the loops before the step, so that errors propagate from `step` before anything moved. */
 export function prepareLoops(world: PhysicsWorld): void {
   const { integrator, internal } = world;
-  if (internal.plan?.fusion !== undefined) stepLoop(world);
+  if (internal.plan?.isOneLoop === true) stepLoop(world);
   else {
     lawLoopOf(world);
     if (integrator.scheme !== undefined && integrator.advance === undefined) schemeLoops(world);
@@ -91,28 +92,18 @@ export function runStepLoop(world: PhysicsWorld, ranges: Ranges, dt: number): vo
     const rows = bounces ? CHUNK_ROWS : end;
     for (let first = ranges.bounds[2 * r]; first < end; first += rows) {
       const last = Math.min(first + rows, end);
-      runRows(world, run, first, last, dt);
+      runChecked(world, run, first, last, dt, stepInvalidVector);
       if (bounces && !bounceList(world, walls, dt)) repairRows(world, first, last, 'finish');
     }
   }
 }
 
-function runRows(world: PhysicsWorld, run: Loop, first: number, last: number, dt: number): void {
-  let row = run(first, last, 1);
-  while (row < last) {
-    row = stepInvalidVector(world, run, row, dt);
-    if (row < last) row = run(row, last, 1);
-  }
-}
-
 /** Handles one vector of bodies with at least one out of range. */
-function stepInvalidVector(world: PhysicsWorld, run: Loop, first: number, dt: number): number {
-  const last = first + (world.precision === 'f32' ? 4 : 2);
+function stepInvalidVector(world: PhysicsWorld, run: Loop, first: number, last: number, dt: number): void {
   repairRows(world, first, last, 'begin');
   const blamed = faultyLaws(world, first, last, dt);
   run(first, last, 0);
   repairRows(world, first, last, 'finish', blamed);
-  return last;
 }
 
 /** Bounces the bodies that the loop found at walls and did not handle. */

@@ -6,9 +6,14 @@ import { isOpen } from '../ecs/rows.ts';
 import { reportFault } from '../errors/report-fault.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
+/** A component and those of its columns that are checked. */
+interface Coefficients {
+  readonly component: ComponentName;
+  readonly columns: readonly Coefficient[];
+}
+
 /** A column, and the range of its values beside 0, which is the value of rows without the component. */
 interface Coefficient {
-  readonly component: ComponentName;
   readonly field: string;
   readonly min: number;
   readonly max: number;
@@ -40,18 +45,21 @@ const CHECKED_ELSEWHERE: readonly string[] = [
 const MAX_REAL = 3.4028234663852886e38;
 
 /** The real fields of some components. */
-function coefficientsOf(components: readonly ComponentName[], isShared: boolean): readonly Coefficient[] {
-  return components.flatMap((component) =>
-    Object.entries((COMPONENTS[component] as ComponentSpec).fields)
+function coefficientsOf(components: readonly ComponentName[], isShared: boolean): readonly Coefficients[] {
+  return components.map((component) => ({
+    component,
+    columns: Object.entries((COMPONENTS[component] as ComponentSpec).fields)
       .filter(([, { kind, bounds }]) => kind === 'real' && bounds.integer !== true)
       .map(([field, { bounds }]) => {
         const { min = bounds.above ?? -MAX_REAL, max = MAX_REAL } = bounds;
-        return { component, field, min, max, isShared };
+        return { field, min, max, isShared };
       }),
-  );
+  }));
 }
 
-const SHARED = /* @__PURE__ */ coefficientsOf(['Mass', 'Charge', 'Collider'], true);
+const BODIES = /* @__PURE__ */ coefficientsOf(['Mass', 'Charge'], true);
+/** Shapes attached to a body have a Collider too, in rows without a Position. */
+const COLLIDERS = /* @__PURE__ */ coefficientsOf(['Collider'], true);
 /** A bad engine would burn its fuel within the step. */
 const ENGINE = /* @__PURE__ */ coefficientsOf(['Engine'], false);
 const OTHERS = /* @__PURE__ */ coefficientsOf(
@@ -68,13 +76,18 @@ const ROUND = 64;
  * within 64 steps; reading every column in every step would slow particles down by a third.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
-  const { sweptRows } = world.internal;
+  const { internal, ranges } = world;
+  const { sweptRows } = internal;
   const rowsPerStep = 16 * Math.ceil(sweptRows / 16 / ROUND);
   const start = rowsPerStep * (world.tick % ROUND);
   const end = Math.min(start + rowsPerStep, sweptRows);
   checkColumns(world, ENGINE, 0, sweptRows);
-  if (couplesBodies(world)) checkColumns(world, SHARED, 0, sweptRows);
-  else checkColumns(world, SHARED, start, end);
+  if (couplesBodies(world)) {
+    for (let r = 0; r < ranges.count; r++) checkColumns(world, BODIES, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
+    checkColumns(world, COLLIDERS, 0, sweptRows);
+  }
+  checkColumns(world, BODIES, start, end);
+  checkColumns(world, COLLIDERS, start, end);
   checkColumns(world, OTHERS, start, end);
 }
 
@@ -82,20 +95,31 @@ function couplesBodies({ internal, integrator, phases }: PhysicsWorld): boolean 
   return internal.plan?.forcesLocal !== true || integrator.wholeWorld === true || phases.collide.length > 0;
 }
 
-function checkColumns(world: PhysicsWorld, list: readonly Coefficient[], first: number, last: number): void {
+function checkColumns(world: PhysicsWorld, list: readonly Coefficients[], first: number, last: number): void {
   // A world of few bodies has no rows to check in most steps.
   if (first >= last) return;
   const { addresses, kernels, internal } = world;
   for (let c = 0; c < list.length; c++) {
-    const { component, field, min, max } = list[c];
+    const { component, columns } = list[c];
     if (internal.counts[component] === 0) continue;
-    const address = (addresses[component] as Readonly<Record<string, number>>)[field];
-    if (kernels.isColumnWithin(address, min, max, first, last) === 0) correctRows(world, list[c], first, last);
+    const at: Readonly<Record<string, number>> = addresses[component];
+    for (let f = 0; f < columns.length; f++) {
+      const { field, min, max } = columns[f];
+      if (kernels.isColumnWithin(at[field], min, max, first, last) === 0) {
+        correctRows(world, component, columns[f], first, last);
+      }
+    }
   }
 }
 
-function correctRows(world: PhysicsWorld, coefficient: Coefficient, first: number, last: number): void {
-  const { component, field, min, max } = coefficient;
+function correctRows(
+  world: PhysicsWorld,
+  component: ComponentName,
+  coefficient: Coefficient,
+  first: number,
+  last: number,
+): void {
+  const { field, min, max } = coefficient;
   const column = (world.components[component] as Readonly<Record<string, RealColumn>>)[field];
   const { hint } = (COMPONENTS[component] as ComponentSpec).fields[field];
   for (let row = first; row < last; row++) {

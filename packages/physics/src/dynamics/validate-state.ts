@@ -27,7 +27,7 @@ export const beginStep: LocalSystem = { name: 'begin', role: 'begin', run: forEa
 export const validateState: LocalSystem = { name: 'check finite', role: 'check', run: forEachRange(checkRange) };
 
 function beginRange(world: PhysicsWorld, first: number, last: number): void {
-  // The fused loop checks positions and velocities itself.
+  // The loops of the integrator check positions and velocities themselves.
   const isFused = world.internal.plan?.fusion?.begin === true;
   const isValid = isFused || saveAxes(world, first, last) === 1;
   if (!isValid || !areAnglesValid(world, first, last)) {
@@ -108,13 +108,13 @@ function areAnglesValid(world: PhysicsWorld, first: number, last: number): boole
   const { AngularVelocity: w, Rotation, Orientation: q } = addresses;
   const maxSpin = MAX_ANGULAR_SPEED;
   const limit = MAX_QUATERNION_COMPONENT;
-  const valid =
-    kernels.checkAxis(w.x, w.y, maxSpin, maxSpin, first, last) &
-    kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, maxSpin, first, last);
+  const valid = kernels.checkAxis(Rotation.angle, w.z, MAX_ANGLE, maxSpin, first, last);
   if (world.dimensions === 2) return valid === 1;
-  const orientationValid =
-    kernels.checkAxis(q.x, q.y, limit, limit, first, last) & kernels.checkAxis(q.z, q.w, limit, limit, first, last);
-  return (valid & orientationValid) === 1;
+  const spatialValid =
+    kernels.checkAxis(w.x, w.y, maxSpin, maxSpin, first, last) &
+    kernels.checkAxis(q.x, q.y, limit, limit, first, last) &
+    kernels.checkAxis(q.z, q.w, limit, limit, first, last);
+  return (valid & spatialValid) === 1;
 }
 
 /** The largest magnitude of each column of a body. */
@@ -201,9 +201,7 @@ function reportOnce(world: PhysicsWorld, row: number, field: string, value: numb
 }
 
 /**
- * Clears non-finite forces on bodies that are coupled to others, because a spring would propagate them within the step.
- * Called after each evaluation if forces or the integrator couple bodies; otherwise a bad force affects its own body
- * only and is found at the end of the step.
+ * Clears non-finite forces and quarantines the bodies, because a spring would propagate such a value within the step.
  */
 export function quarantineBadForces(world: PhysicsWorld, first: number, last: number): void {
   const { x, y, z } = world.scratch.at.force;

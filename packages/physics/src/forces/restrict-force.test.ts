@@ -171,7 +171,7 @@ describe('restrictForce', () => {
     expect(structure(restrictForce(gravity, limits))).not.toBe(structure(gravity));
     const { world } = single([restrictForce(restrictForce(gravity, limits), other)]);
     step(world, 0.1);
-    expect(world.internal.plan?.fusion).toBeDefined();
+    expect(world.internal.plan?.isOneLoop).toBe(true);
   });
 
   test('applies nested limits together', () => {

@@ -104,25 +104,35 @@ function makePlan(world: PhysicsWorld): Plan {
     System[]
   >;
   const { scheme, advance } = world.integrator;
-  const isFused = scheme !== undefined && advance === undefined && world.forces.every(({ law }) => law !== undefined);
+  const hasStages = scheme !== undefined && advance === undefined;
+  const isOneLoop = hasStages && (scheme.stages.length === 0 || world.forces.every(({ law }) => law !== undefined));
+  const fusion = fusionOf(
+    PHASES.flatMap((phase) => systems[phase]),
+    isOneLoop,
+  );
   return {
     signature,
     systems,
     forcesLocal: world.forces.every(({ local }) => local),
-    fusion: isFused ? fusionOf(PHASES.flatMap((phase) => systems[phase])) : undefined,
+    fusion: hasStages ? fusion : undefined,
+    isOneLoop,
+    isStartCurrent: fusion.begin,
     kept: new Map(),
   };
 }
 
-/** Determines which systems next to the integrator are fused into its loop. Systems of rotation are not. */
-function fusionOf(systems: readonly System[]): Fusion {
+/**
+ * Determines which systems next to the integrator its loops replace: walls only if the step is one loop, systems of rotation
+ * never.
+ */
+function fusionOf(systems: readonly System[], isOneLoop: boolean): Fusion {
   const roles = systems.map((system) => (typeof system === 'function' ? undefined : system.role));
   const at = roles.indexOf('integrate');
   const isOnly = roles.lastIndexOf('integrate') === at;
   if (at < 0 || !isOnly) return { begin: false, walls: undefined, check: false };
   let next = at + 1;
   if (roles[next] === 'rotate') next++;
-  const hasWalls = roles[next] === 'box' && roles[next + 1] === 'check';
+  const hasWalls = isOneLoop && roles[next] === 'box' && roles[next + 1] === 'check';
   return {
     begin: roles[at - 1] === 'begin',
     walls: hasWalls ? (systems[next] as LocalSystem) : undefined,

@@ -185,13 +185,13 @@ export interface Preset {
   readonly bytesPerEntity?: (dimensions: 2 | 3, precision: Precision) => number;
 }
 
-/** The systems of a step that are fused into one loop with the laws and the integrator because they are adjacent. */
+/** The systems of a step whose work the loops of the integrator do, because they are adjacent. */
 export interface Fusion {
-  /** The loop saves the pose and validates values written between steps. */
+  /** The first loop saves the pose and validates values written between steps. */
   readonly begin: boolean;
   /** Box walls; the loop finds the bodies at the walls. */
   readonly walls: LocalSystem | undefined;
-  /** The loop validates the result. */
+  /** The last loop validates the result. */
   readonly check: boolean;
 }
 
@@ -202,8 +202,12 @@ export interface Plan {
   readonly signature: readonly unknown[];
   /** Every force depends on its own body only. */
   readonly forcesLocal: boolean;
-  /** Undefined if a force is not a law or the integrator has no fixed stages. */
+  /** Undefined if the integrator has no fixed stages. */
   readonly fusion: Fusion | undefined;
+  /** All forces are laws, and the integrator has fixed stages: the whole step is one loop. */
+  readonly isOneLoop: boolean;
+  /** No system runs between the one that saves the state at the start of the step and the integrator. */
+  readonly isStartCurrent: boolean;
   /** Values that other parts of the engine cache with the plan. */
   readonly kept: Map<object, unknown>;
 }
