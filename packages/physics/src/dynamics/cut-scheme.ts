@@ -1,5 +1,5 @@
 // Splits the arithmetic of a scheme at its force evaluations into loops that run one after the other.
-import type { LoopSource, Store } from '../laws/emit-loop.ts';
+import type { LoopSource, Store } from '../laws/loop-source.ts';
 import { Lowering } from '../laws/lower.ts';
 import type { Node } from '../laws/node.ts';
 import type { StageData } from '../laws/scheme.ts';

@@ -5,7 +5,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { clearForcesOfImmovable } from '../ecs/partial-entities.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { checkNumber, mustBe } from '../errors/validate.ts';
-import type { LoopSource, Store } from '../laws/emit-loop.ts';
+import type { LoopSource, Store } from '../laws/loop-source.ts';
 import { type Axes, zeroVector } from '../laws/vector-algebra.ts';
 import { AXES } from '../memory/axes.ts';
 import { clearAxes } from '../memory/clear-axes.ts';

@@ -1,7 +1,7 @@
 // The checks of a loop on its results. They use as few operations as possible, because they run for every body.
 import { MAX_POSITION } from '../components/position.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
-import type { LoopSource, Store, WallTest } from '../laws/emit-loop.ts';
+import type { LoopSource, Store, WallTest } from '../laws/loop-source.ts';
 import type { Node } from '../laws/node.ts';
 import type { Box, Result, StepFeatures } from './step-features.ts';
 import type { WorldColumns } from './world-columns.ts';

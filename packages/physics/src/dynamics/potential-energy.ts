@@ -1,6 +1,6 @@
 // The potential energy of a law, summed in f64 over all bodies that forces move.
 import type { Loop } from '../laws/compile.ts';
-import type { LoopSource } from '../laws/emit-loop.ts';
+import type { LoopSource } from '../laws/loop-source.ts';
 import { Lowering } from '../laws/lower.ts';
 import { zeroVector } from '../laws/vector-algebra.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';

@@ -1,6 +1,6 @@
 // A whole step as one loop: the integrator with all laws in its stages, the saved pose for interpolation, the checks of
 // the result and the test for box walls.
-import type { LoopSource, Store } from '../laws/emit-loop.ts';
+import type { LoopSource, Store } from '../laws/loop-source.ts';
 import { Lowering } from '../laws/lower.ts';
 import { type Axes, zeroVector } from '../laws/vector-algebra.ts';
 import type { AxisAddresses } from '../memory/columns.ts';

@@ -1,6 +1,8 @@
 // The sum of all laws of a world as arithmetic: force and torque on a body, and its acceleration.
+
+import type { Environment } from '../laws/environment.ts';
 import type { Graph } from '../laws/graph.ts';
-import { type Environment, Lowering } from '../laws/lower.ts';
+import { Lowering } from '../laws/lower.ts';
 import type { Node } from '../laws/node.ts';
 import { type Axes, eachAxis, zeroVector } from '../laws/vector-algebra.ts';
 import type { Force, Law } from '../world/types.ts';

@@ -3,9 +3,9 @@
 import { ownColumns } from '../ecs/own-components.ts';
 import { MOVABLE } from '../ecs/partial-entities.ts';
 import type { ColumnData } from '../laws/body-symbols.ts';
-import type { Store } from '../laws/emit-loop.ts';
+import type { Environment } from '../laws/environment.ts';
 import { Graph } from '../laws/graph.ts';
-import type { Environment } from '../laws/lower.ts';
+import type { Store } from '../laws/loop-source.ts';
 import type { Node } from '../laws/node.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
 import { AXES } from '../memory/axes.ts';

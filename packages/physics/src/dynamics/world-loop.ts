@@ -1,6 +1,6 @@
 // A compiled loop over the columns of one world.
 import { type CompiledLoop, compileLoop, instantiateLoop, type Loop } from '../laws/compile.ts';
-import type { LoopSource } from '../laws/emit-loop.ts';
+import type { LoopSource } from '../laws/loop-source.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { mathImports } from './math-imports.ts';
 

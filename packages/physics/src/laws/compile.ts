@@ -1,8 +1,9 @@
 // Compiles the arithmetic of a loop to a function over the memory of a world. Modules are compiled synchronously and
 // cached: worlds of equal structure and layout share them.
 import { compileBytes } from '../kernels/compile-bytes.ts';
-import { emitLoop, type LoopSource } from './emit-loop.ts';
+import { emitLoop } from './emit-loop.ts';
 import { encodeModule, type ModuleSource } from './encode.ts';
+import type { LoopSource } from './loop-source.ts';
 
 /** Processes rows [first, last), whose bounds are multiples of 16. */
 export type Loop = (first: number, last: number, checked: number) => number;

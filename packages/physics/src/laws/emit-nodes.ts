@@ -1,36 +1,16 @@
 // Translates nodes to instructions. A uniform node is computed once before the loop. Other nodes are computed in
 // 128-bit vectors, and kept in a local if more than one node uses them.
+import { countUses, type NodeUses, sharedOf } from './count-uses.ts';
+import { emitCalls } from './emit-calls.ts';
 import { ColumnEmitter } from './emit-columns.ts';
 import { emitSum } from './emit-sum.ts';
-import type { Node, Operation } from './node.ts';
+import { BITS, FUNCTIONS, LANES } from './lane-operations.ts';
+import type { Node } from './node.ts';
 import type { SumScope } from './table.ts';
-
-const LANES: Readonly<Partial<Record<Operation, string>>> = {
-  add: 'add',
-  sub: 'sub',
-  mul: 'mul',
-  div: 'div',
-  negate: 'neg',
-  abs: 'abs',
-  sqrt: 'sqrt',
-  floor: 'floor',
-  round: 'nearest',
-  min: 'pmin',
-  max: 'pmax',
-  less: 'lt',
-  lessOrEqual: 'le',
-  equal: 'eq',
-};
-
-const BITS: Readonly<Partial<Record<Operation, string>>> = { and: 'v128.and', or: 'v128.or', not: 'v128.not' };
-
-/** Functions of kernels/math, called per lane, so that the results are bitwise equal to scalar calls. */
-const FUNCTIONS = new Set<Operation>(['sin', 'cos', 'exp', 'log', 'pow', 'atan2', 'noise']);
 
 /** Emits nodes of all kinds. */
 export class NodeEmitter extends ColumnEmitter {
-  readonly #uses = new Map<Node, number>();
-  readonly #sums = new Map<SumScope, Node[]>();
+  #uses: NodeUses = { nodes: [], counts: new Map(), sums: new Map() };
   /** Locals of uniform nodes, broadcast to all lanes. */
   readonly #spreads = new Map<Node, number>();
   /** Locals of values for the current bodies. */
@@ -38,8 +18,9 @@ export class NodeEmitter extends ColumnEmitter {
 
   /** Computes uniform values. Called once before the loop, with all roots of the loop. */
   begin(roots: readonly Node[]): void {
-    const nodes = this.#count(roots);
-    this.#findShared(nodes);
+    this.#uses = countUses(roots);
+    const { nodes } = this.#uses;
+    for (const node of sharedOf(this.#uses)) this.shared.add(node);
     for (const node of nodes) if (this.shared.has(node) && node.scope === undefined) this.#hoist(node, true);
     for (const node of nodes) {
       if (node.isUniform) continue;
@@ -83,32 +64,11 @@ export class NodeEmitter extends ColumnEmitter {
       return;
     }
     this.#compute(node);
-    if ((this.#uses.get(node) ?? 0) > 1) code.add('local.tee', this.#assign(node, false));
+    if (this.#isReused(node)) code.add('local.tee', this.#assign(node, false));
   }
 
-  /** Returns the reachable nodes, arguments first, and counts their uses. */
-  #count(roots: readonly Node[]): Node[] {
-    const visit = (node: Node) => {
-      const uses = this.#uses.get(node) ?? 0;
-      this.#uses.set(node, uses + 1);
-      if (uses > 0) return;
-      node.args.forEach(visit);
-      if (node.over === undefined) return;
-      const sums = this.#sums.get(node.over) ?? [];
-      this.#sums.set(node.over, [...sums, node]);
-    };
-    roots.forEach(visit);
-    return [...this.#uses.keys()].sort((a, b) => a.id - b.id);
-  }
-
-  /** The minimum of two values uses each operand twice. */
-  #findShared(nodes: readonly Node[]): void {
-    const isOperation = ({ isUniform, args }: Node) => isUniform && args.length > 0;
-    for (const node of nodes) {
-      if (isOperation(node) && (this.#uses.get(node) ?? 0) > 1) this.shared.add(node);
-      if (!node.isUniform || (node.op !== 'min' && node.op !== 'max')) continue;
-      for (const arg of node.args) if (isOperation(arg)) this.shared.add(arg);
-    }
+  #isReused(node: Node): boolean {
+    return (this.#uses.counts.get(node) ?? 0) > 1;
   }
 
   #assign(node: Node, isSet = true): number {
@@ -153,8 +113,8 @@ export class NodeEmitter extends ColumnEmitter {
     else if (op === 'word') this.pushWord(value);
     else if (op === 'entity') this.pushEntity();
     else if (op === 'has') this.pushHas(args[0].value, value);
-    else if (op === 'sum') emitSum(this, node, this.#sums.get(node.over as SumScope) as Node[]);
-    else if (FUNCTIONS.has(op)) this.#pushCalls(node);
+    else if (op === 'sum') emitSum(this, node, this.#uses.sums.get(node.over as SumScope) as Node[]);
+    else if (FUNCTIONS.has(op)) emitCalls(this, node);
     else if (op === 'select' || op === 'keep') {
       const [mask, whenTrue, whenFalse] = args;
       this.push(whenTrue);
@@ -166,31 +126,6 @@ export class NodeEmitter extends ColumnEmitter {
       const name = BITS[op];
       if (name === undefined) this.lane(LANES[op] as string);
       else code.add(name);
-    }
-  }
-
-  #pushCalls({ op, args, value }: Node): void {
-    const { code } = this;
-    const isWide = this.types.computed === 'f64';
-    const locals = args.map((arg) => (arg.isUniform ? undefined : this.toLocal(arg)));
-    for (let lane = 0; lane < this.lanes; lane++) {
-      args.forEach((arg, i) => {
-        if (locals[i] === undefined) {
-          this.pushDouble(arg);
-          return;
-        }
-        code.add('local.get', locals[i]);
-        this.lane('extract_lane', lane);
-        if (!isWide) code.add('f64.promote_f32');
-      });
-      if (op === 'noise') {
-        this.pushRow(lane);
-        code.add('i32.const', value);
-      }
-      code.add('call', this.importOf(op));
-      if (!isWide) code.add('f32.demote_f64');
-      if (lane === 0) this.lane('splat');
-      else this.lane('replace_lane', lane);
     }
   }
 

@@ -1,0 +1,26 @@
+// The instructions of the operations on 128-bit vectors.
+import type { Operation } from './node.ts';
+
+/** Instructions with a type of lanes. */
+export const LANES: Readonly<Partial<Record<Operation, string>>> = {
+  add: 'add',
+  sub: 'sub',
+  mul: 'mul',
+  div: 'div',
+  negate: 'neg',
+  abs: 'abs',
+  sqrt: 'sqrt',
+  floor: 'floor',
+  round: 'nearest',
+  min: 'pmin',
+  max: 'pmax',
+  less: 'lt',
+  lessOrEqual: 'le',
+  equal: 'eq',
+};
+
+/** Instructions on all bits. */
+export const BITS: Readonly<Partial<Record<Operation, string>>> = { and: 'v128.and', or: 'v128.or', not: 'v128.not' };
+
+/** Functions of kernels/math, called per lane, so that the results are bitwise equal to scalar calls. */
+export const FUNCTIONS = new Set<Operation>(['sin', 'cos', 'exp', 'log', 'pow', 'atan2', 'noise']);

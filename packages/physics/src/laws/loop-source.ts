@@ -1,0 +1,37 @@
+// A loop over bodies as arithmetic: what it stores, and the checks before it stores.
+import type { LaneTypes } from './function-builder.ts';
+import type { Node } from './node.ts';
+
+/** A column and the value to store there for every body. */
+export interface Store {
+  readonly address: number;
+  readonly node: Node;
+}
+
+/** Wall test: bodies that are not inside are appended to a list, and additional values are stored for them. */
+export interface WallTest {
+  readonly inside: Node;
+  readonly stores: readonly Store[];
+  /**
+   * Address of the end of a list, followed by the list: byte offsets of bodies in a column of reals. The loop appends.
+   */
+  readonly list: number;
+  /** If the condition holds for all bodies of a vector, the vector is not listed, and `stores` replaces its results. */
+  readonly resting?: { readonly condition: Node; readonly stores: readonly Store[] } | undefined;
+}
+
+/** A loop as arithmetic. */
+export interface LoopSource {
+  readonly name: string;
+  readonly types: LaneTypes;
+  readonly stores: readonly Store[];
+  /** If this is false for a body, the loop stops before it stores anything for the vector. */
+  readonly inRange?: Node | undefined;
+  readonly walls?: WallTest | undefined;
+  /** A cheap sufficient condition for the two above, true for almost all bodies. */
+  readonly fastCheck?: Node | undefined;
+  /** A value that is summed over all bodies. */
+  readonly total?: Node | undefined;
+  /** Describes an address in printed code. */
+  readonly noteOf: (address: number) => string | undefined;
+}
