@@ -66,6 +66,14 @@ export default defineExample({
   ],
   checks: [
     {
+      label: 'Bottom of the middle column, x',
+      unit: 'px',
+      exact: 260,
+      tolerance: { absolute: 0.1 },
+      at: { time: 120 },
+      measure: ({ world, node }) => positionOf(world, node(7, 9)).x,
+    },
+    {
       label: 'Bottom of the middle column, y',
       unit: 'px',
       exact: 288.897,

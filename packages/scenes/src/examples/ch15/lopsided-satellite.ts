@@ -29,24 +29,27 @@ type Values = ValuesOf<'spin' | 'load' | 'height'>;
 
 const DT = 1 / 120;
 /** A flat box, kg and m, and how far out the boom holds the load. */
-const BUS = { mass: 100, size: point(1.6, 1.6, 0.6) };
+const BUS = { mass: 100, size: point(1.6, 0.6, 1.6) };
 const BOOM = 1.6;
+/** Upwards in the axes of the box; and in the principal axes that of the largest moment, which is the third, downwards. */
+const AXIS_OF_BOX = point(0, 1, 0);
+const STEADY = point(0, 0, -1);
 const BUS_MOMENTS = boxInertia(BUS.mass, BUS.size);
 
 const solidOf = ({ load, height }: Values) =>
   tensorOfParts([
     { mass: BUS.mass, inertia: BUS_MOMENTS },
-    { mass: load, position: { x: BOOM, z: height } },
+    { mass: load, position: { x: BOOM, y: height } },
   ]);
 
 /** Moments and tilt of the principal axes, which lie in the plane of the boom: the two roots of a quadratic equation. */
 function exactAxes({ load, height }: Values): { moments: Point3; tilt: number } {
   const reduced = (load * BUS.mass) / (load + BUS.mass);
-  const [xx, zz] = [BUS_MOMENTS.x + reduced * height * height, BUS_MOMENTS.z + reduced * BOOM * BOOM];
-  const [half, product] = [(zz - xx) / 2, reduced * BOOM * height];
+  const [xx, yy] = [BUS_MOMENTS.x + reduced * height * height, BUS_MOMENTS.y + reduced * BOOM * BOOM];
+  const [half, product] = [(yy - xx) / 2, reduced * BOOM * height];
   const root = Math.sqrt(half * half + product * product);
-  const middle = BUS_MOMENTS.y + reduced * (BOOM * BOOM + height * height);
-  const moments = point((xx + zz) / 2 - root, middle, (xx + zz) / 2 + root);
+  const middle = BUS_MOMENTS.z + reduced * (BOOM * BOOM + height * height);
+  const moments = point((xx + yy) / 2 - root, middle, (xx + yy) / 2 + root);
   // tan α of tan 2α = product/half.
   return { moments, tilt: product / (half + root) };
 }
@@ -85,7 +88,7 @@ export default defineExample({
       mass,
       orientation,
       inertiaTensor: inertia,
-      angularVelocity: { z: values.spin },
+      angularVelocity: { y: values.spin },
     });
     // The body's own axes are the principal ones; the box stands askew in them.
     const toBody = inverse(orientation);
@@ -98,20 +101,20 @@ export default defineExample({
     return { world, dt: DT, values, satellite, inertia, orientation, toBody, place, turned, spinAbout, start };
   },
   picture({ world, values: { height }, toBody, place, turned, start }) {
-    const load = point(BOOM, 0, height);
+    const load = point(BOOM, height, 0);
     const line = (from: Point3, to: Point3, color: Color) => ({ from: () => place(from), to: () => place(to), color });
     const axis = (local: Point3) => () => times(turned(local), 1.8);
     return {
-      view: { minX: -2, maxX: 2, minY: -2, maxY: 2, minZ: -2, maxZ: 2 },
-      camera: { eye: point(4, -5, 3), target: point(0, 0, 0) },
+      view: { minX: -1.7, maxX: 1.7, minY: -1.2, maxY: 1.7, minZ: -1.2, maxZ: 1.2 },
+      camera: { eye: point(3, 2.4, 6), target: point(0, 0, 0) },
       lines: [
         ...boxEdges(times(BUS.size, 0.5), place, COLORS.grey),
-        line(point(0, 0, BUS.size.z / 2), load, COLORS.grey),
+        ...boxEdges(point(0.1, 0.1, 0.1), (local) => place(plus(load, local)), COLORS.yellow),
+        line(point(0, BUS.size.y / 2, 0), load, COLORS.grey),
       ],
-      dots: [{ at: () => place(load), color: COLORS.yellow, radius: 8 }],
       arrows: [
-        { label: 'box', from: point(0, 0, 0), vector: axis(rotate(toBody, point(0, 0, 1))), color: COLORS.blue },
-        { label: 'steady', from: point(0, 0, 0), vector: axis(point(0, 0, 1)), color: COLORS.orange },
+        { label: 'box', from: point(0, 0, 0), vector: axis(rotate(toBody, AXIS_OF_BOX)), color: COLORS.blue },
+        { label: 'steady', from: point(0, 0, 0), vector: axis(STEADY), color: COLORS.orange },
         {
           label: 'L',
           from: point(0, 0, 0),
@@ -133,13 +136,13 @@ export default defineExample({
   ],
   checks: [
     {
-      label: 'Tilt of the steady axis from that of the box, tan 2α = 2 I_xz/(I_zz − I_xx)',
+      label: 'Tilt of the steady axis from that of the box, tan 2α = 2 I_xy/(I_yy − I_xx)',
       unit: '',
       exact: (values) => exactAxes(values).tilt,
       tolerance: { relative: 1e-12 },
       at: { time: 0 },
       measure: ({ toBody }) => {
-        const axisOfBox = rotate(toBody, point(0, 0, 1));
+        const axisOfBox = rotate(toBody, AXIS_OF_BOX);
         return Math.abs(axisOfBox.x / axisOfBox.z);
       },
     },
