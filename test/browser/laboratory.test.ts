@@ -156,6 +156,19 @@ describe('the code of an example', () => {
     return page.textContent('.lab-code-note');
   };
 
+  it('begins with a ball to keep up where the reader asks for a new one, and keeps what was made of it', async () => {
+    const page = await laboratory.open('', { until: 'nothing' });
+    await page.click('.start-new');
+    await ready(page);
+    await page.waitForSelector('.lab-code textarea');
+    await steps(page, 60);
+    await edit(page, "title: 'Keep it up'", "title: 'Two balls'");
+    await page.waitForFunction(() => document.title.includes('Two balls'));
+    await ready(page);
+    expect(page.url()).toContain('example=new');
+    expect(await consoleOf(page)).toEqual([]);
+  });
+
   it('names the line of an error, survives a loop without end, and runs what was changed', async () => {
     const page = await laboratory.open('example=ch05-floating-ball&code=on&manual');
     await page.waitForSelector('.lab-code textarea');
