@@ -3,7 +3,7 @@ import { COLORS } from '@principia/scenes/examples';
 import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { frames, playGame, ready, state, steps } from '../support/game-page.ts';
+import { body, frames, playGame, ready, state, steps } from '../support/game-page.ts';
 import { playAtRandom } from '../support/random-input.ts';
 
 /** Half seconds of random input for every example: a few in each run, more with `RANDOM_INPUT=120`, which is a minute. */
@@ -115,6 +115,34 @@ describe('the drawing surface', () => {
     expect(await shares()).toBeCloseTo(70_000 / 30_000, 1);
     await page.evaluate(() => __game.set('last', 'green'));
     expect(await shares()).toBeCloseTo(75_000 / 25_000, 1);
+  });
+});
+
+describe('a ball that is dragged', () => {
+  it('is where the pointer is, and falls from there', async () => {
+    const page = await laboratory.open('example=ch02-drag-drop&manual');
+    const on = async () => (await body(page, 0)).screen as { x: number; y: number };
+    const stage = (await page.locator('.game-stage').boundingBox()) as { x: number; y: number };
+    const { x, y } = await on();
+    await page.mouse.move(stage.x + x, stage.y + y);
+    await page.mouse.down();
+    for (const [dx, dy] of [
+      [30, 10],
+      [-60, 40],
+      [15, 70],
+    ]) {
+      await page.mouse.move(stage.x + x + dx, stage.y + y + dy, { steps: 4 });
+      await steps(page, 60);
+      await frames(page);
+      const now = await on();
+      expect(Math.abs(now.x - x - dx)).toBeLessThan(1);
+      expect(Math.abs(now.y - y - dy)).toBeLessThan(1);
+    }
+    await page.mouse.up();
+    const { y: height } = await body(page, 0);
+    await steps(page, 60);
+    // With y downwards; half a second of 360 px/s² is more than the 20 px that are asked for.
+    expect((await body(page, 0)).y).toBeGreaterThan(height + 20);
   });
 });
 
