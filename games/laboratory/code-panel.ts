@@ -2,6 +2,7 @@
 
 import { element } from '@principia/shell';
 import { announceCover } from './covers.ts';
+import { NEW, NEW_SOURCE } from './new-example.ts';
 import { keepOwnCode, linkWith, ownCode } from './own-code.ts';
 import { CodeError } from './run-code.ts';
 import { SOURCES } from './sources.gen.ts';
@@ -16,7 +17,7 @@ export interface CodePanel {
 
 /** @param linked a version that the address carries, which the reader has not agreed to run yet */
 export async function createCodePanel(parent: HTMLElement, id: string, linked: string | undefined): Promise<CodePanel> {
-  const original = await SOURCES[id]();
+  const original = id === NEW ? NEW_SOURCE : await SOURCES[id]();
   const text = element('textarea', '', {
     'aria-label': words.source,
     spellcheck: 'false',
@@ -26,7 +27,8 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
   });
   text.value = linked ?? ownCode(id) ?? original;
   const note = element('p', 'lab-code-note', { role: 'status' });
-  note.textContent = linked === undefined ? `packages/scenes/src/examples/${id.replace('-', '/')}.ts` : words.linked;
+  const file = id === NEW ? words.own : `packages/scenes/src/examples/${id.replace('-', '/')}.ts`;
+  note.textContent = linked === undefined ? file : words.linked;
   const buttons = element('div', 'lab-code-buttons');
   const panel = element(
     'section',

@@ -12,6 +12,9 @@ if (typeof document === 'undefined') await import('./trial.ts');
 else if (entry !== undefined) {
   const { openExample } = await import('./example-page.ts');
   await openExample(entry, query);
+} else if (id === 'new') {
+  const [{ openExample }, { NEW_ENTRY }] = await Promise.all([import('./example-page.ts'), import('./new-example.ts')]);
+  await openExample(NEW_ENTRY, query);
 } else {
   const { showStartPage } = await openList();
   showStartPage(document.body, query.get('search') ?? '', id);

@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { step } from '@principia/physics';
 import { expect, test } from 'vitest';
 import { createLoopGuard, guardLoops } from './guard-loops.ts';
+import { NEW_SOURCE } from './new-example.ts';
 import { exampleFrom } from './run-code.ts';
 
 const source = readFileSync('packages/scenes/src/examples/ch05/floating-ball.ts', 'utf8');
@@ -12,6 +13,17 @@ test('makes the example that its source describes', async () => {
   const run = example.start();
   step(run.world, run.dt);
   expect(run.world.tick).toBe(1);
+});
+
+test('an example of one’s own begins as the first game: a ball that can be kicked, until it touches the floor', async () => {
+  const run = (await exampleFrom(NEW_SOURCE)).start();
+  const label = run.picture.labels?.[0].text;
+  const score = () => (typeof label === 'function' ? label() : label);
+  run.act('action', true);
+  expect(score()).toBe('1 kicks');
+  for (let i = 0; i < 600; i++) step(run.world, run.dt);
+  expect(score()).toBe('0 kicks');
+  expect(run.world.faults.faults).toEqual([]);
 });
 
 const lineOf = (text: string) => source.slice(0, source.indexOf(text)).split('\n').length;

@@ -69,6 +69,7 @@ export function showStartPage(parent: HTMLElement, search: string, unknown: stri
       element('h1', '', {}, WORDS.title),
       element('p', '', {}, words.lead),
       note,
+      element('p', '', {}, element('a', 'start-new', { href: withLanguage('?example=new&code=on') }, words.new)),
       field,
       tags,
       count,

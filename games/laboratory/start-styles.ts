@@ -12,6 +12,7 @@ body { color: #eef1fb; font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Robo
 .start-tags button[aria-pressed=true] { background: #ffc15e; color: #1c1503 }
 .start-tags button:hover { background: #ffffff22 } .start :focus-visible { outline: 2px solid #ffc15e; outline-offset: 2px }
 .start-count { font-size: 13px } .start-problem { color: #ffdfe3 !important; background: #30142b; padding: 10px 14px; border-radius: 10px }
+.start-new { display: inline-block; border: 1px solid #ffc15e; border-radius: 12px; padding: 9px 16px; color: #ffc15e !important; font-weight: 600 }
 .start h2 { font-size: 16px; margin: 22px 0 8px; color: #b9c2e0 }
 .start ul { list-style: none; margin: 0; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(240px, 1fr)); gap: 12px }
 .start li a { display: block; height: 100%; box-sizing: border-box; padding: 12px 14px; border-radius: 14px;
@@ -20,7 +21,7 @@ body { color: #eef1fb; font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Robo
 .start-picture svg { display: block; width: 100%; height: 100% }
 .start li b { display: block; font-weight: 600 } .start li span { font-size: 12.5px; color: #97a3c7 }
 .start .start-striking ul { grid-template-columns: repeat(3, 1fr) }
-@media (pointer: coarse) { .start .start-home { display: inline-block; line-height: 44px } .start-tags button { min-height: 44px; border-radius: 22px } }
+@media (pointer: coarse) { .start-new { line-height: 26px } .start .start-home { display: inline-block; line-height: 44px } .start-tags button { min-height: 44px; border-radius: 22px } }
 @media (max-width: 600px) { .start .start-striking ul { grid-template-columns: 1fr 1fr } .start { padding: 16px 14px 40px } .start h1 { font-size: 28px }
   .start-tags { flex-wrap: nowrap; overflow-x: auto; margin-inline: -14px; padding-inline: 14px; scrollbar-width: none }
   .start-tags button { flex: none; min-height: 44px; border-radius: 22px } .start ul { grid-template-columns: 1fr 1fr; gap: 10px }

@@ -13,6 +13,7 @@ const en = {
     subjects: 'Subjects',
     count: (count: number) => (count === 1 ? '1 example' : `${count} examples`),
     begin: 'Begin with one of these',
+    new: 'Write one of your own',
     unknown: (id: string) => `There is no example “${id}”. Choose one of these.`,
   },
   chapter: (chapter: number) => `Chapter ${chapter}`,
@@ -94,6 +95,7 @@ const en = {
   code: {
     panel: 'Code',
     source: 'Source of the example',
+    own: 'An example of your own. A link carries it to others.',
     linked: 'This link brings its own version of the code. Read it before you run it.',
     line: (line: number, message: string) => `Line ${line}: ${message}`,
     run: 'Run',
@@ -124,6 +126,7 @@ const de: Words = {
     subjects: 'Themen',
     count: (count) => (count === 1 ? '1 Beispiel' : `${count} Beispiele`),
     begin: 'Beginne mit einem von diesen',
+    new: 'Schreib dein eigenes',
     unknown: (id) => `Ein Beispiel „${id}“ gibt es nicht. Wähle eines von diesen.`,
   },
   chapter: (chapter) => `Kapitel ${chapter}`,
@@ -203,6 +206,7 @@ const de: Words = {
   code: {
     panel: 'Code',
     source: 'Quelltext des Beispiels',
+    own: 'Ein eigenes Beispiel. Ein Link bringt es zu anderen.',
     linked: 'Dieser Link bringt seine eigene Fassung des Codes mit. Lies sie, bevor du sie ausführst.',
     line: (line, message) => `Zeile ${line}: ${message}`,
     run: 'Ausführen',

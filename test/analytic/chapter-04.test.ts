@@ -7,19 +7,11 @@ import {
   spawn,
   step,
   uniformGravity,
-  velocityVerlet,
 } from '@principia/physics';
 import { worldSource } from '@principia/render-core';
 import { addComponent, set } from 'bitecs';
 import { expect, test } from 'vitest';
 import { forceOn, run, single } from '../support/laws.ts';
-
-test('ch04-particle: one step of x += v dt', () => {
-  const { world, at } = single([], { position: { x: 2, y: 3 }, velocity: { x: 2.5, y: 4.7 } });
-  step(world, 0.1);
-  expect(Math.abs(at().x - 2.25)).toBeLessThan(1e-15);
-  expect(Math.abs(at().y - 3.47)).toBeLessThan(1e-15);
-});
 
 /** A red ball of 20 px at (150, 50) and ten blue ones of 12 to 30 px beside it, all on their way. */
 const ELEVEN_BALLS = Array.from({ length: 11 }, (_, i) => {
@@ -66,23 +58,6 @@ test('ch04-motion-graphs: the slope of the displacement is the velocity, to the 
       last = at().x;
     });
   }
-});
-
-test('ch04-projectile: apex and landing exact; position-first Euler falls ½ g dt t behind', () => {
-  const throwBall = (integrator = velocityVerlet) =>
-    single([uniformGravity({ y: 10 })], { position: { x: 100, y: 350 }, velocity: { x: 20, y: -80 } }, { integrator });
-  for (const integrator of [velocityVerlet, rungeKutta4]) {
-    const { world, at } = throwBall(integrator);
-    run(world, 8);
-    expect(at().x).toBeCloseTo(260, 9);
-    expect(at().y).toBeCloseTo(30, 9);
-    run(world, 8);
-    expect(at().x).toBeCloseTo(420, 9);
-    expect(at().y).toBeCloseTo(350, 9);
-  }
-  const { world, at } = throwBall(positionFirstEuler);
-  run(world, 16);
-  expect(at().y - 350).toBeCloseTo(-1.3333, 4);
 });
 
 test('ch04-fall-with-drag: v(5) = 18.3583, acceleration g e^(-t/τ), terminal speed 20', () => {

@@ -113,16 +113,3 @@ test('ch07-floating-ball: quadratic drag damps the oscillation as 1/t, so that i
   // A bob of A = 6 in a radius of 20 is harmonic to (A/r)²/8 = 1 %.
   expect(Math.abs(measured / growth - 1)).toBeLessThan(0.01);
 });
-
-test('ch05-fall-drag-analytic: s(10) = 160.270, v(10) = 19.8652', () => {
-  for (const integrator of [velocityVerlet, rungeKutta4]) {
-    const body = { position: { y: 20 }, linearDrag: 0.5 };
-    const { world, at, going } = single([uniformGravity({ y: 10 }), linearDrag()], body, { integrator });
-    run(world, 10);
-    expect((at().y - 20) / 160.27).toBeCloseTo(1, 4);
-    expect(going().y / 19.8652).toBeCloseTo(1, 4);
-    if (integrator !== rungeKutta4) continue;
-    expect(Math.abs(at().y - 20 - 20 * (10 + 2 * Math.exp(-5) - 2))).toBeLessThan(1e-4);
-    expect(Math.abs(going().y - 20 * (1 - Math.exp(-5)))).toBeLessThan(1e-4);
-  }
-});

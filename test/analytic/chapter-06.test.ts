@@ -4,7 +4,6 @@ import {
   attractors,
   createPhysicsWorld,
   energy,
-  type Integrator,
   mutualGravity,
   positionFirstEuler,
   rocketEngines,
@@ -16,18 +15,10 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
+import orbits from '../../packages/scenes/src/examples/ch06/orbits.ts';
 import { forceOn, lawOn, read, run, single } from '../support/laws.ts';
-import { measureOrbit } from '../support/orbits.ts';
 
 const SUN = { x: 275, y: 200 };
-
-/** A planet 167.705 from a fixed sun of GM = 10⁶. */
-function launch(x: number, y: number, integrator: Integrator = rungeKutta4) {
-  const world = createPhysicsWorld({ capacity: 5, forces: [attractors()], integrator });
-  spawn(world, { position: SUN, attractor: 1e6 });
-  const planet = spawn(world, { position: { x: 200, y: 50 }, velocity: { x, y }, mass: 1 });
-  return { world, planet };
-}
 
 test('ch06-gravity-law: doubling the distance quarters the force, and action equals reaction', () => {
   const pull = (r: number) => {
@@ -41,13 +32,13 @@ test('ch06-gravity-law: doubling the distance quarters the force, and action equ
   expect(pull(1.7)[0]).toBe(-pull(1.7)[1]);
 });
 
-test('ch06-orbits: a closed ellipse; angular momentum and energy over 1000 s for each scheme', () => {
+test('ch06-orbits: angular momentum and energy over 1000 s for each scheme', () => {
   for (const [integrator, bound, momentumBound] of [
     [positionFirstEuler, 2.3e-3, 1e-13],
     [velocityVerlet, 1.3e-5, 1e-13],
     [rungeKutta4, 1.6e-10, 2e-10],
   ] as const) {
-    const { world } = launch(80, -40, integrator);
+    const { world } = orbits.start({ integrator });
     const start = energy(world).total;
     let worst = 0;
     run(world, 1000, 1 / 60, () => {
@@ -55,30 +46,6 @@ test('ch06-orbits: a closed ellipse; angular momentum and energy over 1000 s for
     });
     expect(worst, integrator.name).toBeLessThan(1.05 * bound);
     expect(Math.abs(angularMomentum(world, SUN).z / 15000 - 1)).toBeLessThan(momentumBound);
-  }
-  const { world, planet } = launch(80, -40);
-  const { near, far, period } = measureOrbit(world, planet, SUN, 55, 1 / 60);
-  expect(near).toBeCloseTo(167.705, 2);
-  expect(far).toBeCloseTo(341.76, 2);
-  expect(period).toBeCloseTo(25.545, 2);
-});
-
-test('ch06-orbits-presets: axis, eccentricity, period, and Kepler’s third law', () => {
-  for (const [vx, vy, a, e, T] of [
-    [80, -40, 254.73, 0.3416, 25.545],
-    [70, -40, 184.31, 0.1057, 15.722],
-    [85, -40, 322.51, 0.4805, 36.391],
-    [80, 0, 180.97, 0.452, 15.297],
-    [100, 0, 519.29, 0.7528, 74.353],
-    [105, 0, 1110.25, 0.8812, 232.44],
-  ]) {
-    const { world, planet } = launch(vx, vy);
-    const { near, far, period } = measureOrbit(world, planet, SUN, 2.2 * T, T / 5000);
-    const axis = (near + far) / 2;
-    expect(axis / a).toBeCloseTo(1, 4);
-    expect((far - near) / (far + near)).toBeCloseTo(e, 3);
-    expect(period / T).toBeCloseTo(1, 3);
-    expect(period ** 2 / axis ** 3 / 3.9478e-5).toBeCloseTo(1, 3);
   }
 });
 

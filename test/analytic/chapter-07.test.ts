@@ -8,7 +8,6 @@ import {
   linearDrag,
   planeSupport,
   quadraticDrag,
-  rungeKutta4,
   step,
   stringTension,
   thrust,
@@ -17,8 +16,6 @@ import {
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import { forceOn, lawOn, run, single } from '../support/laws.ts';
-
-const accurate = { integrator: rungeKutta4 };
 
 test('ch07-normal-tension: a block on a slope, and a hanging mass', () => {
   const angle = 0.4;
@@ -128,25 +125,6 @@ describe('balloon', () => {
     expect(450 - at().y).toBeCloseTo(0.5 * (10 / 11) * 100, 9);
     expect(energy(world).total).toBeCloseTo(before, 9);
   });
-});
-
-test('ch07-drag-laws: 12.131 after 5 s of linear drag, 1.8182 of quadratic', () => {
-  const linear = single([linearDrag()], { velocity: { x: 20 }, linearDrag: 0.1 }, accurate);
-  const quadratic = single([quadraticDrag()], { velocity: { x: 20 }, quadraticDrag: 0.1 }, accurate);
-  run(linear.world, 5);
-  run(quadratic.world, 5);
-  expect(Math.abs(linear.speed() - 12.1306)).toBeLessThan(1e-4);
-  expect(Math.abs(quadratic.speed() - 1.81818)).toBeLessThan(1e-4);
-});
-
-test('ch07-terminal-velocity: mg/k and √(mg/k)', () => {
-  const fall = (body: Parameters<typeof single>[1]) => {
-    const { world, speed } = single([uniformGravity({ y: -10 }), linearDrag(), quadraticDrag()], body);
-    run(world, 100);
-    return speed();
-  };
-  expect(fall({ linearDrag: 0.5 })).toBeCloseTo(20, 6);
-  expect(fall({ quadraticDrag: 0.01 })).toBeCloseTo(31.62, 2);
 });
 
 test('ch07-parachute: 30 before opening, 10 after, and the distance between', () => {

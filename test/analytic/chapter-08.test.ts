@@ -3,7 +3,6 @@ import {
   centreOfMass,
   createPhysicsWorld,
   discMass,
-  energy,
   type Force,
   gaussRadau,
   type Integrator,
@@ -45,66 +44,7 @@ function hang(hung: Hung, forces: readonly Force[] = [], integrator: Integrator 
   return { world, eid: b, ...read(world, b) };
 }
 
-test('ch08-basic-oscillator: T = 2π for any amplitude, through the centre or on an ellipse about it', () => {
-  for (const velocity of [{}, { x: 200 }]) {
-    for (const at of [
-      { x: 100, y: 50 },
-      { x: 340, y: 242 },
-    ]) {
-      const ball = hang({ from: { x: 350, y: 250 }, at, velocity }, [], rungeKutta4);
-      let nearest = Infinity;
-      run(ball.world, 2 * Math.PI, 1e-3, () => {
-        nearest = Math.min(nearest, Math.hypot(ball.at().x - 350, ball.at().y - 250));
-      });
-      expect(ball.at().x).toBeCloseTo(at.x, 6);
-      expect(ball.at().y).toBeCloseTo(at.y, 6);
-      if (velocity.x === undefined) expect(nearest).toBeLessThan(0.5);
-      else expect(nearest).toBeGreaterThan(5);
-    }
-  }
-});
-
 const FREE = { from: { x: 350, y: 50 }, at: { x: 100, y: 50 } };
-
-test('ch08-free-oscillations: -250 cos t; period and energy of each scheme', () => {
-  const euler = hang(FREE, [], positionFirstEuler);
-  const times = crossings(euler.world, () => euler.at().x, 350, 200, 1 / 60);
-  const period = (times[times.length - 1] - times[0]) / (times.length - 1);
-  expect(period).toBeCloseTo(6.283113, 5);
-  for (const [integrator, bound] of [
-    [positionFirstEuler, 8.4e-3],
-    [velocityVerlet, 7e-5],
-    [rungeKutta4, 4e-10],
-  ] as const) {
-    const ball = hang(FREE, [], integrator);
-    const start = energy(ball.world).total;
-    let worst = 0;
-    run(ball.world, 20, 1 / 60, () => {
-      worst = Math.max(worst, Math.abs(energy(ball.world).total / start - 1));
-    });
-    expect(worst, integrator.name).toBeLessThan(1.1 * bound);
-  }
-  const exact = hang(FREE, [], rungeKutta4);
-  run(exact.world, 5);
-  expect(exact.at().x - 350).toBeCloseTo(-250 * Math.cos(5), 5);
-});
-
-test('ch08-free-accuracy: largest error over 20 s, and how it falls with the step', () => {
-  const worst = (integrator: Integrator, dt: number) => {
-    const { world, at } = hang({ ...FREE, velocity: { y: 50 } }, [], integrator);
-    let error = 0;
-    run(world, 20, dt, () => {
-      const t = world.time;
-      error = Math.max(error, Math.abs(at().x - 350 + 250 * Math.cos(t)), Math.abs(at().y - 50 - 50 * Math.sin(t)));
-    });
-    return error;
-  };
-  expect(worst(positionFirstEuler, 1 / 60)).toBeCloseTo(2.079, 3);
-  expect(worst(positionFirstEuler, 1 / 120)).toBeCloseTo(1.041, 3);
-  expect(worst(velocityVerlet, 1 / 60)).toBeCloseTo(0.0528, 4);
-  expect(worst(velocityVerlet, 1 / 120)).toBeCloseTo(0.0132, 4);
-  expect(worst(rungeKutta4, 1 / 60)).toBeLessThan(4e-6);
-});
 
 describe('damped', () => {
   const gamma = 0.25;

@@ -14,7 +14,6 @@ import {
   momentum,
   mutualCoulomb,
   type PhysicsWorld,
-  positionFirstEuler,
   powerLaw,
   rungeKutta4,
   spawn,
@@ -386,25 +385,6 @@ test.each([
   const { x, y } = at();
   expect(Math.abs((x - 350) * going().y - (y - 250) * going().x)).toBeCloseTo(4000, 5);
   expect(energy(world).total / before).toBeCloseTo(1, 7);
-});
-
-test('ch10-spring-gravity: every body returns after 2π', () => {
-  for (const [integrator, bound] of [
-    [positionFirstEuler, 0.01],
-    [rungeKutta4, 4e-7],
-  ] as const) {
-    const random = createRandom(3);
-    const law = powerLaw({ strength: -1, exponent: 1, centre: SUN });
-    const world = createPhysicsWorld({ capacity: 50, forces: [law], integrator });
-    const starts = Array.from({ length: 50 }, () => ({ x: random.uniform(0, 800), y: random.uniform(0, 600) }));
-    const velocity = () => ({ x: random.uniform(-50, 50), y: random.uniform(-50, 50) });
-    const eids = starts.map((position) => spawn(world, { position, velocity: velocity(), mass: 1 }));
-    run(world, 2 * Math.PI, (2 * Math.PI) / 377);
-    eids.forEach((eid, i) => {
-      const { x, y } = read(world, eid).at();
-      expect(Math.hypot(x - starts[i].x, y - starts[i].y)).toBeLessThan(bound);
-    });
-  }
 });
 
 describe('ch10-mixed-force-laws', () => {

@@ -1,8 +1,9 @@
 // The laboratory: its list, and every example on its page.
+import { COLORS } from '@principia/scenes/examples';
 import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { frames, playGame, ready, state, steps } from '../support/game-page.ts';
+import { body, frames, playGame, ready, state, steps } from '../support/game-page.ts';
 import { playAtRandom } from '../support/random-input.ts';
 
 /** Half seconds of random input for every example: a few in each run, more with `RANDOM_INPUT=120`, which is a minute. */
@@ -58,12 +59,90 @@ async function tryExample(page: Page, { id, title }: (typeof EXAMPLES)[number]):
   expect(errors, id).toEqual([]);
 }
 
+/** Number and bounds of the pixels of each of some colours. */
+async function regions(page: Page, colors: readonly number[]): Promise<{ count: number; box: number[] }[]> {
+  await frames(page);
+  return page.evaluate((wanted) => {
+    const canvas = document.querySelector('.game-stage canvas') as HTMLCanvasElement;
+    const { width, height } = canvas;
+    const copy = new OffscreenCanvas(width, height).getContext('2d') as OffscreenCanvasRenderingContext2D;
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, width, height);
+    return wanted.map((color) => {
+      let [count, left, right, top, bottom] = [0, width, 0, height, 0];
+      for (let i = 0; i < data.length; i += 4) {
+        const isIt = [16, 8, 0].every((shift, k) => Math.abs(data[i + k] - ((color >> shift) & 255)) <= 2);
+        if (!isIt) continue;
+        const [x, y] = [(i / 4) % width, Math.floor(i / 4 / width)];
+        count++;
+        [left, right, top, bottom] = [
+          Math.min(left, x),
+          Math.max(right, x + 1),
+          Math.min(top, y),
+          Math.max(bottom, y + 1),
+        ];
+      }
+      return { count, box: [right - left, bottom - top] };
+    });
+  }, colors);
+}
+
 const chapters = [...new Set(EXAMPLES.map(({ chapter }) => chapter))];
 
 describe.each(chapters)('every example of chapter %i', (chapter) => {
   it('opens, moves, draws and says nothing to the console', async () => {
     const page = await laboratory.open('', { until: 'nothing', viewport: { width: 600, height: 400 } });
     for (const example of EXAMPLES) if (example.chapter === chapter) await tryExample(page, example);
+  });
+});
+
+describe('the drawing surface', () => {
+  it('is 700 by 500, and white all over', async () => {
+    const page = await laboratory.open('example=ch02-canvas-minimal&manual');
+    const [{ count, box }] = await regions(page, [0xffffff]);
+    // But for the dot, which covers a corner.
+    expect(box[0] / box[1]).toBeCloseTo(700 / 500, 1);
+    expect(count / (box[0] * box[1])).toBeGreaterThan(0.99);
+  });
+
+  it('shows on top what was drawn last', async () => {
+    const page = await laboratory.open('example=ch02-canvas-layers&manual');
+    const shares = async () => {
+      const [red, green] = await regions(page, [COLORS.red, COLORS.green]);
+      return green.count / red.count;
+    };
+    // 50 by 100 px of both overlap: red, so that green keeps 75 000 - 5000 px², and then green.
+    expect(await shares()).toBeCloseTo(70_000 / 30_000, 1);
+    await page.evaluate(() => __game.set('last', 'green'));
+    expect(await shares()).toBeCloseTo(75_000 / 25_000, 1);
+  });
+});
+
+describe('a ball that is dragged', () => {
+  it('is where the pointer is, and falls from there', async () => {
+    const page = await laboratory.open('example=ch02-drag-drop&manual');
+    const on = async () => (await body(page, 0)).screen as { x: number; y: number };
+    const stage = (await page.locator('.game-stage').boundingBox()) as { x: number; y: number };
+    const { x, y } = await on();
+    await page.mouse.move(stage.x + x, stage.y + y);
+    await page.mouse.down();
+    for (const [dx, dy] of [
+      [30, 10],
+      [-60, 40],
+      [15, 70],
+    ]) {
+      await page.mouse.move(stage.x + x + dx, stage.y + y + dy, { steps: 4 });
+      await steps(page, 60);
+      await frames(page);
+      const now = await on();
+      expect(Math.abs(now.x - x - dx)).toBeLessThan(1);
+      expect(Math.abs(now.y - y - dy)).toBeLessThan(1);
+    }
+    await page.mouse.up();
+    const { y: height } = await body(page, 0);
+    await steps(page, 60);
+    // With y downwards; half a second of 360 px/s² is more than the 20 px that are asked for.
+    expect((await body(page, 0)).y).toBeGreaterThan(height + 20);
   });
 });
 
@@ -155,6 +234,19 @@ describe('the code of an example', () => {
     await page.waitForFunction(() => !document.querySelector('.lab-code-note')?.textContent?.startsWith('Trying'));
     return page.textContent('.lab-code-note');
   };
+
+  it('begins with a ball to keep up where the reader asks for a new one, and keeps what was made of it', async () => {
+    const page = await laboratory.open('', { until: 'nothing' });
+    await page.click('.start-new');
+    await ready(page);
+    await page.waitForSelector('.lab-code textarea');
+    await steps(page, 60);
+    await edit(page, "title: 'Keep it up'", "title: 'Two balls'");
+    await page.waitForFunction(() => document.title.includes('Two balls'));
+    await ready(page);
+    expect(page.url()).toContain('example=new');
+    expect(await consoleOf(page)).toEqual([]);
+  });
 
   it('names the line of an error, survives a loop without end, and runs what was changed', async () => {
     const page = await laboratory.open('example=ch05-floating-ball&code=on&manual');

@@ -5,11 +5,13 @@ export { applyImpulse, type ExplosionOptions, explode } from './bodies/impulse.t
 export { ballInertia, ballMass, boxInertia, cylinderInertia, discInertia, discMass } from './bodies/inertia.ts';
 export type { Many, ManyInput } from './bodies/many.ts';
 export { bodyOf, partsOf } from './bodies/parts.ts';
+export { type PrincipalAxes, principalAxes, type TensorInput } from './bodies/principal-axes.ts';
 export { setShape } from './bodies/set-shape.ts';
 export { type BodyInput, despawn, spawn } from './bodies/spawn.ts';
 export { type ChainSurface, spawnChain } from './bodies/spawn-chain.ts';
 export { type Compound, type CompoundInput, type CompoundShape, spawnCompound } from './bodies/spawn-compound.ts';
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';
+export { type Solid, type SolidMass, tensorOfParts } from './bodies/tensor-of-parts.ts';
 export { box, type RoundingOptions } from './collision/shapes/2d/box.ts';
 export { capsule } from './collision/shapes/2d/capsule.ts';
 export { type ChainOptions, chain } from './collision/shapes/2d/chain.ts';

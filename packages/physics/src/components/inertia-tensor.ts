@@ -2,7 +2,7 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { defineComponent, real } from './define.ts';
 
 /** Rounding by which a flat body may violate the triangle inequality: x = y + z holds for it exactly. */
-const ROUNDING = 1e-6;
+export const ROUNDING = 1e-6;
 
 const MOMENT = {
   initial: 1,

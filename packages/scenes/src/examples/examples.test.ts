@@ -1,4 +1,9 @@
-/** Every example: its description is complete, it runs without a fault, repeats itself, and its figures are right. */
+/**
+ * Every example: its description is complete, it runs without a fault, repeats itself, lets go of what it made, and its
+ * figures are right.
+ */
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
 import { type Integrator, stateHash, step } from '@principia/physics';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
 import type { Example, ExampleRun } from './define-example.ts';
@@ -23,6 +28,17 @@ function runToEnd(run: ExampleRun, { duration }: Example): void {
     step(run.world, run.dt);
     run.observe();
   }
+}
+
+setFlagsFromString('--expose-gc');
+const collectGarbage = runInNewContext('gc') as () => void;
+
+/** Starts an example and takes two steps; nothing but what is returned knows of the run. */
+function startBriefly(example: Example): WeakRef<object>[] {
+  const run = example.start();
+  for (let i = 0; i < 2; i++) step(run.world, run.dt);
+  run.observe();
+  return [new WeakRef(run), new WeakRef(run.world)];
 }
 
 /** What the checks name: integrators, with the default values or a preset; first the example's own. */
@@ -91,7 +107,8 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
     expect(messages).toEqual([]);
   });
 
-  it('runs with every preset and at both ends of every parameter', () => {
+  it('runs with every preset and at both ends of every parameter, without a warning', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const ends = Object.entries(example.parameters).flatMap(([name, { min, max }]) => [
       { [name]: min },
       { [name]: max },
@@ -100,7 +117,23 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
       const run = example.start({ values: values as Record<string, number> });
       for (let i = 0; i < 60; i++) step(run.world, run.dt);
       expect(run.world.faults.faults, JSON.stringify(values)).toEqual([]);
+      expect(warn.mock.calls, JSON.stringify(values)).toEqual([]);
     }
+    warn.mockRestore();
+  });
+
+  it('holds on to nothing when it is started again and again', async () => {
+    const made: WeakRef<object>[] = [];
+    // Each run is looked for by itself, so that ten tell as much as fifty.
+    for (let i = 0; i < 10; i++) made.push(...startBriefly(example));
+    const held = () => made.filter((reference) => reference.deref() !== undefined).length;
+    // What weak references were asked for stays until the end of the task.
+    for (let i = 0; i < 10 && held() > 2; i++) {
+      await new Promise((done) => setTimeout(done));
+      collectGarbage();
+    }
+    // The last one may still be on the stack.
+    expect(held()).toBeLessThanOrEqual(2);
   });
 
   it('shows and plots only finite numbers', () => {

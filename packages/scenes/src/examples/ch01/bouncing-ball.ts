@@ -76,6 +76,14 @@ export default defineExample({
       at: { until: 4, take: 'largest' },
       measure: ({ hitSpeed }) => hitSpeed(),
     },
+    {
+      label: 'Time of the first impact, √(2h/g), in frames of 1/60 s',
+      unit: '',
+      exact: 92.7,
+      tolerance: { relative: 0.005 },
+      at: { event: ({ world, ball }) => -velocityOf(world, ball).y },
+      measure: ({ world }) => 60 * world.time,
+    },
     ...[1, 2, 3, 4].map((bounces) => ({
       label: `Height after bounce ${bounces}, h e${['²', '⁴', '⁶', '⁸'][bounces - 1]}`,
       unit: 'px',

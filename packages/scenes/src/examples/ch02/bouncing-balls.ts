@@ -1,10 +1,22 @@
-import { bodies, createRandom, spawn, velocityVerlet } from '@principia/physics';
+import { bodies, createRandom, destroyWorld, type Integrator, spawn, step, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
-import { positionOf, velocityOf } from '../support/read.ts';
+import type { Point } from '../picture.ts';
+import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
 import { GROUND, RADIUS, randomLaunch, STAGE, STAGE_VIEW, stageWorld, wrapAround } from '../support/stage.ts';
 
 const START = { x: 50, y: 75 };
 const FALL = STAGE.maxY - RADIUS - START.y;
+
+/** Where a ball is after 16 s that was thrown alone. */
+function placeAlone(velocity: Point, gravity: number, restitution: number, integrator: Integrator): Point {
+  const world = stageWorld(gravity, { integrator });
+  const ball = spawn(world, { position: START, velocity, mass: 1, collider: { radius: RADIUS, restitution } });
+  wrapAround(world, [ball]);
+  for (let i = 0; i < 16 * 60; i++) step(world, 1 / 60);
+  const place = positionOf(world, ball);
+  destroyWorld(world);
+  return place;
+}
 
 export default defineExample({
   id: 'ch02-bouncing-balls',
@@ -37,7 +49,13 @@ export default defineExample({
       }, 0);
     const [{ y: vy }] = launches;
     const firstContact = (Math.sqrt(vy * vy + 2 * gravity * FALL) - vy) / gravity;
-    return { world, dt: 1 / 60, ids, verticalEnergy, start: verticalEnergy(), firstContact };
+    const apart = () =>
+      Math.max(
+        ...ids.map((id, i) =>
+          distanceBetween(positionOf(world, id), placeAlone(launches[i], gravity, restitution, integrator)),
+        ),
+      );
+    return { world, dt: 1 / 60, ids, apart, verticalEnergy, start: verticalEnergy(), firstContact };
   },
   picture: ({ ids }) => ({
     yDown: true,
@@ -60,6 +78,14 @@ export default defineExample({
       tolerance: { absolute: 0 },
       at: { time: 16 },
       measure: ({ world }) => bodies(world).count,
+    },
+    {
+      label: 'Largest distance from a ball thrown alone, after 16 s',
+      unit: 'px',
+      exact: 0,
+      tolerance: { absolute: 0 },
+      at: { time: 16 },
+      measure: ({ apart }) => apart(),
     },
     {
       label: 'First ball: time of the bounce, less (√(v² + 2 g h) − v)/g',

@@ -14,6 +14,13 @@ const RECTANGLE = [
   { x: 470, y: 180 },
   { x: 320, y: 180 },
 ];
+/** A rectangle of which only the outline is drawn, 2 px wide. */
+const OUTLINE = [
+  { x: 540, y: 60 },
+  { x: 640, y: 60 },
+  { x: 640, y: 210 },
+  { x: 540, y: 210 },
+];
 
 export default defineExample({
   id: 'ch02-draw-fills',
@@ -21,7 +28,7 @@ export default defineExample({
   chapter: 2,
   tags: ['drawing', 'geometry'],
   about:
-    'A screen knows no circles: what looks like one is a polygon with many short sides. Choose the number of corners and watch the area of the disc grow towards π r². The other shapes are simpler: a line, whose length follows from Pythagoras, and a filled box. What is drawn later lies on top.',
+    'A screen knows no circles: what looks like one is a polygon with many short sides. Choose the number of corners and watch the area of the disc grow towards π r². The other shapes are simpler: a line, whose length follows from Pythagoras, and boxes, filled or not. What is drawn later lies on top.',
   duration: 6,
   parameters: { corners: { label: 'Corners of the disc', unit: '', initial: 48, min: 3, max: 100, integer: true } },
   presets: [{ label: 'A hexagon', values: { corners: 6 } }],
@@ -45,11 +52,15 @@ export default defineExample({
       { shape: disc, color: COLORS.blue },
       { shape: { minX: 540, maxX: 660, minY: 300, maxY: 420 }, color: COLORS.red },
     ],
-    lines: [{ from: A, to: B, color: COLORS.blue }],
+    lines: [
+      { from: A, to: B, color: COLORS.blue },
+      ...OUTLINE.map((from, i) => ({ from, to: OUTLINE[(i + 1) % 4], color: COLORS.blue })),
+    ],
     dots: [{ at: runner }],
     labels: [
       { at: { x: 60, y: 420 }, text: `${distanceBetween(A, B).toFixed(1)} px long` },
       { at: { x: 320, y: 70 }, text: `${areaOf(RECTANGLE)} px²` },
+      { at: { x: 548, y: 140 }, text: `${areaOf(OUTLINE)} px²` },
       { at: { x: 400, y: 460 }, text: `${areaOf(disc).toFixed(0)} px²` },
     ],
   }),
@@ -70,6 +81,14 @@ export default defineExample({
       tolerance: { absolute: 0 },
       at: { time: 0 },
       measure: () => areaOf(RECTANGLE),
+    },
+    {
+      label: 'Area within the blue outline',
+      unit: 'px²',
+      exact: 15000,
+      tolerance: { absolute: 0 },
+      at: { time: 0 },
+      measure: () => areaOf(OUTLINE),
     },
     {
       label: 'Area of the disc of 48 corners, π r²',

@@ -72,6 +72,14 @@ export default defineExample({
       at: { time: 0 },
       measure: () => squareWave(180 / 4000, 2000),
     },
+    {
+      label: 'Limit at 90° of many sines, π/4: the mean of the sums of 1000 and 1001',
+      unit: '',
+      exact: 0.785398,
+      tolerance: { absolute: 1e-6 },
+      at: { time: 0 },
+      measure: () => (squareWave(90, 1000) + squareWave(90, 1001)) / 2,
+    },
   ],
   tryThis: [
     'Add sines one by one: the edges become steeper and the ripples narrower, but the first ripple keeps its height.',

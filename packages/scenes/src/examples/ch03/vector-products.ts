@@ -91,6 +91,14 @@ export default defineExample({
       measure: ({ first }) => lengthOf(first),
     },
     {
+      label: 'Its dot product with itself, the square of the length',
+      unit: '',
+      exact: 2,
+      tolerance: { absolute: 0 },
+      at: { time: 0 },
+      measure: ({ first }) => dot(first, first),
+    },
+    {
       label: 'Angle between them',
       unit: '°',
       exact: 45,

@@ -6,9 +6,9 @@ import {
   uniformGravity,
   velocityVerlet,
 } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, pointsOf } from '../picture.ts';
-import { positionOf, velocityOf } from '../support/read.ts';
+import { type BallRun, positionOf, velocityOf } from '../support/read.ts';
 
 const START = { x: 100, y: 350 };
 
@@ -26,7 +26,7 @@ export default defineExample({
     vx: { label: 'Velocity to the right', unit: 'px/s', initial: 20, min: 0, max: 30 },
     vy: { label: 'Velocity upwards', unit: 'px/s', initial: 80, min: 0, max: 80 },
   },
-  build({ gravity, vx, vy }, { integrator = positionFirstEuler }) {
+  build({ gravity, vx, vy }: ValuesOf<'gravity' | 'vx' | 'vy'>, { integrator = positionFirstEuler }: BuildOptions) {
     const world = createPhysicsWorld({ capacity: 4, forces: [uniformGravity({ y: gravity })], integrator });
     const ball = spawn(world, { position: START, velocity: { x: vx, y: -vy }, mass: 1, collider: 12 });
     const exact = (t: number) => ({ x: START.x + vx * t, y: START.y - vy * t + (gravity / 2) * t * t });
@@ -90,6 +90,15 @@ export default defineExample({
       measure: ({ world, ball }) => START.y - positionOf(world, ball).y,
       integrator: rungeKutta4,
     },
+    ...[velocityVerlet, rungeKutta4].map((integrator) => ({
+      label: 'Back at the height of the start after 16 s: off by',
+      unit: 'px',
+      exact: 0,
+      tolerance: { absolute: 1e-9 },
+      at: { time: 16 },
+      measure: ({ world, ball }: BallRun) => positionOf(world, ball).y - START.y,
+      integrator,
+    })),
   ],
   tryThis: [
     'Change the integrator to velocity Verlet: ball and ring stay together.',

@@ -3,6 +3,7 @@ import {
   createPhysicsWorld,
   createRandom,
   keepState,
+  log,
   type PhysicsWorld,
   rocketEngines,
   rungeKutta4,
@@ -68,12 +69,19 @@ export default defineExample({
   parameters: {
     exhaust: { label: 'Speed of the exhaust', unit: 'px/s', initial: 200, min: 200, max: 300 },
     fuel: { label: 'Fuel', unit: 'kg', initial: 3.5, min: 1, max: 6 },
+    gravity: { label: 'Gravity of the planet', unit: '', initial: 1, min: 0, max: 1 },
   },
-  presets: [{ label: 'Fast enough to escape', values: { exhaust: 300 } }],
-  build({ exhaust, fuel }: ValuesOf<'exhaust' | 'fuel'>, { integrator = rungeKutta4 }: BuildOptions) {
+  presets: [
+    { label: 'Fast enough to escape', values: { exhaust: 300 } },
+    { label: 'Far from any planet', values: { gravity: 0 } },
+  ],
+  build(
+    { exhaust, fuel, gravity }: ValuesOf<'exhaust' | 'fuel' | 'gravity'>,
+    { integrator = rungeKutta4 }: BuildOptions,
+  ) {
     const forces = [attractors(), rocketEngines({ frame: 'world' }), thrust()];
     const world = createPhysicsWorld({ capacity: 4, forces, integrator });
-    spawn(world, { position: PLANET, attractor: GM });
+    spawn(world, { position: PLANET, attractor: GM * gravity });
     const engine = { exhaustSpeed: exhaust, burnRate: 0.5, fuel, y: -1 };
     const position = { x: PLANET.x, y: PLANET.y - RADIUS };
     const rocket = spawn(world, { position, velocity: {}, mass: 10, engine, thrust: {} });
@@ -83,7 +91,7 @@ export default defineExample({
     const height = () => distanceBetween(positionOf(world, rocket), PLANET) - RADIUS;
     return { world, dt: DT, rocket, state, height };
   },
-  picture({ world, rocket, state }) {
+  picture({ world, rocket, state }, { gravity }) {
     const { Engine, Thrust, Mass } = world.components;
     const corner = (i: number) => () => {
       const { x, y } = positionOf(world, rocket);
@@ -92,7 +100,7 @@ export default defineExample({
     const at = () => positionOf(world, rocket);
     const weight = () => {
       const [{ x, y }, r] = [at(), distanceBetween(at(), PLANET)];
-      const pull = (GM * Mass.value[rocket]) / (r * r * r);
+      const pull = (GM * gravity * Mass.value[rocket]) / (r * r * r);
       return { x: pull * (PLANET.x - x), y: pull * (PLANET.y - y) };
     };
     return {
@@ -182,6 +190,36 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { time: 7 },
       measure: ({ height }) => Math.sqrt((2 * GM) / (RADIUS + height())),
+    },
+    {
+      label: 'Thrust by weight at lift-off',
+      unit: '',
+      exact: 1,
+      tolerance: { relative: 1e-3 },
+      at: { time: DT },
+      measure: ({ world, rocket, height }) => {
+        const r = RADIUS + height();
+        return (-world.components.Engine.thrustY[rocket] * r * r) / (GM * world.components.Mass.value[rocket]);
+      },
+    },
+    {
+      label: 'Speed without gravity, v ln(10/6.5)',
+      unit: 'px/s',
+      exact: 86.157,
+      tolerance: { absolute: 5e-4 },
+      at: { time: 8 },
+      measure: ({ world, rocket }) => speedOf(world, rocket),
+      preset: 'Far from any planet',
+    },
+    {
+      // Momentum of rocket and exhaust: m dv = -v_e dm, summed up to the logarithm.
+      label: 'The same by its exact value, 200 ln(10/6.5)',
+      unit: '',
+      exact: 1,
+      tolerance: { absolute: 1e-6 },
+      at: { time: 8 },
+      measure: ({ world, rocket }) => speedOf(world, rocket) / (200 * log(10 / 6.5)),
+      preset: 'Far from any planet',
     },
     {
       label: 'Largest distance from the centre',

@@ -140,6 +140,14 @@ export default defineExample({
       measure: ({ world, balloon }) => -velocityOf(world, balloon).y,
     },
     {
+      label: 'Speed after 40 s; the limit is √(a m/k) = 9.5346',
+      unit: 'px/s',
+      exact: (values) => speedAt(40, values),
+      tolerance: { relative: 1e-3 },
+      at: { time: 40 },
+      measure: ({ world, balloon }) => -velocityOf(world, balloon).y,
+    },
+    {
       label: 'Height after 40 s, (m/k) ln cosh(a t/v)',
       unit: 'px',
       exact: (values) => {

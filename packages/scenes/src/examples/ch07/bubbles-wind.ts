@@ -15,9 +15,11 @@ import { tanh } from '../support/hyperbolic.ts';
 import { velocityOf } from '../support/read.ts';
 
 const RADII = [5, 15, 25] as const;
+/** Speeds of bubbles of these radii at which drag balances their lift, px/s. */
+const LIMITS = [8.206, 14.213, 18.349] as const;
 
-/** Speed of a bubble of radius r that rises in still air. */
-const rising = (r: number, t: number) => Math.sqrt((RISE * r) / 0.0075) * tanh(Math.sqrt((RISE * 0.0075) / r) * t);
+/** Speed of a bubble that rises in still air and tends to a limit. */
+const rising = (limit: number, t: number) => limit * tanh((RISE / limit) * t);
 
 interface Run extends SceneRun {
   readonly wind: number;
@@ -103,9 +105,9 @@ export default defineExample({
       measure: ({ world, wind, measured }) => wind - velocityOf(world, measured[0]).x,
     },
     ...RADII.map((r, i) => ({
-      label: `Speed of the bubble of radius ${r} after 60 s of still air`,
+      label: `Speed of the bubble of radius ${r} after 60 s of still air; the limit is ${LIMITS[i]}`,
       unit: 'px/s',
-      exact: rising(r, 60),
+      exact: rising(LIMITS[i], 60),
       tolerance: { relative: 0.01 },
       at: { time: 60 },
       measure: ({ world, measured }: Run) => -velocityOf(world, measured[i]).y,

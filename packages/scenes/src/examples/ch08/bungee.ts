@@ -102,6 +102,15 @@ export default defineExample({
       preset: 'No drag',
     },
     {
+      label: 'Way in the first 3 s, ½ g t²: the slack cord does not push',
+      unit: 'px',
+      exact: 90,
+      tolerance: { absolute: 1e-9 },
+      at: { time: 3 },
+      measure: ({ world, jumper }) => positionOf(world, jumper).y - BRIDGE.y,
+      preset: 'No drag',
+    },
+    {
       label: 'Time until the cord is taut, √(2L/g)',
       unit: 's',
       exact: 3.162,

@@ -113,10 +113,10 @@ export default defineExample({
       at: { time: 10 },
       measure: ({ world, support }: Run) => positionOf(world, support).x,
     },
-    ...[0, 5].map((i) => ({
+    ...RESTS.map((rest, i) => ({
       label: `Height of ball ${i + 1} at rest`,
       unit: 'px',
-      exact: RESTS[i],
+      exact: rest,
       tolerance: { absolute: 0.01 },
       at: { time: 80 },
       measure: ({ world, balls }: Run) => positionOf(world, balls[i]).y,

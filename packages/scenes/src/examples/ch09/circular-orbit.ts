@@ -80,6 +80,15 @@ export default defineExample({
       integrator: positionFirstEuler,
     },
     {
+      label: 'Largest distance in 500 s',
+      unit: 'px',
+      exact: 250.529,
+      tolerance: { absolute: 5e-3 },
+      at: { until: 500, take: 'largest' },
+      measure: ({ distance }) => distance(),
+      integrator: positionFirstEuler,
+    },
+    {
       label: 'Period, 2π √(r³/GM)',
       unit: 's',
       exact: 11.5429,

@@ -91,6 +91,14 @@ export default defineExample({
       measure: ({ tension }) => tension(),
     },
     {
+      label: 'Smallest tension, m g cos φ at the ends',
+      unit: 'N',
+      exact: 86.6,
+      tolerance: { relative: 1e-3 },
+      at: { until: 10, take: 'smallest' },
+      measure: ({ tension }) => tension(),
+    },
+    {
       label: 'Length of the string after 100 s',
       unit: 'px',
       exact: ({ length }) => length,

@@ -1,4 +1,4 @@
-import { angularMomentum, createPhysicsWorld, powerLaw, rgba, rungeKutta4, spawn } from '@principia/physics';
+import { angularMomentum, atan2, createPhysicsWorld, powerLaw, rgba, rungeKutta4, spawn } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
 import type { Check } from '../check.ts';
 import { defineExample } from '../define-example.ts';
@@ -103,6 +103,17 @@ export default defineExample({
     ...ranges(0),
     ...ranges(1, 'Gravity'),
     ...ranges(2, 'A spring'),
+    {
+      label: 'How far the nearest point of 1/r moves on: 251.2° on, which is 108.8° back',
+      unit: '°',
+      exact: -108.8,
+      tolerance: { relative: 1e-3 },
+      at: { event: ({ rising }) => rising(), from: 1, to: 2 },
+      measure: ({ world, body }) => {
+        const { x, y } = positionOf(world, body);
+        return (atan2(CENTRE.y - y, CENTRE.x - x) * 180) / Math.PI;
+      },
+    },
     {
       label: 'Angular momentum after 60 s',
       unit: 'kg px²/s',

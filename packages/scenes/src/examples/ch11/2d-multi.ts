@@ -1,9 +1,35 @@
-import { createPhysicsWorld, createRandom, energy, momentum, particleContacts, rgba, spawn } from '@principia/physics';
+import {
+  createPhysicsWorld,
+  createRandom,
+  destroyWorld,
+  energy,
+  momentum,
+  particleContacts,
+  rgba,
+  spawn,
+  step,
+} from '@principia/physics';
 import { defineExample } from '../define-example.ts';
-import { lengthOf } from '../support/read.ts';
+import type { Point } from '../picture.ts';
+import { distanceBetween, lengthOf, speedOf, velocityOf } from '../support/read.ts';
 
 const CENTRE = { x: 400, y: 300 };
 const MAX_COUNT = 60;
+
+interface Throw {
+  readonly position: Point;
+  readonly velocity: Point;
+}
+
+/** Velocities after ten seconds of the same balls, which were spawned in reverse order. */
+function velocitiesReversed(throws: readonly Throw[], collider: { radius: number }): Point[] {
+  const world = createPhysicsWorld({ preset: particleContacts, capacity: MAX_COUNT + 8 });
+  const ids = throws.map((_, i) => spawn(world, { ...throws[throws.length - 1 - i], mass: 1, collider })).reverse();
+  for (let i = 0; i < 600; i++) step(world, 1 / 60);
+  const velocities = ids.map((id) => velocityOf(world, id));
+  destroyWorld(world);
+  return velocities;
+}
 
 export default defineExample({
   id: 'ch11-2d-multi',
@@ -22,18 +48,24 @@ export default defineExample({
   build({ count, radius, restitution }, { seed, ...options }) {
     const world = createPhysicsWorld({ preset: particleContacts, capacity: MAX_COUNT + 8, ...options });
     const random = createRandom(seed);
-    const ids = Array.from({ length: count }, () => {
+    const throws = Array.from({ length: count }, () => {
       const position = { x: random.uniform(0, 800), y: random.uniform(0, 600) };
-      const velocity = { x: 0.2 * (CENTRE.x - position.x), y: 0.2 * (CENTRE.y - position.y) };
-      const appearance = rgba(0.4, 0.65, 1);
-      return spawn(world, { position, velocity, mass: 1, collider: { radius, restitution }, appearance });
+      return { position, velocity: { x: 0.2 * (CENTRE.x - position.x), y: 0.2 * (CENTRE.y - position.y) } };
     });
+    const [collider, appearance] = [{ radius, restitution }, rgba(0.4, 0.65, 1)];
+    const ids = throws.map((each) => spawn(world, { ...each, mass: 1, collider, appearance }));
+    /** Largest difference to the same balls in another order, by the mean speed. */
+    const disorder = () => {
+      const others = velocitiesReversed(throws, collider);
+      const mean = ids.reduce((sum, id) => sum + speedOf(world, id), 0) / ids.length;
+      return Math.max(...ids.map((id, i) => distanceBetween(velocityOf(world, id), others[i]))) / mean;
+    };
     const before = { momentum: momentum(world), energy: energy(world).kinetic };
     const drift = () => {
       const { x, y } = momentum(world);
       return lengthOf({ x: x - before.momentum.x, y: y - before.momentum.y });
     };
-    return { world, dt: 1 / 60, ids, drift, share: () => energy(world).kinetic / before.energy };
+    return { world, dt: 1 / 60, ids, disorder, drift, share: () => energy(world).kinetic / before.energy };
   },
   picture({ ids }) {
     return {
@@ -70,6 +102,14 @@ export default defineExample({
       tolerance: { relative: 1e-10 },
       at: { time: 10 },
       measure: ({ share }) => share(),
+    },
+    {
+      label: 'Largest difference of a velocity if the balls are counted from the last to the first, by the mean speed',
+      unit: '',
+      exact: 0,
+      tolerance: { absolute: 0.01 },
+      at: { time: 10 },
+      measure: ({ disorder }) => disorder(),
     },
     {
       label: 'Change of the momentum of sticky balls',

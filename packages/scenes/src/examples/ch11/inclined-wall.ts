@@ -1,4 +1,4 @@
-import { spawn } from '@principia/physics';
+import { spawn, wallContacts } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, speedOf, velocityOf } from '../support/read.ts';
@@ -57,6 +57,23 @@ export default defineExample({
     },
   ],
   checks: [
+    {
+      // The ball dropped straight down, and has since gone to the right at the same speed.
+      label: 'Time of the first contact, √(2h/g) of a fall of 156.556 px',
+      unit: 's',
+      exact: CONTACT,
+      tolerance: { relative: 1e-3 },
+      at: { time: 1.8 },
+      measure: ({ world, ball }) => world.time - (positionOf(world, ball).x - 100) / velocityOf(world, ball).x,
+    },
+    {
+      label: 'Speed across the wall at the contact',
+      unit: 'px/s',
+      exact: 160.663,
+      tolerance: { relative: 1e-3 },
+      at: { until: 1.8, take: 'largest' },
+      measure: ({ world }) => (wallContacts(world).count === 0 ? 0 : wallContacts(world).speed[0]),
+    },
     {
       label: 'Velocity to the right after the first bounce',
       unit: 'px/s',

@@ -1,10 +1,12 @@
-import { createRandom, energy } from '@principia/physics';
+import { createRandom, energy, keepState, wallContacts } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { addMolecule, GAS_ROOM, gasWorld } from '../support/gas.ts';
 import { distanceBetween, positionOf, speedOf } from '../support/read.ts';
 
 const MAX_COUNT = 150;
+/** Length of the walls, px, and the area between them, px². */
+const [PERIMETER, AREA] = [2 * (700 + 500), 700 * 500];
 
 export default defineExample({
   id: 'ch11-molecules',
@@ -17,16 +19,20 @@ export default defineExample({
   parameters: {
     count: { label: 'Molecules', unit: '', initial: 10, min: 2, max: MAX_COUNT, integer: true },
     speed: { label: 'Largest speed at the start', unit: 'px/s', initial: 50, min: 5, max: 200 },
+    size: { label: 'Size of the molecules', unit: '×', initial: 1, min: 0.1, max: 1 },
   },
-  presets: [{ label: 'A hundred molecules', values: { count: 100, speed: 200 } }],
-  build({ count, speed }, { seed, ...options }) {
+  presets: [
+    { label: 'A hundred molecules', values: { count: 100, speed: 200 } },
+    { label: 'A nearly ideal gas', values: { count: 150, speed: 200, size: 0.1 } },
+  ],
+  build({ count, speed, size }, { seed, ...options }) {
     const world = gasWorld({ capacity: MAX_COUNT + 8, ...options });
     const random = createRandom(seed);
     const draw = () => random.uniform(-speed, speed);
     const ids: number[] = [];
     while (ids.length < count) {
       // Half of the molecules are light, the others heavy, and none starts in another.
-      const radius = ids.length % 2 === 0 ? random.uniform(5, 9) : random.uniform(12, count > 40 ? 16 : 25);
+      const radius = size * (ids.length % 2 === 0 ? random.uniform(5, 9) : random.uniform(12, count > 40 ? 16 : 25));
       const at = { x: random.uniform(radius, 700 - radius), y: random.uniform(radius, 500 - radius) };
       const { radius: radii } = world.components.Collider;
       const isFree = ids.every((id) => distanceBetween(positionOf(world, id), at) > radius + radii[id]);
@@ -51,7 +57,15 @@ export default defineExample({
       return worst;
     };
     const start = energy(world).kinetic;
-    return { world, dt: 1 / 60, ids, mean, overlap, start };
+    // What the walls have pushed so far, N s; the pressure is that by their length and the time.
+    const walls = { impulse: 0 };
+    keepState(world, walls);
+    world.phases.events.push(() => {
+      const { count: hits, impulse } = wallContacts(world);
+      for (let i = 0; i < hits; i++) walls.impulse += impulse[i];
+    });
+    const pressure = () => walls.impulse / (PERIMETER * Math.max(world.time, 1 / 60));
+    return { world, dt: 1 / 60, ids, mean, overlap, pressure, start };
   },
   picture({ ids }) {
     const { minX, maxX, minY, maxY } = GAS_ROOM;
@@ -102,6 +116,16 @@ export default defineExample({
       at: { until: 300, take: 'mean' },
       measure: ({ mean }) => (2 * mean(0)) / (mean(0) + mean(1)),
       preset: 'A hundred molecules',
+    },
+    {
+      // In two dimensions k T is the mean energy of a molecule, so that N k T is the energy of all.
+      label: 'Pressure on the walls in 300 s by N k T/A',
+      unit: '',
+      exact: 1,
+      tolerance: { relative: 0.05 },
+      at: { time: 300 },
+      measure: ({ pressure, start }) => (pressure() * AREA) / start,
+      preset: 'A nearly ideal gas',
     },
   ],
   tryThis: [

@@ -10,6 +10,7 @@ import {
 import { defineExample } from '../define-example.ts';
 import { addHandle } from '../support/handle.ts';
 import { atanh, tanh } from '../support/hyperbolic.ts';
+import { integerPower } from '../support/oscillator.ts';
 import { velocityOf } from '../support/read.ts';
 
 const [BUOYANCY, DRAG] = [2, 0.003];
@@ -17,6 +18,8 @@ const [BUOYANCY, DRAG] = [2, 0.003];
 const RISE = Math.sqrt(BUOYANCY / DRAG);
 /** A twenty-fifth of the opacity goes thirty times a second. */
 const LIFE = 25 / 30;
+/** A hundredth larger with each of twenty-five ticks. */
+const GROWTH = integerPower(1.01, 25);
 
 /** From red to yellow: flames flicker between them. */
 const FLAMES = [0.4, 0.55, 0.7, 0.85, 0.97].map((green) => [rgba(1, green, 0.1, 0.9), rgba(1, green * 0.6, 0, 0)]);
@@ -50,7 +53,7 @@ export default defineExample({
       velocitySpread: { x: spread, y: 40 },
       mass: 1,
       quadraticDrag: DRAG,
-      size: [4.5, 4.5 * 1.282],
+      size: [4.5, 4.5 * GROWTH],
       sizeFactor: [2 / 3, 4 / 3],
       color: FLAMES,
     });
@@ -94,6 +97,14 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { time: 10 },
       measure: ({ world, speck }) => -velocityOf(world, speck).y,
+    },
+    {
+      label: 'How much a flame grows in its life, 1.01 to the power of 25',
+      unit: '×',
+      exact: 1.282,
+      tolerance: { absolute: 5e-4 },
+      at: { time: 0 },
+      measure: () => GROWTH,
     },
   ],
   tryThis: [

@@ -15,13 +15,17 @@ export default defineExample({
   duration: 11,
   parameters: {
     count: { label: 'Sparks of a burst', unit: '', initial: 10, min: 1, max: 12, integer: true },
+    copies: { label: 'Fireworks at once', unit: '', initial: 1, min: 1, max: 9, integer: true },
   },
-  presets: [{ label: 'Small bursts', values: { count: 4 } }],
-  build({ count }, { seed, ...options }) {
-    const world = createPhysicsWorld({ capacity: 2600, seed, forces: SPARK_FORCES, ...options });
-    const chain = createSparkChain(world, 2000);
-    chain.launch({ x: 350, y: 200 }, count);
-    return { world, dt: 1 / 60, chain };
+  presets: [
+    { label: 'Small bursts', values: { count: 4 } },
+    { label: 'Nine at once', values: { copies: 9 } },
+  ],
+  build({ count, copies }, { seed, ...options }) {
+    const world = createPhysicsWorld({ capacity: 2600 * copies, seed, forces: SPARK_FORCES, ...options });
+    const chain = createSparkChain(world, 2000 * copies);
+    chain.launch({ x: 350, y: 200 }, count, copies);
+    return { world, dt: 1 / 60, chain, copies };
   },
   picture({ chain }) {
     return {
@@ -44,7 +48,7 @@ export default defineExample({
     {
       label: 'Sparks at first',
       unit: '',
-      exact: ({ count }) => count,
+      exact: ({ count, copies }) => copies * count,
       tolerance: { absolute: 0 },
       at: { time: 1 },
       measure: ({ chain }) => chain.alive(),
@@ -57,6 +61,25 @@ export default defineExample({
       tolerance: { absolute: 3.5 * DEVIATION },
       at: { time: 10.5 },
       measure: ({ chain }) => chain.born(),
+    },
+    {
+      label: 'Born in all, on average of nine: 613 were counted in 300 others',
+      unit: '',
+      exact: 613,
+      // A third of that of one.
+      tolerance: { absolute: (3.5 * DEVIATION) / 3 },
+      at: { time: 10.5 },
+      measure: ({ chain, copies }) => chain.born() / copies,
+      preset: 'Nine at once',
+    },
+    {
+      label: 'Most at a time, on average of nine: 553 in 300 others',
+      unit: '',
+      exact: 553,
+      tolerance: { absolute: (3.5 * DEVIATION) / 3 },
+      at: { until: 10.5, take: 'largest' },
+      measure: ({ chain, copies }) => chain.alive() / copies,
+      preset: 'Nine at once',
     },
     {
       label: 'Sparks after 10.1 s: the last was born before 6 s and lived 4 s at most',

@@ -10,6 +10,7 @@ import {
 import { defineExample } from '../define-example.ts';
 import { addHandle } from '../support/handle.ts';
 import { atanh, tanh } from '../support/hyperbolic.ts';
+import { integerPower } from '../support/oscillator.ts';
 import { velocityOf } from '../support/read.ts';
 
 const [BUOYANCY, DRAG] = [5, 0.005];
@@ -17,6 +18,8 @@ const [BUOYANCY, DRAG] = [5, 0.005];
 const RISE = Math.sqrt(BUOYANCY / DRAG);
 /** A hundredth of the opacity goes thirty times a second. */
 const LIFE = 100 / 30;
+/** A hundredth larger with each of a hundred ticks. */
+const GROWTH = integerPower(1.01, 100);
 
 export default defineExample({
   id: 'ch12-smoke',
@@ -47,8 +50,7 @@ export default defineExample({
       velocitySpread: { x: 30, y: 40 },
       mass: 1,
       quadraticDrag: DRAG,
-      // A hundredth larger with each of a hundred ticks: 2.705 times at the end.
-      size: [3, 3 * 2.705],
+      size: [3, 3 * GROWTH],
       sizeFactor: [0.5, 2],
       color: [rgba(0.9, 0.9, 0.95, 0.7), rgba(0.9, 0.9, 0.95, 0)],
     });
@@ -94,6 +96,14 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { time: 10 },
       measure: ({ world, speck }) => -velocityOf(world, speck).y,
+    },
+    {
+      label: 'How much a puff grows in its life, 1.01 to the power of 100',
+      unit: '×',
+      exact: 2.705,
+      tolerance: { absolute: 5e-4 },
+      at: { time: 0 },
+      measure: () => GROWTH,
     },
   ],
   tryThis: [

@@ -109,6 +109,23 @@ export default defineExample({
       measure: ({ spin }) => Math.abs(spin()),
     },
     {
+      label: 'Impulse of the floor, (1 + e) v/(1/m + a²/I): 143.610 of the book',
+      unit: 'N s',
+      exact: 143.61 / 20,
+      tolerance: { relative: 1e-3 },
+      at: { time: 5.5 },
+      measure: ({ world, block }) => velocityOf(world, block).y + GRAVITY * (world.time - TIME) + SPEED,
+    },
+    {
+      label: 'Speed of the corner after it, e times that before: 43.596 px/s of the book',
+      unit: 'm/s',
+      exact: 43.596 / 20,
+      tolerance: { relative: 1e-3 },
+      at: { time: 5.5 },
+      measure: ({ world, block, spin }) =>
+        velocityOf(world, block).y + GRAVITY * (world.time - TIME) + Math.abs(spin()) * ASIDE,
+    },
+    {
       label: 'Most energy gained at any time',
       unit: 'J',
       exact: 0,

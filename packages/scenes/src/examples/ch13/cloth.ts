@@ -1,7 +1,7 @@
 import { createPhysicsWorld, linearDrag, rgba, rungeKutta4, spawn, springs, uniformGravity } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
-import { positionOf } from '../support/read.ts';
+import { distanceBetween, positionOf } from '../support/read.ts';
 
 const [COLUMNS, ROWS, SPACING, MASS] = [15, 10, 20, 10];
 const ORIGIN = { x: 120, y: 30 };
@@ -22,7 +22,10 @@ export default defineExample({
     gravity: { label: 'Gravity', unit: 'px/s²', initial: 10, min: 0, max: 20 },
   },
   presets: [{ label: 'In the wind', values: { wind: 10 } }],
-  build({ wind, stiffness, gravity }, { integrator = rungeKutta4 }) {
+  build(
+    { wind, stiffness, gravity }: ValuesOf<'wind' | 'stiffness' | 'gravity'>,
+    { integrator = rungeKutta4 }: BuildOptions,
+  ) {
     const forces = [uniformGravity({ y: gravity }), linearDrag({ x: wind }), springs()];
     const world = createPhysicsWorld({ capacity: 600, forces, integrator });
     const nodes = Array.from({ length: COLUMNS * ROWS }, (_, i) => {
@@ -43,7 +46,25 @@ export default defineExample({
     }
     const mean = (axis: 'x' | 'y') => nodes.reduce((sum, id) => sum + positionOf(world, id)[axis], 0) / nodes.length;
     const lowest = () => nodes.reduce((most, id) => Math.max(most, positionOf(world, id).y), 0);
-    return { world, dt: 1 / 60, node, mean, lowest };
+    /** Force of all pins on the net against an axis, N: that of the threads which are tied to them. */
+    const support = (axis: 'x' | 'y') => {
+      let sum = 0;
+      for (const column of PINNED) {
+        const pin = positionOf(world, node(column, 0));
+        for (const [beside, below] of [
+          [-1, 0],
+          [1, 0],
+          [0, 1],
+        ] as const) {
+          if (column + beside < 0 || column + beside >= COLUMNS) continue;
+          const knot = positionOf(world, node(column + beside, below));
+          const length = distanceBetween(pin, knot);
+          sum += (stiffness * (length - SPACING) * (knot[axis] - pin[axis])) / length;
+        }
+      }
+      return sum;
+    };
+    return { world, dt: 1 / 60, node, mean, lowest, support };
   },
   picture() {
     return {
@@ -65,6 +86,14 @@ export default defineExample({
     { title: 'Lowest point', y: { label: 'y, px' }, series: [{ label: 'knot', value: ({ lowest }) => lowest() }] },
   ],
   checks: [
+    {
+      label: 'Bottom of the middle column, x',
+      unit: 'px',
+      exact: 260,
+      tolerance: { absolute: 0.1 },
+      at: { time: 120 },
+      measure: ({ world, node }) => positionOf(world, node(7, 9)).x,
+    },
     {
       label: 'Bottom of the middle column, y',
       unit: 'px',
@@ -106,6 +135,15 @@ export default defineExample({
       measure: ({ mean }) => mean('x'),
       preset: 'In the wind',
     },
+    ...(['x', 'y'] as const).map((axis) => ({
+      label: `Force of the pins in the wind ${axis === 'x' ? 'against the wind' : 'upwards'}: both are equal`,
+      unit: 'N',
+      exact: 14700,
+      tolerance: { relative: 1e-3 },
+      at: { time: 120 },
+      measure: ({ support }: { support(axis: 'x' | 'y'): number }) => support(axis),
+      preset: 'In the wind',
+    })),
   ],
   tryThis: [
     'Choose “In the wind”: its force is as large as the weight, so the net hangs at 45° on the whole.',

@@ -18,8 +18,16 @@ export default defineExample({
     'This scheme takes the force at the end of the step, which it must first find out by solving equations. It errs to the other side: the amplitude shrinks by √(1 + ω² dt²) in each step, as if there were friction. But it is patient: even steps of ten seconds, longer than a whole swing, do not make it explode.',
   duration: 100,
   parameters: { rate: { ...rateParameter, min: 0.1 } },
-  presets: [{ label: 'Steps of a second', values: { rate: 1 } }],
-  build: ({ rate }, { integrator = implicitEuler() }) => oscillator(rate, integrator),
+  presets: [
+    { label: 'Steps of a second', values: { rate: 1 } },
+    { label: 'Steps of ten seconds', values: { rate: 0.1 } },
+  ],
+  build({ rate }, { integrator = implicitEuler() }) {
+    const run = oscillator(rate, integrator);
+    // Steps of ten seconds are meant to be as long.
+    run.world.onWarning = () => {};
+    return run;
+  },
   picture: (run) => phasePicture(run, 220),
   plots: [amplitudePlot],
   checks: [
@@ -39,6 +47,15 @@ export default defineExample({
       at: { time: 20 },
       measure: ({ amplitude }) => amplitude(),
       preset: 'Steps of a second',
+    },
+    {
+      label: 'Amplitude after five steps of ten seconds, 200/101^2.5: stable',
+      unit: 'px',
+      exact: AMPLITUDE / (101 * 101 * Math.sqrt(101)),
+      tolerance: { absolute: 1e-6 },
+      at: { time: 50 },
+      measure: ({ amplitude }) => amplitude(),
+      preset: 'Steps of ten seconds',
     },
   ],
   tryThis: [

@@ -2,10 +2,13 @@ import { exp, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { lengthOf } from '../support/read.ts';
-import { normOf, orientationOf, point, times } from '../support/space.ts';
+import { inverse, normOf, orientationOf, point, product, rotationAbout, times } from '../support/space.ts';
 import { cubeLines, PUSH_TIME, turningCube } from '../support/turning-cube.ts';
 
 type Values = ValuesOf<'x' | 'y' | 'z'>;
+
+/** Angle after 10 s of a torque of √3 about the diagonal against a drag of 0.5, rad: 2√3 (t − 2 (1 − e^(−t/2))). */
+const TURNED = 2 * Math.sqrt(3) * (10 - 2 * (1 - exp(-5)));
 
 export default defineExample({
   id: 'ch15-cube-quaternion',
@@ -75,6 +78,17 @@ export default defineExample({
       tolerance: { absolute: 1e-12 },
       at: { until: 10, take: 'largest' },
       measure: ({ omega }) => Math.max(Math.abs(omega().x - omega().y), Math.abs(omega().y - omega().z)),
+    },
+    {
+      label: 'Angle from the exact turn about the diagonal after 10 s, by that of 27.76 rad',
+      unit: '',
+      exact: 0,
+      tolerance: { absolute: 1e-3 },
+      at: { time: 10 },
+      measure: ({ world, cube }) => {
+        const left = product(inverse(rotationAbout(point(1, 1, 1), TURNED)), orientationOf(world, cube));
+        return (2 * lengthOf(left)) / TURNED;
+      },
     },
     {
       label: 'Norm of the quaternion after 20 s',

@@ -33,12 +33,15 @@ export function product(p: Quaternion, q: Quaternion): Quaternion {
   };
 }
 
+/** The rotation back. */
+export const inverse = ({ x, y, z, w }: Quaternion): Quaternion => ({ x: -x, y: -y, z: -z, w });
+
 /** The norm, which is 1 for a rotation. */
 export const normOf = ({ x, y, z, w }: Quaternion): number => Math.sqrt(x * x + y * y + z * z + w * w);
 
 /** The point turned by the rotation, q v q*. */
 export function rotate(q: Quaternion, v: Point3): Point3 {
-  const { x, y, z } = product(product(q, { ...v, w: 0 }), { x: -q.x, y: -q.y, z: -q.z, w: q.w });
+  const { x, y, z } = product(product(q, { ...v, w: 0 }), inverse(q));
   return { x, y, z };
 }
 
@@ -54,8 +57,12 @@ export function pointOn(world: PhysicsWorld, id: number, local: Point3): Point3 
 
 /** The twelve edges of a cube; `place` says where its points are now. */
 export function cubeEdges(halfWidth: number, place: (local: Point3) => Point3, color: Color): Line[] {
-  const corner = (i: number) =>
-    point(i & 1 ? halfWidth : -halfWidth, i & 2 ? halfWidth : -halfWidth, i & 4 ? halfWidth : -halfWidth);
+  return boxEdges(point(halfWidth, halfWidth, halfWidth), place, color);
+}
+
+/** The twelve edges of a box, from half its width, height and depth. */
+export function boxEdges({ x, y, z }: Point3, place: (local: Point3) => Point3, color: Color): Line[] {
+  const corner = (i: number) => point(i & 1 ? x : -x, i & 2 ? y : -y, i & 4 ? z : -z);
   return Array.from({ length: 8 }, (_, i) => i).flatMap((i) =>
     [1, 2, 4]
       .filter((bit) => (i & bit) === 0)
