@@ -18,8 +18,11 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 .st-tools button:hover { background: #ffffff1c } .st-tools button:focus-visible { outline: 2px solid var(--accent) }
 .st-tools button[aria-pressed=true] { background: var(--accent); color: #1c1503 }
 .game-hint { bottom: 78px }
+@media (pointer: fine) { .game .game-pad { grid: 64px / auto-flow 64px } .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } }
 @media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools span { display: none }
-  .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px } }`;
+  .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px } }
+/* Beside the bar, so that the build has the height to itself. */
+@media (min-width: 800px) and (max-height: 479px) { .st-tools { top: 8px; left: auto; right: 8px; translate: none } .game-hint { top: auto; bottom: 16px } }`;
 
 /** @param onShare saves the scene to a link @param onHint receives what the chosen tool does */
 export function createPalette(parent: HTMLElement, onShare: () => void, onHint: (text: string) => void): Palette {
