@@ -133,7 +133,7 @@ describe('submarine', () => {
     expect(await overflows(page)).toEqual([]);
     const foreign = new Set([...foreignWords(SHELL.en, SHELL.de), ...foreignWords(SUBMARINE.en, SUBMARINE.de)]);
     const texts = await written(page);
-    expect(texts).toEqual(expect.arrayContaining(['U-Boot', '0 von 3 Kisten an Bord', 'Druckluft']));
+    expect(texts).toEqual(expect.arrayContaining(['U-Boot', 'Hol 3 Kisten vom Grund: 0 an Bord', 'Druckluft']));
     expect(texts.some((text) => / m, \d,\d atm · Dichte 0,9/.test(text))).toBe(true);
     expect(texts.filter((text) => foreign.has(text))).toEqual([]);
   });
