@@ -89,7 +89,7 @@ const STYLE = `
 .cloth-again { position: absolute; left: 50%; bottom: max(72px, calc(env(safe-area-inset-bottom) + 72px)); translate: -50% 0;
   white-space: nowrap; background: var(--accent); border-color: transparent; color: #1c1503 }
 .cloth-again:hover { background: #ffd38a }
-.game-hint { bottom: 72px }
+@media (min-height: 480px) { .game-hint { bottom: 72px } }
 .cloth-film { position: absolute; left: 16px; right: 16px; bottom: 84px; margin: 0; text-align: center; pointer-events: none;
   font-weight: 600; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .cloth-button { height: 44px } }

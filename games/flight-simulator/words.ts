@@ -43,6 +43,7 @@ const en = {
   landed: 'Landed!',
   crashed: 'Crashed',
   points: (score: number) => `${score} points`,
+  share: (mission: string, score: number) => `Flight simulator, ${mission}: ${score} points`,
   /** Parts that strike the ground, at the beginning of a sentence and within one. */
   parts: {
     gear: ['The landing gear', 'the landing gear'],
@@ -119,6 +120,7 @@ const de: Words = {
   landed: 'Gelandet!',
   crashed: 'Abgestürzt',
   points: (score) => `${score} Punkte`,
+  share: (mission, score) => `Flugsimulator, ${mission}: ${score} Punkte`,
   parts: {
     gear: ['Das Fahrwerk', 'das Fahrwerk'],
     propeller: ['Der Propeller', 'der Propeller'],

@@ -22,7 +22,7 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 @media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools span { display: none }
   .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px } }
 /* Beside the bar, so that the build has the height to itself. */
-@media (min-width: 800px) and (max-height: 479px) { .st-tools { top: 8px; left: auto; right: 8px; translate: none } .game-hint { top: auto; bottom: 16px } }`;
+@media (min-width: 800px) and (max-height: 479px) { .st-tools { top: 8px; left: auto; right: 8px; translate: none } .game-hint { top: auto; bottom: 10px } }`;
 
 /** @param onShare saves the scene to a link @param onHint receives what the chosen tool does */
 export function createPalette(parent: HTMLElement, onShare: () => void, onHint: (text: string) => void): Palette {

@@ -52,7 +52,9 @@ export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
       const { boat } = sim;
       const { x, y } = sim.world.components.Velocity;
       const { length } = sim.taken;
-      say(goal, boat.collected < length ? WORDS.goal(boat.collected, length) : WORDS.allAboard);
+      const isWon = boat.ending === 'won';
+      const isFull = boat.collected === length;
+      say(goal, isWon ? WORDS.endings.won : isFull ? WORDS.allAboard : WORDS.goal(boat.collected, length));
       const isNew = sim.world.time < TIP_SECONDS && boat.ending === 'none';
       warning.classList.toggle('tip', isNew);
       say(warning, isNew ? WORDS.start : warningOf(sim));

@@ -117,7 +117,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
 /* A window on its side has no room above the picture, but some between the buttons at the corners. */
-@media (pointer: coarse) and (max-height: 479px) { .game-hint { top: auto; bottom: 16px; left: 104px; right: 104px } }
+@media (pointer: coarse) and (max-height: 479px) { .game-hint { top: auto; bottom: 10px; left: 172px; right: 172px } }
 .game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
 .u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }
