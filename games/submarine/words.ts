@@ -21,7 +21,7 @@ const en = {
     surface: ['At the surface', 'the compressor fills the bottles'],
   },
   start: isTouch
-    ? 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; a tap pings. Or hold a finger where to go.'
+    ? 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; a tap pings'
     : 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; X pings. Or hold the mouse where to go.',
   goal: (taken: number, count: number) => `Bring up ${count} crates from the bed: ${taken} aboard`,
   allAboard: 'All aboard – come up beside the ship',
@@ -63,7 +63,7 @@ const de: Words = {
     surface: ['Aufgetaucht', 'füllt der Kompressor die Flaschen'],
   },
   start: isTouch
-    ? 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; Tippen ist das Sonar. Oder halte den Finger dorthin, wohin du willst.'
+    ? 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; Tippen ist das Sonar'
     : 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; X ist das Sonar. Oder halte die Maus dorthin, wohin du willst.',
   goal: (taken, count) => `Hol ${count} Kisten vom Grund: ${taken} an Bord`,
   allAboard: 'Alle an Bord – tauche neben dem Schiff auf',

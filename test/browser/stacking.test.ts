@@ -18,7 +18,7 @@ it('hinges by a tap, cuts by a swipe, and does not drag meanwhile', async () => 
   await page.mouse.click(x, y);
   expect(await told(page)).toMatchObject({ joints: 1, bodies: 16 });
   await tool(page, 'Cut');
-  await page.mouse.move(20, y - 2);
+  await page.mouse.move(8, y - 2);
   await page.mouse.down();
   await page.mouse.move(600, y + 2, { steps: 4 });
   expect((await state(page)).dragged).toEqual([]);
