@@ -35,6 +35,7 @@ const STYLE = `
 .bh-toast { left: 50%; top: 15%; translate: -50% 0; font-size: 22px; width: max-content; max-width: 92%; text-align: center; opacity: 0 }
 .bh-toast.on { opacity: 1; animation: bh-rise 1.7s ease-out both }
 @keyframes bh-rise { 0% { opacity: 0; transform: translateY(12px) } 12%, 60% { opacity: 1; transform: none } 100% { opacity: 0; transform: translateY(-10px) } }
+@media (pointer: coarse) and (max-height: 480px) and (min-aspect-ratio: 19/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 14px); bottom: 76px; white-space: nowrap } .bh-daily { bottom: 128px } }
 @media (max-width: 800px) { .bh-speed { display: none } }
 @media (max-height: 480px) { .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
 @media (max-width: 620px) { .bh-level { flex-direction: column; gap: 0; align-items: end }

@@ -2,7 +2,7 @@
 import { toScreen, watchViewport } from '@principia/render-core';
 import { openScreen } from '@principia/render-pixi';
 import { BLACK_HOLE } from '@principia/scenes';
-import type { Insets, View, ViewContext } from '@principia/shell';
+import { type Insets, listenToSteering, type View, type ViewContext } from '@principia/shell';
 import { Container, RendererType, type Texture } from 'pixi.js';
 import { type Comparison, Ghost } from './ghost.ts';
 import { createHud, type Frame, type Hud } from './hud.ts';
@@ -13,7 +13,6 @@ import type { BlackHoleGame } from './sim.ts';
 import { createSounds, type Sounds } from './sounds.ts';
 import { StageCamera } from './stage-camera.ts';
 import { paintSky, paintSpot } from './stars.ts';
-import { listenToSteering } from './steering.ts';
 
 const { width: STAGE_WIDTH, height: STAGE_HEIGHT } = BLACK_HOLE;
 
@@ -39,7 +38,7 @@ export async function openView(context: ViewContext<Settings, BlackHoleGame>): P
   const compare = () => compareFlight(context, ghost);
   const frame = { left: 0, top: 0, width: 0, height: 0, room: 0 };
   const steering = listenToSteering(canvas, {
-    ship: () => place(picture.ship[0], picture.ship[1]),
+    craft: () => place(picture.ship[0], picture.ship[1]),
     steer: (x, y) => context.sim().steer(x, y),
   });
   return {

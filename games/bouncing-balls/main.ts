@@ -22,7 +22,8 @@ await startGame({
     pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view-2d.ts')).openView2D(context) },
   },
   controls: {
-    buttons: { action: { label: WORDS.pour, keys: ['v'], pad: [0] } },
+    buttons: { action: { label: WORDS.pour, keys: ['v'], pad: [0], title: WORDS.pour } },
+    forMouse: true,
     press: ({ log }) => log.add({ kind: 'pour', isOpen: true }),
     release: ({ log }) => log.add({ kind: 'pour', isOpen: false }),
   },

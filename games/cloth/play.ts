@@ -1,11 +1,12 @@
 /** What both views share: cuts, the sound of a tear, its film, and the player's picture. */
-import { element, Synth, type ViewContext } from '@principia/shell';
+import { element, Synth, showHint, type ViewContext } from '@principia/shell';
 import type { ClothPrint } from './cloth-print.ts';
 import { createPrintButtons } from './print-buttons.ts';
 import type { Settings } from './settings.ts';
 import { CLOTH, type ClothRun } from './sim.ts';
 import { listenToSwipes } from './swipes.ts';
 import { TearFilm } from './tear-film.ts';
+import { WORDS } from './words.ts';
 
 export interface Play {
   readonly film: TearFilm;
@@ -32,6 +33,7 @@ export function createPlay(
   const style = element('style', '', {}, STYLE);
   parent.append(style);
   const removeButtons = createPrintButtons(parent, print, context.showMessage);
+  const removeHint = showHint(parent, WORDS.hint);
   const stopSwipes = listenToSwipes(context, canvas, place);
   let film = new TearFilm(context.sim(), parent);
   let heard = context.sim().tears.endedCount;
@@ -52,6 +54,7 @@ export function createPlay(
       heard = context.sim().tears.endedCount;
     },
     destroy() {
+      removeHint();
       stopSwipes();
       film.destroy();
       removeButtons();
@@ -86,6 +89,7 @@ const STYLE = `
 .cloth-again { position: absolute; left: 50%; bottom: max(72px, calc(env(safe-area-inset-bottom) + 72px)); translate: -50% 0;
   white-space: nowrap; background: var(--accent); border-color: transparent; color: #1c1503 }
 .cloth-again:hover { background: #ffd38a }
+@media (min-height: 480px) { .game-hint { bottom: 72px } }
 .cloth-film { position: absolute; left: 16px; right: 16px; bottom: 84px; margin: 0; text-align: center; pointer-events: none;
   font-weight: 600; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .cloth-button { height: 44px } }

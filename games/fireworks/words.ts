@@ -18,7 +18,7 @@ const en = {
     next: ['K, C', 'next kind of shell, next colour'],
     swarm: ['Swarm', 'ignites where you release: two stars per second of holding, and each bursts into as many'],
     timeline: [
-      'T',
+      'Show, T',
       'timeline: clicks add shells to your show. Drag marks to move them; Backspace undoes, Delete removes',
     ],
     shows: ['Shows', 'choose a show: it plays at once, and it is on the timeline to change and to share'],
@@ -132,7 +132,7 @@ const de: Words = {
     next: ['K, C', 'nächste Rakete, nächste Farbe'],
     swarm: ['Schwarm', 'zündet, wo du loslässt: zwei Sterne je Sekunde, und jeder zerspringt in ebenso viele'],
     timeline: [
-      'T',
+      'Show, T',
       'Zeitleiste: Klicks fügen deiner Show Raketen hinzu. Marken lassen sich ziehen; Rücktaste nimmt zurück, Entf löscht',
     ],
     shows: ['Shows', 'wähle eine Show: sie läuft sofort und liegt auf der Zeitleiste, zum Ändern und Teilen'],

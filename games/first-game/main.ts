@@ -34,17 +34,25 @@ function beep(frequency: number) {
 
 // Every tap that hits the ball kicks it up and counts, until the ball touches the floor.
 const output = document.querySelector('output') as HTMLOutputElement;
+const keys = matchMedia('(pointer: coarse)').matches ? '' : ', or press Space as it falls low';
 const camera = { x: 0, y: height / 2, pixelsPerMetre: 1 };
 let [score, best] = [0, Number(localStorage.getItem('keep it up') ?? 0)];
-addEventListener('pointerdown', ({ clientX, clientY }) => {
-  const { x, y } = toWorld(camera, app.screen, clientX, clientY, { x: 0, y: 0 });
-  if (Math.hypot(x - Position.x[ball], y - Position.y[ball]) > 1.2) return;
+function kick(sideways: number) {
   Velocity.y[ball] = 9;
-  Velocity.x[ball] = 5 * (Position.x[ball] - x);
+  Velocity.x[ball] = sideways;
   score++;
   best = Math.max(best, score);
   localStorage.setItem('keep it up', String(best));
   beep(300 + 30 * score);
+}
+addEventListener('pointerdown', ({ clientX, clientY }) => {
+  const { x, y } = toWorld(camera, app.screen, clientX, clientY, { x: 0, y: 0 });
+  if (Math.hypot(x - Position.x[ball], y - Position.y[ball]) < 1.2) kick(5 * (Position.x[ball] - x));
+});
+addEventListener('keydown', ({ key, repeat }) => {
+  if (key !== ' ' || repeat) return;
+  if (Position.y[ball] < 3 && Velocity.y[ball] < 0) kick(Velocity.x[ball]);
+  else score = 0; // too early
 });
 
 const runner = createRunner(world, { dt: 1 / 120 });
@@ -54,7 +62,7 @@ app.ticker.add(({ deltaMS }) => {
     score = 0;
     beep(90);
   }
-  output.value = score === 0 ? `Tap the ball – best: ${best}` : `${score}`;
+  output.value = score === 0 ? `Tap the ball${keys} – best: ${best}` : `${score}`;
   camera.pixelsPerMetre = Math.min(app.screen.width / (2 * halfWidth + 1), app.screen.height / (height + 1));
   applyCamera(app.stage, camera, app.screen);
   layer.update(runner.alpha);

@@ -7,9 +7,10 @@ import { WORDS } from './words.ts';
 
 document.title = WORDS.title;
 
-function outcome({ log }: Flight) {
+function outcome({ log, mission }: Flight) {
   if (log.phase === 'flying') return undefined;
-  return { title: WORDS[log.phase], score: log.score, lines: [reasonOf(log), WORDS.points(log.score)] };
+  const lines = [reasonOf(log), WORDS.points(log.score)];
+  return { title: WORDS[log.phase], score: log.score, lines, share: WORDS.share(WORDS.missions[mission], log.score) };
 }
 
 await startGame({

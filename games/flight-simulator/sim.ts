@@ -55,6 +55,7 @@ export class Flight {
   #values: FlightValues;
   #stickX = 0;
   #stickY = 0;
+  #isBraking = false;
 
   constructor({ values, seed }: FlightOptions) {
     this.#values = values;
@@ -133,6 +134,13 @@ export class Flight {
     this.#stickY = y;
   }
 
+  /** Moves the throttle by a fraction. A lever pulled below idle brakes until it is pushed again. */
+  moveLever(change: number): void {
+    const { pilot } = this;
+    this.#isBraking = change < 0 && pilot.throttle === 0;
+    pilot.throttle = Math.min(1, Math.max(0, pilot.throttle + change));
+  }
+
   /** Reads buttons and stick, and moves the controls. */
   #steer(dt: number): void {
     const held = (name: string) => Number(this.#held.has(name));
@@ -141,7 +149,7 @@ export class Flight {
     inputs.pull = clampUnit(held('down') - held('up') - this.#stickY) * (this.#values.inverted ? -1 : 1);
     inputs.rudder = held('rudderRight') - held('rudderLeft');
     inputs.throttle = held('more') - held('less');
-    inputs.brake = held('brake');
+    inputs.brake = Math.max(held('brake'), Number(this.#isBraking));
     const { world, plane, pilot, attitude, log } = this;
     this.#ground.onGround = log.onGround;
     this.#ground.height = this.height;

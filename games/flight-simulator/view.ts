@@ -16,10 +16,11 @@ import {
 } from 'three';
 import { Deflections } from './aircraft.ts';
 import { createAircraftModel } from './aircraft-model.ts';
-import { createFlightCamera, type FlightCamera } from './camera.ts';
+import { createFlightCamera } from './camera.ts';
 import { createGlideLights } from './glide-lights.ts';
 import { createHud } from './hud.ts';
 import type { Surfaces } from './pilot.ts';
+import { listenToPointers } from './pointers.ts';
 import { createRingsModel } from './rings-model.ts';
 import { addScenery } from './scenery.ts';
 import type { Settings } from './settings.ts';
@@ -48,7 +49,7 @@ export async function openView(context: ViewContext<Settings, Flight>): Promise<
   scene.add(model.object, rings.object, glideLights.object, shadow);
   const hud = createHud(context.element, viewport);
   const sounds = createSounds();
-  const stopDragging = listenToDrag(canvas, flightCamera);
+  const stopPointers = listenToPointers(context, canvas, flightCamera);
   const pose = { position: new Vector3(), attitude: new Quaternion() };
   const before = new Quaternion();
   const surfaces: Surfaces = { aileron: 0, elevator: 0, rudder: 0 };
@@ -90,7 +91,7 @@ export async function openView(context: ViewContext<Settings, Flight>): Promise<
     },
     toScreen: project,
     destroy() {
-      stopDragging();
+      stopPointers();
       for (const part of [hud, sounds, viewport]) part.destroy();
       disposeScene(scene);
       renderer.dispose();
@@ -140,32 +141,6 @@ function placeShadow(shadow: Mesh<CircleGeometry, MeshBasicMaterial>, { x, y, z 
   const ground = groundHeight(x, z);
   shadow.position.set(x, ground + 0.06, z);
   shadow.material.opacity = 0.34 * Math.max(0, 1 - (y - ground) / 150);
-}
-
-/** A drag looks around. */
-function listenToDrag(canvas: HTMLCanvasElement, { own }: FlightCamera): () => void {
-  const stop = new AbortController();
-  const options = { signal: stop.signal };
-  canvas.style.touchAction = 'none';
-  canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId), options);
-  canvas.addEventListener(
-    'pointermove',
-    (event) => {
-      if (!canvas.hasPointerCapture(event.pointerId)) return;
-      own.turn -= event.movementX / 160;
-      own.lift = Math.min(1.2, Math.max(-0.5, own.lift + event.movementY / 220));
-    },
-    options,
-  );
-  canvas.addEventListener(
-    'wheel',
-    (event) => {
-      event.preventDefault();
-      own.distance = Math.min(6, Math.max(0.4, own.distance * Math.exp(event.deltaY / 800)));
-    },
-    { ...options, passive: false },
-  );
-  return () => stop.abort();
 }
 
 function disposeScene(scene: Scene): void {

@@ -1,16 +1,19 @@
-import { decimal, element, type GameCard } from '@principia/shell';
+import { element, type GameCard } from '@principia/shell';
 import type { LabRun } from './lab-run.ts';
 import { plainNumber } from './number-text.ts';
 import { isDisturbed } from './on-display.ts';
-import { WORDS } from './words.ts';
+import { WORDS, WORDS_BY_LANGUAGE } from './words.ts';
+
+/** What examples plot has English names, and a sentence has one language. */
+const SENTENCE = WORDS_BY_LANGUAGE.en;
 
 /** Milliseconds between two announcements while the run goes on; a reader of the screen needs time to speak. */
 const INTERVAL = 10_000;
 
 /** What the picture shows, in words: beside the canvas for everyone, announced when time stands still or now and then. */
 export function createWordsCard(parent: HTMLElement): GameCard<LabRun> {
-  const text = element('p', 'lab-words');
-  const spoken = element('p', 'lab-spoken', { role: 'status' });
+  const text = element('p', 'lab-words', { lang: 'en' });
+  const spoken = element('p', 'lab-spoken', { role: 'status', lang: 'en' });
   parent.append(
     element(
       'section',
@@ -41,13 +44,13 @@ export function createWordsCard(parent: HTMLElement): GameCard<LabRun> {
 function describe(run: LabRun): string {
   const values = run.plots.flatMap(({ y, series }) => {
     const unit = y.label.includes(', ') ? ` ${y.label.split(', ').at(-1)}` : '';
-    return series.map(({ label, value }) => `${label} ${plainNumber(value())}${unit}`);
+    return series.map(({ label, value }) => `${label} ${plainNumber(value()).replace(',', '.')}${unit}`);
   });
-  const time = decimal(run.world.time, 1);
-  if (isDisturbed(run)) return WORDS.after(time, [...values, WORDS.tookPart].join('; '));
+  const time = run.world.time.toFixed(1);
+  if (isDisturbed(run)) return SENTENCE.after(time, [...values, SENTENCE.tookPart].join('; '));
   const states = run.checkStates().filter(({ state }) => state !== 'not applicable');
   const passed = states.filter(({ state }) => state === 'passed').length;
   const failed = states.filter(({ state }) => state === 'failed').length;
-  const checks = `${WORDS.proven(passed, states.length)}${failed > 0 ? WORDS.off(failed) : ''}`;
-  return WORDS.after(time, [...values, checks].join('; '));
+  const checks = `${SENTENCE.proven(passed, states.length)}${failed > 0 ? SENTENCE.off(failed) : ''}`;
+  return SENTENCE.after(time, [...values, checks].join('; '));
 }

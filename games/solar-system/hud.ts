@@ -49,8 +49,7 @@ export function createHud(context: ViewContext<Settings, SolarGame>, page: Page,
     const top = foot.offsetTop;
     const box = card.element.getBoundingClientRect();
     // On a wide, low window the card stands at the side.
-    const isBeside =
-      box.height > 0 && getComputedStyle(card.element).position === 'fixed' && box.height > 0.5 * offsetHeight;
+    const isBeside = box.height > 0 && getComputedStyle(card.element).position === 'fixed';
     covered.right = isBeside ? offsetWidth - box.left : 0;
     covered.bottom = isBeside ? 0 : offsetHeight - Math.min(top, isBeside ? top : box.height > 0 ? box.top : top);
   };

@@ -27,16 +27,27 @@ export function createLabels(
   texts: readonly (readonly [text: string, color: string])[],
   follow: (index: number) => void,
 ): Labels {
-  const tags: Tag[] = texts.map(([text, color], i) => {
+  const tags: Tag[] = texts.map(([text, color]) => {
     const element = document.createElement('button');
     element.type = 'button';
     element.className = 'ss-label';
     element.textContent = text;
     element.style.color = color;
-    element.addEventListener('click', () => follow(i));
     parent.append(element);
     return { element, x: 0, y: 0, isShown: true };
   });
+  // For fingers, names are larger than they look and may lie over each other: the nearest text is meant.
+  const stop = new AbortController();
+  parent.addEventListener(
+    'click',
+    ({ target, detail, clientX, clientY }) => {
+      const pressed = tags.findIndex(({ element }) => element === target);
+      if (pressed < 0) return;
+      const { left, top } = parent.getBoundingClientRect();
+      follow(detail === 0 ? pressed : nearestTo(tags, clientX - left, clientY - top));
+    },
+    { signal: stop.signal },
+  );
   return {
     update(spots, isShown, toScreen) {
       for (const [i, tag] of tags.entries()) {
@@ -53,9 +64,21 @@ export function createLabels(
       }
     },
     destroy() {
+      stop.abort();
       for (const { element } of tags) element.remove();
     },
   };
+}
+
+/** The name whose middle is nearest to a place in the picture, CSS pixels. */
+function nearestTo(tags: readonly Tag[], x: number, y: number): number {
+  let [nearest, least] = [0, Number.POSITIVE_INFINITY];
+  for (const [i, tag] of tags.entries()) {
+    if (!tag.isShown) continue;
+    const distance = Math.hypot(tag.x + tag.element.offsetWidth / 2 - x, tag.y - y);
+    if (distance < least) [nearest, least] = [i, distance];
+  }
+  return nearest;
 }
 
 /** Whether a name that was placed before stands where this one would. */

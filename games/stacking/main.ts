@@ -45,10 +45,11 @@ await startGame({
   },
   controls: {
     buttons: {
-      action: { label: '●', keys: ['c'] },
-      up: { label: '■', keys: ['n'] },
-      down: { label: '✶', keys: ['t'] },
+      action: { label: '●', keys: ['c'], title: WORDS.help.ball[1] },
+      up: { label: '■', keys: ['n'], title: WORDS.help.block[1] },
+      down: { label: '✶', keys: ['t'], title: WORDS.help.blast[1] },
     },
+    forMouse: true,
     press: (sim, name) => ACTIONS[name as keyof typeof ACTIONS](sim),
     release() {},
   },

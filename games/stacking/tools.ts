@@ -18,8 +18,13 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 .st-tools button:hover { background: #ffffff1c } .st-tools button:focus-visible { outline: 2px solid var(--accent) }
 .st-tools button[aria-pressed=true] { background: var(--accent); color: #1c1503 }
 .game-hint { bottom: 78px }
+/* For a mouse the buttons stand at the left, above the tools. */
+@media (pointer: fine) { .game .game-pad { left: 16px; bottom: 136px; grid: auto-flow 48px / 48px; justify-content: start }
+  .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } .game-pad [data-name=action] { left: 16px; bottom: 84px; width: 48px; height: 48px } }
 @media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools span { display: none }
-  .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px } }`;
+  .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px } }
+/* Beside the bar, so that the build has the height to itself. */
+@media (min-width: 800px) and (max-height: 479px) { .st-tools { top: 8px; left: auto; right: 8px; translate: none } .game-hint { top: auto; bottom: 10px } }`;
 
 /** @param onShare saves the scene to a link @param onHint receives what the chosen tool does */
 export function createPalette(parent: HTMLElement, onShare: () => void, onHint: (text: string) => void): Palette {

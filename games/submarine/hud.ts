@@ -18,7 +18,7 @@ const STYLE = `
 @media (max-width: 759px), (max-height: 479px) { .sub-panel { gap: 1px; bottom: 12px } .sub-goal { font-size: 15px } .sub-say, .sub-depth { font-size: 12.5px } .sub-gauges { grid-template-columns: auto 84px; font-size: 11.5px } }
 @media (pointer: coarse) { .sub-panel { left: 104px } .sub-say { max-width: 38vw } }
 /* A window held upright has more sky than the ship is high. */
-@media (orientation: portrait) { .sub-panel { left: 12px; top: 66px; bottom: auto } .sub-say { max-width: min(460px, 92vw) } }
+@media (orientation: portrait) { .sub-panel { left: 8px; top: 60px; bottom: auto; padding: 3px 12px 4px; border-radius: 12px; background: #04182ab8 } .sub-say { max-width: min(460px, 86vw) } }
 `;
 
 export interface Hud {
@@ -52,7 +52,9 @@ export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
       const { boat } = sim;
       const { x, y } = sim.world.components.Velocity;
       const { length } = sim.taken;
-      say(goal, boat.collected < length ? WORDS.goal(boat.collected, length) : WORDS.allAboard);
+      const isWon = boat.ending === 'won';
+      const isFull = boat.collected === length;
+      say(goal, isWon ? WORDS.endings.won : isFull ? WORDS.allAboard : WORDS.goal(boat.collected, length));
       const isNew = sim.world.time < TIP_SECONDS && boat.ending === 'none';
       warning.classList.toggle('tip', isNew);
       say(warning, isNew ? WORDS.start : warningOf(sim));

@@ -138,6 +138,12 @@ export class SubmarineGame {
     if (name === 'left' || name === 'right') this.boat.engine = 0;
   }
 
+  /** Takes the direction in which a pointer lies, as fractions, y up: it holds the keys of the nearest of eight ways. */
+  steer(x: number, y: number): void {
+    this.boat.engine = wayOf(x);
+    this.boat.valve = -wayOf(y);
+  }
+
   /** Sends a sound whose echo shows the bed. */
   ping(): void {
     const { world, boat, sub } = this;
@@ -238,6 +244,9 @@ export class SubmarineGame {
     if (speed > KNOCK.free) this.boat.hull -= KNOCK.cost * (speed - KNOCK.free);
   }
 }
+
+/** −1, 0 or 1: beyond the sine of 22.5° a fraction counts. */
+const wayOf = (fraction: number): number => (Math.abs(fraction) > 0.38 ? Math.sign(fraction) : 0);
 
 /** Mass with a fraction of the tank filled, kg. */
 export const massOf = (fill: number): number => DISPLACED * (0.5 + fill);

@@ -2,7 +2,7 @@
 import 'pixi.js/graphics';
 import { type Camera2D, toScreen, watchViewport } from '@principia/render-core';
 import { applyCamera, openScreen } from '@principia/render-pixi';
-import { Synth, type View, type ViewContext } from '@principia/shell';
+import { listenToSteering, listenToTaps, Synth, type View, type ViewContext } from '@principia/shell';
 import { Container } from 'pixi.js';
 import { createBoatPicture } from './boat-picture.ts';
 import { createEchoPicture } from './echo-picture.ts';
@@ -29,6 +29,15 @@ export async function openView(context: ViewContext<Settings, SubmarineGame>): P
   let picture = paint(context.sim(), content);
   const hud = createHud(context);
   const sounds = createSounds();
+  const place = { x: 0, y: 0 };
+  const steering = listenToSteering(canvas, {
+    craft() {
+      const { world, sub } = context.sim();
+      return toScreen(camera, viewport, world.components.Position.x[sub], world.components.Position.y[sub], place);
+    },
+    steer: (x, y) => context.sim().steer(x, y),
+  });
+  const stopTaps = listenToTaps(canvas, () => context.sim().ping());
   const state = { facing: 1, turn: 0 };
   return {
     canvas,
@@ -54,6 +63,7 @@ export async function openView(context: ViewContext<Settings, SubmarineGame>): P
       camera.x += share * (x + right / 2 / camera.pixelsPerMetre - camera.x);
       camera.y += share * (Math.min(y, HIGHEST_VIEW) - camera.y);
       applyCamera(content, camera, viewport);
+      steering.update();
       hud.update(sim);
       sounds(sim, context.values().sound);
       screen.render();
@@ -66,6 +76,8 @@ export async function openView(context: ViewContext<Settings, SubmarineGame>): P
     },
     toScreen: (x, y) => toScreen(camera, viewport, x, y, { x: 0, y: 0 }),
     destroy() {
+      stopTaps();
+      steering.destroy();
       sounds.destroy();
       hud.destroy();
       viewport.destroy();

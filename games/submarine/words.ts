@@ -1,5 +1,7 @@
 /** All words of the game, in every language. The type of the English ones makes a missing translation an error. */
-import { chooseWords, decimal, type Language } from '@principia/shell';
+import { chooseWords, decimal, hasCoarsePointer, type Language } from '@principia/shell';
+
+const isTouch = hasCoarsePointer();
 
 const en = {
   title: 'Submarine',
@@ -11,14 +13,17 @@ const en = {
   help: {
     tank: ['▼, ▲', 'flood the tank, or blow it out with compressed air, which takes more of it the deeper you are'],
     engine: ['◀, ▶', 'full astern, full ahead'],
-    sonar: ['X, Enter, ●', 'sonar: the echo shows bed and crates for a while'],
+    pointer: ['Hold mouse or finger', 'the boat goes there'],
+    sonar: ['X, Enter, ●, click', 'sonar: the echo shows bed and crates for a while'],
     goal: ['Goal', 'touch every crate, and come up beside the ship before the air to breathe is gone'],
     danger: ['Danger', 'the depth crushes the hull, and rocks dent it'],
     depth: ['Depth', 'presses the hull together: it carries less, so that the tank hovers with less water'],
     surface: ['At the surface', 'the compressor fills the bottles'],
   },
-  start: 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; X or ● pings',
-  goal: (taken: number, count: number) => `${taken} of ${count} crates aboard`,
+  start: isTouch
+    ? 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; a tap pings'
+    : 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; X pings. Or hold the mouse where to go.',
+  goal: (taken: number, count: number) => `Bring up ${count} crates from the bed: ${taken} aboard`,
   allAboard: 'All aboard – come up beside the ship',
   tooDeep: 'Too deep – the hull gives way!',
   lowAir: 'Little compressed air is left: come up for more',
@@ -50,14 +55,17 @@ const de: Words = {
   help: {
     tank: ['▼, ▲', 'Tank fluten oder mit Druckluft ausblasen; je tiefer du bist, desto mehr braucht es davon'],
     engine: ['◀, ▶', 'volle Kraft zurück, volle Kraft voraus'],
-    sonar: ['X, Enter, ●', 'Sonar: Das Echo zeigt Grund und Kisten für eine Weile'],
+    pointer: ['Maus oder Finger halten', 'das Boot fährt dorthin'],
+    sonar: ['X, Enter, ●, Klick', 'Sonar: Das Echo zeigt Grund und Kisten für eine Weile'],
     goal: ['Ziel', 'berühre jede Kiste und tauche neben dem Schiff auf, bevor die Atemluft zu Ende ist'],
     danger: ['Gefahr', 'die Tiefe zerdrückt den Rumpf, und Felsen beulen ihn ein'],
     depth: ['Tiefe', 'presst den Rumpf zusammen: Er trägt weniger, und der Tank schwebt mit weniger Wasser'],
     surface: ['Aufgetaucht', 'füllt der Kompressor die Flaschen'],
   },
-  start: 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; X oder ● ist das Sonar',
-  goal: (taken, count) => `${taken} von ${count} Kisten an Bord`,
+  start: isTouch
+    ? 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; Tippen ist das Sonar'
+    : 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; X ist das Sonar. Oder halte die Maus dorthin, wohin du willst.',
+  goal: (taken, count) => `Hol ${count} Kisten vom Grund: ${taken} an Bord`,
   allAboard: 'Alle an Bord – tauche neben dem Schiff auf',
   tooDeep: 'Zu tief – der Rumpf gibt nach!',
   lowAir: 'Kaum noch Druckluft: Tauche auf und hol neue',

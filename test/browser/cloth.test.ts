@@ -3,7 +3,8 @@ import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { CLOTH } from '../../games/cloth/sim.ts';
-import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state } from '../support/game-page.ts';
+import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state, steps } from '../support/game-page.ts';
+import { drag, fingerOf, focus, mouseOf, windowFor } from '../support/hands.ts';
 import { gridOf } from '../support/picture-grid.ts';
 
 const { open: play } = playGame('cloth', { viewport: { width: 900, height: 600 }, hasTouch: true });
@@ -83,6 +84,36 @@ describe('the cloth', () => {
     await page.mouse.up();
     // One thread of each column, and in 3D the diagonals beside it.
     expect(await threads()).toBeLessThanOrEqual(before - CLOTH.columns + 2);
+  });
+
+  it.each(['mouse', 'touch'] as const)('is cut through by %s until a piece falls', async (means) => {
+    const page = await play('renderer=pixi&wind=0&manual', windowFor(means));
+    await steps(page, 60);
+    const [left, right] = [await nodePlace(page, 0, 20), await nodePlace(page, CLOTH.columns - 1, 20)];
+    const lowest = async () => (await body(page, CLOTH.columns * (CLOTH.rows - 1) + 30)).y;
+    const before = await lowest();
+    const pointer = means === 'touch' ? await fingerOf(page) : mouseOf(page);
+    await drag(pointer, { x: Math.max(2, left.x - 30), y: left.y + 3 }, { x: right.x + 20, y: right.y + 3 }, 6);
+    await steps(page, 120);
+    expect(await lowest()).toBeLessThan(before - 0.5);
+  });
+
+  it('tears under its own weight once keys have made its threads weak', async () => {
+    const page = await play('renderer=pixi&wind=0&manual', windowFor('keys'));
+    await steps(page, 60);
+    expect(await broken(page)).toBe(0);
+    for (const [label, value] of [
+      ['Gravity', '30'],
+      ['Strength', '0.5'],
+    ]) {
+      await focus(page, page.locator('.lil-controller', { hasText: label }).locator('input').last());
+      await page.keyboard.press('Control+a');
+      await page.keyboard.type(value);
+      await page.keyboard.press('Enter');
+    }
+    expect((await state(page)).values).toMatchObject({ gravity: 30, strength: 0.5 });
+    await steps(page, 240);
+    expect(await broken(page)).toBeGreaterThan(10);
   });
 
   it.each(['pixi', 'three'])('shows the player’s picture, and says what is none: %s', async (renderer) => {

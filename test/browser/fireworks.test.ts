@@ -19,6 +19,7 @@ import {
   state,
   steps,
 } from '../support/game-page.ts';
+import { focus } from '../support/hands.ts';
 
 const VALUES = { wind: 0, barrage: false, sparks: 100_000 };
 
@@ -106,6 +107,15 @@ describe('hands', () => {
     expect(log.at(-1)?.input).toMatchObject({ do: 'fire', x: crosshair.x, y: crosshair.y, kind: 1 });
     // The arrow steers here: it is not the key for one step.
     expect((await state(page)).tick).toBe(151);
+  });
+
+  it('that press a button of the page fire nothing', async () => {
+    const page = await play('manual');
+    await focus(page, page.locator('.fw-extra', { hasText: 'Write' }));
+    await page.keyboard.press('Enter');
+    await steps(page, 2);
+    expect(await told(page)).toMatchObject({ isDemo: true, fired: 0, held: [] });
+    expect(await page.locator('.fw-text').isVisible()).toBe(true);
   });
 
   it('of a gamepad aim with the stick, hold and fire with the first button', async () => {

@@ -1,13 +1,27 @@
-/** The flight simulator through its real page: a take-off by keys, and a crash that is explained. */
-import { expect, it } from 'vitest';
-import { playGame, state, steps } from '../support/game-page.ts';
+/** The flight simulator through its real page: take-offs, landings and crashes by keys, mouse and touch. */
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { landingMoves, type Throttle } from '../support/flight-bot.ts';
+import { holdablePictures, playGame, state, steps, withoutPictures } from '../support/game-page.ts';
+import {
+  choose,
+  handOf,
+  holdKeys,
+  holdPad,
+  MEANS,
+  mouseOf,
+  type Steer,
+  steerByKeys,
+  steerByStick,
+  windowFor,
+} from '../support/hands.ts';
 
 const { open } = playGame('flight-simulator', { viewport: { width: 900, height: 600 } });
 /** Where the processor draws, and is busy, a frame may take more than the second of `poll`. */
 const SLOW = { timeout: 10_000 };
 
 /** Steps in portions, as frames take them. */
-async function fly(page: Parameters<typeof steps>[0], seconds: number) {
+async function fly(page: Page, seconds: number) {
   for (let left = 240 * seconds; left > 0; left -= 480) await steps(page, Math.min(480, left));
 }
 
@@ -30,15 +44,106 @@ it('takes off by throttle and stick, and says what to do next', async () => {
   expect((await state(page)).values.cockpit).toBe(true);
 });
 
-it('ends a dive with a reason in words, and begins again', async () => {
-  const page = await open('manual&mission=landing');
-  await page.keyboard.down('ArrowUp');
-  await fly(page, 20);
-  await page.keyboard.up('ArrowUp');
-  const { game } = await state(page);
-  expect(game.phase).toBe('crashed');
-  const card = page.getByRole('alert').filter({ hasText: 'Crashed' });
-  await expect.poll(() => card.textContent(), SLOW).toContain(String(game.reason));
-  await page.getByRole('button', { name: 'Play again' }).click();
-  expect((await state(page)).game).toMatchObject({ phase: 'flying', score: 0 });
+describe('a pilot', () => {
+  /** What a pilot has in hand. */
+  interface Cockpit {
+    readonly throttle: Throttle;
+    stick(x: number, y: number): Promise<unknown>;
+    /** Throttle towards idle, and brake. */
+    levers(isIdle: boolean, isBraking: boolean): Promise<unknown>;
+  }
+
+  const named = (isIdle: boolean, isBraking: boolean, names: readonly [string, string]) =>
+    names.filter((_, i) => [isIdle, isBraking][i]);
+
+  function byKeys(page: Page): Cockpit {
+    const hold = holdKeys(page);
+    return {
+      throttle: 'buttons',
+      stick: steerByKeys(page) as Steer,
+      levers: (isIdle, isBraking) => hold(named(isIdle, isBraking, ['g', 'n'])),
+    };
+  }
+
+  function byMouse(page: Page): Cockpit {
+    const mouse = mouseOf(page);
+    const centre = { x: 300, y: 300 };
+    let [wasIdle, wasBraking] = [false, false];
+    let isDown = false;
+    return {
+      throttle: 'lever',
+      async stick(x, y) {
+        if (!isDown) await mouse.press(centre);
+        isDown = true;
+        await mouse.move({ x: centre.x + 120 * x, y: centre.y - 120 * y });
+      },
+      async levers(isIdle, isBraking) {
+        if (isIdle && !wasIdle) await page.mouse.wheel(0, 1000);
+        if (isBraking && !wasBraking) await page.mouse.wheel(0, 1000);
+        [wasIdle, wasBraking] = [isIdle, isBraking];
+      },
+    };
+  }
+
+  async function byTouch(page: Page): Promise<Cockpit> {
+    const hand = await handOf(page);
+    const hold = holdPad(page, hand);
+    return {
+      throttle: 'buttons',
+      stick: steerByStick(page, hand(0)),
+      levers: (isIdle, isBraking) => hold(named(isIdle, isBraking, ['less', 'brake'])),
+    };
+  }
+
+  const COCKPITS = { keys: byKeys, mouse: byMouse, touch: byTouch };
+
+  it.each(MEANS)(
+    'lands by %s, as the same moves do in Node',
+    async (means) => {
+      const page = await open('manual&mission=landing&seed=1', { ...windowFor(means), prepare: holdablePictures });
+      const cockpit = await COCKPITS[means](page);
+      await withoutPictures(page, async () => {
+        for (const { x, y, isIdle, isBraking, steps: count } of landingMoves(1, cockpit.throttle)) {
+          await cockpit.stick(x, y);
+          await cockpit.levers(isIdle, isBraking);
+          await steps(page, count);
+        }
+      });
+      const { game } = await state(page);
+      expect(game).toMatchObject({ phase: 'landed', onGround: true });
+      expect(game.score).toBeGreaterThan(200);
+      const card = page.getByRole('alert').filter({ hasText: 'Landed!' });
+      await expect.poll(() => card.textContent(), SLOW).toContain(String(game.reason));
+    },
+    120_000,
+  );
+
+  it.each(MEANS)('that dives by %s crashes, reads why, and begins again', async (means) => {
+    const page = await open('manual&mission=landing', windowFor(means));
+    const cockpit = await COCKPITS[means](page);
+    await cockpit.stick(0, 1);
+    await fly(page, 20);
+    const { game } = await state(page);
+    expect(game.phase).toBe('crashed');
+    const card = page.getByRole('alert').filter({ hasText: 'Crashed' });
+    await expect.poll(() => card.textContent(), SLOW).toContain(String(game.reason));
+    if (means === 'mouse') await page.mouse.up();
+    else await cockpit.stick(0, 0);
+    await choose(page, means, page.getByRole('button', { name: 'Play again' }));
+    expect((await state(page)).game).toMatchObject({ phase: 'flying', score: 0 });
+  });
+
+  it('of the mouse takes off by the wheel and a drag', async () => {
+    const page = await open('manual');
+    await page.mouse.move(300, 300);
+    await page.mouse.wheel(0, -1000);
+    await fly(page, 15);
+    expect((await state(page)).game).toMatchObject({ throttle: 1, onGround: true });
+    await page.mouse.down();
+    await page.mouse.move(300, 420);
+    await fly(page, 6);
+    await page.mouse.up();
+    await fly(page, 6);
+    expect((await state(page)).game.height).toBeGreaterThan(10);
+  });
 });

@@ -133,7 +133,7 @@ describe('submarine', () => {
     expect(await overflows(page)).toEqual([]);
     const foreign = new Set([...foreignWords(SHELL.en, SHELL.de), ...foreignWords(SUBMARINE.en, SUBMARINE.de)]);
     const texts = await written(page);
-    expect(texts).toEqual(expect.arrayContaining(['U-Boot', '0 von 3 Kisten an Bord', 'Druckluft']));
+    expect(texts).toEqual(expect.arrayContaining(['U-Boot', 'Hol 3 Kisten vom Grund: 0 an Bord', 'Druckluft']));
     expect(texts.some((text) => / m, \d,\d atm · Dichte 0,9/.test(text))).toBe(true);
     expect(texts.filter((text) => foreign.has(text))).toEqual([]);
   });
@@ -206,7 +206,8 @@ describe('laboratory', () => {
     const page = await open('example=ch08-free-oscillations&ghosts=integrators&manual&lang=de', options);
     await page.evaluate(() => __game.step(60));
     if (!(await page.locator('.game-side').isVisible())) await page.keyboard.press('p');
-    await page.waitForFunction(() => /Nach 1,0 s/.test(document.querySelector('.lab-words')?.textContent ?? ''));
+    // The names of what is plotted are English, and so is the sentence about it.
+    await page.waitForFunction(() => /After 1\.0 s/.test(document.querySelector('.lab-words')?.textContent ?? ''));
     await seenOn(page, ['Probier das', 'Berechnet und exakt', 'Der des Beispiels', 'Verlet, Geschwindigkeit', 'exakt']);
     expect(await page.locator('.lab-checks').innerText()).not.toMatch(/computed|\d\.\d/);
     await page.keyboard.press('k');

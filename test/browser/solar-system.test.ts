@@ -1,7 +1,8 @@
-/** The solar system through its real page: a mission by its buttons, its link, and what the address may say. */
+/** The solar system through its real page: missions by keys, mouse and touch, their link, and what the address may say. */
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { playGame, ready, state, steps } from '../support/game-page.ts';
+import { choose, MEANS, type Means, windowFor } from '../support/hands.ts';
 
 const { open } = playGame('solar-system', { viewport: { width: 1000, height: 700 } });
 
@@ -15,41 +16,82 @@ interface Report {
 }
 
 const told = async (page: Page) => (await state(page)).game as unknown as Report;
-const press = (page: Page, text: string) => page.locator('.ss button', { hasText: text }).click();
 
 /** Steps until the journey to a date has ended. */
 async function arrive(page: Page): Promise<void> {
   for (let i = 0; i < 60 && (await told(page)).date === ''; i++) await steps(page, 10);
 }
 
-it('flies to Mars by its buttons, and the link repeats the flight', async () => {
-  const page = await open('manual');
-  await steps(page, 5);
-  await press(page, 'To Mars');
-  await arrive(page);
-  expect(await told(page)).toMatchObject({ date: '2013-11-18', phase: 'ready' });
-  await press(page, 'Reach Mars');
-  await page.waitForFunction(() => document.querySelector('.ss-say')?.textContent?.includes('Aiming'));
-  await page.waitForFunction(() => document.querySelector('.ss-say')?.textContent?.startsWith('Passes Mars'), null, {
-    timeout: 60_000,
-  });
-  await press(page, 'Launch');
-  expect((await told(page)).phase).toBe('flying');
-  await steps(page, 4000);
-  const flown = await told(page);
-  expect(flown.phase).toBe('arrived');
-  await page.waitForSelector('.game-outcome:not([hidden])');
-  const guest = await page.context().newPage();
-  await guest.goto(page.url());
-  await guest.reload();
-  await ready(guest);
-  await arrive(guest);
-  await steps(guest, 6000);
-  const repeated = await told(guest);
-  expect(repeated).toMatchObject({ phase: 'arrived', isReplay: true });
-  expect(repeated.deltaV).toBeCloseTo(flown.deltaV, 9);
-  expect(repeated.days).toBeCloseTo(flown.days, 0);
-}, 120_000);
+describe('a mission', () => {
+  const button = (page: Page, text: string) => page.locator('.ss button', { hasText: text });
+
+  /** Waits at the point L2 for the day of the launch. */
+  async function prepareLaunch(page: Page, means: Means): Promise<void> {
+    await steps(page, 5);
+    await choose(page, means, button(page, 'To Mars'));
+    await arrive(page);
+    expect(await told(page)).toMatchObject({ date: '2013-11-18', phase: 'ready' });
+  }
+
+  async function says(page: Page, start: string): Promise<void> {
+    await expect
+      .poll(() => page.locator('.ss-say').textContent(), { timeout: 60_000 })
+      .toMatch(new RegExp(`^${start}`));
+  }
+
+  /** A guest who opens the link sees the same flight. */
+  async function repeatFromLink(page: Page): Promise<void> {
+    const flown = await told(page);
+    const guest = await page.context().newPage();
+    await guest.goto(page.url());
+    await guest.reload();
+    await ready(guest);
+    await arrive(guest);
+    await steps(guest, 6000);
+    const repeated = await told(guest);
+    expect(repeated).toMatchObject({ phase: 'arrived', isReplay: true });
+    expect(repeated.deltaV).toBeCloseTo(flown.deltaV, 9);
+    expect(repeated.days).toBeCloseTo(flown.days, 0);
+  }
+
+  it.each(MEANS)(
+    'is flown to Mars by %s',
+    async (means) => {
+      const page = await open('manual', windowFor(means));
+      await prepareLaunch(page, means);
+      await choose(page, means, button(page, 'Reach Mars'));
+      await says(page, 'Aiming');
+      await says(page, 'Passes Mars');
+      await choose(page, means, button(page, 'Launch'));
+      expect((await told(page)).phase).toBe('flying');
+      await steps(page, 4000);
+      expect((await told(page)).phase).toBe('arrived');
+      const card = page.locator('.game-outcome');
+      await card.waitFor({ state: 'visible' });
+      expect(await card.textContent()).toContain('Mars');
+      if (means === 'mouse') await repeatFromLink(page);
+    },
+    120_000,
+  );
+
+  it.each(MEANS)(
+    'fails by %s without aiming, and is tried again',
+    async (means) => {
+      const page = await open('manual', windowFor(means));
+      await prepareLaunch(page, means);
+      await says(page, 'Passes Mars');
+      await choose(page, means, button(page, 'Launch'));
+      for (let i = 0; i < 20 && (await told(page)).phase === 'flying'; i++) await steps(page, 1000);
+      expect((await told(page)).phase).toBe('lost');
+      const card = page.locator('.game-outcome');
+      await card.waitFor({ state: 'visible' });
+      await choose(page, means, card.locator('button', { hasText: 'Play again' }));
+      await arrive(page);
+      expect(await told(page)).toMatchObject({ phase: 'ready', deltaV: 0 });
+    },
+    120_000,
+  );
+});
 
 it('goes to the date of the address, follows a body by a key, and says what it cannot read', async () => {
   const page = await open('manual#date=2012-06-30&follow=saturn&speed=abc');

@@ -1,5 +1,6 @@
 /** Input that is legal but surely not meant gets a warning, once, that says what to do. */
 import {
+  boris,
   boxWalls,
   createPhysicsWorld,
   createRunner,
@@ -59,6 +60,13 @@ it('names a coefficient that no force reads, and the force to add', () => {
   step(world, 0.01);
   expect(messages()).toBe('LinearDrag has no effect, because no force of this world reads it.');
   expect(warnings[0].hint).toBe('Add linearDrag() to `forces`.');
+});
+
+it('knows that an integrator reads charges', () => {
+  const { world, warnings } = listen({ integrator: boris({ field: { z: 1 } }) });
+  spawn(world, { position: {}, mass: 1, charge: 2 });
+  step(world, 0.01);
+  expect(warnings).toEqual([]);
 });
 
 it('names a force that is there twice, but not two of different parameters', () => {

@@ -4,7 +4,17 @@ import type { Page } from 'playwright-core';
 import { Autopilot } from '../../games/black-hole/autopilot.ts';
 import type { Heading } from '../../games/black-hole/heading.ts';
 import { createGame } from '../../games/black-hole/sim.ts';
-import { body, fingersOf, frames, steps } from './game-page.ts';
+import { body, frames, steps } from './game-page.ts';
+import {
+  fingerOf,
+  mouseOf,
+  type Pointer,
+  type Spot,
+  type Steer,
+  steerByKeys,
+  steerByPointer,
+  steerByStick,
+} from './hands.ts';
 
 export const VALUES = { fuel: true, moving: true, steep: false, autopilot: false };
 
@@ -41,75 +51,28 @@ export interface Hand {
   push(heading: Heading | undefined): Promise<unknown>;
 }
 
-const KEYS: Record<Heading, string> = { up: 'ArrowUp', left: 'ArrowLeft', down: 'ArrowDown', right: 'ArrowRight' };
-const WAYS: Record<Heading, readonly [number, number]> = { up: [0, -1], left: [-1, 0], down: [0, 1], right: [1, 0] };
-/** From the ship to the pointer, CSS pixels. */
+const WAYS: Record<Heading, readonly [number, number]> = { up: [0, 1], left: [-1, 0], down: [0, -1], right: [1, 0] };
+/** From the ship to the pointer, CSS pixels: enough for full thrust. */
 const REACH = 70;
 
-function keys(page: Page): Hand {
-  let held: Heading | undefined;
-  return {
-    async push(heading) {
-      // The last key comes up before the next goes down, as any key let go cuts the thrust.
-      if (held !== undefined) await page.keyboard.up(KEYS[held]);
-      if (heading !== undefined) await page.keyboard.down(KEYS[heading]);
-      held = heading;
-    },
+const handOf = (steer: Steer): Hand => ({ push: (heading) => steer(...(heading ? WAYS[heading] : ([0, 0] as const))) });
+
+/** The ship is where the pointer steers from, as it is drawn. */
+function aboutShip(page: Page, pointer: Pointer): Hand {
+  const place = async () => {
+    await frames(page);
+    return (await body(page, 0)).screen as Spot;
   };
+  return handOf(steerByPointer(pointer, place, REACH));
 }
 
-/** Where to point for full thrust in a heading. */
-async function placeFor(page: Page, heading: Heading) {
-  await frames(page);
-  const { screen } = await body(page, 0);
-  const [x, y] = WAYS[heading];
-  return { x: (screen?.x ?? 0) + REACH * x, y: (screen?.y ?? 0) + REACH * y };
-}
-
-function mouse(page: Page): Hand {
-  let isDown = false;
-  return {
-    async push(heading) {
-      if (heading !== undefined) {
-        const { x, y } = await placeFor(page, heading);
-        await page.mouse.move(x, y);
-        if (!isDown) await page.mouse.down();
-      } else if (isDown) await page.mouse.up();
-      isDown = heading !== undefined;
-    },
-  };
-}
-
-async function finger(page: Page): Promise<Hand> {
-  const touch = await fingersOf(page);
-  let isDown = false;
-  return {
-    async push(heading) {
-      if (heading !== undefined) {
-        await touch(isDown ? 'touchMove' : 'touchStart', [await placeFor(page, heading)]);
-        // Browsers hand moves of fingers out once a frame.
-        await frames(page);
-      } else if (isDown) await touch('touchEnd');
-      isDown = heading !== undefined;
-    },
-  };
-}
+const keys = async (page: Page): Promise<Hand> => handOf(await steerByKeys(page));
+const mouse = (page: Page): Hand => aboutShip(page, mouseOf(page));
+const finger = async (page: Page): Promise<Hand> => aboutShip(page, await fingerOf(page));
 
 async function touchStick(page: Page): Promise<Hand> {
-  const touch = await fingersOf(page);
   await page.addStyleTag({ content: '.game-pad { display: grid !important }' });
-  let isDown = false;
-  return {
-    async push(heading) {
-      if (isDown) await touch('touchEnd');
-      isDown = heading !== undefined;
-      if (heading === undefined) return;
-      const box = await page.locator('.game-stick').boundingBox();
-      if (box === null) throw new Error('The touch pad has no stick.');
-      const [x, y] = WAYS[heading];
-      await touch('touchStart', [{ x: box.x + box.width * (0.5 + 0.4 * x), y: box.y + box.height * (0.5 + 0.4 * y) }]);
-    },
-  };
+  return handOf(steerByStick(page, await fingerOf(page)));
 }
 
 /** The left stick of a gamepad. Browsers have no way to plug one in for a test, so the page is told of one. */
@@ -123,11 +86,11 @@ async function gamepad(page: Page): Promise<Hand> {
   });
   return {
     async push(heading) {
-      const way = heading === undefined ? [0, 0] : WAYS[heading];
+      const way = heading === undefined ? ([0, 0] as const) : WAYS[heading];
       await page.evaluate(([x, y]) => {
         const { stick } = globalThis as unknown as { stick: number[] };
         stick[0] = x;
-        stick[1] = y;
+        stick[1] = -y;
       }, way);
       await frames(page);
     },

@@ -81,6 +81,47 @@ export const body = (page: Page, index: number): Promise<BodyState> => page.eval
 /** Steps of a game that was opened with `manual`. */
 export const steps = (page: Page, count: number) => page.evaluate((n) => __game.step(n), count);
 
+/**
+ * Takes steps if the game reports what is wanted, with no picture between the two.
+ * @returns whether it did
+ */
+export const stepsIf = (page: Page, wanted: Readonly<Record<string, unknown>>, count: number): Promise<boolean> =>
+  page.evaluate(
+    ([wanted, count]) => {
+      const { game } = __game.state();
+      if (Object.entries(wanted).some(([name, value]) => game[name] !== value)) return false;
+      __game.step(count);
+      return true;
+    },
+    [wanted, count] as const,
+  );
+
+/** For `prepare`: lets `withoutPictures` keep the page from drawing. */
+export function holdablePictures(): void {
+  const ask = requestAnimationFrame.bind(globalThis);
+  let held: FrameRequestCallback[] | undefined;
+  globalThis.requestAnimationFrame = (callback) => (held === undefined ? ask(callback) : held.push(callback));
+  Object.assign(globalThis, {
+    holdPictures(isHeld: boolean) {
+      const waiting = held ?? [];
+      held = isHeld ? waiting : undefined;
+      if (!isHeld) for (const callback of waiting) ask(callback);
+    },
+  });
+}
+
+/**
+ * Does something while the page draws nothing, so that inputs arrive at once also where the processor draws. The page was
+ * opened with `prepare: holdablePictures`.
+ */
+export async function withoutPictures(page: Page, act: () => Promise<unknown>): Promise<void> {
+  const hold = (isHeld: boolean) =>
+    page.evaluate((on) => (globalThis as unknown as { holdPictures(on: boolean): void }).holdPictures(on), isHeld);
+  await hold(true);
+  await act();
+  await hold(false);
+}
+
 /** Two pictures, as the display shows them, since a change of the world shows in the second at the latest. */
 export const frames = (page: Page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));

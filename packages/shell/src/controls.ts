@@ -6,6 +6,8 @@ import { words } from './words.ts';
 export interface ControlButton {
   /** Label on the touch pad: a symbol or a short word. */
   readonly label: string;
+  /** What the button does, for a symbol: a tooltip, and what screen readers say. Default its name. */
+  readonly title?: string;
   /** Values of `KeyboardEvent.key`, in lower case. These keys have no other function in the game. */
   readonly keys: readonly string[];
   /** Button indices of a standard gamepad. Default none. */
@@ -19,6 +21,8 @@ export interface ControlButton {
 /** How a game is controlled. Button names give the layout of the touch pad: `up`, `left`, `right`, `down`, `action`. */
 export interface Controls<Sim> {
   readonly buttons: Readonly<Record<string, ControlButton>>;
+  /** Shows the touch pad to a mouse too, which has no other way to these buttons; default false. */
+  readonly forMouse?: boolean;
   press(sim: Sim, name: string): void;
   release(sim: Sim, name: string): void;
   /**
@@ -94,6 +98,7 @@ export function listenToControls<Sim>(
   );
   const stopKeys = listenToHeldKeys(buttons, held);
   const pad = createTouchPad(buttons, held, stick);
+  pad.toggleAttribute('data-mouse', controls.forMouse === true);
   parent.append(pad);
   const releaseAll = () => {
     held.clear();
@@ -135,6 +140,8 @@ function listenToHeldKeys(buttons: Readonly<Record<string, ControlButton>>, held
     const target = event.target as Element | null;
     const down = event.type === 'keydown';
     if (down && target?.closest?.('input, select, textarea, [contenteditable], dialog')) return;
+    // What has the focus is pressed by this key.
+    if (down && event.key === 'Enter' && target?.closest?.('button, a, summary')) return;
     event.preventDefault();
     if (!event.repeat) held.set(name, event.key.toLowerCase(), down);
   };
@@ -154,12 +161,17 @@ function createTouchPad(
 ): HTMLElement {
   const pad = element('div', 'game-pad', { role: 'group', 'aria-label': words().controls });
   if (stick !== undefined) pad.append(createTouchStick(stick));
-  for (const [name, { label, touch = true }] of Object.entries(buttons)) {
+  for (const [name, { label, title, touch = true }] of Object.entries(buttons)) {
     if (!touch || (stick !== undefined && Object.hasOwn(FOUR_WAYS, name))) continue;
     const button = element(
       'button',
       '',
-      { type: 'button', 'data-name': name, 'aria-label': words().ways[name] ?? name },
+      {
+        type: 'button',
+        'data-name': name,
+        'aria-label': title ?? words().ways[name] ?? name,
+        ...(title === undefined ? {} : { title }),
+      },
       label,
     );
     button.addEventListener('pointerdown', (event) => {

@@ -45,6 +45,7 @@ export {
 } from './settings.ts';
 export { connectToSpeakers } from './sound-outputs.ts';
 export { startGame } from './start-game.ts';
+export { listenToSteering, type Steering, type SteeringOptions } from './steering.ts';
 export { type SoundShape, Synth } from './synth.ts';
 export { listenToTaps } from './taps.ts';
 export type { BodyState, GameHook, GameState } from './test-hook.ts';

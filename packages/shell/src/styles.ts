@@ -16,7 +16,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-side :is(input, select, button):focus-visible { outline: 2px solid var(--accent); outline-offset: 1px }
 .game-bar { position: absolute; left: 0; top: 0; display: flex; align-items: center; gap: 6px; flex-wrap: wrap;
   padding: max(12px, env(safe-area-inset-top)) 16px 8px max(20px, env(safe-area-inset-left)); pointer-events: none }
-.game-title { margin: 0 14px 0 0; font-size: 20px; font-weight: 650; letter-spacing: -0.01em }
+.game-title { text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226; margin: 0 14px 0 0; font-size: 20px; font-weight: 650; letter-spacing: -0.01em }
 .game-bar :is(button, a) { pointer-events: auto; min-width: 38px; height: 38px; padding: 0 9px; display: grid; place-items: center; box-sizing: border-box;
   border: 1px solid var(--line); border-radius: 11px; background: var(--card); color: var(--ink);
   font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation; transition: background .15s }
@@ -95,6 +95,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 /* The action lies apart from the directions, so that a thumb that steers does not hit it. */
 .game-pad [data-name=action] { position: fixed; left: max(20px, env(safe-area-inset-left)); bottom: max(24px, env(safe-area-inset-bottom));
   width: 64px; height: 64px }
+@media (pointer: fine) { .game-pad[data-mouse] { display: grid } .game-pad button { cursor: pointer } .game-pad button:hover { background: #ffffff30 } }
 @media (pointer: coarse) { .game-pad { display: grid } .game-bar :is(button, a) { min-width: 44px; height: 44px }
   .game-side .lil-gui { --row-height: 48px; --widget-height: 44px; --checkbox-size: 28px }
   .game-tools button, .game-banner button, .game-help button, .game-outcome button, .game-clip button { min-height: 44px; min-width: 44px }
@@ -115,16 +116,19 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-hint { position: absolute; left: 16px; right: 16px; bottom: max(14px, env(safe-area-inset-bottom)); margin: 0; pointer-events: none;
   text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
+/* A window on its side has no room above the picture, but some between the buttons at the corners. */
+@media (pointer: coarse) and (max-height: 479px) { .game-hint { top: auto; bottom: 10px; left: 172px; right: 172px } }
 .game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
 .u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }
 .uplot canvas { display: block; position: relative; width: 100%; height: 100% } .u-axis.u-off { display: none }
 .game:has(.game-side:not([hidden])) .game-bar { right: 288px }
 .game:has(.game-side:not([hidden])) .game-pad { right: 300px }
+.game:has(.game-side:not([hidden])) .game-hint { right: 304px }
 @media (max-width: 999px) { .game-title { display: none } .game-bar { padding-left: max(12px, env(safe-area-inset-left)) } }
 @media ${NARROW} { .game-side { top: 66px; max-height: calc(100% - 78px) }
   .game:has(.game-side:not([hidden])) .game-bar { right: 0 }
-  .game:has(.game-side:not([hidden])) .game-pad { display: none }
+  .game:has(.game-side:not([hidden])) :is(.game-pad, .game-hint) { display: none }
   .game:has(.game-side:not([hidden])) .game-banner { left: 50%; max-width: calc(100% - 32px) }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar :is(button, a) { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }

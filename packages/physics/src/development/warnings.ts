@@ -69,7 +69,7 @@ const READ_BY_FORCES: Partial<Record<ComponentName, string>> = {
 };
 
 function warnAboutUnreadComponents(world: PhysicsWorld): void {
-  const read = new Set(world.forces.flatMap(({ reads }) => reads));
+  const read = new Set([...world.forces.flatMap(({ reads }) => reads), ...(world.integrator.reads ?? [])]);
   for (const [component, factory] of Object.entries(READ_BY_FORCES) as [ComponentName, string][]) {
     if (world.internal.counts[component] === 0 || read.has(component)) continue;
     warnOnce(world, {

@@ -49,6 +49,7 @@ export function boris(options: BorisOptions): Integrator {
       order: 2,
       symplectic: false,
       evaluations: 1,
+      reads: ['Charge'],
       isStable: (stiffness, damping) => stiffness + 2 * damping <= 4,
     },
     ({ position, velocity, dt, charge, mass }, kick, [uniform]) => {

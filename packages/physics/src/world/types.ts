@@ -144,6 +144,8 @@ export interface Integrator {
   isStable?(stiffness: number, damping: number): boolean;
   /** Number of real columns that the scheme allocates; a world created with it reserves memory for them. Default 0. */
   readonly columns?: number;
+  /** Components that only the forces read elsewhere, and this scheme as well. Default none. */
+  readonly reads?: readonly string[];
   /** The integrator solves springs as constraints: the force `springs()` then adds only its potential. Default false. */
   readonly solvesSprings?: boolean;
   /** The integrator holds bodies at walls itself: systems of the phase `walls` then do nothing. Default false. */

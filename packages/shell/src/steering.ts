@@ -1,23 +1,23 @@
-/** Control by touch or mouse: the engine thrusts towards the pointer, the harder the farther away it is. */
+/** Control by touch or mouse: a craft goes towards the pointer, the harder the farther away it is. */
 
-/** Distances from the ship, CSS pixels: below the first the engine is off, beyond the second it gives full thrust. */
+/** Distances from the craft, CSS pixels: below the first the engine is off, beyond the second it gives full thrust. */
 const DEAD_ZONE = 8;
 const FULL_THRUST = 60;
 
 export interface SteeringOptions {
-  /** Position of the ship on the canvas, CSS pixels. */
-  ship(): { x: number; y: number };
+  /** Position of the craft on the canvas, CSS pixels. */
+  craft(): { x: number; y: number };
   /** Takes fractions of full thrust, y up; (0, 0) when the pointer is released. */
   steer(x: number, y: number): void;
 }
 
 export interface Steering {
-  /** Call it once a frame, because the ship moves below a resting pointer. */
+  /** Call it once a frame, because the craft moves below a resting pointer. */
   update(): void;
   destroy(): void;
 }
 
-export function listenToSteering(canvas: HTMLCanvasElement, { ship, steer }: SteeringOptions): Steering {
+export function listenToSteering(canvas: HTMLCanvasElement, { craft, steer }: SteeringOptions): Steering {
   let pointer: number | undefined;
   // A typed array, because a captured variable would allocate a number on the heap in every frame.
   const sent = new Float64Array(2);
@@ -35,7 +35,7 @@ export function listenToSteering(canvas: HTMLCanvasElement, { ship, steer }: Ste
   };
   const update = () => {
     if (pointer === undefined) return;
-    const { x, y } = ship();
+    const { x, y } = craft();
     const dx = place.x - x;
     const dy = y - place.y;
     const distance = Math.hypot(dx, dy);
