@@ -36,7 +36,7 @@ export interface SoftStepOptions {
   readonly contactDampingRatio?: number;
   /** Largest speed at which overlap is pushed out, m/s; default 3. */
   readonly contactSpeed?: number;
-  /** Frequency of joints as springs, Hz; default 60, at most a quarter of the rate of sub-steps. */
+  /** Frequency of joints as springs, Hz; default 72, at most three tenths of the rate of sub-steps. */
   readonly jointHertz?: number;
   /** Damping ratio of joints; default 2. */
   readonly jointDampingRatio?: number;
@@ -93,7 +93,7 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     [Value.sleepSpeed, number('sleepSpeed', 0.05, 0, 1e6)],
     [Value.sleepTime, number('sleepTime', 0.5, 0, 1e6)],
     [Value.hitSpeed, number('hitSpeed', 1, 0, 1e6)],
-    [Value.jointHertz, number('jointHertz', 60, 0.1, 1e6)],
+    [Value.jointHertz, number('jointHertz', 72, 0.1, 1e6)],
     [Value.jointDampingRatio, number('jointDampingRatio', 2, 0, 1000)],
     [Value.restitutionThreshold, number('restitutionThreshold', 1, 0, 1e6)],
   ];
