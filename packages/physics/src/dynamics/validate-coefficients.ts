@@ -4,6 +4,7 @@ import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/a
 import type { ComponentSpec, RealColumn } from '../components/define.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { reportFault } from '../errors/report-fault.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** A component and those of its columns that are checked. */
@@ -57,9 +58,9 @@ function coefficientsOf(components: readonly ComponentName[], isShared: boolean)
   }));
 }
 
-const BODIES = /* @__PURE__ */ coefficientsOf(['Mass', 'Charge'], true);
-/** Shapes attached to a body have a Collider too, in rows without a Position. */
-const COLLIDERS = /* @__PURE__ */ coefficientsOf(['Collider'], true);
+/** Components by which bodies act on others. */
+const SHARED: readonly ComponentName[] = ['Mass', 'Charge', 'Collider'];
+const COUPLING = /* @__PURE__ */ coefficientsOf(SHARED, true);
 /** A bad engine would burn its fuel within the step. */
 const ENGINE = /* @__PURE__ */ coefficientsOf(['Engine'], false);
 const OTHERS = /* @__PURE__ */ coefficientsOf(
@@ -70,44 +71,57 @@ const OTHERS = /* @__PURE__ */ coefficientsOf(
 /** Steps in which all rows of a column are checked once, where a bad value stays with its own body. */
 const ROUND = 64;
 
+/** The coefficients that every step checks, because a bad value would reach other bodies within the step. */
+const coupling = cachedWithPlan(({ forces, integrator, phases }): readonly Coefficients[] => {
+  if (integrator.wholeWorld === true || phases.collide.length > 0) return COUPLING;
+  const read = forces.filter(({ local }) => !local).flatMap(({ readsOfOthers = SHARED }) => readsOfOthers);
+  return COUPLING.filter(({ component }) => read.includes(component));
+});
+
 /**
- * Reports coefficients out of bounds and corrects them. If forces, the integrator or contacts couple bodies, every step
- * checks the columns that couple them. Of all other columns it checks one part in 64, so that an invalid value is found
+ * Reports coefficients out of bounds and corrects them. Every step checks the columns by which the forces, the integrator or
+ * contacts couple bodies. Of all other columns it checks one part in 64, so that an invalid value is found
  * within 64 steps; reading every column in every step would slow particles down by a third.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
-  const { internal, ranges } = world;
-  const { sweptRows } = internal;
+  const { sweptRows } = world.internal;
   const rowsPerStep = 16 * Math.ceil(sweptRows / 16 / ROUND);
   const start = rowsPerStep * (world.tick % ROUND);
   const end = Math.min(start + rowsPerStep, sweptRows);
-  checkColumns(world, ENGINE, 0, sweptRows);
-  if (couplesBodies(world)) {
-    for (let r = 0; r < ranges.count; r++) checkColumns(world, BODIES, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
-    checkColumns(world, COLLIDERS, 0, sweptRows);
+  checkAll(world, ENGINE, 0, sweptRows);
+  const coupled = coupling(world);
+  for (let c = 0; c < coupled.length; c++) checkCoupling(world, coupled[c]);
+  checkAll(world, COUPLING, start, end);
+  checkAll(world, OTHERS, start, end);
+}
+
+/** Checks all rows in which a body may have the component. */
+function checkCoupling(world: PhysicsWorld, coefficients: Coefficients): void {
+  const { ranges, internal } = world;
+  if (coefficients.component === 'Collider') {
+    // Shapes attached to a body have a Collider in rows without a Position.
+    checkColumns(world, coefficients, 0, internal.sweptRows);
+    return;
   }
-  checkColumns(world, BODIES, start, end);
-  checkColumns(world, COLLIDERS, start, end);
-  checkColumns(world, OTHERS, start, end);
+  for (let r = 0; r < ranges.count; r++) {
+    checkColumns(world, coefficients, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
+  }
 }
 
-function couplesBodies({ internal, integrator, phases }: PhysicsWorld): boolean {
-  return internal.plan?.forcesLocal !== true || integrator.wholeWorld === true || phases.collide.length > 0;
-}
-
-function checkColumns(world: PhysicsWorld, list: readonly Coefficients[], first: number, last: number): void {
+function checkAll(world: PhysicsWorld, list: readonly Coefficients[], first: number, last: number): void {
   // A world of few bodies has no rows to check in most steps.
   if (first >= last) return;
+  for (let c = 0; c < list.length; c++) checkColumns(world, list[c], first, last);
+}
+
+function checkColumns(world: PhysicsWorld, { component, columns }: Coefficients, first: number, last: number): void {
   const { addresses, kernels, internal } = world;
-  for (let c = 0; c < list.length; c++) {
-    const { component, columns } = list[c];
-    if (internal.counts[component] === 0) continue;
-    const at: Readonly<Record<string, number>> = addresses[component];
-    for (let f = 0; f < columns.length; f++) {
-      const { field, min, max } = columns[f];
-      if (kernels.isColumnWithin(at[field], min, max, first, last) === 0) {
-        correctRows(world, component, columns[f], first, last);
-      }
+  if (internal.counts[component] === 0) return;
+  const at: Readonly<Record<string, number>> = addresses[component];
+  for (let f = 0; f < columns.length; f++) {
+    const { field, min, max } = columns[f];
+    if (kernels.isColumnWithin(at[field], min, max, first, last) === 0) {
+      correctRows(world, component, columns[f], first, last);
     }
   }
 }

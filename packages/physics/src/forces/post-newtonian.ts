@@ -36,6 +36,7 @@ export function postNewtonian(options: PostNewtonianOptions): Force {
     parameters: { G: { unit: 'm³/(kg s²)', value: G }, speedOfLight: { unit: 'm/s', value: c } },
     reads: ['Position', 'Velocity', 'Mass'],
     local: false,
+    readsOfOthers: ['Mass'],
     accumulate(world, first, last) {
       const mass = world.components.Mass.value[central];
       if (!(mass > 0 && mass < Infinity)) return;

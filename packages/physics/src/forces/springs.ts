@@ -33,6 +33,7 @@ export function springs(): Force {
     equation: 'F = -(k (d - L) + c ḋ) n',
     reads: ['Position', 'Velocity'],
     local: false,
+    readsOfOthers: [],
     prepare(world, dt) {
       if (world.integrator.solvesSprings === true) return;
       const table = scanSprings(world);

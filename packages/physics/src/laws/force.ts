@@ -1,3 +1,4 @@
+import type { ComponentName } from '../components/all.ts';
 import { checkHas } from '../errors/validate.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 
@@ -10,6 +11,8 @@ export interface CustomForce {
   readonly reads?: readonly string[];
   /** Default true: the force on a body depends on that body only. */
   readonly local?: boolean;
+  /** If not local: components of other bodies that it reads beside position and velocity. Default all. */
+  readonly readsOfOthers?: readonly ComponentName[];
   /** Default false: the force also adds to `world.scratch.torque`. */
   readonly appliesTorque?: boolean;
   prepare?(world: PhysicsWorld, dt: number): void;
@@ -28,6 +31,7 @@ export function defineForce(force: CustomForce): Force {
     equation = '',
     reads = [],
     local = true,
+    readsOfOthers,
     appliesTorque = false,
     accumulate,
     prepare,
@@ -40,6 +44,7 @@ export function defineForce(force: CustomForce): Force {
     local,
     appliesTorque,
     accumulate,
+    ...(readsOfOthers && { readsOfOthers }),
     ...(prepare && { prepare }),
     ...(potential && { potential }),
   };

@@ -100,6 +100,7 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
     parameters: spec.parameters,
     reads: ['Position', spec.strength],
     local: false,
+    readsOfOthers: [spec.strength],
     prepare(world) {
       sum.workOf(world);
     },

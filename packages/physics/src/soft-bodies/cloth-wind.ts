@@ -54,6 +54,7 @@ export function clothWind(options: ClothWindOptions): Force {
     },
     reads: ['Position', 'Velocity'],
     local: false,
+    readsOfOthers: [],
     prepare(world) {
       if (world.dimensions === 2) {
         throw new PhysicsError(

@@ -54,6 +54,7 @@ export function enclosedGas(options: GasOptions): Force {
     },
     reads: ['Position'],
     local: false,
+    readsOfOthers: [],
     prepare: (world) => void faces(world),
     accumulate(world) {
       const { at, count } = faces(world);

@@ -79,6 +79,11 @@ export interface Force {
   readonly reads: readonly string[];
   /** The force on a body depends on that body only. */
   readonly local: boolean;
+  /**
+   * For forces that are not local: components of other bodies, beside position and velocity, on which the force on a body
+   * depends. Every step checks their columns, so that a bad value of one body reaches no other. Default all.
+   */
+  readonly readsOfOthers?: readonly ComponentName[];
   /** The expressions of the law. Default none: it has `accumulate`. */
   readonly law?: Law;
   /** The values of the parameters of the law. Default none. */
