@@ -22,15 +22,8 @@ interface Coefficient {
   readonly isShared: boolean;
 }
 
-/**
- * Components that are not in the list of others: those of the lists above, the state of bodies and walls, which have their
- * own checks, and columns that physics does not read.
- */
-const CHECKED_ELSEWHERE: readonly string[] = [
-  'Mass',
-  'Charge',
-  'Collider',
-  'Engine',
+/** State of bodies and walls, which have their own checks, and columns that physics does not read. */
+const CHECKED_ELSEWHERE: readonly ComponentName[] = [
   'Position',
   'Velocity',
   'Rotation',
@@ -42,57 +35,81 @@ const CHECKED_ELSEWHERE: readonly string[] = [
   'Quarantined',
 ];
 
+/** Components by which bodies act on others. */
+const SHARED: readonly ComponentName[] = ['Mass', 'Charge', 'Collider'];
+
 /** The largest finite number of f32: a column of either precision holds it. */
 const MAX_REAL = 3.4028234663852886e38;
 
-/** The real fields of some components. */
-function coefficientsOf(components: readonly ComponentName[], isShared: boolean): readonly Coefficients[] {
-  return components.map((component) => ({
-    component,
-    columns: Object.entries((COMPONENTS[component] as ComponentSpec).fields)
-      .filter(([, { kind, bounds }]) => kind === 'real' && bounds.integer !== true)
-      .map(([field, { bounds }]) => {
-        const { min = bounds.above ?? -MAX_REAL, max = MAX_REAL } = bounds;
-        return { field, min, max, isShared };
-      }),
-  }));
-}
+/** The real fields of all components that are checked. */
+const COEFFICIENTS: readonly Coefficients[] = /* @__PURE__ */ COMPONENT_NAMES.filter(
+  (name) => !CHECKED_ELSEWHERE.includes(name),
+).map((component) => ({ component, columns: coefficientsOf(component) }));
 
-/** Components by which bodies act on others. */
-const SHARED: readonly ComponentName[] = ['Mass', 'Charge', 'Collider'];
-const COUPLING = /* @__PURE__ */ coefficientsOf(SHARED, true);
-/** A bad engine would burn its fuel within the step. */
-const ENGINE = /* @__PURE__ */ coefficientsOf(['Engine'], false);
-const OTHERS = /* @__PURE__ */ coefficientsOf(
-  COMPONENT_NAMES.filter((name) => !CHECKED_ELSEWHERE.includes(name)),
-  false,
-);
+function coefficientsOf(component: ComponentName): readonly Coefficient[] {
+  const isShared = SHARED.includes(component);
+  return Object.entries((COMPONENTS[component] as ComponentSpec).fields)
+    .filter(([, { kind, bounds }]) => kind === 'real' && bounds.integer !== true)
+    .map(([field, { bounds }]) => {
+      const { min = bounds.above ?? -MAX_REAL, max = MAX_REAL } = bounds;
+      return { field, min, max, isShared };
+    });
+}
 
 /** Steps in which all rows of a column are checked once, where a bad value stays with its own body. */
 const ROUND = 64;
 
-/** The coefficients that every step checks, because a bad value would reach other bodies within the step. */
-const coupling = cachedWithPlan(({ forces, integrator, phases }): readonly Coefficients[] => {
-  if (integrator.wholeWorld === true || phases.collide.length > 0) return COUPLING;
-  const read = forces.filter(({ local }) => !local).flatMap(({ readsOfOthers = SHARED }) => readsOfOthers);
-  return COUPLING.filter(({ component }) => read.includes(component));
+/** What is checked in a world, without the components that nothing has: most worlds use few of them. */
+interface Watch {
+  /** The version of membership for which the lists were made. */
+  membership: number;
+  /** Engines, where a bad value would burn fuel within the step. */
+  readonly engine: Coefficients[];
+  /** Those by which bodies are coupled: a bad value would reach other bodies within the step. */
+  readonly coupling: Coefficients[];
+  /** All but engines. */
+  readonly all: Coefficients[];
+}
+
+const watchOf = cachedWithPlan((): Watch => ({ membership: -1, engine: [], coupling: [], all: [] }));
+
+/** The components by which the forces, the integrator or contacts couple bodies. */
+const coupledBy = cachedWithPlan(({ forces, integrator, phases }): readonly ComponentName[] => {
+  if (integrator.wholeWorld === true || phases.collide.length > 0) return SHARED;
+  return forces.filter(({ local }) => !local).flatMap(({ readsOfOthers = SHARED }) => readsOfOthers);
 });
 
 /**
- * Reports coefficients out of bounds and corrects them. Every step checks the columns by which the forces, the integrator or
- * contacts couple bodies. Of all other columns it checks one part in 64, so that an invalid value is found
+ * Reports coefficients out of bounds and corrects them. Every step checks those by which bodies are coupled. Of all other columns it checks one part in 64, so that an invalid value is found
  * within 64 steps; reading every column in every step would slow particles down by a third.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
+  const { engine, coupling, all } = currentWatch(world);
   const { sweptRows } = world.internal;
   const rowsPerStep = 16 * Math.ceil(sweptRows / 16 / ROUND);
   const start = rowsPerStep * (world.tick % ROUND);
   const end = Math.min(start + rowsPerStep, sweptRows);
-  checkAll(world, ENGINE, 0, sweptRows);
-  const coupled = coupling(world);
-  for (let c = 0; c < coupled.length; c++) checkCoupling(world, coupled[c]);
-  checkAll(world, COUPLING, start, end);
-  checkAll(world, OTHERS, start, end);
+  for (let c = 0; c < engine.length; c++) checkColumns(world, engine[c], 0, sweptRows);
+  for (let c = 0; c < coupling.length; c++) checkCoupling(world, coupling[c]);
+  // A world of few bodies has no rows to check in most steps.
+  if (start >= end) return;
+  for (let c = 0; c < all.length; c++) checkColumns(world, all[c], start, end);
+}
+
+function currentWatch(world: PhysicsWorld): Watch {
+  const watch = watchOf(world);
+  if (watch.membership === world.versions.membership) return watch;
+  watch.membership = world.versions.membership;
+  const coupled = coupledBy(world);
+  const { engine, coupling, all } = watch;
+  engine.length = coupling.length = all.length = 0;
+  for (const each of COEFFICIENTS) {
+    const { component } = each;
+    if (world.internal.counts[component] === 0) continue;
+    (component === 'Engine' ? engine : all).push(each);
+    if (coupled.includes(component)) coupling.push(each);
+  }
+  return watch;
 }
 
 /** Checks all rows in which a body may have the component. */
@@ -108,15 +125,8 @@ function checkCoupling(world: PhysicsWorld, coefficients: Coefficients): void {
   }
 }
 
-function checkAll(world: PhysicsWorld, list: readonly Coefficients[], first: number, last: number): void {
-  // A world of few bodies has no rows to check in most steps.
-  if (first >= last) return;
-  for (let c = 0; c < list.length; c++) checkColumns(world, list[c], first, last);
-}
-
 function checkColumns(world: PhysicsWorld, { component, columns }: Coefficients, first: number, last: number): void {
-  const { addresses, kernels, internal } = world;
-  if (internal.counts[component] === 0) return;
+  const { addresses, kernels } = world;
   const at: Readonly<Record<string, number>> = addresses[component];
   for (let f = 0; f < columns.length; f++) {
     const { field, min, max } = columns[f];

@@ -68,7 +68,9 @@ export function currentPlan(world: PhysicsWorld): Plan {
 export function cachedWithPlan<T>(make: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
   const key = {};
   return (world) => {
-    const running = world.state === 'stepping' ? world.internal.plan : undefined;
+    // A step keeps its plan, whatever user code does to the lists of the world meanwhile.
+    const isRunning = world.state === 'preparing' || world.state === 'stepping';
+    const running = isRunning ? world.internal.plan : undefined;
     const { kept } = running ?? currentPlan(world);
     if (!kept.has(key)) kept.set(key, make(world));
     return kept.get(key) as T;
