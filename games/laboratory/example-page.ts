@@ -32,6 +32,12 @@ import { createWordsCard } from './words-card.ts';
 /** Lengths of the view's diagonal that a thrown body crosses in a second at most. */
 const THROW_SPEED = 2;
 
+/** Simulated seconds that can be rewound: at least, where a run does not end, and at most. */
+const REWIND = [20, 120] as const;
+
+const rewindSeconds = ({ duration, ends }: Example) =>
+  Math.min(ends ? duration : Math.max(duration, REWIND[0]), REWIND[1]);
+
 /** @param query of the address, with the name of the example */
 export async function openExample(entry: ExampleEntry, query: URLSearchParams): Promise<void> {
   addLaboratoryStyles();
@@ -50,6 +56,9 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
     {
       title: example.title,
       hasSheet: true,
+      hasTimeline: true,
+      // A whole run, so that each moment of it can be seen again.
+      rewindSeconds: () => rewindSeconds(example),
       settings,
       ...simulationOf(example, settings, code),
       cards: (parent) => [

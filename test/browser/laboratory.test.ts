@@ -203,6 +203,43 @@ describe('the page of an example', () => {
     expect((await state(other)).hash).toBe(hash);
   });
 
+  it('goes to and fro on the bar of the recorded time, and forgets what came later when it plays on', async () => {
+    const page = await laboratory.open('example=ch06-orbits&manual');
+    await steps(page, 600);
+    await page.waitForFunction(
+      () => Number(document.querySelector<HTMLInputElement>('.game-timeline input')?.max) > 30,
+    );
+    const end = await state(page);
+    const bar = page.locator('.game-timeline input');
+    const { x, y, width, height } = (await bar.boundingBox()) as {
+      x: number;
+      y: number;
+      width: number;
+      height: number;
+    };
+    expect(height).toBeGreaterThanOrEqual(44);
+    await page.mouse.move(x + width - 4, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2, y + height / 2, { steps: 3 });
+    const past = await state(page);
+    expect(past.time).toBeCloseTo(5, 0);
+    expect([past.isPast, past.paused]).toEqual([true, true]);
+    await page.mouse.move(x + width - 1, y + height / 2, { steps: 3 });
+    await page.mouse.up();
+    const { hash, tick, isPast } = await state(page);
+    expect([hash, tick, isPast]).toEqual([end.hash, 600, false]);
+    // By keyboard, one moment at a time.
+    await bar.press('ArrowLeft');
+    const before = await state(page);
+    expect(before.tick).toBeLessThan(600);
+    await bar.press('ArrowLeft');
+    await bar.press('ArrowRight');
+    expect((await state(page)).hash).toBe(before.hash);
+    expect(await bar.getAttribute('aria-valuetext')).toBe(`${before.time.toFixed(2)} s`);
+    await steps(page, 600 - before.tick);
+    expect(await state(page)).toMatchObject({ hash: end.hash, isPast: false });
+  });
+
   it('says what is wrong with an address, and goes on', async () => {
     const page = await laboratory.open('example=ch05-floating-ball&gravity=999&step=x&manual');
     const { banner, values } = await state(page);

@@ -49,3 +49,4 @@ export { listenToSteering, type Steering, type SteeringOptions } from './steerin
 export { type SoundShape, Synth } from './synth.ts';
 export { listenToTaps } from './taps.ts';
 export type { BodyState, GameHook, GameState } from './test-hook.ts';
+export { drawTimeMark } from './time-mark.ts';

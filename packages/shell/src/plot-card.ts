@@ -15,12 +15,16 @@ import {
 import { SAFE_COLORS } from './preferences.ts';
 import { SeriesHistory } from './series-history.ts';
 import { siNumber } from './si-number.ts';
+import { drawTimeMark } from './time-mark.ts';
 import { words } from './words.ts';
 
 /** A plot over the last seconds: energies, momenta, or any column. */
 export interface PlotCard {
-  /** Records the world's values if the last sample is old enough; call it after the steps of a frame. */
-  record(world: PhysicsWorld): void;
+  /**
+   * Records the world's values if the last sample is old enough; call it after the steps of a frame.
+   * @param isPast the world stands at a recorded moment: samples are kept, and a line marks its time
+   */
+  record(world: PhysicsWorld, isPast?: boolean): void;
   /** Draws the recorded samples. */
   draw(): void;
   /** Discards the samples because the world was replaced. */
@@ -44,7 +48,7 @@ export function createPlotCard(
   units: OwnUnits = {},
 ): PlotCard {
   const { choice, column, body, which, names, card } = createElements(parent);
-  const state = { safe: false, source: energySource as PlotSource, stale: false, shown: '' };
+  const state = { safe: false, source: energySource as PlotSource, stale: false, shown: '', mark: Number.NaN };
   let history = new SeriesHistory(3, SAMPLES, INTERVAL);
   let values = new Float64Array(3);
   let plot: uPlot | undefined;
@@ -65,12 +69,13 @@ export function createPlotCard(
     history = new SeriesHistory(series.length, SAMPLES, INTERVAL);
     values = new Float64Array(series.length);
     const colors = state.safe ? SAFE : COLORS;
-    names.replaceChildren(
-      ...series.map((name, i) => element('i', '', { style: `--mark: ${colors[i]}` }, words().names[name] ?? name)),
-      ...(isCompound(state.source.unit) ? [element('small', '', {}, state.source.unit)] : []),
-    );
+    names.replaceChildren(...lineNames(state.source, colors));
     plot?.destroy();
-    plot = new uPlot(plotOptions(state.source, colors), history.data(), card);
+    plot = new uPlot(
+      plotOptions(state.source, colors, () => state.mark),
+      history.data(),
+      card,
+    );
   };
   for (const control of [choice, column, body]) control.addEventListener('change', show);
   show();
@@ -82,7 +87,11 @@ export function createPlotCard(
       state.safe = safe;
       show();
     },
-    record(now) {
+    record(now, isPast = false) {
+      const mark = isPast ? now.time : Number.NaN;
+      if (!Object.is(mark, state.mark)) state.stale = true;
+      state.mark = mark;
+      if (isPast) return;
       if (history.discardAfter(now.time)) state.stale = true;
       if (card.hidden || !history.isDue(now.time)) return;
       state.source.read(now, values);
@@ -161,7 +170,16 @@ function sourceOf(plot: string, column: string, body: number, world: PhysicsWorl
 /** A unit of one word fits beside the numbers; longer ones stand above. */
 const isCompound = (unit: string): boolean => /[ /]/.test(unit);
 
-function plotOptions({ series, unit }: PlotSource, colors: readonly string[]): uPlot.Options {
+/** The names of the lines in their colours, and a unit that is too long for the axis. */
+function lineNames({ series, unit }: PlotSource, colors: readonly string[]): HTMLElement[] {
+  const lines = series.map((name, i) =>
+    element('i', '', { style: `--mark: ${colors[i]}` }, words().names[name] ?? name),
+  );
+  return isCompound(unit) ? [...lines, element('small', '', {}, unit)] : lines;
+}
+
+/** @param mark the time where a line is drawn, s, or not a number */
+function plotOptions({ series, unit }: PlotSource, colors: readonly string[], mark: () => number): uPlot.Options {
   const grid = { stroke: '#ffffff14', width: 1 };
   const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font: '11px system-ui, sans-serif' };
   const shown = isCompound(unit) ? '' : unit;
@@ -171,6 +189,7 @@ function plotOptions({ series, unit }: PlotSource, colors: readonly string[]): u
     padding: [6, 4, 0, 0],
     legend: { show: false },
     cursor: { show: false },
+    hooks: { draw: [(chart) => drawTimeMark(chart, mark())] },
     scales: {
       x: { time: false, range: (_, low, high) => [Math.min(low, high - SAMPLES * INTERVAL), Math.max(high, low + 1)] },
       y: { range: (_, low, high) => rangeOf(low, high) },
