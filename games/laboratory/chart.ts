@@ -1,11 +1,9 @@
-import { drawTimeMark, element } from '@principia/shell';
+import { csvOf, drawDot, drawPath, drawTimeMark, element, rangeAbout, saveText } from '@principia/shell';
 import uPlot from 'uplot';
 import { type ChartLine, chartLines } from './chart-lines.ts';
 import { baseOptions, fitChart } from './chart-options.ts';
-import { csvOf, saveText } from './csv.ts';
 import type { LabRun } from './lab-run.ts';
 import { plainNumber } from './number-text.ts';
-import { rangeAbout } from './range-about.ts';
 import { Samples } from './samples.ts';
 import { WORDS } from './words.ts';
 
@@ -158,35 +156,4 @@ export class Chart {
 
 function lineOf(label: string, stroke: string, width: number, dash: number[] | undefined): uPlot.Series {
   return { label, stroke, width, points: { show: false }, ...(dash === undefined ? {} : { dash }) };
-}
-
-/** CSS pixels. */
-const DOT_RADIUS = 4;
-
-function drawDot({ ctx, valToPos }: uPlot, x: number, y: number, color: string): void {
-  ctx.fillStyle = color;
-  ctx.beginPath();
-  ctx.arc(valToPos(x, 'x', true), valToPos(y, 'y', true), DOT_RADIUS * devicePixelRatio, 0, 2 * Math.PI);
-  ctx.fill();
-}
-
-/** Joins the points in the order of time. */
-function drawPath(chart: uPlot, series: number): null {
-  const [xs, ys] = (chart.data as unknown as [null, ...[number[], number[]][]])[series] as [number[], number[]];
-  const { ctx } = chart;
-  const { left, top, width, height } = chart.bbox;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(left, top, width, height);
-  ctx.clip();
-  ctx.beginPath();
-  for (let i = 0; i < xs.length; i++) {
-    ctx.lineTo(chart.valToPos(xs[i], 'x', true), chart.valToPos(ys[i], 'y', true));
-  }
-  const stroke = chart.series[series].stroke as unknown;
-  ctx.strokeStyle = typeof stroke === 'function' ? stroke(chart, series) : String(stroke);
-  ctx.lineWidth = 1.5 * devicePixelRatio;
-  ctx.stroke();
-  ctx.restore();
-  return null;
 }

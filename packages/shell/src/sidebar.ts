@@ -4,7 +4,7 @@ import type { ClipControl } from './clip-button.ts';
 import type { Actions } from './commands.ts';
 import type { GameCard, Simulation } from './game.ts';
 import { createPanel, type Panel } from './panel.ts';
-import { createPlotCard, type PlotCard } from './plot-card.ts';
+import { PlotCard } from './plot-card.ts';
 import type { OwnUnits } from './plot-sources.ts';
 import { createProfileCard, type ProfileCard } from './profile-card.ts';
 import type { Settings } from './settings.ts';
@@ -45,7 +45,7 @@ export function createSidebar<Sim extends Simulation>(parent: HTMLElement, optio
   const { settings, values, set, world, actions, clip, canReplay } = options;
   const panel = createPanel(parent, settings, values, set);
   const cards = options.cards(parent);
-  const plot = createPlotCard(parent, world, options.units);
+  const plot = new PlotCard(parent, world, options.units);
   const stats = createStats(parent);
   const profile = createProfileCard(parent);
   const tools = createToolsCard(parent, actions, clip, canReplay);

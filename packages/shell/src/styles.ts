@@ -41,6 +41,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 100% } .game-card option { background: #1a2349 }
 .game-card input { width: 52px } .game-card h2 select { color: var(--dim); font-weight: 600; margin-left: -4px }
 .game-plot-column { display: flex; gap: 8px; align-items: center; font-size: 12px; color: var(--dim); white-space: nowrap }
+.game-plot-buttons { display: flex; flex-wrap: wrap; gap: 6px; margin: 4px 0 } .game-plot-buttons button { border: 1px solid var(--line); border-radius: 7px;
+  background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px; padding: 1px 7px; cursor: pointer }
+.game-plot-buttons button:focus-visible { outline: 2px solid var(--accent) }
 .game-profile { display: grid; grid-template-columns: max-content 1fr max-content; gap: 1px 8px; margin: 0; font-size: 12px;
   align-items: center; font-variant-numeric: tabular-nums } .game-profile dt { color: var(--dim) } .game-profile dd { margin: 0 }
 .game-profile i { height: 6px; border-radius: 3px; background: linear-gradient(90deg, var(--accent), var(--accent)) 0 0 /
@@ -98,7 +101,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 @media (pointer: fine) { .game-pad[data-mouse] { display: grid } .game-pad button { cursor: pointer } .game-pad button:hover { background: #ffffff30 } }
 @media (pointer: coarse) { .game-pad { display: grid } .game-bar :is(button, a) { min-width: 44px; height: 44px }
   .game-side .lil-gui { --row-height: 48px; --widget-height: 44px; --checkbox-size: 28px }
-  .game-tools button, .game-banner button, .game-help button, .game-outcome button, .game-clip button { min-height: 44px; min-width: 44px }
+  .game-plot-buttons button, .game-tools button, .game-banner button, .game-help button, .game-outcome button, .game-clip button { min-height: 44px; min-width: 44px }
   .game-card select, .game-card input { min-height: 44px } }
 .game-outcome { position: absolute; left: 50%; top: 50%; translate: -50% -50%; min-width: 240px; padding: 24px 32px 26px;
   border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;
