@@ -240,6 +240,25 @@ describe('the page of an example', () => {
     expect(await state(page)).toMatchObject({ hash: end.hash, isPast: false });
   });
 
+  it('flies the camera until the reader takes it, and not where motion is reduced', async () => {
+    /** Height of the Sun on the screen, which moves with the camera. */
+    const sunAfter = async (page: Page, count: number) => {
+      await steps(page, count);
+      await frames(page);
+      return (await body(page, 0)).screen?.y as number;
+    };
+    const page = await laboratory.open('example=ch16-solar-animated&manual');
+    const [start, flown] = [await sunAfter(page, 0), await sunAfter(page, 2400)];
+    expect(Math.abs(flown - start)).toBeGreaterThan(20);
+    await page.mouse.click(30, 400);
+    const taken = await sunAfter(page, 0);
+    expect(await sunAfter(page, 1200)).toBeCloseTo(taken, 0);
+    await page.keyboard.press('f');
+    expect(Math.abs((await sunAfter(page, 0)) - taken)).toBeGreaterThan(20);
+    const still = await laboratory.open('example=ch16-solar-animated&manual', { reducedMotion: 'reduce' });
+    expect(await sunAfter(still, 2400)).toBeCloseTo(await sunAfter(still, 0), 0);
+  });
+
   it('says what is wrong with an address, and goes on', async () => {
     const page = await laboratory.open('example=ch05-floating-ball&gravity=999&step=x&manual');
     const { banner, values } = await state(page);
