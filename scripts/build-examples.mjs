@@ -21,6 +21,9 @@ const modulesFile = `${root}/games/laboratory/example-modules.gen.ts`;
 const physicsFile = `${root}/games/laboratory/all-physics.gen.ts`;
 const keptPictures = `${cacheFolder}/example-pictures.json`;
 
+/** What examples share with the scenes. */
+const SCENE_MODULES = ['black-hole-layout.ts', 'black-hole.ts', 'edges.ts', 'teleport.ts'];
+
 /** @typedef {import('../packages/scenes/src/examples/define-example.ts').Example} Example */
 
 /** Paths of the examples from their folder, such as `ch05/floating-ball.ts`, in the order of chapters and names. */
@@ -160,10 +163,12 @@ function modulesText() {
     .filter((file) => /^(support\/)?[\w-]+\.ts$/.test(file) && !/^(index|list|thumbnail)\.ts$/.test(file))
     .sort();
   const folder = '../../packages/scenes/src/examples';
-  const entries = shared.map((file) => `  '../${file}': () => import('${folder}/${file}'),\n`);
+  const files = [...shared, ...SCENE_MODULES.map((file) => `../${file}`)];
+  const entries = files.map((file) => `  '../${file}': () => import('${folder}/${file}'),\n`);
   return `/** Modules that the source of an example may import, by the path in the source. */
 export const MODULES: Readonly<Record<string, () => Promise<unknown>>> = {
   '@principia/physics': () => import('./all-physics.gen.ts'),
+  bitecs: () => import('bitecs'),
 ${entries.join('')}};
 `;
 }

@@ -7,18 +7,16 @@
  * the worlds; `--built` serves the site of `npm run build` in place of that of `npm start`. `CHROMIUM` names the browser.
  * Times are this machine's, drawn by its processor.
  */
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
 import { buildKernels } from './build-kernels.mjs';
 import { commandOptions } from './lib/command-options.mjs';
+import { firstFrame, launchBrowser, medianOf, serveBuilt } from './lib/first-frame.mjs';
 import { blockedByFirstWorld, FIRST_WORLDS, serveFirstWorlds } from './lib/first-world.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
-import { writeSite } from './lib/site-build.mjs';
 import { gameNames } from './lib/site-pages.mjs';
 import { serveSite } from './lib/site-server.mjs';
-import { serveFiles } from './lib/static-server.mjs';
 
 const values = commandOptions({
   loads: { type: 'string', default: '5' },
@@ -61,13 +59,13 @@ async function measureWorlds() {
 }
 
 async function measureGames() {
-  const server = values.built ? await serveBuilt() : await serveSite({ ports: [0], host: '127.0.0.1' });
+  const server = values.built ? await serveBuilt(folder) : await serveSite({ ports: [0], host: '127.0.0.1' });
   // The first game of the tour has no shell to say when it is ready.
   const names = values.game ?? gameNames().filter((name) => name !== 'first-game');
   await untilServed(`${server.url}${names[0]}/main.js`);
   for (const name of names) {
     const times = [];
-    for (let i = 0; i < loads; i++) times.push(await firstFrame(server.url, name));
+    for (let i = 0; i < loads; i++) times.push(await timeOf(server.url, name));
     process.stdout.write(`${name}: ${summary(times, 0)}\n`);
   }
   await server.close();
@@ -83,30 +81,6 @@ function summary(times, digits) {
   return `${medianOf(times).toFixed(digits)} ms (${sorted.join(' ')})`;
 }
 
-/** @param {readonly number[]} times */
-function medianOf(times) {
-  return times.toSorted((a, b) => a - b)[times.length >> 1];
-}
-
-function launchBrowser() {
-  const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-  const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-  return chromium.launch({ executablePath, chromiumSandbox: false, args });
-}
-
-async function serveBuilt() {
-  await writeSite(folder);
-  return serveFiles({
-    find(path) {
-      try {
-        return readFileSync(join(folder, path));
-      } catch {
-        return undefined;
-      }
-    },
-  });
-}
-
 /** @param {string} address a script that is there when the first bundle is made */
 async function untilServed(address) {
   for (let i = 0; i < 600; i++) {
@@ -117,38 +91,16 @@ async function untilServed(address) {
 }
 
 /**
- * Milliseconds from the navigation to the end of the first frame after the game was ready for input.
+ * From the front page, as players come.
  * @param {string} url of the site
  * @param {string} name
  */
-async function firstFrame(url, name) {
+async function timeOf(url, name) {
   const browser = await launchBrowser();
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   await page.goto(url);
   await page.waitForTimeout(1000);
-  await page.addInitScript(watchStart);
-  await page.goto(`${url}${name}/`, { waitUntil: 'commit' });
-  await page.waitForFunction(() => /** @type {any} */ (globalThis).__started);
-  const time = await page.evaluate(() => /** @type {any} */ (globalThis).__started);
+  const time = await firstFrame(page, `${url}${name}/`);
   await browser.close();
   return time;
-}
-
-/** Runs in the page: games put `__game` there when they can be played. */
-function watchStart() {
-  /** @type {unknown} */
-  let game;
-  Object.defineProperty(globalThis, '__game', {
-    configurable: true,
-    get: () => game,
-    set(made) {
-      game = made;
-      requestAnimationFrame(() => {
-        // Behind everything that this frame still does.
-        const { port1, port2 } = new MessageChannel();
-        port1.onmessage = () => Object.assign(globalThis, { __started: performance.now() });
-        port2.postMessage(0);
-      });
-    },
-  });
 }

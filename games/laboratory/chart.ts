@@ -1,11 +1,9 @@
-import { element } from '@principia/shell';
+import { csvOf, drawDot, drawPath, drawTimeMark, element, rangeAbout, saveText } from '@principia/shell';
 import uPlot from 'uplot';
 import { type ChartLine, chartLines } from './chart-lines.ts';
 import { baseOptions, fitChart } from './chart-options.ts';
-import { csvOf, saveText } from './csv.ts';
 import type { LabRun } from './lab-run.ts';
 import { plainNumber } from './number-text.ts';
-import { rangeAbout } from './range-about.ts';
 import { Samples } from './samples.ts';
 import { WORDS } from './words.ts';
 
@@ -31,6 +29,8 @@ export class Chart {
   readonly #readout = element('output', 'lab-readout');
   readonly #chart: uPlot;
   #isStale = true;
+  /** The marked time, s; not a number while no moment of the past is shown. */
+  #mark = Number.NaN;
 
   /** @param index of the plot in the run */
   constructor(parent: HTMLElement, run: LabRun, index: number, { duration, file }: ChartOptions) {
@@ -54,8 +54,13 @@ export class Chart {
     this.#chart = new uPlot(options, this.#data() as uPlot.AlignedData, this.#card);
   }
 
-  record(): void {
+  /** @param isPast the run stands at a recorded moment: samples are kept, and a line or a dot marks it */
+  record(isPast: boolean): void {
     const { time } = this.#run.world;
+    const mark = isPast ? time : Number.NaN;
+    if (!Object.is(mark, this.#mark)) this.#isStale = true;
+    this.#mark = mark;
+    if (isPast) return;
     if (this.#samples.discardAfter(time)) this.#isStale = true;
     if (!this.#samples.isDue(time)) return;
     const now = this.#lines.flatMap(({ x, value }) => (this.#isPath ? [x(), value(time)] : [value(time)]));
@@ -95,7 +100,10 @@ export class Chart {
         y: { range: (_, low, high) => rangeAbout(low, high) },
       },
       series: [{}, ...this.#lines.map(({ label, color, width, dash }) => lineOf(label, color, width, dash))],
-      hooks: { setCursor: [(chart) => this.#readAt(chart.cursor.idx)] },
+      hooks: {
+        setCursor: [(chart) => this.#readAt(chart.cursor.idx)],
+        draw: [(chart) => drawTimeMark(chart, this.#mark)],
+      },
     };
   }
 
@@ -104,12 +112,23 @@ export class Chart {
       ...baseOptions(this.#xLabel, yLabel),
       mode: 2,
       cursor: { show: false },
+      hooks: { draw: [(chart) => this.#drawDots(chart)] },
       scales: { x: { time: false, range: () => this.#rangeOf(0) }, y: { range: () => this.#rangeOf(1) } },
       series: [
         {},
         ...this.#lines.map(({ color }): uPlot.Series => ({ stroke: color, paths: drawPath, points: { show: false } })),
       ],
     };
+  }
+
+  /** Marks where the paths are at the marked time. */
+  #drawDots(chart: uPlot): void {
+    const at = this.#samples.lastBefore(this.#mark);
+    if (at < 0) return;
+    const { columns } = this.#samples;
+    for (let i = 0; i < this.#lines.length; i++) {
+      drawDot(chart, columns[2 * i + 1][at], columns[2 * i + 2][at], this.#lines[i].color);
+    }
   }
 
   /** Range of the path along an axis, with a margin; 0 for x, 1 for y. */
@@ -137,25 +156,4 @@ export class Chart {
 
 function lineOf(label: string, stroke: string, width: number, dash: number[] | undefined): uPlot.Series {
   return { label, stroke, width, points: { show: false }, ...(dash === undefined ? {} : { dash }) };
-}
-
-/** Joins the points in the order of time. */
-function drawPath(chart: uPlot, series: number): null {
-  const [xs, ys] = (chart.data as unknown as [null, ...[number[], number[]][]])[series] as [number[], number[]];
-  const { ctx } = chart;
-  const { left, top, width, height } = chart.bbox;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(left, top, width, height);
-  ctx.clip();
-  ctx.beginPath();
-  for (let i = 0; i < xs.length; i++) {
-    ctx.lineTo(chart.valToPos(xs[i], 'x', true), chart.valToPos(ys[i], 'y', true));
-  }
-  const stroke = chart.series[series].stroke as unknown;
-  ctx.strokeStyle = typeof stroke === 'function' ? stroke(chart, series) : String(stroke);
-  ctx.lineWidth = 1.5 * devicePixelRatio;
-  ctx.stroke();
-  ctx.restore();
-  return null;
 }

@@ -1,6 +1,6 @@
 /** The page of one example: a game of the shell whose settings are the parameters of the example. */
 import { destroyWorld } from '@principia/physics';
-import type { Example } from '@principia/scenes/examples';
+import type { Example, ExampleOptions, ExampleRun } from '@principia/scenes/examples';
 import type { ExampleEntry } from '@principia/scenes/examples/list';
 import {
   type Controls,
@@ -32,6 +32,12 @@ import { createWordsCard } from './words-card.ts';
 /** Lengths of the view's diagonal that a thrown body crosses in a second at most. */
 const THROW_SPEED = 2;
 
+/** Simulated seconds that can be rewound: at least, where a run does not end, and at most. */
+const REWIND = [20, 120] as const;
+
+const rewindSeconds = ({ duration, ends }: Example) =>
+  Math.min(ends ? duration : Math.max(duration, REWIND[0]), REWIND[1]);
+
 /** @param query of the address, with the name of the example */
 export async function openExample(entry: ExampleEntry, query: URLSearchParams): Promise<void> {
   addLaboratoryStyles();
@@ -40,7 +46,6 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
   document.title = WORDS.pageTitle(example.title);
   const probe = example.start();
   const settings: Settings = settingsOf(example, probe);
-  destroyWorld(probe.world);
   const rest = new URLSearchParams(query);
   rest.delete('example');
   const moment = takeMoment(rest);
@@ -50,8 +55,11 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
     {
       title: example.title,
       hasSheet: true,
+      hasTimeline: true,
+      // A whole run, so that each moment of it can be seen again.
+      rewindSeconds: () => rewindSeconds(example),
       settings,
-      ...simulationOf(example, settings, code),
+      ...simulationOf(example, probe, settings, code),
       cards: (parent) => [
         createAboutCard(parent, example),
         createChecksCard(parent, example),
@@ -101,8 +109,18 @@ function codeSwitch(id: string, linked: string | undefined): (isShown: boolean) 
   };
 }
 
-/** How runs are made and changed. */
-function simulationOf(example: Example, settings: Settings, code: (isShown: boolean) => void) {
+/** How runs are made and changed. @param first a run with the default values, which is the first one if they are asked for */
+function simulationOf(example: Example, first: ExampleRun, settings: Settings, code: (isShown: boolean) => void) {
+  let unused: ExampleRun | undefined = first;
+  const start = (options: ExampleOptions): ExampleRun => {
+    const { seed, integrator, values = {} } = options;
+    const ready = unused;
+    unused = undefined;
+    const isDefault = Object.entries(values).every(([name, value]) => value === example.parameters[name].initial);
+    if (ready !== undefined && isDefault && seed === 1 && integrator === undefined) return ready;
+    if (ready !== undefined) destroyWorld(ready.world);
+    return example.start(options);
+  };
   let ghosts: Ghosts | undefined;
   let seedNow = 1;
   const remember = (values: Readonly<Record<string, Value>>, seed: number) => {
@@ -113,7 +131,7 @@ function simulationOf(example: Example, settings: Settings, code: (isShown: bool
     create({ values, seed }: SimulationOptions<Settings>): LabRun {
       const integrator = chosenIntegrator(values);
       const options = { values: parameterValues(example, values), seed };
-      const run = example.start(integrator === undefined ? options : { ...options, integrator });
+      const run = start(integrator === undefined ? options : { ...options, integrator });
       ghosts?.destroy();
       ghosts = makeGhosts(String(values.ghosts), example, options, run.world.integrator.name);
       remember(values, seed);

@@ -1,8 +1,7 @@
 import type { LiveHistogram } from '@principia/scenes/examples';
-import { element } from '@principia/shell';
+import { csvOf, element, saveText } from '@principia/shell';
 import uPlot from 'uplot';
 import { baseOptions, fitChart } from './chart-options.ts';
-import { csvOf, saveText } from './csv.ts';
 import { WORDS } from './words.ts';
 
 const BARS = { stroke: '#6db7ff', fill: '#6db7ff66' };

@@ -1,5 +1,5 @@
+import { csvOf } from '@principia/shell';
 import { expect, test } from 'vitest';
-import { csvOf } from './csv.ts';
 import { gridLines } from './grid-lines.ts';
 import { percentage, plainNumber } from './number-text.ts';
 import { Samples } from './samples.ts';

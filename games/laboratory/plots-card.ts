@@ -20,9 +20,9 @@ export function createPlotsCard(parent: HTMLElement, { id, duration }: Example):
   };
   return [
     {
-      record(run) {
+      record(run, isPast) {
         follow(run);
-        for (const chart of state.charts) chart.record();
+        for (const chart of state.charts) chart.record(isPast);
       },
       show(run) {
         follow(run);

@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { step } from '@principia/physics';
 import { expect, test } from 'vitest';
 import { createLoopGuard, guardLoops } from './guard-loops.ts';
@@ -24,6 +24,21 @@ test('an example of one’s own begins as the first game: a ball that can be kic
   for (let i = 0; i < 600; i++) step(run.world, run.dt);
   expect(score()).toBe('0 kicks');
   expect(run.world.faults.faults).toEqual([]);
+});
+
+test('finds every module that the source of an example imports', async () => {
+  const folder = 'packages/scenes/src/examples';
+  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((file) => /^ch\d\d/.test(file));
+  const sources = files.filter((file) => file.endsWith('.ts')).map((file) => readFileSync(`${folder}/${file}`, 'utf8'));
+  // One example for each module is enough, and each takes a while.
+  const seen = new Set<string>();
+  for (const text of sources) {
+    const names = [...text.matchAll(/^} from '(.*)'|^import (?!type).* from '(.*)'/gm)].map(([, a, b]) => a ?? b);
+    if (names.every((name) => seen.has(name))) continue;
+    for (const name of names) seen.add(name);
+    expect((await exampleFrom(text)).id).toBe(/id: '(.*)'/.exec(text)?.[1]);
+  }
+  expect(seen.size).toBeGreaterThan(30);
 });
 
 const lineOf = (text: string) => source.slice(0, source.indexOf(text)).split('\n').length;

@@ -29,6 +29,14 @@ export class Samples {
     for (const [i, value] of values.entries()) columns[i + 1].push(value);
   }
 
+  /** Index of the last sample not after a time; −1 before the first, and for a time that is not a number. */
+  lastBefore(time: number): number {
+    const [times] = this.#columns;
+    let index = Number.isNaN(time) ? -1 : times.length - 1;
+    while (index >= 0 && times[index] > time) index--;
+    return index;
+  }
+
   /** Discards samples after a time, as after a rewind. @returns whether there were any */
   discardAfter(time: number): boolean {
     const [times] = this.#columns;

@@ -18,7 +18,7 @@ const styles = `
 .lab-checks li[data-state=failed] b { background: #d0474f; color: #fff }
 .lab-checks h3 { margin: 0; font-size: 12.5px; font-weight: 500 }
 .lab-checks p { margin: 0; font-size: 12px; color: var(--dim); font-variant-numeric: tabular-nums; user-select: text }
-.lab-code { position: absolute; left: 12px; bottom: 12px; width: min(720px, calc(100% - 24px)); height: 56%; display: flex; flex-direction: column;
+.lab-code { position: absolute; left: 12px; bottom: calc(12px + var(--foot, 0px)); width: min(720px, calc(100% - 24px)); height: 56%; display: flex; flex-direction: column;
   gap: 8px; padding: 12px; box-sizing: border-box; border: 1px solid var(--line); border-radius: 14px; background: #0e1530f2; z-index: 1 }
 @media (min-width: 760px) { .game:has(.game-side:not([hidden])) .lab-code { width: min(760px, calc(100% - 356px)) } }
 @media (max-width: 759px), (max-height: 479px) { .lab-code { z-index: 3; height: calc(100% - 76px); bottom: 6px; left: 6px; width: calc(100% - 12px) } }

@@ -12,6 +12,7 @@ const DIRECTION = { x: 0.5, y: 0.35, z: 1 };
 export async function openView3D(context: ViewContext<Settings, LabRun>): Promise<View> {
   const view = await openThreeView(context, {
     bounds: ({ picture }) => boxOf(picture),
+    path: ({ picture }) => picture.cameraPath,
     direction: directionOf(context.sim().picture),
     paint(run, source) {
       const picture = drawPicture3D(run, source, () => context.values());

@@ -2,9 +2,16 @@
 import { dirname, relative } from 'node:path';
 
 /**
+ * Games that open another part of themselves where the address has a parameter: its name, and the module of that part.
+ * @type {Readonly<Record<string, { readonly parameter: string, readonly module: string }>>}
+ */
+const OTHER_PARTS = { laboratory: { parameter: 'example', module: 'example-page.ts' } };
+
+/**
  * @typedef {object} FirstScripts
  * @property {string[]} shared scripts that the page imports itself, by addresses relative to the page
  * @property {string[]} picture scripts of its first picture, which it imports when it runs
+ * @property {{ parameter: string, scripts: string[] }} [other] those that take their place where the address has a parameter
  */
 
 /**
@@ -16,7 +23,7 @@ import { dirname, relative } from 'node:path';
  */
 export function firstScripts(outputs, entry) {
   /** @type {Set<string>} */
-  const found = new Set([entry]);
+  let found = new Set([entry]);
   /** @type {(path: string, into: string[]) => void} */
   const visit = (path, into) => {
     for (const each of outputs[path].imports) {
@@ -30,11 +37,22 @@ export function firstScripts(outputs, entry) {
   const scripts = { shared: [], picture: [] };
   visit(entry, scripts.shared);
   const picture = outputs[entry].imports.find(({ kind }) => kind === 'dynamic-import');
-  if (picture !== undefined && outputs[picture.path] !== undefined && !found.has(picture.path)) {
-    found.add(picture.path);
-    scripts.picture.push(relative(dirname(entry), picture.path).replaceAll('\\', '/'));
-    visit(picture.path, scripts.picture);
-  }
+  const shared = new Set(found);
+  /** @param {string | undefined} path @param {string[]} into */
+  const visitPart = (path, into) => {
+    if (path === undefined || outputs[path] === undefined || found.has(path)) return;
+    found.add(path);
+    into.push(relative(dirname(entry), path).replaceAll('\\', '/'));
+    visit(path, into);
+  };
+  visitPart(picture?.path, scripts.picture);
+  const name = dirname(entry).split('/').at(-1) ?? '';
+  if (OTHER_PARTS[name] === undefined) return scripts;
+  const { parameter, module } = OTHER_PARTS[name];
+  found = shared;
+  scripts.other = { parameter, scripts: [] };
+  const part = Object.keys(outputs).find((path) => outputs[path].entryPoint === `games/${name}/${module}`);
+  visitPart(part, scripts.other.scripts);
   return scripts;
 }
 
@@ -56,9 +74,11 @@ export function scriptsByGame(metafiles) {
  * @param {string} html
  * @param {FirstScripts} scripts as `firstScripts` says
  */
-export function startSooner(html, { shared, picture }) {
+export function startSooner(html, { shared, picture, other }) {
   const links = shared.map((script) => `<link rel="modulepreload" href="${script}">`);
-  const early = `<script>/[?&]renderer=/.test(location.search) || ${JSON.stringify(picture)}.forEach(function (script) {
+  const part =
+    other && `new URLSearchParams(location.search).has('${other.parameter}') ? ${JSON.stringify(other.scripts)} : `;
+  const early = `<script>/[?&]renderer=/.test(location.search) || (${part ?? ''}${JSON.stringify(picture)}).forEach(function (script) {
   document.head.append(Object.assign(document.createElement('link'), { rel: 'modulepreload', href: script }));
 })</script>`;
   if (picture.length > 0) links.push(early);

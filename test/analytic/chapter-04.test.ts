@@ -1,17 +1,11 @@
 // Motion, force, work and power, in units where y points down.
-import {
-  createPhysicsWorld,
-  linearDrag,
-  positionFirstEuler,
-  rungeKutta4,
-  spawn,
-  step,
-  uniformGravity,
-} from '@principia/physics';
+import { createPhysicsWorld, positionFirstEuler, spawn, step } from '@principia/physics';
 import { worldSource } from '@principia/render-core';
 import { addComponent, set } from 'bitecs';
 import { expect, test } from 'vitest';
-import { forceOn, run, single } from '../support/laws.ts';
+import fallWithDrag from '../../packages/scenes/src/examples/ch04/fall-with-drag.ts';
+import motionGraphs from '../../packages/scenes/src/examples/ch04/motion-graphs.ts';
+import { forceOn, run, started } from '../support/laws.ts';
 
 /** A red ball of 20 px at (150, 50) and ten blue ones of 12 to 30 px beside it, all on their way. */
 const ELEVEN_BALLS = Array.from({ length: 11 }, (_, i) => {
@@ -51,7 +45,7 @@ test.each([
 
 test('ch04-motion-graphs: the slope of the displacement is the velocity, to the order of dt', () => {
   for (const dt of [0.1, 0.01]) {
-    const { world, at, going } = single([uniformGravity({ x: 3 })], { velocity: { x: 5 } });
+    const { world, at, going } = started(motionGraphs);
     let last = at().x;
     run(world, 2, dt, () => {
       expect(Math.abs((at().x - last) / dt - going().x)).toBeLessThan(3 * dt);
@@ -61,22 +55,12 @@ test('ch04-motion-graphs: the slope of the displacement is the velocity, to the 
 });
 
 test('ch04-fall-with-drag: v(5) = 18.3583, acceleration g e^(-t/τ), terminal speed 20', () => {
-  const { world, eid, going } = single(
-    [uniformGravity({ y: 10 }), linearDrag()],
-    { linearDrag: 0.5 },
-    {
-      integrator: rungeKutta4,
-    },
-  );
+  const { world, eid, going } = started(fallWithDrag);
   run(world, 5);
   expect(going().y).toBeCloseTo(18.3583, 4);
   expect(going().y).toBeCloseTo(20 * (1 - Math.exp(-2.5)), 5);
   expect(forceOn(world, eid).y).toBeCloseTo(10 * Math.exp(-2.5), 5);
-  const first = single(
-    [uniformGravity({ y: 10 }), linearDrag()],
-    { linearDrag: 0.5 },
-    { integrator: positionFirstEuler },
-  );
+  const first = started(fallWithDrag, { integrator: positionFirstEuler });
   run(first.world, 5);
   expect(first.going().y).toBeCloseTo(18.3754, 4);
   run(world, 45);

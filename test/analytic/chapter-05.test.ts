@@ -1,7 +1,5 @@
 // Sums of forces, projectiles with drag, and floating. y points down.
 import {
-  buoyancy,
-  immersedDrag,
   linearDrag,
   positionFirstEuler,
   quadraticDrag,
@@ -11,7 +9,10 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { forceOn, run, single } from '../support/laws.ts';
+import ballInWater from '../../packages/scenes/src/examples/ch05/floating-ball.ts';
+import projectileDrag from '../../packages/scenes/src/examples/ch05/projectile-drag.ts';
+import ballInShallowWater from '../../packages/scenes/src/examples/ch07/floating-ball.ts';
+import { forceOn, run, single, started } from '../support/laws.ts';
 import { crossings } from '../support/orbits.ts';
 
 test('ch05-forces-object: the forces of a world add, axis by axis', () => {
@@ -27,8 +28,7 @@ test('ch05-forces-object: the forces of a world add, axis by axis', () => {
 
 test('ch05-projectile-drag: apex at 4.700 s, and position after 10 s', () => {
   for (const integrator of [velocityVerlet, rungeKutta4]) {
-    const body = { position: { x: 50, y: 400 }, velocity: { x: 60, y: -60 }, linearDrag: 0.1 };
-    const { world, at, going } = single([uniformGravity({ y: 10 }), linearDrag()], body, { integrator });
+    const { world, at, going } = started(projectileDrag, { integrator });
     let apex = { time: 0, y: 400 };
     for (let i = 0; i < 600; i++) {
       const before = going().y;
@@ -45,39 +45,27 @@ test('ch05-projectile-drag: apex at 4.700 s, and position after 10 s', () => {
 });
 
 test('ch05-projectile-drag: result of the first-order scheme at 60 steps per second', () => {
-  const body = { position: { x: 50, y: 400 }, velocity: { x: 60, y: -60 }, linearDrag: 0.1 };
-  const options = { integrator: positionFirstEuler };
-  const { world, at } = single([uniformGravity({ y: 10 }), linearDrag()], body, options);
+  const { world, at } = started(projectileDrag, { integrator: positionFirstEuler });
   run(world, 10);
   expect(at().x).toBeCloseTo(429.46, 2);
   expect(at().y).toBeCloseTo(388.12, 2);
 });
 
-/** A ball dropped into water. */
-function floatingBall(
-  gravity: number,
-  radius: number,
-  level: number,
-  density: number,
-  position: { x: number; y: number },
-) {
-  const pool = { density, gravity: { y: gravity }, level: -level };
-  const forces = [uniformGravity({ y: gravity }), buoyancy(pool), immersedDrag(pool)];
-  const body = { position, hull: 1, collider: radius, quadraticDrag: 0.01 };
-  return { forces, body };
-}
+/** Id of the second ball in the water, which bobs without drag. */
+const BOB = 2;
 
 test.each([
-  ['ch05-floating-ball: rest, bob and plunge', 50, 40, 300, 1.5, 309.043, 5.439, 416.8],
-  ['ch07-floating-ball: rest, bob and plunge in shallow units', 10, 20, 100, 1.5, 104.521, 8.6, 153.0],
-] as const)('%s', (_, gravity, radius, level, density, rest, period, deepest) => {
-  const { forces, body } = floatingBall(gravity, radius, level, density, { x: 50, y: 50 });
+  ['ch05-floating-ball: rest, bob and plunge', ballInWater, 309.043, 5.439, 416.8],
+  ['ch07-floating-ball: rest, bob and plunge in shallow units', ballInShallowWater, 104.521, 8.6, 153.0],
+] as const)('%s', (_, example, rest, period, deepest) => {
   // At rest the force is zero: the figure is rounded by 5e-4, which the bob's own stiffness ω² pushes back.
-  const resting = single(forces, { ...body, position: { x: 50, y: rest } });
+  const resting = started(example, {}, BOB);
+  resting.world.components.Position.y[BOB] = rest;
   const stiffness = ((2 * Math.PI) / period) ** 2;
   expect(Math.abs(forceOn(resting.world, resting.eid).y)).toBeLessThan(5e-4 * stiffness);
   // A small bob: the figure is rounded by 5e-4, and 2 % of the radius lengthens the period by some 0.02²/8 of it.
-  const bob = single(forces, { ...body, quadraticDrag: 0, position: { x: 50, y: rest + 0.02 * radius } });
+  const bob = started(example, {}, BOB);
+  expect(bob.at().y - rest).toBeCloseTo(0.02 * bob.world.components.Collider.radius[BOB], 3);
   const [first, second] = crossings(bob.world, () => bob.at().y, rest, 3 * period, 1 / 240);
   expect(Math.abs(second - first - period)).toBeLessThan(5e-4 + (0.02 ** 2 / 8) * period);
   // The first plunge of the thrown ball: to the digits of the figure by the scheme that it was measured with, and
@@ -86,7 +74,7 @@ test.each([
     [positionFirstEuler, 0.05],
     [velocityVerlet, 0.005 * deepest],
   ] as const) {
-    const thrown = single(forces, { ...body, velocity: { x: 40, y: -20 } }, { integrator });
+    const thrown = started(example, { integrator });
     let depth = 0;
     run(thrown.world, 20, 1 / 60, () => {
       depth = Math.max(depth, thrown.at().y);
@@ -96,8 +84,9 @@ test.each([
 });
 
 test('ch07-floating-ball: quadratic drag damps the oscillation as 1/t, so that it persists after 60 s', () => {
-  const { forces, body } = floatingBall(10, 20, 100, 1.5, { x: 50, y: 50 });
-  const { world, at, going } = single(forces, body, { integrator: rungeKutta4 });
+  const { world, eid, at, going } = started(ballInShallowWater, { integrator: rungeKutta4 });
+  const { Velocity } = world.components;
+  [Velocity.x[eid], Velocity.y[eid]] = [0, 0];
   const turns: { time: number; amplitude: number }[] = [];
   let before = going().y;
   run(world, 120, 1 / 60, () => {

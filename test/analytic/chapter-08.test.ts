@@ -20,7 +20,11 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { forceOn, read, run, single } from '../support/laws.ts';
+import bungee from '../../packages/scenes/src/examples/ch08/bungee.ts';
+import damped from '../../packages/scenes/src/examples/ch08/damped.ts';
+import dampedAnalytic from '../../packages/scenes/src/examples/ch08/damped-analytic.ts';
+import forcedPeriodic from '../../packages/scenes/src/examples/ch08/forced-periodic.ts';
+import { forceOn, read, run, started } from '../support/laws.ts';
 import { crossings } from '../support/orbits.ts';
 
 interface Hung {
@@ -44,27 +48,27 @@ function hang(hung: Hung, forces: readonly Force[] = [], integrator: Integrator 
   return { world, eid: b, ...read(world, b) };
 }
 
-const FREE = { from: { x: 350, y: 50 }, at: { x: 100, y: 50 } };
-
 describe('damped', () => {
   const gamma = 0.25;
   const omega = Math.sqrt(10 - gamma * gamma);
   const exact = (x: number, v: number, t: number) =>
     Math.exp(-gamma * t) * (x * Math.cos(omega * t) + ((v + gamma * x) / omega) * Math.sin(omega * t));
-  const damped = (integrator: Integrator, c = 0.5, velocity = {}) =>
-    hang({ ...FREE, velocity, stiffness: 10, body: { linearDrag: c } }, [linearDrag()], integrator);
+  /** Id of the ball on its spring, in each of these examples. */
+  const BALL = 2;
+  const onSpring = (integrator: Integrator, damping = 0.5) =>
+    started(damped, { values: { damping }, integrator }, BALL);
 
   test('ch08-damped: period 1.993156 s, ratio 0.607569 a period; critical and stronger damping do not oscillate', () => {
     for (const integrator of [velocityVerlet, rungeKutta4]) {
-      const { world, at } = damped(integrator);
+      const { world, at } = onSpring(integrator);
       run(world, 1.993156, 1e-2 / 6);
       expect((at().x - 350) / -250 / 0.607569).toBeCloseTo(1, 3);
     }
-    const ball = damped(rungeKutta4);
+    const ball = onSpring(rungeKutta4);
     const times = crossings(ball.world, () => ball.at().x, 350, 10, 1e-3);
     expect(times[1] - times[0]).toBeCloseTo(1.993156, 4);
     for (const c of [2 * Math.sqrt(10), 20]) {
-      const slow = damped(rungeKutta4, c);
+      const slow = onSpring(rungeKutta4, c);
       run(slow.world, 20, 1 / 60, () => expect(slow.at().x).toBeLessThan(350 + 1e-9));
     }
   });
@@ -78,12 +82,13 @@ describe('damped', () => {
       [rungeKutta4, 1 / 120, 0, 1e-5],
       [gaussRadau(), 1 / 60, 0, 1e-10],
     ] as const) {
-      const { world, at } = damped(integrator, 0.5, { y: 200 });
+      const { world, at } = started(dampedAnalytic, { integrator }, BALL);
+      const centre = { x: at().x + 250, y: at().y };
       let error = 0;
       run(world, 20, dt, () => {
         const { x, y } = at();
         const [ex, ey] = [exact(-250, 0, world.time), exact(0, 200, world.time)];
-        error = Math.max(error, Math.abs(x - 350 - ex), Math.abs(y - 50 - ey));
+        error = Math.max(error, Math.abs(x - centre.x - ex), Math.abs(y - centre.y - ey));
       });
       expect(error).toBeGreaterThanOrEqual(low);
       expect(error).toBeLessThan(high);
@@ -96,11 +101,9 @@ describe('damped', () => {
     ['ω', omega, 179.306],
     ['resonance', 3.14245, 179.447],
   ] as const)('ch08-forced-periodic: amplitude at %s', (_, angularFrequency, amplitude) => {
-    const drive = periodicDrive({ cosine: { x: 200 }, sine: { x: 200 }, angularFrequency });
-    const spring = powerLaw({ strength: -10, exponent: 1 });
-    const { world, at } = single([spring, linearDrag(), drive], { linearDrag: 0.5 }, { integrator: rungeKutta4 });
+    const { world, at } = started(forcedPeriodic, { values: { omega: angularFrequency } }, BALL);
     run(world, 60);
-    let [low, high] = [0, 0];
+    let [low, high] = [at().x, at().x];
     run(world, (4 * Math.PI) / angularFrequency, 1 / 240, () => {
       low = Math.min(low, at().x);
       high = Math.max(high, at().x);
@@ -149,8 +152,8 @@ test('a stick figure with a body of 20 and a head of 10 balances at a fifth of i
 
 describe('ch08-bungee', () => {
   const BUNGEE = { from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, tensionOnly: 1 };
-  const jump = (quadratic: number) =>
-    hang({ ...BUNGEE, body: { mass: 90, quadraticDrag: quadratic } }, [uniformGravity({ y: 20 }), quadraticDrag()]);
+  /** The jumper is the second body, after the bridge. */
+  const jump = (drag: number) => started(bungee, { values: { drag } }, 2);
 
   test('ch08-bungee: free fall to 63.246 in 3.162 s, lowest at 361.94, or 356.1 with drag; rest at 222', () => {
     const free = jump(0);

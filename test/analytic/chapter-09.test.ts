@@ -2,23 +2,21 @@
 import {
   attractors,
   constantTorque,
-  corneringGrip,
   createPhysicsWorld,
   discInertia,
   discMass,
   energy,
-  rungeKutta4,
   spawn,
-  stringTension,
-  uniformGravity,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
-import { forceOn, run, single } from '../support/laws.ts';
+import angularKinematics from '../../packages/scenes/src/examples/ch09/angular-kinematics.ts';
+import carBend from '../../packages/scenes/src/examples/ch09/car-bend.ts';
+import pendulum from '../../packages/scenes/src/examples/ch09/pendulum.ts';
+import { forceOn, run, single, started } from '../support/laws.ts';
 import { crossings } from '../support/orbits.ts';
 
 test('ch09-angular-kinematics: v = ωr = 100, T = 2π/ω, a = ω²r = 200', () => {
-  const body = { position: { x: 50 }, velocity: { y: 100 } };
-  const { world, eid, at } = single([stringTension({ length: 50 })], body, { integrator: rungeKutta4 });
+  const { world, eid, at } = started(angularKinematics);
   expect(forceOn(world, eid).x).toBe(-200);
   run(world, Math.PI, 1e-3);
   expect(at().x).toBeCloseTo(50, 8);
@@ -52,11 +50,10 @@ test('ch09-satellite-gravity: ω = √(GM/r³), and the geostationary radius', (
 });
 
 test('ch09-car-bend: up to 27.386 it stays on the circle, and slides outwards at higher speed', () => {
-  const grip = corneringGrip({ centre: { x: 200, y: 100 }, friction: 1, gravity: 10 });
   const car = (speed: number) => {
-    const body = { position: { x: 275, y: 100 }, velocity: { y: speed }, mass: 90 };
-    const { world, eid, at } = single([grip], body, { integrator: rungeKutta4 });
-    return { world, eid, at, radius: () => Math.hypot(at().x - 200, at().y - 100) };
+    const { world, eid, at } = started(carBend);
+    world.components.Velocity.y[eid] = speed;
+    return { world, eid, at, radius: () => Math.hypot(at().x - 200, at().y - 150) };
   };
   const slow = car(10);
   expect(forceOn(slow.world, slow.eid).x).toBeCloseTo(-120, 12);
@@ -73,13 +70,7 @@ test('ch09-car-bend: up to 27.386 it stays on the circle, and slides outwards at
 });
 
 test('ch09-pendulum: T = 9.04046 at 30°, v = 73.205, tension 86.60 to 126.79, length 200 for 100 s', () => {
-  const pendulum = (angle: number) => {
-    const pivot = { x: 350, y: 50 };
-    const forces = [uniformGravity({ y: 100 }), stringTension({ pivot, length: 200 })];
-    const position = { x: 350 + 200 * Math.sin(angle), y: 50 + 200 * Math.cos(angle) };
-    return single(forces, { position }, { integrator: rungeKutta4 });
-  };
-  const { world, eid, at, speed } = pendulum(Math.PI / 6);
+  const { world, eid, at, speed } = started(pendulum);
   const tension = () => {
     const { x, y } = forceOn(world, eid);
     return Math.hypot(x, y - 100);
@@ -96,7 +87,9 @@ test('ch09-pendulum: T = 9.04046 at 30°, v = 73.205, tension 86.60 to 126.79, l
   expect(tightest).toBeCloseTo(126.79, 2);
   run(world, 91, 1 / 60, () => expect(Math.abs(Math.hypot(at().x - 350, at().y - 50) - 200)).toBeLessThan(0.01));
   expect(energy(world).total / before).toBeCloseTo(1, 6);
-  const small = pendulum(1e-3);
+  const small = started(pendulum);
+  const { Position } = small.world.components;
+  [Position.x[small.eid], Position.y[small.eid]] = [350 + 200 * Math.sin(1e-3), 50 + 200 * Math.cos(1e-3)];
   const times = crossings(small.world, () => small.at().x, 350, 20, 1 / 240);
   expect(times[1] - times[0]).toBeCloseTo(8.88577, 4);
 });

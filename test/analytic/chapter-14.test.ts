@@ -1,18 +1,14 @@
 // Numerical integration: each scheme on the same few problems.
 import {
-  attractors,
+  bodies,
   boxWalls,
   createPhysicsWorld,
-  defineForce,
   energy,
   explicitEuler,
-  type Force,
   heun,
   type Integrator,
   implicitEuler,
-  linearDrag,
   positionFirstEuler,
-  positionVerlet,
   rungeKutta4,
   semiImplicitEuler,
   spawn,
@@ -21,28 +17,22 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
+import orbits from '../../packages/scenes/src/examples/ch14/orbits.ts';
+import projectileVerlet from '../../packages/scenes/src/examples/ch14/projectile-verlet.ts';
+import ropeEuler from '../../packages/scenes/src/examples/ch14/rope-euler.ts';
+import schemesProjectileDrag from '../../packages/scenes/src/examples/ch14/schemes-projectile-drag.ts';
 import { orders, springAndDamper } from '../support/integrator-problems.ts';
+import { started } from '../support/laws.ts';
 import { measureOrbit } from '../support/orbits.ts';
 
 const DT = 1 / 60;
 
 /** Returns the distance from the exact position of a projectile with drag after 10 s. */
 function projectileError(integrator: Integrator, steps = 600): number {
-  const world = createPhysicsWorld({
-    capacity: 10,
-    integrator,
-    forces: [uniformGravity({ y: 10 }), linearDrag()],
-  });
-  const ball = spawn(world, {
-    position: { x: 50, y: 400 },
-    velocity: { x: 60, y: -60 },
-    mass: 1,
-    linearDrag: 0.1,
-  });
+  const { world, at } = started(schemesProjectileDrag, { integrator });
   for (let i = 0; i < steps; i++) step(world, 10 / steps);
   const fade = 1 - Math.exp(-1);
-  const { x, y } = world.components.Position;
-  return Math.hypot(x[ball] - (50 + 600 * fade), y[ball] - (400 + 1000 - 1600 * fade));
+  return Math.hypot(at().x - (50 + 600 * fade), at().y - (400 + 1000 - 1600 * fade));
 }
 
 test('ch14-schemes-projectile-drag: errors after 10 s, and the order of each scheme', () => {
@@ -104,9 +94,7 @@ test('ch14-semi-implicit-euler: both orderings stay bounded, with an energy erro
 
 /** The planet of a = 228.571 and e = 0.125, at its periapsis. */
 function planet(integrator: Integrator) {
-  const world = createPhysicsWorld({ capacity: 10, integrator, forces: [attractors()] });
-  spawn(world, { position: { x: 400, y: 300 }, attractor: 1e6 });
-  return { world, eid: spawn(world, { position: { x: 400, y: 100 }, velocity: { x: 75 }, mass: 1 }) };
+  return started(orbits, { integrator }, 2);
 }
 
 /** Lowest, highest and last error of the energy over 200 s, in parts of what it was. */
@@ -163,12 +151,7 @@ describe('ch14-orbits', () => {
 });
 
 test('ch14-projectile-verlet: the exact parabola, and the error without half a step of gravity at the start', () => {
-  const world = createPhysicsWorld({
-    capacity: 10,
-    integrator: positionVerlet,
-    forces: [uniformGravity({ y: 10 })],
-  });
-  const ball = spawn(world, { position: { x: 50, y: 550 }, velocity: { x: 30, y: -100 }, mass: 1 });
+  const { world, eid: ball } = started(projectileVerlet);
   const { Position } = world.components;
   let worst = 0;
   for (let i = 1; i <= 1000; i++) {
@@ -185,37 +168,13 @@ test('ch14-projectile-verlet: the exact parabola, and the error without half a s
   expect(now - 50).toBeCloseTo((10 * 0.02 * 10) / 2, 8);
 });
 
-/** The rope's links: springs, and dampers for velocity differences in every direction. */
-function links(ids: readonly number[]): Force {
-  return defineForce({
-    name: 'links',
-    local: false,
-    accumulate({ components: { Position: p, Velocity: v }, scratch: { force } }) {
-      for (let i = 1; i < ids.length; i++) {
-        const [a, b] = [ids[i - 1], ids[i]];
-        const [dx, dy] = [p.x[b] - p.x[a], p.y[b] - p.y[a]];
-        const pull = 500 * (1 - 20 / Math.hypot(dx, dy));
-        const [fx, fy] = [pull * dx + 20 * (v.x[b] - v.x[a]), pull * dy + 20 * (v.y[b] - v.y[a])];
-        force.x[a] += fx;
-        force.y[a] += fy;
-        force.x[b] -= fx;
-        force.y[b] -= fy;
-      }
-    },
-  });
-}
-
 /** Largest speed in the rope after a time, and where its middle is. */
 function rope(integrator: Integrator, dt: number, time = 60) {
-  const world = createPhysicsWorld({ capacity: 60, integrator, forces: [uniformGravity({ y: 10 })] });
-  const ids = Array.from({ length: 16 }, (_, i) => {
-    const held = i === 0 || i === 15;
-    return spawn(world, { position: { x: 100 + 20 * i, y: 100 }, velocity: {}, ...(held ? {} : { mass: 10 }) });
-  });
-  world.forces.push(links(ids));
+  const { world } = ropeEuler.start({ integrator });
+  const { ids, count } = bodies(world);
   for (let i = 0; i < time / dt; i++) step(world, dt);
   const { Position, Velocity } = world.components;
-  const fastest = Math.max(...ids.map((id) => Math.hypot(Velocity.x[id], Velocity.y[id])));
+  const fastest = Math.max(...Array.from(ids.subarray(0, count), (id) => Math.hypot(Velocity.x[id], Velocity.y[id])));
   return { fastest, faults: world.faults.faults.length, x: Position.x[ids[8]], y: Position.y[ids[8]] };
 }
 

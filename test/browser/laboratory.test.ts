@@ -203,6 +203,62 @@ describe('the page of an example', () => {
     expect((await state(other)).hash).toBe(hash);
   });
 
+  it('goes to and fro on the bar of the recorded time, and forgets what came later when it plays on', async () => {
+    const page = await laboratory.open('example=ch06-orbits&manual');
+    await steps(page, 600);
+    await page.waitForFunction(
+      () => Number(document.querySelector<HTMLInputElement>('.game-timeline input')?.max) > 30,
+    );
+    const end = await state(page);
+    const bar = page.locator('.game-timeline input');
+    const { x, y, width, height } = (await bar.boundingBox()) as {
+      x: number;
+      y: number;
+      width: number;
+      height: number;
+    };
+    expect(height).toBeGreaterThanOrEqual(44);
+    await page.mouse.move(x + width - 4, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2, y + height / 2, { steps: 3 });
+    const past = await state(page);
+    expect(past.time).toBeCloseTo(5, 0);
+    expect([past.isPast, past.paused]).toEqual([true, true]);
+    await page.mouse.move(x + width - 1, y + height / 2, { steps: 3 });
+    await page.mouse.up();
+    const { hash, tick, isPast } = await state(page);
+    expect([hash, tick, isPast]).toEqual([end.hash, 600, false]);
+    // By keyboard, one moment at a time.
+    await bar.press('ArrowLeft');
+    const before = await state(page);
+    expect(before.tick).toBeLessThan(600);
+    await bar.press('ArrowLeft');
+    await bar.press('ArrowRight');
+    expect((await state(page)).hash).toBe(before.hash);
+    expect(await bar.getAttribute('aria-valuetext')).toBe(`${before.time.toFixed(2)} s`);
+    await steps(page, 600 - before.tick);
+    expect(await state(page)).toMatchObject({ hash: end.hash, isPast: false });
+  });
+
+  it('flies the camera until the reader takes it, and not where motion is reduced', async () => {
+    /** Height of the Sun on the screen, which moves with the camera. */
+    const sunAfter = async (page: Page, count: number) => {
+      await steps(page, count);
+      await frames(page);
+      return (await body(page, 0)).screen?.y as number;
+    };
+    const page = await laboratory.open('example=ch16-solar-animated&manual');
+    const [start, flown] = [await sunAfter(page, 0), await sunAfter(page, 2400)];
+    expect(Math.abs(flown - start)).toBeGreaterThan(20);
+    await page.mouse.click(30, 400);
+    const taken = await sunAfter(page, 0);
+    expect(await sunAfter(page, 1200)).toBeCloseTo(taken, 0);
+    await page.keyboard.press('f');
+    expect(Math.abs((await sunAfter(page, 0)) - taken)).toBeGreaterThan(20);
+    const still = await laboratory.open('example=ch16-solar-animated&manual', { reducedMotion: 'reduce' });
+    expect(await sunAfter(still, 2400)).toBeCloseTo(await sunAfter(still, 0), 0);
+  });
+
   it('says what is wrong with an address, and goes on', async () => {
     const page = await laboratory.open('example=ch05-floating-ball&gravity=999&step=x&manual');
     const { banner, values } = await state(page);

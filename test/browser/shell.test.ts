@@ -2,7 +2,7 @@
 import type { Download, Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
-import { frames, loseGraphicsCard, playGame, ready, state, steps } from '../support/game-page.ts';
+import { body, frames, loseGraphicsCard, playGame, ready, state, steps } from '../support/game-page.ts';
 
 const { open: openBalls } = playGame('bouncing-balls', {
   viewport: { width: 900, height: 700 },
@@ -113,6 +113,35 @@ describe('figures', () => {
     expect(await card(page, 'Plot').isVisible()).toBe(false);
     await page.keyboard.press('e');
     expect(await choice.inputValue()).toBe('Energy');
+  });
+
+  it('plots one quantity against another, with both in the numbers that are saved', async () => {
+    const page = await open('manual&seed=3');
+    const plot = card(page, 'Plot');
+    const chosen = () =>
+      plot.locator('select').evaluateAll((all) => all.map((each) => (each as HTMLSelectElement).value));
+    await plot.getByText('Phase portrait').click();
+    expect(await chosen()).toEqual(['Any value', 'Velocity.x', 'Position.x']);
+    await plot.getByText('Path', { exact: true }).click();
+    expect(await chosen()).toEqual(['Any value', 'Position.y', 'Position.x']);
+    for (let i = 0; i < 5; i++) {
+      await steps(page, 3);
+      await frames(page);
+    }
+    const { x, y } = await body(page, 0);
+    const saved = page.waitForEvent('download');
+    await plot.getByText('CSV').click();
+    const rows = String(await contentOf(await saved))
+      .trim()
+      .split('\n');
+    expect(rows[0]).toBe('"t, s","Position.y body 1, m","Position.x, m"');
+    expect(rows.at(-1)?.split(',').slice(1).map(Number)).toEqual([y, x]);
+    await plot.locator('select').nth(2).selectOption('Energy.kinetic');
+    await plot.locator('select').first().selectOption('Momentum');
+    expect(await plot.locator('h2 i').allTextContents()).toEqual(['x', 'y']);
+    await plot.locator('select').nth(2).selectOption({ label: 'time' });
+    await steps(page, 3);
+    await frames(page);
   });
 
   it('O shows where the time of a step goes', async () => {

@@ -9,6 +9,7 @@ import {
   spawn,
   step,
 } from '@principia/physics';
+import type { Example, ExampleOptions } from '@principia/scenes/examples';
 import { prepareForces } from '../../packages/physics/src/dynamics/evaluate-forces.ts';
 
 export type Body = Parameters<typeof spawn>[1];
@@ -17,6 +18,12 @@ export type Body = Parameters<typeof spawn>[1];
 export function single(forces: readonly Force[], body: Body = {}, options: PhysicsWorldOptions = {}) {
   const world = createPhysicsWorld({ capacity: 20, forces, ...options });
   const eid = spawn(world, { position: {}, velocity: {}, mass: 1, ...body });
+  return { world, eid, ...read(world, eid) };
+}
+
+/** Starts an example, and reads one of its bodies. @param eid id of the body: bodies are counted from 1 */
+export function started(example: Example, options: ExampleOptions = {}, eid = 1) {
+  const { world } = example.start(options);
   return { world, eid, ...read(world, eid) };
 }
 

@@ -10,6 +10,7 @@ import {
   spawnMany,
   uniformGravity,
 } from '@principia/physics';
+import { wrapAround } from './edges.ts';
 import { countOf, defineScene, type SceneRun } from './scene.ts';
 import { seededUniforms } from './seeded.ts';
 
@@ -85,7 +86,7 @@ export const bouncingBalls = defineScene({
       forces: [uniformGravity({ y: -gravity }), quadraticDrag()],
       walls: [boxWalls(wallsOf(room, dimensions, wrap === 1))],
     });
-    if (wrap === 1) world.phases.finish.push(() => wrapSides(world, room));
+    if (wrap === 1) world.phases.finish.push(wrapAround(ringsOf(room, dimensions)));
     const uniform = seededUniforms(seed, count);
     const velocity = { x: uniform(0, 5), y: uniform(-1, 3), ...(dimensions === 3 ? { z: uniform(-2, 2) } : {}) };
     const values: ManyInput = {
@@ -123,29 +124,14 @@ function wallsOf({ min, max }: Room, dimensions: 2 | 3, isOpen: boolean) {
   return dimensions === 3 ? { min, max } : { min: inPlane(min), max: inPlane(max) };
 }
 
-function inPlane({ x, y }: Point) {
-  return { x, y };
+/** Balls that leave along x, and in 3D along z, come back at the other side. */
+function ringsOf({ min, max }: Room, dimensions: 2 | 3) {
+  if (dimensions === 2) return { min: { x: min.x }, max: { x: max.x } };
+  return { min: { x: min.x, z: min.z }, max: { x: max.x, z: max.z } };
 }
 
-/**
- * Moves balls whose centre left at a side to the other side, with their previous pose, so that no picture shows them on
- * the way. Balls at opposite sides do not touch.
- */
-function wrapSides(world: PhysicsWorld, { min, max }: Room): void {
-  const { components, previous, dimensions, lastId, versions } = world;
-  for (const axis of ['x', 'z'] as const) {
-    if (axis === 'z' && dimensions === 2) continue;
-    const now = components.Position[axis];
-    const before = previous.Position[axis];
-    const [low, high] = [min[axis], max[axis]];
-    for (let id = 1; id <= lastId; id++) {
-      const shift = now[id] < low ? high - low : now[id] >= high ? low - high : 0;
-      if (shift === 0) continue;
-      now[id] += shift;
-      before[id] += shift;
-    }
-  }
-  versions.pose++;
+function inPlane({ x, y }: Point) {
+  return { x, y };
 }
 
 function radiusFor(count: number, dimensions: 2 | 3): number {

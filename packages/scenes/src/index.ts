@@ -8,6 +8,7 @@ export { type BouncingBalls, ballDrag, bouncingBalls } from './bouncing-balls.ts
 export type { BoxedRun } from './boxed-run.ts';
 export { circles } from './circles.ts';
 export { cloth } from './cloth.ts';
+export { isOutside, type Region, type RegionCorner, relaunchOutside, removeOutside, wrapAround } from './edges.ts';
 export { emitters, type Sparks } from './emitters.ts';
 export { STAR_COLORS, STAR_RGB, type StarColor } from './fireworks/colors.ts';
 export { MAX_TEXT_STARS, TEXT_STRIDE } from './fireworks/letters.ts';
@@ -55,3 +56,4 @@ export {
 export { EPOCH_2012 } from './solar-system/states-2012.ts';
 export { type SolarSystemRun, solarSystem } from './solar-system.ts';
 export { springs } from './springs.ts';
+export { teleport } from './teleport.ts';

@@ -1,4 +1,3 @@
-import { bodies } from '@principia/physics';
 import { type Address, writeAddress } from './address.ts';
 import { type Banner, createBanner } from './banner.ts';
 import { hasCoarsePointer, resumeHint } from './coarse-pointer.ts';
@@ -22,7 +21,9 @@ import type { Settings } from './settings.ts';
 import { Sharing } from './sharing.ts';
 import type { Sidebar } from './sidebar.ts';
 import { SpaceBar } from './space-bar.ts';
-import { bodyState, type GameHook, sessionState } from './test-hook.ts';
+import { countInto, noStatistics } from './statistics.ts';
+import { createHook, type GameHook } from './test-hook.ts';
+import { createTimeline, type Timeline } from './timeline.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
 import { createViewContext } from './view-context.ts';
 import { ViewHost } from './view-host.ts';
@@ -43,6 +44,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #space: SpaceBar;
   readonly #controls: ControlListener | undefined;
   readonly #outcome: OutcomeCard | undefined;
+  readonly #timeline: Timeline | undefined;
   readonly #actions: Actions;
   readonly #commands: Commands;
   /** Created after the first frame. */
@@ -62,7 +64,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   /** The step that was drawn last. */
   #tick = 0;
   readonly #timing = new FrameTimes();
-  readonly #stats = { frame: 0, step: 0, draw: 0, bodies: 0, contacts: undefined as number | undefined, time: 0 };
+  readonly #stats = noStatistics();
 
   constructor(game: GameDefinition<S, Sim>, address: Address<S>) {
     this.#game = game;
@@ -84,6 +86,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sharing = this.#makeSharing();
     this.#help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
     this.#controls = game.controls && listenToControls(root, game.controls, () => this.#session.sim);
+    this.#timeline = game.hasTimeline ? createTimeline(root, this.#session, (moment) => this.#seek(moment)) : undefined;
     const watch = game.replay && this.#actions.replay;
     this.#outcome =
       game.outcome &&
@@ -167,7 +170,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     else if (!this.#broken && !this.#manual && !this.#views.isLost) session.advance(seconds);
     // A player who rewound may play on, but the score is not ranked.
     this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
-    this.#sidebar?.record(session.sim);
+    this.#sidebar?.record(session.sim, session.isPast);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.add(FRAME, seconds * 1000);
     if (session.sim.world.tick !== this.#tick) this.#timing.add(STEP, session.stepTime);
@@ -184,26 +187,28 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sharing.captureFrame(view.canvas);
   }
 
-  #rewindBy(seconds: number): void {
-    this.#restorePast(() => this.#session.rewind(seconds));
-  }
+  #rewindBy = (seconds: number) => this.#restorePast(() => this.#session.rewind(seconds));
 
   /** A restored snapshot lies before the error. */
   #restorePast(move: () => boolean): void {
     if (!move()) return;
     this.#broken = false;
+    this.#sinceStats = STATS_INTERVAL;
     this.#sidebar?.panel.refresh();
     this.#views.view?.refresh('setting');
   }
 
+  /** Goes to a recorded moment and stays there. The state of an error is no moment to come back to. */
+  #seek(moment: number): void {
+    this.#pause(true);
+    this.#failures.guard(() => this.#restorePast(() => this.#session.seekMoment(moment, !this.#broken)));
+  }
+
   #showStats(): void {
     this.#sinceStats = 0;
+    this.#timeline?.show();
     const { sim } = this.#session;
-    const stats = this.#timing.copyTo(this.#stats);
-    stats.bodies = this.#game.bodies?.(sim) ?? bodies(sim.world).count;
-    stats.contacts = this.#game.contacts?.(sim);
-    stats.time = sim.world.time;
-    this.#sidebar?.show(sim, stats);
+    this.#sidebar?.show(sim, countInto(this.#timing.copyTo(this.#stats), this.#game, sim));
   }
 
   /**
@@ -370,22 +375,16 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   }
 
   #createHook(): GameHook {
-    const session = this.#session;
-    return {
-      renderers: Object.keys(this.#game.renderers),
-      state: () => ({
-        ...sessionState(session),
-        reducedMotion: this.#preferences.reducedMotion,
-        recording: this.#sharing.isRecording,
-        ready: this.#views.view !== undefined && this.#sidebar !== undefined,
-        renderer: this.#renderer,
-        banner: this.#banner.text,
-        timing: this.#timing.copyTo({ frame: 0, step: 0, draw: 0 }),
-        game: this.#game.report?.(session.sim) ?? {},
-      }),
-      body: (index) => bodyState(session, this.#views.view, index),
-      step: (count) => session.step(count),
-      rewind: (seconds) => this.#restorePast(() => session.rewind(seconds)),
+    const page = () => ({
+      view: this.#views.view,
+      ready: this.#views.view !== undefined && this.#sidebar !== undefined,
+      renderer: this.#renderer,
+      reducedMotion: this.#preferences.reducedMotion,
+      recording: this.#sharing.isRecording,
+      banner: this.#banner.text,
+      timing: this.#timing.copyTo({ frame: 0, step: 0, draw: 0 }),
+    });
+    return createHook(this.#session, page, (move) => this.#restorePast(move), {
       reset: (seed) => this.#reset(seed),
       set: (name, value) => {
         this.#set(name, value);
@@ -395,6 +394,6 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       pause: () => this.#pause(true),
       resume: () => this.#pause(false),
       show: (renderer) => this.#show(renderer),
-    };
+    });
   }
 }

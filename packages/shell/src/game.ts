@@ -86,8 +86,11 @@ export interface Renderer<S extends Settings, Sim extends Simulation> {
 
 /** A card of a game's own in the sidebar. */
 export interface GameCard<Sim extends Simulation> {
-  /** Called after the steps of each frame, and with a new world at once. */
-  record?(sim: Sim): void;
+  /**
+   * Called after the steps of each frame, and with a new world at once.
+   * @param isPast the world was moved back to a moment after which others are recorded, and has not stepped on
+   */
+  record?(sim: Sim, isPast: boolean): void;
   /** Brings the card up to date; called five times a second. */
   show(sim: Sim): void;
 }
@@ -134,7 +137,10 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   cards?(parent: HTMLElement): readonly GameCard<Sim>[];
   /** Whether the run has come to its end: time then stands still until the player restarts or rewinds. */
   hasEnded?(sim: Sim): boolean;
-
+  /** Shows a bar below the picture on which the player moves through what was recorded; default false. */
+  readonly hasTimeline?: boolean;
+  /** Simulated seconds that can be rewound, where memory allows; default 20. */
+  rewindSeconds?(sim: Sim): number;
   /** Units of a world that is not in SI, by the SI units that plots show otherwise: `{ m: 'km' }`. Default none. */
   readonly units?: OwnUnits;
   /** Number of bodies in the statistics; default all of the world. A game with a pool of bodies counts those in use. */

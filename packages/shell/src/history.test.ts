@@ -56,3 +56,61 @@ it('notes fewer moments where they cost much', () => {
   history.restoreTo(0.99);
   expect(world.tick).toBe(50);
 });
+
+it('goes to and fro among the moments, each with the bits that it had', () => {
+  const { world, beside, history, run } = falling();
+  const hashes = new Map<number, string>();
+  for (let i = 0; i < 103; i++) {
+    hashes.set(world.tick, stateHash(world));
+    run(1);
+  }
+  hashes.set(world.tick, stateHash(world));
+  const at = () => [world.tick, beside.count, history.hasLater, stateHash(world) === hashes.get(world.tick)];
+  expect(history.seek(0.512)).toBe(true);
+  expect(at()).toEqual([50, 50, true, true]);
+  expect(history.seek(0.86)).toBe(true);
+  expect(at()).toEqual([85, 85, true, true]);
+  expect(history.seek(-1)).toBe(true);
+  expect(at()).toEqual([0, 0, true, true]);
+  expect(history.seek(0)).toBe(false);
+  // The present is kept too, though it lies between two moments of the recording.
+  expect(history.seek(9)).toBe(true);
+  expect(at()).toEqual([103, 103, false, true]);
+  expect([history.count, history.index, history.timeAt(0)]).toEqual([22, 21, 0]);
+});
+
+it('forgets what was recorded later once the world steps on from the past', () => {
+  const { world, history, run } = falling();
+  run(100);
+  history.seek(0.5);
+  expect([history.count, history.index]).toEqual([21, 10]);
+  run(1);
+  expect([history.count, history.hasLater]).toEqual([11, false]);
+  run(49);
+  history.seek(9);
+  expect(world.tick).toBe(100);
+  // A rewind keeps what lies after it as well.
+  history.restoreTo(0.3);
+  expect([world.tick, history.hasLater]).toEqual([30, true]);
+  history.seek(1);
+  expect(world.tick).toBe(100);
+});
+
+it('does not come back to a present that is not kept', () => {
+  const { world, history, run } = falling();
+  run(53);
+  history.seek(0.2, false);
+  history.seek(9);
+  expect(world.tick).toBe(50);
+});
+
+it('records as many moments in any span', () => {
+  const world = createPhysicsWorld({ capacity: 9 });
+  const history = new History({ world, dt: 0.1 }, () => 0, 200);
+  for (let i = 0; i < 3000; i++) {
+    step(world, 0.1);
+    history.record();
+    if (i % 700 === 0) history.seek(world.time - 3);
+  }
+  expect([history.count, history.timeAt(0)]).toEqual([400, expect.closeTo(world.time - 200, -1)]);
+});

@@ -1,17 +1,20 @@
-// A ring of world snapshots for rewinding a game.
+// A ring of world snapshots for rewinding a game, and for looking at any recorded moment.
 import { restore, type Snapshot, snapshot } from '@principia/physics';
 import type { Simulation } from './game.ts';
 
-/** Longest rewind in simulated seconds, where memory allows. */
+/** Longest rewind in simulated seconds, where memory allows and the game asks for no other. */
 const MAX_SECONDS = 20;
 /** Limit of the memory for all snapshots, bytes. */
 const MAX_BYTES = 96e6;
-/** Shortest simulated time between two snapshots, s. */
-const MIN_INTERVAL = 1 / 20;
+/** Most snapshots in the whole span, so that 20 s have one every twentieth of a second. */
+const MAX_COUNT = 400;
 /** Largest share of the running time that taking snapshots may cost. */
 const MAX_COST_SHARE = 0.04;
 
-/** A ring of snapshots: a new snapshot reuses the memory of the oldest. */
+/**
+ * A ring of snapshots: a new snapshot reuses the memory of the oldest. Restoring one keeps those after it, so that one
+ * can go to and fro, until the world steps on from there.
+ */
 export class History {
   readonly #sim: Simulation;
   readonly #clock: () => number;
@@ -19,15 +22,46 @@ export class History {
   readonly #snapshots: Snapshot[] = [];
   /** Discarded snapshots whose memory is reused. */
   readonly #spare: Snapshot[] = [];
-  #interval = MIN_INTERVAL;
+  /** Longest rewind, and shortest time between two snapshots, s. */
+  readonly #span: number;
+  readonly #minInterval: number;
+  #interval: number;
+  /** Index of the snapshot that the world stands at since it was restored; otherwise the last one. */
+  #at = -1;
   /** Bytes of the largest snapshot. The size of the last one would make the number of snapshots oscillate. */
   #largest = 0;
 
-  /** @param clock milliseconds; measures the cost of a snapshot */
-  constructor(sim: Simulation, clock: () => number) {
+  /**
+   * @param clock milliseconds; measures the cost of a snapshot
+   * @param span longest rewind in simulated seconds, where memory allows
+   */
+  constructor(sim: Simulation, clock: () => number, span = MAX_SECONDS) {
     this.#sim = sim;
     this.#clock = clock;
-    this.record();
+    this.#span = span;
+    this.#minInterval = span / MAX_COUNT;
+    this.#interval = this.#minInterval;
+    this.#take();
+  }
+
+  /** Number of moments that can be restored. */
+  get count(): number {
+    return this.#snapshots.length;
+  }
+
+  /** Index of the moment that the world stands at or came from last. */
+  get index(): number {
+    return this.#at;
+  }
+
+  /** Time of a moment, s. */
+  timeAt(index: number): number {
+    return this.#snapshots[index].time;
+  }
+
+  /** Whether recorded moments lie after the present one: the world was moved back and has not stepped on. */
+  get hasLater(): boolean {
+    return this.#at < this.#snapshots.length - 1;
   }
 
   /** Simulated seconds from the oldest snapshot to the present. */
@@ -35,44 +69,71 @@ export class History {
     return this.#sim.world.time - this.#snapshots[0].time;
   }
 
-  /** Takes a snapshot if the last one is old enough. */
+  /** Takes a snapshot if the last one is old enough. Call it after a step: what was recorded later is discarded. */
   record(): void {
     const { world, dt } = this.#sim;
     const snapshots = this.#snapshots;
-    const last = snapshots.length > 0 ? snapshots[snapshots.length - 1] : undefined;
+    while (this.hasLater) this.#spare.push(snapshots.pop() as Snapshot);
     // Rounding may leave the sum of the steps slightly short.
-    if (last !== undefined && world.time < last.time + this.#interval - dt / 2) return;
+    if (world.time < snapshots[this.#at].time + this.#interval - dt / 2) return;
+    this.#take();
+  }
+
+  /**
+   * Restores the last moment not after `time`, s, or the first one. Later moments stay until the world steps on.
+   * @param keepsPresent whether the present moment is kept as well when the world first leaves it
+   * @returns whether the world changed
+   */
+  seek(time: number, keepsPresent = true): boolean {
+    const { world } = this.#sim;
+    if (keepsPresent && !this.hasLater && world.tick !== this.#snapshots[this.#at].tick) this.#take();
+    return this.#restore(this.#indexOf(time));
+  }
+
+  /**
+   * Restores the last moment not after `time`, s, or the first one, if that lies before the present.
+   * @returns whether the world changed
+   */
+  restoreTo(time: number): boolean {
+    const index = Math.min(this.#at, this.#indexOf(time));
+    return this.#sim.world.tick > this.#snapshots[index].tick && this.#restore(index);
+  }
+
+  /** Index of the last snapshot not after a time, or of the first. */
+  #indexOf(time: number): number {
+    const snapshots = this.#snapshots;
+    let index = snapshots.length - 1;
+    while (index > 0 && snapshots[index].time > time + this.#sim.dt / 2) index--;
+    return index;
+  }
+
+  #restore(index: number): boolean {
+    const { world } = this.#sim;
+    const wanted = this.#snapshots[index];
+    this.#at = index;
+    if (world.tick === wanted.tick) return false;
+    restore(world, wanted);
+    return true;
+  }
+
+  #take(): void {
+    const snapshots = this.#snapshots;
     const start = this.#clock();
-    const maxCount = Math.max(2, Math.floor(MAX_SECONDS / this.#interval));
+    const maxCount = Math.max(2, Math.floor(this.#span / this.#interval));
     while (snapshots.length >= maxCount) {
       this.#spare.push(snapshots[0]);
       // `copyWithin` works in place; `shift` would reallocate the list now and then.
       snapshots.copyWithin(0, 1);
       snapshots.pop();
     }
-    const taken = snapshot(world, this.#spare.pop());
+    const taken = snapshot(this.#sim.world, this.#spare.pop());
     snapshots.push(taken);
+    this.#at = snapshots.length - 1;
     const cost = (this.#clock() - start) / 1000;
     this.#largest = Math.max(this.#largest, taken.bytes);
-    this.#interval = Math.max(MIN_INTERVAL, (MAX_SECONDS * this.#largest) / MAX_BYTES, cost / MAX_COST_SHARE);
+    this.#interval = Math.max(this.#minInterval, (this.#span * this.#largest) / MAX_BYTES, cost / MAX_COST_SHARE);
     // The cost of a snapshot varies, and with it their number; spare ones are kept as far as memory allows.
     while (this.#spare.length > 0 && (snapshots.length + this.#spare.length) * this.#largest > MAX_BYTES)
       this.#spare.pop();
-  }
-
-  /**
-   * Restores the last snapshot not after `time`, s, or the oldest one, and discards later snapshots.
-   * @returns whether the world changed
-   */
-  restoreTo(time: number): boolean {
-    const snapshots = this.#snapshots;
-    const { world, dt } = this.#sim;
-    while (snapshots.length > 1 && snapshots[snapshots.length - 1].time > time + dt / 2) {
-      this.#spare.push(snapshots.pop() as Snapshot);
-    }
-    const last = snapshots[snapshots.length - 1];
-    if (world.tick <= last.tick) return false;
-    restore(world, last);
-    return true;
   }
 }

@@ -4,6 +4,7 @@ export { type ClipButton, type ClipControl, createClipButton } from './clip-butt
 export { hasCoarsePointer } from './coarse-pointer.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
 export { copyLink } from './copy-link.ts';
+export { csvOf, saveText } from './csv.ts';
 export { type Dragging, type DragOptions, dragBodies } from './dragging.ts';
 export { element } from './element.ts';
 export type {
@@ -25,8 +26,10 @@ export { chooseWords, decimal, grouped, inLanguage, type Language, language, wit
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export { speakNumbers } from './number-field.ts';
 export type { Outcome } from './outcome-card.ts';
+export { drawDot, drawPath, drawTimeMark } from './path-plot.ts';
 export { pickBody2D } from './pick.ts';
 export { type AppearanceOptions, SAFE_COLORS } from './preferences.ts';
+export { rangeAbout } from './range-about.ts';
 export { Session } from './session.ts';
 export {
   type ChoiceSetting,

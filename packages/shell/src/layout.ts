@@ -59,5 +59,7 @@ export function createLayout(title: string, onSidebar: () => void, isSheet = fal
 /** Height at the bottom that elements with the attribute `data-covers="bottom"` cover, CSS pixels. */
 function coveredBottom(root: HTMLElement): number {
   const panels = root.querySelectorAll<HTMLElement>('[data-covers="bottom"]:not([hidden])');
-  return Math.max(0, ...Array.from(panels, ({ offsetTop }) => root.offsetHeight - offsetTop));
+  // What a style sheet hides covers nothing.
+  const visible = Array.from(panels).filter(({ offsetHeight }) => offsetHeight > 0);
+  return Math.max(0, ...visible.map(({ offsetTop }) => root.offsetHeight - offsetTop));
 }

@@ -1,199 +1,146 @@
 import type { PhysicsWorld } from '@principia/physics';
 import uPlot from 'uplot';
-import { element } from './element.ts';
-import {
-  angularMomentumSource,
-  type ColumnName,
-  columnSource,
-  columnsInUse,
-  energySource,
-  inUnits,
-  momentumSource,
-  type OwnUnits,
-  type PlotSource,
-} from './plot-sources.ts';
+import { csvOf, saveText } from './csv.ts';
+import { PlotControls } from './plot-controls.ts';
+import { pathOptions, plotData, timeOptions } from './plot-options.ts';
+import { inUnits, type OwnUnits, type PlotSource, pathChoice, phaseChoice } from './plot-sources.ts';
 import { SAFE_COLORS } from './preferences.ts';
 import { SeriesHistory } from './series-history.ts';
-import { siNumber } from './si-number.ts';
 import { words } from './words.ts';
 
-/** A plot over the last seconds: energies, momenta, or any column. */
-export interface PlotCard {
-  /** Records the world's values if the last sample is old enough; call it after the steps of a frame. */
-  record(world: PhysicsWorld): void;
-  /** Draws the recorded samples. */
-  draw(): void;
-  /** Discards the samples because the world was replaced. */
-  clear(): void;
-  /** Shows the next plot; hides the card after the last one. */
-  next(): void;
-  /** Whether lines use the colour-blind palette. */
-  safeColors: boolean;
-}
-
-const SAMPLES = 240;
-const INTERVAL = 0.05;
+/** Samples over time, and of one quantity against another, whose curves bend more between two samples. */
+const OVER_TIME = { samples: 240, interval: 0.05 } as const;
+const ALONG_PATH = { samples: 2400, interval: 1 / 60 } as const;
 const COLORS = ['#ff8f7a', '#6db7ff', '#ffd98a'];
 const SAFE = [5, 1, 3].map((index) => `#${SAFE_COLORS[index].toString(16).padStart(6, '0')}`);
-const PLOTS = ['Energy', 'Momentum', 'Angular momentum', 'Any value'] as const;
 
-/** @param world returns the world on display @param units of a world that is not in SI */
-export function createPlotCard(
-  parent: HTMLElement,
-  world: () => PhysicsWorld | undefined,
-  units: OwnUnits = {},
-): PlotCard {
-  const { choice, column, body, which, names, card } = createElements(parent);
-  const state = { safe: false, source: energySource as PlotSource, stale: false, shown: '' };
-  let history = new SeriesHistory(3, SAMPLES, INTERVAL);
-  let values = new Float64Array(3);
-  let plot: uPlot | undefined;
-  /** Applies the choices of the controls from now on. */
-  const show = () => {
-    const before = state.shown;
-    which.hidden = choice.value !== 'Any value';
-    if (!which.hidden) fillColumns(column, world());
-    state.source = inUnits(sourceOf(choice.value, column.value, Number(body.value), world()), units);
-    const { series } = state.source;
-    state.shown = [state.safe, state.source.unit, ...series].join();
-    state.stale = true;
-    // A similar world keeps the plot object, because clearing it costs less than creating it.
-    if (state.shown === before) {
-      history.clear();
-      return;
-    }
-    history = new SeriesHistory(series.length, SAMPLES, INTERVAL);
-    values = new Float64Array(series.length);
-    const colors = state.safe ? SAFE : COLORS;
-    names.replaceChildren(
-      ...series.map((name, i) => element('i', '', { style: `--mark: ${colors[i]}` }, words().names[name] ?? name)),
-      ...(isCompound(state.source.unit) ? [element('small', '', {}, state.source.unit)] : []),
+/** A plot of the last seconds: energies, momenta, or any column, over time or against any other quantity. */
+export class PlotCard {
+  readonly #world: () => PhysicsWorld | undefined;
+  readonly #units: OwnUnits;
+  readonly #controls: PlotControls;
+  #safe = false;
+  #source!: PlotSource;
+  /** The quantity along the horizontal axis, if it is not the time. */
+  #against: PlotSource | undefined;
+  #history!: SeriesHistory;
+  /** The values of a sample: of the lines, then along the horizontal axis. */
+  #values = new Float64Array(0);
+  #x = new Float64Array(0);
+  #plot: uPlot | undefined;
+  #isStale = false;
+  /** What the plot was made for. */
+  #shown = '';
+  /** Time of the recorded moment that is shown, s; not a number while none is. */
+  #mark = Number.NaN;
+
+  /** @param world returns the world on display @param units of a world that is not in SI */
+  constructor(parent: HTMLElement, world: () => PhysicsWorld | undefined, units: OwnUnits = {}) {
+    this.#world = world;
+    this.#units = units;
+    this.#controls = new PlotControls(
+      parent,
+      () => this.#show(),
+      (kind) => this.#choose(kind),
+      () => saveText('plot.csv', this.#csv(), 'text/csv'),
     );
-    plot?.destroy();
-    plot = new uPlot(plotOptions(state.source, colors), history.data(), card);
-  };
-  for (const control of [choice, column, body]) control.addEventListener('change', show);
-  show();
-  return {
-    get safeColors() {
-      return state.safe;
-    },
-    set safeColors(safe) {
-      state.safe = safe;
-      show();
-    },
-    record(now) {
-      if (history.discardAfter(now.time)) state.stale = true;
-      if (card.hidden || !history.isDue(now.time)) return;
-      state.source.read(now, values);
-      history.add(now.time, values);
-      state.stale = true;
-    },
-    draw() {
-      if (!state.stale || card.hidden || card.offsetParent === null) return;
-      state.stale = false;
-      plot?.setData(history.data());
-    },
-    clear: show,
-    next() {
-      const at = card.hidden ? 0 : choice.selectedIndex + 1;
-      card.hidden = at === PLOTS.length;
-      choice.selectedIndex = at % PLOTS.length;
-      show();
-    },
-  };
-}
+    this.#show();
+  }
 
-function createElements(parent: HTMLElement) {
-  const { plots, plot: plotLabel, value, body: bodyLabel, bodyTitle, bodyHint } = words();
-  const choice = select(
-    plotLabel,
-    PLOTS.map((name) => [name, plots[name]] as const),
-  );
-  const column = select(value, []);
-  const body = element('input', '', { type: 'number', min: '0', step: '1', value: '0', 'aria-label': bodyTitle });
-  const which = element(
-    'div',
-    'game-plot-column',
-    {},
-    column,
-    element('label', '', { title: bodyHint }, `${bodyLabel} `, body),
-  );
-  const names = element('span', '');
-  const card = element(
-    'section',
-    'game-card',
-    { 'aria-label': plotLabel },
-    element('h2', '', {}, choice, names),
-    which,
-  );
-  parent.append(card);
-  return { choice, column, body, which, names, card };
-}
+  /** Whether lines use the colour-blind palette. */
+  get safeColors(): boolean {
+    return this.#safe;
+  }
 
-/** @param options pairs of value and label */
-function select(label: string, options: readonly (readonly [string, string])[]): HTMLSelectElement {
-  const made = element('select', '', { 'aria-label': label });
-  for (const [value, shown] of options) made.append(element('option', '', { value }, shown));
-  return made;
-}
+  set safeColors(safe: boolean) {
+    this.#safe = safe;
+    this.#show();
+  }
 
-/** Offers the columns that have non-zero values, and keeps the selection. */
-function fillColumns(list: HTMLSelectElement, world: PhysicsWorld | undefined): void {
-  if (world === undefined) return;
-  const chosen = list.value;
-  const names = columnsInUse(world).map(({ component, field }) => `${component}.${field}`);
-  if (chosen !== '' && !names.includes(chosen)) names.push(chosen);
-  list.replaceChildren(...names.map((name) => element('option', '', {}, name)));
-  list.value = names.includes(chosen) ? chosen : (names[0] ?? '');
-}
+  /**
+   * Records the world's values if the last sample is old enough; call it after the steps of a frame.
+   * @param isPast the world stands at a recorded moment: samples are kept, and a line or a dot marks its time
+   */
+  record(world: PhysicsWorld, isPast = false): void {
+    const mark = isPast ? world.time : Number.NaN;
+    if (!Object.is(mark, this.#mark)) this.#isStale = true;
+    this.#mark = mark;
+    if (isPast) return;
+    if (this.#history.discardAfter(world.time)) this.#isStale = true;
+    if (this.#controls.card.hidden || !this.#history.isDue(world.time)) return;
+    this.#source.read(world, this.#values);
+    if (this.#against !== undefined) {
+      this.#against.read(world, this.#x);
+      this.#values[this.#values.length - 1] = this.#x[0];
+    }
+    this.#history.add(world.time, this.#values);
+    this.#isStale = true;
+  }
 
-function sourceOf(plot: string, column: string, body: number, world: PhysicsWorld | undefined): PlotSource {
-  const dimensions = world?.dimensions ?? 2;
-  if (plot === 'Momentum') return momentumSource(dimensions);
-  if (plot === 'Angular momentum') return angularMomentumSource(dimensions);
-  if (plot !== 'Any value' || column === '') return energySource;
-  const [component, field] = column.split('.');
-  const name = { component, field } as ColumnName;
-  return columnSource(name, Number.isInteger(body) && body > 0 ? body : 0);
-}
+  /** Draws the recorded samples. */
+  draw(): void {
+    const { card } = this.#controls;
+    if (!this.#isStale || card.hidden || card.offsetParent === null) return;
+    this.#isStale = false;
+    this.#plot?.setData(plotData(this.#history, this.#against !== undefined));
+  }
 
-/** A unit of one word fits beside the numbers; longer ones stand above. */
-const isCompound = (unit: string): boolean => /[ /]/.test(unit);
+  /** Discards the samples because the world was replaced. */
+  clear(): void {
+    this.#show();
+  }
 
-function plotOptions({ series, unit }: PlotSource, colors: readonly string[]): uPlot.Options {
-  const grid = { stroke: '#ffffff14', width: 1 };
-  const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font: '11px system-ui, sans-serif' };
-  const shown = isCompound(unit) ? '' : unit;
-  return {
-    width: 240,
-    height: 118,
-    padding: [6, 4, 0, 0],
-    legend: { show: false },
-    cursor: { show: false },
-    scales: {
-      x: { time: false, range: (_, low, high) => [Math.min(low, high - SAMPLES * INTERVAL), Math.max(high, low + 1)] },
-      y: { range: (_, low, high) => rangeOf(low, high) },
-    },
-    axes: [
-      {
-        ...axis,
-        size: 20,
-        values: (_, splits) => splits.map((second) => (second < 0 ? '' : `${second} s`)),
-        space: 60,
-      },
-      { ...axis, size: 46, values: (_, splits) => splits.map((value) => siNumber(value, shown)), space: 28 },
-    ],
-    series: [
-      {},
-      ...series.map((label, i) => ({ label, stroke: colors[i], width: 1.5, points: { show: false }, spanGaps: false })),
-    ],
-  };
-}
+  /** Shows the next plot; hides the card after the last one. */
+  next(): void {
+    this.#controls.next();
+    this.#show();
+  }
 
-/** The range includes zero, with a margin on either side. */
-function rangeOf(low: number | null, high: number | null): [number, number] {
-  if (low === null || high === null || !Number.isFinite(low + high)) return [0, 1];
-  const [bottom, top] = [Math.min(0, low), Math.max(0, high)];
-  return bottom === top ? [0, 1] : [bottom * 1.08, top * 1.08];
+  #choose(kind: 'path' | 'phase'): void {
+    const world = this.#world();
+    if (world === undefined) return;
+    this.#controls.choose((kind === 'path' ? pathChoice : phaseChoice)(world, this.#controls.body));
+    this.#show();
+  }
+
+  /** Applies the choices of the controls from now on. */
+  #show(): void {
+    const { source, against } = this.#controls.read(this.#world());
+    this.#source = inUnits(source, this.#units);
+    this.#against = against && inUnits(against, this.#units);
+    const before = this.#shown;
+    const { series, unit } = this.#source;
+    this.#shown = [this.#safe, unit, ...series, this.#against?.unit, ...(this.#against?.series ?? [])].join();
+    this.#isStale = true;
+    // A similar world keeps the plot object, because clearing it costs less than creating it.
+    if (this.#shown === before) this.#history.clear();
+    else this.#make();
+  }
+
+  #make(): void {
+    const isPath = this.#against !== undefined;
+    const { samples, interval } = isPath ? ALONG_PATH : OVER_TIME;
+    const count = this.#source.series.length + (isPath ? 1 : 0);
+    this.#history = new SeriesHistory(count, samples, interval);
+    this.#values = new Float64Array(count);
+    this.#x = new Float64Array(1);
+    const colors = this.#safe ? SAFE : COLORS;
+    this.#controls.showNames(this.#source, this.#against, colors);
+    this.#plot?.destroy();
+    const mark = () => this.#mark;
+    const options =
+      this.#against === undefined
+        ? timeOptions(this.#source, colors, samples * interval, mark)
+        : pathOptions(this.#source, this.#against, colors, this.#history, mark);
+    this.#plot = new uPlot(options, plotData(this.#history, isPath), this.#controls.card);
+  }
+
+  /** The samples with their times; the horizontal axis is the last column. */
+  #csv(): string {
+    const { chosen } = this.#controls;
+    const unitOf = ({ unit }: PlotSource) => (unit === '' ? '' : `, ${unit}`);
+    const names = this.#source.series.map((name) => `${chosen} ${words().names[name] ?? name}${unitOf(this.#source)}`);
+    const x = this.#against === undefined ? [] : [`${this.#against.series[0]}${unitOf(this.#against)}`];
+    return csvOf(['t, s', ...names, ...x], this.#history.data());
+  }
 }

@@ -8,6 +8,10 @@ import {
   inUnits,
   momentumSource,
   type PlotSource,
+  pathChoice,
+  phaseChoice,
+  quantitySource,
+  totalsOf,
 } from './plot-sources.ts';
 
 function world(dimensions: 2 | 3 = 2) {
@@ -56,4 +60,35 @@ it('offers the columns that hold anything', () => {
     'Velocity.y',
     'Mass.value',
   ]);
+});
+
+it('reads one quantity for the horizontal axis: a part of a total, a column of a body, or the mean of all', () => {
+  expect(totalsOf(2)).toEqual([
+    'Energy.kinetic',
+    'Energy.potential',
+    'Energy.total',
+    'Momentum.x',
+    'Momentum.y',
+    'Angular momentum.z',
+  ]);
+  expect(totalsOf(3)).toHaveLength(9);
+  const quantity = (name: string, body = 0) => quantitySource(name, body, 2);
+  expect(read(quantity('Energy.total'))).toEqual([9.5]);
+  expect(read(quantity('Momentum.y'))).toEqual([5]);
+  expect(read(quantity('Angular momentum.z'))).toEqual([13]);
+  expect([0, 1, 2].map((body) => read(quantity('Position.x', body))[0])).toEqual([0.5, 2, -1]);
+  expect(quantity('Velocity.y', 1)).toMatchObject({ unit: 'm/s', series: ['Velocity.y'] });
+});
+
+it('offers the path and the phase portrait of what moves', () => {
+  const made = createPhysicsWorld({ capacity: 9 });
+  spawn(made, { position: { x: 2 }, mass: 1 });
+  expect(pathChoice(made, 0)).toEqual({ y: 'Position.y', x: 'Position.x', body: 1 });
+  spawn(made, { position: {}, rotation: 0, angularVelocity: { z: 1 }, mass: 1 });
+  expect(phaseChoice(made, 0)).toEqual({ y: 'AngularVelocity.z', x: 'Rotation.angle', body: 2 });
+  spawn(made, { position: {}, velocity: { x: 1, y: -2 }, mass: 1 });
+  expect(pathChoice(made, 0).body).toBe(3);
+  expect(phaseChoice(made, 3)).toEqual({ y: 'Velocity.y', x: 'Position.y', body: 3 });
+  expect(phaseChoice(made, 1)).toEqual({ y: 'Velocity.x', x: 'Position.x', body: 1 });
+  expect(phaseChoice(made, 9)).toEqual({ y: 'Velocity.x', x: 'Position.x', body: 9 });
 });

@@ -72,6 +72,82 @@ export function angularMomentumSource(dimensions: 2 | 3): PlotSource {
   };
 }
 
+/** Quantities of the whole world that a plot can have along its horizontal axis; columns come after them. */
+export function totalsOf(dimensions: 2 | 3): string[] {
+  return TOTALS.flatMap((plot) => sourceOf(plot, 0, dimensions).series.map((name) => `${plot}.${name}`));
+}
+
+const TOTALS = ['Energy', 'Momentum', 'Angular momentum'] as const;
+
+/**
+ * One quantity: a component of a total such as `Energy.kinetic`, or a column such as `Position.x`, of all bodies the mean.
+ * @param body number of the body that a column is of; 0 for all
+ */
+export function quantitySource(name: string, body: number, dimensions: 2 | 3): PlotSource {
+  const [plot, part] = name.split('.');
+  const source = sourceOf(name, body, dimensions);
+  const isTotal = (TOTALS as readonly string[]).includes(plot);
+  const index = isTotal ? source.series.indexOf(part) : source.series.length >> 1;
+  const values = new Float64Array(source.series.length);
+  return {
+    unit: source.unit,
+    series: [name],
+    read(world, out) {
+      source.read(world, values);
+      out[0] = values[index];
+    },
+  };
+}
+
+/** What a choice of the reader's plots: a total of the world or one of its components, or a column such as `Position.y`. */
+export function sourceOf(name: string, body: number, dimensions: 2 | 3): PlotSource {
+  const [first, field] = name.split('.');
+  if (first === 'Energy') return energySource;
+  if (first === 'Momentum') return momentumSource(dimensions);
+  if (first === 'Angular momentum') return angularMomentumSource(dimensions);
+  return columnSource({ component: first as ComponentName, field }, body);
+}
+
+/** Pairs of columns, vertical and horizontal, and the body whose motion they show. */
+export interface PathChoice {
+  readonly y: string;
+  readonly x: string;
+  readonly body: number;
+}
+
+/**
+ * The path of the first body that moves; of a body that only turns there is none.
+ * @param body number of a body to prefer, or 0
+ */
+export function pathChoice(world: PhysicsWorld, body: number): PathChoice {
+  const isMoving = (id: number) => speedAlong(world, id, 'x') !== 0 || speedAlong(world, id, 'y') !== 0;
+  return { y: 'Position.y', x: 'Position.x', body: body || firstBody(world, isMoving) };
+}
+
+/** Velocity against position along the axis on which the body is faster, or angular velocity against angle. */
+export function phaseChoice(world: PhysicsWorld, body: number): PathChoice {
+  const isMoving = (id: number) => speedAlong(world, id, 'x') !== 0 || speedAlong(world, id, 'y') !== 0;
+  const number = body || firstBody(world, (id) => isMoving(id) || isTurning(world, id));
+  const id = bodies(world).ids[number - 1];
+  if (id !== undefined && !isMoving(id) && isTurning(world, id)) {
+    return { y: 'AngularVelocity.z', x: 'Rotation.angle', body: number };
+  }
+  const axis = id !== undefined && speedAlong(world, id, 'y') > speedAlong(world, id, 'x') ? 'y' : 'x';
+  return { y: `Velocity.${axis}`, x: `Position.${axis}`, body: number };
+}
+
+const speedAlong = ({ components: { Velocity } }: PhysicsWorld, id: number, axis: 'x' | 'y') =>
+  Math.abs(Velocity[axis][id]);
+
+const isTurning = ({ components: { AngularVelocity } }: PhysicsWorld, id: number) => AngularVelocity.z[id] !== 0;
+
+/** Number of the first body with a property, or 1. */
+function firstBody(world: PhysicsWorld, has: (id: number) => boolean): number {
+  const { ids, count } = bodies(world);
+  for (let i = 0; i < count; i++) if (has(ids[i])) return i + 1;
+  return 1;
+}
+
 /** A field of a component. */
 export interface ColumnName {
   readonly component: ComponentName;

@@ -41,6 +41,13 @@ export class SeriesHistory {
     return this.#count < before;
   }
 
+  /** Index of the last sample not after a time; −1 before the first, and for a time that is not a number. */
+  lastBefore(time: number): number {
+    let index = Number.isNaN(time) ? -1 : this.#count - 1;
+    while (index >= 0 && this.#times[index] > time) index--;
+    return index;
+  }
+
   clear(): void {
     this.#count = 0;
   }

@@ -95,7 +95,7 @@ export class Session<S extends Settings, Sim extends Simulation> {
     this.rewound = false;
     this.#rewindTime = undefined;
     keepState(sim.world, this.values, this.#appliedColors);
-    this.#history = new History(sim, this.#clock);
+    this.#history = new History(sim, this.#clock, this.game.rewindSeconds?.(sim));
   }
 
   /** Assigns colours to the bodies. */
@@ -104,9 +104,28 @@ export class Session<S extends Settings, Sim extends Simulation> {
     this.game.applyColors?.(this.sim, { seed: this.seed, safeColors: this.safeColors });
   }
 
+  /** Time of the world, s; zero before there is one. */
+  get time(): number {
+    return this.#sim?.world.time ?? 0;
+  }
+
   /** Simulated seconds that can be rewound. */
   get historySeconds(): number {
-    return this.#history?.length ?? 0;
+    return this.#history === undefined ? 0 : this.sim.world.time - this.#history.timeAt(0);
+  }
+
+  /** The recorded moments: their number, and the index of the one that the world stands at or came from last. */
+  get moments(): number {
+    return this.#history?.count ?? 1;
+  }
+
+  get moment(): number {
+    return this.#history?.index ?? 0;
+  }
+
+  /** Whether the world stands at a moment after which others are recorded; the next step discards those. */
+  get isPast(): boolean {
+    return this.#history?.hasLater === true;
   }
 
   /**
@@ -116,8 +135,27 @@ export class Session<S extends Settings, Sim extends Simulation> {
   rewind(seconds: number): boolean {
     const { world } = this.sim;
     const history = this.#history as History;
-    this.#rewindTime = Math.max(world.time - history.length, (this.#rewindTime ?? world.time) - seconds);
-    const changed = history.restoreTo(this.#rewindTime);
+    this.#rewindTime = Math.max(history.timeAt(0), (this.#rewindTime ?? world.time) - seconds);
+    return this.#restored(history.restoreTo(this.#rewindTime));
+  }
+
+  /**
+   * Restores the last recorded moment not after a time, s. Later ones are kept until the world steps on.
+   * @param keepsPresent whether one can come back to the present moment; default true
+   * @returns whether the world changed
+   */
+  seek(time: number, keepsPresent = true): boolean {
+    this.#rewindTime = undefined;
+    return this.#restored((this.#history as History).seek(time, keepsPresent));
+  }
+
+  /** Goes to a recorded moment. @returns whether the world changed */
+  seekMoment(index: number, keepsPresent = true): boolean {
+    const history = this.#history as History;
+    return this.seek(history.timeAt(Math.max(0, Math.min(index, history.count - 1))), keepsPresent);
+  }
+
+  #restored(changed: boolean): boolean {
     // Bodies that were dragged at that time are released as well.
     if (changed) this.dragging.dropAll();
     else this.dragging.releaseAll();

@@ -4,11 +4,12 @@ import type { ClipControl } from './clip-button.ts';
 import type { Actions } from './commands.ts';
 import type { GameCard, Simulation } from './game.ts';
 import { createPanel, type Panel } from './panel.ts';
-import { createPlotCard, type PlotCard } from './plot-card.ts';
+import { PlotCard } from './plot-card.ts';
 import type { OwnUnits } from './plot-sources.ts';
 import { createProfileCard, type ProfileCard } from './profile-card.ts';
 import type { Settings } from './settings.ts';
-import { createStats, type Statistics } from './stats.ts';
+import type { Statistics } from './statistics.ts';
+import { createStats } from './stats.ts';
 import { createToolsCard, type ToolsCard } from './tools-card.ts';
 
 /** The cards, from top to bottom. */
@@ -18,7 +19,7 @@ export interface Sidebar<Sim extends Simulation> {
   readonly profile: ProfileCard;
   readonly tools: ToolsCard;
   /** Records the values of plots; call it after the steps of a frame. */
-  record(sim: Sim): void;
+  record(sim: Sim, isPast: boolean): void;
   /** Shows the values; call it a few times a second. */
   show(sim: Sim, statistics: Statistics): void;
 }
@@ -44,7 +45,7 @@ export function createSidebar<Sim extends Simulation>(parent: HTMLElement, optio
   const { settings, values, set, world, actions, clip, canReplay } = options;
   const panel = createPanel(parent, settings, values, set);
   const cards = options.cards(parent);
-  const plot = createPlotCard(parent, world, options.units);
+  const plot = new PlotCard(parent, world, options.units);
   const stats = createStats(parent);
   const profile = createProfileCard(parent);
   const tools = createToolsCard(parent, actions, clip, canReplay);
@@ -54,9 +55,9 @@ export function createSidebar<Sim extends Simulation>(parent: HTMLElement, optio
     profile,
     tools,
     // Called in every frame, so without a closure.
-    record(sim) {
-      plot.record(sim.world);
-      for (let i = 0; i < cards.length; i++) cards[i].record?.(sim);
+    record(sim, isPast) {
+      plot.record(sim.world, isPast);
+      for (let i = 0; i < cards.length; i++) cards[i].record?.(sim, isPast);
     },
     show(sim, statistics) {
       plot.draw();

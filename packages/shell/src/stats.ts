@@ -1,19 +1,7 @@
 import { element } from './element.ts';
 import { decimal, grouped } from './language.ts';
+import type { Statistics } from './statistics.ts';
 import { words } from './words.ts';
-
-/** The statistics of one update. */
-export interface Statistics {
-  /** Milliseconds per frame, per step, and per submission of the world to the renderer. */
-  readonly frame: number;
-  readonly step: number;
-  readonly draw: number;
-  readonly bodies: number;
-  /** Contacts between bodies; undefined where the world does not count them. */
-  readonly contacts: number | undefined;
-  /** Simulated seconds. */
-  readonly time: number;
-}
 
 /** A small table of statistics. */
 export interface Stats {

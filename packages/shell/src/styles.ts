@@ -41,6 +41,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 100% } .game-card option { background: #1a2349 }
 .game-card input { width: 52px } .game-card h2 select { color: var(--dim); font-weight: 600; margin-left: -4px }
 .game-plot-column { display: flex; gap: 8px; align-items: center; font-size: 12px; color: var(--dim); white-space: nowrap }
+.game-plot-buttons { display: flex; flex-wrap: wrap; gap: 6px; margin: 4px 0 } .game-plot-buttons button { border: 1px solid var(--line); border-radius: 7px;
+  background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px; padding: 1px 7px; cursor: pointer }
+.game-plot-buttons button:focus-visible { outline: 2px solid var(--accent) }
 .game-profile { display: grid; grid-template-columns: max-content 1fr max-content; gap: 1px 8px; margin: 0; font-size: 12px;
   align-items: center; font-variant-numeric: tabular-nums } .game-profile dt { color: var(--dim) } .game-profile dd { margin: 0 }
 .game-profile i { height: 6px; border-radius: 3px; background: linear-gradient(90deg, var(--accent), var(--accent)) 0 0 /
@@ -64,7 +67,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-stats { display: grid; grid-template-columns: auto auto auto auto; gap: 0 8px; margin: 0; font-size: 12px;
   font-variant-numeric: tabular-nums }
 .game-stats dt { color: var(--dim) } .game-stats dd { margin: 0; text-align: right }
-.game-banner { position: absolute; left: 50%; bottom: max(20px, env(safe-area-inset-bottom)); translate: -50% 0;
+.game-banner { position: absolute; left: 50%; bottom: calc(max(20px, env(safe-area-inset-bottom)) + var(--foot, 0px)); translate: -50% 0;
   box-sizing: border-box; width: max-content; max-width: min(680px, calc(100% - 32px)); display: flex; gap: 12px;
   align-items: center; padding: 12px 14px 12px 18px; border-radius: 14px; background: #30142bf2;
   border: 1px solid #ff8b9a66; color: #ffdfe3; box-shadow: 0 12px 40px #0008; user-select: text; z-index: 3 }
@@ -81,7 +84,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help h2 { margin: 0 0 12px; font-size: 17px; outline: none }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
-.game-pad { position: absolute; right: max(20px, env(safe-area-inset-right)); bottom: max(24px, env(safe-area-inset-bottom));
+.game-pad { position: absolute; right: max(20px, env(safe-area-inset-right)); bottom: calc(max(24px, env(safe-area-inset-bottom)) + var(--foot, 0px));
   display: none; grid: ". up ." 64px "left . right" 64px ". down ." 64px / 64px 64px 64px; gap: 4px; z-index: 2;
   pointer-events: none } .game-pad > * { pointer-events: auto }
 .game-pad button { border: 1px solid #ffffff38; border-radius: 20px; background: #ffffff1c; color: var(--ink);
@@ -93,12 +96,12 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   background: #ffffff14; touch-action: none; display: grid; place-items: center }
 .game-stick i { width: 56px; height: 56px; border-radius: 50%; background: #ffffff3c; border: 1px solid #ffffff60; pointer-events: none }
 /* The action lies apart from the directions, so that a thumb that steers does not hit it. */
-.game-pad [data-name=action] { position: fixed; left: max(20px, env(safe-area-inset-left)); bottom: max(24px, env(safe-area-inset-bottom));
+.game-pad [data-name=action] { position: fixed; left: max(20px, env(safe-area-inset-left)); bottom: calc(max(24px, env(safe-area-inset-bottom)) + var(--foot, 0px));
   width: 64px; height: 64px }
 @media (pointer: fine) { .game-pad[data-mouse] { display: grid } .game-pad button { cursor: pointer } .game-pad button:hover { background: #ffffff30 } }
 @media (pointer: coarse) { .game-pad { display: grid } .game-bar :is(button, a) { min-width: 44px; height: 44px }
   .game-side .lil-gui { --row-height: 48px; --widget-height: 44px; --checkbox-size: 28px }
-  .game-tools button, .game-banner button, .game-help button, .game-outcome button, .game-clip button { min-height: 44px; min-width: 44px }
+  .game-plot-buttons button, .game-tools button, .game-banner button, .game-help button, .game-outcome button, .game-clip button { min-height: 44px; min-width: 44px }
   .game-card select, .game-card input { min-height: 44px } }
 .game-outcome { position: absolute; left: 50%; top: 50%; translate: -50% -50%; min-width: 240px; padding: 24px 32px 26px;
   border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;
@@ -113,11 +116,24 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
 .game-outcome button.second { background: #ffffff1c; color: var(--ink) }
 .game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
-.game-hint { position: absolute; left: 16px; right: 16px; bottom: max(14px, env(safe-area-inset-bottom)); margin: 0; pointer-events: none;
+.game-hint { position: absolute; left: 16px; right: 16px; bottom: calc(max(14px, env(safe-area-inset-bottom)) + var(--foot, 0px)); margin: 0; pointer-events: none;
   text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
 /* A window on its side has no room above the picture, but some between the buttons at the corners. */
 @media (pointer: coarse) and (max-height: 479px) { .game-hint { top: auto; bottom: 10px; left: 172px; right: 172px } }
+/* The bar of the recorded time lies below the picture; what stands at the bottom moves up by its height. */
+.game:has(> .game-timeline) { --foot: 48px }
+.game-timeline { position: absolute; left: 0; right: 0; bottom: 0; height: calc(44px + env(safe-area-inset-bottom)); display: flex; align-items: center; gap: 10px;
+  box-sizing: border-box; padding: 0 16px env(safe-area-inset-bottom) max(20px, env(safe-area-inset-left)) }
+.game-timeline input { flex: 1; min-width: 0; height: 44px; margin: 0; appearance: none; background: none; cursor: pointer; touch-action: none; outline: none }
+.game-timeline output { min-width: 56px; text-align: right; font-size: 12.5px; color: var(--dim); font-variant-numeric: tabular-nums; white-space: nowrap }
+.game-timeline ::-webkit-slider-runnable-track { height: 6px; border-radius: 3px; background: linear-gradient(90deg, var(--accent), var(--accent)) 0 0 / calc(100% * var(--done, 1)) 100% no-repeat #ffffff2c }
+.game-timeline ::-moz-range-track { height: 6px; border-radius: 3px; background: #ffffff2c } .game-timeline ::-moz-range-progress { height: 6px; border-radius: 3px; background: var(--accent) }
+.game-timeline ::-webkit-slider-thumb { appearance: none; width: 18px; height: 18px; margin-top: -6px; border-radius: 50%; background: var(--ink); box-shadow: 0 1px 6px #000a }
+.game-timeline ::-moz-range-thumb { width: 18px; height: 18px; border: 0; border-radius: 50%; background: var(--ink) }
+.game-timeline input:focus-visible::-webkit-slider-thumb { outline: 2px solid var(--accent); outline-offset: 2px }
+.game-timeline input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outline-offset: 2px }
+.game:has(.game-side:not([hidden])) > .game-timeline { right: 280px }
 .game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
 .u-wrap { position: relative } .u-over, .u-under, .u-axis { position: absolute } .u-under { overflow: hidden }
@@ -132,12 +148,14 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game:has(.game-side:not([hidden])) .game-banner { left: 50%; max-width: calc(100% - 32px) }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar :is(button, a) { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
+@media ${NARROW} { .game:has(.game-side:not([hidden])) > .game-timeline { right: 0 } }
 .game-sheet .game-side { width: 320px } .game-sheet .game-side .lil-gui { --width: 320px }
-@media (min-width: 760px) and (min-height: 480px) { .game-sheet:has(.game-side:not([hidden])) > .game-bar { right: 344px } }
+@media (min-width: 760px) and (min-height: 480px) { .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 344px } }
 @media (max-width: 759px) { .game-sheet .game-side { top: 54%; right: 0; bottom: 0; left: 0; width: auto; max-height: none; border-radius: 18px 18px 0 0 }
-  .game-sheet .game-side .lil-gui { --width: 100% } .game-sheet .game-pad { bottom: calc(46% + 12px) } }
+  .game-sheet .game-side .lil-gui { --width: 100% } .game-sheet .game-pad { bottom: calc(46% + 12px + var(--foot, 0px)) }
+  .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 46% } }
 @media (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
-  .game-sheet:has(.game-side:not([hidden])) > .game-bar { right: 316px } .game-sheet .game-pad { right: 324px } }
+  .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
 @media (min-width: 860px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
 @media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
   .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(0, 27%) 1fr } }

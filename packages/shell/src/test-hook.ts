@@ -24,8 +24,9 @@ export interface GameState {
   readonly paused: boolean;
   /** Simulated seconds per real second. */
   readonly speed: number;
-  /** Simulated seconds that can be rewound, and whether the player rewound. */
+  /** Simulated seconds that can be rewound, whether recorded moments lie ahead, and whether the player rewound. */
   readonly historySeconds: number;
+  readonly isPast: boolean;
   readonly rewound: boolean;
   readonly reducedMotion: boolean;
   readonly safeColors: boolean;
@@ -58,6 +59,8 @@ export interface GameHook {
   step(count?: number): void;
   /** Rewinds by `seconds` of simulated time, to a snapshot. */
   rewind(seconds: number): void;
+  /** Goes to the last recorded moment not after a time, s. */
+  seek(time: number): void;
   reset(seed?: number): void;
   set(name: string, value: unknown): void;
   pause(): void;
@@ -71,7 +74,7 @@ declare global {
 }
 
 /** The body at an index of the ascending list of bodies. */
-export function bodyState<S extends Settings, Sim extends Simulation>(
+function bodyState<S extends Settings, Sim extends Simulation>(
   session: Session<S, Sim>,
   view: View | undefined,
   index: number,
@@ -96,14 +99,42 @@ export function bodyState<S extends Settings, Sim extends Simulation>(
   };
 }
 
+/** What the page around a session is like. */
+export interface PageState
+  extends Pick<GameState, 'ready' | 'renderer' | 'reducedMotion' | 'recording' | 'banner' | 'timing'> {
+  readonly view: View | undefined;
+}
+
+/** @param restore moves the session to a moment of the past */
+export function createHook<S extends Settings, Sim extends Simulation>(
+  session: Session<S, Sim>,
+  page: () => PageState,
+  restore: (move: () => boolean) => void,
+  actions: Pick<GameHook, 'reset' | 'set' | 'pause' | 'resume' | 'show'>,
+): GameHook {
+  return {
+    renderers: Object.keys(session.game.renderers),
+    state() {
+      const { view: _, ...shown } = page();
+      return { ...sessionState(session), ...shown, game: session.game.report?.(session.sim) ?? {} };
+    },
+    body: (index) => bodyState(session, page().view, index),
+    step: (count) => session.step(count),
+    rewind: (seconds) => restore(() => session.rewind(seconds)),
+    seek: (time) => restore(() => session.seek(time)),
+    ...actions,
+  };
+}
+
 /** The part of the state that the session provides. */
-export function sessionState<S extends Settings, Sim extends Simulation>(session: Session<S, Sim>) {
-  const { sim, paused, speed, historySeconds, rewound, safeColors, seed, values, dragging } = session;
+function sessionState<S extends Settings, Sim extends Simulation>(session: Session<S, Sim>) {
+  const { sim, paused, speed, historySeconds, isPast, rewound, safeColors, seed, values, dragging } = session;
   const { world } = sim;
   return {
     paused,
     speed,
     historySeconds,
+    isPast,
     rewound,
     safeColors,
     seed,

@@ -2,6 +2,9 @@
 import { type Language, language } from './language.ts';
 
 const en = {
+  against: 'against',
+  againstHint: 'Horizontal axis: the time, or any quantity',
+  againstTime: 'time',
   allGames: 'All games',
   asAbove: 'as above',
   body: 'body',
@@ -49,7 +52,11 @@ const en = {
   noWebGl:
     'This browser offers no WebGL 2, which the picture needs. Turn hardware acceleration on, or try another browser.',
   or: ' or ',
+  path: 'Path',
+  pathHint: 'Path of the body: y against x',
   pause: 'Pause (Space)',
+  phasePortrait: 'Phase portrait',
+  phaseHint: 'Velocity of the body against its position',
   picture: 'Picture',
   playAgain: 'Play again',
   plot: 'Plot',
@@ -69,6 +76,7 @@ const en = {
   resumeByTouch: 'Tap ▶ to play.',
   rewind: 'Rewind (hold, or B)',
   save: 'Save',
+  saveNumbers: 'Save the numbers of this plot',
   screenshot: 'Screenshot',
   screenshotHint: 'Save a screenshot (I)',
   settings: 'Settings',
@@ -81,6 +89,7 @@ const en = {
   step: 'One step (.)',
   stick: 'Stick: drag it to steer',
   thisGame: 'this game',
+  timeline: 'Time: go to any recorded moment',
   tryAgain: 'Try again',
   value: 'Value',
   watchReplay: 'Watch replay',
@@ -147,6 +156,9 @@ const en = {
 export type Words = typeof en;
 
 const de: Words = {
+  against: 'über',
+  againstHint: 'Waagerechte Achse: die Zeit oder eine beliebige Größe',
+  againstTime: 'Zeit',
   allGames: 'Alle Spiele',
   asAbove: 'wie oben',
   body: 'Körper',
@@ -195,7 +207,11 @@ const de: Words = {
   noWebGl:
     'Dieser Browser bietet kein WebGL 2, das das Bild braucht. Schalte die Hardwarebeschleunigung ein oder nimm einen anderen Browser.',
   or: ' oder ',
+  path: 'Bahn',
+  pathHint: 'Bahn des Körpers: y über x',
   pause: 'Pause (Leertaste)',
+  phasePortrait: 'Phasenporträt',
+  phaseHint: 'Geschwindigkeit des Körpers über seinem Ort',
   picture: 'Bild',
   playAgain: 'Noch einmal',
   plot: 'Diagramm',
@@ -215,6 +231,7 @@ const de: Words = {
   resumeByTouch: 'Tippe auf ▶, um zu spielen.',
   rewind: 'Zurückspulen (halten, oder B)',
   save: 'Speichern',
+  saveNumbers: 'Die Zahlen dieses Diagramms speichern',
   screenshot: 'Screenshot',
   screenshotHint: 'Screenshot speichern (I)',
   settings: 'Einstellungen',
@@ -227,6 +244,7 @@ const de: Words = {
   step: 'Ein Schritt (.)',
   stick: 'Stick: ziehen, um zu steuern',
   thisGame: 'diesem Spiel',
+  timeline: 'Zeit: zu jedem aufgezeichneten Augenblick gehen',
   tryAgain: 'Noch einmal',
   value: 'Wert',
   watchReplay: 'Wiederholung',

@@ -55,6 +55,15 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
     example = await entry.load();
   });
 
+  it('flies its camera, if at all, through places whose times lie in its duration', () => {
+    const keys = example.start().picture.cameraPath ?? [];
+    const times = keys.map(({ time }) => time);
+    expect(times).toEqual(times.toSorted((a, b) => a - b));
+    expect(new Set(times).size).toBe(times.length);
+    expect(times.every((time) => time >= 0 && time <= example.duration)).toBe(true);
+    if (keys.length > 0) expect([example.dimensions, keys.length > 1]).toEqual([3, true]);
+  });
+
   it('says what it is', () => {
     expect(example).toMatchObject({ id, title: entry.title });
     expect(id).toMatch(new RegExp(`^ch${String(example.chapter).padStart(2, '0')}-[a-z0-9-]+$`));

@@ -21,6 +21,7 @@ export { type Frame, frameOf } from './frame.ts';
 export {
   type Arrow,
   type Axis,
+  type CameraKey,
   COLORS,
   type Color,
   type Curve,

@@ -101,6 +101,13 @@ export interface Axis {
   readonly step?: number;
 }
 
+/** Where the camera is and at what it looks at a time, s. Between the keys of a path it goes along a smooth curve. */
+export interface CameraKey {
+  readonly time: number;
+  readonly eye: Point;
+  readonly target: Point;
+}
+
 /** Everything that an example shows. Bodies with a collider or a size are drawn by themselves, in their own colours. */
 export interface Picture {
   readonly view: ViewBox;
@@ -122,6 +129,11 @@ export interface Picture {
   readonly labels?: readonly Label[];
   /** In three dimensions: the direction from `target` to `eye` is that from which all of `view` is seen. */
   readonly camera?: { readonly eye: Point; readonly target: Point };
+  /**
+   * In three dimensions: a flight of the camera through these places, which begins with the run and which the reader ends by
+   * taking the camera. Where motion is reduced, the view is that of `camera`.
+   */
+  readonly cameraPath?: readonly CameraKey[];
 }
 
 /** Colours that are legible on the dark page and differ for colour-blind people. */

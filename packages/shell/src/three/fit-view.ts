@@ -27,6 +27,19 @@ export function fitView(
   camera.setViewOffset(freeWidth, freeHeight, offsetX, offsetY, width, height);
 }
 
+/** Puts what the camera looks at into the middle of the part of the window that nothing covers. */
+export function centreView(
+  camera: PerspectiveCamera,
+  { width, height }: { readonly width: number; readonly height: number },
+  { top, right, bottom, left }: Insets,
+): void {
+  const freeWidth = Math.max(width - left - right, 1);
+  const freeHeight = Math.max(height - top - bottom, 1);
+  camera.zoom = 1;
+  camera.aspect = freeWidth / freeHeight;
+  camera.setViewOffset(freeWidth, freeHeight, -left, -top, width, height);
+}
+
 /** Centre of the box in the picture, from -1 to 1, and the zoom that fits it; perspective makes it asymmetric. */
 function tightFit(camera: PerspectiveCamera, { min, max }: Box3): { x: number; y: number; zoom: number } {
   camera.updateMatrixWorld();

@@ -19,7 +19,8 @@ import {
 } from 'three';
 import type { Simulation, View, ViewContext } from '../game.ts';
 import type { Settings } from '../settings.ts';
-import { fitView } from './fit-view.ts';
+import { type CameraKey, createCameraPath } from './camera-path.ts';
+import { centreView, fitView } from './fit-view.ts';
 
 /** Degrees; a long lens distorts less than three.js' default. */
 const DEFAULT_FIELD_OF_VIEW = 28;
@@ -48,6 +49,11 @@ export interface ThreeViewOptions<Sim extends Simulation> {
   paint(sim: Sim, source: BodySource): ThreePicture;
   /** Direction from the middle of the region to the camera. */
   readonly direction: { readonly x: number; readonly y: number; readonly z: number };
+  /**
+   * A flight of the camera over the time of the world, until the player takes the camera; `fit` gives it back. Nothing
+   * flies where motion is reduced. Default none.
+   */
+  path?(sim: Sim): readonly CameraKey[] | undefined;
   /** Vertical angle of the picture, degrees; default 28. */
   readonly fieldOfView?: number;
   /** Whether lamps cast shadows; default false. */
@@ -72,7 +78,9 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
   const scene = new Scene();
   const { orbit, camera } = openCamera(canvas, options, context.reducedMotion);
   let picture = show(context, options, scene);
+  /** The player has not taken the camera. */
   let isFitted = true;
+  let flight = flightOf(context, options);
   orbit.controls.addEventListener('start', () => {
     isFitted = false;
   });
@@ -84,6 +92,7 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
     isFitted = true;
     const box = visibleBox();
     fitView(camera, box, viewport, context.insets(), () => orbit.fit(box));
+    if (flight !== undefined && !context.reducedMotion) centreView(camera, viewport, context.insets());
   };
   const viewport = fitRendererToParent(renderer, camera, {
     onResize() {
@@ -100,8 +109,11 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
       hide(picture, scene);
       picture = show(context, options, scene);
       dragging = listenTo(context, orbit, canvas);
+      flight = flightOf(context, options);
+      if (isFitted && flight !== undefined) fitAll();
     },
     draw(alpha, seconds) {
+      if (isFitted && !context.reducedMotion) flight?.(alpha, camera.position, orbit.controls.target);
       orbit.update(seconds);
       picture.update(alpha);
       renderer.render(scene, camera);
@@ -142,6 +154,20 @@ function openCamera<Sim extends Simulation>(
   camera.position.copy(direction);
   orbit.controls.enableDamping = !reducedMotion;
   return { orbit, camera };
+}
+
+/** The flight of the camera over the world on display, if there is one: it writes where the camera is and what it sees. */
+function flightOf<S extends Settings, Sim extends Simulation>(
+  context: ViewContext<S, Sim>,
+  options: ThreeViewOptions<Sim>,
+): ((alpha: number, eye: Vector3, target: Vector3) => void) | undefined {
+  const keys = options.path?.(context.sim());
+  if (keys === undefined) return undefined;
+  const path = createCameraPath(keys);
+  return (alpha, eye, target) => {
+    const { world, dt } = context.sim();
+    path.at(world.time - (1 - alpha) * dt, eye, target);
+  };
 }
 
 function show<S extends Settings, Sim extends Simulation>(

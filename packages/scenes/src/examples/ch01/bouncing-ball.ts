@@ -2,7 +2,7 @@ import { particleContacts, spawn, wallContacts } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { type BallRun, positionOf, velocityOf } from '../support/read.ts';
-import { GROUND, RADIUS, STAGE, STAGE_VIEW, stageWorld, wrapAround } from '../support/stage.ts';
+import { comeBack, GROUND, RADIUS, STAGE, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
 const START = { x: 50, y: 50 };
 /** The centre of a ball on the floor, and the height of the fall to it. */
@@ -41,7 +41,7 @@ export default defineExample({
     const world = stageWorld(gravity, { preset: particleContacts, ...options });
     const collider = { radius: RADIUS, restitution };
     const ball = spawn(world, { position: START, velocity: { x: speed }, mass: 1, collider });
-    wrapAround(world, [ball]);
+    comeBack(world, [ball]);
     const hitSpeed = () => {
       const { count, speed } = wallContacts(world);
       return count === 0 ? 0 : speed[0];

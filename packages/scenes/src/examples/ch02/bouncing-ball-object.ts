@@ -3,7 +3,7 @@ import { addComponent, set } from 'bitecs';
 import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
-import { GROUND, RADIUS, STAGE_VIEW, stageWorld, wrapAround } from '../support/stage.ts';
+import { comeBack, GROUND, RADIUS, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
 const START = { x: 50, y: 50 };
 
@@ -26,7 +26,7 @@ export default defineExample({
     const assembled = spawn(world, { position: START, velocity: { x: speed } });
     addComponent(world, assembled, set(world.components.Mass, { value: 1 }));
     addComponent(world, assembled, set(world.components.Collider, collider));
-    wrapAround(world, [whole, assembled]);
+    comeBack(world, [whole, assembled]);
     const difference = () => {
       const [p, q] = [positionOf(world, whole), positionOf(world, assembled)];
       const [v, w] = [velocityOf(world, whole), velocityOf(world, assembled)];

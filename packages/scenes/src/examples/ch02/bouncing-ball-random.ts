@@ -1,7 +1,7 @@
 import { createRandom, spawn, velocityVerlet } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
 import { positionOf, speedOf, velocityOf } from '../support/read.ts';
-import { GROUND, RADIUS, randomLaunch, STAGE_VIEW, stageWorld, wrapAround } from '../support/stage.ts';
+import { comeBack, GROUND, RADIUS, randomLaunch, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
 const DRAWS = 10_000;
 
@@ -40,7 +40,7 @@ export default defineExample({
     const collider = { radius: RADIUS, restitution };
     const launches = Array.from({ length: balls }, () => randomLaunch(random));
     const ids = launches.map((velocity) => spawn(world, { position: { x: 50, y: 50 }, velocity, mass: 1, collider }));
-    wrapAround(world, ids);
+    comeBack(world, ids);
     return { world, dt: 1 / 60, ball: ids[0], ids, moments: momentsOf(seed) };
   },
   picture: ({ world, ball, ids }) => ({

@@ -1,4 +1,5 @@
 import { bodies, createRandom, keepState, spawn, velocityVerlet } from '@principia/physics';
+import { relaunchOutside } from '../../edges.ts';
 import { teleport } from '../../teleport.ts';
 import { defineExample } from '../define-example.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
@@ -25,12 +26,11 @@ export default defineExample({
     const ball = spawn(world, { position: START, velocity: randomLaunch(random), mass: 1, collider });
     const launches = { count: 1 };
     keepState(world, launches, random.state);
-    const { Position } = world.components;
-    world.phases.input.push(() => {
-      if (Position.x[ball] <= STAGE.maxX + RADIUS) return;
+    const again = relaunchOutside({ max: { x: STAGE.maxX + RADIUS } }, [ball], () => {
       teleport(world, ball, START, randomLaunch(random));
       launches.count++;
     });
+    world.phases.input.push(again);
     return { world, dt: 1 / 60, ball, launches };
   },
   picture: ({ world, ball, launches }) => ({

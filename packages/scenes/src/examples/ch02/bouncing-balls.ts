@@ -2,7 +2,7 @@ import { bodies, createRandom, destroyWorld, type Integrator, spawn, step, veloc
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import type { Point } from '../picture.ts';
 import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
-import { GROUND, RADIUS, randomLaunch, STAGE, STAGE_VIEW, stageWorld, wrapAround } from '../support/stage.ts';
+import { comeBack, GROUND, RADIUS, randomLaunch, STAGE, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
 const START = { x: 50, y: 75 };
 const FALL = STAGE.maxY - RADIUS - START.y;
@@ -11,7 +11,7 @@ const FALL = STAGE.maxY - RADIUS - START.y;
 function placeAlone(velocity: Point, gravity: number, restitution: number, integrator: Integrator): Point {
   const world = stageWorld(gravity, { integrator });
   const ball = spawn(world, { position: START, velocity, mass: 1, collider: { radius: RADIUS, restitution } });
-  wrapAround(world, [ball]);
+  comeBack(world, [ball]);
   for (let i = 0; i < 16 * 60; i++) step(world, 1 / 60);
   const place = positionOf(world, ball);
   destroyWorld(world);
@@ -40,7 +40,7 @@ export default defineExample({
     const collider = { radius: RADIUS, restitution };
     const launches = Array.from({ length: balls }, () => randomLaunch(random));
     const ids = launches.map((velocity) => spawn(world, { position: START, velocity, mass: 1, collider }));
-    wrapAround(world, ids);
+    comeBack(world, ids);
     // Energy per mass of the motion up and down, of all balls.
     const verticalEnergy = () =>
       ids.reduce((sum, id) => {

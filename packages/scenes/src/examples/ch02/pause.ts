@@ -2,7 +2,7 @@ import { keepState, spawn, velocityVerlet } from '@principia/physics';
 import { teleport } from '../../teleport.ts';
 import { defineExample } from '../define-example.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
-import { GROUND, RADIUS, STAGE_VIEW, stageWorld, wrapAround } from '../support/stage.ts';
+import { comeBack, GROUND, RADIUS, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
 const START = { x: 50, y: 50 };
 
@@ -27,7 +27,7 @@ export default defineExample({
     const ball = spawn(world, { position: START, velocity: { x: speed }, mass: 1, collider });
     const hold = { byKey: false, isOn: false, time: 0, change: 0, x: 0, y: 0, vx: 0, vy: 0 };
     keepState(world, hold);
-    wrapAround(world, [ball]);
+    comeBack(world, [ball]);
     world.phases.input.push(() => {
       const { x, y } = positionOf(world, ball);
       const { x: vx, y: vy } = velocityOf(world, ball);

@@ -1,5 +1,5 @@
 import { createPhysicsWorld, exp, linearDrag, motors, rgba, rungeKutta4, spawn } from '@principia/physics';
-import { teleport } from '../../teleport.ts';
+import { wrapAround } from '../../edges.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { positionOf, speedOf, velocityOf } from '../support/read.ts';
@@ -37,12 +37,7 @@ export default defineExample({
       motor: { power: 0 },
       appearance: rgba(1, 0.7, 0.28),
     });
-    world.phases.input.push(() => {
-      for (const id of [ball, coasting]) {
-        const { x, y } = positionOf(world, id);
-        if (x > ROAD) teleport(world, id, { x: x - ROAD, y }, velocityOf(world, id));
-      }
-    });
+    world.phases.input.push(wrapAround({ min: { x: 0 }, max: { x: ROAD } }, [ball, coasting]));
     return { world, dt: 1 / 60, ball, coasting };
   },
   picture: ({ world, ball, coasting }) => ({

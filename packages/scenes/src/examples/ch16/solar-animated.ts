@@ -1,6 +1,6 @@
 import { rungeKutta4 } from '@principia/physics';
 import { type BuildOptions, defineExample } from '../define-example.ts';
-import type { Point } from '../picture.ts';
+import type { CameraKey, Point } from '../picture.ts';
 import { lengthOf } from '../support/read.ts';
 import {
   aboutSun,
@@ -17,6 +17,16 @@ import {
 /** Distance from the Sun in the ecliptic. */
 const inPlane = ({ x, y }: Point) => lengthOf({ x, y });
 
+/** From above, then down to the Earth as Venus passes between it and the Sun, and up again. */
+const FLIGHT: readonly CameraKey[] = [
+  { time: 0, ...INNER_CAMERA },
+  { time: 8, eye: { x: 0, y: -540, z: 430 }, target: { x: 0, y: -20, z: 0 } },
+  { time: 15.7, eye: { x: -25, y: -440, z: 115 }, target: { x: -25, y: -120, z: 0 } },
+  { time: 20, eye: { x: 60, y: -480, z: 170 }, target: { x: 60, y: -80, z: 0 } },
+  { time: 28, eye: { x: 0, y: -560, z: 500 }, target: { x: 0, y: 0, z: 0 } },
+  { time: 36.5, ...INNER_CAMERA },
+];
+
 /** Days until the last stored position before a year is over. */
 const LAST = 360;
 
@@ -26,7 +36,7 @@ export default defineExample({
   chapter: 16,
   tags: ['3D', 'gravity', 'planets'],
   about:
-    'Each step of the simulation is an hour, and 240 of them pass in each second. The plot counts the days, so one can look up where a planet really was: Venus passed between Earth and Sun on the 6th of June 2012, when both stand in one line as seen from the Sun.',
+    'Each step of the simulation is an hour, and 240 of them pass in each second. The plot counts the days, so one can look up where a planet really was: Venus passed between Earth and Sun on the 6th of June 2012, when both stand in one line as seen from the Sun. The camera comes down to see it, unless you take it into your own hands.',
   dimensions: 3,
   duration: 36.5,
   ends: true,
@@ -43,6 +53,7 @@ export default defineExample({
   picture: (run) => ({
     view: INNER_VIEW,
     camera: INNER_CAMERA,
+    cameraPath: FLIGHT,
     trails: innerTrails(run),
     lines: [{ from: () => aboutSun(run, 'venus').r, to: () => aboutSun(run, 'earth').r, width: 1 }],
   }),
@@ -84,5 +95,8 @@ export default defineExample({
       measure: ({ world }: SolarRun) => DAYS * world.time,
     },
   ],
-  tryThis: ['Follow the line from Venus to the Earth: it is shortest when Venus passes.'],
+  tryThis: [
+    'Follow the line from Venus to the Earth: it is shortest when Venus passes.',
+    'Drag the picture to take the camera; F gives it back to its flight.',
+  ],
 });

@@ -1,4 +1,5 @@
 import { attractors, createPhysicsWorld, defineLaw, rgba, rungeKutta4, scalar, spawn, vec3 } from '@principia/physics';
+import { relaunchOutside } from '../../edges.ts';
 import { teleport } from '../../teleport.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
@@ -60,14 +61,12 @@ export default defineExample({
     });
     // From so far away that the pull of the moon begins gently.
     const probe = add(4 * HALF, PROBE, rgba(0.43, 0.72, 1));
-    world.phases.input.push(() => {
-      for (const [k, id] of grains.entries()) {
-        if (Math.abs(positionOf(world, id).x) <= HALF) continue;
-        const row = rowAt(k % (2 * ROWS));
-        // What leaves the piece is replaced by a fresh particle where its row comes in.
-        teleport(world, id, { x: row > 0 ? HALF : -HALF, y: row }, { x: -1.5 * spin * row, y: 0 });
-      }
+    // What leaves the piece is replaced by a fresh particle where its row comes in.
+    const replace = relaunchOutside({ min: { x: -HALF }, max: { x: HALF } }, grains, (id, k) => {
+      const row = rowAt(k % (2 * ROWS));
+      teleport(world, id, { x: row > 0 ? HALF : -HALF, y: row }, { x: -1.5 * spin * row, y: 0 });
     });
+    world.phases.input.push(replace);
     /** Amplitude of the radial swing: the middle of the swing is at y₀ = 4 y + 2 vₓ/Ω. */
     const amplitude = () => {
       const [{ y }, v] = [positionOf(world, probe), velocityOf(world, probe)];

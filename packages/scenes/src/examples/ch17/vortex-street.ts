@@ -1,5 +1,5 @@
 import { createPhysicsWorld, log, rgba, spawn } from '@principia/physics';
-import { teleport } from '../../teleport.ts';
+import { wrapAround } from '../../edges.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { tanh } from '../support/hyperbolic.ts';
 import { PointVortices } from '../support/point-vortices.ts';
@@ -78,15 +78,9 @@ export default defineExample({
       Velocity.x[id] = velocity.x;
       Velocity.y[id] = velocity.y;
     };
-    // What leaves on one side comes in on the other.
-    const comeBack = (id: number) => {
-      const x = Position.x[id];
-      if (Math.abs(x) > HALF) teleport(world, id, { x: wrap(x), y: Position.y[id] });
-    };
+    world.phases.input.push(wrapAround({ min: { x: -HALF }, max: { x: HALF } }));
     // The fluid sets the velocity, not the acceleration: that of half a step later, by the midpoint rule.
     world.phases.input.push(() => {
-      for (const { id } of vortices) comeBack(id);
-      for (const id of tracers) comeBack(id);
       for (const ahead of [0, dt / 2]) {
         place(ahead);
         for (const { id } of vortices) carry(id, ahead, 0);

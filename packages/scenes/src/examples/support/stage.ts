@@ -7,7 +7,7 @@ import {
   type Random,
   uniformGravity,
 } from '@principia/physics';
-import { teleport } from '../../teleport.ts';
+import { wrapAround } from '../../edges.ts';
 import { COLORS, type Point, type ViewBox } from '../picture.ts';
 
 /** Radius of the balls, px. */
@@ -27,16 +27,12 @@ export function stageWorld(gravity: number, options: PhysicsWorldOptions): Physi
   return createPhysicsWorld({ capacity: 64, forces: [uniformGravity({ y: gravity })], walls, ...options });
 }
 
-/** A body that has left the stage on the right comes back on the left. */
-export function wrapAround(world: PhysicsWorld, bodies: readonly number[]): void {
-  const { Position, Velocity } = world.components;
-  world.phases.input.push(() => {
-    for (const id of bodies) {
-      if (Position.x[id] <= STAGE.maxX + RADIUS) continue;
-      const position = { x: Position.x[id] - (STAGE.maxX - STAGE.minX + 2 * RADIUS), y: Position.y[id] };
-      teleport(world, id, position, { x: Velocity.x[id], y: Velocity.y[id] });
-    }
-  });
+/** The stage with a ball's width beyond the sides, where a ball is out of sight. */
+const SIDES = { min: { x: STAGE.minX - RADIUS }, max: { x: STAGE.maxX + RADIUS } };
+
+/** Bodies that have left the stage at a side come back at the other. */
+export function comeBack(world: PhysicsWorld, bodies: readonly number[]): void {
+  world.phases.input.push(wrapAround(SIDES, bodies));
 }
 
 /** A random velocity, px/s: up to 300 to the right, and up to 120 up or down. */

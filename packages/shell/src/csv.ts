@@ -1,7 +1,7 @@
 /** A table with one line of names; names with a comma are quoted. */
-export function csvOf(names: readonly string[], columns: readonly (readonly number[])[]): string {
+export function csvOf(names: readonly string[], columns: readonly ArrayLike<number>[]): string {
   const head = names.map((name) => (/[",]/.test(name) ? `"${name.replaceAll('"', '""')}"` : name)).join();
-  const rows = columns[0].map((_, row) => columns.map((column) => column[row]).join());
+  const rows = Array.from(columns[0], (_, row) => columns.map((column) => column[row]).join());
   return `${[head, ...rows].join('\n')}\n`;
 }
 
