@@ -1,8 +1,12 @@
 /** The settings in the panel. */
 import { type NumberSetting, switchSetting, type ValuesOf } from '@principia/shell';
+import { ReachedLevel } from './reached.ts';
 import { WORDS } from './words.ts';
 
 const { settings: words } = WORDS;
+
+/** What the player has reached, and with it what the panel offers. */
+export const reached = new ReachedLevel(globalThis.location?.search ?? '');
 
 const level: NumberSetting = {
   kind: 'number',
@@ -10,7 +14,9 @@ const level: NumberSetting = {
   unit: '',
   initial: 1,
   min: 1,
-  max: 12,
+  get max() {
+    return reached.highest;
+  },
   integer: true,
   about: words.level[1],
 };

@@ -8,7 +8,7 @@ import { type Comparison, Ghost } from './ghost.ts';
 import { createHud, type Frame, type Hud } from './hud.ts';
 import { paletteOf } from './palette.ts';
 import { createPicture, type Picture } from './picture.ts';
-import type { Settings } from './settings.ts';
+import { reached, type Settings } from './settings.ts';
 import type { BlackHoleGame } from './sim.ts';
 import { createSounds, type Sounds } from './sounds.ts';
 import { StageCamera } from './stage-camera.ts';
@@ -127,6 +127,7 @@ function showEvents(sim: BlackHoleGame, shownCount: number, { picture, hud, soun
   for (let i = events.length - newCount; i < events.length; i++) {
     picture.celebrate(events[i]);
     hud.toast(events[i], sim, events[i].kind === 'goal' ? compare() : undefined);
+    if (events[i].kind === 'goal') reached.note(sim);
     if (!sim.isDemo) sounds.play(events[i]);
   }
   return eventCount;

@@ -6,7 +6,7 @@ const isTouch = hasCoarsePointer();
 const en = {
   title: 'Black hole',
   settings: {
-    level: ['First level', 'A game that begins higher is not ranked'],
+    level: ['First level', 'Up to the highest that you have reached; a game that begins higher is not ranked'],
     fuel: ['Fuel', 'A limited tank for every flight; unused fuel gives bonus points'],
     moving: ['Moving holes', 'From level 5 on, some holes move on circles'],
     steep: [
@@ -69,7 +69,10 @@ export type Words = typeof en;
 const de: Words = {
   title: 'Schwarzes Loch',
   settings: {
-    level: ['Erste Stufe', 'Ein Spiel, das höher beginnt, zählt nicht für die Bestenliste'],
+    level: [
+      'Erste Stufe',
+      'Bis zur höchsten, die du erreicht hast; wer höher beginnt, kommt nicht auf die Bestenliste',
+    ],
     fuel: ['Treibstoff', 'Ein begrenzter Tank für jeden Flug; was übrig bleibt, gibt Bonuspunkte'],
     moving: ['Bewegte Löcher', 'Ab Stufe 5 kreisen einige Löcher'],
     steep: [

@@ -98,7 +98,7 @@ async function isAllowed(request: Permission['requestPermission']): Promise<bool
 }
 
 const STYLE = `
-.tilt-button { position: absolute; left: calc(max(20px, env(safe-area-inset-left)) + 76px);
+.tilt-button { position: absolute; left: calc(max(20px, env(safe-area-inset-left)) + 164px);
   bottom: max(24px, env(safe-area-inset-bottom)); min-width: 64px; height: 64px;
   border: 1px solid var(--line); border-radius: 20px; background: #ffffff1c; color: var(--ink); font: 600 14px/1 inherit;
   font-family: inherit; touch-action: manipulation }

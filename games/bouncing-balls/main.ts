@@ -7,6 +7,9 @@ import { WORDS } from './words.ts';
 
 document.title = WORDS.title;
 
+/** Settings that the world does not know. */
+const PICTURE = ['trails', 'sound', 'magnet'];
+
 await startGame({
   title: WORDS.title,
   home: '../index.html',
@@ -14,9 +17,10 @@ await startGame({
   settings,
   create: createBalls,
   applyColors: (sim, { seed, safeColors }) => applyColors(sim, seed, safeColors),
-  apply: (sim, name, values) => name === 'trails' || name === 'sound' || applyValue(sim, name, values),
+  apply: (sim, name, values) => PICTURE.includes(name) || applyValue(sim, name, values),
   dragLimit: clampToRoom,
   contacts: countContacts,
+  hasEnded: ({ time }) => time.isFrozen,
   renderers: {
     three: { label: '3D', dimensions: 3, open: async (context) => (await import('./view-3d.ts')).openView3D(context) },
     pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view-2d.ts')).openView2D(context) },

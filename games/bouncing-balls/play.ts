@@ -1,8 +1,9 @@
-/** What both views share: taps that explode, the magnet, the tilt of a device, the sound of impacts, and the hint. */
+/** What both views share: taps that explode, holds that stop time or attract, the tilt of a device, the sound of impacts, and the hint. */
 import { listenToTaps, Synth, showHint, type ViewContext } from '@principia/shell';
 import { offerTilt } from './device-tilt.ts';
-import { listenToHolds } from './held-magnet.ts';
+import { listenToHolds } from './holds.ts';
 import { Impacts } from './impacts.ts';
+import { createMagnetButton } from './magnet-button.ts';
 import type { Settings } from './settings.ts';
 import type { BallsRun } from './sim.ts';
 import { WORDS } from './words.ts';
@@ -34,17 +35,23 @@ export function createPlay(
   });
   const stopHolds = listenToHolds(context.element, canvas, {
     isTaken: (pointer) => context.dragging().holds(pointer) || context.isSpaceHeld(),
+    isMagnet: () => context.values().magnet,
+    freeze(isFrozen) {
+      context.sim().time.isFrozen = isFrozen;
+    },
     attract(x, y) {
       const at = point(x, y);
       log().add({ kind: 'magnet', x: at.x, y: at.y, z: at.z });
     },
     release: () => log().add({ kind: 'magnet off' }),
   });
+  const magnet = createMagnetButton(context.element, () => context.toggle('magnet'));
   const tilt = offerTilt(context.element, ({ x, y, z }) => log().add({ kind: 'tilt', x, y, z }), context.showMessage);
   return {
     update() {
       synth.set(context.values().sound);
       impacts.update();
+      magnet.show(context.values().magnet);
     },
     refresh() {
       impacts = new Impacts(context.sim(), synth);
@@ -54,6 +61,7 @@ export function createPlay(
       stopTaps();
       stopHolds();
       tilt.destroy();
+      magnet.destroy();
       removeHint();
       synth.destroy();
     },

@@ -25,6 +25,7 @@ export const settings = {
   drag: numberSetting(drag, { label: words.drag, max: 100, step: 0.1 }),
   collisions: switchSetting(words.collisions[0], true, { key: 'c', about: words.collisions[1] }),
   wrap: switchSetting(words.wrap[0], false, { key: 'u', about: words.wrap[1] }),
+  magnet: switchSetting(words.magnet[0], false, { key: 'g', about: words.magnet[1] }),
   sound: switchSetting(words.sound[0], true, { key: 'm', about: words.sound[1] }),
   trails: switchSetting(words.trails[0], false, { key: 't', about: words.trails[1] }),
 };

@@ -32,6 +32,8 @@ export interface BallsRun extends BouncingBalls {
   /** The inputs so far; with the seed they give the same run, unless balls were dragged or settings changed. */
   readonly log: InputLog<BallInput>;
   readonly tilt: Tilt;
+  /** Whether the player holds time still. */
+  readonly time: { isFrozen: boolean };
 }
 
 export function createBalls({ values, seed, dimensions, log }: BallOptions): BallsRun {
@@ -52,7 +54,7 @@ export function createBalls({ values, seed, dimensions, log }: BallOptions): Bal
   const { world } = balls;
   const tilt = addTilt(world, gravity);
   const parts = { spout: addSpout(balls), magnet: addMagnet(world), tilt };
-  return { ...balls, log: takeInputs(balls, parts, log), tilt };
+  return { ...balls, log: takeInputs(balls, parts, log), tilt, time: { isFrozen: false } };
 }
 
 /** Applies a changed setting to the running world; false if the setting requires a new world. */

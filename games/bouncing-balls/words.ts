@@ -13,13 +13,15 @@ const en = {
     drag: 'Air density',
     collisions: ['Collisions', 'Whether balls collide or pass through each other'],
     wrap: ['Wrap around', 'Balls that leave at one side come back at the other'],
+    magnet: ['Magnet', 'Press and hold attracts balls; otherwise it stops time'],
     sound: ['Sound', 'Impacts sound, the louder the faster'],
     trails: ['Trails', 'Shows the recent path of each ball'],
   },
   planets: { space: 'Space', moon: 'Moon', mars: 'Mars', earth: 'Earth', saturn: 'Saturn', jupiter: 'Jupiter' },
   help: {
     tap: ['Tap, click', 'blow up what is there'],
-    hold: ['Press and hold', 'a magnet: balls fly there, and follow the pointer'],
+    hold: ['Press and hold', 'time stands still; in 3D, drag on to look around'],
+    magnet: ['G, Magnet', 'press and hold is a magnet: balls fly there, and follow the pointer'],
     pour: ['Hold V, Pour', 'pour balls from the ceiling'],
     drag: ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],
     tilt: ['Tilt', 'on phones and tablets: gravity follows the way the device is held'],
@@ -27,8 +29,8 @@ const en = {
     zoom: ['Wheel, two fingers', 'zoom and move the view; so does a drag with the right button'],
   },
   hint: isTouch
-    ? 'Tap to blow balls up, hold to attract them, drag to throw them'
-    : 'Click to blow balls up, hold to attract them, drag to throw them, V to pour',
+    ? 'Tap to blow balls up, hold to stop time, drag to throw them'
+    : 'Click to blow balls up, hold to stop time, drag to throw them, V to pour',
   pour: 'Pour',
   tilt: 'Tilt',
   tiltHint: 'Gravity follows the way the device is held',
@@ -47,13 +49,15 @@ const de: Words = {
     drag: 'Luftdichte',
     collisions: ['Stöße', 'Ob Bälle zusammenstoßen oder einander durchdringen'],
     wrap: ['Ohne Wände', 'Bälle, die auf einer Seite hinausfliegen, kommen auf der anderen wieder herein'],
+    magnet: ['Magnet', 'Gedrückt halten zieht Bälle an; sonst hält es die Zeit an'],
     sound: ['Ton', 'Aufpralle sind zu hören, je schneller, desto lauter'],
     trails: ['Spuren', 'Zeigt die letzte Bahn jedes Balls'],
   },
   planets: { space: 'Weltraum', moon: 'Mond', mars: 'Mars', earth: 'Erde', saturn: 'Saturn', jupiter: 'Jupiter' },
   help: {
     tap: ['Tippen, klicken', 'sprengt auseinander, was dort ist'],
-    hold: ['Gedrückt halten', 'ein Magnet: Bälle fliegen dorthin und folgen dem Zeiger'],
+    hold: ['Gedrückt halten', 'die Zeit steht still; in 3D siehst du dich um, wenn du weiterziehst'],
+    magnet: ['G, Magnet', 'gedrückt halten ist ein Magnet: Bälle fliegen dorthin und folgen dem Zeiger'],
     pour: ['V halten, Gießen', 'gießt Bälle von der Decke'],
     drag: ['Einen Ball ziehen', 'fasst ihn, und loslassen wirft ihn; jeder Finger kann einen fassen'],
     tilt: ['Neigen', 'auf Telefonen und Tablets: Die Schwerkraft folgt der Haltung des Geräts'],
@@ -61,8 +65,8 @@ const de: Words = {
     zoom: ['Mausrad, zwei Finger', 'zoomt und verschiebt die Ansicht; ebenso Ziehen mit der rechten Maustaste'],
   },
   hint: isTouch
-    ? 'Tippen sprengt die Bälle auseinander, Halten zieht sie an, Ziehen wirft sie'
-    : 'Ein Klick sprengt die Bälle auseinander, Halten zieht sie an, Ziehen wirft sie, V gießt neue',
+    ? 'Tippen sprengt die Bälle auseinander, Halten stoppt die Zeit, Ziehen wirft sie'
+    : 'Ein Klick sprengt die Bälle auseinander, Halten stoppt die Zeit, Ziehen wirft sie, V gießt neue',
   pour: 'Gießen',
   tilt: 'Neigen',
   tiltHint: 'Die Schwerkraft folgt der Haltung des Geräts',

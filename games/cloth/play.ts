@@ -80,6 +80,7 @@ function rip(synth: Synth, threads: number, x: number, speed: number): void {
 }
 
 const STYLE = `
+@media (max-width: 759px), (max-height: 479px) { .game:has(.game-side:not([hidden])) .cloth-print { visibility: hidden } }
 .cloth-print { position: absolute; left: max(16px, env(safe-area-inset-left)); bottom: max(16px, env(safe-area-inset-bottom));
   display: flex; gap: 8px }
 .cloth-button { height: 40px; padding: 0 14px; border: 1px solid var(--line); border-radius: 12px; background: var(--card);

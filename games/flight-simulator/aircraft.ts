@@ -1,17 +1,5 @@
 /** The aeroplane: a light single-engined one with a high wing, and the laws that move it. SI units. */
-import {
-  atan2,
-  cos,
-  defineComponent,
-  type Force,
-  quadraticDrag,
-  realField,
-  sin,
-  thrust,
-  uniformGravity,
-  type WingOptions,
-  wing,
-} from '@principia/physics';
+import { atan2, cos, defineComponent, realField, sin, type VectorOverTime } from '@principia/physics';
 
 const DEGREE = Math.PI / 180;
 
@@ -31,6 +19,10 @@ export const AIRCRAFT = {
   /** Thrust of the propeller at rest, N, and the speed at which it gives none, m/s. */
   staticThrust: 3800,
   pitchSpeed: 78,
+  propellerRadius: 0.95,
+  /** Span of the tail and height of the fin, m, for the part that the wash of the propeller meets. */
+  tailSpan: 3.7,
+  finHeight: 1.6,
   /** Largest deflections, rad. */
   aileron: 20 * DEGREE,
   elevator: 25 * DEGREE,
@@ -44,9 +36,24 @@ export const Deflections = defineComponent({
   fields: { aileron: realField('rad'), elevator: realField('rad'), rudder: realField('rad') },
 });
 
+/**
+ * The air about the aeroplane: attached parts of the flow along the four panels of the wing, from left to right, the speed of
+ * the propeller's wash, m/s, and its radius at the tail, m.
+ */
+export const Flow = defineComponent({
+  fields: {
+    panel0: realField('', { initial: 1 }),
+    panel1: realField('', { initial: 1 }),
+    panel2: realField('', { initial: 1 }),
+    panel3: realField('', { initial: 1 }),
+    wash: realField('m/s'),
+    washRadius: realField('m'),
+  },
+});
+
 /** Lift per radian, and the angle at which the flow separates: an aspect ratio of 7.5. */
-const WING_SLOPE = 4.8;
-const STALL = 16 * DEGREE;
+export const WING_SLOPE = 4.8;
+export const STALL = 16 * DEGREE;
 export const MAX_LIFT = WING_SLOPE * STALL;
 const PROFILE_DRAG = 0.012;
 
@@ -54,7 +61,7 @@ const PROFILE_DRAG = 0.012;
  * Lift over the whole circle: linear to the stall, a loss of a third within six degrees, then that of a flat plate. Source:
  * the measurements to 180° of Sheldahl and Klimas, SAND80-2114 (1981).
  */
-function liftCurve(slope: number, stall: number): WingOptions['lift'] {
+function liftCurve(slope: number, stall: number): [number, number][] {
   const top = slope * stall;
   const half: [number, number][] = [
     [stall, top],
@@ -69,7 +76,7 @@ function liftCurve(slope: number, stall: number): WingOptions['lift'] {
 }
 
 /** Profile drag, drag induced by lift, C_L²/(π e Λ), and beyond the stall that of a plate. */
-function dragCurve(slope: number, stall: number, aspect: number): WingOptions['drag'] {
+function dragCurve(slope: number, stall: number, aspect: number): [number, number][] {
   const induced = (alpha: number) => (slope * alpha * (slope * alpha)) / (Math.PI * AIRCRAFT.efficiency * aspect);
   const half = [0, 0.25, 0.5, 0.75, 1].map((part): [number, number] => [
     part * stall,
@@ -86,62 +93,82 @@ function dragCurve(slope: number, stall: number, aspect: number): WingOptions['d
 }
 
 const aspect = (AIRCRAFT.span * AIRCRAFT.span) / AIRCRAFT.wingArea;
+/** In steady flow. */
 export const WING_LIFT = liftCurve(WING_SLOPE, STALL);
 export const WING_DRAG = dragCurve(WING_SLOPE, STALL, aspect);
 /** The tail flies in the downwash of the wing, which takes a third of its angle. */
-const TAIL_LIFT = liftCurve(2.6, STALL);
-const TAIL_DRAG = dragCurve(2.6, STALL, 4);
+export const TAIL_LIFT = liftCurve(2.6, STALL);
+export const TAIL_DRAG = dragCurve(2.6, STALL, 4);
 
-/** Wing panels: distance along the span, m, and how much an aileron changes the angle there. Rows rise by the dihedral. */
-const PANELS = [
-  { z: -4.1, aileron: 0.4 },
-  { z: -1.4, aileron: 0 },
-  { z: 1.4, aileron: 0 },
-  { z: 4.1, aileron: -0.4 },
-] as const;
+/** Beyond the first angle a part of the flow has separated in steady air; beyond the second all of it, rad. */
+const PARTLY = STALL + 6 * DEGREE;
+const WHOLLY = 30 * DEGREE;
+
+const across = (points: [number, number][], sign: 1 | -1): [number, number][] => [
+  ...points.toReversed().map(([x, y]): [number, number] => [-x, sign * y]),
+  ...points,
+];
+const beyond = (curve: [number, number][], from: number) => curve.filter(([x]) => x > from);
+
+/** Wholly attached flow, without which no lift grows beyond the angle of steady flow's whole separation. */
+const attachedDrag = (alpha: number) =>
+  PROFILE_DRAG + (WING_SLOPE * alpha * (WING_SLOPE * alpha)) / (Math.PI * AIRCRAFT.efficiency * aspect);
+export const ATTACHED_LIFT = across([[WHOLLY, WING_SLOPE * WHOLLY]], -1);
+export const ATTACHED_DRAG = across(
+  [0.001, 0.25, 0.5, 0.75, 1].map((part): [number, number] => [part * WHOLLY, attachedDrag(part * WHOLLY)]),
+  1,
+);
+/** Wholly separated flow: the steady curves where it is, and a plate's, that rises from zero, before. */
+export const SEPARATED_LIFT = across([[WHOLLY, valueAt(WING_LIFT, WHOLLY)], ...beyond(WING_LIFT, WHOLLY)], -1);
+
+/** Share k of the attached coefficients in Kirchhoff's lift, by the attached part of the chord, and its inverse. */
+export const shareOf = (attached: number): number => ((1 + Math.sqrt(attached)) ** 2 - 1) / 3;
+const attachedOf = (share: number): number => (Math.sqrt(3 * share + 1) - 1) ** 2;
+
+/** The share at the angle where the steady lift is smallest, so that the law has it too. */
+const separatedThere = (valueAt(WING_LIFT, WHOLLY) * PARTLY) / WHOLLY;
+const PARTLY_SHARE = (valueAt(WING_LIFT, PARTLY) - separatedThere) / (WING_SLOPE * PARTLY - separatedThere);
+const PARTLY_ATTACHED = attachedOf(PARTLY_SHARE);
+
+export const SEPARATED_DRAG = across(
+  [
+    [0.001, 0.05],
+    [PARTLY, (valueAt(WING_DRAG, PARTLY) - PARTLY_SHARE * attachedDrag(PARTLY)) / (1 - PARTLY_SHARE)],
+    [WHOLLY, valueAt(WING_DRAG, WHOLLY)],
+    ...beyond(WING_DRAG, WHOLLY),
+  ],
+  1,
+);
+
+/** Attached part of the chord in steady flow at an angle of attack, rad. */
+export function steadyAttachment(attack: number): number {
+  const alpha = Math.abs(attack);
+  if (alpha <= STALL) return 1;
+  if (alpha <= PARTLY) return 1 + ((PARTLY_ATTACHED - 1) * (alpha - STALL)) / (PARTLY - STALL);
+  return Math.max(0, (PARTLY_ATTACHED * (WHOLLY - alpha)) / (WHOLLY - PARTLY));
+}
+
+function valueAt(curve: readonly (readonly [number, number])[], x: number): number {
+  const i = curve.findIndex((point, at) => at > 0 && point[0] >= x);
+  const [[left, from], [right, to]] = [curve[i - 1], curve[i]];
+  return from + ((to - from) * (x - left)) / (right - left);
+}
+
 const DIHEDRAL = 2.5 * DEGREE;
+const panel = (z: number, aileron: number) => ({
+  /** Aerodynamic centre, m, and axis from the left tip to the right: rows rise by the dihedral. */
+  position: { x: 0.22, y: 0.6, z },
+  span: { x: 0, y: sin(z > 0 ? DIHEDRAL : -DIHEDRAL), z: cos(DIHEDRAL) },
+  /** How much an aileron changes the angle there. */
+  aileron,
+});
+/** Wing panels from left to right. */
+export const PANELS = [panel(-4.1, 0.4), panel(-1.4, 0), panel(1.4, 0), panel(4.1, -0.4)] as const;
 export const INCIDENCE = 2.5 * DEGREE;
+export const TAIL_INCIDENCE = -1.2 * DEGREE;
 
 /** The wind, m/s, as a constant vector or over time. */
-export type Wind = NonNullable<WingOptions['wind']>;
-
-export function aircraftForces(wind: Wind): Force[] {
-  const air = { density: AIR_DENSITY, wind };
-  const panels = PANELS.map(({ z, aileron }) => {
-    const tilt = z > 0 ? DIHEDRAL : -DIHEDRAL;
-    return wing({
-      ...air,
-      area: AIRCRAFT.wingArea / PANELS.length,
-      lift: WING_LIFT,
-      drag: WING_DRAG,
-      position: { x: 0.22, y: 0.6, z },
-      span: { y: sin(tilt), z: cos(tilt) },
-      incidence: INCIDENCE,
-      ...(aileron === 0 ? {} : { deflection: { component: Deflections, field: 'aileron', effectiveness: aileron } }),
-    });
-  });
-  const tail = { ...air, lift: TAIL_LIFT, drag: TAIL_DRAG };
-  return [
-    uniformGravity(),
-    thrust({ frame: 'body' }),
-    quadraticDrag(wind),
-    ...panels,
-    wing({
-      ...tail,
-      area: 3.4,
-      position: { x: -4.6, y: 0.1 },
-      incidence: -1.2 * DEGREE,
-      deflection: { component: Deflections, field: 'elevator', effectiveness: -0.5 },
-    }),
-    wing({
-      ...tail,
-      area: 1.8,
-      position: { x: -4.9, y: 0.6 },
-      span: { y: 1 },
-      deflection: { component: Deflections, field: 'rudder', effectiveness: 0.5 },
-    }),
-  ];
-}
+export type Wind = VectorOverTime;
 
 /** Thrust of the propeller at a speed, N. */
 export function propellerThrust(throttle: number, speed: number): number {

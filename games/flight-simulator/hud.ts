@@ -1,6 +1,7 @@
 /** What lies over the picture: instruments, the next task in a sentence, and a mark on the next goal. */
 import { RINGS } from './course.ts';
 import { createInstruments } from './instruments.ts';
+import { createRudderSlider } from './rudder-slider.ts';
 import { objective } from './sentences.ts';
 import type { Flight } from './sim.ts';
 import { RUNWAY } from './terrain.ts';
@@ -12,16 +13,19 @@ const STYLES = `
   translate: -50% 0; padding: 6px; border-radius: 16px; background: #0b122699; box-shadow: 0 6px 24px #0006 }
 .fs-task { box-sizing: border-box; position: absolute; left: 50%; top: 66px; translate: -50% 0; margin: 0; width: max-content; max-width: calc(100% - 40px);
   padding: 8px 16px; border-radius: 12px; background: #0b1226cc; color: #fff; font-weight: 600; font-size: 16px; text-align: center }
-.fs-task:empty { display: none } .fs-task[data-warning] { background: #b3261ee6 }
+.fs-task:empty:not([data-hold]) { display: none } .fs-task[data-warning] { background: #b3261ee6 }
+.fs-task[data-hold]::after { content: attr(data-hold); display: block; color: #9ff0b8; font-size: 13px }
 .fs-goal { position: absolute; left: 0; top: 0; color: #ffcf7a; font: 600 13px/1.2 system-ui, sans-serif; text-align: center;
   text-shadow: 0 1px 3px #000, 0 0 6px #000; width: 80px; margin: -9px -40px }
 .fs-goal i { display: block; width: 14px; height: 14px; margin: 0 auto 3px; border: 2px solid #ffb454; rotate: 45deg }
 .game:has(.game-side:not([hidden])) .fs-task, .game:has(.game-side:not([hidden])) .fs-instruments { left: calc(50% - 144px) }
+.game:has(.game-side:not([hidden])) .fs-rudder { left: calc(50% - 328px) }
 /* The pad lies over a bright runway. */
 .game:has(.fs-hud) .game-pad :is(button, .game-stick) { background: #0b122699 }
-@media (pointer: coarse) { .fs-task { font-size: 15px; line-height: 1.4 } .fs-instruments { bottom: auto; top: 136px; scale: 0.82; transform-origin: 50% 0 } }
+@media (pointer: coarse) { .fs-task { font-size: 15px; line-height: 1.4 } .fs-instruments { bottom: auto; top: 150px; scale: 0.82; transform-origin: 50% 0 } }
 @media (pointer: coarse) and (max-height: 500px) { .fs-instruments { top: auto; bottom: 4px; left: max(6px, env(safe-area-inset-left)); translate: 0 0; scale: 0.72; transform-origin: 0 100% } .fs-task { top: 58px; font-size: 14px } }
-@media (max-width: 759px) { .game:has(.game-side:not([hidden])) :is(.fs-task, .fs-instruments) { left: 50% } }
+@media (max-width: 1100px) { .game:has(.game-side:not([hidden])) .fs-rudder { left: calc(50% - 144px); translate: -50% 0; bottom: 192px } }
+@media (max-width: 759px), (pointer: coarse) { .game:has(.game-side:not([hidden])) :is(.fs-task, .fs-instruments, .fs-rudder) { visibility: hidden } }
 `;
 
 export interface Hud {
@@ -29,7 +33,12 @@ export interface Hud {
   destroy(): void;
 }
 
-export function createHud(parent: HTMLElement, size: { readonly width: number; readonly height: number }): Hud {
+/** @param present gives the present flight */
+export function createHud(
+  parent: HTMLElement,
+  present: () => Flight,
+  size: { readonly width: number; readonly height: number },
+): Hud {
   const style = document.createElement('style');
   style.textContent = STYLES;
   const root = document.createElement('div');
@@ -42,11 +51,15 @@ export function createHud(parent: HTMLElement, size: { readonly width: number; r
   goal.className = 'fs-goal';
   const distance = document.createElement('span');
   goal.append(document.createElement('i'), distance);
-  root.append(style, task, goal, instruments.element);
+  const rudder = createRudderSlider(present);
+  root.append(style, task, goal, instruments.element, rudder.element);
   parent.append(root);
+  let held = Number.NaN;
   return {
     update(flight, toScreen) {
       instruments.draw(flight);
+      rudder.update(flight);
+      showHold(flight);
       const sentence = objective(flight);
       if (task.textContent !== sentence) task.textContent = sentence;
       task.toggleAttribute('data-warning', flight.isStalling);
@@ -54,6 +67,15 @@ export function createHud(parent: HTMLElement, size: { readonly width: number; r
     },
     destroy: () => root.remove(),
   };
+
+  function showHold({ pilot }: Flight): void {
+    const { isOn, altitude } = pilot.hold;
+    const metres = isOn ? Math.round(altitude) : Number.NaN;
+    if (Object.is(metres, held)) return;
+    held = metres;
+    if (isOn) task.dataset.hold = WORDS.holds(metres);
+    else delete task.dataset.hold;
+  }
 
   function showGoal({ log, world, plane, mission }: Flight, toScreen: Parameters<Hud['update']>[1]): void {
     const ring = RINGS[log.ring];

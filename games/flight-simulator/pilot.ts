@@ -1,5 +1,6 @@
 /** From stick, pedals and levers to the control surfaces: directly, or by an assistant that holds the attitude. */
 import { AIRCRAFT } from './aircraft.ts';
+import { type AltitudeHold, createAltitudeHold, pitchToHold } from './altitude-hold.ts';
 import type { Attitude } from './attitude.ts';
 
 /** What the player holds: fractions, positive to the right, nose up, nose right. */
@@ -23,13 +24,17 @@ export interface PilotState {
   brake: number;
   /** The attitude that the assistant holds, rad. */
   targetPitch: number;
+  readonly hold: AltitudeHold;
 }
 
-/** Where the ground is. */
+/** Where the ground is, and the altitude. */
 export interface GroundState {
   readonly onGround: boolean;
-  /** m */
+  /** Above the ground below, m. */
   readonly height: number;
+  /** Above the airfield, m, and its rate, m/s. */
+  readonly altitude: number;
+  readonly climb: number;
 }
 
 /** Deflections, rad. */
@@ -53,7 +58,7 @@ const PITCH_RATE = 0.2;
 const SAFE_ATTACK = 0.21;
 
 export function createPilotState(throttle: number): PilotState {
-  return { roll: 0, pull: 0, pedal: 0, throttle, brake: 0, targetPitch: 0 };
+  return { roll: 0, pull: 0, pedal: 0, throttle, brake: 0, targetPitch: 0, hold: createAltitudeHold() };
 }
 
 /** Moves levers and control surfaces by one step. */
@@ -71,7 +76,7 @@ export function movePilot(
   state.pedal = towards(state.pedal, inputs.rudder, dt / STICK_TIME);
   state.brake = towards(state.brake, inputs.brake, dt / STICK_TIME);
   state.throttle = clamp(state.throttle + (inputs.throttle * dt) / THROTTLE_TIME, 0, 1);
-  if (assist) holdAttitude(state, attitude, ground, dt, out);
+  if (assist || state.hold.isOn) holdAttitude(state, attitude, ground, dt, out);
   else {
     out.aileron = AIRCRAFT.aileron * state.roll;
     out.elevator = AIRCRAFT.elevator * state.pull;
@@ -83,13 +88,15 @@ export function movePilot(
 function holdAttitude(
   state: PilotState,
   { pitch, bank, rollRate, pitchRate, yawRate, airspeed, sideslip, attack }: Readonly<Attitude>,
-  { onGround, height }: Readonly<GroundState>,
+  { onGround, height, altitude, climb }: Readonly<GroundState>,
   dt: number,
   out: Surfaces,
 ): void {
   // Near the ground the tail must not strike it.
   const highest = height < LOW ? LOW_PITCH : MAX_PITCH;
-  if (onGround && state.pull <= 0.05) state.targetPitch = pitch;
+  const isHolding = state.hold.isOn && !onGround;
+  if (isHolding) state.targetPitch = pitchToHold(state.hold, state.pull, altitude, climb, dt);
+  else if (onGround && state.pull <= 0.05) state.targetPitch = pitch;
   else state.targetPitch = clamp(state.targetPitch + PITCH_RATE * state.pull * dt, -MAX_PITCH, highest);
   // Control surfaces push with the square of the speed.
   const gain = clamp((35 / Math.max(airspeed, 10)) * (35 / Math.max(airspeed, 10)), 0.3, 3);
@@ -98,7 +105,8 @@ function holdAttitude(
   // In a turn the nose has to be pulled round: more lift carries the weight of a banked aeroplane.
   const turn = 0.25 * Math.min(1, bank * bank);
   const protect = -5 * Math.max(0, attack - SAFE_ATTACK);
-  const hold = gain * (2.6 * (state.targetPitch - pitch) - 1.1 * pitchRate) + turn + 0.35 * state.pull + protect;
+  const stick = isHolding ? 0 : 0.35 * state.pull;
+  const hold = gain * (2.6 * (state.targetPitch - pitch) - 1.1 * pitchRate) + turn + stick + protect;
   const rotate = Math.min(state.pull, gain * (4 * (LOW_PITCH - pitch) - 2 * pitchRate));
   out.elevator = AIRCRAFT.elevator * clamp(onGround ? rotate : hold, -1, 1);
   const follow = onGround ? -0.6 * yawRate : 0.8 * sideslip - 0.3 * yawRate;

@@ -18,6 +18,7 @@ export const settings = {
     key: 'k',
     about: words.assist[1],
   },
+  altitudeHold: { kind: 'switch', label: words.hold[0], initial: false, key: 'l', about: words.hold[1] },
   inverted: {
     kind: 'switch',
     label: words.inverted[0],
@@ -34,7 +35,18 @@ export const settings = {
     integer: false,
     about: words.crosswind[1],
   },
-  turbulence: { kind: 'number', label: words.turbulence, unit: 'm/s', initial: 0, min: 0, max: 4, integer: false },
+  turbulence: {
+    kind: 'number',
+    label: words.turbulence[0],
+    unit: 'm/s',
+    initial: 0,
+    min: 0,
+    max: 3,
+    integer: false,
+    about: words.turbulence[1],
+  },
+  unsteady: { kind: 'switch', label: words.unsteady[0], initial: true, about: words.unsteady[1] },
+  propwash: { kind: 'switch', label: words.propwash[0], initial: true, about: words.propwash[1] },
   cockpit: { kind: 'switch', label: words.cockpit, initial: false, key: 'c' },
   sound: { kind: 'switch', label: words.sound, initial: true, key: 'm' },
 } as const satisfies Record<string, NumberSetting | SwitchSetting | ChoiceSetting>;

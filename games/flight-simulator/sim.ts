@@ -1,21 +1,18 @@
 /** The simulation: one aeroplane, its ground, its wind and its mission. It needs no display. */
-import {
-  columnsOf,
-  correlatedGusts,
-  createPhysicsWorld,
-  keepState,
-  type PhysicsWorld,
-  spawn,
-} from '@principia/physics';
+import { columnsOf, cos, createPhysicsWorld, keepState, type PhysicsWorld, sin, spawn } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
-import { AIRCRAFT, aircraftForces, Deflections, propellerThrust } from './aircraft.ts';
+import { AIRCRAFT, Deflections, Flow, propellerThrust } from './aircraft.ts';
+import { Airflow } from './airflow.ts';
+import { engage } from './altitude-hold.ts';
 import { type Attitude, createAttitude, readAttitude } from './attitude.ts';
 import type { Axes } from './body-frame.ts';
 import { MISSIONS, type Mission, RESTING_HEIGHT, startOf } from './course.ts';
+import { DrydenGusts } from './dryden-gusts.ts';
 import { type GearState, landingGear } from './landing-gear.ts';
 import { createPilotState, type Inputs, movePilot, type PilotState, type Surfaces } from './pilot.ts';
 import { createLog, type FlightLog, judge } from './referee.ts';
 import { groundHeight } from './terrain.ts';
+import { aircraftForces } from './wing-laws.ts';
 
 /** The settings of a flight. */
 export interface FlightValues {
@@ -23,7 +20,14 @@ export interface FlightValues {
   readonly assist: boolean;
   readonly inverted: boolean;
   readonly crosswind: number;
+  /** Deviation of the vertical gusts, m/s. */
   readonly turbulence: number;
+  /** Whether separation of the flow lags behind the angle of attack; default yes. */
+  readonly unsteady?: boolean;
+  /** Whether the tail feels the propeller; default yes. */
+  readonly propwash?: boolean;
+  /** Whether the autopilot holds the altitude; default no. */
+  readonly altitudeHold?: boolean;
 }
 
 export interface FlightOptions {
@@ -48,25 +52,28 @@ export class Flight {
   readonly attitude: Attitude = createAttitude();
   readonly inputs: Inputs = { roll: 0, pull: 0, rudder: 0, throttle: 0, brake: 0 };
   readonly #held = new Set<string>();
-  readonly #ground = { onGround: true, height: 0 };
+  readonly #ground = { onGround: true, height: 0, altitude: 0, climb: 0 };
   readonly #gear: GearState = { brake: 0, rudder: 0 };
   readonly #surfaces: Surfaces = { aileron: 0, elevator: 0, rudder: 0 };
-  readonly #wind: (time: number) => Readonly<Axes>;
+  readonly #air: Airflow;
+  readonly #gusts: DrydenGusts;
+  readonly #flow = { isUnsteady: true, hasWash: true };
   #values: FlightValues;
   #stickX = 0;
   #stickY = 0;
+  #pedals = 0;
   #isBraking = false;
 
   constructor({ values, seed }: FlightOptions) {
     this.#values = values;
     this.mission = MISSIONS.find((name) => name === values.mission) ?? 'circuit';
-    this.#wind = windOf(values, seed);
+    this.#gusts = new DrydenGusts({ x: 0, y: 0, z: values.crosswind }, values.turbulence, seed);
     this.world = createPhysicsWorld({
       dimensions: 3,
       capacity: 4,
       seed,
-      components: [Deflections],
-      forces: aircraftForces(this.#wind),
+      components: [Deflections, Flow],
+      forces: aircraftForces((time) => this.#gusts.at(time)),
     });
     const { at, speed, throttle } = startOf(this.mission);
     this.plane = spawn(this.world, {
@@ -80,10 +87,13 @@ export class Flight {
       quadraticDrag: AIRCRAFT.parasite,
     });
     addComponent(this.world, this.plane, set(columnsOf(this.world, Deflections), { ...this.#surfaces }));
+    addComponent(this.world, this.plane, set(columnsOf(this.world, Flow), {}));
+    this.#air = new Airflow(this.world, this.plane);
+    this.#gusts.keep(this.world);
     this.world.forces.push(landingGear(this.plane, this.#gear));
     this.pilot = createPilotState(throttle);
     this.log = createLog(this.mission, at);
-    keepState(this.world, this.log, this.pilot, this.#gear, this.attitude);
+    keepState(this.world, this.log, this.pilot, this.pilot.hold, this.#gear, this.attitude);
     this.#look();
     this.world.phases.input.push((_, dt) => this.#steer(dt));
     this.world.phases.events.push(() => {
@@ -115,7 +125,7 @@ export class Flight {
 
   /** Velocity of the air, m/s. */
   get wind(): Readonly<Axes> {
-    return this.#wind(this.world.time);
+    return this.#gusts.at(this.world.time);
   }
 
   set(values: FlightValues): void {
@@ -134,6 +144,11 @@ export class Flight {
     this.#stickY = y;
   }
 
+  /** The pedals of the rudder: from −1, left, to 1. */
+  pedals(position: number): void {
+    this.#pedals = position;
+  }
+
   /** Moves the throttle by a fraction. A lever pulled below idle brakes until it is pushed again. */
   moveLever(change: number): void {
     const { pilot } = this;
@@ -147,12 +162,15 @@ export class Flight {
     const { inputs } = this;
     inputs.roll = clampUnit(this.#stickX + held('right') - held('left'));
     inputs.pull = clampUnit(held('down') - held('up') - this.#stickY) * (this.#values.inverted ? -1 : 1);
-    inputs.rudder = held('rudderRight') - held('rudderLeft');
+    inputs.rudder = clampUnit(this.#pedals + held('rudderRight') - held('rudderLeft'));
     inputs.throttle = held('more') - held('less');
     inputs.brake = Math.max(held('brake'), Number(this.#isBraking));
     const { world, plane, pilot, attitude, log } = this;
     this.#ground.onGround = log.onGround;
     this.#ground.height = this.height;
+    this.#ground.altitude = this.altitude;
+    this.#ground.climb = this.climb;
+    this.#switchHold();
     movePilot(pilot, inputs, attitude, this.#values.assist, this.#ground, dt, this.#surfaces);
     const columns = columnsOf(world, Deflections);
     columns.aileron[plane] = this.#surfaces.aileron;
@@ -160,7 +178,33 @@ export class Flight {
     columns.rudder[plane] = this.#surfaces.rudder;
     this.#gear.brake = pilot.brake;
     this.#gear.rudder = this.#surfaces.rudder;
-    world.components.Thrust.x[plane] = propellerThrust(pilot.throttle, attitude.airspeed);
+    const push = propellerThrust(pilot.throttle, attitude.airspeed);
+    world.components.Thrust.x[plane] = push;
+    this.#blow(push, dt);
+  }
+
+  /** Moves the gusts, and the flow about the aeroplane. */
+  #blow(push: number, dt: number): void {
+    const { unsteady = true, propwash = true, turbulence } = this.#values;
+    if (turbulence > 0) {
+      // From the north, which is −z, clockwise.
+      const { heading, airspeed } = this.attitude;
+      this.#gusts.step(this.world.time, dt, this.height, airspeed, sin(heading), -cos(heading));
+    }
+    this.#flow.isUnsteady = unsteady;
+    this.#flow.hasWash = propwash;
+    this.#air.update(this.wind, push, this.#flow, dt);
+  }
+
+  /** The autopilot begins with the altitude at which it is switched on, and not before the aeroplane flies. */
+  #switchHold(): void {
+    const { pilot, attitude, log } = this;
+    const isWanted = this.#values.altitudeHold === true && !log.onGround;
+    if (isWanted && !pilot.hold.isOn) engage(pilot.hold, this.altitude, attitude.pitch, this.climb);
+    if (pilot.hold.isOn && !isWanted) {
+      pilot.hold.isOn = false;
+      pilot.targetPitch = attitude.pitch;
+    }
   }
 
   #look(): void {
@@ -169,14 +213,6 @@ export class Flight {
 }
 
 const clampUnit = (value: number) => Math.min(1, Math.max(-1, value));
-
-/** Steady crosswind with gusts that last three seconds. */
-function windOf({ crosswind, turbulence }: FlightValues, seed: number): (time: number) => Readonly<Axes> {
-  const mean = { x: 0, y: 0, z: crosswind };
-  if (turbulence === 0) return () => mean;
-  const deviation = { x: turbulence, y: 0.5 * turbulence, z: turbulence };
-  return correlatedGusts({ mean, deviation, time: 3, seed }) as (time: number) => Readonly<Axes>;
-}
 
 export function createFlight(options: FlightOptions): Flight {
   return new Flight(options);

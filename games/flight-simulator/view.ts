@@ -47,7 +47,7 @@ export async function openView(context: ViewContext<Settings, Flight>): Promise<
   const glideLights = createGlideLights();
   const shadow = createShadow();
   scene.add(model.object, rings.object, glideLights.object, shadow);
-  const hud = createHud(context.element, viewport);
+  const hud = createHud(context.element, context.sim, viewport);
   const sounds = createSounds();
   const stopPointers = listenToPointers(context, canvas, flightCamera);
   const pose = { position: new Vector3(), attitude: new Quaternion() };

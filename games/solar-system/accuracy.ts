@@ -14,6 +14,7 @@ export interface Accuracy {
 export function createAccuracy(parent: HTMLElement, page: Page): Accuracy {
   const card = document.createElement('details');
   card.className = 'ss-jpl';
+  card.name = 'ss-list';
   card.open = innerWidth >= 760 && innerHeight >= 560;
   const rows = BODY_NAMES.map((name) => {
     const row = document.createElement('tr');

@@ -22,6 +22,10 @@ export const HUD_STYLE = `
 .ss-jpl td button { border: 0; background: none; padding: 0 2px; cursor: pointer; font-weight: 600; line-height: 21px }
 .ss-jpl td:last-child { color: #8fa0cc } .ss-jpl p { margin: 4px 0 0; font-size: 12px; color: #8fa0cc }
 .ss-jpl tr.on button { text-decoration: underline; text-underline-offset: 3px }
+.ss-sky { margin-top: 6px } .ss-sky select { width: 100%; margin: 5px 0 3px; padding: 3px 6px; border: 1px solid #ffffff2e; border-radius: 8px; background: #131a35; font-size: 12.5px }
+.ss-sky button { display: block; width: 100%; border: 0; background: none; padding: 2px; border-radius: 6px; text-align: left; font-size: 12.5px; line-height: 1.35; cursor: pointer }
+.ss-date .ss-sky b { color: #ffd28a; font-size: 12.5px; font-weight: 600; letter-spacing: 0 }
+.ss-sky[open] { box-sizing: border-box; max-height: calc(100vh - 320px); min-height: 110px; overflow-y: auto; pointer-events: auto; background: #0b1024ec }
 .ss-foot { position: absolute; left: 20px; right: 20px; bottom: max(14px, env(safe-area-inset-bottom)); display: grid; gap: 8px;
   justify-items: center }
 .ss-time { display: grid; grid-template-columns: auto minmax(120px, 460px) auto; gap: 10px; align-items: center; font-size: 12px; color: #a9b8e2 }
@@ -42,11 +46,13 @@ export const HUD_STYLE = `
 @media (min-width: 760px) and (min-height: 480px) { .ss-slides { display: grid; grid-template-columns: 1fr 1fr 1fr; gap: 18px }
   .ss-slide { grid-template-columns: 1fr 78px; gap: 2px } .ss-slide input[type=range] { grid-row: 2; grid-column: 1 / 3 } }
 @media (pointer: coarse) { .ss-pick input, .ss-pick button, .ss-card button, .ss-menu button { min-height: 44px } .ss .ss-label { padding: 13px 6px; top: -22px; min-width: 44px }
-  .ss-jpl td button { min-height: 30px } .ss-card .ss-end { min-height: 30px } .ss input[type=range] { height: 44px } }
+  .ss-jpl td button { min-height: 30px } .ss-sky :is(button, select) { min-height: 44px } .ss-card .ss-end { min-height: 30px } .ss input[type=range] { height: 44px } }
 @media (max-width: 759px), (max-height: 479px) { .ss-date { left: 12px; top: 66px } .ss-date > span { max-width: 172px } .ss-date b { font-size: 20px } .ss-foot { left: 8px; right: 8px; gap: 5px }
   .game:has(.game-side:not([hidden])) .ss-foot { right: 8px } .ss-hint { font-size: 13px } .ss-card { padding: 8px 10px; gap: 4px }
   .ss-card p.ss-goal { display: none } .ss-jpl { width: auto; max-width: 292px; padding: 4px 9px } .ss-slide { grid-template-columns: 62px 1fr 74px }
   .ss-date > em:not(:empty) { margin-top: 14px } .ss-pick { position: fixed; left: 190px; top: 64px; margin: 0; gap: 4px } .ss-pick input { width: 122px; padding: 5px 4px; font-size: 12px } .ss-pick button { padding: 5px 7px; font-size: 12px } .ss-time { grid-template-columns: auto minmax(90px, 1fr) auto; width: 100% } }
+@media (max-width: 699px) { .ss-sky[open] { max-height: calc(100vh - 500px) } }
+@media (max-height: 479px) { .ss-sky[open] { max-height: calc(100vh - 214px) } }
 @media (min-width: 700px) and (max-height: 479px) { .ss-card { position: fixed; right: 8px; bottom: 8px; width: 330px; max-height: calc(100% - 70px); overflow: auto }
   .ss-menu { position: fixed; right: 12px; bottom: 12px; width: 220px; display: grid } .ss-time { width: calc(100% - 350px); justify-self: start } }
 `;

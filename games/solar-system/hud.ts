@@ -8,6 +8,7 @@ import { createMissionCard } from './mission-card.ts';
 import type { Page } from './page.ts';
 import type { Settings } from './settings.ts';
 import { DATES, type SolarGame } from './sim.ts';
+import { createSkyList } from './sky-list.ts';
 import { RATES } from './solar-clock.ts';
 import { rateText, WORDS } from './words.ts';
 
@@ -38,6 +39,7 @@ export function createHud(context: ViewContext<Settings, SolarGame>, page: Page,
   const find = <E extends HTMLElement>(selector: string) => root.querySelector(selector) as E;
   const foot = find('.ss-foot');
   const accuracy = createAccuracy(find('.ss-date'), page);
+  const sky = createSkyList(find('.ss-date'), page, context.sim);
   const card = createMissionCard(context, page, plan);
   foot.prepend(card.element);
   const time = createTimeControls(find, context, page);
@@ -59,6 +61,7 @@ export function createHud(context: ViewContext<Settings, SolarGame>, page: Page,
     labels: find('.ss-labels'),
     covered: () => covered,
     update(seconds) {
+      sky.search(context.sim());
       since += seconds;
       if (since < INTERVAL) return;
       since = 0;

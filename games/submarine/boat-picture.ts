@@ -1,6 +1,7 @@
 /** The boat, with the water in its tank. */
 import { Container, Graphics } from 'pixi.js';
-import { HULL } from './sim.ts';
+import { HULL } from './hull.ts';
+import type { Pitch } from './pitch.ts';
 
 const HALF = HULL.length / 2;
 const R = HULL.halfHeight;
@@ -8,8 +9,8 @@ const TANK = { width: 7, height: 1.9, bottom: -1.5 } as const;
 
 export interface BoatPicture {
   readonly container: Container;
-  /** @param facing 1 to the right, −1 to the left @param turn of the propeller, rad */
-  update(x: number, y: number, fill: number, facing: number, turn: number): void;
+  /** @param turn of the propeller, rad */
+  update(x: number, y: number, fill: number, tilt: Readonly<Pitch>, turn: number): void;
 }
 
 export function createBoatPicture(): BoatPicture {
@@ -36,9 +37,10 @@ export function createBoatPicture(): BoatPicture {
   const body = new Container({ children: [propeller, hull, water] });
   return {
     container: body,
-    update(x, y, fill, facing, turn) {
+    update(x, y, fill, { facing, pitch }, turn) {
       body.position.set(x, y);
       body.scale.x = facing;
+      body.rotation = facing * pitch;
       water.scale.y = Math.max(0.001, fill);
       propeller.scale.y = Math.cos(turn);
     },

@@ -17,6 +17,9 @@ const STYLE = `
 .sub-gauges em { font-style: normal; color: #d5e9f5 }
 @media (max-width: 759px), (max-height: 479px) { .sub-panel { gap: 1px; bottom: 12px } .sub-goal { font-size: 15px } .sub-say, .sub-depth { font-size: 12.5px } .sub-gauges { grid-template-columns: auto 84px; font-size: 11.5px } }
 @media (pointer: coarse) { .sub-panel { left: 104px } .sub-say { max-width: 38vw } }
+/* A card says how it ended, and the settings cover what lies below them. */
+@media (max-width: 759px), (max-height: 479px) { .sub-hud.over .sub-panel { visibility: hidden } }
+@media (max-width: 759px) { .game:has(.game-side:not([hidden])) .sub-panel { visibility: hidden } }
 /* A window held upright has more sky than the ship is high. */
 @media (orientation: portrait) { .sub-panel { left: 8px; top: 60px; bottom: auto; padding: 3px 12px 4px; border-radius: 12px; background: #04182ab8 } .sub-say { max-width: min(460px, 86vw) } }
 `;
@@ -55,6 +58,7 @@ export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
       const isWon = boat.ending === 'won';
       const isFull = boat.collected === length;
       say(goal, isWon ? WORDS.endings.won : isFull ? WORDS.allAboard : WORDS.goal(boat.collected, length));
+      root.classList.toggle('over', sim.isOver);
       const isNew = sim.world.time < TIP_SECONDS && boat.ending === 'none';
       warning.classList.toggle('tip', isNew);
       say(warning, isNew ? WORDS.start : warningOf(sim));

@@ -1,7 +1,8 @@
 import { step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
+import { HULL } from './hull.ts';
 import { currentAt, SHIP } from './sea.ts';
-import { AIR, createGame, HULL, type SubmarineGame } from './sim.ts';
+import { AIR, createGame, type SubmarineGame } from './sim.ts';
 
 const open = (level = 1, seed = 1) => createGame({ values: { level }, seed });
 

@@ -2,6 +2,7 @@
 import {
   boxWalls,
   buoyancy,
+  cos,
   createPhysicsWorld,
   defineForce,
   keepState,
@@ -9,17 +10,16 @@ import {
   on,
   type PhysicsWorld,
   particleContacts,
+  sin,
   spawn,
   thrust,
   uniformGravity,
   wallContacts,
 } from '@principia/physics';
+import { DENSITY, GRAVITY, HULL } from './hull.ts';
+import { type Pitch, stepPitch } from './pitch.ts';
 import { createSea, currentAt, type Sea, SHIP, WIDTH } from './sea.ts';
 
-const GRAVITY = 9.81;
-const DENSITY = 1025;
-/** Volume of the hull, m³; half its height, m; its drag, kg/m; force of the propeller, N. */
-export const HULL = { volume: 60, halfHeight: 2.2, length: 15, drag: 12_000, thrust: 300_000 } as const;
 /** Mass of the water whose place the hull takes, kg. Empty, the boat weighs half of it; a full tank adds as much again. */
 const DISPLACED = DENSITY * HULL.volume;
 /** Change of the filled fraction of the tank while a key is held, 1/s. */
@@ -72,9 +72,11 @@ export class SubmarineGame {
   readonly level: number;
   readonly sub: number;
   readonly boat: Boat;
+  readonly tilt: Pitch = { pitch: 0, rate: 0, planes: 0, facing: 1 };
   /** 1 for each crate that is aboard. */
   readonly taken: Uint8Array;
   readonly #speeds = new Float64Array(1);
+  readonly #place = { depth: 0, volume: 0, speed: 0 };
 
   constructor({ values: { level }, seed }: SubmarineOptions) {
     this.level = level;
@@ -102,7 +104,7 @@ export class SubmarineGame {
       hull: { volume: HULL.volume, halfHeight: HULL.halfHeight, shape: 1 },
       thrust: {},
     });
-    keepState(this.world, this.boat, this.taken, this.#speeds);
+    keepState(this.world, this.boat, this.tilt, this.taken, this.#speeds);
     this.world.phases.input.push((_, dt) => this.#steer(dt));
     this.world.phases.events.push((_, dt) => this.#judge(dt));
     on(this.world, 'wallContact', (i) => this.#knock(wallContacts(this.world).impulse[i]));
@@ -205,7 +207,25 @@ export class SubmarineGame {
     Mass.value[sub] = massOf(boat.fill);
     Hull.volume[sub] = volumeAt(this.depth);
     const isWet = this.depth > -0.5 * HULL.halfHeight;
-    Thrust.x[sub] = isWet && !this.isOver ? boat.engine * HULL.thrust : 0;
+    this.#tilt(dt);
+    const { facing, pitch } = this.tilt;
+    const push = isWet && !this.isOver && boat.engine !== 0 ? HULL.thrust : 0;
+    Thrust.x[sub] = push * facing * cos(pitch);
+    Thrust.y[sub] = push * sin(pitch);
+  }
+
+  /** Turns the planes with the valve, and the boat with them. */
+  #tilt(dt: number): void {
+    const { boat, world, sub } = this;
+    const { tilt } = this;
+    const place = this.#place;
+    if (boat.engine !== 0) tilt.facing = boat.engine;
+    const { Velocity, Hull } = world.components;
+    const through = Velocity.x[sub] - currentAt(this.sea, this.depth);
+    place.depth = this.depth;
+    place.volume = Hull.volume[sub];
+    place.speed = tilt.facing * through * cos(tilt.pitch) + Velocity.y[sub] * sin(tilt.pitch);
+    stepPitch(tilt, this.isOver ? 0 : -boat.valve, place, dt);
   }
 
   #judge(dt: number): void {

@@ -38,7 +38,7 @@ export async function openView(context: ViewContext<Settings, SubmarineGame>): P
     steer: (x, y) => context.sim().steer(x, y),
   });
   const stopTaps = listenToTaps(canvas, () => context.sim().ping());
-  const state = { facing: 1, turn: 0 };
+  const state = { turn: 0 };
   return {
     canvas,
     refresh(change) {
@@ -52,9 +52,8 @@ export async function openView(context: ViewContext<Settings, SubmarineGame>): P
       const before = sim.world.previous.Position;
       const x = before.x[sim.sub] + alpha * (Position.x[sim.sub] - before.x[sim.sub]);
       const y = before.y[sim.sub] + alpha * (Position.y[sim.sub] - before.y[sim.sub]);
-      if (sim.boat.engine !== 0) state.facing = sim.boat.engine;
       state.turn += 14 * seconds * Math.abs(sim.boat.engine);
-      picture.boat.update(x, y, sim.boat.fill, state.facing, state.turn);
+      picture.boat.update(x, y, sim.boat.fill, sim.tilt, state.turn);
       picture.echo.update(sim, context.values().floodlight);
       const { right } = context.insets();
       const width = viewport.width - right;

@@ -12,7 +12,10 @@ const en = {
   },
   help: {
     tank: ['▼, ▲', 'flood the tank, or blow it out with compressed air, which takes more of it the deeper you are'],
-    engine: ['◀, ▶', 'full astern, full ahead'],
+    engine: [
+      '◀, ▶',
+      'full speed to the left or right; planes then turn the nose with ▼ and ▲, and the propeller pushes where it points',
+    ],
     pointer: ['Hold mouse or finger', 'the boat goes there'],
     sonar: ['X, Enter, ●, click', 'sonar: the echo shows bed and crates for a while'],
     goal: ['Goal', 'touch every crate, and come up beside the ship before the air to breathe is gone'],
@@ -54,7 +57,10 @@ const de: Words = {
   },
   help: {
     tank: ['▼, ▲', 'Tank fluten oder mit Druckluft ausblasen; je tiefer du bist, desto mehr braucht es davon'],
-    engine: ['◀, ▶', 'volle Kraft zurück, volle Kraft voraus'],
+    engine: [
+      '◀, ▶',
+      'volle Fahrt nach links oder rechts; Tiefenruder neigen dann mit ▼ und ▲ den Bug, und der Propeller schiebt, wohin er zeigt',
+    ],
     pointer: ['Maus oder Finger halten', 'das Boot fährt dorthin'],
     sonar: ['X, Enter, ●, Klick', 'Sonar: Das Echo zeigt Grund und Kisten für eine Weile'],
     goal: ['Ziel', 'berühre jede Kiste und tauche neben dem Schiff auf, bevor die Atemluft zu Ende ist'],

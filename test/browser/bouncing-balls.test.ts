@@ -401,40 +401,91 @@ describe('playing', () => {
     expect(blown).toBeGreaterThan(before);
   });
 
-  it.each(['pixi', 'three'])('a press that rests is a magnet, until it is let go: %s', async (renderer) => {
-    const page = await play(`manual&count=40&gravity=0&renderer=${renderer}`);
-    const ring = page.locator('.magnet-ring');
-    const inwards = async (x: number, y: number) => {
-      const balls = await Promise.all(Array.from({ length: 40 }, (_, i) => body(page, i)));
-      return balls.filter((ball) => ball.vx * (x - ball.x) + ball.vy * (y - ball.y) > 0).length;
-    };
-    await page.mouse.move(560, 320);
-    await page.mouse.down();
-    await ring.waitFor({ state: 'visible' });
-    // The ring follows the pointer, and the view stays.
-    const before = await body(page, 0);
-    await page.mouse.move(600, 340, { steps: 4 });
-    expect((await body(page, 0)).screen).toEqual(before.screen);
-    const { x, width, y, height } = (await ring.boundingBox()) as {
-      x: number;
-      y: number;
-      width: number;
-      height: number;
-    };
-    expect([x + width / 2, y + height / 2]).toEqual([expect.closeTo(600, 0), expect.closeTo(340, 0)]);
-    await steps(page, 20);
-    // In the plane of the picture all balls of the upper left corner fly to the middle of the room by now.
-    expect(await inwards(5, 2.5)).toBeGreaterThan(30);
-    const { energy } = await state(page);
-    expect(energy.kinetic).toBeGreaterThan(0);
-    await page.mouse.up();
-    expect(await ring.isVisible()).toBe(false);
-    // A hold is no tap.
-    await steps(page, 2);
-    const free = await body(page, 3);
+  it.each(['pixi', 'three'])('a tap of a finger blows up what is there: %s', async (renderer) => {
+    const touch = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+    const page = await play(`manual&count=60&gravity=0&renderer=${renderer}`, touch);
+    await steps(page, 30);
+    const kinetic = async () => (await state(page)).energy.kinetic;
+    const before = await kinetic();
+    const { screen } = await body(page, 20);
+    const at = { x: (screen?.x ?? 0) + 3, y: (screen?.y ?? 0) + 20 };
+    // What slides is no tap.
+    const fingers = await fingersOf(page);
+    await fingers('touchStart', [{ x: 8, y: 640, id: 1 }]);
+    await fingers('touchMove', [{ x: 8, y: 700, id: 1 }]);
+    await fingers('touchEnd');
+    expect(await kinetic()).toBeCloseTo(before, 6);
+    await page.touchscreen.tap(at.x, at.y);
     await steps(page, 1);
-    expect((await body(page, 3)).vx).toBe(free.vx);
+    expect(await kinetic()).toBeGreaterThan(before);
   });
+
+  it.each(['mouse', 'touch'])('a press that rests stops time while it lasts: %s', async (means) => {
+    const page = await play('count=40&renderer=pixi', { hasTouch: true });
+    const fingers = await fingersOf(page);
+    const tick = async () => (await state(page)).tick;
+    // The upper edge of the room has no balls by then.
+    await page.waitForFunction(() => __game.state().tick > 60);
+    if (means === 'mouse') {
+      await page.mouse.move(560, 200);
+      await page.mouse.down();
+    } else await fingers('touchStart', [{ x: 560, y: 200, id: 1 }]);
+    await page.locator('.magnet-ring').waitFor({ state: 'visible' });
+    await frames(page);
+    const held = await tick();
+    await page.waitForTimeout(500);
+    expect(await tick()).toBe(held);
+    if (means === 'mouse') await page.mouse.up();
+    else await fingers('touchEnd');
+    await page.waitForFunction((before) => __game.state().tick > before, held);
+    expect(await page.locator('.magnet-ring').isVisible()).toBe(false);
+  });
+
+  it('a button makes the hold a magnet', async () => {
+    const page = await play('manual&count=40');
+    await page.getByRole('button', { name: 'Magnet' }).click();
+    expect((await state(page)).values.magnet).toBe(true);
+    await page.keyboard.press('g');
+    expect((await state(page)).values.magnet).toBe(false);
+  });
+
+  it.each(['pixi', 'three'])(
+    'a press that rests is a magnet where one wants it, until it is let go: %s',
+    async (renderer) => {
+      const page = await play(`manual&count=40&gravity=0&magnet=on&renderer=${renderer}`);
+      const ring = page.locator('.magnet-ring');
+      const inwards = async (x: number, y: number) => {
+        const balls = await Promise.all(Array.from({ length: 40 }, (_, i) => body(page, i)));
+        return balls.filter((ball) => ball.vx * (x - ball.x) + ball.vy * (y - ball.y) > 0).length;
+      };
+      await page.mouse.move(560, 320);
+      await page.mouse.down();
+      await ring.waitFor({ state: 'visible' });
+      // The ring follows the pointer, and the view stays.
+      const before = await body(page, 0);
+      await page.mouse.move(600, 340, { steps: 4 });
+      expect((await body(page, 0)).screen).toEqual(before.screen);
+      const { x, width, y, height } = (await ring.boundingBox()) as {
+        x: number;
+        y: number;
+        width: number;
+        height: number;
+      };
+      expect([x + width / 2, y + height / 2]).toEqual([expect.closeTo(600, 0), expect.closeTo(340, 0)]);
+      await steps(page, 20);
+      // In the plane of the picture all balls of the upper left corner fly to the middle of the room by now.
+      expect(await inwards(5, 2.5)).toBeGreaterThan(30);
+      const { energy } = await state(page);
+      expect(energy.kinetic).toBeGreaterThan(0);
+      await page.mouse.up();
+      expect(await ring.isVisible()).toBe(false);
+      // A hold is no tap.
+      await steps(page, 2);
+      const free = await body(page, 3);
+      await steps(page, 1);
+      expect((await body(page, 3)).vx).toBe(free.vx);
+    },
+  );
 
   it('tilts where there is a sensor, and asks where that is wanted', async () => {
     const tiltTo = (page: Page, beta: number | null, gamma: number | null) =>

@@ -470,17 +470,23 @@ describe('the picture', () => {
     expect(colored).toBeGreaterThan(0.2 * bright);
   });
 
-  it('keeps the desk in its window: one line at 960 pixels beside the panel, three of 44 pixels on a phone', async () => {
+  it('keeps the desk in its window: one line at 960 pixels beside the panel, two or three of 44 pixels on a phone', async () => {
     const wide = await play('manual', { viewport: { width: 960, height: 600 }, hasTouch: false });
     expect(await wide.locator('.game-side').isVisible()).toBe(true);
     expect((await wide.locator('.fw-tray').boundingBox())?.height).toBeLessThan(55);
     const page = await play('manual', { viewport: { width: 390, height: 800 } });
     const tray = page.locator('.fw-tray');
     await page.keyboard.press('t');
-    for (const width of [390, 360]) {
-      await page.setViewportSize({ width, height: 800 });
+    // A phone held sideways has two lines of 44 pixels, and nothing that scrolls.
+    for (const [width, height, most] of [
+      [390, 800, 150],
+      [360, 800, 150],
+      [844, 390, 92],
+      [568, 320, 92],
+    ]) {
+      await page.setViewportSize({ width, height });
       await page.waitForTimeout(400);
-      expect((await tray.boundingBox())?.height).toBeLessThan(150);
+      expect((await tray.boundingBox())?.height).toBeLessThan(most);
       const boxes = await page.locator('.fw-tray button').evaluateAll((buttons) =>
         buttons.map((button) => {
           const { left, right, width, height } = button.getBoundingClientRect();

@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { landingMoves, type Throttle } from '../support/flight-bot.ts';
-import { holdablePictures, playGame, state, steps, withoutPictures } from '../support/game-page.ts';
+import { fingersOf, holdablePictures, playGame, state, steps, withoutPictures } from '../support/game-page.ts';
 import {
   choose,
   handOf,
@@ -131,6 +131,23 @@ describe('a pilot', () => {
     else await cockpit.stick(0, 0);
     await choose(page, means, page.getByRole('button', { name: 'Play again' }));
     expect((await state(page)).game).toMatchObject({ phase: 'flying', score: 0 });
+  });
+
+  it.each(['mouse', 'touch'] as const)('turns by the rudder with %s, and lets go of it', async (means) => {
+    const page = await open('manual&mission=landing&assist=off', windowFor(means));
+    const slider = page.getByRole('slider', { name: 'Rudder' });
+    const box = await slider.boundingBox();
+    const right = { x: (box?.x ?? 0) + 0.95 * (box?.width ?? 0), y: (box?.y ?? 0) + 0.5 * (box?.height ?? 0) };
+    const fingers = await fingersOf(page);
+    if (means === 'mouse') await page.mouse.click(right.x, right.y);
+    else await fingers('touchStart', [{ ...right, id: 1 }]);
+    await fly(page, 1);
+    await expect.poll(() => slider.getAttribute('aria-valuenow'), SLOW).toBe('100');
+    // A mouse leaves the pedals where they are; a finger does not.
+    if (means === 'mouse') await page.mouse.dblclick(right.x, right.y);
+    else await fingers('touchEnd');
+    await fly(page, 1);
+    await expect.poll(() => slider.getAttribute('aria-valuenow'), SLOW).toBe('0');
   });
 
   it('of the mouse takes off by the wheel and a drag', async () => {

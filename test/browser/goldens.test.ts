@@ -73,7 +73,18 @@ describe.each(pictures)('%s in %s', (game, renderer, query, play) => {
   }
 
   const look = async (page: Page) =>
-    gridOf(await pictureOf(page, '.bh-hud', '.fw-desk', '.fw-sight', '.fw-extras', '.cloth-print', '.cloth-again'));
+    gridOf(
+      await pictureOf(
+        page,
+        '.bh-hud',
+        '.fw-desk',
+        '.fw-sight',
+        '.fw-extras',
+        '.cloth-print',
+        '.cloth-again',
+        '.magnet-button',
+      ),
+    );
 
   it('looks as it did; and that it would be noticed if it were drawn elsewhere or in other colours', async () => {
     const page = await playTo();

@@ -112,3 +112,25 @@ it('plots energies in its own units, as masses are G m', async () => {
   await expect.poll(() => names.textContent(), { timeout: 10_000 }).toContain('GM km²/s²');
   expect(await names.textContent()).not.toContain('J');
 });
+
+it('lists what comes in the sky of the Earth, and leads there', async () => {
+  const page = await open('manual#date=2030-01-01');
+  await arrive(page);
+  await page.locator('.ss-sky summary').click();
+  const first = page.locator('.ss-sky button').first();
+  await expect
+    .poll(() => first.textContent(), { timeout: 60_000 })
+    .toMatch(/^2032-11-13 08:5\d Mercury before the Sun, 9\.5′/);
+  await page.locator('.ss-sky select').selectOption({ label: 'Planets that meet' });
+  await expect.poll(() => page.locator('.ss-sky button').count(), { timeout: 60_000 }).toBe(8);
+  await page.locator('.ss-sky select').selectOption({ label: 'Oppositions' });
+  await expect
+    .poll(() => page.locator('.ss-sky button', { hasText: 'Mars in opposition' }).first().textContent(), {
+      timeout: 60_000,
+    })
+    .toMatch(/^2031-05-04/);
+  await page.locator('.ss-sky button', { hasText: 'Mars in opposition' }).first().click();
+  await arrive(page);
+  // A quarter of a day before, at an hour a second.
+  expect((await told(page)).date).toMatch(/^2031-05-0[34]/);
+});

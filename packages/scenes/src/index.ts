@@ -45,6 +45,7 @@ export {
 } from './solar-system/build.ts';
 export { type Checkpoint, checkpoints } from './solar-system/checkpoints.ts';
 export { advanceTo, type ErrorsKm, type ErrorTable, errorsAt, measureErrors } from './solar-system/errors.ts';
+export { type SkyEvent, SkyEventFinder, type SkyEventKind } from './solar-system/sky-events.ts';
 export {
   ASTRONOMICAL_UNIT,
   BODY_NAMES,

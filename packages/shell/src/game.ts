@@ -135,7 +135,7 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   report?(sim: Sim): Readonly<Record<string, unknown>>;
   /** Creates the game's own cards in the sidebar, below the settings; it is loaded after the first frame. */
   cards?(parent: HTMLElement): readonly GameCard<Sim>[];
-  /** Whether the run has come to its end: time then stands still until the player restarts or rewinds. */
+  /** Whether time stands still although the game is not paused: at the end of a run, or while the player holds it. */
   hasEnded?(sim: Sim): boolean;
   /** Shows a bar below the picture on which the player moves through what was recorded; default false. */
   readonly hasTimeline?: boolean;

@@ -44,11 +44,12 @@ export function createPanel(
       ),
     ];
   });
-  return {
-    refresh() {
-      for (const controller of controllers) controller.updateDisplay();
-    },
+  const refresh = () => {
+    for (const controller of controllers) controller.updateDisplay();
   };
+  // A game may have raised a limit since the values were shown.
+  for (const type of ['pointerenter', 'focusin']) gui.domElement.addEventListener(type, refresh);
+  return { refresh };
 }
 
 /** A list of named values of a slider. */
@@ -84,7 +85,14 @@ function addSlider(gui: GUI, proxy: Record<string, never>, name: string, setting
   if (setting.scale === 'log') return addLogSlider(gui, proxy, name, setting);
   const step = stepOf(setting);
   const decimals = Math.max(0, -Math.floor(Math.log10(step)));
-  return gui.add(proxy, name, setting.min, setting.max, step).decimals(decimals);
+  const controller = gui.add(proxy, name, setting.min, setting.max, step).decimals(decimals);
+  const show = controller.updateDisplay.bind(controller);
+  controller.updateDisplay = () => {
+    // `max` may be a getter, as of levels that are reached while one plays.
+    controller.max(setting.max);
+    return show();
+  };
+  return controller;
 }
 
 /** About a hundredth of the range, rounded down to a power of ten, so that sliders stop at round numbers. */

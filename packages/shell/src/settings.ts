@@ -9,6 +9,7 @@ export interface NumberSetting {
   readonly unit: string;
   readonly initial: number;
   readonly min: number;
+  /** Where it is a getter, the panel follows it. */
   readonly max: number;
   readonly integer: boolean;
   /** Step of the slider; default about a hundredth of the range, or 1 for integers. */

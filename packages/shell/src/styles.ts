@@ -81,6 +81,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help { box-sizing: border-box; max-height: calc(100dvh - 32px); overflow: hidden auto; border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
   background: #161e3df7; color: var(--ink); box-shadow: 0 24px 80px #000a }
 .game-help::backdrop { background: #070b1a99 }
+.game-help > button { position: sticky; bottom: -12px; background: #2a3153; box-shadow: 0 0 0 10px #161e3d }
 .game-help h2 { margin: 0 0 12px; font-size: 17px; outline: none }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
@@ -142,7 +143,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game:has(.game-side:not([hidden])) .game-pad { right: 300px }
 .game:has(.game-side:not([hidden])) .game-hint { right: 304px }
 @media (max-width: 999px) { .game-title { display: none } .game-bar { padding-left: max(12px, env(safe-area-inset-left)) } }
-@media ${NARROW} { .game-side { top: 66px; max-height: calc(100% - 78px) }
+/* Texts of the game below it would show through. */
+@media ${NARROW} { .game-side { top: 66px; max-height: calc(100% - 78px); background: #111834f7 }
   .game:has(.game-side:not([hidden])) .game-bar { right: 0 }
   .game:has(.game-side:not([hidden])) :is(.game-pad, .game-hint) { display: none }
   .game:has(.game-side:not([hidden])) .game-banner { left: 50%; max-width: calc(100% - 32px) }
@@ -156,7 +158,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 46% } }
 @media (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
-@media (min-width: 860px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
+@media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
 @media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
   .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(0, 27%) 1fr } }
 .game[data-reduced-motion] * { transition: none !important; animation: none !important }
