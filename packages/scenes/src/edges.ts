@@ -1,15 +1,21 @@
 /** Rules at the edges of a region: bodies come back on the other side, start anew, or are removed. */
 import { bodies, despawn, type GlobalSystem, PhysicsError, type PhysicsWorld } from '@principia/physics';
 
-/** A box of which any side may be left out: that one is open. Sides belong to the region. m. */
+/** A box of which any side may be left out. Sides belong to the region. */
 export interface Region {
+  /** The sides at the smaller coordinates. Default open. */
   readonly min?: RegionCorner;
+  /** The sides at the larger coordinates. Default open. */
   readonly max?: RegionCorner;
 }
 
+/** Places of three sides of a box along their axes, m. */
 export interface RegionCorner {
+  /** Default open. */
   readonly x?: number;
+  /** Default open. */
   readonly y?: number;
+  /** Default open. */
   readonly z?: number;
 }
 

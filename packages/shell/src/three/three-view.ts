@@ -81,9 +81,10 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
   /** The player has not taken the camera. */
   let isFitted = true;
   let flight = flightOf(context, options);
-  orbit.controls.addEventListener('start', () => {
+  const take = () => {
     isFitted = false;
-  });
+  };
+  orbit.controls.addEventListener('start', take);
   const visibleBox = () => {
     const { min, max } = options.bounds(context.sim());
     return new Box3(new Vector3().copy(min), new Vector3().copy(max));
@@ -119,17 +120,7 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
       renderer.render(scene, camera);
     },
     fit: fitAll,
-    zoom(factor) {
-      isFitted = false;
-      camera.position.sub(orbit.controls.target).divideScalar(factor).add(orbit.controls.target);
-    },
-    camera: () => [...camera.position.toArray(), ...orbit.controls.target.toArray()],
-    setCamera(numbers) {
-      if (numbers.length !== 6 || !numbers.every(Number.isFinite)) return;
-      isFitted = false;
-      camera.position.fromArray(numbers, 0);
-      orbit.controls.target.fromArray(numbers, 3);
-    },
+    ...cameraOf(orbit, take),
     toScreen: (x, y, z) => toScreen(camera, viewport, x, y, z),
     pointUnder: (x, y) => pointUnder(camera, viewport, visibleBox().getCenter(new Vector3()), x, y),
     destroy() {
@@ -154,6 +145,26 @@ function openCamera<Sim extends Simulation>(
   camera.position.copy(direction);
   orbit.controls.enableDamping = !reducedMotion;
   return { orbit, camera };
+}
+
+/** What moves the camera on request. @param take is called before: the camera is no longer where it was put */
+function cameraOf(
+  { camera, controls }: OrbitCamera,
+  take: () => void,
+): Required<Pick<View, 'zoom' | 'camera' | 'setCamera'>> {
+  return {
+    zoom(factor) {
+      take();
+      camera.position.sub(controls.target).divideScalar(factor).add(controls.target);
+    },
+    camera: () => [...camera.position.toArray(), ...controls.target.toArray()],
+    setCamera(numbers) {
+      if (numbers.length !== 6 || !numbers.every(Number.isFinite)) return;
+      take();
+      camera.position.fromArray(numbers, 0);
+      controls.target.fromArray(numbers, 3);
+    },
+  };
 }
 
 /** The flight of the camera over the world on display, if there is one: it writes where the camera is and what it sees. */
