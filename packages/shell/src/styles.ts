@@ -126,14 +126,13 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game:has(> .game-timeline) { --foot: 48px }
 .game-timeline { position: absolute; left: 0; right: 0; bottom: 0; height: calc(44px + env(safe-area-inset-bottom)); display: flex; align-items: center; gap: 10px;
   box-sizing: border-box; padding: 0 16px env(safe-area-inset-bottom) max(20px, env(safe-area-inset-left)) }
-.game-timeline input { flex: 1; min-width: 0; height: 44px; margin: 0; appearance: none; background: none; cursor: pointer; touch-action: none; outline: none }
+.game-timeline input { flex: 1; min-width: 0; height: 44px; margin: 0; appearance: none; background: none; cursor: pointer; touch-action: none; outline: none; border-radius: 8px }
 .game-timeline output { min-width: 56px; text-align: right; font-size: 12.5px; color: var(--dim); font-variant-numeric: tabular-nums; white-space: nowrap }
 .game-timeline ::-webkit-slider-runnable-track { height: 6px; border-radius: 3px; background: linear-gradient(90deg, var(--accent), var(--accent)) 0 0 / calc(100% * var(--done, 1)) 100% no-repeat #ffffff2c }
 .game-timeline ::-moz-range-track { height: 6px; border-radius: 3px; background: #ffffff2c } .game-timeline ::-moz-range-progress { height: 6px; border-radius: 3px; background: var(--accent) }
 .game-timeline ::-webkit-slider-thumb { appearance: none; width: 18px; height: 18px; margin-top: -6px; border-radius: 50%; background: var(--ink); box-shadow: 0 1px 6px #000a }
 .game-timeline ::-moz-range-thumb { width: 18px; height: 18px; border: 0; border-radius: 50%; background: var(--ink) }
-.game-timeline input:focus-visible::-webkit-slider-thumb { outline: 2px solid var(--accent); outline-offset: 2px }
-.game-timeline input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outline-offset: 2px }
+.game-timeline input:focus-visible { outline: 2px solid var(--accent); outline-offset: -6px }
 .game:has(.game-side:not([hidden])) > .game-timeline { right: 280px }
 .game-loading { position: absolute; inset: 0; display: grid; place-items: center; color: var(--dim); pointer-events: none }
 .uplot, .uplot * { box-sizing: border-box } .uplot { width: min-content }
