@@ -44,7 +44,7 @@ export { defineCheckedLaw as defineLaw, type LawFactory } from './dynamics/defin
 export { evaluateForces } from './dynamics/evaluate-forces.ts';
 export { explain } from './dynamics/explain.ts';
 export { lawFromPotential, type PotentialOptions } from './dynamics/law-from-potential.ts';
-export { beginStep, validateState } from './dynamics/validate-state.ts';
+export { beginStep, validateMotion, validateState } from './dynamics/validate-state.ts';
 export { type EntityRef, entityRef, isAlive, isBody, resolve } from './ecs/entity-ref.ts';
 export { columnsOf } from './ecs/own-components.ts';
 export { type BodyList, bodies } from './ecs/ranges.ts';

@@ -106,21 +106,27 @@ export function copyColumn(to: usize, from: usize, first: i32, last: i32): void 
 
 // Returns 1 if every value is 0, as in rows without the component, or in [min, max]. NaN is not.
 export function isColumnWithin(column: usize, min: real, max: real, first: i32, last: i32): i32 {
+  if (min <= 0 && max >= 0) return isInRange(column, min, max, false, first, last);
+  return isInRange(column, min, max, true, first, last);
+}
+
+// @ts-ignore: decorator
+@inline function isInRange(column: usize, min: real, max: real, orZero: bool, first: i32, last: i32): i32 {
   const low = splat(min);
   const high = splat(max);
   let valid = i32x4.splat(-1);
   const end = column + at(last);
   for (let p = column + at(first); p < end; p += 64) {
-    valid = v128.and(valid, isZeroOrWithin(v128.load(p), low, high));
-    valid = v128.and(valid, isZeroOrWithin(v128.load(p, 16), low, high));
-    valid = v128.and(valid, isZeroOrWithin(v128.load(p, 32), low, high));
-    valid = v128.and(valid, isZeroOrWithin(v128.load(p, 48), low, high));
+    valid = v128.and(valid, areWithin(v128.load(p), low, high, orZero));
+    valid = v128.and(valid, areWithin(v128.load(p, 16), low, high, orZero));
+    valid = v128.and(valid, areWithin(v128.load(p, 32), low, high, orZero));
+    valid = v128.and(valid, areWithin(v128.load(p, 48), low, high, orZero));
   }
   return i32(i32x4.all_true(valid));
 }
 
 // @ts-ignore: decorator
-@inline function isZeroOrWithin(value: v128, low: v128, high: v128): v128 {
+@inline function areWithin(value: v128, low: v128, high: v128, orZero: bool): v128 {
   const inRange = v128.and(v128.ge<real>(value, low), v128.le<real>(value, high));
-  return v128.or(inRange, v128.eq<real>(value, splat(0)));
+  return orZero ? v128.or(inRange, v128.eq<real>(value, splat(0))) : inRange;
 }

@@ -39,17 +39,19 @@ const wallList = resource(({ internal, rows }) => wordColumn(internal.arena, row
 /** The loop of a world's steps; rebuilt when the plan changes. */
 export const stepLoop = cachedWithPlan((world): StepLoop => {
   const scheme = world.integrator.scheme as Scheme;
-  const fusion = world.internal.plan?.fusion as Fusion;
+  const { plan, recordsContacts } = world.internal;
+  const fusion = plan?.fusion as Fusion;
   (fusion.walls as BoxSystem | undefined)?.prepare(world);
   const laws = lawsOf(world.forces);
   const owners = ownersOf(scheme, laws);
   const block = new ParameterBlock(world, [...owners.values()], scheme.stages);
   const features: StepFeatures = {
     savesPose: fusion.begin,
-    savesVelocity: !fusion.check,
+    savesVelocity: fusion.check === undefined || recordsContacts,
     hasTorque: anyForceAppliesTorque(world),
     box: (fusion.walls as BoxSystem | undefined)?.box,
     list: fusion.walls === undefined ? 0 : wallList(world)[1],
+    recordsContacts,
     memory: schemeMemory(world, scheme).columns,
   };
   const sources = [...owners.values()].map(variantOf);
@@ -80,13 +82,13 @@ const CHUNK_ROWS = 4096;
 /** Advances all bodies by one step. */
 export function runStepLoop(world: PhysicsWorld, ranges: Ranges, dt: number): void {
   const { run, block } = stepLoop(world);
-  const { plan, counts } = world.internal;
+  const { plan, counts, recordsContacts } = world.internal;
   const walls = plan?.fusion?.walls as BoxSystem | undefined;
   if (walls !== undefined) clearWallList(world);
   block.write(dt, world.time, lastStepOf(world, world.integrator.scheme as Scheme, dt));
-  // Wall friction changes rotation and must follow the torques of the step. Without rotating bodies the order does not
-  // matter.
-  const bounces = walls !== undefined && counts.AngularVelocity === 0;
+  // Wall friction changes rotation and must follow the torques of the step, and contacts with walls are listed axis by
+  // axis. Otherwise the order does not matter.
+  const bounces = walls !== undefined && counts.AngularVelocity === 0 && !recordsContacts;
   for (let r = 0; r < ranges.count; r++) {
     const end = ranges.bounds[2 * r + 1];
     const rows = bounces ? CHUNK_ROWS : end;

@@ -18,6 +18,12 @@ const MARGIN = 1e-6;
  */
 const REST_RESTITUTION = 0.99;
 
+/**
+ * Contacts need the bodies within this multiple of their radius of a wall; kernels/particle-contacts/table.ts has the
+ * same constant.
+ */
+const WALL_MARGIN = 1.1;
+
 /** Weight of v² beside distances at which the fastest valid speed counts as the farthest valid coordinate. */
 const LEAST_WEIGHT = MAX_POSITION / (MAX_SPEED * MAX_SPEED);
 
@@ -40,16 +46,22 @@ export function checksOf(
   columns: WorldColumns,
   start: Moved,
   result: Result,
-  { box, list }: StepFeatures,
+  { box, list, recordsContacts }: StepFeatures,
 ): Pick<LoopSource, 'inRange' | 'walls' | 'fastCheck'> {
-  const inside = box === undefined ? undefined : insideBox(columns, result, box);
+  const reach = recordsContacts ? WALL_MARGIN : 1;
+  const inside = box === undefined ? undefined : insideBox(columns, result, box, reach);
   if (box === undefined || inside === undefined) return rangeTests(columns, result);
   const inRange = rangeTest(columns, result, LEAST_WEIGHT);
   const at = columns.world.scratch.at.startVelocity;
   const stores = columns.axisNames.map((axis, i) => ({ address: at[axis], node: start.velocity[i] }));
-  const walls: WallTest = { inside, list, stores, resting: restingBodies(columns, start, result, box) };
+  const walls: WallTest = {
+    inside,
+    list,
+    stores,
+    resting: recordsContacts ? undefined : restingBodies(columns, start, result, box),
+  };
   const fastCheck = isClosed(columns, box)
-    ? wellInside(columns, result, box)
+    ? wellInside(columns, result, box, reach)
     : columns.graph.make('and', [inside, inRange]);
   return { inRange, walls, fastCheck };
 }
@@ -73,8 +85,9 @@ function squareOf({ graph, axisNames }: WorldColumns, v: readonly Node[]): Node 
 }
 
 /** Returns whether a body including its radius is inside the box; undefined if no side of the box is a wall. */
-function insideBox({ graph, axisNames, world }: WorldColumns, { position }: Moved, box: Box): Node | undefined {
-  const radius = graph.make('real', [], world.addresses.Collider.radius);
+function insideBox(columns: WorldColumns, { position }: Moved, box: Box, reach: number): Node | undefined {
+  const { graph, axisNames } = columns;
+  const radius = radiusOf(columns, reach);
   const conditions = axisNames.flatMap((axis, i) => {
     const low = graph.make('add', [graph.constant(box.low[axis]), radius]);
     const high = graph.make('sub', [graph.constant(box.high[axis]), radius]);
@@ -92,9 +105,9 @@ function insideBox({ graph, axisNames, world }: WorldColumns, { position }: Move
  * velocity, a body that ends in the box has a finite velocity, and one that is too fast leaves the box in the next
  * step.
  */
-function wellInside(columns: WorldColumns, { position, velocity }: Moved, box: Box): Node {
-  const { graph, axisNames, world } = columns;
-  const radius = graph.make('real', [], world.addresses.Collider.radius);
+function wellInside(columns: WorldColumns, { position, velocity }: Moved, box: Box, reach: number): Node {
+  const { graph, axisNames } = columns;
+  const radius = radiusOf(columns, reach);
   const conditions = axisNames.map((axis, i) => {
     const half = (box.high[axis] - box.low[axis]) / 2;
     const centre = box.low[axis] + half;
@@ -106,6 +119,12 @@ function wellInside(columns: WorldColumns, { position, velocity }: Moved, box: B
     conditions.push(graph.make('lessOrEqual', [squareOf(columns, velocity), graph.constant(MAX_SPEED * MAX_SPEED)]));
   }
   return conditions.reduce((a, b) => graph.make('and', [a, b]));
+}
+
+/** The radius of a body times `reach`. */
+function radiusOf({ graph, world }: WorldColumns, reach: number): Node {
+  const radius = graph.make('real', [], world.addresses.Collider.radius);
+  return reach === 1 ? radius : graph.make('mul', [radius, graph.constant(reach)]);
 }
 
 function isClosed({ axisNames }: WorldColumns, box: Box): boolean {

@@ -20,6 +20,8 @@ export interface StepFeatures {
   readonly box: Box | undefined;
   /** Address of the list of bodies at walls. */
   readonly list: number;
+  /** Bodies near a wall are listed, too, and resting ones are left to the kernel, which records their contacts. */
+  readonly recordsContacts: boolean;
   /** Columns that the scheme keeps between steps. */
   readonly memory: readonly Readonly<AxisAddresses>[];
 }

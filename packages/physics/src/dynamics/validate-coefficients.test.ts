@@ -8,6 +8,7 @@ import {
   type Force,
   mutualGravity,
   on,
+  particleContacts,
   spawn,
   springs,
   step,
@@ -60,4 +61,23 @@ test.each([
   const { world, faults } = tied(force, Number.NaN);
   step(world, 1 / 60);
   expect(faults).toHaveLength(1);
+});
+
+test.each([
+  ['restitution', 1],
+  ['friction', 1],
+  ['rollingResistance', ROUND],
+] as const)('contacts of round bodies: a bad %s is found after at most %i steps', (field, most) => {
+  const world = createPhysicsWorld({ capacity: 64, preset: particleContacts });
+  const [a, b] = [0, 1].map((x) => spawn(world, { position: { x }, velocity: {}, mass: 1, collider: 0.4 }));
+  step(world, 1 / 60);
+  world.components.Collider[field][a] = Number.NaN;
+  let taken = 0;
+  while (world.faults.faults.length === 0 && taken < ROUND) {
+    step(world, 1 / 60);
+    taken++;
+  }
+  expect(world.faults.faults).toMatchObject([{ entity: a, field: `Collider.${field}` }]);
+  expect(taken).toBeLessThanOrEqual(most);
+  expect(bodyState(world, b)).not.toContain('NaN');
 });

@@ -65,7 +65,7 @@ interface Watch {
   membership: number;
   /** Engines, where a bad value would burn fuel within the step. */
   readonly engine: Coefficients[];
-  /** Those by which bodies are coupled: a bad value would reach other bodies within the step. */
+  /** Columns by which bodies are coupled: a bad value would reach other bodies within the step. */
   readonly coupling: Coefficients[];
   /** All but engines. */
   readonly all: Coefficients[];
@@ -73,10 +73,18 @@ interface Watch {
 
 const watchOf = cachedWithPlan((): Watch => ({ membership: -1, engine: [], coupling: [], all: [] }));
 
-/** The components by which the forces, the integrator or contacts couple bodies. */
-const coupledBy = cachedWithPlan(({ forces, integrator, phases }): readonly ComponentName[] => {
-  if (integrator.wholeWorld === true || phases.collide.length > 0) return SHARED;
-  return forces.filter(({ local }) => !local).flatMap(({ readsOfOthers = SHARED }) => readsOfOthers);
+/** The columns by which the forces, the integrator or contacts couple bodies. */
+const coupledBy = cachedWithPlan(({ forces, integrator, phases }): readonly Coefficients[] => {
+  const readers = [
+    ...(integrator.wholeWorld === true ? [{}] : []),
+    ...forces.filter(({ local }) => !local),
+    ...phases.collide,
+  ] as readonly { readonly readsOfOthers?: readonly string[] }[];
+  const reads = new Set(readers.flatMap(({ readsOfOthers = SHARED }) => readsOfOthers));
+  return COEFFICIENTS.map(({ component, columns }) => ({
+    component,
+    columns: columns.filter(({ field }) => reads.has(component) || reads.has(`${component}.${field}`)),
+  })).filter(({ columns }) => columns.length > 0);
 });
 
 /**
@@ -107,8 +115,8 @@ function currentWatch(world: PhysicsWorld): Watch {
     const { component } = each;
     if (world.internal.counts[component] === 0) continue;
     (component === 'Engine' ? engine : all).push(each);
-    if (coupled.includes(component)) coupling.push(each);
   }
+  for (const each of coupled) if (world.internal.counts[each.component] > 0) coupling.push(each);
   return watch;
 }
 

@@ -24,7 +24,25 @@ const MAX_FORCE = 3e38;
 export const beginStep: LocalSystem = { name: 'begin', role: 'begin', run: forEachRange(beginRange) };
 
 /** Finds invalid values that the step produced. Last system of every preset. */
-export const validateState: LocalSystem = { name: 'check finite', role: 'check', run: forEachRange(checkRange) };
+export const validateState: LocalSystem = checkSystem('check finite');
+
+/** Finds invalid values before bodies pass them on to others. */
+export const validateMotion: LocalSystem = checkSystem('check before contacts');
+
+function checkSystem(name: string): LocalSystem {
+  const system: LocalSystem = {
+    name,
+    role: 'check',
+    readsOfOthers: [],
+    run: forEachRange((world, first, last) => {
+      clearMissing(world, first, last);
+      const isFused = world.internal.plan?.fusion?.check === system;
+      if ((isFused || isInRange(world, first, last)) && areAnglesValid(world, first, last)) return;
+      repairRows(world, first, last, 'finish');
+    }),
+  };
+  return system;
+}
 
 function beginRange(world: PhysicsWorld, first: number, last: number): void {
   // The loops of the integrator check positions and velocities themselves.
@@ -75,13 +93,6 @@ function saveAngles(world: PhysicsWorld, first: number, last: number): void {
   const current: Record<string, number> = world.addresses[angle];
   const before: Record<string, number> = world.previousAddresses[angle];
   for (const field in current) world.kernels.copyColumn(before[field], current[field], first, last);
-}
-
-function checkRange(world: PhysicsWorld, first: number, last: number): void {
-  clearMissing(world, first, last);
-  const isChecked = world.internal.plan?.fusion?.check === true;
-  if ((isChecked || isInRange(world, first, last)) && areAnglesValid(world, first, last)) return;
-  repairRows(world, first, last, 'finish');
 }
 
 /** Returns whether all positions and velocities are finite and within their limits. */

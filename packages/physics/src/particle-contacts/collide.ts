@@ -26,6 +26,7 @@ const contactsEnabled = resource((world) => {
 /** System of the `collide` phase. It acts on bodies with Mass and Collider; bodies without Mass are immovable. */
 export const collideBodies: LocalSystem = {
   name: 'collide bodies',
+  readsOfOthers: ['Mass', 'Collider.radius', 'Collider.restitution', 'Collider.friction'],
   run(world, _spans, dt) {
     const { internal, lastId, integrator } = world;
     const kernels = collisionKernels(world);

@@ -70,6 +70,7 @@ export const contactTable = resource<ContactTable>((world) => {
 /** Enables wall contact records and gives the kernels the address of the table. */
 export function activateContacts(world: PhysicsWorld): void {
   writeContactTable(world.memory, contactTable(world).table);
+  world.internal.recordsContacts = true;
 }
 
 const SORTED = [Word.sortedX, Word.sortedY, Word.sortedZ, Word.sortedRadius, Word.sortedBucket];

@@ -29,6 +29,7 @@ const planeList = resource<PlaneList>((world) => {
  */
 export const planeWalls: LocalSystem = {
   name: 'plane walls',
+  handles: 'PlaneWall',
   run: forEachRange((world, first, last, dt) => {
     if (world.internal.counts.PlaneWall === 0 || world.integrator.solvesWalls === true) return;
     const list = planeList(world);

@@ -77,6 +77,7 @@ function reportBadWalls(world: PhysicsWorld, { ids, count, reported }: SegmentLi
  */
 export const segmentWalls: LocalSystem = {
   name: 'segment walls',
+  handles: 'SegmentWall',
   run: forEachRange((world, first, last, dt) => {
     if (world.dimensions !== 2 || world.internal.counts.SegmentWall === 0) return;
     if (world.integrator.solvesWalls === true) return;

@@ -1,6 +1,6 @@
 import { integrate } from '../dynamics/integrate.ts';
 import { integrateRotation } from '../dynamics/integrate-rotation.ts';
-import { beginStep, validateState } from '../dynamics/validate-state.ts';
+import { beginStep, validateMotion, validateState } from '../dynamics/validate-state.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { collideBodies, enableContacts } from '../particle-contacts/collide.ts';
@@ -30,7 +30,7 @@ function fill(world: PhysicsWorld): void {
   phases.begin.push(enableContacts, beginStep);
   phases.integrate.push(integrate, integrateRotation);
   phases.walls.push(segmentWalls, planeWalls);
-  phases.collide.push(validateState, collideBodies);
+  phases.collide.push(validateMotion, collideBodies);
   phases.finish.push(validateState);
   phases.events.push(dispatchFaultEvents, dispatchContactEvents);
 }

@@ -201,6 +201,7 @@ function initialInternals(components: Components) {
     checked: undefined,
     unobserved: new Set(),
     templates: new Map(),
+    recordsContacts: false,
     ending: false,
     isTrial: false,
     lastId: 0,

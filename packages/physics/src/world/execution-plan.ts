@@ -83,28 +83,42 @@ function isCurrent(world: PhysicsWorld, plan: Plan): boolean {
   if (signature[i++] !== world.integrator) return false;
   if (signature[i++] !== world.internal.partialEntities.immovable > 0) return false;
   if (signature[i++] !== world.internal.counts.GravityScale > 0) return false;
+  if (signature[i++] !== world.internal.recordsContacts) return false;
   for (let p = 0; p < PHASES.length; p++) {
     const phase = PHASES[p];
     const systems = world.phases[phase];
-    for (let s = 0; s < systems.length; s++) if (signature[i++] !== systems[s]) return false;
+    for (let s = 0; s < systems.length; s++) {
+      if (signature[i++] !== systems[s] || signature[i++] !== isUseful(world, systems[s])) return false;
+    }
     if (signature[i++] !== phase) return false;
   }
   for (let f = 0; f < world.forces.length; f++) if (signature[i++] !== world.forces[f]) return false;
   return i === signature.length;
 }
 
+/** Whether there are entities for a system. */
+function isUseful({ internal: { counts } }: PhysicsWorld, system: System): boolean {
+  return typeof system === 'function' || system.handles === undefined || counts[system.handles] > 0;
+}
+
 function makePlan(world: PhysicsWorld): Plan {
   checkForces(world.forces, 'world.forces', world.dimensions);
   checkIntegrator(world.integrator, 'world.integrator');
   for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
-  const { counts, partialEntities } = world.internal;
-  const signature: unknown[] = [world.integrator, partialEntities.immovable > 0, counts.GravityScale > 0];
-  for (const phase of PHASES) signature.push(...world.phases[phase], phase);
+  const { counts, partialEntities, recordsContacts } = world.internal;
+  const signature: unknown[] = [
+    world.integrator,
+    partialEntities.immovable > 0,
+    counts.GravityScale > 0,
+    recordsContacts,
+  ];
+  for (const phase of PHASES) {
+    signature.push(...world.phases[phase].flatMap((system) => [system, isUseful(world, system)]), phase);
+  }
   signature.push(...world.forces);
-  const systems = Object.fromEntries(PHASES.map((phase) => [phase, [...world.phases[phase]]])) as Record<
-    Phase,
-    System[]
-  >;
+  const systems = Object.fromEntries(
+    PHASES.map((phase) => [phase, world.phases[phase].filter((system) => isUseful(world, system))]),
+  ) as Record<Phase, System[]>;
   const { scheme, advance } = world.integrator;
   const hasStages = scheme !== undefined && advance === undefined;
   const isOneLoop = hasStages && (scheme.stages.length === 0 || world.forces.every(({ law }) => law !== undefined));
@@ -131,13 +145,15 @@ function fusionOf(systems: readonly System[], isOneLoop: boolean): Fusion {
   const roles = systems.map((system) => (typeof system === 'function' ? undefined : system.role));
   const at = roles.indexOf('integrate');
   const isOnly = roles.lastIndexOf('integrate') === at;
-  if (at < 0 || !isOnly) return { begin: false, walls: undefined, check: false };
+  if (at < 0 || !isOnly) return { begin: false, walls: undefined, check: undefined };
   let next = at + 1;
   if (roles[next] === 'rotate') next++;
   const hasWalls = isOneLoop && roles[next] === 'box' && roles[next + 1] === 'check';
+  const last = hasWalls ? next + 1 : next;
+  const check = roles[last] === 'check' ? (systems[last] as LocalSystem) : undefined;
   return {
     begin: roles[at - 1] === 'begin',
     walls: hasWalls ? (systems[next] as LocalSystem) : undefined,
-    check: roles[hasWalls ? next + 1 : next] === 'check',
+    check,
   };
 }

@@ -178,6 +178,14 @@ export interface LocalSystem {
    * itself.
    */
   readonly role?: 'begin' | 'integrate' | 'rotate' | 'box' | 'check';
+  /**
+   * For systems of the `collide` phase: what it reads of other bodies beside position and velocity, as components or as
+   * columns such as 'Collider.radius'. Every step checks these columns, so that a bad value of one body reaches no other.
+   * Default all by which bodies act on others.
+   */
+  readonly readsOfOthers?: readonly (ComponentName | `${ComponentName}.${string}`)[];
+  /** The component of the entities that it handles: it is left out while there are none. Default none: it always runs. */
+  readonly handles?: ComponentName;
 }
 
 export type System = GlobalSystem | LocalSystem;
@@ -198,8 +206,8 @@ export interface Fusion {
   readonly begin: boolean;
   /** Box walls; the loop finds the bodies at the walls. */
   readonly walls: LocalSystem | undefined;
-  /** The last loop validates the result. */
-  readonly check: boolean;
+  /** The check that the last loop makes. */
+  readonly check: LocalSystem | undefined;
 }
 
 /** The plan of a step, derived from phases and forces and rebuilt only when these change. */
@@ -317,6 +325,8 @@ export interface WorldInternals {
    * angular velocity but no angle.
    */
   readonly partialEntities: { immovable: number; withoutPose: number };
+  /** Contacts with walls are recorded, for the contacts between bodies and for events. */
+  recordsContacts: boolean;
   /** Edits made during a step, deferred to its end. */
   readonly deferredEdits: (() => void)[];
   /** Entities removed at the end of this step, and an object of each that identifies its generation. */

@@ -162,7 +162,7 @@ function sweepRows(w: Walls, first: i32, last: i32): void {
   const x = w.x;
   const lowest = splat(w.low);
   const highest = splat(w.high);
-  const reach = splat(c.contacts == 0 ? <real>1 : WALL_MARGIN);
+  const reach = reachOf(c);
   for (let row = first; row < last; row += BLOCK) {
     const p = x + at(row);
     const r = radius + at(row);
@@ -173,10 +173,7 @@ function sweepRows(w: Walls, first: i32, last: i32): void {
     if (!v128.any_true(outside)) continue;
     for (let i = row; i < row + BLOCK; i += LANES) {
       if (!v128.any_true(isOutside(x + at(i), radius + at(i), reach, lowest, highest))) continue;
-      bounce(w, i);
-      if (c.contacts == 0) continue;
-      recordNearWalls(c, i, w.axis, x, w.low, 1, w.friction);
-      recordNearWalls(c, i, w.axis, x, w.high, -1, w.friction);
+      bounceAndRecord(w, c, i);
     }
   }
 }
@@ -188,7 +185,7 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
   const c = columns();
   const end = load<usize>(list);
   const limit = splat(maxSpeed);
-  const one = splat(1);
+  const reach = reachOf(c);
   let invalidCount = 0;
   for (let axis = 0; axis < b.axes; axis++) {
     const w = wallsAcross(b, axis, dt, lag);
@@ -196,12 +193,25 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
     const highest = splat(w.high);
     for (let p = list + 4; p < end; p += 4) {
       const o = load<usize>(p);
-      if (!v128.any_true(isOutside(w.x + o, c.radius + o, one, lowest, highest))) continue;
-      bounce(w, <i32>(o / sizeof<real>()));
+      if (!v128.any_true(isOutside(w.x + o, c.radius + o, reach, lowest, highest))) continue;
+      bounceAndRecord(w, c, <i32>(o / sizeof<real>()));
       if (!v128.all_true<i32>(v128.le<real>(v128.abs<real>(v128.load(w.v + o)), limit))) invalidCount++;
     }
   }
   return invalidCount;
+}
+
+// The multiple of their radius within which bodies are handled: contacts need those near a wall, too.
+// @ts-ignore: decorator
+@inline function reachOf(c: Columns): v128 {
+  return splat(c.contacts == 0 ? <real>1 : WALL_MARGIN);
+}
+
+function bounceAndRecord(w: Walls, c: Columns, row: i32): void {
+  bounce(w, row);
+  if (c.contacts == 0) return;
+  recordNearWalls(c, row, w.axis, w.x, w.low, 1, w.friction);
+  recordNearWalls(c, row, w.axis, w.x, w.high, -1, w.friction);
 }
 
 // @ts-ignore: decorator
