@@ -7,6 +7,7 @@ import {
   createEmitter,
   createPattern,
   createPhysicsWorld,
+  createRandom,
   createSoftBody,
   defineForce,
   despawn,
@@ -167,6 +168,32 @@ describe('integrators', () => {
       expect(evaluations).toBeLessThan(1000 + 16 * slack + slack);
       expect(world.faults.faults[0]).toMatchObject({ code: 'E_STEP', entity: a });
       expect(world.tick).toBe(1);
+    },
+  );
+
+  it.each([
+    ['dormandPrince', dormandPrince, 'direct', 0.05 * 1000 * 1000],
+    ['gaussRadau', gaussRadau, 'direct', 0.05 * 1000 * 1000],
+    ['dormandPrince', dormandPrince, 'tree', 75 * 1000],
+    ['gaussRadau', gaussRadau, 'tree', 75 * 1000],
+  ] as const)(
+    '03 a step of %s that fails is short for 1000 bodies that attract each other, too',
+    (_, make, method, work) => {
+      let evaluations = 0;
+      const count = defineForce({ name: 'count', local: false, accumulate: () => void evaluations++ });
+      const forces = [mutualGravity({ G: 1, method }), count];
+      const world = createPhysicsWorld({ capacity: 1000, dimensions: 3, integrator: make(), forces });
+      const random = createRandom(3);
+      for (let i = 0; i < 1000; i++) {
+        const [x, y, z] = [random.gaussian(), random.gaussian(), random.gaussian()];
+        spawn(world, { position: { x, y, z }, velocity: {}, mass: 1 });
+      }
+      step(world, 10);
+      expect(world.faults.faults[0]).toMatchObject({ code: 'E_STEP' });
+      // The default is the work of 8·10⁶ simple forces, of 20 ns each; then a sub-step and as much again without control.
+      const budget = 8e6 / (1000 + work);
+      expect(evaluations).toBeGreaterThan(Math.min(100, budget) - 1);
+      expect(evaluations).toBeLessThan(1.5 * Math.max(100, budget) + 2 * 100);
     },
   );
 

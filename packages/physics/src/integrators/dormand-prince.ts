@@ -36,7 +36,7 @@ import { denseWeights, positionWeightsOf } from './support/dormand-prince-tablea
 import {
   checkEvaluations,
   defaultEvaluations,
-  FALLBACK_STEPS,
+  fallbackStepCount,
   MIN_SUB_STEP,
   reportUnderflow,
   subStep,
@@ -51,8 +51,8 @@ export interface DormandPrinceOptions {
   /** Minimum magnitude of a velocity for the relative error, m/s; default 0. */
   readonly velocityFloor?: number;
   /**
-   * Maximum number of force evaluations per step; default 10⁷ divided by the number of bodies, at most 125 000. If it
-   * is exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
+   * Maximum number of force evaluations per step; default 8·10⁶ divided by the number of bodies, at most 100 000, and
+   * fewer if forces sum over pairs of bodies, so that a step takes some 0.2 s at most. If it is exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
    */
   readonly maxEvaluations?: number;
 }
@@ -109,11 +109,11 @@ function advanceInterval(
   let suggested = scalars[SUGGESTED] > 0 ? scalars[SUGGESTED] : stepLength;
   evaluateForces(world, ranges, world.time);
   begin(world, ranges, stages);
-  const budget = limits.maxEvaluations ?? defaultEvaluations(world);
+  const budget = limits.maxEvaluations ?? defaultEvaluations(world, 1);
   for (let evaluations = 1; passed < dt; evaluations += 6) {
     if (suggested < MIN_SUB_STEP * dt || evaluations > budget) {
       reportUnderflow(world, stages.error.words[EmbeddedErrorWord.worstRow], suggested);
-      fallbackSteps(world, ranges, passed, dt, evaluateForces);
+      fallbackSteps(world, ranges, passed, dt, evaluateForces, fallbackStepCount(budget, 7));
       return;
     }
     const remaining = dt - passed;
@@ -163,11 +163,12 @@ function fallbackSteps(
   passed: number,
   dt: number,
   evaluate: EvaluateForces,
+  count: number,
 ): void {
   const stages = stagesOf(world);
-  const h = (dt - passed) / FALLBACK_STEPS;
+  const h = (dt - passed) / count;
   restore(world, ranges, stages);
-  for (let i = 0; i < FALLBACK_STEPS; i++) {
+  for (let i = 0; i < count; i++) {
     stages.scalars[PASSED] = passed + i * h;
     stages.scalars[STEP] = h;
     takeSubStep(world, ranges, stages, evaluate);

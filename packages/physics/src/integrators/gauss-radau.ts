@@ -33,7 +33,7 @@ import {
 import {
   checkEvaluations,
   defaultEvaluations,
-  FALLBACK_STEPS,
+  fallbackStepCount,
   MIN_SUB_STEP,
   reportUnderflow,
   subStep,
@@ -44,8 +44,8 @@ export interface GaussRadauOptions {
   /** Maximum last term of the series, relative to the acceleration; default 1e-9. */
   readonly tolerance?: number;
   /**
-   * Maximum number of force evaluations per step; default 5·10⁶ divided by the number of bodies, at most 62 500. If it
-   * is exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
+   * Maximum number of force evaluations per step; default 4·10⁶ divided by the number of bodies, at most 50 000, and
+   * fewer if forces sum over pairs of bodies, so that a step takes some 0.2 s at most. If it is exceeded, the fault E_STEP names the body, and the rest of the step runs without error control.
    */
   readonly maxEvaluations?: number;
 }
@@ -82,7 +82,7 @@ export function gaussRadau(options: GaussRadauOptions = {}): Integrator {
       clearRemovedBodies(world, radauOf(world));
     },
     advance(world, ranges, dt, evaluateForces) {
-      advanceInterval(world, ranges, dt, evaluateForces, tolerance, maxEvaluations ?? defaultEvaluations(world) / 2);
+      advanceInterval(world, ranges, dt, evaluateForces, tolerance, maxEvaluations ?? defaultEvaluations(world, 2));
     },
   };
 }
@@ -108,7 +108,7 @@ function advanceInterval(
     if (suggested < MIN_SUB_STEP * dt || scalars[EVALUATIONS] > budget) {
       reportUnderflow(world, worstRow(ranges, radau), suggested);
       scalars[PASSED] = passed;
-      fallbackSteps(world, ranges, radau, dt, evaluate);
+      fallbackSteps(world, ranges, radau, dt, evaluate, fallbackStepCount(budget, 7 * MAX_ITERATIONS));
       return;
     }
     const h = subStep(suggested, remaining);
@@ -234,14 +234,21 @@ function worstRow(ranges: Ranges, { table, kernels }: Radau): number {
 }
 
 /** Completes a step whose error cannot be controlled. */
-function fallbackSteps(world: PhysicsWorld, ranges: Ranges, radau: Radau, dt: number, evaluate: EvaluateForces): void {
+function fallbackSteps(
+  world: PhysicsWorld,
+  ranges: Ranges,
+  radau: Radau,
+  dt: number,
+  evaluate: EvaluateForces,
+  count: number,
+): void {
   const { kernels, table, scalars } = radau;
   const passed = scalars[PASSED];
-  const h = (dt - passed) / FALLBACK_STEPS;
+  const h = (dt - passed) / count;
   for (let r = 0; r < ranges.count; r++) {
     kernels.radauState(table, 0, 0, h, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
   }
-  for (let i = 0; i < FALLBACK_STEPS; i++) {
+  for (let i = 0; i < count; i++) {
     scalars[PASSED] = passed + i * h;
     scalars[STEP] = h;
     clearPolynomial(ranges, radau);

@@ -18,6 +18,8 @@ export interface CustomForce {
   prepare?(world: PhysicsWorld, dt: number): void;
   accumulate(world: PhysicsWorld, first: number, last: number, time: number): void;
   potential?(world: PhysicsWorld): number;
+  /** For sums over pairs of bodies: as `Force.evaluationWork`. */
+  evaluationWork?(world: PhysicsWorld): number;
 }
 
 /**
@@ -36,6 +38,7 @@ export function defineForce(force: CustomForce): Force {
     accumulate,
     prepare,
     potential,
+    evaluationWork,
   } = force;
   return {
     name,
@@ -47,5 +50,6 @@ export function defineForce(force: CustomForce): Force {
     ...(readsOfOthers && { readsOfOthers }),
     ...(prepare && { prepare }),
     ...(potential && { potential }),
+    ...(evaluationWork && { evaluationWork }),
   };
 }

@@ -101,6 +101,7 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
     reads: ['Position', spec.strength],
     local: false,
     readsOfOthers: [spec.strength],
+    evaluationWork: sum.evaluationWork,
     prepare(world) {
       sum.workOf(world);
     },
@@ -123,6 +124,10 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
     },
   };
 }
+
+/** Work for a pair of bodies (1 ns), and for a body in the tree (some 1.5 µs), in evaluations of a simple force. */
+const PAIR_WORK = 0.05;
+const TREE_WORK = 75;
 
 /** Allocates the working memory in each world, and updates the results in it. */
 function createSum(spec: MutualSpec) {
@@ -150,6 +155,10 @@ function createSum(spec: MutualSpec) {
   return {
     power,
     workOf,
+    evaluationWork(world: PhysicsWorld): number {
+      const bodies = world.internal.counts[spec.strength];
+      return usesTree(world, bodies) ? TREE_WORK * bodies : PAIR_WORK * bodies * bodies;
+    },
     evaluate(world: PhysicsWorld): number {
       const work = workOf(world);
       const kernels = nBodyKernels(world);

@@ -84,6 +84,11 @@ export interface Force {
    * depends. Every step checks their columns, so that a bad value of one body reaches no other. Default all.
    */
   readonly readsOfOthers?: readonly ComponentName[];
+  /**
+   * Work of one evaluation for all bodies, in evaluations of a simple force on one body (some 20 ns), which limits the
+   * evaluations of adaptive integrators. Default 0: it is simple. A sum over pairs of bodies takes more.
+   */
+  evaluationWork?(world: PhysicsWorld): number;
   /** The expressions of the law. Default none: it has `accumulate`. */
   readonly law?: Law;
   /** The values of the parameters of the law. Default none. */

@@ -6,12 +6,21 @@ import type { PhysicsWorld } from '../../world/types.ts';
 /** Minimum sub-step as a fraction of the step: below it a force is singular or discontinuous. */
 export const MIN_SUB_STEP = 1e-10;
 
-/** Maximum number of force evaluations per body and step: a fifth of a second on a machine of 2024. */
-const BODY_EVALUATIONS = 1e7;
+/** Evaluations of a simple force on one body, of some 20 ns, that a step may take: a sixth of a second. */
+const BODY_EVALUATIONS = 8e6;
 
-/** Default maximum of evaluations of all forces per step: fewer for many bodies, at most 125 000. */
-export function defaultEvaluations({ internal }: PhysicsWorld): number {
-  return Math.ceil(BODY_EVALUATIONS / Math.max(80, internal.bodyList.count));
+/** What every evaluation may take at least, so that a step of ordinary length is possible with any number of bodies. */
+const MIN_EVALUATIONS = 100;
+
+/**
+ * Default maximum of evaluations of all forces per step: fewer for many bodies and for forces between all of them, at
+ * most 100 000.
+ * @param ownWork work of the integrator itself per evaluation and body, in evaluations of a simple force
+ */
+export function defaultEvaluations(world: PhysicsWorld, ownWork: number): number {
+  let work = ownWork * Math.max(80, world.internal.bodyList.count);
+  for (const force of world.forces) work += force.evaluationWork?.(world) ?? 0;
+  return Math.max(MIN_EVALUATIONS, Math.ceil(BODY_EVALUATIONS / work));
 }
 
 /** @throws PhysicsError E_TYPE, E_RANGE if the budget is not an integer from 100 to 1e9 */
@@ -19,8 +28,13 @@ export function checkEvaluations(value: unknown): number | undefined {
   return value === undefined ? undefined : checkWhole(value as number, 'maxEvaluations', 100, 1e9);
 }
 
-/** Number of sub-steps without error control that complete a step after a failure. */
-export const FALLBACK_STEPS = 16;
+/** Maximum number of sub-steps without error control that complete a step after a failure. */
+const FALLBACK_STEPS = 16;
+
+/** Returns the number of sub-steps that complete a step after a failure, which shall not take longer than the rest. */
+export function fallbackStepCount(budget: number, evaluationsPerStep: number): number {
+  return Math.min(FALLBACK_STEPS, Math.ceil(budget / (2 * evaluationsPerStep)));
+}
 
 /** Returns the next sub-step: as long as suggested, but leaves no tiny remainder at the end of the step. */
 export function subStep(suggested: number, remaining: number): number {
