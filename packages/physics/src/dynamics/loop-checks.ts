@@ -156,22 +156,18 @@ function restingBodies(columns: WorldColumns, start: Moved, result: Result, box:
   const isFrictionless = box.friction === 0 ? [] : [graph.make('lessOrEqual', [friction, graph.zero])];
   const canRest = and([isMovable, graph.make('less', [graph.zero, radius]), isInelastic, ...isFrictionless]);
   const stores: Store[] = [];
-  const conditions = axisNames.map((axis, i) => {
+  const conditions = axisNames.flatMap((axis, i) => {
     const [x, x0] = [result.position[i], start.position[i]];
     const low = graph.make('add', [graph.constant(box.low[axis]), radius]);
     const high = graph.make('sub', [graph.constant(box.high[axis]), radius]);
-    const [isBelow, isAbove] = [graph.make('less', [x, low]), graph.make('less', [high, x])];
-    const onLow = and([isBelow, graph.make('equal', [x0, low])]);
-    const onHigh = and([isAbove, graph.make('equal', [x0, high])]);
+    // In this order NaN stays NaN, which equals nothing.
+    const clamped = graph.make('min', [graph.make('max', [x, low]), high]);
+    const isInside = graph.make('equal', [clamped, x]);
     const isAtRest = and([graph.make('equal', [start.velocity[i], graph.zero]), canRest]);
-    const staysAtRest = and([graph.make('or', [onLow, onHigh]), isAtRest]);
-    stores.push({ address: Position[axis], node: graph.make('select', [staysAtRest, x0, x]) });
-    stores.push({
-      address: Velocity[axis],
-      node: graph.make('keep', [graph.make('not', [staysAtRest]), result.velocity[i]]),
-    });
-    const isInside = and([graph.make('lessOrEqual', [low, x]), graph.make('lessOrEqual', [x, high])]);
-    return graph.make('or', [isInside, staysAtRest]);
+    const staysAtRest = and([graph.make('equal', [clamped, x0]), isAtRest]);
+    stores.push({ address: Position[axis], node: clamped });
+    stores.push({ address: Velocity[axis], node: graph.make('keep', [isInside, result.velocity[i]]) });
+    return [graph.make('lessOrEqual', [low, high]), graph.make('or', [isInside, staysAtRest])];
   });
   if (!isClosed(columns, box) || !endsWithDrift(columns, result))
     conditions.push(rangeTest(columns, result, LEAST_WEIGHT));
