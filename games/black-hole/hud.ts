@@ -115,6 +115,7 @@ export function createHud(parent: HTMLElement, palette: () => Palette, redraw: (
 function createRoot(parent: HTMLElement): HTMLElement {
   const root = document.createElement('div');
   root.className = 'bh-hud';
+  root.dataset.filmed = '';
   root.innerHTML = `<style>${STYLE}</style>
 <div class="bh-lives">${'<i></i>'.repeat(LIVES)}<span></span></div><div class="bh-score"></div>
 <div class="bh-level"><span></span><small></small></div>

@@ -58,6 +58,6 @@ export function download(blob: Blob, name: string): void {
 
 /** `Black hole` at 12.34 s: `black-hole-12.3s.png`. */
 export function fileName(title: string, time: number, extension: string): string {
-  const words = title.toLowerCase().replace(/[^a-z0-9]+/g, '-');
+  const words = title.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, '-');
   return `${words}-${time.toFixed(1)}s.${extension}`;
 }

@@ -81,7 +81,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help { box-sizing: border-box; max-height: calc(100dvh - 32px); overflow: hidden auto; border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
   background: #161e3df7; color: var(--ink); box-shadow: 0 24px 80px #000a }
 .game-help::backdrop { background: #070b1a99 }
-.game-help > button { position: sticky; bottom: -12px; background: #2a3153; box-shadow: 0 0 0 10px #161e3d }
+/* The foot covers the lines that scroll behind it over the whole width. */
+.game-help footer { position: sticky; bottom: -22px; margin: 0 -26px -22px; padding: 12px 26px 16px; background: #161e3d } .game-help footer button { background: #2a3153 }
 .game-help h2 { margin: 0 0 12px; font-size: 17px; outline: none }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
@@ -159,7 +160,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
 @media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
 @media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
-  .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(0, 27%) 1fr } }
+  .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(min-content, 27%) 1fr }
+  .game-help footer { bottom: -18px; margin: 0 -18px -18px; padding: 10px 18px 14px } }
 .game[data-reduced-motion] * { transition: none !important; animation: none !important }
 `;
 
