@@ -63,11 +63,7 @@ export function startVideo(
 ): VideoRecording {
   const copy = canvasLike(source, maxSide);
   const format = formatOf(copy, sound !== undefined);
-  const paint = (from: HTMLCanvasElement) => {
-    drawOverBackground(from, copy);
-    overlay?.(copy, from);
-  };
-  paint(source);
+  drawOverBackground(source, copy, overlay);
   const stream = copy.captureStream();
   if (sound !== undefined) stream.addTrack(sound);
   const recorder = new MediaRecorder(stream, { mimeType: format, videoBitsPerSecond: bitsPerSecond });
@@ -113,7 +109,7 @@ export function startVideo(
       // Displays are not exact: a frame that is due within a fifth of the interval counts.
       if (isComplete || now - last < 800 / maxRate) return;
       last = now;
-      paint(from);
+      drawOverBackground(from, copy, overlay);
     },
     stop,
     discard() {
